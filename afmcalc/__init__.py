@@ -1,0 +1,37 @@
+"""Design calculator for adaptive friction clutches (АФМ).
+
+>>> import afmcalc
+>>> clutch = afmcalc.load()            # the built-in base clutch; or a path, TOML or JSON
+>>> round(clutch.torque(0.3), 3)
+234.146
+"""
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .engines import Clutch, build, load
+    from .errors import AfmcalcError, FileError, SpecError
+    from .spec import Spec, read_spec
+
+__version__ = "0.1.0"
+__all__ = ["AfmcalcError", "Clutch", "FileError", "Spec", "SpecError", "build", "load", "read_spec"]
+
+_HOMES = {
+    "Clutch": "engines",
+    "build": "engines",
+    "load": "engines",
+    "AfmcalcError": "errors",
+    "FileError": "errors",
+    "SpecError": "errors",
+    "Spec": "spec",
+    "read_spec": "spec",
+}
+
+
+def __getattr__(name: str) -> object:
+    """Import a public name on first use, so that ``import afmcalc`` costs nothing."""
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module(f".{_HOMES[name]}", __name__), name)

@@ -1,0 +1,5 @@
+"""``python -m afmcalc``."""
+
+from .cli.entry import main
+
+main()

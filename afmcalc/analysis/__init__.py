@@ -1,0 +1,1 @@
+"""What is asked of a clutch: each analysis a function ``(clutch, …) → Result``."""

@@ -1,0 +1,38 @@
+"""JSON Schemas, read off the pydantic models."""
+
+from dataclasses import fields
+from importlib import import_module
+from typing import Any
+
+from pydantic import create_model
+
+from ..errors import AfmcalcError
+from ..spec import Spec
+from ..spec.suggest import did_you_mean
+from .result import Output
+
+RESULTS = {
+    "torque": ("torque", "TorqueResult"),
+    "accuracy": ("accuracy", "AccuracyResult"),
+    "check": ("check", "CheckResult"),
+}
+"""Command → module of this package and class of its result."""
+
+
+def schema(command: str | None = None) -> dict[str, Any]:
+    """Return the JSON Schema of a spec (None), or of the output of a command.
+
+    Raises:
+        AfmcalcError: no such command.
+    """
+    if command is None or command == "spec":
+        return Spec.model_json_schema()
+    if command not in RESULTS:
+        hint = did_you_mean(command, RESULTS)
+        raise AfmcalcError(f"no JSON of a command {command!r}{hint}; described are: spec, {', '.join(RESULTS)}")
+    module, name = RESULTS[command]
+    result = getattr(import_module(f".{module}", __package__), name)
+    parts: dict[str, Any] = {field.name: (field.type, ...) for field in fields(Output)}
+    parts["result"] = (result, ...)
+    model = create_model(f"{name.removesuffix('Result')}Output", __doc__=Output.__doc__, **parts)
+    return model.model_json_schema(mode="serialization")

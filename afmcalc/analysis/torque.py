@@ -1,0 +1,115 @@
+"""Torque and forces of the slipping clutch."""
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+from ..engines.findings import Finding
+from ..engines.protocol import Clutch
+from .result import Result, Triple, quantity
+
+
+class FrictionPoint(Result):
+    """The slipping clutch at one chosen friction."""
+
+    friction: float | None = quantity("1", "f", "coefficient of friction of all pairs", optional=True)
+    friction_driving: float | None = quantity("1", "f_1", "friction of the driving pairs", optional=True)
+    friction_driven: float | None = quantity("1", "f_2", "friction of the driven pairs", optional=True)
+    torque: float = quantity("N*m", "T", "slip torque")
+    normal_force: float = quantity("N", "N", "normal force on the pairs")
+    release_force: float = quantity("N", "F_p", "release force")
+    travel: float | None = quantity("m", "x", "axial travel of the sleeve", optional=True)
+
+
+class TorqueResult(Result):
+    """Torque, forces and accuracy over the friction range."""
+
+    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the setting")
+    closing_force: float = quantity("N", "F_п", "closing-spring force as set")
+    gain: float = quantity("1", "C", "feedback gain")
+    reduced_gain: float = quantity("1", "z_2 C", "reduced gain")
+    friction: Triple | None = quantity("1", "f", "coefficient of friction", optional=True)
+    friction_driving: Triple | None = quantity("1", "f_1", "friction of the driving pairs", optional=True)
+    friction_driven: Triple | None = quantity("1", "f_2", "friction of the driven pairs", optional=True)
+    torque: Triple = quantity("N*m", "T", "slip torque (sustained)")
+    normal_force: Triple = quantity("N", "N", "normal force on the pairs")
+    release_force: Triple = quantity("N", "F_p", "release force")
+    scatter: float = quantity("N*m", "ΔT", "torque scatter band")
+    accuracy_factor: float = quantity("1", "K_т", "accuracy factor T_max/T_min")
+    points: list[FrictionPoint] | None = quantity("", None, "at the friction asked for", optional=True)
+
+
+Pair = tuple[float, float | None]
+
+
+def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult, list[Finding]]:
+    """Calculate torque and forces over the friction range, and at the friction asked for.
+
+    Args:
+        clutch: a clutch with float parameters.
+        friction: pairs (f, None) for all pairs alike or (f_1, f_2).
+
+    Returns:
+        The result and the findings.
+    """
+    ranges = clutch.friction
+    ends = [(getattr(ranges[0], at), getattr(ranges[1], at)) for at in ("min", "mean", "max")]
+    states = [clutch.point(*end) for end in ends]
+    torques = [state.torque for state in states]
+    points = [_point(clutch, *pair) for pair in friction]
+    result = TorqueResult(
+        nominal_torque=clutch.nominal_torque,
+        closing_force=clutch.closing_force,
+        gain=clutch.gain,
+        reduced_gain=clutch.reduced_gain,
+        **friction_triples(clutch),
+        torque=_triple(torques),
+        normal_force=_triple([state.normal_force for state in states]),
+        release_force=_triple([state.release_force for state in states]),
+        scatter=abs(torques[2] - torques[0]),
+        accuracy_factor=clutch.accuracy_factor,
+        points=points or None,
+    )
+    return result, clutch.findings() + [f for pair in friction for f in _outside(clutch, *pair)]
+
+
+def friction_triples(clutch: Clutch) -> dict[str, Triple]:
+    """Return the ranges of friction as result fields: ``friction``, or one per group with unlike materials."""
+    first, second = (Triple(min=r.min, mean=r.mean, max=r.max) for r in clutch.friction)
+    if clutch.spec.friction.unlike:
+        return {"friction_driving": first, "friction_driven": second}
+    return {"friction": first}
+
+
+def triple(clutch: Clutch, function: Callable[..., Any]) -> Triple:
+    """Evaluate ``function(f_1, f_2)`` at the smallest, mean and largest friction."""
+    first, second = clutch.friction
+    return _triple([function(a, b) for a, b in zip(first, second, strict=True)])
+
+
+def _triple(values: list[float]) -> Triple:
+    return Triple(min=values[0], mean=values[1], max=values[2])
+
+
+def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> FrictionPoint:
+    state = clutch.point(friction, friction_driven)
+    if friction_driven is None and not clutch.spec.friction.unlike:
+        asked = {"friction": friction}
+    else:
+        asked = {
+            "friction_driving": friction,
+            "friction_driven": friction if friction_driven is None else friction_driven,
+        }
+    return FrictionPoint(**asked, **state._asdict())
+
+
+def _outside(clutch: Clutch, friction: float, friction_driven: float | None) -> list[Finding]:
+    asked = (friction, friction if friction_driven is None else friction_driven)
+    found = []
+    for value, allowed in zip(asked, clutch.friction, strict=True):
+        if not allowed.min <= value <= allowed.max:
+            message = f"friction {value:g} is outside the range of the spec, {allowed.min:g} to {allowed.max:g}"
+            limit = allowed.min if value < allowed.min else allowed.max
+            found.append(
+                Finding(level="info", code="friction-outside-range", message=message, value=value, limit=limit)
+            )
+    return list(dict.fromkeys(found))

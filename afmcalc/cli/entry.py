@@ -1,0 +1,53 @@
+"""Entry point: sets the process up for a short life before anything heavy is imported, then runs the program."""
+
+import os
+import sys
+from typing import NoReturn
+
+
+def main(arguments: list[str] | None = None) -> NoReturn:
+    """Run the program; errors for people go to standard error, never a traceback."""
+    _tune()
+    from ..errors import AfmcalcError
+    from .main import application
+
+    _prepare_streams()
+    given = sys.argv[1:] if arguments is None else arguments
+    try:
+        application(given)(given, prog_name="afmcalc")
+    except AfmcalcError as error:
+        for line in str(error).splitlines():
+            print(f"error: {line}", file=sys.stderr)
+        sys.exit(error.exit_code)
+    except BrokenPipeError:
+        _drop_output()
+        sys.exit(0)
+    except MemoryError:
+        print("error: not enough memory for what was asked", file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        sys.exit(130)
+    sys.exit(0)
+
+
+def _tune() -> None:
+    """Save start-up time: what is imported stays, so the collector need not look at it, now or at the end."""
+    import atexit
+    import gc
+
+    gc.set_threshold(100_000, 50, 50)
+    atexit.register(gc.freeze)
+    # pydantic would look through every installed distribution for plugins
+    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+
+
+def _prepare_streams() -> None:
+    """Print what the terminal's encoding lacks as escapes instead of failing on it."""
+    for stream in (sys.stdout, sys.stderr):
+        if reconfigure := getattr(stream, "reconfigure", None):
+            reconfigure(errors="backslashreplace")
+
+
+def _drop_output() -> None:
+    """Keep the interpreter from complaining about the closed pipe as it ends."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -1,0 +1,62 @@
+"""The afmcalc program: its commands and its help."""
+
+from importlib import import_module
+from typing import Annotated
+
+import typer
+
+from .. import __version__
+
+COMMANDS = {
+    "torque": "clutch",
+    "accuracy": "clutch",
+    "init": "specs",
+    "check": "specs",
+    "schema": "specs",
+}
+"""Command → module of this package that holds the function of that name, in the order of the help."""
+
+
+def application(arguments: list[str]) -> typer.Typer:
+    """Build the program for a command line.
+
+    Only the command that is called is imported and registered; all of them when none is (help, a misspelt name).
+    """
+    app = typer.Typer(
+        name="afmcalc",
+        no_args_is_help=True,
+        add_completion=False,
+        rich_markup_mode=None,
+        pretty_exceptions_enable=False,
+        context_settings={"help_option_names": ["-h", "--help"]},
+    )
+    app.callback()(_afmcalc)
+    called = arguments[0] if arguments and arguments[0] in COMMANDS else None
+    for name in [called] if called else COMMANDS:
+        module = import_module(f".{COMMANDS[name]}", __package__)
+        app.command(name)(getattr(module, name))
+    return app
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        print(f"afmcalc {__version__}")
+        raise typer.Exit
+
+
+def _afmcalc(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version.")
+    ] = False,
+) -> None:
+    """Design calculator for adaptive friction clutches (torque limiters with feedback).
+
+    \b
+    afmcalc torque clutch.toml           torque and forces over the friction range
+    afmcalc accuracy --sweep C           accuracy of the built-in clutch over the gain
+    afmcalc init clutch.toml             an annotated spec to start from
+    afmcalc torque a.toml --json | afmcalc accuracy -
+
+    SPEC is a TOML or JSON file, - for standard input; without it the built-in base clutch is used.
+    Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written.
+    """  # noqa: D301

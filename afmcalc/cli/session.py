@@ -1,0 +1,189 @@
+"""What every command shares: its options, reading the spec, printing the output, the exit code."""
+
+import inspect
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from functools import wraps
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import typer
+
+from .. import __version__
+from ..errors import AfmcalcError, CalculationError, FileError
+
+if TYPE_CHECKING:
+    from ..analysis.result import Output
+    from ..engines import Clutch
+    from ..spec import Spec
+
+SpecArgument = Annotated[
+    str | None,
+    typer.Argument(metavar="SPEC", help="TOML or JSON file, - for standard input; without it the base clutch."),
+]
+
+
+@dataclass(frozen=True)
+class Common:
+    """Options of every command."""
+
+    set: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="PATH=VALUE", help="Override a spec key; repeatable. Empty VALUE removes it."),
+    ] = None
+    format: Annotated[
+        Literal["table", "json", "csv", "markdown"] | None,
+        typer.Option("--format", help="How to print. JSON and CSV are SI in full precision.  [default: table]"),
+    ] = None
+    json: Annotated[bool, typer.Option("--json", help="The same as --format json.")] = False
+    output: Annotated[
+        str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
+    ] = None
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False
+
+    @property
+    def chosen_format(self) -> str:
+        """The format asked for; ``--json`` is a short form."""
+        if self.json and self.format not in (None, "json"):
+            raise AfmcalcError(f"--json and --format {self.format} exclude each other")
+        return "json" if self.json else self.format or "table"
+
+    def note(self, text: str) -> None:
+        """Say something beside the result."""
+        if not self.quiet:
+            print(f"note: {text}", file=sys.stderr)
+
+
+def with_common(function: Callable[..., None]) -> Callable[..., None]:
+    """Give a command the common options; it receives them as ``common``."""
+    own = inspect.signature(function, eval_str=True)
+    parameters = [p for p in own.parameters.values() if p.name != "common"]
+    parameters += [
+        inspect.Parameter(option.name, inspect.Parameter.KEYWORD_ONLY, default=option.default, annotation=option.type)
+        for option in fields(Common)
+    ]
+
+    @wraps(function)
+    def command(**arguments: Any) -> None:
+        options = {option.name: arguments.pop(option.name) for option in fields(Common)}
+        function(**arguments, common=Common(**options))
+
+    command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+    command.__annotations__ = {p.name: p.annotation for p in parameters}
+    del command.__wrapped__
+    return command
+
+
+def read(source: str | None, common: Common) -> "Spec":
+    """Read the spec a command was given, or the built-in one with a note."""
+    from ..spec import read_spec
+
+    if source is None:
+        common.note("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)")
+    elif source == "-" and sys.stdin.isatty():
+        common.note("reading the spec from the terminal: end it with Ctrl-D, or give a file")
+    return read_spec(source, common.set or ())
+
+
+def calculate(name: str, source: str | None, common: Common, analysis: Callable[["Clutch"], Any]) -> "Output":
+    """Read the spec, build the clutch, run ``analysis`` on it and print what it returns."""
+    from ..engines import build
+    from ..spec import resolved
+
+    spec = read(source, common)
+    result, findings = guarded(lambda: analysis(build(spec)))
+    return emit(name, result, findings, common, resolved(spec))
+
+
+def guarded(calculation: Callable[[], Any]) -> Any:
+    """Run a calculation; a result beyond the range of numbers is an error for people."""
+    from pydantic import ValidationError
+
+    try:
+        return calculation()
+    except ValidationError as error:
+        where = ", ".join(dict.fromkeys(".".join(map(str, detail["loc"])) for detail in error.errors()))
+        raise CalculationError(f"the result is not finite: {where}; check the magnitudes in the spec") from None
+    except (OverflowError, ZeroDivisionError) as error:
+        raise CalculationError(f"the result is not finite: {error}; check the magnitudes in the spec") from None
+
+
+def emit(name: str, result: Any, findings: Any, common: Common, spec: dict[str, Any] | None) -> "Output":
+    """Render an output in the chosen format, to standard output or a file."""
+    from ..analysis.result import Output
+    from ..render import renderer
+
+    output = Output(command=name, version=__version__, spec=spec, result=result, findings=findings)
+    chosen = common.chosen_format
+    terminal = common.output is None and _is_terminal()
+    write(renderer(chosen)(output, terminal), common.output)
+    if chosen == "csv":
+        from ..render.layout import findings_lines
+
+        for line in findings_lines(findings):
+            common.note(line)
+    return output
+
+
+def _is_terminal() -> bool:
+    import os
+
+    return sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
+
+
+def write(text: str, path: str | None) -> None:
+    """Write text to standard output, or to a file that is either whole or untouched."""
+    if path is None or path == "-":
+        sys.stdout.write(text)
+        sys.stdout.flush()
+        return
+    write_file(path, text.encode("utf-8"))
+
+
+def write_file(path: str, content: bytes) -> None:
+    """Replace a file at once, by way of a temporary one beside it.
+
+    Raises:
+        FileError: it cannot be written.
+    """
+    import os
+    import tempfile
+
+    target = os.path.realpath(path)
+    if os.path.exists(target) and not os.path.isfile(target):
+        _write_through(path, content)
+        return
+    temporary = None
+    try:
+        handle, temporary = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".afmcalc-")
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        os.chmod(temporary, _mode(target))
+        os.replace(temporary, target)
+    except OSError as error:
+        raise FileError(f"{path}: cannot be written: {error.strerror or error}") from None
+    except BaseException:
+        if temporary:
+            os.unlink(temporary)
+        raise
+
+
+def _write_through(path: str, content: bytes) -> None:
+    """Write to what is no regular file (a device, a pipe)."""
+    try:
+        with open(path, "wb") as file:
+            file.write(content)
+    except OSError as error:
+        raise FileError(f"{path}: cannot be written: {error.strerror or error}") from None
+
+
+def _mode(target: str) -> int:
+    """Permissions for a written file: those it had, or those the umask leaves."""
+    import os
+
+    try:
+        return os.stat(target).st_mode & 0o777
+    except FileNotFoundError:
+        mask = os.umask(0)
+        os.umask(mask)
+        return 0o666 & ~mask

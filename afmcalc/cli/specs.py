@@ -1,0 +1,79 @@
+"""Commands about the spec itself: init, check, schema."""
+
+import os
+from typing import Annotated, Literal
+
+import typer
+
+from ..errors import AfmcalcError
+from .session import Common, SpecArgument, calculate, with_common, write
+
+_EXAMPLES = {"differentiated": "default"}
+"""Example that stands for a variant where the names differ."""
+
+
+def init(
+    file: Annotated[str, typer.Argument(metavar="FILE", help="File to write; - for standard output.")] = "clutch.toml",
+    variant: Annotated[
+        Literal["conventional", "differentiated", "all-driving", "indirect", "unlike-materials"],
+        typer.Option("--variant", help="Clutch to start from."),
+    ] = "differentiated",
+    output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="The same as FILE.")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Overwrite an existing file.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False,
+) -> None:
+    """Write an annotated spec to start from.
+
+    \b
+    afmcalc init clutch.toml
+    afmcalc init indirect.toml --variant indirect
+    """  # noqa: D301
+    from ..spec.builtin import example_text
+
+    target = output or file
+    if target != "-" and os.path.lexists(target) and not force:
+        raise AfmcalcError(f"{target}: exists already; --force overwrites it")
+    write(example_text(_EXAMPLES.get(variant, variant)), target)
+    if target != "-":
+        Common(quiet=quiet).note(f"wrote {target}; calculate it with: afmcalc torque {target}")
+
+
+@with_common
+def check(
+    spec: SpecArgument = None,
+    strict: Annotated[bool, typer.Option("--strict", help="Warnings fail the check too.")] = False,
+    *,
+    common: Common,
+) -> None:
+    """Findings only; exit code 1 if one is an error.
+
+    \b
+    afmcalc check clutch.toml && echo fine
+    afmcalc check clutch.toml --strict --json
+    """  # noqa: D301
+    from ..analysis.check import check as analysis
+
+    output = calculate("check", spec, common, lambda clutch: analysis(clutch, strict=strict))
+    if not output.result.passed:
+        raise typer.Exit(1)
+
+
+def schema(
+    command: Annotated[
+        str | None, typer.Argument(metavar="COMMAND", help="Command whose JSON is described; without it the spec.")
+    ] = None,
+    output: Annotated[
+        str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
+    ] = None,
+) -> None:
+    """JSON Schema of the spec, or of a command's JSON output.
+
+    \b
+    afmcalc schema > clutch.schema.json
+    afmcalc schema torque
+    """  # noqa: D301
+    import json
+
+    from ..analysis.schema import schema as describe
+
+    write(json.dumps(describe(command), indent=2, ensure_ascii=False) + "\n", output)

@@ -1,0 +1,68 @@
+"""The few steps between equations that are not plain arithmetic, for floats and arrays alike."""
+
+import math
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Values: TypeAlias = float | NDArray[np.float64]
+else:
+    Values = Any
+"""One number, or an array of any shape; shapes of several arguments broadcast."""
+
+
+def is_array(value: object) -> bool:
+    """Whether ``value`` is a NumPy array (asked without importing NumPy)."""
+    return hasattr(value, "__array__") and not isinstance(value, float)
+
+
+def larger(first: Values, second: Values) -> Values:
+    """Elementwise maximum."""
+    if is_array(first) or is_array(second):
+        import numpy as np
+
+        return np.maximum(first, second)
+    return first if first >= second else second
+
+
+def smaller(first: Values, second: Values) -> Values:
+    """Elementwise minimum."""
+    if is_array(first) or is_array(second):
+        import numpy as np
+
+        return np.minimum(first, second)
+    return first if first <= second else second
+
+
+def through_math(function: Any, value: Any) -> Any:
+    """Apply a function of ``math`` element by element: NumPy's own may differ in the last bit."""
+    if is_array(value):
+        import numpy as np
+
+        return np.fromiter(map(function, value.ravel()), float, value.size).reshape(value.shape)
+    return function(value)
+
+
+def tangent(angle: Any) -> Any:
+    """Tangent, the same to the last bit for floats and arrays."""
+    return through_math(math.tan, angle)
+
+
+def checked_friction(value: Any) -> Any:
+    """Return a coefficient of friction as float or array.
+
+    Raises:
+        ValueError: negative or not a number.
+    """
+    if isinstance(value, list | tuple):
+        import numpy as np
+
+        value = np.asarray(value, float)
+    if is_array(value):
+        if value.size and not value.min() >= 0:
+            raise ValueError("friction must be at least 0 everywhere")
+    elif isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value < math.inf:
+        raise ValueError(f"friction must be a finite number, at least 0, or an array of such; got {value!r}")
+    return value

@@ -1,0 +1,254 @@
+"""Engine of direct regulation: one law, the variants are pair counts."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from ..equations import accuracy, direct
+from ..spec.models import Range, Spec
+from . import geometry, setting
+from ._arrays import Values, checked_friction, larger, smaller
+from .findings import Finding
+from .protocol import Point
+
+
+@dataclass(frozen=True)
+class DirectClutch:
+    """Conventional, differentiated (like or unlike materials) or all-driving clutch."""
+
+    spec: Spec
+    mean_radius: Values
+    """R_cp, m."""
+    bypass_pairs: Values
+    """z_1."""
+    controlled_pairs: Values
+    """z_2."""
+    gain: Values
+    """C."""
+    friction: tuple[Range, Range]
+    """Ranges of f_1 and f_2."""
+    closing_force: Values = 1.0
+    """F_п as set, N."""
+
+    @classmethod
+    def from_spec(cls, spec: Spec) -> "DirectClutch":
+        """Build the engine of a spec whose values may be arrays."""
+        bypass = spec.bypass_pairs
+        clutch = cls(
+            spec=spec,
+            mean_radius=geometry.mean_radius(spec),
+            bypass_pairs=bypass,
+            controlled_pairs=spec.friction_group.pairs - bypass,
+            gain=geometry.feedback_gain(spec),
+            friction=spec.friction.groups,
+        )
+        return replace(clutch, closing_force=setting.closing_force(clutch))
+
+    def torque(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Sustained slip torque T, N·m (F11 (12)).
+
+        Args:
+            friction: f of all pairs, or f_1 of the driving pairs when ``friction_driven`` is given;
+                a float or an array of any shape.
+            friction_driven: f_2 of the driven pairs.
+
+        Returns:
+            T, N·m, in the broadcast shape of the arguments.
+
+        Raises:
+            ValueError: negative friction.
+        """
+        first, second = _pair(friction, friction_driven)
+        return direct.torque(
+            self.closing_force, self.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain, first, second
+        )
+
+    def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Normal force N on the pairs, N; arguments as ``torque``."""
+        _, second = _pair(friction, friction_driven)
+        return direct.normal_force(self.closing_force, self.controlled_pairs, self.gain, second)
+
+    def release_force(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Release force F_p of the control unit, N; arguments as ``torque``."""
+        _, second = _pair(friction, friction_driven)
+        return direct.release_force(self.closing_force, self.controlled_pairs, self.gain, second)
+
+    def breakaway_torque(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Upper bound P of the breakaway torque, N·m (theory, section 3); arguments as ``torque``."""
+        first, second = _pair(friction, friction_driven)
+        bypass: Values = direct.bypass_torque(self.closing_force, self.mean_radius, self.bypass_pairs, first)
+        if self.spec.variant == "conventional":
+            return bypass
+        return larger(bypass, self.torque(first, second))
+
+    def point(self, friction: Any, friction_driven: Any = None) -> Point:
+        """State of the slipping clutch at one friction."""
+        return Point(
+            torque=self.torque(friction, friction_driven),
+            normal_force=self.normal_force(friction, friction_driven),
+            release_force=self.release_force(friction, friction_driven),
+            travel=None,
+        )
+
+    @property
+    def reduced_gain(self) -> Values:
+        """z_2 C."""
+        reduced: Values = direct.reduced_gain(self.controlled_pairs, self.gain)
+        return reduced
+
+    @property
+    def nominal_torque(self) -> Values:
+        """T_н that the setting gives, N·m."""
+        return setting.nominal_torque(self)
+
+    @property
+    def _factor(self) -> Values:
+        """T(f_max)/T(f_min) along the common path, below 1 where the torque falls."""
+        first, second = self.friction
+        factor: Values = accuracy.accuracy_factor(
+            self.bypass_pairs, self.controlled_pairs, self.gain, first.min, second.min, first.max, second.max
+        )
+        return factor
+
+    @property
+    def accuracy_factor(self) -> Values:
+        """K_т, largest over smallest torque along the common path of f_1 and f_2."""
+        factor = self._factor
+        # with one material the law rises with f (its slope has the sign of z_1 + z_2), so only unlike ones can fall
+        return larger(factor, 1 / factor) if self.spec.friction.unlike else factor
+
+    @property
+    def accuracy_factor_worst_case(self) -> Values:
+        """K_т over the rectangle of both ranges; T is monotone in each, so its extremes are corners."""
+        first, second = self.friction
+        corners = [self.torque(f1, f2) for f1 in (first.min, first.max) for f2 in (second.min, second.max)]
+        low: Values = corners[0]
+        high: Values = corners[0]
+        for corner in corners[1:]:
+            low, high = smaller(low, corner), larger(high, corner)
+        return high / low
+
+    @property
+    def accuracy_factor_peak(self) -> Values:
+        """Largest over smallest breakaway torque; P rises along the common path."""
+        first, second = self.friction
+        peak: Values = self.breakaway_torque(first.max, second.max) / self.breakaway_torque(first.min, second.min)
+        return peak
+
+    @property
+    def torque_max(self) -> Values:
+        """Largest sustained torque along the common path, N·m."""
+        first, second = self.friction
+        high: Values = self.torque(first.max, second.max)
+        return larger(high, self.torque(first.min, second.min)) if self.spec.friction.unlike else high
+
+    @property
+    def gain_limit(self) -> Values | None:
+        """Largest gain at which the law describes the whole slip (F11 p. 4; S22); None without control unit."""
+        limit: Values
+        if self.spec.variant == "differentiated":
+            limit = direct.gain_limit_differentiated(self.bypass_pairs, self.friction[0].max)
+        elif self.spec.variant == "all-driving":
+            limit = direct.gain_limit_all_driving(self.controlled_pairs)
+        else:
+            return None
+        return limit
+
+    def sensitivity(self) -> dict[str, float]:
+        """Elasticities ∂ln K_т/∂ln p by spec path, from the derivatives of the law."""
+        low, high = (_FrictionPair(*pair) for pair in zip(*((r.min, r.max) for r in self.friction), strict=True))
+        sign = 1.0 if not self.spec.friction.unlike or self._factor >= 1 else -1.0
+        slopes_low, slopes_high = self._elasticities(low), self._elasticities(high)
+        shared = {name: sign * (slopes_high[name] - slopes_low[name]) for name in ("pairs", "driving_pairs", "gain")}
+        found: dict[str, float] = {}
+        for end, slopes, way in (("min", slopes_low, -sign), ("max", slopes_high, sign)):
+            if self.spec.friction.unlike:
+                found[f"friction.driving.{end}"] = way * slopes["friction_driving"]
+                found[f"friction.driven.{end}"] = way * slopes["friction_driven"]
+            else:
+                found[f"friction.{end}"] = way * (slopes["friction_driving"] + slopes["friction_driven"])
+        found["friction_group.pairs"] = shared["pairs"]
+        if self.spec.variant == "differentiated":
+            found["friction_group.driving_pairs"] = shared["driving_pairs"]
+        found |= geometry.gain_elasticities(self.spec, shared["gain"])
+        found["closing_spring.force"] = 0.0
+        return found
+
+    def _elasticities(self, at: "_FrictionPair") -> dict[str, float]:
+        """∂ln T/∂ln p at one point."""
+        z1, z2 = self.bypass_pairs, self.controlled_pairs
+        driving = accuracy.torque_elasticity_in_friction_driving(z1, z2, at.driving, at.driven)
+        driven = accuracy.torque_elasticity_in_friction_driven(z1, z2, self.gain, at.driving, at.driven)
+        return {
+            "friction_driving": driving,
+            "friction_driven": driven,
+            "gain": accuracy.torque_elasticity_in_gain(z2, self.gain, at.driven),
+            **_pair_elasticities(z1, z2, driving, driven),
+        }
+
+    def findings(self) -> list[Finding]:
+        """What a designer should know: gain limits, idle feedback, the setting."""
+        return [*self._gain_findings(), *self._path_findings(), *setting.findings(self)]
+
+    def _gain_findings(self) -> list[Finding]:
+        path = "control_unit.wall_angle" if _angle_given(self.spec) else "control_unit.gain"
+        if self.spec.variant != "conventional" and self.gain == 0:
+            message = "the gain is 0: the control unit gives no release force, the clutch is an ordinary one"
+            return [Finding(level="warning", code="feedback-idle", message=message, value=0.0, limit=0.0, path=path)]
+        limit = self.gain_limit
+        if limit is None or self.gain <= limit:
+            return []
+        if self.spec.variant == "all-driving":
+            message = f"the reduced gain zC = {self.reduced_gain:.4g} is above the recommended 5 (S22)"
+            return [
+                Finding(
+                    level="warning", code="reduced-gain-above-limit", message=message,
+                    value=float(self.reduced_gain), limit=5.0, path=path,
+                )
+            ]  # fmt: skip
+        first, second = self.friction
+        peak, sustained = self.breakaway_torque(first.max, second.max), self.torque(first.max, second.max)
+        message = (
+            f"C = {self.gain:.4g} is above 1/(z_1 f_1max) = {limit:.4g}: at f_max the bypass pairs alone may carry "
+            f"{peak:.5g} N·m before the balls take over, the sustained torque is {sustained:.5g} N·m"
+        )
+        return [
+            Finding(
+                level="warning", code="gain-above-limit", message=message,
+                value=float(self.gain), limit=float(limit), path=path,
+            )
+        ]  # fmt: skip
+
+    def _path_findings(self) -> list[Finding]:
+        if not self.spec.friction.unlike or self._factor >= 1:
+            return []
+        message = "the torque falls as the friction of both groups rises: the largest torque is at f_min"
+        return [Finding(level="info", code="torque-falls", message=message, value=float(self._factor), limit=1.0)]
+
+
+@dataclass(frozen=True)
+class _FrictionPair:
+    """One pair of friction coefficients."""
+
+    driving: float
+    driven: float
+
+
+def _pair(friction: Any, friction_driven: Any) -> tuple[Any, Any]:
+    first = checked_friction(friction)
+    return first, first if friction_driven is None else checked_friction(friction_driven)
+
+
+def _pair_elasticities(bypass: Any, controlled: Any, driving: float, driven: float) -> dict[str, float]:
+    """Elasticities in z (z_1 kept) and z_1 (z kept) from those in f_1 and f_2, which equal those in z_1 and z_2."""
+    if bypass == 0:
+        return {"pairs": driven, "driving_pairs": 0.0}
+    if controlled == 0:
+        return {"pairs": driving, "driving_pairs": 0.0}
+    return {
+        "pairs": (bypass + controlled) / controlled * driven,
+        "driving_pairs": driving - bypass / controlled * driven,
+    }
+
+
+def _angle_given(spec: Spec) -> bool:
+    return spec.control_unit is not None and spec.control_unit.wall_angle is not None

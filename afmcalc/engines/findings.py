@@ -1,0 +1,28 @@
+"""Findings: what a designer should know about a legal design."""
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+Level = Literal["info", "warning", "error"]
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One remark on a design, with the number it is about and the number it is held against."""
+
+    level: Annotated[
+        Level, Field(description="info: worth knowing; warning: not as the law or the wish says; error: must change")
+    ]
+    code: Annotated[str, Field(description="short name that scripts may rely on")]
+    message: Annotated[str, Field(description="what it means, in a sentence")]
+    value: Annotated[float | None, Field(description="the number in question, SI")] = None
+    limit: Annotated[float | None, Field(description="what it is held against, SI")] = None
+    path: Annotated[str | None, Field(description="spec key it belongs to")] = None
+
+
+def worst(findings: list[Finding]) -> Level | None:
+    """Return the gravest level present."""
+    order: tuple[Level, ...] = ("error", "warning", "info")
+    return next((level for level in order if any(finding.level == level for finding in findings)), None)

@@ -1,0 +1,75 @@
+"""Setting of the closing spring (настройка): every law is proportional to F_п, so one rule serves all (S19)."""
+
+from typing import Any, Protocol
+
+from ..equations import adjustment
+from ..spec.models import Method, Range, Spec
+from ._arrays import Values
+from .findings import Finding
+
+
+class Settable(Protocol):
+    """A clutch whose torque is proportional to its closing force."""
+
+    @property
+    def spec(self) -> Spec: ...  # noqa: D102
+    @property
+    def friction(self) -> tuple[Range, Range]: ...  # noqa: D102
+    @property
+    def closing_force(self) -> Values: ...  # noqa: D102
+    def torque(self, friction: Any, friction_driven: Any = None) -> Any: ...  # noqa: D102
+
+
+def margin(spec: Spec, method: Method | None = None) -> Any:
+    """β_н as far as it is in the spring: with mean-friction only (S19; in S22 it divides the machine's torque)."""
+    return spec.adjustment.margin if (method or spec.adjustment.method) == "mean-friction" else 1.0
+
+
+def torque_per_force(clutch: Settable, method: Method | None = None) -> Any:
+    """T(f_set)/F_п, m."""
+    first, second = clutch.friction
+    mean = (method or clutch.spec.adjustment.method) == "mean-friction"
+    at = (first.mean, second.mean) if mean else (first.min, second.min)
+    return clutch.torque(*at) / clutch.closing_force
+
+
+def closing_force(clutch: Settable) -> Any:
+    """F_п as given, or from the nominal torque."""
+    spec = clutch.spec
+    if spec.closing_spring.force is not None:
+        return spec.closing_spring.force
+    return adjustment.closing_force(spec.adjustment.nominal_torque, margin(spec), torque_per_force(clutch))
+
+
+def nominal_torque(clutch: Settable) -> Values:
+    """T_н that the spring as set gives."""
+    torque: Values = adjustment.nominal_torque(clutch.closing_force, margin(clutch.spec), torque_per_force(clutch))
+    return torque
+
+
+def findings(clutch: Settable) -> list[Finding]:
+    """Remarks on the setting: the wished nominal torque missed, or not reached at f_min."""
+    found = []
+    first, second = clutch.friction
+    reached, wished = float(nominal_torque(clutch)), clutch.spec.adjustment.nominal_torque
+    if wished is not None and abs(reached - wished) > 1e-6 * wished:
+        message = (
+            f"closing_spring.force is given, so it decides: it gives a nominal torque of {reached:.5g} N·m, "
+            f"not the {wished:.5g} N·m of adjustment.nominal_torque"
+        )
+        found.append(
+            Finding(
+                level="warning", code="nominal-torque-missed", message=message,
+                value=reached, limit=wished, path="adjustment.nominal_torque",
+            )
+        )  # fmt: skip
+    lowest = min(clutch.torque(first.min, second.min), clutch.torque(first.max, second.max))
+    if lowest < reached * (1 - 1e-12):
+        message = f"the torque falls to {lowest:.5g} N·m in service, below the nominal torque {reached:.5g} N·m"
+        found.append(
+            Finding(
+                level="warning", code="below-nominal-torque", message=message,
+                value=lowest, limit=reached, path="adjustment.method",
+            )
+        )  # fmt: skip
+    return found

@@ -1,0 +1,289 @@
+"""Accuracy of direct regulation: K_т, its slopes and its elasticities (theory, section 3)."""
+
+from ._types import Number
+
+
+def accuracy_factor(
+    bypass_pairs: Number,
+    controlled_pairs: Number,
+    gain: Number,
+    friction_driving_min: Number,
+    friction_driven_min: Number,
+    friction_driving_max: Number,
+    friction_driven_max: Number,
+) -> Number:
+    """Accuracy factor K_т = T(f_1max, f_2max)/T(f_1min, f_2min).
+
+    Source: F11 (14); with one material S19 and S22 (18).
+
+    Args:
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        gain: C, feedback gain [1].
+        friction_driving_min: f_1min, smallest friction of the bypass pairs [1].
+        friction_driven_min: f_2min, smallest friction of the controlled pairs [1].
+        friction_driving_max: f_1max, largest friction of the bypass pairs [1].
+        friction_driven_max: f_2max, largest friction of the controlled pairs [1].
+
+    Returns:
+        K_т [1]. Below 1 where the torque falls with friction (unlike materials, z_1 C f_1 > 1); the ratio
+        largest/smallest torque is then 1/K_т.
+
+    Validity:
+        f_1 and f_2 move together (F11's working hypothesis).
+
+    >>> accuracy_factor(1, 7, 0.0, 0.125, 0.125, 0.75, 0.75)
+    6.0
+    """
+    return (
+        (bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max)
+        * (1 + controlled_pairs * gain * friction_driven_min)
+        / (
+            (bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min)
+            * (1 + controlled_pairs * gain * friction_driven_max)
+        )
+    )
+
+
+def accuracy_factor_by_ratios(
+    bypass_pairs: Number,
+    controlled_pairs: Number,
+    gain: Number,
+    ratio_max: Number,
+    ratio_min: Number,
+    friction_driving_min: Number,
+    friction_driving_max: Number,
+) -> Number:
+    """K_т in F11's ratios n = f_2max/f_1max, p = f_2min/f_1min, m = f_1max/f_1min.
+
+    Source: F11 (17) with (15), (16).
+
+    Args:
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        gain: C, feedback gain [1].
+        ratio_max: n = f_2max/f_1max [1].
+        ratio_min: p = f_2min/f_1min [1].
+        friction_driving_min: f_1min [1].
+        friction_driving_max: f_1max [1].
+
+    Returns:
+        K_т [1].
+
+    Validity:
+        As ``accuracy_factor``; n and p are free as long as f_2min ≤ f_2max.
+    """
+    spread = friction_driving_max / friction_driving_min
+    return (
+        spread
+        * (bypass_pairs + controlled_pairs * ratio_max)
+        * (1 + controlled_pairs * gain * ratio_min * friction_driving_min)
+        / (
+            (bypass_pairs + controlled_pairs * ratio_min)
+            * (1 + controlled_pairs * gain * ratio_max * friction_driving_max)
+        )
+    )
+
+
+def slope_in_ratio_max(
+    bypass_pairs: Number,
+    controlled_pairs: Number,
+    gain: Number,
+    ratio_max: Number,
+    ratio_min: Number,
+    friction_driving_min: Number,
+    friction_driving_max: Number,
+) -> Number:
+    """Slope ∂K_т/∂n; its sign is that of 1 − z_1 C f_1max for every n.
+
+    Source: F11 (18), mended (M2: printed with the factor z_1 − C f_1max).
+
+    Args:
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        gain: C, feedback gain [1].
+        ratio_max: n = f_2max/f_1max [1].
+        ratio_min: p = f_2min/f_1min [1].
+        friction_driving_min: f_1min [1].
+        friction_driving_max: f_1max [1].
+
+    Returns:
+        ∂K_т/∂n [1].
+
+    Validity:
+        As ``accuracy_factor_by_ratios``.
+    """
+    spread = friction_driving_max / friction_driving_min
+    return (
+        controlled_pairs
+        * spread
+        * (1 + controlled_pairs * gain * ratio_min * friction_driving_min)
+        * (1 - bypass_pairs * gain * friction_driving_max)
+        / (
+            (bypass_pairs + controlled_pairs * ratio_min)
+            * (1 + controlled_pairs * gain * ratio_max * friction_driving_max) ** 2
+        )
+    )
+
+
+def slope_in_ratio_min(
+    bypass_pairs: Number,
+    controlled_pairs: Number,
+    gain: Number,
+    ratio_max: Number,
+    ratio_min: Number,
+    friction_driving_min: Number,
+    friction_driving_max: Number,
+) -> Number:
+    """Slope ∂K_т/∂p; its sign is that of z_1 C f_1min − 1 for every p.
+
+    Source: F11 (22), mended (M3: printed with the factor C f_1min − z_1).
+
+    Args:
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        gain: C, feedback gain [1].
+        ratio_max: n = f_2max/f_1max [1].
+        ratio_min: p = f_2min/f_1min [1].
+        friction_driving_min: f_1min [1].
+        friction_driving_max: f_1max [1].
+
+    Returns:
+        ∂K_т/∂p [1].
+
+    Validity:
+        As ``accuracy_factor_by_ratios``.
+    """
+    spread = friction_driving_max / friction_driving_min
+    return (
+        controlled_pairs
+        * spread
+        * (bypass_pairs + controlled_pairs * ratio_max)
+        * (bypass_pairs * gain * friction_driving_min - 1)
+        / (
+            (bypass_pairs + controlled_pairs * ratio_min) ** 2
+            * (1 + controlled_pairs * gain * ratio_max * friction_driving_max)
+        )
+    )
+
+
+def accuracy_factor_peak_above_limit(
+    bypass_pairs: Number, controlled_pairs: Number, gain: Number, friction_min: Number, friction_max: Number
+) -> Number:
+    """Accuracy by breakaway peaks between the limits, z_1 f_max (1 + z_2 C f_min)/(z f_min).
+
+    Source: theory, section 3 (beyond the papers).
+
+    Args:
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        gain: C, feedback gain [1].
+        friction_min: f_min, one material [1].
+        friction_max: f_max, one material [1].
+
+    Returns:
+        P(f_max)/P(f_min) [1].
+
+    Validity:
+        1/(z_1 f_max) ≤ C ≤ 1/(z_1 f_min). Below it K_т itself holds, above it f_max/f_min.
+    """
+    return (
+        bypass_pairs
+        * friction_max
+        * (1 + controlled_pairs * gain * friction_min)
+        / ((bypass_pairs + controlled_pairs) * friction_min)
+    )
+
+
+def best_accuracy_factor_peak(
+    bypass_pairs: Number, controlled_pairs: Number, friction_min: Number, friction_max: Number
+) -> Number:
+    """Best accuracy a differentiated clutch attains by peaks, (z_1 f_max + z_2 f_min)/(z f_min), at its gain limit.
+
+    Source: theory, section 3 (beyond the papers).
+
+    Args:
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        friction_min: f_min, one material [1].
+        friction_max: f_max, one material [1].
+
+    Returns:
+        The smallest P(f_max)/P(f_min) over the gain [1].
+
+    Validity:
+        z_1 ≥ 1, one material.
+    """
+    return (bypass_pairs * friction_max + controlled_pairs * friction_min) / (
+        (bypass_pairs + controlled_pairs) * friction_min
+    )
+
+
+def torque_elasticity_in_gain(controlled_pairs: Number, gain: Number, friction_driven: Number) -> Number:
+    """Elasticity ∂ln T/∂ln C of the direct law, −C z_2 f_2/(1 + C z_2 f_2).
+
+    Source: derivative of F11 (12).
+
+    Args:
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        gain: C, feedback gain [1].
+        friction_driven: f_2, friction of the controlled pairs [1].
+
+    Returns:
+        ∂ln T/∂ln C [1].
+
+    Validity:
+        As ``direct.torque``.
+    """
+    feedback = gain * controlled_pairs * friction_driven
+    return -feedback / (1 + feedback)
+
+
+def torque_elasticity_in_friction_driving(
+    bypass_pairs: Number, controlled_pairs: Number, friction_driving: Number, friction_driven: Number
+) -> Number:
+    """Elasticity ∂ln T/∂ln f_1 of the direct law, z_1 f_1/(z_1 f_1 + z_2 f_2).
+
+    Source: derivative of F11 (12).
+
+    Args:
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        friction_driving: f_1, friction of the bypass pairs [1].
+        friction_driven: f_2, friction of the controlled pairs [1].
+
+    Returns:
+        ∂ln T/∂ln f_1 [1]; equally ∂ln T/∂ln z_1 at fixed z_2.
+
+    Validity:
+        As ``direct.torque``.
+    """
+    return bypass_pairs * friction_driving / (bypass_pairs * friction_driving + controlled_pairs * friction_driven)
+
+
+def torque_elasticity_in_friction_driven(
+    bypass_pairs: Number, controlled_pairs: Number, gain: Number, friction_driving: Number, friction_driven: Number
+) -> Number:
+    """Elasticity ∂ln T/∂ln f_2 of the direct law; negative where z_1 C f_1 > 1.
+
+    Source: derivative of F11 (12).
+
+    Args:
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        gain: C, feedback gain [1].
+        friction_driving: f_1, friction of the bypass pairs [1].
+        friction_driven: f_2, friction of the controlled pairs [1].
+
+    Returns:
+        ∂ln T/∂ln f_2 [1]; equally ∂ln T/∂ln z_2 at fixed z_1.
+
+    Validity:
+        As ``direct.torque``.
+    """
+    carried = controlled_pairs * friction_driven
+    return (
+        carried
+        * (1 - bypass_pairs * gain * friction_driving)
+        / ((bypass_pairs * friction_driving + carried) * (1 + gain * carried))
+    )

@@ -1,0 +1,42 @@
+"""Geometry of the friction surface."""
+
+from ._types import Number
+
+
+def mean_radius_uniform_wear(inner_radius: Number, outer_radius: Number) -> Number:
+    """Mean friction radius at uniform wear (p·r constant), (r_i + r_o)/2.
+
+    Source: Juvinall & Marshek, Fundamentals of Machine Component Design, ch. 18.
+
+    Args:
+        inner_radius: r_i [m].
+        outer_radius: r_o [m].
+
+    Returns:
+        R_cp [m].
+
+    Validity:
+        0 < r_i < r_o; discs worn in.
+
+    >>> mean_radius_uniform_wear(0.5, 1.5)
+    1.0
+    """
+    return (inner_radius + outer_radius) / 2
+
+
+def mean_radius_uniform_pressure(inner_radius: Number, outer_radius: Number) -> Number:
+    """Mean friction radius at uniform pressure, ⅔ (r_o³ − r_i³)/(r_o² − r_i²).
+
+    Source: Juvinall & Marshek, Fundamentals of Machine Component Design, ch. 18.
+
+    Args:
+        inner_radius: r_i [m].
+        outer_radius: r_o [m].
+
+    Returns:
+        R_cp [m].
+
+    Validity:
+        0 < r_i < r_o; new, stiff discs.
+    """
+    return 2 * (outer_radius**3 - inner_radius**3) / (3 * (outer_radius**2 - inner_radius**2))

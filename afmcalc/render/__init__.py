@@ -1,0 +1,5 @@
+"""Rendering: one walk over a result gives a document; each format writes the document."""
+
+from .interface import FORMATS, renderer
+
+__all__ = ["FORMATS", "renderer"]

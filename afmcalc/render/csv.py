@@ -1,0 +1,48 @@
+"""CSV: one header line with units, SI, full precision."""
+
+import csv
+import io
+
+from ..analysis.result import Output
+from .document import Column, Document, Row, document
+
+
+def render(output: Output, terminal: bool) -> str:
+    """Write the result's records or sweep, one row each; without any, all quantities in one row."""
+    columns = _columns(document(output.result))
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([_header(column.path, column.unit) for column in columns])
+    writer.writerows(zip(*(column.values for column in columns), strict=True))
+    return text.getvalue()
+
+
+def _columns(laid_out: Document) -> list[Column]:
+    listed = [table for table in laid_out.tables if not _is_mapping(table.columns)]
+    if listed:
+        return listed[-1].columns
+    wide = [column for row in laid_out.singles for column in _flat(row)]
+    wide += [column for row in laid_out.triples for column in _flat(row)]
+    for table in laid_out.tables:
+        names, values = table.columns
+        wide += [
+            Column(f"{values.path}.{name}", "", name, values.unit, [value])
+            for name, value in zip(names.values, values.values, strict=True)
+        ]
+    return wide
+
+
+def _is_mapping(columns: list[Column]) -> bool:
+    return columns[0].path.endswith(".key")
+
+
+def _flat(row: Row) -> list[Column]:
+    ends = ("",) if len(row.values) == 1 else (".min", ".mean", ".max")
+    return [
+        Column(row.path + end, row.symbol, row.name, row.unit, [value])
+        for end, value in zip(ends, row.values, strict=True)
+    ]
+
+
+def _header(path: str, unit: str) -> str:
+    return f"{path} [{unit}]" if unit else path

@@ -1,0 +1,125 @@
+"""One walk over a result: rows, triples, tables. Every format for people and CSV writes this."""
+
+from typing import Any, NamedTuple
+
+from pydantic import BaseModel
+
+from ..analysis.result import Result, Triple
+
+
+class Row(NamedTuple):
+    """A quantity with one value, or with one per friction."""
+
+    path: str
+    symbol: str
+    name: str
+    unit: str
+    values: tuple[Any, ...]
+    """One value, or three at f_min, mean, f_max."""
+
+
+class Column(NamedTuple):
+    """One column of a table."""
+
+    path: str
+    symbol: str
+    name: str
+    unit: str
+    values: list[Any]
+
+
+class Table(NamedTuple):
+    """Columns of equal length; ``axes`` of them, from the left, are coordinates."""
+
+    title: str
+    columns: list[Column]
+    axes: int = 0
+
+
+class Document(NamedTuple):
+    """A result laid out: single values, triples, tables."""
+
+    singles: list[Row]
+    triples: list[Row]
+    tables: list[Table]
+
+
+def document(result: BaseModel) -> Document:
+    """Lay out a result by the symbol, unit and description of its fields; null optional fields are left out."""
+    laid_out = Document([], [], [])
+    _walk(result, "", "", laid_out)
+    return laid_out
+
+
+def _walk(model: BaseModel, prefix: str, heading: str, into: Document) -> None:
+    for name, info in type(model).model_fields.items():
+        value = getattr(model, name)
+        if value is None and not info.is_required():
+            continue
+        about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+        path, title = prefix + name, info.description or name
+        symbol, unit = str(about.get("symbol") or ""), str(about.get("unit") or "")
+        label = f"{heading}: {title}" if heading else title
+        if isinstance(value, Triple):
+            into.triples.append(Row(path, symbol, label, unit, (value.min, value.mean, value.max)))
+        elif isinstance(value, Result):
+            _walk(value, path + ".", label, into)
+        elif isinstance(value, dict):
+            into.tables.append(_mapping(path, symbol, label, unit, value, ranked=bool(about.get("ranked"))))
+        elif isinstance(value, list) and value and isinstance(value[0], BaseModel):
+            into.tables.append(_side_by_side(label, value) if about.get("columns") else _records(label, value))
+        else:
+            into.singles.append(Row(path, symbol, label, unit, (_plain(value),)))
+
+
+def _plain(value: Any) -> Any:
+    """Show a list of plain values as one text."""
+    return ", ".join(str(item) for item in value) if isinstance(value, list) else value
+
+
+def _mapping(path: str, symbol: str, title: str, unit: str, value: dict[str, Any], *, ranked: bool) -> Table:
+    """Lay out a dictionary; ``ranked`` puts the largest magnitude first."""
+    names = sorted(value, key=lambda name: -abs(value[name])) if ranked else list(value)
+    return Table(
+        title,
+        [
+            Column(f"{path}.key", "", "parameter", "", names),
+            Column(path, symbol, title, unit, [value[name] for name in names]),
+        ],
+    )
+
+
+def _records(title: str, items: list[BaseModel]) -> Table:
+    """Lay out a list of records, one row each; triples become three columns, all-null columns are left out."""
+    columns: list[Column] = []
+    for name, info in type(items[0]).model_fields.items():
+        about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+        values = [getattr(item, name) for item in items]
+        if all(value is None for value in values):
+            continue
+        symbol, unit = str(about.get("symbol") or ""), str(about.get("unit") or "")
+        label = info.description or name
+        if any(isinstance(value, Triple) for value in values):
+            for end in ("min", "mean", "max"):
+                ends = [getattr(value, end, None) for value in values]
+                columns.append(Column(f"{name}_{end}", f"{symbol} {end}", f"{label}, {end}", unit, ends))
+        else:
+            columns.append(Column(name, symbol, label, unit, [_plain(value) for value in values]))
+    return Table(title, columns)
+
+
+def _side_by_side(title: str, items: list[BaseModel]) -> Table:
+    """Lay out series that share a grid: the coordinate of each, then the answers, which all have in common."""
+    axes: list[Column] = []
+    answers: list[Column] = []
+    for item in items:
+        facts: Any = item
+        for name, info in type(item).model_fields.items():
+            about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+            value = getattr(item, name)
+            if about.get("axis"):
+                axes.append(Column(facts.path, facts.parameter, facts.path, facts.unit, value))
+            elif isinstance(value, list) and item is items[0]:
+                label = info.description or name
+                answers.append(Column(name, str(about.get("symbol") or ""), label, str(about.get("unit") or ""), value))
+    return Table(title, [*axes, *answers], axes=len(axes))

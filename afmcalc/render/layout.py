@@ -1,0 +1,70 @@
+"""From document to blocks of text cells, shared by the terminal and Markdown."""
+
+from typing import NamedTuple
+
+from ..analysis.result import Output
+from ..engines.findings import Finding
+from .document import Column, Document, Table
+from .units import display, display_unit
+
+
+class Block(NamedTuple):
+    """One table of text cells."""
+
+    title: str
+    header: list[str]
+    rows: list[list[str]]
+    numeric: list[bool]
+    """Which columns are set flush right."""
+    source: Table | None = None
+
+
+def title(output: Output) -> str:
+    """Heading of an output: what was calculated, for which clutch."""
+    spec = output.spec or {}
+    about = " – ".join(str(part) for part in (spec.get("name"), spec.get("variant")) if part)
+    return f"{output.command}: {about}" if about else output.command
+
+
+def blocks(laid_out: Document) -> list[Block]:
+    """Return single values, then triples, then tables."""
+    found = []
+    if laid_out.singles:
+        rows = [
+            [row.symbol, row.name, display(row.values[0], row.unit), display_unit(row.unit)] for row in laid_out.singles
+        ]
+        found.append(Block("", ["Symbol", "Quantity", "Value", "Unit"], rows, [False, False, True, False]))
+    if laid_out.triples:
+        rows = [
+            [row.symbol, row.name, *(display(value, row.unit) for value in row.values), display_unit(row.unit)]
+            for row in laid_out.triples
+        ]
+        header = ["Symbol", "Quantity", "at f_min", "at mean f", "at f_max", "Unit"]
+        found.append(Block("", header, rows, [False, False, True, True, True, False]))
+    found += [_table(table) for table in laid_out.tables]
+    return found
+
+
+def _table(table: Table) -> Block:
+    header = [_heading(column) for column in table.columns]
+    cells = [[display(value, column.unit) for value in column.values] for column in table.columns]
+    numeric = [_is_numeric(column) for column in table.columns]
+    rows = [list(row) for row in zip(*cells, strict=True)]
+    return Block(table.title[:1].upper() + table.title[1:], header, rows, numeric, table)
+
+
+def _heading(column: Column) -> str:
+    unit = display_unit(column.unit)
+    name = column.symbol or column.name
+    return f"{name}, {unit}" if unit not in ("", "–") else name
+
+
+def _is_numeric(column: Column) -> bool:
+    return any(isinstance(value, int | float) and not isinstance(value, bool) for value in column.values)
+
+
+def findings_lines(findings: list[Finding]) -> list[str]:
+    """One line per finding, gravest first."""
+    order = {"error": 0, "warning": 1, "info": 2}
+    ranked = sorted(findings, key=lambda finding: order[finding.level])
+    return [f"{f.level}: {f.message} [{f.code}{', ' + f.path if f.path else ''}]" for f in ranked]

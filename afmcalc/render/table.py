@@ -1,0 +1,65 @@
+"""Tables for people: ruled and coloured in a terminal, plain aligned text in a pipe or a file."""
+
+import os
+import sys
+
+from ..analysis.result import Output
+from .document import document
+from .layout import Block, blocks, findings_lines, title
+
+
+def render(output: Output, terminal: bool) -> str:
+    """Lay out tables, curves and findings; a terminal has a width, rules and colours, a pipe has none of them."""
+    found = blocks(document(output.result))
+    if terminal or _width():
+        from .terminal import render_rich
+
+        text = render_rich(output, found, width=_width(), terminal=terminal, unicode=is_unicode())
+    else:
+        text = _plain(output, found)
+    return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+
+
+def _width() -> int | None:
+    """Return the width the user asked for by ``COLUMNS``, if any."""
+    columns = os.environ.get("COLUMNS", "")
+    return int(columns) if columns.isdecimal() and int(columns) else None
+
+
+def is_unicode() -> bool:
+    """Whether standard output shows more than ASCII."""
+    return (getattr(sys.stdout, "encoding", "") or "").lower().replace("-", "").startswith("utf")
+
+
+def _plain(output: Output, found: list[Block]) -> str:
+    """Align columns by spaces, as wide as they are: nothing is cut or folded."""
+    lines = [title(output)]
+    for block in found:
+        lines += ["", *([block.title] if block.title else []), *_aligned(block), *curve_lines(block, is_unicode())]
+    if output.findings:
+        lines += ["", *findings_lines(output.findings)]
+    return "\n".join(lines)
+
+
+def _aligned(block: Block) -> list[str]:
+    lines = [block.header, *block.rows]
+    widths = [max(map(len, cells)) for cells in zip(*lines, strict=True)]
+    return [
+        "  ".join(
+            cell.rjust(width) if right else cell.ljust(width)
+            for cell, width, right in zip(line, widths, block.numeric, strict=True)
+        )
+        for line in lines
+    ]
+
+
+def curve_lines(block: Block, unicode: bool) -> list[str]:
+    """Draw the first answer of a sweep along one axis; nothing for any other table."""
+    if block.source is None or block.source.axes != 1:
+        return []
+    x, y = block.source.columns[:2]
+    if len(x.values) < 3:
+        return []
+    from .curve import curve
+
+    return ["", *curve(x.values, y.values, f"{y.symbol} against {x.symbol}", unicode=unicode)]

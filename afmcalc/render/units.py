@@ -1,0 +1,47 @@
+"""Engineer's units and significant figures for people; JSON and CSV stay in SI."""
+
+import math
+
+_DISPLAY = {
+    "N": ("kN", 1e-3),
+    "m": ("mm", 1e3),
+    "m^3": ("cm³", 1e6),
+    "N/m": ("N/mm", 1e-3),
+    "N*m": ("N·m", 1.0),
+    "rad": ("deg", 180 / math.pi),
+    "Pa": ("MPa", 1e-6),
+    "1": ("–", 1.0),
+    "": ("", 1.0),
+}
+
+
+def display_unit(unit: str) -> str:
+    """Unit shown to people for an SI unit."""
+    return _DISPLAY.get(unit, (unit, 1.0))[0]
+
+
+def display(value: object, unit: str) -> str:
+    """Return ``value`` (SI) in the engineer's unit, to 5 significant figures.
+
+    >>> display(2000.0, "N"), display(0.1, "m"), display(None, "1"), display(123456.7, "1")
+    ('2', '100', '–', '123460')
+    """
+    if value is None:
+        return "–"
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return str(value)
+    return significant(value * _DISPLAY.get(unit, (unit, 1.0))[1])
+
+
+def significant(value: float) -> str:
+    """Five significant figures, plain between 1e-4 and 1e7, with an exponent beyond.
+
+    >>> significant(0.00012345678), significant(1e12), significant(100000.0)
+    ('0.00012346', '1e+12', '100000')
+    """
+    if value == 0 or not math.isfinite(value):
+        return "0" if value == 0 else str(value)
+    rounded = float(f"{value:.5g}")
+    if 1e-4 <= abs(rounded) < 1e7:
+        return f"{rounded:.10f}".rstrip("0").rstrip(".")
+    return f"{value:.5g}"

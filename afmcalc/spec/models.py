@@ -1,0 +1,206 @@
+"""What a clutch is: the pydantic models of a spec (contract, Spec). SI inside."""
+
+from typing import Any, Literal, NamedTuple
+
+from pydantic import BaseModel, ConfigDict, Field, ModelWrapValidatorHandler, ValidationError, model_validator
+
+from . import rules
+from .fields import (
+    AtLeastOne,
+    Coefficient,
+    Count,
+    Force,
+    Gap,
+    Length,
+    Ratio,
+    SectionModulus,
+    Stiffness,
+    StiffnessOrNone,
+    Stress,
+    Torque,
+    WallAngle,
+)
+
+Variant = Literal["conventional", "differentiated", "all-driving", "indirect"]
+Method = Literal["min-friction", "mean-friction"]
+RadiusModel = Literal["uniform-wear", "uniform-pressure"]
+
+
+class Range(NamedTuple):
+    """Coefficient of friction over a clutch's service: smallest, mean, largest."""
+
+    min: Any
+    mean: Any
+    max: Any
+
+
+def _key(description: str, symbol: str | None = None, default: Any = None) -> Any:
+    """A spec key: its default, what it is and the papers' symbol."""
+    return Field(default=default, description=description, json_schema_extra={"symbol": symbol} if symbol else None)
+
+
+class _Block(BaseModel):
+    # only Spec is ever built on its own: building each block too would double the start-up time
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True)
+
+
+class FrictionRange(_Block):
+    """Friction of one group of pairs: a range, or a material of the catalogue."""
+
+    min: Coefficient | None = _key("smallest coefficient of friction", "f_min")
+    mean: Coefficient | None = _key("mean coefficient of friction; default (min + max)/2", "f_cp")
+    max: Coefficient | None = _key("largest coefficient of friction", "f_max")
+    material: str | None = _key("name of a friction material of the catalogue")
+
+    @model_validator(mode="after")
+    def _check_range(self) -> "FrictionRange":
+        problems = list(self._range_problems())
+        if problems:
+            raise rules.validation_error(type(self).__name__, problems)
+        return self
+
+    def _range_problems(self) -> list[rules.Finding]:
+        if self.material is not None:
+            from . import materials
+
+            return materials.contradictions(self.material, {"min": self.min, "mean": self.mean, "max": self.max})
+        return rules.order_problems(self.min, self.mean, self.max)
+
+    @property
+    def range(self) -> Range:
+        """The three coefficients, with the material looked up and the mean filled in."""
+        low, mean, high = self.min, self.mean, self.max
+        if self.material is not None:
+            from . import materials
+
+            low, high = materials.friction_range(self.material)
+        if low is None or high is None:
+            raise ValueError("no range here: friction is given per group")
+        return Range(low, (low + high) / 2 if mean is None else mean, high)
+
+
+class Friction(FrictionRange):
+    """Friction of all pairs, or of the driving and the driven group apart (differentiated only)."""
+
+    driving: FrictionRange | None = _key("friction of the driving (bypass) pairs", "f_1")
+    driven: FrictionRange | None = _key("friction of the driven (controlled) pairs", "f_2")
+
+    @property
+    def groups(self) -> tuple[Range, Range]:
+        """Ranges of the driving and the driven pairs; twice the same with one material."""
+        if self.driving is not None and self.driven is not None:
+            return self.driving.range, self.driven.range
+        return self.range, self.range
+
+    @property
+    def unlike(self) -> bool:
+        """Whether the two groups have materials of their own."""
+        return self.driving is not None
+
+
+class FrictionGroup(_Block):
+    """The pack of friction discs."""
+
+    pairs: Count = Field(description="number of friction pairs, all groups", json_schema_extra={"symbol": "z"})
+    driving_pairs: Count | None = _key("pairs that bypass the control unit; default 1 (differentiated only)", "z_1")
+    mean_radius: Length | None = _key("mean friction radius", "R_cp")
+    inner_radius: Length | None = _key("inner radius of the friction surface", "r_i")
+    outer_radius: Length | None = _key("outer radius of the friction surface", "r_o")
+    radius_model: RadiusModel | None = _key("how the mean radius follows from the two; default uniform-wear")
+
+    @model_validator(mode="after")
+    def _check_radii(self) -> "FrictionGroup":
+        if self.inner_radius is not None and self.outer_radius is not None and self.inner_radius >= self.outer_radius:
+            message = f"must be greater than friction_group.inner_radius ({self.inner_radius:g} m)"
+            raise rules.validation_error("FrictionGroup", [(("outer_radius",), self.outer_radius, message)])
+        return self
+
+
+class ClosingSpring(_Block):
+    """The spring that presses the pack (13 in S21)."""
+
+    force: Force | None = _key("closing-spring force as set", "F_п")
+    stiffness: Stiffness | None = _key("stiffness of the closing spring (indirect only)", "c_1")
+
+
+class ControlSpring(_Block):
+    """The spring that holds the thrust sleeve at its stop (11 in S21)."""
+
+    stiffness: StiffnessOrNone = Field(
+        description="stiffness of the control spring", json_schema_extra={"symbol": "c_2"}
+    )
+
+
+class ControlUnit(_Block):
+    """Balls in pockets with inclined walls."""
+
+    gain: Ratio | None = _key("feedback gain", "C")
+    ball_circle_radius: Length | None = _key("radius of the ball circle", "r")
+    wall_angle: WallAngle | None = _key("wall angle of the pockets, from the axis", "α")
+    balls: Count | None = _key("number of balls", "n")
+    hub_diameter: Length | None = _key("hub diameter at the key (indirect only)", "d")
+    key_friction: Ratio | None = _key("friction coefficient at the key (indirect only)", "f_1")
+    face_gap: Gap | None = _key("gap between the faces of the pockets", "s")
+    edge_clearance: Gap | None = _key("clearance of the contact from the pocket's edge", "y")
+    allowable_contact_force: Force | None = _key("allowable normal force on one ball", "[F_n]")
+
+
+class Adjustment(_Block):
+    """How the spring is set."""
+
+    method: Method = _key("friction at which the nominal torque is set", default="min-friction")
+    margin: AtLeastOne = _key("torque margin", "β_н", default=1.0)
+    nominal_torque: Torque | None = _key("nominal torque; gives the spring force when that is absent", "T_н")
+
+
+class Drive(_Block):
+    """The drive around the clutch."""
+
+    dynamic_factor: Coefficient = _key("dynamic factor of the unprotected side", "k_д", default=1.0)
+
+
+class Fatigue(_Block):
+    """The part whose life is asked for."""
+
+    endurance_limit: Stress = Field(description="endurance limit in shear", json_schema_extra={"symbol": "τ_limb"})
+    polar_section_modulus: SectionModulus = Field(
+        description="polar section modulus", json_schema_extra={"symbol": "W_p"}
+    )
+    exponent: Coefficient = Field(description="exponent of the S-N line", json_schema_extra={"symbol": "m_τ"})
+    base_cycles: Coefficient = Field(description="base cycles of the S-N line", json_schema_extra={"symbol": "N_0"})
+
+
+class Spec(_Block):
+    """A clutch, as a spec file describes it."""
+
+    name: str | None = _key("what the clutch is called")
+    variant: Variant = Field(description="how the clutch regulates")
+    friction: Friction
+    friction_group: FrictionGroup
+    closing_spring: ClosingSpring = ClosingSpring()
+    control_spring: ControlSpring | None = None
+    control_unit: ControlUnit | None = None
+    adjustment: Adjustment = Adjustment()
+    drive: Drive = Drive()
+    fatigue: Fatigue | None = None
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _every_problem_at_once(cls, data: Any, handler: ModelWrapValidatorHandler["Spec"]) -> "Spec":
+        """Report what the blocks find and what the rules between them find together."""
+        problems = rules.problems(data) if isinstance(data, dict) else []
+        try:
+            spec = handler(data)
+        except ValidationError as error:
+            raise rules.validation_error("Spec", problems, error) from None
+        if problems:
+            raise rules.validation_error("Spec", problems)
+        return spec
+
+    @property
+    def bypass_pairs(self) -> Any:
+        """z_1 of the one direct law: pairs whose torque does not pass the control unit."""
+        if self.variant == "differentiated":
+            given = self.friction_group.driving_pairs
+            return 1 if given is None else given
+        return self.friction_group.pairs if self.variant == "conventional" else 0

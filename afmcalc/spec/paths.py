@@ -1,0 +1,90 @@
+"""The keys of a spec, read off the models: paths, units, symbols."""
+
+from functools import cache
+from typing import Any, NamedTuple, get_args
+
+from pydantic import BaseModel
+
+from .fields import unit_of
+from .models import Spec
+
+
+class Key(NamedTuple):
+    """One key of the spec."""
+
+    path: str
+    unit: str | None
+    """SI unit of a number; None for text."""
+    symbol: str | None
+    description: str
+
+
+ALIASES = {
+    "C": "control_unit.gain",
+    "z": "friction_group.pairs",
+    "z1": "friction_group.driving_pairs",
+    "R": "friction_group.mean_radius",
+    "F": "closing_spring.force",
+    "f_min": "friction.min",
+    "f_cp": "friction.mean",
+    "f_max": "friction.max",
+    "c1": "closing_spring.stiffness",
+    "c2": "control_spring.stiffness",
+    "beta": "adjustment.margin",
+    "T_n": "adjustment.nominal_torque",
+    "r": "control_unit.ball_circle_radius",
+    "alpha": "control_unit.wall_angle",
+    "f1": "control_unit.key_friction",
+    "d": "control_unit.hub_diameter",
+}
+"""Symbols that stand for a path on the command line."""
+
+
+def _block(annotation: Any) -> type[BaseModel] | None:
+    """Return the model class in ``Model`` or ``Model | None``."""
+    for candidate in (annotation, *get_args(annotation)):
+        if isinstance(candidate, type) and issubclass(candidate, BaseModel):
+            return candidate
+    return None
+
+
+def _unit(annotation: Any, metadata: list[Any]) -> str | None:
+    if found := unit_of(metadata):
+        return found
+    for candidate in get_args(annotation):
+        if found := unit_of(list(getattr(candidate, "__metadata__", ()))):
+            return found
+    return None
+
+
+@cache
+def keys(model: type[BaseModel] = Spec, prefix: str = "") -> dict[str, Key]:
+    """Every value key below ``model`` by dotted path."""
+    found: dict[str, Key] = {}
+    for name, field in model.model_fields.items():
+        path = prefix + name
+        if block := _block(field.annotation):
+            found |= keys(block, path + ".")
+            continue
+        extra = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}
+        symbol = extra.get("symbol")
+        unit = _unit(field.annotation, field.metadata)
+        found[path] = Key(path, unit, str(symbol) if symbol else None, field.description or "")
+    return found
+
+
+def names_in(path: tuple[str, ...]) -> list[str]:
+    """Return the names allowed in the block at ``path``."""
+    model: type[BaseModel] = Spec
+    for name in path:
+        field = model.model_fields.get(name)
+        block = _block(field.annotation) if field else None
+        if block is None:
+            return []
+        model = block
+    return list(model.model_fields)
+
+
+def is_whole(path: str) -> bool:
+    """Whether the key counts something."""
+    return path.rpartition(".")[2] in {"pairs", "driving_pairs", "balls"}

@@ -1,0 +1,216 @@
+"""The program as a person or a script calls it."""
+
+import json
+import os
+import subprocess
+import sys
+import tomllib
+
+import pytest
+from conftest import CONFIGS, ROOT
+
+import afmcalc as package
+from afmcalc.cli.main import COMMANDS
+
+VARIANTS = ["conventional", "differentiated", "all-driving", "indirect", "unlike-materials"]
+
+
+def test_help_names_every_command(afmcalc):
+    run = afmcalc("--help")
+    assert run.code == 0
+    for name in COMMANDS:
+        assert f"  {name} " in run.out
+        help_ = afmcalc(name, "--help")
+        assert help_.code == 0
+        assert f"afmcalc {name}" in help_.out.split("Options:")[0].split("\n", 1)[1], "an example"
+    assert afmcalc("--version").out == f"afmcalc {package.__version__}\n"
+    assert afmcalc("torqe").code == 2
+    assert "Did you mean 'torque'" in afmcalc("torqe").err
+
+
+def test_no_spec_means_the_base_clutch_and_says_so(afmcalc):
+    run = afmcalc("torque")
+    assert "built-in base clutch" in run.err
+    assert run.out == afmcalc("torque", CONFIGS / "default.toml").out
+    assert afmcalc("torque", "--quiet").err == ""
+
+
+@pytest.mark.parametrize("name", ["default", "conventional", "unlike-materials", "all-driving"])
+@pytest.mark.parametrize("command", ["torque", "accuracy", "check"])
+def test_file_standard_input_and_json_give_the_same(name, command, afmcalc):
+    path = CONFIGS / f"{name}.toml"
+    direct = afmcalc(command, path, "--json")
+    assert direct.code == 0
+    assert afmcalc(command, "-", "--json", stdin=path.read_text()).out == direct.out
+    for first in ("torque", "accuracy", "check"):
+        assert afmcalc(command, "-", "--json", stdin=afmcalc(first, path, "--json").out).out == direct.out
+
+
+def test_torque_is_what_python_says(afmcalc):
+    result = afmcalc("torque", "--json", "--friction", "0.3", "--friction", "0.2,0.4").json["result"]
+    clutch = package.load()
+    assert result["torque"] == {at: clutch.torque(f) for at, f in (("min", 0.1), ("mean", 0.3), ("max", 0.8))}
+    assert [point["torque"] for point in result["points"]] == [clutch.torque(0.3), clutch.torque(0.2, 0.4)]
+    assert result["points"][1]["friction_driving"] == 0.2
+
+
+@pytest.mark.parametrize("bad", ["x", "-1", "nan", "inf", "0.1,0.2,0.3", ""])
+def test_bad_friction(bad, afmcalc):
+    run = afmcalc("torque", f"--friction={bad}")
+    assert (run.code, run.out) == (2, "")
+    assert "--friction" in run.err
+
+
+def test_friction_outside_the_range_is_a_finding(afmcalc):
+    findings = afmcalc("torque", "--friction", "0.9", "--json").json["findings"]
+    assert [(f["code"], f["value"], f["limit"]) for f in findings] == [("friction-outside-range", 0.9, 0.8)]
+
+
+def test_sweep_is_the_single_calculations(afmcalc):
+    sweep = afmcalc("accuracy", "--sweep", "z=4,8,16", "--sweep", "C=0.2:1:3", "--json").json["result"]["sweep"]
+    assert [entry["parameter"] for entry in sweep] == ["z", "C"]
+    assert [entry["path"] for entry in sweep] == ["friction_group.pairs", "control_unit.gain"]
+    assert len(sweep[0]["values"]) == 9
+    for index, (z, c) in enumerate(zip(sweep[0]["values"], sweep[1]["values"], strict=True)):
+        single = ["--set", f"z={z:g}", "--set", f"C={c!r}", "--json"]
+        torque, accuracy = (afmcalc(command, *single).json["result"] for command in ("torque", "accuracy"))
+        assert sweep[0]["accuracy_factor"][index] == accuracy["accuracy_factor"]
+        assert sweep[1]["nominal_torque"][index] == torque["nominal_torque"]
+        assert sweep[1]["torque_max"][index] == torque["torque"]["max"]
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["C", "z", "z1", "R", "F", "f_min", "f_max", "beta", "friction.mean", "drive.dynamic_factor", "alpha=0:0.5:5"],
+)
+def test_every_sweep_has_a_sensible_range(name, afmcalc):
+    run = afmcalc("accuracy", "--sweep", name, "--json")
+    assert run.code == 0, run.err
+    (entry,) = run.json["result"]["sweep"]
+    assert len(entry["values"]) == len(entry["accuracy_factor"]) >= 3
+    assert min(entry["accuracy_factor"]) >= 1
+
+
+def test_default_sweep_of_the_gain_ends_at_its_limit(afmcalc):
+    result = afmcalc("accuracy", "--sweep", "C", "--json").json["result"]
+    assert result["sweep"][0]["values"][0] == 0
+    assert result["sweep"][0]["values"][-1] == result["gain_limit"] == 1.25
+
+
+@pytest.mark.parametrize(
+    "sweep",
+    ["", "x", "variant", "C=", "C=1:2", "C=1:2:1", "C=1:2:x", "C=a,b", "C=-1:1:5", "z=1.5,2", "f_min=0.5:0.9:5", "F=1 J,2 J",
+     "C=nan", "z=1,0", "z1=1:9:9", "C=0:1:99999999999", "friction.driving.min"],
+)  # fmt: skip
+def test_bad_sweeps(sweep, afmcalc, tmp_path):
+    run = afmcalc("accuracy", "--sweep", sweep, "-o", tmp_path / "x")
+    assert run.code == 2, run.out
+    assert run.err.strip().splitlines()[-1].startswith("error: ")
+    assert "Traceback" not in run.err
+    assert not (tmp_path / "x").exists()
+
+
+def test_the_same_key_twice_is_refused(afmcalc):
+    assert afmcalc("accuracy", "--sweep", "C", "--sweep", "control_unit.gain").code == 2
+
+
+def test_sweep_with_units(afmcalc):
+    run = afmcalc("accuracy", "--sweep", "F=1 kN:2 kN:2", "--json")
+    assert run.json["result"]["sweep"][0]["values"] == [1000.0, 2000.0]
+
+
+@pytest.mark.parametrize("variant", VARIANTS)
+def test_init_writes_a_spec_that_is_read(variant, afmcalc, tmp_path):
+    target = tmp_path / "new.toml"
+    assert afmcalc("init", target, "--variant", variant).code == 0
+    data = tomllib.loads(target.read_text(encoding="utf-8"))
+    assert data["variant"] == ("differentiated" if variant == "unlike-materials" else variant)
+    before = target.read_bytes()
+    refused = afmcalc("init", target)
+    assert refused.code == 2
+    assert "--force" in refused.err
+    assert target.read_bytes() == before
+    assert afmcalc("init", target, "--force").code == 0
+    assert afmcalc("init", "-", "--variant", variant).out.encode() == before
+
+
+def test_check_exit_codes(afmcalc):
+    assert afmcalc("check").code == 0
+    assert afmcalc("check", "--set", "C=2").code == 0
+    strict = afmcalc("check", "--set", "C=2", "--strict", "--json")
+    assert strict.code == 1
+    assert strict.json["result"] == {"passed": False, "errors": 0, "warnings": 1, "notes": 0}
+
+
+def test_schema_describes_what_is_printed(afmcalc):
+    spec_schema = json.loads(afmcalc("schema").out)
+    assert set(spec_schema["properties"]) == set(package.Spec.model_fields)
+    for command in ("torque", "accuracy", "check"):
+        schema = json.loads(afmcalc("schema", command).out)
+        printed = afmcalc(command, "--json").json
+        assert set(schema["properties"]) == set(printed)
+        result = schema["$defs"][schema["properties"]["result"]["$ref"].rpartition("/")[2]]
+        assert set(result["properties"]) == set(printed["result"])
+    assert afmcalc("schema", "torqe").code == 2
+
+
+def test_formats_exclude_each_other(afmcalc):
+    assert afmcalc("torque", "--json", "--format", "csv").code == 2
+    assert afmcalc("torque", "--format", "xml").code == 2
+
+
+def test_unwritable_and_missing_files_are_exit_3(afmcalc, tmp_path):
+    assert afmcalc("torque", tmp_path / "none.toml").code == 3
+    assert afmcalc("torque", "-o", tmp_path / "no" / "such" / "folder").code == 3
+
+
+def test_a_result_beyond_the_range_of_numbers_is_an_error_for_people(afmcalc):
+    run = afmcalc("torque", "--set", "F=1e308", "--set", "R=1e10")
+    assert (run.code, run.out) == (2, "")
+    assert "not finite" in run.err
+    tiny = afmcalc("accuracy", "--set", "friction.min=1e-320", "--set", "friction.mean=", "--json")
+    assert tiny.code in (0, 2)
+    assert "Traceback" not in tiny.err
+
+
+def test_nothing_heavy_is_loaded_for_help_and_import():
+    for code in (
+        "import afmcalc",
+        "import sys; sys.argv = ['afmcalc', '--help']\nfrom afmcalc.cli.entry import main\nmain()",
+    ):
+        loaded = _modules(code)
+        assert not loaded & {"numpy", "pint", "sympy", "matplotlib", "scipy", "rich", "pydantic"}, code
+
+
+def test_si_numbers_need_neither_numpy_nor_pint_nor_rich(afmcalc, tmp_path):
+    file = tmp_path / "si.json"
+    file.write_text(afmcalc("torque", "--json").out)
+    code = f"import sys; sys.argv = ['afmcalc', 'torque', {str(file)!r}, '--json']\nfrom afmcalc.cli.entry import main\nmain()"
+    assert not _modules(code) & {"numpy", "pint", "rich"}
+
+
+def _modules(code: str) -> set[str]:
+    report = f"import atexit, sys\natexit.register(lambda: print(*sys.modules, file=sys.stderr))\n{code}"
+    run = subprocess.run([sys.executable, "-c", report], capture_output=True, text=True, cwd=ROOT, check=True)
+    return {name.partition(".")[0] for name in run.stderr.split()}
+
+
+def _shell(command: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    program = f"{sys.executable} -m afmcalc"
+    return subprocess.run(
+        ["bash", "-c", command.replace("afmcalc ", f"{program} ")],
+        capture_output=True, text=True, cwd=ROOT, env={**os.environ, **environment}, check=False,
+    )  # fmt: skip
+
+
+def test_a_closed_pipe_is_no_error():
+    run = _shell("afmcalc accuracy --sweep C=0:1:100000 --format csv | head -1; exit ${PIPESTATUS[0]}")
+    assert run.returncode == 0
+    assert "Traceback" not in run.stderr
+    assert "BrokenPipe" not in run.stderr
+
+
+def test_ascii_streams_do_not_fail():
+    run = _shell("afmcalc accuracy --sweep C", PYTHONIOENCODING="ascii")
+    assert run.returncode == 0
+    assert run.stdout.isascii()

@@ -1,0 +1,53 @@
+"""Shared by all tests: running the program in-process, random clutches."""
+
+import contextlib
+import io
+import json
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+CONFIGS = ROOT / "configs"
+
+
+@dataclass(frozen=True)
+class Run:
+    """What a run of the program left."""
+
+    code: int
+    out: str
+    err: str
+
+    @property
+    def json(self) -> Any:
+        return json.loads(self.out, parse_constant=_refuse)
+
+
+def _refuse(constant: str) -> None:
+    raise AssertionError(f"{constant} in JSON")
+
+
+@pytest.fixture
+def afmcalc(monkeypatch: pytest.MonkeyPatch):
+    """Run the program in this process: ``afmcalc("torque", "x.toml", stdin="…")``."""
+    from afmcalc.cli.entry import main
+
+    monkeypatch.setattr("afmcalc.cli.entry._tune", lambda: None)
+    monkeypatch.delenv("COLUMNS", raising=False)
+
+    def run(*arguments: object, stdin: str = "") -> Run:
+        out, err = io.TextIOWrapper(io.BytesIO(), "utf-8"), io.TextIOWrapper(io.BytesIO(), "utf-8")
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(stdin.encode()), "utf-8"))
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), pytest.raises(SystemExit) as ended:
+            main([str(argument) for argument in arguments])
+        for stream in (out, err):
+            stream.flush()
+        texts = [stream.buffer.getvalue().decode() for stream in (out, err)]  # type: ignore[attr-defined]
+        code = ended.value.code
+        return Run(code if isinstance(code, int) else 0, *texts)
+
+    return run

@@ -1,0 +1,211 @@
+"""The direct law against a numerical solution of the axial balance, and its special cases against each other."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import FRICTION, direct_specs
+
+import afmcalc
+from afmcalc.analysis.sweep import _with_value
+from afmcalc.engines import build
+from afmcalc.spec import make_spec, resolved
+
+
+def solve_balance(spec, f1: float, f2: float) -> tuple[float, float, float]:
+    """Normal force, release force and torque by bisection on N = F_п − F_p(N), from the forces alone."""
+    force, radius, pairs = spec.closing_spring.force, spec.friction_group.mean_radius, spec.friction_group.pairs
+    bypass = {"conventional": pairs, "all-driving": 0}.get(spec.variant, spec.friction_group.driving_pairs)
+    gain = spec.control_unit.gain if spec.control_unit else 0.0
+    ball_circle = 0.8 * radius
+    tan_angle = gain * ball_circle / radius
+
+    def released(normal: float) -> float:
+        ball_torque = (pairs - bypass) * f2 * radius * normal
+        return ball_torque / ball_circle * tan_angle
+
+    low, high = 0.0, force
+    for _ in range(200):
+        middle = (low + high) / 2
+        low, high = (low, middle) if middle > force - released(middle) else (middle, high)
+    normal = (low + high) / 2
+    return normal, released(normal), radius * normal * (bypass * f1 + (pairs - bypass) * f2)
+
+
+@given(direct_specs(), FRICTION, FRICTION)
+def test_closed_form_solves_the_balance(spec, f1, f2):
+    if not spec.friction.unlike:
+        f2 = f1
+    clutch = build(spec)
+    normal, release, torque = solve_balance(spec, f1, f2)
+    force = spec.closing_spring.force
+    assert clutch.normal_force(f1, f2) == pytest.approx(normal, rel=1e-9, abs=1e-12 * force)
+    assert clutch.release_force(f1, f2) == pytest.approx(release, rel=1e-9, abs=1e-12 * force)
+    assert clutch.torque(f1, f2) == pytest.approx(torque, rel=1e-9)
+
+
+@given(direct_specs())
+def test_accuracy_is_the_extreme_ratio_of_the_torque_itself(spec):
+    clutch = build(spec)
+    first, second = clutch.friction
+    path = np.linspace(0, 1, 501)
+    along = clutch.torque(first.min + path * (first.max - first.min), second.min + path * (second.max - second.min))
+    assert clutch.accuracy_factor == pytest.approx(along.max() / along.min(), rel=1e-9)
+    assert clutch.torque_max == pytest.approx(along.max(), rel=1e-12)
+    f1, f2 = np.meshgrid(np.linspace(first.min, first.max, 31), np.linspace(second.min, second.max, 31))
+    everywhere = clutch.torque(f1, f2)
+    assert clutch.accuracy_factor_worst_case == pytest.approx(everywhere.max() / everywhere.min(), rel=1e-9)
+    peaks = clutch.breakaway_torque(
+        first.min + path * (first.max - first.min), second.min + path * (second.max - second.min)
+    )
+    assert clutch.accuracy_factor_peak == pytest.approx(peaks.max() / peaks.min(), rel=1e-9)
+
+
+@given(direct_specs(("differentiated", "unlike", "all-driving", "conventional")))
+def test_sensitivities_are_the_derivatives_of_the_accuracy(spec):
+    """Central differences of ln K_т over every continuous key; pairs are continuous for the law."""
+    clutch = build(spec)
+    if abs(clutch.accuracy_factor - 1) < 1e-6:
+        return  # K_т = max/min has a kink there
+    step = 1e-6
+    for path, elasticity in clutch.sensitivity().items():
+        if path.endswith("pairs"):
+            continue
+        factors = []
+        for sign in (-1, 1):
+            value = spec
+            for part in path.split("."):
+                value = getattr(value, part)
+            factors.append(float(build(_with_value(spec, path.split("."), value * (1 + sign * step))).accuracy_factor))
+        numeric = (np.log(factors[1]) - np.log(factors[0])) / (2 * step)
+        assert elasticity == pytest.approx(numeric, abs=2e-5), path
+
+
+@given(direct_specs(("differentiated", "all-driving")))
+def test_pair_sensitivities_are_derivatives_with_the_other_count_kept(spec):
+    clutch = build(spec)
+    sensitivity = clutch.sensitivity()
+    z1, z2 = float(clutch.bypass_pairs), float(clutch.controlled_pairs)
+    step = 1e-6
+
+    def factor(bypass, controlled):
+        return np.log(replace(clutch, bypass_pairs=bypass, controlled_pairs=controlled).accuracy_factor)
+
+    change = (z1 + z2) * step
+    numeric = (factor(z1, z2 + change) - factor(z1, z2 - change)) / (2 * step)
+    assert sensitivity["friction_group.pairs"] == pytest.approx(numeric, abs=2e-5)
+    if z1:
+        numeric = (factor(z1 * (1 + step), z2 - z1 * step) - factor(z1 * (1 - step), z2 + z1 * step)) / (2 * step)
+        assert sensitivity["friction_group.driving_pairs"] == pytest.approx(numeric, abs=2e-5)
+
+
+def _base(**changes):
+    data = {
+        "variant": "differentiated",
+        "friction": {"min": 0.1, "max": 0.8},
+        "friction_group": {"pairs": 8, "mean_radius": 0.1},
+        "closing_spring": {"force": 2000.0},
+        "control_unit": {"gain": 0.5},
+    }
+    return make_spec({**data, **changes})
+
+
+@given(FRICTION)
+def test_special_cases_agree(f):
+    pack = {"pairs": 8, "mean_radius": 0.1}
+    ordinary = make_spec(
+        {
+            "variant": "conventional",
+            "friction": {"min": 0.1, "max": 0.8},
+            "friction_group": pack,
+            "closing_spring": {"force": 2000.0},
+        }
+    )
+    conventional = build(ordinary).torque(f)
+    assert build(_base(control_unit={"gain": 0.0})).torque(f) == pytest.approx(conventional, rel=1e-12)
+    assert build(_base(variant="all-driving", control_unit={"gain": 0.0})).torque(f) == pytest.approx(conventional)
+    unlike = {"driving": {"min": 0.1, "max": 0.8}, "driven": {"min": 0.1, "max": 0.8}}
+    assert build(_base(friction=unlike)).torque(f, f) == build(_base()).torque(f)
+    # S22: at equal gain the all-driving clutch is the differentiated one with z_1 → 0
+    assert build(_base(variant="all-driving")).torque(f) < build(_base()).torque(f)
+
+
+@given(direct_specs(), st.lists(FRICTION, min_size=1, max_size=12))
+def test_arrays_and_floats_agree_bit_for_bit(spec, friction):
+    clutch = build(spec)
+    array = np.array(friction).reshape(1, -1, 1)
+    for law in (clutch.torque, clutch.normal_force, clutch.release_force, clutch.breakaway_torque):
+        values = law(array)
+        assert values.shape == array.shape
+        assert values.ravel().tolist() == [law(f) for f in friction]
+
+
+@pytest.mark.parametrize("bad", [-0.1, float("nan"), float("inf"), True, "0.3", None])
+def test_friction_that_is_none_is_refused(bad):
+    with pytest.raises(ValueError, match="friction"):
+        afmcalc.load().torque(bad)
+
+
+def test_lists_are_arrays():
+    clutch = afmcalc.load()
+    assert clutch.torque([0.1, 0.3]).tolist() == [clutch.torque(0.1), clutch.torque(0.3)]
+    with pytest.raises(ValueError, match="friction"):
+        clutch.torque(np.array([0.1, -0.1]))
+    with pytest.raises(ValueError, match="friction"):
+        clutch.torque(np.array([0.1, np.nan]))
+
+
+@given(
+    direct_specs(("differentiated", "all-driving")), st.sampled_from(["min-friction", "mean-friction"]), st.floats(1, 3)
+)
+def test_setting_gives_the_nominal_torque(spec, method, margin):
+    """The spring set for a nominal torque gives it at the setting friction, margin included (S19 (1)–(6))."""
+    data = resolved(spec)
+    data["closing_spring"] = {}
+    data["adjustment"] = {"method": method, "margin": margin, "nominal_torque": 150.0}
+    clutch = build(make_spec(data))
+    at = spec.friction.range.mean if method == "mean-friction" else spec.friction.range.min
+    expected = 150.0 * (margin if method == "mean-friction" else 1)
+    assert clutch.torque(at) == pytest.approx(expected, rel=1e-12)
+    assert clutch.nominal_torque == pytest.approx(150.0, rel=1e-12)
+
+
+def test_wall_angle_is_a_gain():
+    from math import radians, tan
+
+    angled = _base(control_unit={"wall_angle": radians(30), "ball_circle_radius": 0.05})
+    assert build(angled).gain == 0.1 / 0.05 * tan(radians(30))
+    sensitivity = build(angled).sensitivity()
+    assert sensitivity["friction_group.mean_radius"] == -sensitivity["control_unit.ball_circle_radius"]
+
+
+def codes(spec):
+    return {finding.code: finding for finding in build(spec).findings()}
+
+
+def test_findings():
+    assert codes(_base()) == {}
+    above = codes(_base(control_unit={"gain": 2.0}))["gain-above-limit"]
+    assert (above.level, above.value, above.limit, above.path) == ("warning", 2.0, 1.25, "control_unit.gain")
+    assert "160 N·m" in above.message
+    assert codes(_base(control_unit={"gain": 0.0}))["feedback-idle"].level == "warning"
+    reduced = codes(_base(variant="all-driving", control_unit={"gain": 0.7}))["reduced-gain-above-limit"]
+    assert (reduced.value, reduced.limit) == (pytest.approx(5.6), 5.0)
+    assert "reduced-gain-above-limit" not in codes(_base(variant="all-driving", control_unit={"gain": 0.625}))
+    missed = codes(_base(adjustment={"nominal_torque": 200.0}))["nominal-torque-missed"]
+    assert missed.limit == 200.0
+    assert missed.value == pytest.approx(118.5185185)
+    below = codes(_base(adjustment={"method": "mean-friction"}))["below-nominal-torque"]
+    assert below.value < below.limit
+
+
+def test_torque_may_fall_with_friction():
+    """z_1 1, z_2 6, C 3, f_1 0.5…0.6, f_2 0.1…0.6: F11 (14) gives 0.906, so K_т = 1.104 (theory, section 3)."""
+    unlike = {"driving": {"min": 0.5, "max": 0.6}, "driven": {"min": 0.1, "max": 0.6}}
+    spec = _base(friction=unlike, friction_group={"pairs": 7, "mean_radius": 0.1}, control_unit={"gain": 3.0})
+    clutch = build(spec)
+    assert clutch.accuracy_factor == pytest.approx(1 / 0.906, rel=1e-3)
+    assert clutch.accuracy_factor == pytest.approx(1.104, abs=5e-4)
+    assert codes(spec)["torque-falls"].value == pytest.approx(0.906, abs=5e-4)

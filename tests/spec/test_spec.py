@@ -1,0 +1,265 @@
+"""The spec: examples, round trips, every rule."""
+
+import json
+import tomllib
+
+import pytest
+import tomli_w
+from conftest import CONFIGS
+from hypothesis import given
+from strategies import direct_specs
+
+from afmcalc.engines import build
+from afmcalc.errors import AfmcalcError, FileError, SpecError
+from afmcalc.spec import make_spec, read_spec, resolved, to_toml
+from afmcalc.spec.materials import catalogue
+from afmcalc.spec.reading import parse
+
+EXAMPLES = sorted(CONFIGS.glob("*.toml"))
+BASE = tomllib.loads((CONFIGS / "default.toml").read_text())
+
+
+def changed(**changes):
+    """The base clutch with values at dotted paths (``__`` for the dot); None removes."""
+    data = json.loads(json.dumps(BASE))
+    for path, value in changes.items():
+        *blocks, name = path.split("__")
+        block = data
+        for part in blocks:
+            block = block.setdefault(part, {})
+        if value is None:
+            block.pop(name, None)
+        else:
+            block[name] = value
+    return data
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_examples_round_trip(path):
+    spec = read_spec(path)
+    data = resolved(spec)
+    assert resolved(make_spec(data)) == data
+    assert resolved(make_spec(tomllib.loads(to_toml(data)))) == data
+    assert resolved(make_spec(json.loads(json.dumps(data)))) == data
+
+
+@given(direct_specs())
+def test_round_trip_keeps_every_result(spec):
+    """Through JSON and TOML text the clutch answers to the last bit as before."""
+    data = resolved(spec)
+    first, second = build(spec).friction
+    for text in (json.dumps(data), tomli_w.dumps(data)):
+        again = build(make_spec(parse(text, "text")))
+        assert again.torque(first.max, second.max) == build(spec).torque(first.max, second.max)
+        assert again.accuracy_factor_worst_case == build(spec).accuracy_factor_worst_case
+        assert again.friction == build(spec).friction
+
+
+def test_defaults():
+    spec = make_spec(changed(friction__mean=None, friction_group__driving_pairs=None, adjustment=None))
+    data = resolved(spec)
+    assert data["friction"]["mean"] == (0.1 + 0.8) / 2
+    assert data["friction_group"]["driving_pairs"] == 1
+    assert data["adjustment"] == {"method": "min-friction", "margin": 1.0}
+
+
+def test_radius_models():
+    two = {
+        "friction_group__mean_radius": None,
+        "friction_group__inner_radius": 0.08,
+        "friction_group__outer_radius": 0.12,
+    }
+    assert build(make_spec(changed(**two))).mean_radius == pytest.approx(0.1)
+    pressed = build(make_spec(changed(**two, friction_group__radius_model="uniform-pressure"))).mean_radius
+    assert pressed == pytest.approx(2 / 3 * (0.12**3 - 0.08**3) / (0.12**2 - 0.08**2), rel=1e-14)
+
+
+def test_material_gives_the_range_and_is_echoed():
+    data = resolved(make_spec(changed(friction={"material": "moulded-dry"})))
+    assert data["friction"] == {"material": "moulded-dry", "min": 0.25, "mean": 0.35, "max": 0.45}
+    assert resolved(make_spec(data)) == data
+
+
+def test_catalogue_entries_have_sources_and_ordered_ranges():
+    assert len(catalogue()) == 13
+    for entry in catalogue().values():
+        assert entry.source
+        assert 0 < entry.friction_min < entry.friction_max < 1
+        for low, high in ((entry.pressure_min, entry.pressure_max), (entry.temperature_min, entry.temperature_max)):
+            assert (low is None) == (high is None)
+            assert low is None or low <= high
+        assert (entry.condition == "dry") == (entry.pressure_max is not None)
+
+
+BAD = {
+    "energy in a force field": ({"closing_spring__force": "5 J"}, "closing_spring.force", '"5 J"', "energy"),
+    "misspelt unit": ({"closing_spring__force": "5 kn"}, "closing_spring.force", '"5 kn"', "did you mean 'kN'"),
+    "unknown key": ({"friction__maxx": 1}, "friction.maxx", "1", "did you mean 'max'"),
+    "key of another block": ({"gain": 1}, "gain", "1", "did you mean control_unit.gain"),
+    "unknown block": ({"frction": {"min": 1}}, "frction", "", "did you mean 'friction'"),
+    "min over max": ({"friction__mean": None, "friction__min": 0.9}, "friction.max", "0.8", "not be below min (0.9)"),
+    "mean over max": ({"friction__mean": 0.9}, "friction.mean", "0.9", "not be above max"),
+    "mean under min": ({"friction__mean": 0.05}, "friction.mean", "0.05", "not be below min"),
+    "no friction": ({"friction__min": 0}, "friction.min", "0", "greater than 0"),
+    "no pairs": ({"friction_group__pairs": 0}, "friction_group.pairs", "0", "at least 1"),
+    "half a pair": ({"friction_group__pairs": 2.5}, "friction_group.pairs", "2.5", "whole"),
+    "all pairs driving": ({"friction_group__driving_pairs": 8}, "friction_group.driving_pairs", "8", "less than"),
+    "one pair only": (
+        {"friction_group__driving_pairs": None, "friction_group__pairs": 1},
+        "friction_group.pairs",
+        "1",
+        "at least 2",
+    ),
+    "negative spring": ({"closing_spring__force": -1}, "closing_spring.force", "-1", "greater than 0"),
+    "nan": ({"closing_spring__force": float("nan")}, "closing_spring.force", "NaN", "finite"),
+    "inf": ({"closing_spring__force": float("inf")}, "closing_spring.force", "Infinity", "finite"),
+    "boolean": ({"closing_spring__force": True}, "closing_spring.force", "true", "boolean"),
+    "boolean count": ({"friction_group__pairs": True}, "friction_group.pairs", "true", "whole"),
+    "both gains": (
+        {"control_unit__wall_angle": "10 deg"},
+        "control_unit.wall_angle",
+        '"10 deg"',
+        "excludes control_unit.gain",
+    ),
+    "no gain": ({"control_unit__gain": None}, "control_unit.gain", "", "required (or give wall_angle"),
+    "angle without radius": (
+        {"control_unit__gain": None, "control_unit__wall_angle": 0.2, "control_unit__ball_circle_radius": None},
+        "control_unit.ball_circle_radius",
+        "",
+        "required beside",
+    ),
+    "right angle": (
+        {"control_unit__gain": None, "control_unit__wall_angle": "90 deg"},
+        "control_unit.wall_angle",
+        '"90 deg"',
+        "less than 90 deg",
+    ),
+    "both radii": ({"friction_group__inner_radius": 0.1}, "friction_group.inner_radius", "0.1", "excludes"),
+    "no radius": ({"friction_group__mean_radius": None}, "friction_group.mean_radius", "", "required (or give"),
+    "one radius": (
+        {"friction_group__mean_radius": None, "friction_group__inner_radius": 0.1},
+        "friction_group.outer_radius",
+        "",
+        "required beside",
+    ),
+    "radii inverted": (
+        {"friction_group__mean_radius": None, "friction_group__inner_radius": 0.2, "friction_group__outer_radius": 0.1},
+        "friction_group.outer_radius",
+        "0.1",
+        "greater than friction_group.inner_radius",
+    ),
+    "neither force nor torque": (
+        {"closing_spring__force": None},
+        "closing_spring.force",
+        "",
+        "adjustment.nominal_torque",
+    ),
+    "friction twice": (
+        {"friction__driving": {"min": 0.1, "max": 0.2}, "friction__driven": {"min": 0.1, "max": 0.2}},
+        "friction.min",
+        "0.1",
+        "not both",
+    ),
+    "one group": ({"friction": {"driving": {"min": 0.1, "max": 0.2}}}, "friction.driven", "", "required beside"),
+    "material and range": ({"friction__material": "moulded-dry"}, "friction.min", "0.1", "excludes material"),
+    "unknown material": ({"friction": {"material": "molded-dry"}}, "friction.material", '"molded-dry"', "moulded-dry"),
+    "no max": ({"friction__max": None}, "friction.max", "", "required"),
+    "no friction block": ({"friction": None}, "friction", "", "required"),
+    "misspelt variant": ({"variant": "diferentiated"}, "variant", '"diferentiated"', "did you mean 'differentiated'"),
+    "variant missing": ({"variant": None}, "variant", "", "required"),
+    "control unit on an ordinary clutch": ({"variant": "conventional"}, "control_unit", "", "not for variant"),
+    "control spring on a direct clutch": (
+        {"control_spring": {"stiffness": 1}},
+        "control_spring",
+        "",
+        "only for indirect",
+    ),
+    "stiffness on a direct clutch": (
+        {"closing_spring__stiffness": 1},
+        "closing_spring.stiffness",
+        "1",
+        "only for indirect",
+    ),
+    "driving pairs all-driving": ({"variant": "all-driving"}, "friction_group.driving_pairs", "1", "only for differ"),
+    "indirect lacks its keys": (
+        {"variant": "indirect", "friction_group__driving_pairs": None},
+        "control_spring",
+        "",
+        "required for variant",
+    ),
+    "block that is a number": ({"friction": 3}, "friction", "3", "must be a table with the keys"),
+    "margin below 1": ({"adjustment__margin": 0.9}, "adjustment.margin", "0.9", "at least 1"),
+    "name that is a number": ({"name": 3}, "name", "3", "text"),
+}
+
+
+@pytest.mark.parametrize("case", BAD, ids=BAD)
+def test_bad_input_names_file_key_value_and_what_is_allowed(case, tmp_path, afmcalc):
+    changes, path, value, says = BAD[case]
+    file = tmp_path / "bad.toml"
+    file.write_text(tomli_w.dumps(changed(**changes)), encoding="utf-8")
+    run = afmcalc("torque", file, "--output", tmp_path / "out")
+    assert (run.code, run.out) == (2, "")
+    assert not (tmp_path / "out").exists()
+    wanted = value.replace("NaN", "NaN") and f"{path} = {value}"
+    lines = [line for line in run.err.splitlines() if (wanted or path) in line]
+    assert lines, run.err
+    assert any(says in line and str(file) in line for line in lines), run.err
+    assert "Traceback" not in run.err
+
+
+def test_every_problem_is_shown_at_once():
+    data = changed(friction__maxx=1, friction_group__pairs=0, closing_spring__force=None, control_unit__wall_angle=0.1)
+    with pytest.raises(SpecError) as error:
+        make_spec(data, "x.toml")
+    paths = {problem.path for problem in error.value.problems}
+    assert paths == {
+        "friction.maxx",
+        "friction_group.pairs",
+        "closing_spring.force",
+        "control_unit.wall_angle",
+        "friction_group.driving_pairs",
+    }
+    assert all(line.startswith("x.toml: ") for line in str(error.value).splitlines())
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("", "is empty"),
+        ("variant =", "not valid TOML"),
+        ("{", "not valid JSON"),
+        ('{"a": 1, "a": 2}', "stands twice"),
+        ("a = 1\na = 2", "not valid TOML"),
+        ('{"command": "x", "result": {}}', "no spec block"),
+        ("[" * 100_000, "TOML"),
+        ('{"a":' * 100_000, "nested too deeply"),
+    ],
+)
+def test_text_that_is_no_spec(text, says):
+    with pytest.raises(AfmcalcError, match=says):
+        parse(text, "text")
+
+
+def test_files_that_cannot_be_read(tmp_path):
+    for path in (tmp_path / "missing.toml", tmp_path):
+        with pytest.raises(FileError, match="cannot be read"):
+            read_spec(path)
+    (tmp_path / "latin").write_bytes(b"name = '\xe9'")
+    with pytest.raises(AfmcalcError, match="not UTF-8"):
+        read_spec(tmp_path / "latin")
+    (tmp_path / "bom.toml").write_bytes(b"\xef\xbb\xbf" + (CONFIGS / "default.toml").read_bytes())
+    assert read_spec(tmp_path / "bom.toml") == read_spec()
+
+
+def test_overrides():
+    spec = read_spec(None, ["C=0.75", "closing_spring.force=5 kN", "friction.mean=", "name=other"])
+    assert spec.control_unit.gain == 0.75
+    assert spec.closing_spring.force == 5000.0
+    assert spec.friction.range.mean == pytest.approx(0.45)
+    assert spec.name == "other"
+    for bad in ("C", "=3", "variant.x=1"):
+        with pytest.raises(AfmcalcError, match="--set"):
+            read_spec(None, [bad])
+    with pytest.raises(SpecError, match="did you mean 'gain'"):
+        read_spec(None, ["control_unit.gian=1"])

@@ -1,0 +1,37 @@
+"""Random clutches for property tests."""
+
+from typing import Any
+
+from hypothesis import strategies as st
+
+from afmcalc.spec import make_spec
+
+FRICTION = st.floats(0.02, 1.0)
+
+
+@st.composite
+def ranges(draw: st.DrawFn) -> dict[str, float]:
+    low = draw(st.floats(0.02, 0.5))
+    high = draw(st.floats(low, 1.2))
+    mean = draw(st.floats(low, high))
+    return {"min": low, "mean": mean, "max": high}
+
+
+@st.composite
+def direct_specs(
+    draw: st.DrawFn, variants: tuple[str, ...] = ("conventional", "differentiated", "unlike", "all-driving")
+) -> Any:
+    """A spec of any direct variant, SI."""
+    variant = draw(st.sampled_from(variants))
+    pairs = draw(st.integers(2, 30))
+    data: dict[str, Any] = {
+        "variant": "differentiated" if variant == "unlike" else variant,
+        "friction": {"driving": draw(ranges()), "driven": draw(ranges())} if variant == "unlike" else draw(ranges()),
+        "friction_group": {"pairs": pairs, "mean_radius": draw(st.floats(0.02, 0.5))},
+        "closing_spring": {"force": draw(st.floats(10, 1e5))},
+    }
+    if variant in ("differentiated", "unlike"):
+        data["friction_group"]["driving_pairs"] = draw(st.integers(1, pairs - 1))
+    if variant != "conventional":
+        data["control_unit"] = {"gain": draw(st.floats(0, 5))}
+    return make_spec(data)
