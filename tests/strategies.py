@@ -35,3 +35,27 @@ def direct_specs(
     if variant != "conventional":
         data["control_unit"] = {"gain": draw(st.floats(0, 5))}
     return make_spec(data)
+
+
+@st.composite
+def indirect_specs(draw: st.DrawFn, methods: tuple[str, ...] = ("min-friction", "mean-friction")) -> Any:
+    """A spec of an indirect clutch whose gain overcomes the key."""
+    radius, key, hub = draw(st.floats(0.05, 0.3)), draw(st.floats(0, 0.3)), draw(st.floats(0.03, 0.2))
+    threshold = 2 * radius * key / hub
+    return make_spec(
+        {
+            "variant": "indirect",
+            "friction": draw(ranges()),
+            "friction_group": {"pairs": draw(st.integers(1, 20)), "mean_radius": radius},
+            "closing_spring": {"force": draw(st.floats(100, 1e4)), "stiffness": draw(st.floats(1e3, 1e5))},
+            "control_spring": {"stiffness": draw(st.floats(0, 1e5))},
+            "control_unit": {
+                "gain": threshold + draw(st.floats(1e-3, 5)),
+                "ball_circle_radius": draw(st.floats(0.02, 0.2)),
+                "hub_diameter": hub,
+                "key_friction": key,
+                "balls": draw(st.integers(3, 12)),
+            },
+            "adjustment": {"method": draw(st.sampled_from(methods)), "margin": draw(st.floats(1, 2))},
+        }
+    )

@@ -4,21 +4,20 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..engines.findings import Finding
+from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
-from .result import Result, quantity
+from .result import Result, Series, quantity
+from .sweep import replaced, series
 
 if TYPE_CHECKING:
     from .sweep import Axis
 
 
-class AccuracySweep(Result):
-    """One swept key: its coordinate at every point of the grid, and the answers there."""
+class AccuracySweep(Series):
+    """Accuracy over a swept key."""
 
-    parameter: str = quantity("", None, "swept key as called")
-    path: str = quantity("", None, "spec path")
-    unit: str = quantity("", None, "SI unit of the values")
-    values: list[float] = quantity("", None, "value at every point", axis=True)
     accuracy_factor: list[float] = quantity("1", "K_т", "accuracy factor")
+    accuracy_factor_peak: list[float] = quantity("1", "K_т,p", "accuracy factor by breakaway peaks")
     nominal_torque: list[float] = quantity("N*m", "T_н", "nominal torque")
     torque_max: list[float] = quantity("N*m", "T_max", "largest torque")
 
@@ -31,6 +30,16 @@ class AccuracyResult(Result):
     accuracy_factor_peak: float = quantity("1", "K_т,p", "accuracy factor by breakaway peaks (upper bound)")
     conventional_accuracy_factor: float = quantity("1", "K_т,0", "accuracy factor of an ordinary clutch in its place")
     gain_limit: float | None = quantity("1", "C_max", "largest gain at which the law describes the slip", optional=True)
+    gain_threshold: float | None = quantity("1", "2R f_1/d", "gain at which feedback begins", optional=True)
+    equivalent_gain: float | None = quantity(
+        "1", "C_eff", "gain of the all-driving clutch with the same torque curve", optional=True
+    )
+    nominal_torque_ratio: float | None = quantity(
+        "1",
+        "K_п",
+        "nominal torque against the base clutch of equal spring and gain, all pairs controlled",
+        optional=True,
+    )
     sensitivity: dict[str, float] = quantity("1", "∂ln K_т/∂ln p", "elasticity of K_т", ranked=True)
     sweep: list[AccuracySweep] | None = quantity(
         "", None, "accuracy over the swept values", optional=True, columns=True
@@ -39,6 +48,7 @@ class AccuracyResult(Result):
 
 SWEEP_OUTPUTS = {
     "accuracy_factor": lambda clutch: clutch.accuracy_factor,
+    "accuracy_factor_peak": lambda clutch: clutch.accuracy_factor_peak,
     "nominal_torque": lambda clutch: clutch.nominal_torque,
     "torque_max": lambda clutch: clutch.torque_max,
 }
@@ -46,16 +56,44 @@ SWEEP_OUTPUTS = {
 
 def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyResult, list[Finding]]:
     """Calculate the accuracy of a clutch, and over the grid of ``sweeps`` if there are any."""
+    swept = series(AccuracySweep, clutch, sweeps, SWEEP_OUTPUTS)
     result = AccuracyResult(
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_worst_case=clutch.accuracy_factor_worst_case,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         conventional_accuracy_factor=conventional_accuracy_factor(clutch),
         gain_limit=clutch.gain_limit,
+        **_indirect(clutch),
         sensitivity=clutch.sensitivity(),
-        sweep=_sweep(clutch, sweeps) if sweeps else None,
+        sweep=swept,
     )
-    return result, clutch.findings()
+    return result, [*clutch.findings(), *_sweep_findings(swept), *replaced(clutch.spec, sweeps)]
+
+
+def _sweep_findings(swept: list[AccuracySweep] | None) -> list[Finding]:
+    """Say when swept points lie where breakaway peaks exceed the sustained torque."""
+    if not swept:
+        return []
+    pairs = zip(swept[0].accuracy_factor, swept[0].accuracy_factor_peak, strict=True)
+    beyond = sum(peak > sustained * (1 + 1e-9) for sustained, peak in pairs)
+    if not beyond:
+        return []
+    message = (
+        f"{beyond} of {len(swept[0].values)} swept points lie above the gain limit 1/(z_1 f_1max): breakaway peaks "
+        "there exceed the sustained torque, K_т,p is the accuracy factor with them"
+    )
+    return [Finding(level="warning", code="sweep-beyond-gain-limit", message=message, value=beyond, limit=0.0)]
+
+
+def _indirect(clutch: Clutch) -> dict[str, Any]:
+    """Return what only an indirect clutch has."""
+    if not isinstance(clutch, IndirectClutch):
+        return {}
+    return {
+        "gain_threshold": clutch.gain_threshold,
+        "equivalent_gain": clutch.equivalent_gain,
+        "nominal_torque_ratio": clutch.nominal_torque_ratio,
+    }
 
 
 def conventional_accuracy_factor(clutch: Clutch) -> Any:
@@ -63,23 +101,6 @@ def conventional_accuracy_factor(clutch: Clutch) -> Any:
     from ..equations.accuracy import accuracy_factor
 
     first, second = clutch.friction
-    bypass = clutch.spec.bypass_pairs
+    bypass = clutch.bypass_pairs
     controlled = clutch.spec.friction_group.pairs - bypass
     return accuracy_factor(bypass, controlled, 0.0, first.min, second.min, first.max, second.max)
-
-
-def _sweep(clutch: Clutch, axes: "Sequence[Axis]") -> list[AccuracySweep]:
-    from .sweep import evaluate, grid
-
-    points = grid(axes)
-    answers = {name: array.tolist() for name, array in evaluate(clutch.spec, points, SWEEP_OUTPUTS).items()}
-    return [
-        AccuracySweep(
-            parameter=axis.name,
-            path=axis.key.path,
-            unit=axis.key.unit or "1",
-            values=points[axis.key.path].tolist(),
-            **answers,
-        )
-        for axis in axes
-    ]

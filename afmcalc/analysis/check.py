@@ -1,5 +1,7 @@
 """Check of a design: its findings and whether it passes."""
 
+from typing import ClassVar
+
 from ..engines.findings import Finding, worst
 from ..engines.protocol import Clutch
 from .result import Result, quantity
@@ -7,6 +9,8 @@ from .result import Result, quantity
 
 class CheckResult(Result):
     """Whether a design passes, and how many findings of each level it has."""
+
+    findings_first: ClassVar[bool] = True
 
     passed: bool = quantity("", None, "whether the check passed")
     errors: int = quantity("", None, "findings that must be put right")
@@ -37,5 +41,15 @@ def check(clutch: Clutch, *, strict: bool = False) -> tuple[CheckResult, list[Fi
 
 
 def all_findings(clutch: Clutch) -> list[Finding]:
-    """Return the findings of every analysis that applies to the clutch."""
-    return clutch.findings()
+    """Return the findings of every analysis that applies to the clutch, each once."""
+    from .life import life
+    from .pressure import pressure_findings
+    from .synthesize import synthesize
+
+    found = [*clutch.findings(), *pressure_findings(clutch)]
+    unit = clutch.spec.control_unit
+    if unit is not None and unit.ball_circle_radius is not None and clutch.gain > 0:
+        found += synthesize(clutch)[1]
+    if clutch.spec.fatigue is not None:
+        found += life(clutch)[1]
+    return list(dict.fromkeys(found))

@@ -1,7 +1,7 @@
 """Results are values: frozen, typed, SI, with symbol, unit and description on every field."""
 
 from dataclasses import dataclass
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 from pydantic import BaseModel, ConfigDict, Field
 
@@ -12,6 +12,9 @@ class Result(BaseModel):
     """Base of every result; all formats are read off its fields."""
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False, extra="forbid", defer_build=True)
+
+    findings_first: ClassVar[bool] = False
+    """Whether the findings are what the command is called for (CSV then lists them)."""
 
 
 def quantity(unit: str, symbol: str | None, description: str, *, optional: bool = False, **extra: Any) -> Any:
@@ -31,6 +34,15 @@ class Triple(Result):
     min: float = Field(description="at f_min")
     mean: float = Field(description="at the mean friction")
     max: float = Field(description="at f_max")
+
+
+class Series(Result):
+    """One swept key: its coordinate at every point of the grid; subclasses add the answers there."""
+
+    parameter: str = quantity("", None, "swept key as called")
+    path: str = quantity("", None, "spec path")
+    unit: str = quantity("", None, "SI unit of the values")
+    values: list[float] = quantity("", None, "value at every point", axis=True)
 
 
 @dataclass(frozen=True)

@@ -11,9 +11,17 @@ from ..spec import Spec
 from ..spec.suggest import did_you_mean
 from .result import Output
 
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+
 RESULTS = {
     "torque": ("torque", "TorqueResult"),
     "accuracy": ("accuracy", "AccuracyResult"),
+    "adjust": ("adjust", "AdjustResult"),
+    "overload": ("overload", "OverloadResult"),
+    "synthesize": ("synthesize", "SynthesisResult"),
+    "life": ("life", "LifeResult"),
+    "compare": ("compare", "CompareResult"),
+    "materials": ("materials", "MaterialsResult"),
     "check": ("check", "CheckResult"),
 }
 """Command → module of this package and class of its result."""
@@ -26,7 +34,7 @@ def schema(command: str | None = None) -> dict[str, Any]:
         AfmcalcError: no such command.
     """
     if command is None or command == "spec":
-        return Spec.model_json_schema()
+        return {"$schema": DIALECT, **Spec.model_json_schema()}
     if command not in RESULTS:
         hint = did_you_mean(command, RESULTS)
         raise AfmcalcError(f"no JSON of a command {command!r}{hint}; described are: spec, {', '.join(RESULTS)}")
@@ -35,4 +43,4 @@ def schema(command: str | None = None) -> dict[str, Any]:
     parts: dict[str, Any] = {field.name: (field.type, ...) for field in fields(Output)}
     parts["result"] = (result, ...)
     model = create_model(f"{name.removesuffix('Result')}Output", __doc__=Output.__doc__, **parts)
-    return model.model_json_schema(mode="serialization")
+    return {"$schema": DIALECT, **model.model_json_schema(mode="serialization")}

@@ -1,15 +1,17 @@
 """Sweeps: any numeric key of the spec over a range of values, one array expression for all points."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from ..engines import build
+from ..engines.findings import Finding
 from ..engines.protocol import Clutch
 from ..errors import AfmcalcError, SpecError
 from ..spec import Spec, make_spec
 from ..spec.paths import ALIASES, Key, is_whole, keys
+from ..spec.rules import variants_of
 from ..spec.suggest import did_you_mean
+from .result import Series
 
 if TYPE_CHECKING:
     import numpy as np
@@ -30,17 +32,19 @@ _ALTERNATIVES = {
 }
 """Keys that a swept key stands in for: they are taken out of the spec."""
 
-MOST_POINTS = 20_000_000
+MOST_POINTS = 2_000_000
 
 
-@dataclass(frozen=True)
-class Axis:
+class Axis(NamedTuple):
     """One swept key with its values, SI."""
 
     name: str
     """As the user called it: a symbol or a path."""
     key: Key
     values: "NDArray[np.float64]"
+    """Values of the parameter as called."""
+    scale: float = 1.0
+    """What a value is multiplied by to give the spec key (zC → C)."""
 
 
 def find_key(name: str) -> Key:
@@ -66,13 +70,23 @@ def parse_axis(text: str, spec: Spec) -> Axis:
     Raises:
         AfmcalcError: the text cannot be read.
     """
+    name, separator, given = text.partition("=")
+    name = name.strip()
+    key = find_key("C" if name == "zC" else name)
+    if (only := variants_of(key.path)) and spec.variant not in only:
+        raise AfmcalcError(f"--sweep {text}: {key.path} is only for {', '.join(only)}, not {spec.variant!r}")
+    unit = key.unit or "1"
+    scale = 1 / (spec.friction_group.pairs - spec.bypass_pairs) if name == "zC" else 1.0
+
+    values = parse_values(text, given, unit) if separator else default_range(key, spec) / scale
+    return Axis(name, key, values, scale)
+
+
+def parse_values(text: str, given: str, unit: str) -> Any:
+    """Read ``start:stop:count`` or ``v1,v2,…``; ``text`` is the whole option, for messages."""
     import numpy as np
 
     from ..spec.quantity import parse_quantity
-
-    name, separator, given = text.partition("=")
-    key = find_key(name.strip())
-    unit = key.unit or "1"
 
     def number(part: str) -> float:
         part = part.strip()
@@ -85,21 +99,22 @@ def parse_axis(text: str, spec: Spec) -> Axis:
         except ValueError as error:
             raise AfmcalcError(f"--sweep {text}: {part!r}: {error}") from None
 
-    if not separator:
-        values = default_range(key, spec)
-    elif ":" in given:
-        parts = given.split(":")
-        if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 2:
-            raise AfmcalcError(f"--sweep {text}: write start:stop:count with a whole count of at least 2")
-        count = int(parts[2])
-        if count > MOST_POINTS:
-            raise AfmcalcError(f"--sweep {text}: {count} points; at most {MOST_POINTS} are swept")
-        values = np.linspace(number(parts[0]), number(parts[1]), count)
-        if is_whole(key.path):
-            values = np.unique(np.round(values))
-    else:
-        values = np.array([number(part) for part in given.split(",")])
-    return Axis(name.strip(), key, values)
+    parts = given.split(":") if ":" in given else given.split(",")
+    listed = parts[:2] if ":" in given else parts
+    if len({_has_unit(part) for part in listed}) > 1:
+        raise AfmcalcError(f"--sweep {text}: give every value a unit, or none (SI)")
+    if ":" not in given:
+        return np.array([number(part) for part in parts])
+    if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 2:
+        raise AfmcalcError(f"--sweep {text}: write start:stop:count with a whole count of at least 2")
+    count = int(parts[2])
+    if count > MOST_POINTS:
+        raise AfmcalcError(f"--sweep {text}: {count} points; at most {MOST_POINTS} are swept")
+    return np.linspace(number(parts[0]), number(parts[1]), count)
+
+
+def _has_unit(part: str) -> bool:
+    return any(letter.isalpha() for letter in part.strip().lower().replace("e", ""))
 
 
 def default_range(key: Key, spec: Spec) -> Any:
@@ -157,6 +172,11 @@ def _current(spec: Spec, path: str) -> Any:
         return getattr(block.range, path.rpartition(".")[2])
     if path == "friction_group.mean_radius":
         return build(spec).mean_radius
+    return _value(spec, path)
+
+
+def _value(spec: Spec, path: str) -> Any:
+    """Return the value at ``path`` as given; None when absent."""
     value: Any = spec
     for part in path.split("."):
         value = getattr(value, part, None)
@@ -186,14 +206,15 @@ def clutch_over(spec: Spec, values: Mapping[str, Any]) -> Clutch:
         if array.size == 0:
             raise AfmcalcError(f"{path}: no values to sweep")
         if is_whole(path) and bool(np.any(array != np.floor(array))):
-            raise AfmcalcError(f"{path}: must be whole numbers")
+            wrong = float(array[array != np.floor(array)].ravel()[0])
+            raise AfmcalcError(f"--sweep {path}: {wrong:g} is not a whole number")
     data = spec.model_dump(exclude_none=True)
     for path in arrays:
         for other in _ALTERNATIVES.get(path, ()):
             if other not in arrays:
-                if other == "friction.material":
-                    low, mean, high = spec.friction.groups[0]
-                    data["friction"] = {"min": low, "mean": mean, "max": high}
+                if other == "friction.material" and spec.friction.material is not None:
+                    low, _, high = spec.friction.range
+                    data["friction"] = {"min": low, "max": high}
                 _put(data, other, None)
     valid = None
     for extreme in _corners(arrays):
@@ -202,6 +223,18 @@ def clutch_over(spec: Spec, values: Mapping[str, Any]) -> Clutch:
     for path, array in arrays.items():
         valid = _with_value(valid, path.split("."), array)
     return build(valid)
+
+
+def replaced(spec: Spec, axes: Sequence[Axis]) -> list[Finding]:
+    """Say which keys of the spec a sweep has taken the place of."""
+    swept = {axis.key.path for axis in axes}
+    found = []
+    for path in sorted(swept):
+        for other in _ALTERNATIVES.get(path, ()):
+            if other not in swept and _value(spec, other) is not None:
+                message = f"{other} of the spec gives way to the swept {path}"
+                found.append(Finding(level="info", code="sweep-replaces", message=message, path=other))
+    return found
 
 
 def _corners(arrays: Mapping[str, Any]) -> list[dict[str, float]]:
@@ -218,7 +251,7 @@ def _validated(data: Mapping[str, Any], extreme: Mapping[str, float]) -> Spec:
 
     trial = copy.deepcopy(dict(data))
     for path, value in extreme.items():
-        _put(trial, path, value)
+        _put(trial, path, int(value) if is_whole(path) else value)
     try:
         return make_spec(trial, "sweep")
     except SpecError as error:
@@ -243,8 +276,8 @@ def _with_value(model: Any, path: Sequence[str], value: Any) -> Any:
     return model.model_copy(update={name: _with_value(getattr(model, name), rest, value) if rest else value})
 
 
-def grid(axes: Sequence[Axis]) -> dict[str, Any]:
-    """Coordinates of every point of the grid, flat, the first axis slowest."""
+def grid(axes: Sequence[Axis]) -> list[Any]:
+    """Coordinates of every point of the grid by axis, flat, the first axis slowest."""
     import numpy as np
 
     count = 1
@@ -252,13 +285,13 @@ def grid(axes: Sequence[Axis]) -> dict[str, Any]:
         count *= axis.values.size
     if count > MOST_POINTS:
         raise AfmcalcError(f"the sweep asks for {count} points; at most {MOST_POINTS} are swept")
-    paths = [axis.key.path for axis in axes]
-    if len(set(paths)) < len(paths):
+    if len({axis.key.path for axis in axes}) < len(axes):
         raise AfmcalcError("the same key is swept twice")
+    if any(axis.name == "zC" for axis in axes) and any(axis.key.path.endswith("pairs") for axis in axes):
+        raise AfmcalcError("zC and a number of pairs cannot be swept together: sweep C with it")
     if len(axes) == 1:
-        return {paths[0]: axes[0].values}
-    mesh = np.meshgrid(*(axis.values for axis in axes), indexing="ij")
-    return {path: coordinates.ravel() for path, coordinates in zip(paths, mesh, strict=True)}
+        return [axes[0].values]
+    return [coordinates.ravel() for coordinates in np.meshgrid(*(axis.values for axis in axes), indexing="ij")]
 
 
 def evaluate(spec: Spec, values: Mapping[str, Any], outputs: Mapping[str, Callable[[Clutch], Any]]) -> dict[str, Any]:
@@ -278,3 +311,21 @@ def evaluate(spec: Spec, values: Mapping[str, Any], outputs: Mapping[str, Callab
     shape = np.broadcast_shapes(*(np.shape(array) for array in values.values()))
     with np.errstate(all="ignore"):
         return {name: np.broadcast_to(function(clutch), shape) for name, function in outputs.items()}
+
+
+S = TypeVar("S", bound=Series)
+
+
+def series(
+    kind: type[S], clutch: Clutch, axes: Sequence[Axis], outputs: Mapping[str, Callable[[Clutch], Any]]
+) -> list[S] | None:
+    """Sweep ``outputs`` over the grid of ``axes``, one series per axis; None without axes."""
+    if not axes:
+        return None
+    points = grid(axes)
+    values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
+    answers = {name: array.tolist() for name, array in evaluate(clutch.spec, values, outputs).items()}
+    return [
+        kind(parameter=axis.name, path=axis.key.path, unit=axis.key.unit or "1", values=given.tolist(), **answers)
+        for axis, given in zip(axes, points, strict=True)
+    ]

@@ -4,7 +4,9 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from ..engines.findings import Finding
+from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
+from ..errors import CalculationError
 from .result import Result, Triple, quantity
 
 
@@ -25,6 +27,7 @@ class TorqueResult(Result):
 
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the setting")
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
+    control_force: float | None = quantity("N", "F_п2", "control-spring force as set", optional=True)
     gain: float = quantity("1", "C", "feedback gain")
     reduced_gain: float = quantity("1", "z_2 C", "reduced gain")
     friction: Triple | None = quantity("1", "f", "coefficient of friction", optional=True)
@@ -33,6 +36,10 @@ class TorqueResult(Result):
     torque: Triple = quantity("N*m", "T", "slip torque (sustained)")
     normal_force: Triple = quantity("N", "N", "normal force on the pairs")
     release_force: Triple = quantity("N", "F_p", "release force")
+    travel: Triple | None = quantity("m", "x", "axial travel of the sleeve", optional=True)
+    torque_returning: Triple | None = quantity(
+        "N*m", "T_ret", "slip torque, friction falling again from f_max under load", optional=True
+    )
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor T_max/T_min")
     points: list[FrictionPoint] | None = quantity("", None, "at the friction asked for", optional=True)
@@ -51,11 +58,16 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
     Returns:
         The result and the findings.
     """
+    points = list(friction)
+    if not clutch.spec.friction.unlike and any(pair[1] is not None for pair in points):
+        raise CalculationError(
+            "--friction F1,F2 is for unlike materials; this clutch has one friction (a decimal point, no comma)"
+        )
     ranges = clutch.friction
     ends = [(getattr(ranges[0], at), getattr(ranges[1], at)) for at in ("min", "mean", "max")]
     states = [clutch.point(*end) for end in ends]
     torques = [state.torque for state in states]
-    points = [_point(clutch, *pair) for pair in friction]
+    asked = [_point(clutch, *pair) for pair in points]
     result = TorqueResult(
         nominal_torque=clutch.nominal_torque,
         closing_force=clutch.closing_force,
@@ -65,11 +77,23 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         torque=_triple(torques),
         normal_force=_triple([state.normal_force for state in states]),
         release_force=_triple([state.release_force for state in states]),
+        **_indirect(clutch),
         scatter=abs(torques[2] - torques[0]),
         accuracy_factor=clutch.accuracy_factor,
-        points=points or None,
+        points=asked or None,
     )
-    return result, clutch.findings() + [f for pair in friction for f in _outside(clutch, *pair)]
+    return result, clutch.findings() + [f for pair in points for f in _outside(clutch, *pair)]
+
+
+def _indirect(clutch: Clutch) -> dict[str, Any]:
+    """Return what only an indirect clutch has."""
+    if not isinstance(clutch, IndirectClutch):
+        return {}
+    return {
+        "control_force": clutch.control_force,
+        "travel": triple(clutch, clutch.travel),
+        "torque_returning": triple(clutch, lambda f, _: clutch.torque_returning(f)),
+    }
 
 
 def friction_triples(clutch: Clutch) -> dict[str, Triple]:

@@ -1,11 +1,25 @@
 """Commands that calculate one clutch."""
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
 from ..errors import AfmcalcError
-from .session import Common, SpecArgument, calculate, with_common
+from .session import Common, SpecArgument, build_from, calculate, emit, guarded, read_again, with_common, write
+
+if TYPE_CHECKING:
+    from ..analysis.sweep import Axis
+    from ..engines import Clutch
+
+SweepOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--sweep",
+        metavar="NAME[=RANGE]",
+        help="Sweep a spec path or symbol (C, zC, z, z1, R, F, f_min, f_max, c1, c2, beta) over start:stop:count or "
+        "v1,v2,...; repeatable: several make a grid.",
+    ),
+]
 
 
 @with_common
@@ -34,15 +48,7 @@ def torque(
 @with_common
 def accuracy(
     spec: SpecArgument = None,
-    sweep: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--sweep",
-            metavar="NAME[=RANGE]",
-            help="Sweep a spec path or symbol (C, z, z1, R, F, f_min, f_max, c1, c2, beta) over start:stop:count or "
-            "v1,v2,...; repeatable: several make a grid.",
-        ),
-    ] = None,
+    sweep: SweepOption = None,
     *,
     common: Common,
 ) -> None:
@@ -62,6 +68,128 @@ def accuracy(
         common,
         lambda clutch: analysis(clutch, [parse_axis(text, clutch.spec) for text in sweep or ()]),
     )
+
+
+@with_common
+def adjust(spec: SpecArgument = None, *, common: Common) -> None:
+    """Both ways of setting the spring, at f_min and at mean friction.
+
+    \b
+    afmcalc adjust clutch.toml
+    afmcalc adjust clutch.toml --set beta=1.1 --json
+    """  # noqa: D301
+    from ..analysis.adjust import adjust as analysis
+
+    calculate("adjust", spec, common, analysis)
+
+
+@with_common
+def overload(spec: SpecArgument = None, sweep: SweepOption = None, *, common: Common) -> None:
+    """Potential and actuation torque with a torque margin (S22).
+
+    \b
+    afmcalc overload clutch.toml
+    afmcalc overload clutch.toml --sweep zC=0.5:6:23
+    afmcalc overload clutch.toml --sweep z1 --format csv
+    """  # noqa: D301
+    from ..analysis.overload import overload as analysis
+    from ..analysis.sweep import parse_axis
+
+    calculate(
+        "overload", spec, common, lambda clutch: analysis(clutch, [parse_axis(t, clutch.spec) for t in sweep or ()])
+    )
+
+
+@with_common
+def synthesize(
+    spec: SpecArgument = None,
+    balls: Annotated[
+        str | None,
+        typer.Option("--balls", metavar="FILE", help="TOML file with a list of your own, diameters = [...] in mm."),
+    ] = None,
+    *,
+    common: Common,
+) -> None:
+    """Wall angle, balls and pockets of the control unit.
+
+    --output FILE writes the completed spec; the table or JSON goes to standard output all the same.
+
+    \b
+    afmcalc synthesize clutch.toml
+    afmcalc synthesize clutch.toml --output completed.toml
+    afmcalc synthesize clutch.toml --json | afmcalc torque -
+    """  # noqa: D301
+    from ..analysis.synthesize import completed
+    from ..analysis.synthesize import synthesize as analysis
+    from ..spec import to_toml
+    from ..spec.balls import diameters
+
+    common.keep(spec)
+    sizes = diameters(balls) if balls else None
+    output = calculate("synthesize", spec, common.to_standard_output(), lambda clutch: analysis(clutch, sizes))
+    if common.output:
+        data = completed(read_again(output), output.result)
+        write(to_toml(data), common.output)
+        common.note(f"wrote the completed spec to {common.output}")
+
+
+@with_common
+def life(
+    spec: SpecArgument = None,
+    model: Annotated[
+        Literal["mean-stress", "amplitude", "goodman"],
+        typer.Option("--model", help="Rule for the damaging stress: the paper's, Serensen-Kinasoshvili, Goodman."),
+    ] = "mean-stress",
+    sweep: SweepOption = None,
+    *,
+    common: Common,
+) -> None:
+    """Cycles to failure on both sides of the clutch (S19).
+
+    --sweep also takes dT, the scatter band at the T_min of the spec.
+
+    \b
+    afmcalc life clutch.toml
+    afmcalc life clutch.toml --model amplitude --set fatigue.mean_stress_sensitivity=0.1
+    afmcalc life clutch.toml --sweep dT=500:1100:13
+    """  # noqa: D301
+    from ..analysis.life import band_axis
+    from ..analysis.life import life as analysis
+    from ..analysis.sweep import parse_axis
+
+    def axes(clutch: "Clutch") -> list["Axis"]:
+        return [(band_axis if _is_band(text) else parse_axis)(text, clutch.spec) for text in sweep or ()]
+
+    calculate("life", spec, common, lambda clutch: analysis(clutch, model, axes(clutch)))
+
+
+@with_common
+def compare(
+    specs: Annotated[list[str] | None, typer.Argument(metavar="SPEC...", help="Specs to set side by side.")] = None,
+    variants: Annotated[bool, typer.Option("--variants", help="One spec as every variant it can be built as.")] = False,
+    *,
+    common: Common,
+) -> None:
+    """Clutches side by side, or one pack as every variant.
+
+    \b
+    afmcalc compare a.toml b.toml
+    afmcalc compare clutch.toml --variants
+    """  # noqa: D301
+    from ..analysis.compare import compare as analysis
+    from ..analysis.compare import compare_variants
+    from ..spec import resolved
+
+    if variants and len(specs or ()) > 1:
+        raise AfmcalcError("compare --variants takes one SPEC")
+    sources: list[str | None] = [*specs] if specs else [None]
+    clutches = [build_from(source, common) for source in sources]
+    result, findings = guarded(lambda: compare_variants(clutches[0]) if variants else analysis(clutches))
+    emit("compare", result, findings, common, resolved(clutches[0].spec))
+
+
+def _is_band(text: str) -> bool:
+    return text.partition("=")[0].strip() == "dT"
 
 
 def _friction(text: str) -> tuple[float, float | None]:

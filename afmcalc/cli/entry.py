@@ -22,6 +22,10 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     except BrokenPipeError:
         _drop_output()
         sys.exit(0)
+    except OSError as error:
+        _drop_output()
+        print(f"error: standard output: cannot be written: {error.strerror or error}", file=sys.stderr)
+        sys.exit(3)
     except MemoryError:
         print("error: not enough memory for what was asked", file=sys.stderr)
         sys.exit(2)
@@ -42,7 +46,13 @@ def _tune() -> None:
 
 
 def _prepare_streams() -> None:
-    """Print what the terminal's encoding lacks as escapes instead of failing on it."""
+    """Print what the terminal's encoding lacks as escapes instead of failing on it; closed streams are empty ones."""
+    if sys.stdin is None:
+        sys.stdin = open(os.devnull, encoding="utf-8")  # noqa: SIM115
+    if sys.stdout is None:
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
     for stream in (sys.stdout, sys.stderr):
         if reconfigure := getattr(stream, "reconfigure", None):
             reconfigure(errors="backslashreplace")

@@ -10,6 +10,12 @@ from .. import __version__
 COMMANDS = {
     "torque": "clutch",
     "accuracy": "clutch",
+    "adjust": "clutch",
+    "overload": "clutch",
+    "synthesize": "clutch",
+    "life": "clutch",
+    "compare": "clutch",
+    "materials": "specs",
     "init": "specs",
     "check": "specs",
     "schema": "specs",

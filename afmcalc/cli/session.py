@@ -2,15 +2,16 @@
 
 import inspect
 import sys
-from collections.abc import Callable
-from dataclasses import dataclass, fields
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, fields, replace
 from functools import wraps
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
 from .. import __version__
-from ..errors import AfmcalcError, CalculationError, FileError
+from ..errors import AfmcalcError, CalculationError, FileError, SpecError
 
 if TYPE_CHECKING:
     from ..analysis.result import Output
@@ -47,6 +48,19 @@ class Common:
         if self.json and self.format not in (None, "json"):
             raise AfmcalcError(f"--json and --format {self.format} exclude each other")
         return "json" if self.json else self.format or "table"
+
+    def to_standard_output(self) -> "Common":
+        """The same options with the result on standard output, for a command whose FILE is something else."""
+        return replace(self, output=None)
+
+    def keep(self, source: str | None) -> None:
+        """Refuse to write over the spec that is read."""
+        import os
+
+        if source not in (None, "-") and self.output and os.path.exists(self.output):
+            assert source is not None
+            if os.path.exists(source) and os.path.samefile(source, self.output):
+                raise AfmcalcError(f"--output {self.output}: is the SPEC itself; write to another file")
 
     def note(self, text: str) -> None:
         """Say something beside the result."""
@@ -87,12 +101,42 @@ def read(source: str | None, common: Common) -> "Spec":
 
 def calculate(name: str, source: str | None, common: Common, analysis: Callable[["Clutch"], Any]) -> "Output":
     """Read the spec, build the clutch, run ``analysis`` on it and print what it returns."""
-    from ..engines import build
     from ..spec import resolved
 
+    common.keep(source)
+    clutch = build_from(source, common)
+    with naming(source):
+        result, findings = guarded(lambda: analysis(clutch))
+    return emit(name, result, findings, common, resolved(clutch.spec))
+
+
+def build_from(source: str | None, common: Common) -> "Clutch":
+    """Read a spec and build its clutch."""
+    from ..engines import build
+
     spec = read(source, common)
-    result, findings = guarded(lambda: analysis(build(spec)))
-    return emit(name, result, findings, common, resolved(spec))
+    with naming(source):
+        clutch: Clutch = guarded(lambda: build(spec))
+    return clutch
+
+
+@contextmanager
+def naming(source: str | None) -> Iterator[None]:
+    """Name the file in errors that engines and analyses find in a spec."""
+    from ..spec.reading import label_of
+
+    try:
+        yield
+    except SpecError as error:
+        raise error.named(label_of(source)) from None
+
+
+def read_again(output: "Output") -> "Spec":
+    """Return the spec an output carries."""
+    from ..spec import make_spec
+
+    assert output.spec is not None
+    return make_spec(output.spec)
 
 
 def guarded(calculation: Callable[[], Any]) -> Any:
@@ -102,10 +146,14 @@ def guarded(calculation: Callable[[], Any]) -> Any:
     try:
         return calculation()
     except ValidationError as error:
-        where = ", ".join(dict.fromkeys(".".join(map(str, detail["loc"])) for detail in error.errors()))
-        raise CalculationError(f"the result is not finite: {where}; check the magnitudes in the spec") from None
-    except (OverflowError, ZeroDivisionError) as error:
-        raise CalculationError(f"the result is not finite: {error}; check the magnitudes in the spec") from None
+        if any(detail["type"] != "finite_number" for detail in error.errors()):
+            raise
+        raise CalculationError(_NOT_FINITE) from None
+    except (OverflowError, ZeroDivisionError):
+        raise CalculationError(_NOT_FINITE) from None
+
+
+_NOT_FINITE = "a result is not finite (beyond the range of numbers): check the magnitudes in the spec"
 
 
 def emit(name: str, result: Any, findings: Any, common: Common, spec: dict[str, Any] | None) -> "Output":
@@ -121,7 +169,8 @@ def emit(name: str, result: Any, findings: Any, common: Common, spec: dict[str, 
         from ..render.layout import findings_lines
 
         for line in findings_lines(findings):
-            common.note(line)
+            if not (common.quiet and line.startswith("info")):
+                print(line, file=sys.stderr)
     return output
 
 

@@ -6,14 +6,16 @@ from typing import Annotated, Literal
 import typer
 
 from ..errors import AfmcalcError
-from .session import Common, SpecArgument, calculate, with_common, write
+from .session import Common, SpecArgument, calculate, emit, with_common, write
 
 _EXAMPLES = {"differentiated": "default"}
 """Example that stands for a variant where the names differ."""
 
 
 def init(
-    file: Annotated[str, typer.Argument(metavar="FILE", help="File to write; - for standard output.")] = "clutch.toml",
+    file: Annotated[
+        str | None, typer.Argument(metavar="FILE", help="File to write (clutch.toml); - for standard output.")
+    ] = None,
     variant: Annotated[
         Literal["conventional", "differentiated", "all-driving", "indirect", "unlike-materials"],
         typer.Option("--variant", help="Clutch to start from."),
@@ -30,7 +32,9 @@ def init(
     """  # noqa: D301
     from ..spec.builtin import example_text
 
-    target = output or file
+    if output and file:
+        raise AfmcalcError("give FILE or --output, not both")
+    target = output or file or "clutch.toml"
     if target != "-" and os.path.lexists(target) and not force:
         raise AfmcalcError(f"{target}: exists already; --force overwrites it")
     write(example_text(_EXAMPLES.get(variant, variant)), target)
@@ -56,6 +60,20 @@ def check(
     output = calculate("check", spec, common, lambda clutch: analysis(clutch, strict=strict))
     if not output.result.passed:
         raise typer.Exit(1)
+
+
+@with_common
+def materials(*, common: Common) -> None:
+    """Friction materials for friction.material, each with its source.
+
+    \b
+    afmcalc materials
+    afmcalc torque --set friction.min= --set friction.mean= --set friction.max= --set friction.material=woven-dry
+    """  # noqa: D301
+    from ..analysis.materials import materials as analysis
+
+    result, findings = analysis()
+    emit("materials", result, findings, common, None)
 
 
 def schema(

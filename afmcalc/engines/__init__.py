@@ -1,24 +1,29 @@
 """Engines: one per torque law, behind one protocol."""
 
+from collections.abc import Mapping
 from os import PathLike
+from typing import Any
 
-from ..errors import CalculationError
-from ..spec import Spec, read_spec
+from ..errors import SpecError
+from ..spec import Spec, make_spec, read_spec
+from ..spec.reading import label_of
 from .direct import DirectClutch
+from .indirect import IndirectClutch
 from .protocol import Clutch
 
 __all__ = ["Clutch", "build", "load"]
 
 
-def build(spec: Spec) -> Clutch:
-    """Build the engine that calculates ``spec``.
+def build(spec: Spec | Mapping[str, Any]) -> Clutch:
+    """Build the engine that calculates ``spec``, a validated one or plain data of the same structure.
 
     Raises:
-        CalculationError: the variant has no engine.
+        SpecError: no valid spec; an indirect clutch whose gain does not overcome the friction at the key.
     """
-    if spec.variant == "indirect":
-        raise CalculationError("variant 'indirect' is not calculated yet")
-    return DirectClutch.from_spec(spec)
+    if not isinstance(spec, Spec):
+        spec = make_spec(spec)
+    engine: type[DirectClutch | IndirectClutch] = IndirectClutch if spec.variant == "indirect" else DirectClutch
+    return engine.from_spec(spec)
 
 
 def load(source: str | PathLike[str] | None = None) -> Clutch:
@@ -28,4 +33,8 @@ def load(source: str | PathLike[str] | None = None) -> Clutch:
         SpecError: the spec is invalid.
         FileError: the file cannot be read.
     """
-    return build(read_spec(source))
+    spec = read_spec(source)
+    try:
+        return build(spec)
+    except SpecError as error:
+        raise error.named(label_of(source)) from None

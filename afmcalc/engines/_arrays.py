@@ -61,6 +61,8 @@ def checked_friction(value: Any) -> Any:
 
         value = np.asarray(value, float)
     if is_array(value):
+        if value.dtype.kind not in "fiu":
+            raise ValueError(f"friction must be numbers, not an array of {value.dtype}")
         if value.size and not value.min() >= 0:
             raise ValueError("friction must be at least 0 everywhere")
     elif isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value < math.inf:

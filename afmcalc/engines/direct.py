@@ -72,10 +72,15 @@ class DirectClutch:
         _, second = _pair(friction, friction_driven)
         return direct.release_force(self.closing_force, self.controlled_pairs, self.gain, second)
 
+    def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Torque T_2 that passes the balls, N·m; arguments as ``torque``."""
+        first, second = _pair(friction, friction_driven)
+        return direct.group_torque(self.normal_force(first, second), self.mean_radius, self.controlled_pairs, second)
+
     def breakaway_torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Upper bound P of the breakaway torque, N·m (theory, section 3); arguments as ``torque``."""
         first, second = _pair(friction, friction_driven)
-        bypass: Values = direct.bypass_torque(self.closing_force, self.mean_radius, self.bypass_pairs, first)
+        bypass: Values = direct.group_torque(self.closing_force, self.mean_radius, self.bypass_pairs, first)
         if self.spec.variant == "conventional":
             return bypass
         return larger(bypass, self.torque(first, second))
@@ -170,8 +175,7 @@ class DirectClutch:
         if self.spec.variant == "differentiated":
             found["friction_group.driving_pairs"] = shared["driving_pairs"]
         found |= geometry.gain_elasticities(self.spec, shared["gain"])
-        found["closing_spring.force"] = 0.0
-        return found
+        return found | geometry.force_elasticity(self.spec)
 
     def _elasticities(self, at: "_FrictionPair") -> dict[str, float]:
         """∂ln T/∂ln p at one point."""
@@ -190,12 +194,12 @@ class DirectClutch:
         return [*self._gain_findings(), *self._path_findings(), *setting.findings(self)]
 
     def _gain_findings(self) -> list[Finding]:
-        path = "control_unit.wall_angle" if _angle_given(self.spec) else "control_unit.gain"
+        path = "control_unit.wall_angle" if geometry.angle_given(self.spec) else "control_unit.gain"
         if self.spec.variant != "conventional" and self.gain == 0:
             message = "the gain is 0: the control unit gives no release force, the clutch is an ordinary one"
             return [Finding(level="warning", code="feedback-idle", message=message, value=0.0, limit=0.0, path=path)]
         limit = self.gain_limit
-        if limit is None or self.gain <= limit:
+        if limit is None or self.gain <= limit * (1 + 1e-9):
             return []
         if self.spec.variant == "all-driving":
             message = f"the reduced gain zC = {self.reduced_gain:.4g} is above the recommended 5 (S22)"
@@ -248,7 +252,3 @@ def _pair_elasticities(bypass: Any, controlled: Any, driving: float, driven: flo
         "pairs": (bypass + controlled) / controlled * driven,
         "driving_pairs": driving - bypass / controlled * driven,
     }
-
-
-def _angle_given(spec: Spec) -> bool:
-    return spec.control_unit is not None and spec.control_unit.wall_angle is not None

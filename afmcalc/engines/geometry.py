@@ -31,18 +31,48 @@ def feedback_gain(spec: Spec) -> Any:
     return direct.gain(mean_radius(spec), unit.ball_circle_radius, tangent(unit.wall_angle))
 
 
-def gain_elasticities(spec: Spec, in_gain: float) -> dict[str, float]:
-    """Elasticities by the spec keys behind C, from the one in C (chain rule; C ∝ R tan α/r)."""
+def angle_given(spec: Spec) -> bool:
+    """Whether the gain follows from a wall angle."""
+    return spec.control_unit is not None and spec.control_unit.wall_angle is not None
+
+
+def gain_elasticities(spec: Spec, in_gain: float, in_radius: float = 0.0) -> dict[str, float]:
+    """Elasticities by the spec keys behind C, from the one in C (chain rule; C ∝ R tan α/r).
+
+    ``in_radius`` is the elasticity in R at fixed C.
+    """
     unit = spec.control_unit
     if unit is None:
-        return {"friction_group.mean_radius": 0.0}
+        return _radius_elasticities(spec, in_radius)
     if unit.wall_angle is None:
-        return {"control_unit.gain": in_gain, "friction_group.mean_radius": 0.0}
+        return {"control_unit.gain": in_gain, **_radius_elasticities(spec, in_radius)}
     return {
         "control_unit.wall_angle": in_gain * _tangent_elasticity(unit.wall_angle),
         "control_unit.ball_circle_radius": -in_gain,
-        "friction_group.mean_radius": in_gain,
+        **_radius_elasticities(spec, in_gain + in_radius),
     }
+
+
+def _radius_elasticities(spec: Spec, in_radius: float) -> dict[str, float]:
+    """Elasticities by the radii a spec gives; R is homogeneous of degree 1 in the two, so theirs add up to R's."""
+    group = spec.friction_group
+    inner, outer = group.inner_radius, group.outer_radius
+    if inner is None or outer is None:
+        return {"friction_group.mean_radius": in_radius}
+    if group.radius_model == "uniform-pressure":
+        share = 2 * inner**2 / (outer**2 - inner**2) - 3 * inner**3 / (outer**3 - inner**3)
+    else:
+        share = inner / (inner + outer)
+    return {
+        "friction_group.inner_radius": in_radius * share,
+        "friction_group.outer_radius": in_radius * (1 - share),
+    }
+
+
+def force_elasticity(spec: Spec) -> dict[str, float]:
+    """K_т does not depend on the spring force, by whichever key it is set."""
+    given = spec.closing_spring.force is not None
+    return {"closing_spring.force" if given else "adjustment.nominal_torque": 0.0}
 
 
 def _tangent_elasticity(angle: float) -> float:

@@ -37,6 +37,10 @@ class Clutch(Protocol):
         """R_cp, m."""
 
     @property
+    def bypass_pairs(self) -> Values:
+        """z_1, pairs that bypass the control unit."""
+
+    @property
     def gain(self) -> Values:
         """C."""
 
@@ -70,6 +74,9 @@ class Clutch(Protocol):
 
     def torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Sustained slip torque, N·m."""
+
+    def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Torque that passes the balls, N·m."""
 
     def point(self, friction: Any, friction_driven: Any = None) -> Point:
         """Torque, forces and travel at one friction."""

@@ -47,12 +47,31 @@ def nominal_torque(clutch: Settable) -> Values:
     return torque
 
 
+def _material_findings(spec: Spec) -> list[Finding]:
+    """Echo the values that a material of the catalogue stands for, with their source."""
+    named = {"friction": spec.friction.material}
+    for group in ("driving", "driven"):
+        block = getattr(spec.friction, group)
+        named[f"friction.{group}"] = block.material if block else None
+    found = []
+    for path, name in named.items():
+        if name is not None:
+            from ..spec.materials import catalogue
+
+            entry = catalogue()[name]
+            message = (
+                f"{name}: friction {entry.friction_min:g}…{entry.friction_max:g} from the catalogue ({entry.source})"
+            )
+            found.append(Finding(level="info", code="material", message=message, path=f"{path}.material"))
+    return found
+
+
 def findings(clutch: Settable) -> list[Finding]:
     """Remarks on the setting: the wished nominal torque missed, or not reached at f_min."""
-    found = []
+    found = _material_findings(clutch.spec)
     first, second = clutch.friction
     reached, wished = float(nominal_torque(clutch)), clutch.spec.adjustment.nominal_torque
-    if wished is not None and abs(reached - wished) > 1e-6 * wished:
+    if wished is not None and abs(reached - wished) > 1e-4 * wished:
         message = (
             f"closing_spring.force is given, so it decides: it gives a nominal torque of {reached:.5g} N·m, "
             f"not the {wished:.5g} N·m of adjustment.nominal_torque"

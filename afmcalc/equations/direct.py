@@ -116,7 +116,7 @@ def torque(
 
     Validity:
         Up to C = 1/(z_1 f_1max) this is also the largest torque of the slip; above it the bypass
-        pairs may give a higher breakaway peak first (see ``bypass_torque``).
+        pairs may give a higher breakaway peak first (see ``group_torque``).
 
     >>> torque(2000.0, 0.1, 1, 7, 0.0, 0.25, 0.25)
     400.0
@@ -129,24 +129,25 @@ def torque(
     )
 
 
-def bypass_torque(closing_force: Number, mean_radius: Number, bypass_pairs: Number, friction_driving: Number) -> Number:
-    """Torque of the bypass pairs under the full spring force, R F_п z_1 f_1.
+def group_torque(normal_force: Number, mean_radius: Number, pairs: Number, friction: Number) -> Number:
+    """Torque of one group of pairs under a normal force, T_i = R z_i f_i N.
 
-    Source: F11 p. 4, the condition behind C ≤ 1/(z_1 f_max); theory, section 3 (breakaway peak).
+    Source: F11 (2), (6); S21 (9) for all pairs. With N = F_п and the bypass pairs: what they carry before the
+        balls take a share, the condition behind C ≤ 1/(z_1 f_max) (F11 p. 4; theory, section 3).
 
     Args:
-        closing_force: F_п, closing-spring force as set [N].
+        normal_force: N, normal force on the pairs [N].
         mean_radius: R_cp, mean friction radius [m].
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        friction_driving: f_1, friction of the bypass pairs [1].
+        pairs: z_i, pairs of the group [1].
+        friction: f_i, friction of the group [1].
 
     Returns:
-        The torque the bypass pairs can carry before the balls take a share [N*m].
+        T_i [N*m].
 
     Validity:
-        An upper bound of the breakaway torque: it assumes the balls carry nothing before slip.
+        Slipping pairs.
     """
-    return closing_force * mean_radius * bypass_pairs * friction_driving
+    return normal_force * mean_radius * pairs * friction
 
 
 def gain_limit_differentiated(bypass_pairs: Number, friction_driving_max: Number) -> Number:

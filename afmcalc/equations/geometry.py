@@ -40,3 +40,43 @@ def mean_radius_uniform_pressure(inner_radius: Number, outer_radius: Number) -> 
         0 < r_i < r_o; new, stiff discs.
     """
     return 2 * (outer_radius**3 - inner_radius**3) / (3 * (outer_radius**2 - inner_radius**2))
+
+
+def mean_pressure(force: Number, inner_radius: Number, outer_radius: Number, pi: Number) -> Number:
+    """Mean surface pressure of a ring, F/(π (r_o² − r_i²)).
+
+    Source: Juvinall & Marshek, Fundamentals of Machine Component Design, ch. 18.
+
+    Args:
+        force: axial force on the ring [N].
+        inner_radius: r_i [m].
+        outer_radius: r_o [m].
+        pi: π (a symbol under SymPy) [1].
+
+    Returns:
+        p [Pa].
+
+    Validity:
+        Full rings; grooves and sectors raise it.
+    """
+    return force / (pi * (outer_radius**2 - inner_radius**2))
+
+
+def peak_pressure_uniform_wear(force: Number, inner_radius: Number, outer_radius: Number, pi: Number) -> Number:
+    """Surface pressure at the inner edge with uniform wear, F/(2 π r_i (r_o − r_i)).
+
+    Source: Juvinall & Marshek, Fundamentals of Machine Component Design, ch. 18.
+
+    Args:
+        force: axial force on the ring [N].
+        inner_radius: r_i [m].
+        outer_radius: r_o [m].
+        pi: π (a symbol under SymPy) [1].
+
+    Returns:
+        p at r_i [Pa].
+
+    Validity:
+        p·r constant; full rings.
+    """
+    return force / (2 * pi * inner_radius * (outer_radius - inner_radius))

@@ -2,6 +2,7 @@
 
 import csv
 import io
+from typing import Any
 
 from ..analysis.result import Output
 from .document import Column, Document, Row, document
@@ -9,12 +10,27 @@ from .document import Column, Document, Row, document
 
 def render(output: Output, terminal: bool) -> str:
     """Write the result's records or sweep, one row each; without any, all quantities in one row."""
-    columns = _columns(document(output.result))
+    columns = _findings(output) if output.result.findings_first else _columns(document(output.result))
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([_header(column.path, column.unit) for column in columns])
-    writer.writerows(zip(*(column.values for column in columns), strict=True))
+    writer.writerows(
+        [_cell(value) for value in row] for row in zip(*(column.values for column in columns), strict=True)
+    )
     return text.getvalue()
+
+
+def _cell(value: Any) -> Any:
+    """Write a list (an interval) into one cell."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return " ".join(map(str, value)) if isinstance(value, list) else value
+
+
+def _findings(output: Output) -> list[Column]:
+    """One row per finding."""
+    names = ("level", "code", "value", "limit", "path", "message")
+    return [Column(name, "", name, "", [getattr(finding, name) for finding in output.findings]) for name in names]
 
 
 def _columns(laid_out: Document) -> list[Column]:

@@ -31,7 +31,7 @@ def curve(x: Sequence[float], y: Sequence[float], title: str, *, unicode: bool) 
     side, corner, floor = ("│", "└", "─") if unicode else ("|", "+", "-")
     lines = [title]
     for number, cell in enumerate(cells):
-        label = top if number == 0 else bottom if number == HEIGHT - 1 else ""
+        label = top if number == 0 else bottom if number == HEIGHT - 1 and bottom != top else ""
         lines.append(f"{label:>{margin}} {side}{''.join(cell)}".rstrip())
     left, right = significant(low_x), significant(high_x)
     lines.append(" " * (margin + 1) + corner + floor * WIDTH)

@@ -69,12 +69,7 @@ def _walk(model: BaseModel, prefix: str, heading: str, into: Document) -> None:
         elif isinstance(value, list) and value and isinstance(value[0], BaseModel):
             into.tables.append(_side_by_side(label, value) if about.get("columns") else _records(label, value))
         else:
-            into.singles.append(Row(path, symbol, label, unit, (_plain(value),)))
-
-
-def _plain(value: Any) -> Any:
-    """Show a list of plain values as one text."""
-    return ", ".join(str(item) for item in value) if isinstance(value, list) else value
+            into.singles.append(Row(path, symbol, label, unit, (value,)))
 
 
 def _mapping(path: str, symbol: str, title: str, unit: str, value: dict[str, Any], *, ranked: bool) -> Table:
@@ -104,7 +99,7 @@ def _records(title: str, items: list[BaseModel]) -> Table:
                 ends = [getattr(value, end, None) for value in values]
                 columns.append(Column(f"{name}_{end}", f"{symbol} {end}", f"{label}, {end}", unit, ends))
         else:
-            columns.append(Column(name, symbol, label, unit, [_plain(value) for value in values]))
+            columns.append(Column(name, symbol, label, unit, values))
     return Table(title, columns)
 
 

@@ -11,6 +11,8 @@ from ..analysis.result import Output
 from .layout import Block, findings_lines, title
 from .table import curve_lines
 
+_SHORT = 12
+"""Columns up to this width are kept whole."""
 _STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
 
 
@@ -21,6 +23,7 @@ def render_rich(output: Output, found: list[Block], *, width: int | None, termin
         import shutil
 
         width = width or shutil.get_terminal_size().columns
+    width = max(width or 0, *map(_least_width, found))
     console = Console(
         file=buffer, force_terminal=terminal, no_color=None if terminal else True, width=width, highlight=False
     )
@@ -39,10 +42,26 @@ def render_rich(output: Output, found: list[Block], *, width: int | None, termin
     return buffer.getvalue()
 
 
+def _least_width(block: Block) -> int:
+    """Width below which a table would have to cut: the terminal then folds the lines itself."""
+    widest = [max(map(len, cells)) for cells in zip(block.header, *block.rows, strict=True)]
+    kept = [w if right else min(w, _SHORT) for w, right in zip(widest, block.numeric, strict=True)]
+    return sum(kept) + 2 * len(kept)
+
+
 def _table(block: Block, *, ruled: bool) -> Table:
-    table = Table(box=box.SIMPLE_HEAD if ruled else None, pad_edge=False, header_style="bold", padding=(0, 2, 0, 0))
-    for heading, right in zip(block.header, block.numeric, strict=True):
-        table.add_column(Text(heading), justify="right" if right else "left", overflow="fold")
+    """Numbers, symbols and units are never folded, only text is."""
+    table = Table(box=box.SIMPLE_HEAD if ruled else None, show_edge=False, pad_edge=False, header_style="bold")
+    widest = [max(map(len, cells)) for cells in zip(block.header, *block.rows, strict=True)]
+    for heading, right, width in zip(block.header, block.numeric, widest, strict=True):
+        whole = right or width <= _SHORT
+        table.add_column(
+            Text(heading),
+            justify="right" if right else "left",
+            overflow="fold",
+            no_wrap=whole,
+            min_width=width if whole else _SHORT,
+        )
     for row in block.rows:
         table.add_row(*(Text(cell) for cell in row))
     return table

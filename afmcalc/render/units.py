@@ -10,6 +10,7 @@ _DISPLAY = {
     "N*m": ("N·m", 1.0),
     "rad": ("deg", 180 / math.pi),
     "Pa": ("MPa", 1e-6),
+    "degC": ("°C", 1.0),
     "1": ("–", 1.0),
     "": ("", 1.0),
 }
@@ -28,7 +29,11 @@ def display(value: object, unit: str) -> str:
     """
     if value is None:
         return "–"
-    if isinstance(value, bool) or not isinstance(value, int | float):
+    if isinstance(value, list):
+        return " … ".join(display(item, unit) for item in value) if unit else "; ".join(map(str, value))
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if not isinstance(value, int | float):
         return str(value)
     return significant(value * _DISPLAY.get(unit, (unit, 1.0))[1])
 

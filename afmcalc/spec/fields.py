@@ -1,18 +1,28 @@
 """Field types of the spec: SI numbers that also take a string with a unit."""
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
 
 from pydantic import BeforeValidator, Field
 
 from .quantity import EXAMPLES, parse_quantity
 
 
-def _reader(unit: str) -> BeforeValidator:
+def _quantity(unit: str, **bounds: float) -> Any:
+    """Return the type of a field: a number in SI within ``bounds`` (gt, ge, lt, le), or a string with a unit."""
+
     def read(value: object) -> float:
         return parse_quantity(value, unit)
 
-    schema = float if unit == "1" else float | str
-    return BeforeValidator(read, json_schema_input_type=schema)
+    bound: Any = Field(**bounds)  # type: ignore[call-overload]
+    schema: Any = Annotated[float, bound] if unit == "1" else Annotated[float, bound] | str
+    return Annotated[float, BeforeValidator(read, json_schema_input_type=schema), Unit(unit), bound]
+
+
+def _name(value: object) -> object:
+    """A name is one line of printable text: it goes to terminals and files as it is."""
+    if isinstance(value, str) and not value.isprintable():
+        raise ValueError("must be one line of printable text, without control characters")
+    return value
 
 
 def _whole(value: object) -> int:
@@ -37,19 +47,33 @@ class Unit:
         self.unit = unit
 
 
-_POSITIVE = Field(gt=0)
-_NOT_NEGATIVE = Field(ge=0)
-
-Coefficient = Annotated[float, _reader("1"), Unit("1"), _POSITIVE]
-Ratio = Annotated[float, _reader("1"), Unit("1"), _NOT_NEGATIVE]
-AtLeastOne = Annotated[float, _reader("1"), Unit("1"), Field(ge=1)]
-Force = Annotated[float, _reader("N"), Unit("N"), _POSITIVE]
-Length = Annotated[float, _reader("m"), Unit("m"), _POSITIVE]
-Gap = Annotated[float, _reader("m"), Unit("m"), _NOT_NEGATIVE]
-Torque = Annotated[float, _reader("N*m"), Unit("N*m"), _POSITIVE]
-Stiffness = Annotated[float, _reader("N/m"), Unit("N/m"), _POSITIVE]
-StiffnessOrNone = Annotated[float, _reader("N/m"), Unit("N/m"), _NOT_NEGATIVE]
-WallAngle = Annotated[float, _reader("rad"), Unit("rad"), _NOT_NEGATIVE, Field(lt=1.5707963267948966)]
-Stress = Annotated[float, _reader("Pa"), Unit("Pa"), _POSITIVE]
-SectionModulus = Annotated[float, _reader("m^3"), Unit("m^3"), _POSITIVE]
+if TYPE_CHECKING:
+    Coefficient: TypeAlias = float
+    Ratio: TypeAlias = float
+    AtLeastOne: TypeAlias = float
+    PoissonRatio: TypeAlias = float
+    Force: TypeAlias = float
+    Length: TypeAlias = float
+    Gap: TypeAlias = float
+    Torque: TypeAlias = float
+    Stiffness: TypeAlias = float
+    StiffnessOrNone: TypeAlias = float
+    WallAngle: TypeAlias = float
+    Stress: TypeAlias = float
+    SectionModulus: TypeAlias = float
+else:
+    Coefficient = _quantity("1", gt=0)
+    Ratio = _quantity("1", ge=0)
+    AtLeastOne = _quantity("1", ge=1)
+    PoissonRatio = _quantity("1", ge=0, le=0.5)
+    Force = _quantity("N", gt=0)
+    Length = _quantity("m", gt=0)
+    Gap = _quantity("m", ge=0)
+    Torque = _quantity("N*m", gt=0)
+    Stiffness = _quantity("N/m", gt=0)
+    StiffnessOrNone = _quantity("N/m", ge=0)
+    WallAngle = _quantity("rad", ge=0, lt=1.5707963267948966)
+    Stress = _quantity("Pa", gt=0)
+    SectionModulus = _quantity("m^3", gt=0)
 Count = Annotated[int, BeforeValidator(_whole), Unit("1"), Field(ge=1)]
+Name = Annotated[str, BeforeValidator(_name)]

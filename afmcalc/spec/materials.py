@@ -1,9 +1,9 @@
 """The friction-material catalogue: each entry with its own source, never merged."""
 
 from functools import cache
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from .rules import MISSING, Finding
+from .rules import Finding
 from .suggest import did_you_mean
 
 
@@ -24,6 +24,9 @@ class Material(NamedTuple):
     temperature_max: float | None
     """Upper end, °C."""
     source: str
+    """Short name of the source."""
+    citation: str
+    """The source in full."""
 
 
 @cache
@@ -47,7 +50,8 @@ def catalogue() -> dict[str, Material]:
             pressure_max=pressure[-1] * 1e3 if pressure else None,
             temperature_min=float(temperature[0]) if temperature else None,
             temperature_max=float(temperature[-1]) if temperature else None,
-            source=sources[row["source"]],
+            source=sources[row["source"]]["short"],
+            citation=sources[row["source"]]["full"],
         )
     return entries
 
@@ -58,19 +62,15 @@ def friction_range(name: str) -> tuple[float, float]:
     return entry.friction_min, entry.friction_max
 
 
-def contradictions(name: str, given: dict[str, float | None]) -> list[Finding]:
-    """Problems of a friction block that names a material: unknown, or beside other numbers than its own.
-
-    The numbers themselves may stand beside the name: the resolved spec in every JSON output shows both.
-    """
+def problems(name: str, given: dict[str, float | None]) -> list[Finding]:
+    """Problems of a friction block that names a material: unknown, or beside numbers of its own."""
     known = catalogue()
     if name not in known:
         listed = ", ".join(known)
         return [(("material",), name, f"unknown material{did_you_mean(name, known)}; the catalogue has {listed}")]
     low, high = friction_range(name)
-    own: dict[str, Any] = {"min": low, "mean": (low + high) / 2, "max": high}
     return [
-        ((key,), value, f"excludes material ({name!r} has {own[key]:g}): give material, or min and max")
+        ((key,), value, f"excludes material ({name!r} has {low:g}…{high:g}): give material, or min and max")
         for key, value in given.items()
-        if value is not None and value is not MISSING and value != own[key]
+        if value is not None
     ]

@@ -12,6 +12,8 @@ from .fields import (
     Force,
     Gap,
     Length,
+    Name,
+    PoissonRatio,
     Ratio,
     SectionModulus,
     Stiffness,
@@ -63,7 +65,7 @@ class FrictionRange(_Block):
         if self.material is not None:
             from . import materials
 
-            return materials.contradictions(self.material, {"min": self.min, "mean": self.mean, "max": self.max})
+            return materials.problems(self.material, {"min": self.min, "mean": self.mean, "max": self.max})
         return rules.order_problems(self.min, self.mean, self.max)
 
     @property
@@ -131,6 +133,20 @@ class ControlSpring(_Block):
     )
 
 
+class Contact(_Block):
+    """Elastic data of ball and pocket wall, for a Hertz check where no allowable force is given."""
+
+    ball_modulus: Stress = Field(description="Young's modulus of the ball", json_schema_extra={"symbol": "E_1"})
+    ball_poisson: PoissonRatio = Field(description="Poisson's ratio of the ball", json_schema_extra={"symbol": "ν_1"})
+    wall_modulus: Stress = Field(description="Young's modulus of the pocket wall", json_schema_extra={"symbol": "E_2"})
+    wall_poisson: PoissonRatio = Field(
+        description="Poisson's ratio of the pocket wall", json_schema_extra={"symbol": "ν_2"}
+    )
+    allowable_pressure: Stress = Field(
+        description="allowable maximum contact pressure", json_schema_extra={"symbol": "[p_0]"}
+    )
+
+
 class ControlUnit(_Block):
     """Balls in pockets with inclined walls."""
 
@@ -143,6 +159,8 @@ class ControlUnit(_Block):
     face_gap: Gap | None = _key("gap between the faces of the pockets", "s")
     edge_clearance: Gap | None = _key("clearance of the contact from the pocket's edge", "y")
     allowable_contact_force: Force | None = _key("allowable normal force on one ball", "[F_n]")
+    ball_diameter: Length | None = _key("ball chosen; synthesize takes it instead of the next standard one", "2 r_ш")
+    contact: Contact | None = None
 
 
 class Adjustment(_Block):
@@ -167,13 +185,15 @@ class Fatigue(_Block):
         description="polar section modulus", json_schema_extra={"symbol": "W_p"}
     )
     exponent: Coefficient = Field(description="exponent of the S-N line", json_schema_extra={"symbol": "m_τ"})
+    mean_stress_sensitivity: Ratio | None = _key("sensitivity to the mean stress (model amplitude)", "ψ_τ")
+    ultimate_strength: Stress | None = _key("ultimate strength in shear (model goodman)", "τ_u")
     base_cycles: Coefficient = Field(description="base cycles of the S-N line", json_schema_extra={"symbol": "N_0"})
 
 
 class Spec(_Block):
     """A clutch, as a spec file describes it."""
 
-    name: str | None = _key("what the clutch is called")
+    name: Name | None = _key("what the clutch is called")
     variant: Variant = Field(description="how the clutch regulates")
     friction: Friction
     friction_group: FrictionGroup

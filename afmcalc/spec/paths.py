@@ -27,6 +27,7 @@ ALIASES = {
     "F": "closing_spring.force",
     "f_min": "friction.min",
     "f_cp": "friction.mean",
+    "f_mean": "friction.mean",
     "f_max": "friction.max",
     "c1": "closing_spring.stiffness",
     "c2": "control_spring.stiffness",

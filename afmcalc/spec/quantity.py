@@ -131,6 +131,8 @@ def _did_you_mean(unit_text: str, unit: str) -> str:
     from .suggest import did_you_mean
 
     known = [name for base, names in _SPELLINGS.items() if base in _WORD.findall(unit) for name in names.split()]
+    if power := re.fullmatch(r"(\w*?[^\W\d])([2-4])", unit_text):
+        return f"; write {power[1]}^{power[2]}"
     for word in _WORD.findall(unit_text):
         if hint := did_you_mean(word, known):
             return hint

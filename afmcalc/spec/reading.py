@@ -43,13 +43,20 @@ def make_spec(data: Mapping[str, Any], label: str = "spec") -> Spec:
         raise SpecError(label, _problems(error, data)) from None
 
 
+def label_of(source: str | PathLike[str] | None) -> str:
+    """What to call the source of a spec in messages."""
+    if source is None:
+        return BUILT_IN
+    return STANDARD_INPUT if source == "-" else str(source)
+
+
 def _text(source: str | PathLike[str] | None) -> tuple[str, str]:
     """Return the text of ``source`` and what to call it in messages."""
     if source is None:
         from .builtin import default_text
 
-        return default_text(), BUILT_IN
-    label = STANDARD_INPUT if source == "-" else str(source)
+        return default_text(), label_of(source)
+    label = label_of(source)
     try:
         if source == "-":
             raw = sys.stdin.buffer.read()
@@ -81,6 +88,8 @@ def parse(text: str, label: str) -> dict[str, Any]:
         raise AfmcalcError(f"{label}: is not valid TOML: {error}") from None
     except RecursionError:
         raise AfmcalcError(f"{label}: is nested too deeply for a spec") from None
+    except ValueError:
+        raise AfmcalcError(f"{label}: is not valid TOML: a number has too many digits") from None
 
 
 def _parse_json(text: str, label: str) -> dict[str, Any]:
@@ -98,27 +107,31 @@ def _parse_json(text: str, label: str) -> dict[str, Any]:
         raise AfmcalcError(f"{label}: is not valid JSON: {error}") from None
     except RecursionError:
         raise AfmcalcError(f"{label}: is nested too deeply for a spec") from None
-    except ValueError as error:
-        raise AfmcalcError(f"{label}: is not valid JSON: {error}") from None
+    except ValueError:
+        raise AfmcalcError(f"{label}: is not valid JSON: a number has too many digits") from None
     if not isinstance(data, dict):
         raise AfmcalcError(f"{label}: is not a spec: a JSON object is wanted")
-    if "command" in data and "result" in data:
-        data = data.get("spec")
+    if "spec" in data:
+        data = data["spec"]
         if not isinstance(data, dict):
-            raise AfmcalcError(f"{label}: this output of afmcalc carries no spec block")
+            raise AfmcalcError(f"{label}: its spec block is no object")
     return data
 
 
 def apply_overrides(data: dict[str, Any], overrides: Iterable[str], label: str) -> dict[str, Any]:
     """Apply ``path=value`` overrides to parsed data; an empty value removes the key."""
     for override in overrides:
-        from .paths import ALIASES
+        from .paths import ALIASES, names_in
+        from .suggest import did_you_mean
 
         name, separator, text = override.partition("=")
         path = ALIASES.get(name.strip(), name.strip())
         if not separator or not path:
             raise AfmcalcError(f"--set {override}: write PATH=VALUE, for example control_unit.gain=0.5")
         parts = path.split(".")
+        if parts[-1] not in (known := names_in(tuple(parts[:-1]))):
+            hint = did_you_mean(parts[-1], known) or (f"; known here: {', '.join(known)}" if known else "")
+            raise AfmcalcError(f"--set {override}: unknown key {path!r}{hint}")
         block = data
         for depth, part in enumerate(parts[:-1], start=1):
             nested = block.setdefault(part, {})
@@ -183,6 +196,8 @@ def _message(detail: Any, location: tuple[str, ...]) -> str:
             return f"must be greater than {context['gt']:g}"
         case "greater_than_equal":
             return f"must be at least {context['ge']:g}"
+        case "less_than_equal":
+            return f"must be at most {context['le']:g}"
         case "less_than":
             if location[-1:] == ("wall_angle",):
                 return "must be less than 90 deg (pi/2 rad)"

@@ -70,6 +70,7 @@ def problems(data: Mapping[str, Any]) -> list[Finding]:
         *_radii(data),
         *_gain(data),
         *_force(data),
+        *_contact(data),
         *_variant(data),
         *_pairs(data),
     ]
@@ -152,20 +153,42 @@ def _gain(data: Mapping[str, Any]) -> Iterable[Finding]:
         yield (block, "ball_circle_radius"), MISSING, "required beside control_unit.wall_angle"
 
 
+def _contact(data: Mapping[str, Any]) -> Iterable[Finding]:
+    force, block = ("control_unit", "allowable_contact_force"), ("control_unit", "contact")
+    if _has(data, *force) and _has(data, *block):
+        yield (
+            force,
+            _get(data, *force),
+            "excludes control_unit.contact: give the allowable force, or the elastic data it follows from",
+        )
+
+
 def _force(data: Mapping[str, Any]) -> Iterable[Finding]:
     if not _has(data, "closing_spring", "force") and not _has(data, "adjustment", "nominal_torque"):
         yield ("closing_spring", "force"), MISSING, "required (or give adjustment.nominal_torque, which sets it)"
+
+
+def variants_of(path: str) -> tuple[str, ...]:
+    """Variants that have the key at a dotted path; empty when all have."""
+    parts = tuple(path.split("."))
+    found = [variants for key, variants in _ONLY if key == parts[: len(key)]]
+    return min(found, key=len) if found else ()
+
+
+def foreign_keys(data: Mapping[str, Any]) -> list[tuple[str, ...]]:
+    """Paths of the keys present that the variant of ``data`` does not have; a block stands for its keys."""
+    variant = data["variant"]
+    found = [path for path, variants in _ONLY if variant not in variants and _has(data, *path)]
+    return [path for path in found if path[:1] not in found or len(path) == 1]
 
 
 def _variant(data: Mapping[str, Any]) -> Iterable[Finding]:
     variant = _get(data, "variant")
     if not isinstance(variant, str) or variant not in _NEEDED:
         return
-    for path, variants in _ONLY:
-        if variant not in variants and _has(data, *path):
-            if len(path) > 1 and variant == "conventional" and path[0] == "control_unit":
-                continue
-            yield path, _get(data, *path), f"not for variant {variant!r}; only for {', '.join(variants)}"
+    for path in foreign_keys(data):
+        only = ", ".join(dict(_ONLY)[path])
+        yield path, _get(data, *path), f"not for variant {variant!r}; only for {only}"
     for path in _NEEDED[variant]:
         if not _has(data, *path) and (len(path) == 1 or _has(data, path[0]) or path[0] == "closing_spring"):
             yield path, MISSING, f"required for variant {variant!r}"

@@ -6,18 +6,13 @@ from .models import Spec
 
 
 def resolved(spec: Spec) -> dict[str, Any]:
-    """Return the spec as plain data, SI, with defaults filled in and materials looked up.
+    """Return the spec as plain data, SI, with defaults filled in.
 
-    Reading it again gives the same clutch. What a calculation derives (the spring force from a nominal
-    torque, the gain from a wall angle) is not filled in: it stays derived when a key is overridden.
+    Reading it again gives the same clutch, with the same keys free: what follows from other keys (the mean of the
+    friction range, the range of a material, the spring force from a nominal torque) is not filled in, so that it
+    still follows when one of them is overridden.
     """
     data = spec.model_dump(exclude_none=True)
-    friction = data["friction"]
-    if spec.friction.unlike:
-        for group, values in zip(("driving", "driven"), spec.friction.groups, strict=True):
-            friction[group] = values._asdict() | friction[group]
-    else:
-        data["friction"] = spec.friction.range._asdict() | friction
     group = data["friction_group"]
     if spec.variant == "differentiated":
         group.setdefault("driving_pairs", spec.bypass_pairs)

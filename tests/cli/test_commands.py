@@ -35,26 +35,35 @@ def test_no_spec_means_the_base_clutch_and_says_so(afmcalc):
     assert afmcalc("torque", "--quiet").err == ""
 
 
-@pytest.mark.parametrize("name", ["default", "conventional", "unlike-materials", "all-driving"])
-@pytest.mark.parametrize("command", ["torque", "accuracy", "check"])
+EVERYWHERE = ["torque", "accuracy", "check", "adjust", "life", "compare"]
+PAIRS = [(c, n) for c in EVERYWHERE for n in ("default", "conventional", "unlike-materials", "all-driving", "indirect")]
+PAIRS += [("overload", n) for n in ("default", "all-driving")]
+PAIRS += [("synthesize", n) for n in ("default", "unlike-materials", "all-driving", "indirect")]
+
+
+@pytest.mark.parametrize(("command", "name"), PAIRS)
 def test_file_standard_input_and_json_give_the_same(name, command, afmcalc):
     path = CONFIGS / f"{name}.toml"
     direct = afmcalc(command, path, "--json")
     assert direct.code == 0
     assert afmcalc(command, "-", "--json", stdin=path.read_text()).out == direct.out
-    for first in ("torque", "accuracy", "check"):
+    for first in ("torque", "life"):
         assert afmcalc(command, "-", "--json", stdin=afmcalc(first, path, "--json").out).out == direct.out
 
 
 def test_torque_is_what_python_says(afmcalc):
-    result = afmcalc("torque", "--json", "--friction", "0.3", "--friction", "0.2,0.4").json["result"]
+    result = afmcalc("torque", "--json", "--friction", "0.3").json["result"]
     clutch = package.load()
     assert result["torque"] == {at: clutch.torque(f) for at, f in (("min", 0.1), ("mean", 0.3), ("max", 0.8))}
-    assert [point["torque"] for point in result["points"]] == [clutch.torque(0.3), clutch.torque(0.2, 0.4)]
-    assert result["points"][1]["friction_driving"] == 0.2
+    assert [point["torque"] for point in result["points"]] == [clutch.torque(0.3)]
+    unlike = CONFIGS / "unlike-materials.toml"
+    points = afmcalc("torque", unlike, "--json", "--friction", "0.3", "--friction", "0.2,0.4").json["result"]["points"]
+    clutch = package.load(unlike)
+    assert [point["torque"] for point in points] == [clutch.torque(0.3), clutch.torque(0.2, 0.4)]
+    assert points[1]["friction_driving"] == 0.2
 
 
-@pytest.mark.parametrize("bad", ["x", "-1", "nan", "inf", "0.1,0.2,0.3", ""])
+@pytest.mark.parametrize("bad", ["x", "-1", "nan", "inf", "0.1,0.2,0.3", "0.1,0.2", ""])
 def test_bad_friction(bad, afmcalc):
     run = afmcalc("torque", f"--friction={bad}")
     assert (run.code, run.out) == (2, "")
@@ -139,13 +148,13 @@ def test_check_exit_codes(afmcalc):
     assert afmcalc("check", "--set", "C=2").code == 0
     strict = afmcalc("check", "--set", "C=2", "--strict", "--json")
     assert strict.code == 1
-    assert strict.json["result"] == {"passed": False, "errors": 0, "warnings": 1, "notes": 0}
+    assert strict.json["result"] == {"passed": False, "errors": 0, "warnings": 1, "notes": 4}
 
 
 def test_schema_describes_what_is_printed(afmcalc):
     spec_schema = json.loads(afmcalc("schema").out)
     assert set(spec_schema["properties"]) == set(package.Spec.model_fields)
-    for command in ("torque", "accuracy", "check"):
+    for command in ("torque", "accuracy", "adjust", "overload", "synthesize", "life", "compare", "materials", "check"):
         schema = json.loads(afmcalc("schema", command).out)
         printed = afmcalc(command, "--json").json
         assert set(schema["properties"]) == set(printed)

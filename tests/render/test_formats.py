@@ -19,6 +19,17 @@ COMMANDS = {
     "accuracy": ["accuracy", CONFIGS / "default.toml"],
     "accuracy-sweep": ["accuracy", CONFIGS / "default.toml", "--sweep", "C=0:2:9"],
     "accuracy-grid": ["accuracy", CONFIGS / "all-driving.toml", "--sweep", "C=0.5,1", "--sweep", "z=2:6:3"],
+    "torque-indirect": ["torque", CONFIGS / "indirect.toml", "--friction", "0.5"],
+    "accuracy-indirect": ["accuracy", CONFIGS / "indirect.toml"],
+    "adjust": ["adjust", CONFIGS / "default.toml"],
+    "overload": ["overload", CONFIGS / "all-driving.toml"],
+    "overload-sweep": ["overload", CONFIGS / "all-driving.toml", "--sweep", "zC=1:5:5"],
+    "synthesize": ["synthesize", CONFIGS / "indirect.toml"],
+    "life": ["life", CONFIGS / "default.toml"],
+    "life-sweep": ["life", CONFIGS / "default.toml", "--sweep", "dT=100:300:3"],
+    "compare": ["compare", CONFIGS / "default.toml", CONFIGS / "indirect.toml", CONFIGS / "all-driving.toml"],
+    "compare-variants": ["compare", CONFIGS / "indirect.toml", "--variants"],
+    "materials": ["materials"],
     "check": ["check", CONFIGS / "default.toml", "--set", "C=2"],
 }
 ENDINGS = {"table": "txt", "json": "json", "csv": "csv", "markdown": "md"}
@@ -37,13 +48,19 @@ def test_csv_is_a_rectangle_with_units(afmcalc):
     for arguments in COMMANDS.values():
         rows = list(csv.reader(io.StringIO(afmcalc(*arguments, "--format", "csv").out)))
         assert len({len(row) for row in rows}) == 1
-        assert len(rows) >= 2
+        assert len(rows) >= 2, arguments
 
 
 def test_csv_has_full_precision_and_one_row_per_point(afmcalc):
     points = afmcalc("accuracy", "--sweep", "C=0:1:7", "--json").json["result"]["sweep"][0]
     rows = list(csv.reader(io.StringIO(afmcalc("accuracy", "--sweep", "C=0:1:7", "--format", "csv").out)))
-    assert rows[0] == ["control_unit.gain [1]", "accuracy_factor [1]", "nominal_torque [N*m]", "torque_max [N*m]"]
+    assert rows[0] == [
+        "control_unit.gain [1]",
+        "accuracy_factor [1]",
+        "accuracy_factor_peak [1]",
+        "nominal_torque [N*m]",
+        "torque_max [N*m]",
+    ]
     assert [float(row[0]) for row in rows[1:]] == points["values"]
     assert [float(row[1]) for row in rows[1:]] == points["accuracy_factor"]
 

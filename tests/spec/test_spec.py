@@ -58,7 +58,8 @@ def test_round_trip_keeps_every_result(spec):
 def test_defaults():
     spec = make_spec(changed(friction__mean=None, friction_group__driving_pairs=None, adjustment=None))
     data = resolved(spec)
-    assert data["friction"]["mean"] == (0.1 + 0.8) / 2
+    assert spec.friction.range.mean == (0.1 + 0.8) / 2
+    assert data["friction"] == {"min": 0.1, "max": 0.8}, "what follows from other keys stays free to follow"
     assert data["friction_group"]["driving_pairs"] == 1
     assert data["adjustment"] == {"method": "min-friction", "margin": 1.0}
 
@@ -75,9 +76,12 @@ def test_radius_models():
 
 
 def test_material_gives_the_range_and_is_echoed():
-    data = resolved(make_spec(changed(friction={"material": "moulded-dry"})))
-    assert data["friction"] == {"material": "moulded-dry", "min": 0.25, "mean": 0.35, "max": 0.45}
-    assert resolved(make_spec(data)) == data
+    spec = make_spec(changed(friction={"material": "moulded-dry"}))
+    assert spec.friction.range == (0.25, 0.35, 0.45)
+    (finding,) = [f for f in build(spec).findings() if f.code == "material"]
+    assert "0.25…0.45" in finding.message
+    assert "Juvinall" in finding.message
+    assert resolved(make_spec(resolved(spec))) == resolved(spec)
 
 
 def test_catalogue_entries_have_sources_and_ordered_ranges():
@@ -189,6 +193,27 @@ BAD = {
     ),
     "block that is a number": ({"friction": 3}, "friction", "3", "must be a table with the keys"),
     "margin below 1": ({"adjustment__margin": 0.9}, "adjustment.margin", "0.9", "at least 1"),
+    "control characters in a name": ({"name": "\x1b[31mred"}, "name", "", "printable"),
+    "two contact limits": (
+        {
+            "control_unit__contact": {
+                "ball_modulus": 1,
+                "ball_poisson": 0.3,
+                "wall_modulus": 1,
+                "wall_poisson": 0.3,
+                "allowable_pressure": 1,
+            }
+        },
+        "control_unit.allowable_contact_force",
+        '"5 kN"',
+        "excludes control_unit.contact",
+    ),
+    "poisson over a half": (
+        {"control_unit__contact": {"ball_poisson": 0.7}},
+        "control_unit.contact.ball_poisson",
+        "0.7",
+        "at most 0.5",
+    ),
     "name that is a number": ({"name": 3}, "name", "3", "text"),
 }
 
@@ -231,7 +256,10 @@ def test_every_problem_is_shown_at_once():
         ("{", "not valid JSON"),
         ('{"a": 1, "a": 2}', "stands twice"),
         ("a = 1\na = 2", "not valid TOML"),
-        ('{"command": "x", "result": {}}', "no spec block"),
+        ('{"command": "x", "result": {}, "spec": null}', "spec block is no object"),
+        ('{"spec": [1]}', "spec block is no object"),
+        ("a = " + "1" * 5000, "too many digits"),
+        ('{"a": ' + "1" * 5000 + "}", "too many digits"),
         ("[" * 100_000, "TOML"),
         ('{"a":' * 100_000, "nested too deeply"),
     ],
@@ -258,8 +286,8 @@ def test_overrides():
     assert spec.closing_spring.force == 5000.0
     assert spec.friction.range.mean == pytest.approx(0.45)
     assert spec.name == "other"
-    for bad in ("C", "=3", "variant.x=1"):
+    for bad in ("C", "=3", "variant.x=1", "foo=", "friction.foo=", ".=1"):
         with pytest.raises(AfmcalcError, match="--set"):
             read_spec(None, [bad])
-    with pytest.raises(SpecError, match="did you mean 'gain'"):
+    with pytest.raises(AfmcalcError, match="did you mean 'gain'"):
         read_spec(None, ["control_unit.gian=1"])

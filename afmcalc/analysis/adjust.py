@@ -1,0 +1,113 @@
+"""Both adjustment methods side by side (S19)."""
+
+import math
+from typing import Literal
+
+from ..engines import build
+from ..engines.findings import Finding
+from ..engines.indirect import IndirectClutch
+from ..engines.protocol import Clutch
+from ..engines.setting import torque_per_force
+from ..equations import adjustment
+from ..spec import Spec
+from ..spec.models import Method
+from .result import Result, Triple, quantity
+from .torque import triple
+
+METHODS: tuple[Method, Method] = ("min-friction", "mean-friction")
+
+
+class MethodResult(Result):
+    """The clutch set by one method for the nominal torque."""
+
+    closing_force: float = quantity("N", "F_п", "closing-spring force as set")
+    torque: Triple = quantity("N*m", "T", "slip torque")
+    scatter: float = quantity("N*m", "ΔT", "torque scatter band")
+    accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
+
+
+class AdjustResult(Result):
+    """Both methods for one nominal torque."""
+
+    nominal_torque: float = quantity("N*m", "T_н", "nominal torque both methods are set for")
+    margin: float = quantity("1", "β_н", "torque margin of the mean-friction method")
+    min_friction: MethodResult = quantity("", None, "set at f_min")
+    mean_friction: MethodResult = quantity("", None, "set at the mean friction, with margin")
+    scatter_ratio: float | None = quantity("1", "ΔT_2/ΔT_1", "band of mean-friction over that of min-friction")
+    scatter_difference: float = quantity("N*m", "ΔT_2−ΔT_1", "band of mean-friction less that of min-friction")
+    narrower: Literal["min-friction", "mean-friction", "equal"] = quantity("", None, "method with the narrower band")
+    pairs_threshold: float | None = quantity(
+        "1", "z_12", "pairs above which min-friction is narrower, S19 (12)", optional=True
+    )
+    pairs_threshold_at_gain_limit: float | None = quantity(
+        "1", "z_13", "the same at the gain limit 1/(z_1 f_max), S19 (13)", optional=True
+    )
+
+
+def set_by(spec: Spec, method: Method, nominal_torque: float) -> Clutch:
+    """Build the clutch of ``spec`` with its spring set by ``method`` for ``nominal_torque``."""
+    return build(
+        spec.model_copy(
+            update={
+                "adjustment": spec.adjustment.model_copy(update={"method": method, "nominal_torque": nominal_torque}),
+                "closing_spring": spec.closing_spring.model_copy(update={"force": None}),
+            }
+        )
+    )
+
+
+def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
+    """Set the clutch by both methods for its nominal torque and compare the scatter bands."""
+    nominal = float(clutch.nominal_torque)
+    first, second = (set_by(clutch.spec, method, nominal) for method in METHODS)
+    results = [_method(each) for each in (first, second)]
+    bands = [result.scatter for result in results]
+    ratio = _ratio(clutch, first, bands)
+    narrower: Literal["min-friction", "mean-friction", "equal"] = "equal"
+    if ratio is not None and abs(ratio - 1) > 1e-12:
+        narrower = METHODS[0] if ratio > 1 else METHODS[1]
+    limit = clutch.gain_limit if clutch.spec.variant == "differentiated" else None
+    result = AdjustResult(
+        nominal_torque=nominal,
+        margin=clutch.spec.adjustment.margin,
+        min_friction=results[0],
+        mean_friction=results[1],
+        scatter_ratio=ratio,
+        scatter_difference=bands[1] - bands[0],
+        narrower=narrower,
+        pairs_threshold=_threshold(clutch, float(clutch.gain)),
+        pairs_threshold_at_gain_limit=None if limit is None else _threshold(clutch, float(limit)),
+    )
+    return result, clutch.findings()
+
+
+def _method(clutch: Clutch) -> MethodResult:
+    torque = triple(clutch, clutch.torque)
+    return MethodResult(
+        closing_force=clutch.closing_force,
+        torque=torque,
+        scatter=abs(torque.max - torque.min),
+        accuracy_factor=clutch.accuracy_factor,
+    )
+
+
+def _ratio(clutch: Clutch, set_at_min: Clutch, bands: list[float]) -> float | None:
+    """ΔT_2/ΔT_1; None when friction does not wander at all."""
+    if bands[0] == 0:
+        return None
+    if isinstance(clutch, IndirectClutch):
+        return bands[1] / bands[0]
+    at_min, at_mean = (torque_per_force(set_at_min, method) for method in METHODS)
+    return float(adjustment.scatter_ratio(clutch.spec.adjustment.margin, at_min, at_mean))
+
+
+def _threshold(clutch: Clutch, gain: float) -> float | None:
+    """z of S19 (12); None where it does not apply."""
+    spec = clutch.spec
+    if spec.variant not in ("differentiated", "all-driving") or spec.friction.unlike:
+        return None
+    if not (spec.adjustment.margin - 1) * gain > 0:
+        return None
+    own = clutch.friction[0]
+    threshold = float(adjustment.pairs_threshold(clutch.bypass_pairs, gain, own.min, own.mean, spec.adjustment.margin))
+    return threshold if math.isfinite(threshold) else None

@@ -1,0 +1,140 @@
+"""Clutches side by side: several specs, or all variants one spec can be built as."""
+
+from collections.abc import Sequence
+from typing import Any
+
+from ..engines import build
+from ..engines.findings import Finding
+from ..engines.indirect import IndirectClutch
+from ..engines.protocol import Clutch
+from ..errors import SpecError
+from ..spec import Spec, make_spec, resolved
+from .result import Result, Triple, quantity
+from .torque import triple
+
+VARIANTS = ("conventional", "differentiated", "all-driving", "indirect")
+
+
+class ComparedClutch(Result):
+    """The main quantities of one clutch."""
+
+    name: str | None = quantity("", None, "clutch", optional=True)
+    variant: str = quantity("", None, "variant")
+    basis: str | None = quantity("", None, "kept equal", optional=True)
+    closing_force: float = quantity("N", "F_п", "closing-spring force as set")
+    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the setting")
+    gain: float = quantity("1", "C", "feedback gain")
+    reduced_gain: float = quantity("1", "z_2 C", "reduced gain")
+    torque: Triple = quantity("N*m", "T", "slip torque")
+    scatter: float = quantity("N*m", "ΔT", "torque scatter band")
+    accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
+    accuracy_factor_peak: float = quantity("1", "K_т,p", "accuracy factor by breakaway peaks")
+    gain_limit: float | None = quantity("1", "C_max", "gain limit", optional=True)
+    travel_max: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
+    warnings: int = quantity("", None, "findings of level warning or error")
+
+
+class CompareResult(Result):
+    """Clutches side by side."""
+
+    clutches: list[ComparedClutch] = quantity("", None, "clutches compared")
+
+
+def compare(clutches: Sequence[Clutch]) -> tuple[CompareResult, list[Finding]]:
+    """Set the main quantities of several clutches side by side."""
+    rows = [_row(clutch, None) for clutch in clutches]
+    findings = [
+        Finding(
+            level=finding.level,
+            code=finding.code,
+            message=f"{clutch.spec.name or clutch.spec.variant}: {finding.message}",
+            value=finding.value,
+            limit=finding.limit,
+            path=finding.path,
+        )
+        for clutch in clutches
+        for finding in clutch.findings()
+    ]
+    return CompareResult(clutches=rows), findings
+
+
+def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
+    """Set all variants that a spec can be built as side by side, at equal spring force and at equal nominal torque."""
+    rows, missing = [], []
+    for variant in VARIANTS:
+        try:
+            spec = as_variant(clutch.spec, variant)
+            by_force = build(with_force(spec, float(clutch.closing_force)))
+            by_torque = build(with_nominal_torque(spec, float(clutch.nominal_torque)))
+        except SpecError as error:
+            missing.append(_missing(variant, error))
+            continue
+        rows += [_row(by_force, "spring force"), _row(by_torque, "nominal torque")]
+    rows.sort(key=lambda row: row.basis != "spring force")
+    return CompareResult(clutches=rows), [*clutch.findings(), *missing]
+
+
+def as_variant(spec: Spec, variant: str) -> Spec:
+    """Build the spec of the same pack as another variant: keys the variant does not have are left out.
+
+    Raises:
+        SpecError: the spec lacks what the variant needs.
+    """
+    from ..spec.rules import foreign_keys
+
+    data = resolved(spec)
+    data["variant"] = variant
+    for path in foreign_keys(data):
+        block = data
+        for part in path[:-1]:
+            block = block[part]
+        block.pop(path[-1])
+    return make_spec(data, f"as {variant}")
+
+
+def with_force(spec: Spec, force: float) -> Spec:
+    """Return the spec with its spring set to a force."""
+    return spec.model_copy(
+        update={
+            "closing_spring": spec.closing_spring.model_copy(update={"force": force}),
+            "adjustment": spec.adjustment.model_copy(update={"nominal_torque": None}),
+        }
+    )
+
+
+def with_nominal_torque(spec: Spec, nominal_torque: float) -> Spec:
+    """Return the spec with its spring set for a nominal torque."""
+    return spec.model_copy(
+        update={
+            "closing_spring": spec.closing_spring.model_copy(update={"force": None}),
+            "adjustment": spec.adjustment.model_copy(update={"nominal_torque": nominal_torque}),
+        }
+    )
+
+
+def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:
+    torque = triple(clutch, clutch.torque)
+    own: dict[str, Any] = (
+        {"travel_max": clutch.travel(clutch.friction[0].max)} if isinstance(clutch, IndirectClutch) else {}
+    )
+    return ComparedClutch(
+        name=clutch.spec.name,
+        variant=clutch.spec.variant,
+        basis=basis,
+        closing_force=clutch.closing_force,
+        nominal_torque=clutch.nominal_torque,
+        gain=clutch.gain,
+        reduced_gain=clutch.reduced_gain,
+        torque=torque,
+        scatter=abs(torque.max - torque.min),
+        accuracy_factor=clutch.accuracy_factor,
+        accuracy_factor_peak=clutch.accuracy_factor_peak,
+        gain_limit=clutch.gain_limit,
+        warnings=sum(finding.level != "info" for finding in clutch.findings()),
+        **own,
+    )
+
+
+def _missing(variant: str, error: SpecError) -> Finding:
+    lacks = "; ".join(str(problem) for problem in error.problems)
+    return Finding("info", "variant-not-possible", f"not as {variant}: {lacks}")

@@ -1,0 +1,34 @@
+"""The friction-material catalogue as a result."""
+
+from ..engines.findings import Finding
+from ..spec.materials import catalogue
+from .result import Result, quantity
+
+
+class MaterialRow(Result):
+    """One material: friction against smooth iron or steel, and what it stands."""
+
+    name: str = quantity("", None, "name for friction.material")
+    description: str = quantity("", None, "material")
+    condition: str = quantity("", None, "condition")
+    friction_min: float = quantity("1", "f_min", "smallest friction")
+    friction_max: float = quantity("1", "f_max", "largest friction")
+    pressure_min: float | None = quantity("Pa", "p_max from", "allowable pressure, lower end", optional=True)
+    pressure_max: float | None = quantity("Pa", "p_max to", "allowable pressure, upper end", optional=True)
+    temperature_min: float | None = quantity("degC", "t_max from", "allowable temperature, lower end", optional=True)
+    temperature_max: float | None = quantity("degC", "t_max to", "allowable temperature, upper end", optional=True)
+    source: str = quantity("", None, "source")
+
+
+class MaterialsResult(Result):
+    """The catalogue."""
+
+    materials: list[MaterialRow] = quantity("", None, "friction materials")
+    sources: list[str] = quantity("", None, "sources")
+
+
+def materials() -> tuple[MaterialsResult, list[Finding]]:
+    """List the catalogue."""
+    entries = catalogue().values()
+    rows = [MaterialRow(**{name: getattr(entry, name) for name in MaterialRow.model_fields}) for entry in entries]
+    return MaterialsResult(materials=rows, sources=list(dict.fromkeys(entry.citation for entry in entries))), []

@@ -1,0 +1,181 @@
+"""Overload with a torque margin (S22): potential torque, actuation torque as published and at equilibrium."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from ..engines._arrays import larger
+from ..engines.direct import DirectClutch
+from ..engines.findings import Finding
+from ..engines.protocol import Clutch
+from ..equations import overload as law
+from ..errors import CalculationError
+from .result import Result, Series, Triple, quantity
+from .sweep import series
+
+if TYPE_CHECKING:
+    from .sweep import Axis
+
+
+class OverloadSweep(Series):
+    """Overload over a swept key."""
+
+    accuracy_factor_expected: list[float] = quantity("1", "K_т exp", "T_муф(f_max)/T_min")
+    accuracy_factor_actual: list[float] = quantity("1", "K_т act", "max(T_ср, T_муф)(f_max)/T_min, published T_ср")
+    actuation_factor: list[float] = quantity("1", "A", "T_ср/T_муф at f_max, published")
+    expected_torque: list[float] = quantity("N*m", "T_муф", "expected torque at f_max")
+    actuation_torque_published: list[float] = quantity("N*m", "T_ср", "published actuation torque at f_max")
+    actuation_torque_equilibrium: list[float] = quantity("N*m", "T_eq", "actuation torque at equilibrium, at f_max")
+
+
+class OverloadResult(Result):
+    """Overload of a clutch set at f_min with a margin over the machine's torque."""
+
+    nominal_torque: float = quantity("N*m", "T_н.муф", "nominal torque of the clutch, at f_min")
+    machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine, T_н.муф/β_н")
+    margin: float = quantity("1", "β_н", "torque margin")
+    potential_torque: Triple = quantity("N*m", "T_п", "potential torque at T_н.маш; upper end of the trip bracket")
+    expected_torque: Triple = quantity("N*m", "T_муф", "expected slip torque; lower end of the trip bracket")
+    load_rise: Triple = quantity("N*m", "ΔT'", "load rise until slip")
+    actuation_torque_published: Triple = quantity("N*m", "T_ср", "actuation torque as published, S22 (14)")
+    actuation_torque_equilibrium: Triple = quantity("N*m", "T_eq", "actuation torque at equilibrium (M12)")
+    actuation_factor: Triple = quantity("1", "A", "published over expected actuation torque")
+    friction_interval: list[float] | None = quantity(
+        "1", "f (17)", "friction where published < expected, within the range", optional=True
+    )
+    optimal_reduced_gain: float = quantity("1", "(zC)_opt", "reduced gain of the best actual accuracy, 1/f_max")
+    accuracy_factor_expected: float = quantity("1", "K_т exp", "expected accuracy factor, S22 (18)")
+    accuracy_factor_actual: float = quantity("1", "K_т act", "actual accuracy factor with the published T_ср, S22 (19)")
+    accuracy_factor_equilibrium: float = quantity("1", "K_т eq", "accuracy factor with the equilibrium torque")
+    sweep: list[OverloadSweep] | None = quantity(
+        "", None, "overload over the swept values", optional=True, columns=True
+    )
+
+
+def overload(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[OverloadResult, list[Finding]]:
+    """Calculate the overload of an all-driving or differentiated clutch of one material.
+
+    Raises:
+        CalculationError: a variant S22 does not treat.
+    """
+    _refuse(clutch)
+    own = clutch.friction[0]
+    at = {name: Actuation(clutch, getattr(own, name)) for name in ("min", "mean", "max")}
+
+    def triple(attribute: str) -> Triple:
+        return Triple(**{name: getattr(actuation, attribute) for name, actuation in at.items()})
+
+    expected = triple("expected")
+    result = OverloadResult(
+        nominal_torque=at["min"].expected,
+        machine_torque=at["min"].machine,
+        margin=clutch.spec.adjustment.margin,
+        potential_torque=triple("potential"),
+        expected_torque=expected,
+        load_rise=triple("rise"),
+        actuation_torque_published=triple("published"),
+        actuation_torque_equilibrium=triple("equilibrium"),
+        actuation_factor=triple("factor"),
+        friction_interval=_interval(clutch),
+        optimal_reduced_gain=law.optimal_reduced_gain(own.max),
+        accuracy_factor_expected=accuracy_expected(clutch),
+        accuracy_factor_actual=accuracy_actual(clutch),
+        accuracy_factor_equilibrium=at["max"].equilibrium / at["min"].equilibrium,
+        sweep=series(OverloadSweep, clutch, sweeps, SWEEP_OUTPUTS),
+    )
+    return result, [*clutch.findings(), *_findings(clutch)]
+
+
+class Actuation:
+    """Everything S22 says of the trip at one friction; parameters may be arrays."""
+
+    def __init__(self, clutch: Clutch, friction: Any) -> None:
+        """Calculate the trip of ``clutch`` at ``friction``."""
+        pairs = clutch.spec.friction_group.pairs
+        controlled = pairs - clutch.bypass_pairs
+        low, margin = clutch.friction[0].min, clutch.spec.adjustment.margin
+        pack = pairs, clutch.closing_force, clutch.mean_radius
+        at_min = law.loop_gain(controlled, clutch.gain, low)
+        here = law.loop_gain(controlled, clutch.gain, friction)
+        self.expected = law.expected_torque(*pack, friction, here)
+        self.machine = law.machine_torque(law.expected_torque(*pack, low, at_min), margin)
+        self.potential = law.potential_torque(*pack, friction, margin, at_min)
+        self.rise = law.load_rise(self.potential, self.machine, here)
+        self.published = law.actuation_torque_published(self.potential, self.rise)
+        self.equilibrium = law.actuation_torque_equilibrium(self.machine, self.rise)
+        self.factor = law.actuation_factor(here, at_min, friction, low, margin)
+
+
+def accuracy_expected(clutch: Clutch) -> Any:
+    """K_т expected, S22 (18)."""
+    own = clutch.friction[0]
+    return Actuation(clutch, own.max).expected / Actuation(clutch, own.min).expected
+
+
+def accuracy_actual(clutch: Clutch) -> Any:
+    """K_т actual, S22 (19): the larger of published and expected torque at f_max over the clutch's nominal torque."""
+    own = clutch.friction[0]
+    at_max = Actuation(clutch, own.max)
+    return larger(at_max.published, at_max.expected) / Actuation(clutch, own.min).expected
+
+
+SWEEP_OUTPUTS = {
+    "accuracy_factor_expected": accuracy_expected,
+    "accuracy_factor_actual": accuracy_actual,
+    "actuation_factor": lambda clutch: Actuation(clutch, clutch.friction[0].max).factor,
+    "expected_torque": lambda clutch: Actuation(clutch, clutch.friction[0].max).expected,
+    "actuation_torque_published": lambda clutch: Actuation(clutch, clutch.friction[0].max).published,
+    "actuation_torque_equilibrium": lambda clutch: Actuation(clutch, clutch.friction[0].max).equilibrium,
+}
+
+
+def applies(clutch: Clutch) -> bool:
+    """Whether S22 treats this clutch."""
+    return (
+        isinstance(clutch, DirectClutch) and clutch.spec.variant != "conventional" and not clutch.spec.friction.unlike
+    )
+
+
+def _refuse(clutch: Clutch) -> None:
+    if not applies(clutch):
+        what = "unlike materials" if clutch.spec.friction.unlike else f"variant {clutch.spec.variant!r}"
+        raise CalculationError(
+            f"overload: S22 treats all-driving and differentiated clutches of one material, not {what}"
+        )
+
+
+def _interval(clutch: Clutch) -> list[float] | None:
+    """Friction where the published actuation torque is below the expected one, S22 (17), within the range."""
+    own, reduced = clutch.friction[0], clutch.reduced_gain
+    if reduced == 0:
+        return None
+    at_min = law.loop_gain(clutch.spec.friction_group.pairs - clutch.bypass_pairs, clutch.gain, own.min)
+    ends = sorted((law.interval_low(own.min, clutch.spec.adjustment.margin, at_min), law.interval_high(reduced)))
+    low, high = max(ends[0], own.min), min(ends[1], own.max)
+    return [low, high] if low < high else None
+
+
+def _findings(clutch: Clutch) -> list[Finding]:
+    found = [
+        Finding(
+            level="info",
+            code="published-against-equilibrium",
+            message="trust the equilibrium torque: at slip the load equals T_муф for every margin. The published "
+            "T_ср = T_п − ΔT' (S22 (14)) swaps the weights of T_п and T_н.маш against the paper's own (12) (misprint "
+            "M12); where the release force lags the load (impact), the trip lies between T_муф and T_п",
+        )
+    ]
+    if clutch.spec.adjustment.method == "mean-friction":
+        message = (
+            "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of the "
+            "spring as set, not as the surplus force of the mean-friction setting"
+        )
+        found.append(
+            Finding(
+                level="warning",
+                code="margin-role",
+                message=message,
+                value=clutch.spec.adjustment.margin,
+                path="adjustment.method",
+            )
+        )
+    return found

@@ -1,0 +1,229 @@
+"""Synthesis of the control unit: wall angle, travel, balls, pockets, contact (S21 (16)–(24))."""
+
+import math
+from collections.abc import Sequence
+from typing import Any, Literal
+
+from ..engines.findings import Finding
+from ..engines.indirect import IndirectClutch
+from ..engines.protocol import Clutch
+from ..equations import synthesis as law
+from ..errors import Problem, SpecError
+from ..spec import Spec, resolved
+from ..spec.balls import diameters
+from ..spec.models import Contact, ControlUnit
+from .result import Result, quantity
+
+DEFAULT_CLEARANCE = 0.002
+"""s and y where the spec gives none, m: S21 takes 2…3 mm."""
+
+
+class SynthesisResult(Result):
+    """A control unit that fits the clutch."""
+
+    wall_angle: float = quantity("rad", "α", "wall angle of the pockets")
+    ball_circle_radius: float = quantity("m", "r", "radius of the ball circle")
+    travel_max: float = quantity("m", "x_max", "largest travel of the sleeve")
+    face_gap: float = quantity("m", "s", "gap between the faces")
+    edge_clearance: float = quantity("m", "y", "clearance asked for")
+    ball_radius: float = quantity("m", "r_ш", "smallest ball radius")
+    ball_diameter_standard: float | None = quantity("m", "d_ш", "ball chosen: given, or the next standard one")
+    edge_clearance_standard: float | None = quantity("m", "y_st", "clearance with the ball chosen")
+    pocket_depth: float | None = quantity("m", "h_1", "pocket depth for the ball chosen")
+    contact_force: float | None = quantity("N", "F_n", "largest normal force on one ball")
+    contact_force_allowable: float | None = quantity("N", "[F_n]", "allowable normal force on one ball")
+    contact_basis: Literal["given", "hertz-ball-on-flat"] | None = quantity(
+        "", None, "where the allowable force is from"
+    )
+    contact_utilisation: float | None = quantity("1", "F_n/[F_n]", "utilisation of the contact")
+    gain_at_least_contact_force: float | None = quantity(
+        "1", "C_Fn", "gain at which the contact force is least; beyond it F_n grows again", optional=True
+    )
+
+
+def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
+    """Design the control unit of a clutch.
+
+    Args:
+        clutch: a clutch with a control unit.
+        balls: standard ball diameters in ascending order, m; None for the list that ships.
+
+    Returns:
+        The result and its findings.
+
+    Raises:
+        SpecError: the spec lacks what synthesis needs.
+    """
+    unit = _unit(clutch)
+    assert unit.ball_circle_radius is not None
+    radius = float(clutch.mean_radius)
+    tangent = float(law.tan_wall_angle(clutch.gain, unit.ball_circle_radius, radius))
+    angle = math.atan(tangent)
+    sine, cosine = math.sin(angle), math.cos(angle)
+    travel = _travel(clutch)
+    gap, clearance = (DEFAULT_CLEARANCE if given is None else given for given in (unit.face_gap, unit.edge_clearance))
+    smallest = law.ball_radius(travel, gap, clearance, sine)
+    chosen = unit.ball_diameter or _next(balls or diameters(), 2 * smallest)
+    own = None if chosen is None else chosen / 2
+    force = _contact_force(clutch, unit, cosine)
+    allowable, basis = _allowable(unit, own)
+    result = SynthesisResult(
+        wall_angle=angle,
+        ball_circle_radius=unit.ball_circle_radius,
+        travel_max=travel,
+        face_gap=gap,
+        edge_clearance=clearance,
+        ball_radius=smallest,
+        ball_diameter_standard=chosen,
+        edge_clearance_standard=None if own is None else law.edge_clearance(own, travel, gap, sine),
+        pocket_depth=None if own is None else law.pocket_depth(own, sine, gap),
+        contact_force=force,
+        contact_force_allowable=allowable,
+        contact_basis=basis,
+        contact_utilisation=None if force is None or allowable is None else force / allowable,
+        gain_at_least_contact_force=least_contact_force_gain(clutch),
+    )
+    return result, [*clutch.findings(), *_findings(clutch, unit, result)]
+
+
+def _unit(clutch: Clutch) -> ControlUnit:
+    """Return the control unit; refuse a clutch without what synthesis needs."""
+    unit = clutch.spec.control_unit
+    if unit is None:
+        raise SpecError("spec", [Problem("variant", clutch.spec.variant, "has no control unit to synthesize")])
+    if unit.ball_circle_radius is None:
+        raise SpecError("spec", [Problem("control_unit.ball_circle_radius", None, "required by synthesize")])
+    if clutch.gain == 0:
+        raise SpecError("spec", [Problem("control_unit.gain", "0", "must be greater than 0 to synthesize pockets")])
+    return unit
+
+
+def _travel(clutch: Clutch) -> float:
+    """x_max; a direct clutch has no sleeve, and its law no travel."""
+    return float(clutch.travel(clutch.friction[0].max)) if isinstance(clutch, IndirectClutch) else 0.0
+
+
+def _next(sizes: Sequence[float], wanted: float) -> float | None:
+    """Smallest standard size not below the wanted one; None when the list ends before it."""
+    return next((size for size in sizes if size >= wanted * (1 - 1e-12)), None)
+
+
+def _contact_force(clutch: Clutch, unit: ControlUnit, cosine: float) -> float | None:
+    """Largest F_n along the common path; None when the number of balls is not given."""
+    if unit.balls is None:
+        return None
+    first, second = clutch.friction
+    torque = max(clutch.ball_torque(first.min, second.min), clutch.ball_torque(first.max, second.max))
+    return float(law.contact_force(torque, unit.balls, unit.ball_circle_radius, cosine))
+
+
+def _allowable(
+    unit: ControlUnit, ball_radius: float | None
+) -> tuple[float | None, Literal["given", "hertz-ball-on-flat"] | None]:
+    """[F_n] as given, or by Hertz from the elastic data."""
+    if unit.allowable_contact_force is not None:
+        return unit.allowable_contact_force, "given"
+    if unit.contact is None or ball_radius is None:
+        return None, None
+    return hertz_allowable_force(unit.contact, ball_radius), "hertz-ball-on-flat"
+
+
+def hertz_allowable_force(contact: Contact, ball_radius: float) -> float:
+    """Force at which a ball on a flat wall reaches the allowable pressure."""
+    modulus = law.hertz_contact_modulus(
+        contact.ball_modulus, contact.ball_poisson, contact.wall_modulus, contact.wall_poisson
+    )
+    return float(law.hertz_allowable_force(contact.allowable_pressure, ball_radius, modulus, math.pi))
+
+
+def least_contact_force_gain(clutch: Clutch) -> float | None:
+    """Gain at which F_n at f_max is least (spring force kept); None if F_n only grows or only falls."""
+    import numpy as np
+
+    unit = clutch.spec.control_unit
+    assert unit is not None
+    assert unit.ball_circle_radius is not None
+    own = clutch.friction[1]
+    if isinstance(clutch, IndirectClutch):
+        # T ∝ D(f_set)/D(f_max), and D = (c_1 + c_2 − z c_1 f·threshold) + (z c_1 f)·C
+        springs = float(clutch.closing_stiffness + clutch.control_stiffness)
+        start = float(clutch.gain_threshold)
+        slopes = [float(clutch.pairs * clutch.closing_stiffness) * f for f in (float(clutch.friction_set), own.max)]
+        constants = [springs - slope * start for slope in slopes]
+        slopes, constants = ([value / springs for value in values] for values in (slopes, constants))
+    else:
+        # T_2 ∝ 1/(1 + z_2 f_2 C)
+        slopes, constants, start = [0.0, float(clutch.reduced_gain / clutch.gain) * own.max], [1.0, 1.0], 0.0
+    ratio = unit.ball_circle_radius / float(clutch.mean_radius)
+    cubic = law.least_contact_force_cubic(constants[0], slopes[0], constants[1], slopes[1], ratio)
+    roots = np.roots(np.array(cubic, float))
+    real = sorted(root.real for root in roots if abs(root.imag) < 1e-9 * abs(root) and root.real > start)
+    return float(real[0]) if real else None
+
+
+def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
+    """Return the spec with the control unit as synthesized: wall angle instead of gain, the ball, gap and clearance."""
+    data = resolved(spec)
+    unit = data["control_unit"]
+    unit.pop("gain", None)
+    unit |= {
+        "wall_angle": result.wall_angle,
+        "ball_circle_radius": result.ball_circle_radius,
+        "face_gap": result.face_gap,
+        "edge_clearance": result.edge_clearance,
+    }
+    if result.ball_diameter_standard is not None:
+        unit["ball_diameter"] = result.ball_diameter_standard
+    return data
+
+
+def _findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
+    return [*_ball_findings(clutch, unit, result), *_contact_findings(unit, result)]
+
+
+def _ball_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
+    found = []
+    for key, given in (("face_gap", unit.face_gap), ("edge_clearance", unit.edge_clearance)):
+        if given is None:
+            message = f"control_unit.{key} is not given: {DEFAULT_CLEARANCE * 1000:g} mm is taken (S21: 2…3 mm)"
+            found.append(
+                Finding(
+                    level="info", code="default-clearance", message=message,
+                    value=DEFAULT_CLEARANCE, path=f"control_unit.{key}",
+                )
+            )  # fmt: skip
+    if not isinstance(clutch, IndirectClutch):
+        message = "a direct clutch has no sleeve: x_max is 0; allow for wear and disc release in the clearance"
+        found.append(Finding(level="info", code="no-sleeve-travel", message=message, value=0.0))
+    if result.ball_diameter_standard is None:
+        message = f"no standard ball is as large as {2000 * result.ball_radius:.5g} mm: change gain, springs or list"
+        found.append(Finding(level="warning", code="no-standard-ball", message=message, value=2 * result.ball_radius))
+    elif result.ball_diameter_standard < 2 * result.ball_radius * (1 - 1e-12):
+        message = (
+            f"the ball given, {1000 * result.ball_diameter_standard:.5g} mm, is smaller than the "
+            f"{2000 * result.ball_radius:.5g} mm that travel, gap and clearance need"
+        )
+        found.append(
+            Finding(
+                level="error", code="ball-too-small", message=message, value=result.ball_diameter_standard,
+                limit=2 * result.ball_radius, path="control_unit.ball_diameter",
+            )
+        )  # fmt: skip
+    return found
+
+
+def _contact_findings(unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
+    found = []
+    if unit.balls is None:
+        message = "the number of balls is not given: the contact force is not calculated"
+        found.append(Finding(level="info", code="balls-not-given", message=message, path="control_unit.balls"))
+    if result.contact_utilisation is not None and result.contact_utilisation > 1:
+        allowable = result.contact_force_allowable
+        message = f"the contact force {result.contact_force:.5g} N exceeds the allowable {allowable:.5g} N"
+        found.append(
+            Finding(
+                level="error", code="contact-force-exceeded", message=message, value=result.contact_force,
+                limit=allowable, path="control_unit.allowable_contact_force",
+            )
+        )  # fmt: skip
+    return found

@@ -1,0 +1,348 @@
+"""Engine of indirect regulation: a thrust sleeve between two springs (S21)."""
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+from ..equations import direct, indirect
+from ..errors import Problem, SpecError
+from ..spec.models import Range, Spec
+from . import geometry, setting
+from ._arrays import Values, checked_friction, is_array, larger, smaller
+from .findings import Finding
+from .protocol import Point
+
+
+@dataclass(frozen=True)
+class IndirectClutch:
+    """Clutch whose release force slackens the closing spring by way of a sleeve."""
+
+    spec: Spec
+    mean_radius: Values
+    """R_cp, m."""
+    pairs: Values
+    """z."""
+    gain: Values
+    """C."""
+    closing_stiffness: Values
+    """c_1, N/m."""
+    control_stiffness: Values
+    """c_2, N/m."""
+    key_friction: Values
+    """f_1 at the key."""
+    hub_diameter: Values
+    """d, m."""
+    friction: tuple[Range, Range]
+    """Range of f, twice."""
+    closing_force: Values = 1.0
+    """F_п1 as set, N."""
+
+    @classmethod
+    def from_spec(cls, spec: Spec) -> "IndirectClutch":
+        """Build the engine of a spec whose values may be arrays.
+
+        Raises:
+            SpecError: a gain below the threshold 2 R f_1/d.
+        """
+        unit, control = spec.control_unit, spec.control_spring
+        assert unit is not None
+        assert control is not None
+        clutch = cls(
+            spec=spec,
+            mean_radius=geometry.mean_radius(spec),
+            pairs=spec.friction_group.pairs,
+            gain=geometry.feedback_gain(spec),
+            closing_stiffness=_given(spec.closing_spring.stiffness),
+            control_stiffness=control.stiffness,
+            key_friction=_given(unit.key_friction),
+            hub_diameter=_given(unit.hub_diameter),
+            friction=spec.friction.groups,
+        )
+        clutch._refuse_negative_net_gain()
+        return replace(clutch, closing_force=setting.closing_force(clutch))
+
+    def _refuse_negative_net_gain(self) -> None:
+        """Below the threshold the sleeve leaves its stop at zero torque: no clutch at all."""
+        shortfall = -self.net_gain
+        if is_array(shortfall):
+            if not bool((shortfall > 0).any()):  # type: ignore[union-attr]
+                return
+        elif not shortfall > 0:
+            return
+        threshold, gain = _largest(self.gain_threshold), _smallest(self.gain)
+        message = (
+            f"must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
+            "force, and the sleeve leaves its stop at zero torque"
+        )
+        path = "control_unit.wall_angle" if geometry.angle_given(self.spec) else "control_unit.gain"
+        given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
+        raise SpecError("spec", [Problem(path, given, message)])
+
+    @property
+    def bypass_pairs(self) -> Values:
+        """z_1 = 0: all torque passes the balls."""
+        return 0
+
+    @property
+    def gain_threshold(self) -> Values:
+        """2 R f_1/d: the gain at which feedback begins."""
+        threshold: Values = indirect.gain_threshold(self.mean_radius, self.key_friction, self.hub_diameter)
+        return threshold
+
+    @property
+    def net_gain(self) -> Values:
+        """κ, moving off the stop."""
+        net: Values = indirect.net_gain(self.gain, self.mean_radius, self.key_friction, self.hub_diameter)
+        return net
+
+    @property
+    def net_gain_returning(self) -> Values:
+        """κ₊, moving back."""
+        net: Values = indirect.net_gain_returning(self.gain, self.mean_radius, self.key_friction, self.hub_diameter)
+        return net
+
+    @property
+    def friction_set(self) -> Values:
+        """Friction at the setting."""
+        own = self.friction[0]
+        at: Values = own.mean if self.spec.adjustment.method == "mean-friction" else own.min
+        return at
+
+    @property
+    def control_force(self) -> Values:
+        """F_п2, N (S21 (14))."""
+        force: Values = indirect.control_force(self.closing_force, self.pairs, self.net_gain, self.friction_set)
+        return force
+
+    @property
+    def equivalent_gain(self) -> Values:
+        """Gain of the all-driving clutch with the same torque curve."""
+        gain: Values = indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
+        return gain
+
+    def _stiffness(self, friction: Any, net_gain: Any) -> Any:
+        """D(f)."""
+        return indirect.sleeve_stiffness(self.closing_stiffness, self.control_stiffness, self.pairs, friction, net_gain)
+
+    def _moving_force(self, friction: Any, net_gain: Any) -> Any:
+        """Normal force with the sleeve moving, κ or κ₊ in force."""
+        return indirect.normal_force_moving(
+            self.closing_force,
+            self.closing_stiffness,
+            self.control_force,
+            self.control_stiffness,
+            self._stiffness(friction, net_gain),
+        )
+
+    def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Normal force N on the pairs, N: F_п1 at the stop, then falling (S21 (9))."""
+        friction = _one(friction, friction_driven)
+        return smaller(self.closing_force, self._moving_force(friction, self.net_gain))
+
+    def torque(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Slip torque T, N·m, friction rising (S21 (11); at the stop z R f F_п1).
+
+        Args:
+            friction: f of all pairs, a float or an array of any shape.
+            friction_driven: the same again, or left out.
+
+        Returns:
+            T, N·m.
+
+        Raises:
+            ValueError: negative friction, or two different frictions.
+        """
+        friction = _one(friction, friction_driven)
+        return direct.group_torque(self.normal_force(friction), self.mean_radius, self.pairs, friction)
+
+    def torque_returning(self, friction: Any) -> Any:
+        """Torque when friction falls again from f_max under load, N·m (theory, section 5).
+
+        The key's friction holds the sleeve where f_max put it until f has fallen by κ₊/κ; then it moves back.
+        """
+        friction = checked_friction(friction)
+        locked = self.normal_force(self.friction[0].max)
+        moving = larger(locked, self._moving_force(friction, self.net_gain_returning))
+        return direct.group_torque(smaller(self.closing_force, moving), self.mean_radius, self.pairs, friction)
+
+    def release_force(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Release force F_p of the balls on the sleeve, N."""
+        return indirect.release_force(self.torque(friction, friction_driven), self.gain, self.mean_radius)
+
+    def travel(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Axial travel x of the sleeve, m; 0 at the stop (S21 (16))."""
+        friction = _one(friction, friction_driven)
+        moved = indirect.travel(
+            self.pairs,
+            self.closing_force,
+            friction,
+            self.friction_set,
+            self.net_gain,
+            self._stiffness(friction, self.net_gain),
+        )
+        return larger(0.0, moved)
+
+    def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Torque that passes the balls, N·m: all of it."""
+        return self.torque(friction, friction_driven)
+
+    def point(self, friction: Any, friction_driven: Any = None) -> Point:
+        """State of the slipping clutch at one friction."""
+        return Point(
+            torque=self.torque(friction, friction_driven),
+            normal_force=self.normal_force(friction, friction_driven),
+            release_force=self.release_force(friction, friction_driven),
+            travel=self.travel(friction, friction_driven),
+        )
+
+    @property
+    def reduced_gain(self) -> Values:
+        """z C."""
+        return self.pairs * self.gain
+
+    @property
+    def nominal_torque(self) -> Values:
+        """T_н that the setting gives, N·m; it does not depend on C."""
+        return setting.nominal_torque(self)
+
+    @property
+    def accuracy_factor(self) -> Values:
+        """K_т (S21 (15), with the stop)."""
+        own = self.friction[0]
+        factor: Values = indirect.accuracy_factor(
+            own.min,
+            self.friction_set,
+            own.max,
+            self.closing_stiffness,
+            self.control_stiffness,
+            self.pairs,
+            self.net_gain,
+        )
+        return factor
+
+    @property
+    def accuracy_factor_worst_case(self) -> Values:
+        """K_т: there is but one friction."""
+        return self.accuracy_factor
+
+    @property
+    def accuracy_factor_peak(self) -> Values:
+        """K_т: no pairs bypass the balls."""
+        return self.accuracy_factor
+
+    @property
+    def torque_max(self) -> Values:
+        """T(f_max), N·m: the torque rises with friction."""
+        torque: Values = self.torque(self.friction[0].max)
+        return torque
+
+    @property
+    def gain_limit(self) -> Values | None:
+        """None in principle."""
+        return None
+
+    @property
+    def nominal_torque_ratio(self) -> Values:
+        """K_п against the base clutch of equal spring and gain, all pairs controlled."""
+        ratio: Values = indirect.nominal_torque_ratio(self.pairs, self.gain, self.friction_set)
+        return ratio
+
+    def sensitivity(self) -> dict[str, float]:
+        """Elasticities ∂ln K_т/∂ln p by spec path, from ln K = ln f_max − ln f_min + ln D(f_set) − ln D(f_max)."""
+        own, key = self.friction[0], indirect.gain_threshold(self.mean_radius, self.key_friction, self.hub_diameter)
+        at_set, at_max = self.friction_set, own.max
+
+        def across(elasticity: Any) -> Any:
+            return elasticity(at_set) - elasticity(at_max)
+
+        def feedback(part: Any) -> Any:
+            return lambda f: indirect.stiffness_elasticity_in_feedback(
+                self.closing_stiffness, self.pairs, f, part, self._stiffness(f, self.net_gain)
+            )
+
+        in_gain, in_key = across(feedback(self.gain)), across(feedback(-key))
+        return {
+            **self._friction_sensitivity(feedback(self.net_gain)),
+            "friction_group.pairs": across(feedback(self.net_gain)),
+            **geometry.gain_elasticities(self.spec, in_gain, in_radius=in_key),
+            "control_unit.key_friction": in_key,
+            "control_unit.hub_diameter": -in_key,
+            "closing_spring.stiffness": across(
+                lambda f: indirect.stiffness_elasticity_in_closing_stiffness(
+                    self.closing_stiffness, self.pairs, f, self.net_gain, self._stiffness(f, self.net_gain)
+                )
+            ),
+            "control_spring.stiffness": across(
+                lambda f: indirect.stiffness_elasticity_in_control_stiffness(
+                    self.control_stiffness, self._stiffness(f, self.net_gain)
+                )
+            ),
+            **geometry.force_elasticity(self.spec),
+        }
+
+    def _friction_sensitivity(self, in_friction: Any) -> dict[str, float]:
+        """Elasticities in the ends of the range; a mean that is not given moves with them."""
+        own, block = self.friction[0], self.spec.friction
+        found = {"friction.min": -1.0, "friction.max": 1.0 - in_friction(own.max)}
+        at_set = in_friction(self.friction_set)
+        if self.spec.adjustment.method == "min-friction":
+            found["friction.min"] += at_set
+        elif block.mean is not None:
+            found["friction.mean"] = at_set
+        else:
+            found["friction.min"] += at_set * own.min / (2 * own.mean)
+            found["friction.max"] += at_set * own.max / (2 * own.mean)
+        return found
+
+    def findings(self) -> list[Finding]:
+        """What a designer should know: idle feedback, the key's hysteresis, the setting."""
+        return [*self._feedback_findings(), *setting.findings(self)]
+
+    def _feedback_findings(self) -> list[Finding]:
+        path = "control_unit.wall_angle" if geometry.angle_given(self.spec) else "control_unit.gain"
+        threshold = float(self.gain_threshold)
+        if self.net_gain == 0:
+            message = f"C equals 2 R f_1/d = {threshold:.5g}: the key holds the sleeve, the clutch is an ordinary one"
+            return [
+                Finding(
+                    level="warning", code="feedback-idle", message=message,
+                    value=float(self.gain), limit=threshold, path=path,
+                )
+            ]  # fmt: skip
+        if self.key_friction == 0:
+            return []
+        ratio = float(indirect.hysteresis_ratio(self.net_gain, self.net_gain_returning))
+        message = (
+            f"the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction has "
+            f"fallen {ratio:.4g} times, and the torque then stays below the rising branch; full unloading reseats it"
+        )
+        return [
+            Finding(
+                level="info", code="hysteresis", message=message,
+                value=ratio, limit=1.0, path="control_unit.key_friction",
+            )
+        ]  # fmt: skip
+
+
+def _given(value: Any) -> Any:
+    """Return a value that the rules of the spec require of this variant."""
+    assert value is not None
+    return value
+
+
+def _one(friction: Any, friction_driven: Any) -> Any:
+    """Return the one friction of all pairs."""
+    friction = checked_friction(friction)
+    if friction_driven is None or friction_driven is friction:
+        return friction
+    same = friction == checked_friction(friction_driven)
+    if not (bool(same.all()) if is_array(same) else same):
+        raise ValueError("an indirect clutch has one friction for all pairs")
+    return friction
+
+
+def _largest(value: Any) -> float:
+    return float(value.max() if is_array(value) else value)
+
+
+def _smallest(value: Any) -> float:
+    return float(value.min() if is_array(value) else value)

@@ -1,0 +1,337 @@
+"""Indirect regulation: the release force moves a sleeve that slackens the closing spring (S21; theory, section 5).
+
+The clutch acts as an all-driving one with the gain ``equivalent_gain``, and a spring pre-stressed to reach the
+nominal torque without release force. Every argument may be an array; shapes broadcast.
+"""
+
+from ._types import Number
+
+
+def gain_threshold(mean_radius: Number, key_friction: Number, hub_diameter: Number) -> Number:
+    """Gain the key's friction eats up, 2 R f_1/d: below it no torque moves the sleeve.
+
+    Source: S21, condition of (15), (16) for feedback to act; theory, section 5.
+
+    Args:
+        mean_radius: R_cp, mean friction radius [m].
+        key_friction: f_1, friction coefficient at the key [1].
+        hub_diameter: d, hub diameter at the key [m].
+
+    Returns:
+        2 R f_1/d [1].
+
+    Validity:
+        Friction at the key opposes the sleeve's motion.
+    """
+    return 2 * mean_radius * key_friction / hub_diameter
+
+
+def net_gain(gain: Number, mean_radius: Number, key_friction: Number, hub_diameter: Number) -> Number:
+    """Gain net of the key's friction while the sleeve moves off its stop, κ = C − 2 R f_1/d.
+
+    Source: S21 (10), (16).
+
+    Args:
+        gain: C, feedback gain [1].
+        mean_radius: R_cp, mean friction radius [m].
+        key_friction: f_1, friction coefficient at the key [1].
+        hub_diameter: d, hub diameter at the key [m].
+
+    Returns:
+        κ [1].
+
+    Validity:
+        κ > 0; κ = 0 is an ordinary clutch, κ < 0 is none.
+    """
+    return gain - gain_threshold(mean_radius, key_friction, hub_diameter)
+
+
+def net_gain_returning(gain: Number, mean_radius: Number, key_friction: Number, hub_diameter: Number) -> Number:
+    """Gain with the key's friction reversed, while the sleeve moves back, κ₊ = C + 2 R f_1/d.
+
+    Source: Theory, section 5 (beyond S21).
+
+    Args:
+        gain: C, feedback gain [1].
+        mean_radius: R_cp, mean friction radius [m].
+        key_friction: f_1, friction coefficient at the key [1].
+        hub_diameter: d, hub diameter at the key [m].
+
+    Returns:
+        κ₊ [1].
+
+    Validity:
+        Friction falling, load kept.
+    """
+    return gain + gain_threshold(mean_radius, key_friction, hub_diameter)
+
+
+def control_force(closing_force: Number, pairs: Number, net_gain: Number, friction_set: Number) -> Number:
+    """Control-spring force that just holds the sleeve at its stop at the setting, F_п2 = F_п1 (1 + z f_set κ).
+
+    Source: S21 (14); C from it is (5).
+
+    Args:
+        closing_force: F_п (S21: F_п1), closing-spring force as set [N].
+        pairs: z, friction pairs [1].
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
+
+    Returns:
+        F_п2 [N].
+
+    Validity:
+        κ ≥ 0.
+    """
+    return closing_force * (1 + pairs * friction_set * net_gain)
+
+
+def sleeve_stiffness(
+    closing_stiffness: Number, control_stiffness: Number, pairs: Number, friction: Number, net_gain: Number
+) -> Number:
+    """Denominator D(f) = c_1 + c_2 + z c_1 f κ: stiffness against which the sleeve moves.
+
+    Source: S21 (10), (11), in κ (theory, section 5).
+
+    Args:
+        closing_stiffness: c_1, stiffness of the closing spring [N/m].
+        control_stiffness: c_2, stiffness of the control spring [N/m].
+        pairs: z, friction pairs [1].
+        friction: f, coefficient of friction [1].
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+
+    Returns:
+        D [N/m].
+
+    Validity:
+        κ ≥ 0, then D > 0.
+    """
+    return closing_stiffness + control_stiffness + pairs * closing_stiffness * friction * net_gain
+
+
+def travel(
+    pairs: Number,
+    closing_force: Number,
+    friction: Number,
+    friction_set: Number,
+    net_gain: Number,
+    sleeve_stiffness: Number,
+) -> Number:
+    """Axial travel of the sleeve, x = z F_п1 (f − f_set) κ/D(f).
+
+    Source: S21 (10), (16).
+
+    Args:
+        pairs: z, friction pairs [1].
+        closing_force: F_п (S21: F_п1), closing-spring force as set [N].
+        friction: f, coefficient of friction [1].
+        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+        sleeve_stiffness: D(f) [N/m].
+
+    Returns:
+        x [m].
+
+    Validity:
+        f ≥ f_set; below it the sleeve rests at its stop, x = 0. Always x < F_п1/c_1.
+    """
+    return pairs * closing_force * (friction - friction_set) * net_gain / sleeve_stiffness
+
+
+def normal_force_moving(
+    closing_force: Number,
+    closing_stiffness: Number,
+    control_force: Number,
+    control_stiffness: Number,
+    sleeve_stiffness: Number,
+) -> Number:
+    """Normal force with the sleeve off its stop, N = (F_п1 c_2 + F_п2 c_1)/D(f), which is F_п1 − c_1 x.
+
+    Source: S21 (9) with (10); (11).
+
+    Args:
+        closing_force: F_п (S21: F_п1), closing-spring force as set [N].
+        closing_stiffness: c_1, stiffness of the closing spring [N/m].
+        control_force: F_п2, control-spring force as set [N].
+        control_stiffness: c_2, stiffness of the control spring [N/m].
+        sleeve_stiffness: D(f) [N/m].
+
+    Returns:
+        N [N].
+
+    Validity:
+        f ≥ f_set.
+    """
+    return (closing_force * control_stiffness + control_force * closing_stiffness) / sleeve_stiffness
+
+
+def release_force(torque: Number, gain: Number, mean_radius: Number) -> Number:
+    """Release force of the balls on the sleeve, F_p = T tan α/r = T C/R.
+
+    Source: S21 (6), (7).
+
+    Args:
+        torque: T [N*m].
+        gain: C, feedback gain [1].
+        mean_radius: R_cp, mean friction radius [m].
+
+    Returns:
+        F_p [N].
+
+    Validity:
+        All torque passes the balls.
+    """
+    return torque * gain / mean_radius
+
+
+def accuracy_factor(
+    friction_min: Number,
+    friction_set: Number,
+    friction_max: Number,
+    closing_stiffness: Number,
+    control_stiffness: Number,
+    pairs: Number,
+    net_gain: Number,
+) -> Number:
+    """Accuracy factor K_т = f_max D(f_set)/(f_min D(f_max)).
+
+    Source: S21 (15), mended (M9), with f_set = f_min; theory, section 5 for f_min < f_set ≤ f_max.
+
+    Args:
+        friction_min: f_min [1].
+        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
+        friction_max: f_max [1].
+        closing_stiffness: c_1, stiffness of the closing spring [N/m].
+        control_stiffness: c_2, stiffness of the control spring [N/m].
+        pairs: z, friction pairs [1].
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+
+    Returns:
+        K_т [1].
+
+    Validity:
+        f_min ≤ f_set ≤ f_max, κ ≥ 0.
+    """
+    at_set = sleeve_stiffness(closing_stiffness, control_stiffness, pairs, friction_set, net_gain)
+    at_max = sleeve_stiffness(closing_stiffness, control_stiffness, pairs, friction_max, net_gain)
+    return friction_max * at_set / (friction_min * at_max)
+
+
+def equivalent_gain(net_gain: Number, closing_stiffness: Number, control_stiffness: Number) -> Number:
+    """Gain of the all-driving clutch with the same torque curve, κ c_1/(c_1 + c_2).
+
+    Source: Identity of S21 (11) with S22 (4): T = [F_п1 (1 + z C_eff f_set)] z R f/(1 + z C_eff f).
+
+    Args:
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+        closing_stiffness: c_1, stiffness of the closing spring [N/m].
+        control_stiffness: c_2, stiffness of the control spring [N/m].
+
+    Returns:
+        C_eff [1].
+
+    Validity:
+        f ≥ f_set.
+    """
+    return net_gain * closing_stiffness / (closing_stiffness + control_stiffness)
+
+
+def nominal_torque_ratio(pairs: Number, gain: Number, friction_set: Number) -> Number:
+    """Nominal torque against the base clutch of equal spring and gain, all pairs controlled, K_п = 1 + z C f_set.
+
+    Source: S21, before its conclusions (with f_set = f_min).
+
+    Args:
+        pairs: z, friction pairs [1].
+        gain: C, feedback gain [1].
+        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
+
+    Returns:
+        K_п [1].
+
+    Validity:
+        The base clutch's feedback is active at f_set.
+    """
+    return 1 + pairs * gain * friction_set
+
+
+def hysteresis_ratio(net_gain: Number, net_gain_returning: Number) -> Number:
+    """By how much friction must fall before the sleeve moves back, κ₊/κ.
+
+    Source: Theory, section 5 (beyond S21).
+
+    Args:
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+        net_gain_returning: κ₊ = C + 2 R f_1/d [1].
+
+    Returns:
+        κ₊/κ [1].
+
+    Validity:
+        κ > 0.
+    """
+    return net_gain_returning / net_gain
+
+
+def stiffness_elasticity_in_closing_stiffness(
+    closing_stiffness: Number, pairs: Number, friction: Number, net_gain: Number, sleeve_stiffness: Number
+) -> Number:
+    """Elasticity ∂ln D/∂ln c_1 = c_1 (1 + z f κ)/D.
+
+    Source: Derivative of D(f), S21 (11).
+
+    Args:
+        closing_stiffness: c_1, stiffness of the closing spring [N/m].
+        pairs: z, friction pairs [1].
+        friction: f, coefficient of friction [1].
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+        sleeve_stiffness: D(f) [N/m].
+
+    Returns:
+        ∂ln D/∂ln c_1 [1].
+
+    Validity:
+        As ``sleeve_stiffness``.
+    """
+    return closing_stiffness * (1 + pairs * friction * net_gain) / sleeve_stiffness
+
+
+def stiffness_elasticity_in_control_stiffness(control_stiffness: Number, sleeve_stiffness: Number) -> Number:
+    """Elasticity ∂ln D/∂ln c_2 = c_2/D.
+
+    Source: Derivative of D(f), S21 (11).
+
+    Args:
+        control_stiffness: c_2, stiffness of the control spring [N/m].
+        sleeve_stiffness: D(f) [N/m].
+
+    Returns:
+        ∂ln D/∂ln c_2 [1].
+
+    Validity:
+        As ``sleeve_stiffness``.
+    """
+    return control_stiffness / sleeve_stiffness
+
+
+def stiffness_elasticity_in_feedback(
+    closing_stiffness: Number, pairs: Number, friction: Number, feedback_part: Number, sleeve_stiffness: Number
+) -> Number:
+    """Elasticity of D in a parameter to which a part of κ is proportional, z c_1 f κ_part/D.
+
+    Source: Derivative of D(f), S21 (11): part C for the gain, −2 R f_1/d for the key's friction, κ for z and f.
+
+    Args:
+        closing_stiffness: c_1, stiffness of the closing spring [N/m].
+        pairs: z, friction pairs [1].
+        friction: f, coefficient of friction [1].
+        feedback_part: the part of κ in question [1].
+        sleeve_stiffness: D(f) [N/m].
+
+    Returns:
+        ∂ln D/∂ln p [1].
+
+    Validity:
+        As ``sleeve_stiffness``.
+    """
+    return pairs * closing_stiffness * friction * feedback_part / sleeve_stiffness

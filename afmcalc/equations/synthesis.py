@@ -1,0 +1,202 @@
+"""Synthesis of the control unit: wall angle, balls, pockets, contact (S21; theory, section 5)."""
+
+from ._types import Number
+
+
+def tan_wall_angle(gain: Number, ball_circle_radius: Number, mean_radius: Number) -> Number:
+    """Tangent of the wall angle that gives a gain, tan α = C r/R.
+
+    Source: S21 (24).
+
+    Args:
+        gain: C, feedback gain [1].
+        ball_circle_radius: r, radius of the ball circle [m].
+        mean_radius: R_cp, mean friction radius [m].
+
+    Returns:
+        tan α [1].
+
+    Validity:
+        C ≥ 0.
+    """
+    return gain * ball_circle_radius / mean_radius
+
+
+def ball_radius(travel: Number, face_gap: Number, edge_clearance: Number, sin_wall_angle: Number) -> Number:
+    """Ball radius for a travel, r_ш = (x_max + s + 2 y)/(2 sin α).
+
+    Source: S21 (23).
+
+    Args:
+        travel: x, axial travel of the sleeve [m].
+        face_gap: s, gap between the faces [m].
+        edge_clearance: y, clearance of the contact from the pocket's edge [m].
+        sin_wall_angle: sin α [1].
+
+    Returns:
+        r_ш [m].
+
+    Validity:
+        α > 0.
+    """
+    return (travel + face_gap + 2 * edge_clearance) / (2 * sin_wall_angle)
+
+
+def edge_clearance(ball_radius: Number, travel: Number, face_gap: Number, sin_wall_angle: Number) -> Number:
+    """Clearance that a given ball leaves, y = r_ш sin α − (x_max + s)/2: the inverse of (23).
+
+    Source: S21 (23).
+
+    Args:
+        ball_radius: r_ш, ball radius [m].
+        travel: x, axial travel of the sleeve [m].
+        face_gap: s, gap between the faces [m].
+        sin_wall_angle: sin α [1].
+
+    Returns:
+        y [m].
+
+    Validity:
+        α > 0.
+    """
+    return ball_radius * sin_wall_angle - (travel + face_gap) / 2
+
+
+def pocket_depth(ball_radius: Number, sin_wall_angle: Number, face_gap: Number) -> Number:
+    """Pocket depth, h_1 = r_ш/sin α − s/2.
+
+    Source: S21 (20).
+
+    Args:
+        ball_radius: r_ш, ball radius [m].
+        sin_wall_angle: sin α [1].
+        face_gap: s, gap between the faces [m].
+
+    Returns:
+        h_1 [m].
+
+    Validity:
+        α > 0.
+    """
+    return ball_radius / sin_wall_angle - face_gap / 2
+
+
+def pocket_depth_from_travel(
+    ball_radius: Number, sin_wall_angle: Number, cos_wall_angle: Number, travel: Number, edge_clearance: Number
+) -> Number:
+    """Pocket depth from the travel, h_2 = r_ш cos α cot α + x_max/2 + y; equal to h_1.
+
+    Source: S21 (22), (21).
+
+    Args:
+        ball_radius: r_ш, ball radius [m].
+        sin_wall_angle: sin α [1].
+        cos_wall_angle: cos α [1].
+        travel: x, axial travel of the sleeve [m].
+        edge_clearance: y, clearance of the contact from the pocket's edge [m].
+
+    Returns:
+        h_2 [m].
+
+    Validity:
+        α > 0.
+    """
+    return ball_radius * cos_wall_angle * cos_wall_angle / sin_wall_angle + travel / 2 + edge_clearance
+
+
+def contact_force(torque: Number, balls: Number, ball_circle_radius: Number, cos_wall_angle: Number) -> Number:
+    """Normal force on one ball, F_n = T/(n r cos α).
+
+    Source: S21, contact force after (24), mended (M10).
+
+    Args:
+        torque: T that passes the balls [N*m].
+        balls: n, number of balls [1].
+        ball_circle_radius: r, radius of the ball circle [m].
+        cos_wall_angle: cos α [1].
+
+    Returns:
+        F_n [N].
+
+    Validity:
+        All balls share the torque alike; T is what passes the balls (direct clutches: T_2).
+    """
+    return torque / (balls * ball_circle_radius * cos_wall_angle)
+
+
+def least_contact_force_cubic(
+    numerator_constant: Number,
+    numerator_slope: Number,
+    denominator_constant: Number,
+    denominator_slope: Number,
+    radius_ratio: Number,
+) -> Number:
+    """Coefficients, highest power first, of the cubic in C whose root makes the contact force least.
+
+    Source: Derivative of F_n ∝ (a + b C)·√(1 + q²C²)/(a' + b' C), q = r/R (theory, section 5).
+
+    Args:
+        numerator_constant: a [1].
+        numerator_slope: b [1].
+        denominator_constant: a' [1].
+        denominator_slope: b' [1].
+        radius_ratio: q = r/R [1].
+
+    Returns:
+        coefficients of q²C(a + bC)(a' + b'C) = (a b' − a' b)(1 + q²C²) [-].
+
+    Validity:
+        b' a > b a': the torque falls with C.
+    """
+    squared = radius_ratio * radius_ratio
+    fall = numerator_constant * denominator_slope - numerator_slope * denominator_constant
+    return (
+        squared * numerator_slope * denominator_slope,
+        squared * (numerator_constant * denominator_slope + numerator_slope * denominator_constant - fall),
+        squared * numerator_constant * denominator_constant,
+        -fall,
+    )
+
+
+def hertz_contact_modulus(
+    ball_modulus: Number, ball_poisson: Number, wall_modulus: Number, wall_poisson: Number
+) -> Number:
+    """Contact modulus E* from 1/E* = (1 − ν_1²)/E_1 + (1 − ν_2²)/E_2.
+
+    Source: Johnson, Contact Mechanics (1985), (4.2a).
+
+    Args:
+        ball_modulus: E_1 of the ball [Pa].
+        ball_poisson: ν_1 of the ball [1].
+        wall_modulus: E_2 of the pocket wall [Pa].
+        wall_poisson: ν_2 of the pocket wall [1].
+
+    Returns:
+        E* [Pa].
+
+    Validity:
+        Elastic half-spaces.
+    """
+    return 1 / ((1 - ball_poisson * ball_poisson) / ball_modulus + (1 - wall_poisson * wall_poisson) / wall_modulus)
+
+
+def hertz_allowable_force(
+    allowable_pressure: Number, ball_radius: Number, contact_modulus: Number, pi: Number
+) -> Number:
+    """Force at which a ball on a flat reaches the allowable pressure, F = π³ p_0³ r²/(6 E*²).
+
+    Source: Johnson, Contact Mechanics (1985), (4.24) with R = r (ball on flat).
+
+    Args:
+        allowable_pressure: [p_0], allowable maximum contact pressure [Pa].
+        ball_radius: r_ш, ball radius [m].
+        contact_modulus: E* [Pa].
+        pi: π (a symbol under SymPy) [1].
+
+    Returns:
+        [F_n] [N].
+
+    Validity:
+        Elastic, frictionless, contact small against the ball; the wall is flat.
+    """
+    return pi**3 * allowable_pressure**3 * ball_radius**2 / (6 * contact_modulus**2)

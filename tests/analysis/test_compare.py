@@ -1,0 +1,40 @@
+"""Clutches side by side."""
+
+import pytest
+from conftest import CONFIGS
+
+from afmcalc.engines import build
+from afmcalc.spec import read_spec
+
+
+def test_specs_side_by_side(afmcalc):
+    paths = [CONFIGS / f"{name}.toml" for name in ("default", "indirect", "conventional")]
+    rows = afmcalc("compare", *paths, "--json").json["result"]["clutches"]
+    for path, row in zip(paths, rows, strict=True):
+        torque = afmcalc("torque", path, "--json").json["result"]
+        for key in ("closing_force", "nominal_torque", "torque", "scatter", "accuracy_factor", "gain"):
+            assert row[key] == torque[key]
+
+
+def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
+    rows = afmcalc("compare", CONFIGS / "indirect.toml", "--variants", "--json").json["result"]["clutches"]
+    assert [row["variant"] for row in rows] == ["conventional", "differentiated", "all-driving", "indirect"] * 2
+    clutch = build(read_spec(CONFIGS / "indirect.toml"))
+    assert {row["closing_force"] for row in rows[:4]} == {2000.0}
+    assert [row["nominal_torque"] for row in rows[4:]] == pytest.approx([clutch.nominal_torque] * 4)
+    assert rows[3]["accuracy_factor"] == pytest.approx(rows[7]["accuracy_factor"])
+    # K_п: the indirect clutch's nominal torque against the all-driving one of equal spring force
+    assert rows[3]["nominal_torque"] / rows[2]["nominal_torque"] == pytest.approx(clutch.nominal_torque_ratio)
+    assert rows[2]["accuracy_factor"] == pytest.approx(1.946, abs=5e-4)
+
+
+def test_what_is_not_possible_is_said(afmcalc):
+    run = afmcalc("compare", CONFIGS / "unlike-materials.toml", "--variants", "--json")
+    assert [row["variant"] for row in run.json["result"]["clutches"]] == ["differentiated"] * 2
+    notes = [f["message"] for f in run.json["findings"] if f["code"] == "variant-not-possible"]
+    assert len(notes) == 3
+
+
+def test_bad_calls(afmcalc):
+    assert afmcalc("compare", CONFIGS / "default.toml", CONFIGS / "indirect.toml", "--variants").code == 2
+    assert afmcalc("compare", "none.toml").code == 3

@@ -1,0 +1,50 @@
+"""Surface pressure against the allowable of the material."""
+
+import math
+
+import pytest
+
+RADII = [
+    "--set",
+    "friction_group.mean_radius=",
+    "--set",
+    "friction_group.inner_radius=80 mm",
+    "--set",
+    "friction_group.outer_radius=120 mm",
+]
+CORK = [
+    "--set",
+    "friction.min=",
+    "--set",
+    "friction.mean=",
+    "--set",
+    "friction.max=",
+    "--set",
+    "friction.material=cork-dry",
+]
+
+
+def findings(run):
+    return {finding["code"]: finding for finding in run.json["findings"]}
+
+
+@pytest.mark.parametrize(
+    ("force", "mean", "peak", "code"),
+    [(1000, "mean-pressure", "peak-pressure", 0), (1500, "mean-pressure-in-range", "peak-pressure-in-range", 0), (3000, "mean-pressure-exceeded", "peak-pressure-exceeded", 1)],
+)  # fmt: skip
+def test_pressure(force, mean, peak, code, afmcalc):
+    run = afmcalc("check", *RADII, *CORK, "--set", f"F={force}", "--json")
+    assert run.code == code
+    found = findings(run)
+    assert found[mean]["value"] == pytest.approx(force / (math.pi * (0.12**2 - 0.08**2)))
+    assert found[peak]["value"] == pytest.approx(force / (2 * math.pi * 0.08 * 0.04))
+    assert found[mean]["path"] == "friction.material"
+    pressed = findings(
+        afmcalc("check", *RADII, *CORK, "--set", "friction_group.radius_model=uniform-pressure", "--json")
+    )
+    assert not any(code.startswith("peak") for code in pressed)
+
+
+def test_no_pressure_without_radii_or_material(afmcalc):
+    for arguments in (RADII, CORK):
+        assert not any("pressure" in code for code in findings(afmcalc("check", *arguments, "--json")))

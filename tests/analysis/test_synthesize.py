@@ -1,0 +1,154 @@
+"""Synthesis: standard balls, contact, the completed spec."""
+
+import math
+import tomllib
+
+import numpy as np
+import pytest
+from conftest import CONFIGS
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from strategies import indirect_specs
+
+from afmcalc.analysis.synthesize import least_contact_force_gain, synthesize
+from afmcalc.engines import build
+from afmcalc.errors import AfmcalcError
+from afmcalc.spec import read_spec
+from afmcalc.spec.balls import diameters
+
+CONTACT = {
+    "ball_modulus": "210 GPa", "ball_poisson": 0.3, "wall_modulus": "206 GPa", "wall_poisson": 0.28,
+    "allowable_pressure": "2500 MPa",
+}  # fmt: skip
+
+
+def codes(findings):
+    return {finding.code: finding for finding in findings}
+
+
+@given(indirect_specs(), st.floats(0, 0.01), st.floats(0, 0.01))
+def test_the_next_standard_ball_not_smaller(spec, gap, clearance):
+    unit = spec.control_unit.model_copy(update={"face_gap": gap, "edge_clearance": clearance})
+    result, findings = synthesize(build(spec.model_copy(update={"control_unit": unit})))
+    sizes = diameters()
+    wanted = 2 * result.ball_radius
+    if result.ball_diameter_standard is None:
+        assert wanted > max(sizes)
+        assert codes(findings)["no-standard-ball"].level == "warning"
+        return
+    assert result.ball_diameter_standard >= wanted * (1 - 1e-9)
+    assert not any(wanted * (1 + 1e-9) <= size < result.ball_diameter_standard for size in sizes)
+    assert result.edge_clearance_standard >= clearance - 1e-9
+    # the torque of the balls: F_n has the moment n F_n cos α r about the axis
+    clutch = build(spec)
+    moment = result.contact_force * spec.control_unit.balls * math.cos(result.wall_angle) * result.ball_circle_radius
+    assert moment == pytest.approx(clutch.torque(spec.friction.range.max), rel=1e-9)
+
+
+def test_the_balls_of_a_direct_clutch_carry_only_t_2():
+    clutch = build(read_spec())
+    result, _ = synthesize(clutch)
+    carried = clutch.release_force(0.8) * 0.05 / math.tan(result.wall_angle)
+    assert result.contact_force * 6 * math.cos(result.wall_angle) * 0.05 == pytest.approx(carried)
+    assert carried < clutch.torque(0.8)
+
+
+@pytest.mark.parametrize("name", ["indirect", "all-driving", "default"])
+def test_gain_of_least_contact_force(name):
+    """Against a scan of F_n over the gain at equal spring force."""
+    spec = read_spec(CONFIGS / f"{name}.toml")
+    least = least_contact_force_gain(build(spec))
+
+    def force(gain):
+        unit = spec.control_unit.model_copy(update={"gain": float(gain)})
+        return synthesize(build(spec.model_copy(update={"control_unit": unit})))[0].contact_force
+
+    start = getattr(build(spec), "gain_threshold", 0.0)
+    scan = np.linspace(start + 1e-3, 3 * least, 600)
+    forces = [force(gain) for gain in scan]
+    assert scan[int(np.argmin(forces))] == pytest.approx(least, abs=2 * (scan[1] - scan[0]))
+    assert force(2 * least) > force(least)
+
+
+@given(indirect_specs())
+def test_gain_of_least_contact_force_is_stationary(spec):
+    clutch = build(spec)
+    least = least_contact_force_gain(clutch)
+    assume(least is not None)
+
+    def force(gain):
+        unit = spec.control_unit.model_copy(update={"gain": gain})
+        return synthesize(build(spec.model_copy(update={"control_unit": unit})))[0].contact_force
+
+    assume(least * (1 - 1e-3) > clutch.gain_threshold)
+    assert force(least) <= min(force(least * 0.999), force(least * 1.001)) * (1 + 1e-9)
+
+
+def test_hertz_in_place_of_a_given_force():
+    """At the allowable force the textbook's contact radius and pressure give the allowable pressure."""
+    overrides = ["control_unit.allowable_contact_force="]
+    overrides += [f"control_unit.contact.{key}={value}" for key, value in CONTACT.items()]
+    result, _ = synthesize(build(read_spec(CONFIGS / "default.toml", overrides)))
+    assert result.contact_basis == "hertz-ball-on-flat"
+    modulus = 1 / ((1 - 0.3**2) / 210e9 + (1 - 0.28**2) / 206e9)
+    radius = result.ball_diameter_standard / 2
+    contact_radius = (3 * result.contact_force_allowable * radius / (4 * modulus)) ** (1 / 3)
+    pressure = 3 * result.contact_force_allowable / (2 * math.pi * contact_radius**2)
+    assert pressure == pytest.approx(2.5e9, rel=1e-9)
+    assert result.contact_utilisation == pytest.approx(result.contact_force / result.contact_force_allowable)
+
+
+def test_findings():
+    spec = read_spec(CONFIGS / "default.toml", ["control_unit.allowable_contact_force=100", "control_unit.balls=3"])
+    exceeded = codes(synthesize(build(spec))[1])["contact-force-exceeded"]
+    assert exceeded.level == "error"
+    assert exceeded.value > exceeded.limit == 100
+    bare = ["control_unit.face_gap=", "control_unit.edge_clearance=", "control_unit.balls="]
+    found = codes(synthesize(build(read_spec(None, bare)))[1])
+    assert {"default-clearance", "balls-not-given"} <= set(found)
+    small = codes(synthesize(build(read_spec(None, ["control_unit.ball_diameter=5 mm"])))[1])["ball-too-small"]
+    assert small.level == "error"
+
+
+def test_what_cannot_be_synthesized(afmcalc):
+    for overrides, says in (
+        (["control_unit.ball_circle_radius="], "control_unit.ball_circle_radius: required by synthesize"),
+        (["C=0"], "control_unit.gain = 0: must be greater than 0"),
+    ):
+        run = afmcalc("synthesize", *(part for override in overrides for part in ("--set", override)))
+        assert run.code == 2
+        assert says in run.err
+    assert "no control unit" in afmcalc("synthesize", CONFIGS / "conventional.toml").err
+
+
+def test_output_writes_the_completed_spec(afmcalc, tmp_path):
+    target = tmp_path / "completed.toml"
+    run = afmcalc("synthesize", CONFIGS / "indirect.toml", "--json", "--output", target)
+    result = run.json["result"]
+    unit = tomllib.loads(target.read_text(encoding="utf-8"))["control_unit"]
+    assert unit["wall_angle"] == result["wall_angle"]
+    assert "gain" not in unit
+    before, after = (afmcalc("torque", path, "--json").json["result"] for path in (CONFIGS / "indirect.toml", target))
+    for key, value in before.items():
+        assert after[key] == pytest.approx(value) or value is None
+    again = afmcalc("synthesize", target, "--json").json["result"]
+    assert again["ball_diameter_standard"] == result["ball_diameter_standard"]
+    assert again["wall_angle"] == pytest.approx(result["wall_angle"])
+    own = afmcalc("synthesize", target, "--output", target)
+    assert own.code == 2
+    assert "is the SPEC itself" in own.err
+
+
+def test_the_users_own_balls(afmcalc, tmp_path):
+    own = tmp_path / "balls.toml"
+    own.write_text('diameters = [30, "60 mm", 200]')
+    result = afmcalc("synthesize", "--balls", own, "--json").json["result"]
+    assert result["ball_diameter_standard"] == pytest.approx(0.03)
+    for text in ("diameters = []", "diameters = [true]", 'diameters = ["x"]', "diameters = [-1]", "x", "a = 1"):
+        own.write_text(text)
+        run = afmcalc("synthesize", "--balls", own)
+        assert (run.code, run.out) == (2, "")
+    assert afmcalc("synthesize", "--balls", tmp_path / "none").code == 3
+    own.write_bytes(b"\xff")
+    with pytest.raises(AfmcalcError):
+        diameters(own)

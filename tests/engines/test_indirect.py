@@ -1,0 +1,224 @@
+"""Indirect regulation against a numerical solution of the sleeve's balance (S21 (6)–(9))."""
+
+import numpy as np
+import pytest
+from conftest import CONFIGS
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from strategies import FRICTION, indirect_specs
+
+import afmcalc
+from afmcalc.analysis.sweep import _with_value
+from afmcalc.engines import build
+from afmcalc.errors import SpecError
+from afmcalc.spec import make_spec, read_spec, resolved
+
+
+def forces(spec):
+    unit = spec.control_unit
+    return (
+        spec.friction_group.pairs,
+        spec.friction_group.mean_radius,
+        spec.closing_spring.force,
+        spec.closing_spring.stiffness,
+        spec.control_spring.stiffness,
+        unit.gain * unit.ball_circle_radius / spec.friction_group.mean_radius,
+        unit.ball_circle_radius,
+        unit.key_friction,
+        unit.hub_diameter,
+    )
+
+
+def solve_sleeve(spec, f: float, key_sign: float = -1.0) -> tuple[float, float]:
+    """Travel and torque by bisection on the axial balance, from the forces alone.
+
+    The control spring is set so that the sleeve just stays at its stop at the setting friction.
+    """
+    z, radius, force, c1, c2, tan_angle, ball_circle, key, hub = forces(spec)
+    own = spec.friction.range
+    at_set = own.mean if spec.adjustment.method == "mean-friction" else own.min
+
+    def torque(x: float, friction: float) -> float:
+        return z * radius * friction * (force - c1 * x)
+
+    set_torque = torque(0.0, at_set)
+    control = force + set_torque * tan_angle / ball_circle - 2 * set_torque * key / hub
+
+    def surplus(x: float) -> float:
+        t = torque(x, f)
+        return force - c1 * x + t * tan_angle / ball_circle + key_sign * 2 * t * key / hub - control - c2 * x
+
+    if surplus(0.0) <= 0:
+        return 0.0, torque(0.0, f)
+    low, high = 0.0, force / c1
+    for _ in range(300):
+        middle = (low + high) / 2
+        low, high = (middle, high) if surplus(middle) > 0 else (low, middle)
+    return low, torque(low, f)
+
+
+@given(indirect_specs(), FRICTION)
+def test_closed_form_solves_the_balance(spec, f):
+    clutch = build(spec)
+    travel, torque = solve_sleeve(spec, f)
+    reach = spec.closing_spring.force / spec.closing_spring.stiffness
+    assert clutch.travel(f) == pytest.approx(travel, rel=1e-6, abs=1e-9 * reach)
+    assert clutch.torque(f) == pytest.approx(torque, rel=1e-7)
+    assert clutch.normal_force(f) == pytest.approx(
+        spec.closing_spring.force - spec.closing_spring.stiffness * clutch.travel(f), rel=1e-7
+    )
+
+
+@given(indirect_specs(), FRICTION)
+def test_travel_never_exceeds_what_the_spring_has(spec, f):
+    reach = spec.closing_spring.force / spec.closing_spring.stiffness
+    assert 0 <= build(spec).travel(f) < reach
+
+
+@given(indirect_specs())
+def test_accuracy_is_the_extreme_ratio_and_torque_rises_without_a_dip(spec):
+    clutch = build(spec)
+    own = spec.friction.range
+    along = clutch.torque(np.linspace(own.min, own.max, 501))
+    assert np.all(np.diff(along) >= -1e-9 * along.max())
+    assert clutch.accuracy_factor == pytest.approx(along.max() / along.min(), rel=1e-9)
+    assert clutch.torque_max == pytest.approx(along.max(), rel=1e-12)
+
+
+@given(indirect_specs())
+def test_it_is_the_all_driving_law_with_the_equivalent_gain(spec):
+    """T_indirect(f)·1 = T_all-driving(f)·(1 + z C_eff f_set) with C_eff = κ c_1/(c_1 + c_2), for f ≥ f_set."""
+    clutch = build(spec)
+    twin = build(
+        make_spec(
+            {
+                "variant": "all-driving",
+                "friction": resolved(spec)["friction"],
+                "friction_group": resolved(spec)["friction_group"],
+                "closing_spring": {"force": spec.closing_spring.force},
+                "control_unit": {"gain": clutch.equivalent_gain},
+            }
+        )
+    )
+    f = np.linspace(float(clutch.friction_set), spec.friction.range.max, 7)
+    raised = 1 + spec.friction_group.pairs * clutch.equivalent_gain * clutch.friction_set
+    assert clutch.torque(f) == pytest.approx(twin.torque(f) * raised, rel=1e-9)
+
+
+@given(indirect_specs(), st.floats(0.01, 1))
+def test_returning_branch_is_a_locked_then_moving_sleeve(spec, share):
+    """Walk friction down from f_max: the sleeve moves back only when the reversed key friction lets it."""
+    clutch = build(spec)
+    own = spec.friction.range
+    f = own.max * share
+    locked = solve_sleeve(spec, own.max)[0]
+    returned = min(locked, solve_sleeve(spec, f, key_sign=+1.0)[0])
+    z, radius, force, c1, *_ = forces(spec)
+    assert clutch.torque_returning(f) == pytest.approx(z * radius * f * (force - c1 * returned), rel=1e-6)
+    assert clutch.torque_returning(f) <= clutch.torque(f) * (1 + 1e-9)
+
+
+def test_returning_torque_is_lower_by_the_ratio_of_the_stiffnesses():
+    """Theory, section 5: once friction has fallen by κ₊/κ the torque is lower by D_κ/D_κ₊."""
+    clutch = afmcalc.load(CONFIGS / "indirect.toml")
+    ratio = clutch.net_gain_returning / clutch.net_gain
+    assert ratio == pytest.approx(4)
+    f = 0.8 / ratio * 0.9
+    stiffness = [20e3 + 10e3 + 8 * 20e3 * f * kappa for kappa in (clutch.net_gain, clutch.net_gain_returning)]
+    assert clutch.torque_returning(f) == pytest.approx(clutch.torque(f) * stiffness[0] / stiffness[1])
+    assert clutch.torque_returning(0.8) == clutch.torque(0.8)
+
+
+@given(indirect_specs(methods=("min-friction",)))
+def test_signs_of_s21(spec):
+    """∂K_т/∂c_1 < 0 (= 0 if c_2 = 0), ∂K_т/∂C < 0, ∂K_т/∂c_2 > 0."""
+    own = spec.friction.range
+    assume(own.max > own.min * 1.001)
+    sensitivity = build(spec).sensitivity()
+    assert sensitivity["control_unit.gain"] < 0
+    if spec.control_spring.stiffness > 1e-3:
+        assert sensitivity["closing_spring.stiffness"] < 0
+        assert sensitivity["control_spring.stiffness"] > 0
+    no_spring = make_spec({**resolved(spec), "control_spring": {"stiffness": 0.0}})
+    assert build(no_spring).sensitivity()["closing_spring.stiffness"] == pytest.approx(0, abs=1e-12)
+
+
+@given(indirect_specs())
+def test_sensitivities_are_the_derivatives_of_the_accuracy(spec):
+    clutch = build(spec)
+    assume(clutch.net_gain > 1e-2)
+    step = 1e-6
+    for path, elasticity in clutch.sensitivity().items():
+        value = spec
+        for part in path.split("."):
+            value = getattr(value, part)
+        if value == 0:
+            assert elasticity == 0
+            continue
+        factors = [
+            float(build(_with_value(spec, path.split("."), value * (1 + sign * step))).accuracy_factor)
+            for sign in (-1, 1)
+        ]
+        numeric = (np.log(factors[1]) - np.log(factors[0])) / (2 * step)
+        assert elasticity == pytest.approx(numeric, abs=5e-5 * (1 + abs(numeric))), path
+
+
+@pytest.mark.parametrize("method", ["min-friction", "mean-friction"])
+def test_a_mean_that_is_not_given_moves_with_the_range(method):
+    base = read_spec(CONFIGS / "indirect.toml", ["friction.mean=", f"adjustment.method={method}"])
+    sensitivity = build(base).sensitivity()
+    step = 1e-6
+    for end in ("min", "max"):
+        value = getattr(base.friction, end)
+        factors = [
+            build(_with_value(base, ["friction", end], value * (1 + sign * step))).accuracy_factor for sign in (-1, 1)
+        ]
+        numeric = (np.log(factors[1]) - np.log(factors[0])) / (2 * step)
+        assert sensitivity[f"friction.{end}"] == pytest.approx(numeric, abs=1e-6)
+
+
+@given(indirect_specs(), st.lists(FRICTION, min_size=1, max_size=12))
+def test_arrays_and_floats_agree_bit_for_bit(spec, friction):
+    clutch = build(spec)
+    array = np.array(friction).reshape(-1, 1)
+    for law in (clutch.torque, clutch.normal_force, clutch.release_force, clutch.travel, clutch.torque_returning):
+        assert law(array).ravel().tolist() == [law(f) for f in friction]
+
+
+def test_below_the_threshold_is_refused_with_the_threshold(afmcalc):
+    run = afmcalc("torque", CONFIGS / "indirect.toml", "--set", "C=0.5")
+    assert (run.code, run.out) == (2, "")
+    assert "indirect.toml: control_unit.gain = 0.5: must be at least 2 R f_1/d = 0.6" in run.err
+    swept = afmcalc("accuracy", CONFIGS / "indirect.toml", "--sweep", "C=0.1:2:5")
+    assert swept.code == 2
+    assert "control_unit.gain" in swept.err
+    assert "0.6" in swept.err
+    with pytest.raises(SpecError, match=r"2 R f_1/d"):
+        build(read_spec(CONFIGS / "indirect.toml", ["C=0.59"]))
+
+
+def test_at_the_threshold_it_is_an_ordinary_clutch():
+    clutch = build(read_spec(CONFIGS / "indirect.toml", ["control_unit.gain=0.6"]))
+    assert clutch.accuracy_factor == pytest.approx(8.0)
+    assert [finding.code for finding in clutch.findings()] == ["feedback-idle"]
+    assert clutch.travel(0.8) == pytest.approx(0, abs=1e-15)
+
+
+def test_wall_angle_in_place_of_the_gain():
+    given_gain = read_spec(CONFIGS / "indirect.toml")
+    angled = read_spec(
+        CONFIGS / "indirect.toml", ["control_unit.gain=", f"control_unit.wall_angle={float(np.arctan(0.5))!r}"]
+    )
+    assert build(angled).torque(0.5) == pytest.approx(build(given_gain).torque(0.5))
+    sensitivity = build(angled).sensitivity()
+    assert sensitivity["friction_group.mean_radius"] == pytest.approx(
+        build(given_gain).sensitivity()["control_unit.gain"]
+        + build(given_gain).sensitivity()["friction_group.mean_radius"]
+    )
+
+
+def test_two_frictions_are_refused():
+    clutch = afmcalc.load(CONFIGS / "indirect.toml")
+    assert clutch.torque(0.3, 0.3) == clutch.torque(0.3)
+    with pytest.raises(ValueError, match="one friction"):
+        clutch.torque(0.3, 0.4)
