@@ -22,6 +22,9 @@ RESULTS = {
     "life": ("life", "LifeResult"),
     "compare": ("compare", "CompareResult"),
     "materials": ("materials", "MaterialsResult"),
+    "explain": ("explain", "ExplainResult"),
+    "equations": ("register", "EquationsResult"),
+    "reproduce": ("reproduce", "ReproduceResult"),
     "check": ("check", "CheckResult"),
 }
 """Command → module of this package and class of its result."""

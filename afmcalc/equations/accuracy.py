@@ -182,7 +182,7 @@ def accuracy_factor_peak_above_limit(
         friction_max: f_max, one material [1].
 
     Returns:
-        P(f_max)/P(f_min) [1].
+        K_peak, P(f_max)/P(f_min) [1].
 
     Validity:
         1/(z_1 f_max) ≤ C ≤ 1/(z_1 f_min). Below it K_т itself holds, above it f_max/f_min.
@@ -209,7 +209,7 @@ def best_accuracy_factor_peak(
         friction_max: f_max, one material [1].
 
     Returns:
-        The smallest P(f_max)/P(f_min) over the gain [1].
+        K_best, the smallest P(f_max)/P(f_min) over the gain [1].
 
     Validity:
         z_1 ≥ 1, one material.

@@ -11,7 +11,7 @@ def closing_force(nominal_torque: Number, margin: Number, torque_per_force: Numb
     Args:
         nominal_torque: T_н [N*m].
         margin: β_н; 1 for min-friction [1].
-        torque_per_force: R g(f_set) = T(f_set)/F_п [m].
+        torque_per_force: a_set, R g(f_set) = T(f_set)/F_п [m].
 
     Returns:
         F_п [N].
@@ -28,9 +28,9 @@ def nominal_torque(closing_force: Number, margin: Number, torque_per_force: Numb
     Source: S19 (1)–(4).
 
     Args:
-        closing_force: F_п as set [N].
+        closing_force: F_п, as set [N].
         margin: β_н; 1 for min-friction [1].
-        torque_per_force: R g(f_set) = T(f_set)/F_п [m].
+        torque_per_force: a_set, R g(f_set) = T(f_set)/F_п [m].
 
     Returns:
         T_н [N*m].
@@ -47,8 +47,8 @@ def force_ratio(torque_per_force_mean: Number, torque_per_force_min: Number) -> 
     Source: S19 (7), from (5) and (6) without the β_н that (6) prints beside T_н.
 
     Args:
-        torque_per_force_mean: R g(f_cp) [m].
-        torque_per_force_min: R g(f_min) [m].
+        torque_per_force_mean: a_cp, R g(f_cp) [m].
+        torque_per_force_min: a_min, R g(f_min) [m].
 
     Returns:
         F_п1/F_п2 [1].
@@ -73,7 +73,7 @@ def scatter(
     Source: S19 (10); (11) mended (M6) with F_п = β_н F_п2.
 
     Args:
-        closing_force: F_п as set, margin included [N].
+        closing_force: F_п, as set, margin included [N].
         mean_radius: R_cp [m].
         pairs: z, friction pairs [1].
         controlled_pairs: z_2, pairs whose torque passes the balls [1].
@@ -103,8 +103,8 @@ def scatter_ratio(margin: Number, torque_per_force_min: Number, torque_per_force
 
     Args:
         margin: β_н [1].
-        torque_per_force_min: R g(f_min) [m].
-        torque_per_force_mean: R g(f_cp) [m].
+        torque_per_force_min: a_min, R g(f_min) [m].
+        torque_per_force_mean: a_cp, R g(f_cp) [m].
 
     Returns:
         ΔT_2/ΔT_1 [1].

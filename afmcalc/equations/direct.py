@@ -40,7 +40,7 @@ def reduced_gain(controlled_pairs: Number, gain: Number) -> Number:
         gain: C, feedback gain [1].
 
     Returns:
-        z_2 C [1].
+        zC, the reduced gain z_2 C [1].
 
     Validity:
         Any direct variant; 0 for the conventional clutch.
@@ -160,7 +160,7 @@ def gain_limit_differentiated(bypass_pairs: Number, friction_driving_max: Number
         friction_driving_max: f_1max, largest friction of the bypass pairs [1].
 
     Returns:
-        The limit of C [1].
+        C_max, the limit of C [1].
 
     Validity:
         z_1 ≥ 1.
@@ -177,7 +177,7 @@ def gain_limit_all_driving(pairs: Number) -> Number:
         pairs: z, friction pairs [1].
 
     Returns:
-        The limit of C [1].
+        C_max, the limit of C [1].
 
     Validity:
         z_1 = 0. A recommendation, not a law.

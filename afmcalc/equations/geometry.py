@@ -48,10 +48,10 @@ def mean_pressure(force: Number, inner_radius: Number, outer_radius: Number, pi:
     Source: Juvinall & Marshek, Fundamentals of Machine Component Design, ch. 18.
 
     Args:
-        force: axial force on the ring [N].
+        force: F, axial force on the ring [N].
         inner_radius: r_i [m].
         outer_radius: r_o [m].
-        pi: π (a symbol under SymPy) [1].
+        pi: π, a symbol under SymPy [1].
 
     Returns:
         p [Pa].
@@ -68,13 +68,13 @@ def peak_pressure_uniform_wear(force: Number, inner_radius: Number, outer_radius
     Source: Juvinall & Marshek, Fundamentals of Machine Component Design, ch. 18.
 
     Args:
-        force: axial force on the ring [N].
+        force: F, axial force on the ring [N].
         inner_radius: r_i [m].
         outer_radius: r_o [m].
-        pi: π (a symbol under SymPy) [1].
+        pi: π, a symbol under SymPy [1].
 
     Returns:
-        p at r_i [Pa].
+        p_i, at the inner edge [Pa].
 
     Validity:
         p·r constant; full rings.

@@ -18,7 +18,7 @@ def gain_threshold(mean_radius: Number, key_friction: Number, hub_diameter: Numb
         hub_diameter: d, hub diameter at the key [m].
 
     Returns:
-        2 R f_1/d [1].
+        C_0, the threshold 2 R f_1/d [1].
 
     Validity:
         Friction at the key opposes the sleeve's motion.
@@ -72,7 +72,7 @@ def control_force(closing_force: Number, pairs: Number, net_gain: Number, fricti
     Source: S21 (14); C from it is (5).
 
     Args:
-        closing_force: F_п (S21: F_п1), closing-spring force as set [N].
+        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
         pairs: z, friction pairs [1].
         net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
         friction_set: f_set, friction at the setting (f_min or f_cp) [1].
@@ -123,11 +123,11 @@ def travel(
 
     Args:
         pairs: z, friction pairs [1].
-        closing_force: F_п (S21: F_п1), closing-spring force as set [N].
+        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
         friction: f, coefficient of friction [1].
         friction_set: f_set, friction at the setting (f_min or f_cp) [1].
         net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
-        sleeve_stiffness: D(f) [N/m].
+        sleeve_stiffness: D, D(f) [N/m].
 
     Returns:
         x [m].
@@ -150,11 +150,11 @@ def normal_force_moving(
     Source: S21 (9) with (10); (11).
 
     Args:
-        closing_force: F_п (S21: F_п1), closing-spring force as set [N].
+        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
         closing_stiffness: c_1, stiffness of the closing spring [N/m].
         control_force: F_п2, control-spring force as set [N].
         control_stiffness: c_2, stiffness of the control spring [N/m].
-        sleeve_stiffness: D(f) [N/m].
+        sleeve_stiffness: D, D(f) [N/m].
 
     Returns:
         N [N].
@@ -285,7 +285,7 @@ def stiffness_elasticity_in_closing_stiffness(
         pairs: z, friction pairs [1].
         friction: f, coefficient of friction [1].
         net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
-        sleeve_stiffness: D(f) [N/m].
+        sleeve_stiffness: D, D(f) [N/m].
 
     Returns:
         ∂ln D/∂ln c_1 [1].
@@ -303,7 +303,7 @@ def stiffness_elasticity_in_control_stiffness(control_stiffness: Number, sleeve_
 
     Args:
         control_stiffness: c_2, stiffness of the control spring [N/m].
-        sleeve_stiffness: D(f) [N/m].
+        sleeve_stiffness: D, D(f) [N/m].
 
     Returns:
         ∂ln D/∂ln c_2 [1].
@@ -325,8 +325,8 @@ def stiffness_elasticity_in_feedback(
         closing_stiffness: c_1, stiffness of the closing spring [N/m].
         pairs: z, friction pairs [1].
         friction: f, coefficient of friction [1].
-        feedback_part: the part of κ in question [1].
-        sleeve_stiffness: D(f) [N/m].
+        feedback_part: κ_p, the part of κ in question [1].
+        sleeve_stiffness: D, D(f) [N/m].
 
     Returns:
         ∂ln D/∂ln p [1].

@@ -27,8 +27,8 @@ def mean_stress(stress_low: Number, stress_high: Number) -> Number:
     Source: S19 (16), (17).
 
     Args:
-        stress_low: smallest stress of the cycle [Pa].
-        stress_high: largest stress of the cycle [Pa].
+        stress_low: τ_min, smallest stress of the cycle [Pa].
+        stress_high: τ_max, largest stress of the cycle [Pa].
 
     Returns:
         τ_m [Pa].
@@ -45,8 +45,8 @@ def stress_amplitude(stress_low: Number, stress_high: Number) -> Number:
     Source: Definition.
 
     Args:
-        stress_low: smallest stress of the cycle [Pa].
-        stress_high: largest stress of the cycle [Pa].
+        stress_low: τ_min, smallest stress of the cycle [Pa].
+        stress_high: τ_max, largest stress of the cycle [Pa].
 
     Returns:
         τ_a [Pa].
@@ -64,8 +64,8 @@ def equivalent_stress_sensitivity(stress_low: Number, stress_high: Number, sensi
         деталей машин на прочность.
 
     Args:
-        stress_low: smallest stress of the cycle [Pa].
-        stress_high: largest stress of the cycle [Pa].
+        stress_low: τ_min, smallest stress of the cycle [Pa].
+        stress_high: τ_max, largest stress of the cycle [Pa].
         sensitivity: ψ_τ, sensitivity to the mean stress [1].
 
     Returns:
@@ -83,8 +83,8 @@ def equivalent_stress_goodman(stress_low: Number, stress_high: Number, ultimate_
     Source: Goodman; Juvinall & Marshek, Fundamentals of Machine Component Design, ch. 8.
 
     Args:
-        stress_low: smallest stress of the cycle [Pa].
-        stress_high: largest stress of the cycle [Pa].
+        stress_low: τ_min, smallest stress of the cycle [Pa].
+        stress_high: τ_max, largest stress of the cycle [Pa].
         ultimate_strength: τ_u, ultimate strength in shear [Pa].
 
     Returns:

@@ -17,7 +17,7 @@ def loop_gain(controlled_pairs: Number, gain: Number, friction: Number) -> Numbe
         friction: f, coefficient of friction [1].
 
     Returns:
-        v (u at f_min) [1].
+        v, loop gain (u at f_min) [1].
 
     Validity:
         All-driving: z_1 = 0.
@@ -34,10 +34,10 @@ def expected_torque(
 
     Args:
         pairs: z, friction pairs [1].
-        closing_force: F_п (S21: F_п1), closing-spring force as set [N].
+        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
         mean_radius: R_cp, mean friction radius [m].
         friction: f, coefficient of friction [1].
-        loop_gain: v at f [1].
+        loop_gain: v, at f [1].
 
     Returns:
         T_муф [N*m].
@@ -75,7 +75,7 @@ def potential_torque(
 
     Args:
         pairs: z, friction pairs [1].
-        closing_force: F_п (S21: F_п1), closing-spring force as set [N].
+        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
         mean_radius: R_cp, mean friction radius [m].
         friction: f, coefficient of friction [1].
         margin: β_н, torque margin [1].
@@ -105,7 +105,7 @@ def load_rise(potential_torque: Number, machine_torque: Number, loop_gain: Numbe
     Args:
         potential_torque: T_п [N*m].
         machine_torque: T_н.маш [N*m].
-        loop_gain: v at f [1].
+        loop_gain: v, at f [1].
 
     Returns:
         ΔT' [N*m].
@@ -130,7 +130,7 @@ def load_rise_at_min(
 
     Args:
         pairs: z, friction pairs [1].
-        closing_force: F_п (S21: F_п1), closing-spring force as set [N].
+        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
         mean_radius: R_cp, mean friction radius [m].
         friction_min: f_min [1].
         margin: β_н, torque margin [1].
@@ -153,7 +153,7 @@ def actuation_factor(
     Source: S22 (14), (15) mended (M11), (21) with β_н = 1, (23).
 
     Args:
-        loop_gain: v at f [1].
+        loop_gain: v, at f [1].
         loop_gain_min: u [1].
         friction: f, coefficient of friction [1].
         friction_min: f_min [1].
@@ -198,7 +198,7 @@ def actuation_torque_equilibrium(machine_torque: Number, load_rise: Number) -> N
         load_rise: ΔT' [N*m].
 
     Returns:
-        T at slip [N*m].
+        T_eq, load at slip [N*m].
 
     Validity:
         The release force follows the load without lag.
@@ -217,7 +217,7 @@ def interval_low(friction_min: Number, margin: Number, loop_gain_min: Number) ->
         loop_gain_min: u [1].
 
     Returns:
-        end of the interval [1].
+        f_low, one end of the interval [1].
 
     Validity:
         At or below f_min; clip to the friction range.
@@ -231,10 +231,10 @@ def interval_high(reduced_gain: Number) -> Number:
     Source: S22 (17).
 
     Args:
-        reduced_gain: (z − z_1) C [1].
+        reduced_gain: zC, reduced gain (z − z_1) C [1].
 
     Returns:
-        end of the interval [1].
+        f_high, the other end of the interval [1].
 
     Validity:
         C > 0.
@@ -270,7 +270,7 @@ def optimal_reduced_gain(friction_max: Number) -> Number:
         friction_max: f_max [1].
 
     Returns:
-        (z − z_1) C [1].
+        zC, reduced gain (z − z_1) C [1].
 
     Validity:
         Published actuation torque; a kink of max(T_ср, T_муф).
@@ -315,7 +315,7 @@ def potential_torque_gain_of_differentiated(
     Args:
         pairs: z, friction pairs [1].
         bypass_pairs: z_1, pairs that bypass the control unit [1].
-        closing_force: F_п (S21: F_п1), closing-spring force as set [N].
+        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
         mean_radius: R_cp, mean friction radius [m].
         friction: f, coefficient of friction [1].
         friction_min: f_min [1].

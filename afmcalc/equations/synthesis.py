@@ -110,7 +110,7 @@ def contact_force(torque: Number, balls: Number, ball_circle_radius: Number, cos
     Source: S21, contact force after (24), mended (M10).
 
     Args:
-        torque: T that passes the balls [N*m].
+        torque: T, that passes the balls [N*m].
         balls: n, number of balls [1].
         ball_circle_radius: r, radius of the ball circle [m].
         cos_wall_angle: cos α [1].
@@ -143,7 +143,7 @@ def least_contact_force_cubic(
         radius_ratio: q = r/R [1].
 
     Returns:
-        coefficients of q²C(a + bC)(a' + b'C) = (a b' − a' b)(1 + q²C²) [-].
+        k, coefficients of q²C(a + bC)(a' + b'C) − (a b' − a' b)(1 + q²C²) [1].
 
     Validity:
         b' a > b a': the torque falls with C.
@@ -166,10 +166,10 @@ def hertz_contact_modulus(
     Source: Johnson, Contact Mechanics (1985), (4.2a).
 
     Args:
-        ball_modulus: E_1 of the ball [Pa].
-        ball_poisson: ν_1 of the ball [1].
-        wall_modulus: E_2 of the pocket wall [Pa].
-        wall_poisson: ν_2 of the pocket wall [1].
+        ball_modulus: E_1, of the ball [Pa].
+        ball_poisson: ν_1, of the ball [1].
+        wall_modulus: E_2, of the pocket wall [Pa].
+        wall_poisson: ν_2, of the pocket wall [1].
 
     Returns:
         E* [Pa].
@@ -188,13 +188,13 @@ def hertz_allowable_force(
     Source: Johnson, Contact Mechanics (1985), (4.24) with R = r (ball on flat).
 
     Args:
-        allowable_pressure: [p_0], allowable maximum contact pressure [Pa].
+        allowable_pressure: p_0, allowable maximum contact pressure [Pa].
         ball_radius: r_ш, ball radius [m].
         contact_modulus: E* [Pa].
-        pi: π (a symbol under SymPy) [1].
+        pi: π, a symbol under SymPy [1].
 
     Returns:
-        [F_n] [N].
+        F_n,allow, allowable normal force on the ball [N].
 
     Validity:
         Elastic, frictionless, contact small against the ball; the wall is flat.

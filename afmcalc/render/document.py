@@ -26,6 +26,8 @@ class Column(NamedTuple):
     name: str
     unit: str
     values: list[Any]
+    detail: bool = False
+    """Left out of tables for people when the table is long."""
 
 
 class Table(NamedTuple):
@@ -40,13 +42,15 @@ class Document(NamedTuple):
     """A result laid out: single values, triples, tables."""
 
     singles: list[Row]
+    steps: list[Any]
+    """Steps of an explanation, as the analysis made them."""
     triples: list[Row]
     tables: list[Table]
 
 
 def document(result: BaseModel) -> Document:
     """Lay out a result by the symbol, unit and description of its fields; null optional fields are left out."""
-    laid_out = Document([], [], [])
+    laid_out = Document([], [], [], [])
     _walk(result, "", "", laid_out)
     return laid_out
 
@@ -66,6 +70,9 @@ def _walk(model: BaseModel, prefix: str, heading: str, into: Document) -> None:
             _walk(value, path + ".", label, into)
         elif isinstance(value, dict):
             into.tables.append(_mapping(path, symbol, label, unit, value, ranked=bool(about.get("ranked"))))
+        elif about.get("steps"):
+            into.steps.extend(value)
+            into.tables.append(_records(label, value))
         elif isinstance(value, list) and value and isinstance(value[0], BaseModel):
             into.tables.append(_side_by_side(label, value) if about.get("columns") else _records(label, value))
         else:
@@ -99,7 +106,7 @@ def _records(title: str, items: list[BaseModel]) -> Table:
                 ends = [getattr(value, end, None) for value in values]
                 columns.append(Column(f"{name}_{end}", f"{symbol} {end}", f"{label}, {end}", unit, ends))
         else:
-            columns.append(Column(name, symbol, label, unit, values))
+            columns.append(Column(name, symbol, label, unit, values, bool(about.get("detail"))))
     return Table(title, columns)
 
 

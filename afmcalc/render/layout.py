@@ -1,6 +1,6 @@
 """From document to blocks of text cells, shared by the terminal and Markdown."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..analysis.result import Output
 from ..engines.findings import Finding
@@ -41,11 +41,39 @@ def blocks(laid_out: Document) -> list[Block]:
         ]
         header = ["Symbol", "Quantity", "at f_min", "at mean f", "at f_max", "Unit"]
         found.append(Block("", header, rows, [False, False, True, True, True, False]))
-    found += [_table(table) for table in laid_out.tables]
+    if not laid_out.steps:
+        found += [_table(table) for table in laid_out.tables]
     return found
 
 
+_LONG = 3
+"""Rows above which details are left out of a table."""
+
+
+def step_lines(laid_out: Document) -> list[str]:
+    """Steps of an explanation as lines: what, formula, numbers, value with source, what the print has instead."""
+    lines = []
+    for step in laid_out.steps:
+        at = f" at {step.at}" if step.at else ""
+        lines += ["", f"{step.symbol}{at}: {step.name}", f"    {step.symbol} = {step.formula}"]
+        indent = " " * (5 + len(step.symbol))
+        if step.substituted != step.formula:
+            lines.append(f"{indent}= {step.substituted}")
+        lines.append(f"{indent}= {step_value(step)}    [{step.source.rstrip('.')}]")
+        if step.print_differs:
+            lines.append(f"    print differs: {step.print_differs}")
+    return lines
+
+
+def step_value(step: Any) -> str:
+    """Value of a step in the engineer's unit, with the SI value's unit where they differ."""
+    unit = display_unit(step.unit)
+    return f"{display(step.value, step.unit)} {unit}".removesuffix(" –")
+
+
 def _table(table: Table) -> Block:
+    if table.columns and len(table.columns[0].values) > _LONG:
+        table = table._replace(columns=[column for column in table.columns if not column.detail])
     header = [_heading(column) for column in table.columns]
     cells = [[display(value, column.unit) for value in column.values] for column in table.columns]
     numeric = [_is_numeric(column) for column in table.columns]

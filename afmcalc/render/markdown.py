@@ -4,8 +4,8 @@ import re
 from collections.abc import Sequence
 
 from ..analysis.result import Output
-from .document import document
-from .layout import blocks, findings_lines, title
+from .document import Document, document
+from .layout import blocks, findings_lines, step_value, title
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -16,10 +16,29 @@ def render(output: Output, terminal: bool) -> str:
             lines += [f"### {_escape(block.title)}", ""]
         lines += _table(block.header, block.rows, block.numeric)
         lines.append("")
+    lines += _steps(document(output.result))
     remarks = findings_lines(output.findings)
     if remarks:
         lines += ["### Findings", "", *(f"- {_escape(line)}" for line in remarks), ""]
     return "\n".join(lines)
+
+
+def _steps(laid_out: Document) -> list[str]:
+    """Steps of an explanation with their formulas in LaTeX."""
+    lines = []
+    for step in laid_out.steps:
+        at = f" ({_escape(step.at)})" if step.at else ""
+        equals = " = ".join(dict.fromkeys((step.formula_latex, step.substituted_latex)))
+        lines += [f"### {_escape(step.symbol)}{at}: {_escape(step.name)}", ""]
+        lines += [
+            f"$${step.symbol_latex} = {equals} = {_escape(step_value(step))}$$",
+            "",
+            f"Source: {_escape(step.source)}",
+            "",
+        ]
+        if step.print_differs:
+            lines += [f"*Print differs:* {_escape(step.print_differs)}", ""]
+    return lines
 
 
 def _table(header: Sequence[str], rows: Sequence[Sequence[str]], numeric: Sequence[bool]) -> list[str]:

@@ -5,18 +5,19 @@ import sys
 
 from ..analysis.result import Output
 from .document import document
-from .layout import Block, blocks, findings_lines, title
+from .layout import Block, blocks, findings_lines, step_lines, title
 
 
 def render(output: Output, terminal: bool) -> str:
     """Lay out tables, curves and findings; a terminal has a width, rules and colours, a pipe has none of them."""
-    found = blocks(document(output.result))
+    laid_out = document(output.result)
+    found, steps = blocks(laid_out), step_lines(laid_out)
     if terminal or _width():
         from .terminal import render_rich
 
-        text = render_rich(output, found, width=_width(), terminal=terminal, unicode=is_unicode())
+        text = render_rich(output, found, steps, width=_width(), terminal=terminal, unicode=is_unicode())
     else:
-        text = _plain(output, found)
+        text = _plain(output, found, steps)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
 
 
@@ -31,11 +32,12 @@ def is_unicode() -> bool:
     return (getattr(sys.stdout, "encoding", "") or "").lower().replace("-", "").startswith("utf")
 
 
-def _plain(output: Output, found: list[Block]) -> str:
+def _plain(output: Output, found: list[Block], steps: list[str]) -> str:
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
     lines = [title(output)]
     for block in found:
         lines += ["", *([block.title] if block.title else []), *_aligned(block), *curve_lines(block, is_unicode())]
+    lines += steps
     if output.findings:
         lines += ["", *findings_lines(output.findings)]
     return "\n".join(lines)

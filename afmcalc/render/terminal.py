@@ -16,7 +16,9 @@ _SHORT = 12
 _STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
 
 
-def render_rich(output: Output, found: list[Block], *, width: int | None, terminal: bool, unicode: bool) -> str:
+def render_rich(
+    output: Output, found: list[Block], steps: list[str], *, width: int | None, terminal: bool, unicode: bool
+) -> str:
     """Lay out within ``width`` (None: the terminal's); rules and colours only in a terminal."""
     buffer = io.StringIO()
     if terminal:
@@ -35,6 +37,8 @@ def render_rich(output: Output, found: list[Block], *, width: int | None, termin
         console.print(_table(block, ruled=terminal and unicode))
         for line in curve_lines(block, unicode):
             console.print(Text(line), no_wrap=True, crop=True)
+    for line in steps:
+        console.print(Text(line, style="" if line.startswith(" ") else "bold"))
     if output.findings:
         console.print()
         for line in findings_lines(output.findings):

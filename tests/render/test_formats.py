@@ -29,6 +29,11 @@ COMMANDS = {
     "life-sweep": ["life", CONFIGS / "default.toml", "--sweep", "dT=100:300:3"],
     "compare": ["compare", CONFIGS / "default.toml", CONFIGS / "indirect.toml", CONFIGS / "all-driving.toml"],
     "compare-variants": ["compare", CONFIGS / "indirect.toml", "--variants"],
+    "explain": ["explain", "synthesize", CONFIGS / "indirect.toml"],
+    "equations": ["equations", "--paper", "F11"],
+    "equation": ["equations", "--id", "S21 (15)", "--prove"],
+    "misprints": ["equations", "--misprints"],
+    "reproduce": ["reproduce"],
     "materials": ["materials"],
     "check": ["check", CONFIGS / "default.toml", "--set", "C=2"],
 }

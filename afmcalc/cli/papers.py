@@ -1,0 +1,75 @@
+"""Commands about the papers behind the numbers: equations, explain, reproduce."""
+
+from typing import Annotated
+
+import typer
+
+from .session import Common, SpecArgument, emit, guarded, naming, read, with_common
+
+PaperOption = Annotated[
+    list[str] | None, typer.Option("--paper", metavar="KEY", help="F11, S19, S21 or S22; repeatable.")
+]
+
+
+@with_common
+def explain(
+    command: Annotated[
+        str, typer.Argument(metavar="COMMAND", help="torque, accuracy, adjust, overload, synthesize, life or check.")
+    ],
+    spec: SpecArgument = None,
+    *,
+    common: Common,
+) -> None:
+    """A calculation step by step: formula, numbers, value, source.
+
+    \b
+    afmcalc explain torque clutch.toml
+    afmcalc explain overload --format markdown > overload.md
+    """  # noqa: D301
+    from ..analysis.explain import explain as analysis
+    from ..spec import resolved
+
+    given = read(spec, common)
+    with naming(spec):
+        result, findings = guarded(lambda: analysis(command, given))
+    emit("explain", result, findings, common, resolved(given))
+
+
+@with_common
+def equations(
+    paper: PaperOption = None,
+    id_: Annotated[
+        list[str] | None, typer.Option("--id", metavar="ID", help='A formula, e.g. "S21 (15)"; repeatable.')
+    ] = None,
+    misprints: Annotated[bool, typer.Option("--misprints", help="The papers' misprints and contradictions.")] = False,
+    prove: Annotated[bool, typer.Option("--prove", help="Run the proofs of what is listed (needs SymPy).")] = False,
+    *,
+    common: Common,
+) -> None:
+    """Every formula of the papers and what implements or covers it.
+
+    \b
+    afmcalc equations --paper S21
+    afmcalc equations --id "S21 (15)" --prove
+    afmcalc equations --misprints
+    """  # noqa: D301
+    from ..analysis.register import equations as analysis
+
+    result, findings = analysis(paper or [], id_ or [], show_misprints=misprints, prove=prove)
+    emit("equations", result, findings, common, None)
+
+
+@with_common
+def reproduce(paper: PaperOption = None, *, common: Common) -> None:
+    """Recompute every printed figure and claim of the papers.
+
+    \b
+    afmcalc reproduce
+    afmcalc reproduce --paper S22 --format csv
+    """  # noqa: D301
+    from ..analysis.reproduce import reproduce as analysis
+
+    result, findings = analysis(paper or [])
+    emit("reproduce", result, findings, common, None)
+    if not result.as_expected:
+        raise typer.Exit(1)

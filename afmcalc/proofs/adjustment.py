@@ -1,0 +1,153 @@
+"""Adjustment and life (S19; theory, section 4)."""
+
+import sympy as sp
+
+from ..equations import adjustment, direct, life
+from . import Identity, Refutation, Steps
+from .symbols import C, F, R, T_n, beta, fcp, fmax, fmin, solved, z, z1
+
+__all__ = [
+    "bands_of_both_methods",
+    "cycles_from_the_line",
+    "equivalent_stresses",
+    "numbers_of_s19",
+    "pairs_threshold_from_the_bands",
+    "spring_forces_of_both_methods",
+    "threshold_is_not_inverse_to_the_gain",
+]
+
+F1, F2 = sp.symbols("F_1 F_2", positive=True)
+
+
+def _torque(force: sp.Expr, friction: sp.Expr, bypass: sp.Expr = z1) -> sp.Expr:
+    return direct.torque(force, R, bypass, z - bypass, C, friction, friction)
+
+
+def _arm(friction: sp.Expr) -> sp.Expr:
+    """R g(f)."""
+    return _torque(sp.Integer(1), friction)
+
+
+def spring_forces_of_both_methods() -> Steps:
+    """S19 (5)–(8): the springs for one nominal torque; (6) must be read with T_н2 = β_н T_н (M32)."""
+    first = adjustment.closing_force(T_n, 1, _arm(fmin))
+    second = adjustment.closing_force(T_n, beta, _arm(fcp))
+    yield Identity("(5): T(f_min) = T_н", _torque(first, fmin) - T_n)
+    yield Identity("(6): T(f_cp) = β_н T_н", _torque(second, fcp) - beta * T_n)
+    yield Identity("its inverse", adjustment.nominal_torque(second, beta, _arm(fcp)) - T_n)
+    printed = fcp * (1 + (z - 1) * C * fmin) / (fmin * (1 + (z - 1) * C * fcp))
+    ratio = adjustment.force_ratio(_arm(fcp), _arm(fmin))
+    yield Identity("(7), z_1 = 1", (ratio - printed).subs(z1, 1))
+    yield Identity("(7) is F_п1/F_п2 with F = β_н F_п2", ratio - first / (second / beta))
+    literal = solved(_torque(F1, fmin) - beta * _torque(F2, fcp), F1) / F2
+    yield Refutation("M32: T_н1 = T_н2 as printed gives (7) times β_н", literal - ratio)
+    yield Identity("(8): T_min1 through F_п2", (_torque(ratio * F2, fmin) - _torque(F2, fcp)))
+    printed_9 = z * F2 * R * fcp * fmax * (1 + (z - 1) * C * fmin)
+    printed_9 /= fmin * (1 + (z - 1) * C * fmax) * (1 + (z - 1) * C * fcp)
+    yield Identity("(9): T_max1 through F_п2", (_torque(ratio * F2, fmax) - printed_9).subs(z1, 1))
+
+
+def _bands() -> tuple[sp.Expr, sp.Expr]:
+    """ΔT_1 and ΔT_2 from the torques, for the forces of both methods."""
+    ratio = adjustment.force_ratio(_arm(fcp), _arm(fmin))
+    return (
+        _torque(ratio * F2, fmax) - _torque(ratio * F2, fmin),
+        _torque(beta * F2, fmax) - _torque(beta * F2, fmin),
+    )
+
+
+def bands_of_both_methods() -> Steps:
+    """S19 (10), (11) mended (M6), and their ratio."""
+    first, second = _bands()
+    own = adjustment.scatter(F, R, z, z - z1, C, fmin, fmax)
+    yield Identity("ΔT = T_max − T_min", own - (_torque(F, fmax) - _torque(F, fmin)))
+    printed_10 = z * F2 * R * fcp * (fmax - fmin) / (fmin * (1 + (z - 1) * C * fcp) * (1 + (z - 1) * C * fmax))
+    yield Identity("(10)", (first - printed_10).subs(z1, 1))
+    printed_11 = z * F2 * R * (fmax - fmin) / ((1 + (z - 1) * C * fmin) * (1 + (z - 1) * C * fmax))
+    yield Identity("(11) mended", (second - beta * printed_11).subs(z1, 1))
+    yield Refutation("M6: printed (11)", (second - printed_11).subs(z1, 1))
+    yield Identity("ΔT_2/ΔT_1", adjustment.scatter_ratio(beta, _arm(fmin), _arm(fcp)) - second / first)
+    nominal = _torque(adjustment.force_ratio(_arm(fcp), _arm(fmin)) * F2, fmin)
+    yield Identity("ΔT_2/ΔT_1 = T_min2/T_н", second / first - _torque(beta * F2, fmin) / nominal)
+
+
+def pairs_threshold_from_the_bands() -> Steps:
+    """S19 (12), (13): where the bands are equal; with printed (11) there is no such z."""
+    first, second = _bands()
+    threshold = solved(sp.numer(sp.together(sp.factor(second / first - 1))), z)
+    yield Identity("(12) from (10) and (11) mended", adjustment.pairs_threshold(z1, C, fmin, fcp, beta) - threshold)
+    printed_13 = fmax / (beta - 1) * (1 / fmin - beta / fcp) + 1
+    yield Identity("(13): C = 1/f_max", adjustment.pairs_threshold(1, 1 / fmax, fmin, fcp, beta) - printed_13)
+    unmended = sp.numer(sp.together(sp.factor((second / beta) / first - 1)))
+    yield Refutation("M6: printed (11) gives equal bands for no z", unmended.subs(z, threshold))
+
+
+def threshold_is_not_inverse_to_the_gain() -> Steps:
+    """S19 after (12): z − z_1, not z, is inversely proportional to C (M33)."""
+    threshold = adjustment.pairs_threshold(z1, C, fmin, fcp, beta)
+    yield Identity("(z − z_1) C is constant", sp.diff((threshold - z1) * C, C))
+    yield Refutation("M33: z C is not", sp.diff(threshold * C, C))
+
+
+def cycles_from_the_line() -> Steps:
+    """S19 (14)–(20): (18)–(20) from (14)–(17)."""
+    limit, stress, exponent, base, modulus, low, band = sp.symbols("tau_limb tau m_tau N_0 W_p T_min dT", positive=True)
+    cycles = life.cycles(limit, stress, exponent, base)
+    yield Identity("(14)", sp.expand_power_base(cycles * stress**exponent, force=True) - limit**exponent * base)
+    stresses = [life.shear_stress(torque, modulus) for torque in (low, low + band)]
+    yield Identity("(16), (17)", stresses[0] - low / modulus)
+    mean = life.mean_stress(*stresses)
+    yield Identity("(15), (18)", mean - (2 * low + band) / (2 * modulus))
+    for power in (1, 2, 6):
+        direct_form = life.cycles(limit, mean, power, base)
+        yield Identity(
+            f"(19), (20) at m_τ = {power}", life.cycles_of_band(limit, modulus, low, band, power, base) - direct_form
+        )
+    yield Refutation(
+        "M23: a wider band shortens life at equal T_min",
+        sp.diff(life.cycles_of_band(limit, modulus, low, band, 6, base), band),
+    )
+
+
+def equivalent_stresses() -> Steps:
+    """Amplitude-based rules from their definitions."""
+    amplitude, mean, psi, ultimate = sp.symbols("tau_a tau_m psi tau_u", positive=True)
+    low, high = mean - amplitude, mean + amplitude
+    yield Identity("τ_a", life.stress_amplitude(low, high) - amplitude)
+    yield Identity("τ_m", life.mean_stress(low, high) - mean)
+    yield Identity("Серенсен–Кинасошвили", life.equivalent_stress_sensitivity(low, high, psi) - amplitude - psi * mean)
+    goodman = life.equivalent_stress_goodman(low, high, ultimate)
+    yield Identity("Goodman line: τ_a/τ_eq + τ_m/τ_u = 1", amplitude / goodman + mean / ultimate - 1)
+
+
+def numbers_of_s19() -> Steps:
+    """S19, numbers of the example and of fig. 2 (M7, M8, M22, M24, M25), in exact fractions."""
+    rational = sp.Rational
+
+    def threshold(gain: sp.Expr) -> sp.Expr:
+        return adjustment.pairs_threshold(1, gain, rational(15, 100), rational(33, 100), rational(5, 4))
+
+    yield Identity("P1: z > 8.197 with C = 1.6", threshold(rational(8, 5)) - rational(1082, 132))
+    yield Identity("M7: the printed 9.23 is C = 1.4", sp.Integer(round(threshold(rational(7, 5)) * 1000)) - 9225)
+    yield Refutation("M7: not C = 1.6", sp.Integer(round(threshold(rational(8, 5)) * 100)) - 923)
+
+    def cycles(low: int, high: int) -> sp.Expr:
+        mean = life.mean_stress(*(life.shear_stress(torque, rational(15, 10**6)) for torque in (low, high)))
+        return life.cycles(400 * 10**6, mean, 6, 10**7)
+
+    def band(scatter: int) -> sp.Expr:
+        return life.cycles_of_band(400 * 10**6, rational(15, 10**6), 200, scatter, 6, 10**7)
+
+    yield Identity("P2: (1500/900)^6", band(500) / band(1100) - rational(5, 3) ** 6)
+    for high, ratio in ((700, rational(13, 9)), (1300, rational(19, 15))):
+        fall = cycles(200, high) / cycles(600, high)
+        yield Identity(f"P3, M8: N falls by the 6th power of {ratio}", fall - ratio**6)
+        yield Refutation("M8: it is not the ratio of mean torques", fall - ratio)
+    stress = life.mean_stress(*(life.shear_stress(torque, rational(15, 10**6)) for torque in (200, 1300)))
+    yield Identity("M22: the stress of fig. 2 is at most 50 MPa", stress - 50 * 10**6)
+    yield Identity("M22: N/N_0 there is 8^6", cycles(200, 1300) / 10**7 - 8**6)
+    factor, first, second = sp.symbols("k dT_1 dT_2", positive=True)
+    yield Identity("M24: one factor keeps the order of the bands", factor * first / (factor * second) - first / second)
+    yield Identity(
+        "M25: equal K_т of both methods puts T_min2 at 200·627/500", rational(200 * 627, 500) - rational(2508, 10)
+    )

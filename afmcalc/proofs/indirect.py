@@ -1,0 +1,186 @@
+"""Indirect regulation (S21; theory, section 5), from the balance of the thrust sleeve."""
+
+import sympy as sp
+
+from ..equations import accuracy, direct, indirect
+from . import Identity, Refutation, Steps
+from .symbols import C, F, R, c1, c2, d, f, fk, fmax, fmin, fset, q, r, solved, x, z
+
+__all__ = [
+    "accuracy_of_the_indirect_clutch",
+    "base_clutch_is_more_accurate",
+    "equivalent_to_all_driving",
+    "friction_at_the_key",
+    "load_capacity_against_the_base_clutch",
+    "setting_of_the_control_spring",
+    "signs_of_the_derivatives",
+    "sleeve_returning",
+    "spring_mass_argument",
+    "stiffness_elasticities",
+    "travel_and_torque_from_the_balance",
+    "travel_stays_within_the_spring",
+]
+
+KAPPA = indirect.net_gain(C, R, fk, d)
+F2 = sp.Symbol("F_2", positive=True)
+
+
+def _stiffness(friction: sp.Expr, kappa: sp.Expr = KAPPA) -> sp.Expr:
+    return indirect.sleeve_stiffness(c1, c2, z, friction, kappa)
+
+
+def _torque(travel: sp.Expr, friction: sp.Expr) -> sp.Expr:
+    """(9)."""
+    return direct.group_torque(F - c1 * travel, R, z, friction)
+
+
+def _balance(control: sp.Expr, friction: sp.Expr, key_sign: int) -> sp.Expr:
+    """(6)–(8): F_п1 − c_1 x + T tan α/r ∓ 2 T f_1/d − F_п2 − c_2 x with tan α = C r/R."""
+    torque = _torque(x, friction)
+    return F - c1 * x + torque * (C * r / R) / r + key_sign * 2 * torque * fk / d - control - c2 * x
+
+
+def _travel(control: sp.Expr, key_sign: int = -1) -> sp.Expr:
+    return solved(_balance(control, f, key_sign), x)
+
+
+def setting_of_the_control_spring() -> Steps:
+    """S21 (14) from (1)–(4), (13); C from it is (5)."""
+    nominal = direct.group_torque(F, R, z, fset)
+    control = indirect.control_force(F, z, KAPPA, fset)
+    yield Identity("(1): the sleeve just rests at T_н", F + nominal * C / R - control - 2 * nominal * fk / d)
+    yield Identity("(14)", control - (F * (1 + z * C * fset) - 2 * z * F * R * fset * fk / d))
+    gain = 2 * R * fk / d + (control - F) / (z * F * fset)
+    yield Identity("(5)", gain - C)
+    yield Identity("(2), (13): F_p,min = z F_п1 C f_min", indirect.release_force(nominal, C, R) - z * F * C * fset)
+    yield Identity("F_p = T tan α/r", indirect.release_force(nominal, R * q / r, R) - nominal * q / r)
+
+
+def travel_and_torque_from_the_balance() -> Steps:
+    """S21 (10), (11), (16) from (6)–(9), (14)."""
+    moved = _travel(F2)
+    printed_d = (1 + z * C * f) * c1 + c2 - 2 * z * R * c1 * f * fk / d
+    yield Identity("D(f)", _stiffness(f) - printed_d)
+    yield Identity("(10)", moved - ((1 + z * C * f) * F - F2 - 2 * z * F * R * f * fk / d) / printed_d)
+    yield Identity("(11)", _torque(moved, f) - z * R * f * (F * c2 + F2 * c1) / printed_d)
+    normal = indirect.normal_force_moving(F, c1, F2, c2, _stiffness(f))
+    yield Identity("(9): N = F_п1 − c_1 x", normal - (F - c1 * moved))
+    set_travel = _travel(indirect.control_force(F, z, KAPPA, fset))
+    yield Identity("(16)", indirect.travel(z, F, f, fset, KAPPA, _stiffness(f)) - set_travel)
+    yield Identity("(12): no dip, x(f_set) = 0", set_travel.subs(f, fset))
+
+
+def accuracy_of_the_indirect_clutch() -> Steps:
+    """S21 (15) mended (M9), with f_set = f_min and above it."""
+    control = indirect.control_force(F, z, KAPPA, fset)
+
+    def torque(friction: sp.Expr) -> sp.Expr:
+        return _torque(_travel(control), f).subs(f, friction)
+
+    own = indirect.accuracy_factor(fmin, fset, fmax, c1, c2, z, KAPPA)
+    at_stop = direct.group_torque(F, R, z, fmin)
+    yield Identity("K_т with the stop below f_set", own - torque(fmax) / at_stop)
+    printed_set = {fset: fmin}
+    yield Identity(
+        "(15) mended: f_set = f_min", own.subs(printed_set) - (torque(fmax) / torque(fmin)).subs(printed_set)
+    )
+    d_min, d_max = (c2 + (1 + z * C * a) * c1 - 2 * z * R * c1 * a * fk for a in (fmin, fmax))
+    yield Refutation("M9: printed (15) without d", own.subs(printed_set) - fmax * d_min / (fmin * d_max))
+
+
+def friction_at_the_key() -> Steps:
+    """The threshold 2 R f_1/d, κ and κ₊."""
+    threshold = indirect.gain_threshold(R, fk, d)
+    yield Identity("κ = 0 at the threshold", KAPPA.subs(C, threshold))
+    yield Identity("κ = C − 2 R f_1/d", KAPPA - (C - 2 * R * fk / d))
+    yield Identity("κ₊ = C + 2 R f_1/d", indirect.net_gain_returning(C, R, fk, d) - (C + 2 * R * fk / d))
+    ordinary = indirect.accuracy_factor(fmin, fset, fmax, c1, c2, z, KAPPA.subs(C, threshold))
+    yield Identity("an ordinary clutch there", ordinary - fmax / fmin)
+    yield Identity("κ₊/κ", indirect.hysteresis_ratio(q, C) - C / q)
+
+
+def sleeve_returning() -> Steps:
+    """Theory, section 5: with the key's friction reversed κ₊ replaces κ; the sleeve is locked until f fell by κ₊/κ."""
+    kappa_back = indirect.net_gain_returning(C, R, fk, d)
+    control = indirect.control_force(F, z, KAPPA, fset)
+    back = _torque(_travel(control, key_sign=+1), f)
+    normal = indirect.normal_force_moving(F, c1, control, c2, _stiffness(f, kappa_back))
+    yield Identity("T on the way back", direct.group_torque(normal, R, z, f) - back)
+    rising = _torque(_travel(control), f)
+    yield Identity("lower by D_κ/D_κ₊", back / rising - _stiffness(f) / _stiffness(f, kappa_back))
+    start = f * KAPPA / kappa_back
+    yield Identity(
+        "it starts where f has fallen by κ₊/κ",
+        _travel(control, key_sign=+1).subs(f, start) - _travel(control),
+    )
+
+
+def equivalent_to_all_driving() -> Steps:
+    """The indirect clutch has the torque curve of an all-driving one with C_eff = κ c_1/(c_1 + c_2)."""
+    equivalent = indirect.equivalent_gain(KAPPA, c1, c2)
+    control = indirect.control_force(F, z, KAPPA, fset)
+    raised = F * (1 + z * equivalent * fset)
+    yield Identity("T(f)", _torque(_travel(control), f) - direct.torque(raised, R, 0, z, equivalent, f, f))
+    own = indirect.accuracy_factor(fmin, fmin, fmax, c1, c2, z, KAPPA)
+    yield Identity("K_т", own - accuracy.accuracy_factor(0, z, equivalent, fmin, fmin, fmax, fmax))
+
+
+def signs_of_the_derivatives() -> Steps:
+    """S21: ∂K_т/∂c_1 < 0 (0 if c_2 = 0), ∂K_т/∂C < 0, ∂K_т/∂c_2 > 0, for κ > 0 (K_т falls with C_eff)."""
+    factor = accuracy.accuracy_factor(0, z, q, fmin, fmin, fmax, fmax)
+    in_gain = -z * fmax * (fmax - fmin) / (fmin * (1 + z * q * fmax) ** 2)
+    yield Identity("∂K_т/∂C_eff < 0", sp.diff(factor, q) - in_gain)
+    equivalent = indirect.equivalent_gain(q, c1, c2)
+    yield Identity("∂C_eff/∂c_1 > 0, 0 if c_2 = 0", sp.diff(equivalent, c1) - q * c2 / (c1 + c2) ** 2)
+    yield Identity("∂C_eff/∂c_2 < 0", sp.diff(equivalent, c2) + q * c1 / (c1 + c2) ** 2)
+    yield Identity("∂C_eff/∂κ > 0", sp.diff(equivalent, q) - c1 / (c1 + c2))
+
+
+def stiffness_elasticities() -> Steps:
+    """The elasticities of D(f) are its logarithmic derivatives."""
+    stiffness = _stiffness(f)
+
+    def elasticity(symbol: sp.Symbol) -> sp.Expr:
+        return sp.diff(stiffness, symbol) * symbol / stiffness
+
+    yield Identity(
+        "in c_1", indirect.stiffness_elasticity_in_closing_stiffness(c1, z, f, KAPPA, stiffness) - elasticity(c1)
+    )
+    yield Identity("in c_2", indirect.stiffness_elasticity_in_control_stiffness(c2, stiffness) - elasticity(c2))
+    parts = {C: C, fk: KAPPA - C, d: C - KAPPA, R: KAPPA - C, z: KAPPA, f: KAPPA}
+    for symbol, part in parts.items():
+        feedback = indirect.stiffness_elasticity_in_feedback(c1, z, f, part, stiffness)
+        yield Identity(f"in {symbol}", feedback - elasticity(symbol))
+
+
+def load_capacity_against_the_base_clutch() -> Steps:
+    """S21: K_п = 1 + z C f_min against the base clutch with all pairs controlled; with one bypass pair not (M38)."""
+    own = direct.group_torque(F, R, z, fset)
+    ratio = indirect.nominal_torque_ratio(z, C, fset)
+    yield Identity("K_п", ratio - own / direct.torque(F, R, 0, z, C, fset, fset))
+    first_generation = own / direct.torque(F, R, 1, z - 1, C, fset, fset)
+    yield Refutation("M38: the base clutch of F11 has one bypass pair", ratio - first_generation)
+    yield Identity("M38: against it K_п is 1 + (z − 1) C f_min", first_generation - (1 + (z - 1) * C * fset))
+
+
+def base_clutch_is_more_accurate() -> Steps:
+    """S21 conclusion 1 (M26): K_ind − K_base = z f_max (f_max − f_min)(C c_2 + 2 c_1 R f_1/d)/[…] > 0."""
+    own = indirect.accuracy_factor(fmin, fmin, fmax, c1, c2, z, KAPPA)
+    base = accuracy.accuracy_factor(0, z, C, fmin, fmin, fmax, fmax)
+    difference = z * fmax * (fmax - fmin) * (C * c2 + 2 * c1 * R * fk / d)
+    difference /= fmin * (1 + z * C * fmax) * _stiffness(fmax)
+    yield Identity("M26", own - base - difference)
+
+
+def spring_mass_argument() -> Steps:
+    """S21 (M27): both springs together are F_п1 (1 + K_п − 2 z R f_min f_1/d)."""
+    both = F + indirect.control_force(F, z, KAPPA, fmin)
+    ratio = indirect.nominal_torque_ratio(z, C, fmin)
+    yield Identity("M27", both - F * (1 + ratio - 2 * z * R * fmin * fk / d))
+
+
+def travel_stays_within_the_spring() -> Steps:
+    """x < F_п1/c_1: what is left of the spring force, F_п1 − c_1 x, is positive for κ ≥ 0."""
+    moved = indirect.travel(z, F, f, fset, q, _stiffness(f, q))
+    left = F * (c1 + c2 + z * c1 * fset * q) / _stiffness(f, q)
+    yield Identity("F_п1 − c_1 x = F_п1 D(f_set)/D(f)", F - c1 * moved - left)

@@ -1,0 +1,55 @@
+"""The printed figures: every row's verdict is the one on record, and rows hold the numbers of theory, section 8."""
+
+import pytest
+
+from afmcalc.analysis.reproduce import EXPECTED, reproduce
+
+FIGURES = {
+    "P1": ["8.197", "9.225"],
+    "P2": ["21.43"],
+    "P3": ["1.444", "1.267", "9.08", "4.13"],
+    "P4": ["1.063", "1.094", "1.122", "1.137"],
+    "P5": ["1.088", "1.052", "1.034"],
+    "P6": ["1.790", "1.381", "1.180"],
+    "P7": ["1.946", "3.586"],
+    "P9": ["3.000"],
+    "P10": ["1.250", "1.225"],
+    "P11": ["0.200"],
+    "P14": ["1.909", "1.640", "1.540", "1.794", "1.553", "1.467", "1.033", "1.018", "1.020"],
+    "P15": ["0.039", "-0.429", "0.182", "0.571"],
+    "P16": ["0.213", "0.055", "0.037"],
+    "P17": ["1.264", "1.144", "4.167", "440"],
+    "P19": ["z = 3", "1.00"],
+    "P20": ["0.267", "0.800", "2.400"],
+    "P21": ["4.99", "4.50", "2.62", "6.25"],
+    "P22": ["8.197"],
+}
+
+
+def test_every_row_and_its_verdict():
+    result, findings = reproduce([])
+    assert [row.id for row in result.rows] == [f"P{k}" for k in range(1, 23)]
+    assert {row.id: row.verdict for row in result.rows} == EXPECTED
+    assert result.as_expected
+    assert findings == []
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_figures_of_the_theory(name):
+    (row,) = [row for row in reproduce([])[0].rows if row.id == name]
+    for figure in FIGURES[name]:
+        assert figure in row.computed, row.computed
+
+
+def test_an_unexpected_verdict_fails_the_command(afmcalc, monkeypatch):
+    monkeypatch.setitem(EXPECTED, "P9", "not reproduced")
+    run = afmcalc("reproduce", "--paper", "S22")
+    assert run.code == 1
+    assert "unexpected-verdict" in run.out
+
+
+def test_the_command(afmcalc):
+    assert afmcalc("reproduce").code == 0
+    assert len(afmcalc("reproduce", "--paper", "S19", "--json").json["result"]["rows"]) == 5
+    assert len(afmcalc("reproduce", "--format", "csv").out.splitlines()) == 23
+    assert afmcalc("reproduce", "--paper", "X").code == 2

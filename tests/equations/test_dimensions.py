@@ -1,0 +1,109 @@
+"""Every equation, called with pint quantities, gives the dimension its docstring states."""
+
+import pint
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from afmcalc.equations.catalogue import equations
+from afmcalc.equations.indirect import sleeve_stiffness
+from afmcalc.equations.overload import actuation_factor
+
+UNITS = pint.UnitRegistry()
+
+
+def quantities(equation, values=None):
+    """Arguments with the units of the docstring; pure numbers stay plain (they may be exponents)."""
+    found = {}
+    for index, (name, term) in enumerate(equation.arguments.items()):
+        value = values[index] if values else 0.31 + 0.17 * index
+        found[name] = value if term.unit == "1" else UNITS.Quantity(value, term.unit.replace("^", "**"))
+    return found
+
+
+def unit_of(equation):
+    return UNITS.Quantity(1, equation.result.unit.replace("^", "**") if equation.result.unit != "1" else "")
+
+
+@pytest.mark.parametrize("name", sorted(equations()))
+def test_dimension_is_as_documented(name):
+    equation = equations()[name]
+    assert equation.summary.endswith(".")
+    assert equation.source
+    value = equation.function(**quantities(equation))
+    for part in value if isinstance(value, tuple) else (value,):
+        quantity = part if isinstance(part, UNITS.Quantity) else UNITS.Quantity(part, "")
+        assert quantity.dimensionality == unit_of(equation).dimensionality, name
+
+
+@pytest.mark.parametrize("name", sorted(n for n, e in equations().items() if e.result.unit != "1"))
+def test_numbers_do_not_depend_on_the_units(name):
+    """The same arguments in other units give the same quantity: what a constant with a hidden unit would break."""
+    equation = equations()[name]
+    si = equation.function(**quantities(equation))
+    other = {
+        key: value.to({"m": "inch", "N": "kgf", "N*m": "kgf*cm", "N/m": "kgf/cm", "Pa": "psi", "m^3": "inch**3"}[equation.arguments[key].unit])
+        if isinstance(value, UNITS.Quantity) else value
+        for key, value in quantities(equation).items()
+    }  # fmt: skip
+    converted = equation.function(**other).to(equation.result.unit.replace("^", "**"))
+    assert converted.magnitude == pytest.approx(
+        si.to_base_units().to(equation.result.unit.replace("^", "**")).magnitude
+    )
+
+
+def printed_m9(friction_min, friction_max, c1, c2, pairs, gain, radius, key):
+    """S21 (15) as printed, without ÷ d."""
+    at_min = c2 + (1 + pairs * gain * friction_min) * c1 - 2 * pairs * radius * c1 * friction_min * key
+    at_max = c2 + (1 + pairs * gain * friction_max) * c1 - 2 * pairs * radius * c1 * friction_max * key
+    return friction_max * at_min / (friction_min * at_max)
+
+
+def printed_m10(c1, c2, pairs, gain, friction, radius, key, hub):
+    """The bracket of S21's contact force as printed: c_2 + (1 + zCf_min)."""
+    return c2 + (1 + pairs * gain * friction) - 2 * pairs * radius * c1 * friction * key / hub
+
+
+def test_printed_m9_and_m10_fail():
+    stiffness, length = UNITS.Quantity(2e4, "N/m"), UNITS.Quantity(0.1, "m")
+    with pytest.raises(pint.DimensionalityError):
+        printed_m9(0.1, 0.8, stiffness, stiffness, 8, 1.0, length, 0.15)
+    with pytest.raises(pint.DimensionalityError):
+        printed_m10(stiffness, stiffness, 8, 1.0, 0.1, length, 0.15, length)
+    assert sleeve_stiffness(stiffness, stiffness, 8, 0.3, 0.4).check("[mass]/[time]**2")
+
+
+def printed_m11(loop_gain, loop_gain_min, friction, friction_min, margin):
+    """The factor of S22 (15) as printed, without ÷ f."""
+    weighted = margin * loop_gain * (1 + loop_gain_min) + (1 - loop_gain * loop_gain) * friction_min
+    return weighted / (margin * (1 + loop_gain_min))
+
+
+def test_printed_m11_fails():
+    """Friction is a pure number in SI; given a dimension of its own (and C its inverse) it shows the lost ÷ f."""
+    tagged = pint.UnitRegistry()
+    tagged.define("mu = [friction]")
+    friction, smallest, gain = tagged.Quantity(0.3, "mu"), tagged.Quantity(0.1, "mu"), tagged.Quantity(5, "1/mu")
+    loop_gains = (gain * friction).to(""), (gain * smallest).to("")
+    mended = actuation_factor(*loop_gains, friction, smallest, 1.25)
+    assert mended.check("")
+    with pytest.raises(pint.DimensionalityError):
+        printed_m11(*loop_gains, friction, smallest, 1.25)
+
+
+@given(st.lists(st.floats(0.05, 3), min_size=8, max_size=8))
+def test_floats_and_arrays_agree(values):
+    """The same function on an array of one gives the float, to the last bit but for powers."""
+    import numpy as np
+
+    for equation in equations().values():
+        arguments = dict(zip(equation.arguments, values, strict=False))
+        if equation.name in ("life.cycles", "life.cycles_of_band", "synthesis.least_contact_force_cubic"):
+            continue
+        arrays = {name: np.array([value]) for name, value in arguments.items()}
+        try:
+            expected = equation.function(**arguments)
+        except ZeroDivisionError:
+            continue
+        found = equation.function(**arrays)[0]
+        assert found == pytest.approx(expected, rel=1e-13, nan_ok=True), equation.name

@@ -1,0 +1,93 @@
+"""Every proof runs; every equation, register entry and misprint has what it claims to have."""
+
+import pytest
+
+from afmcalc.analysis.register import is_accounted, is_numbered, misprints, register
+from afmcalc.equations.catalogue import equations
+from afmcalc.proofs import Identity, ProofError, is_zero, proofs, prove
+
+NUMBERED = {"F11": 22, "S19": 20, "S21": 24, "S22": 24}
+
+
+@pytest.mark.parametrize("name", sorted(proofs()))
+def test_proof(name):
+    assert prove(name)
+
+
+def test_a_wrong_identity_and_a_right_refutation_fail(monkeypatch):
+    import sympy
+
+    x = sympy.Symbol("x")
+    monkeypatch.setitem(proofs(), "wrong", lambda: iter([Identity("x = 0", x)]))
+    with pytest.raises(ProofError, match="x = 0"):
+        prove("wrong")
+    assert is_zero((x + 1) ** 2 - x**2 - 2 * x - 1)
+    assert not is_zero(x)
+
+
+def test_every_numbered_formula_is_in_the_register():
+    ids = [entry.id for entry in register()]
+    assert len(ids) == len(set(ids))
+    for paper, count in NUMBERED.items():
+        assert [i for i in ids if i.startswith(f"{paper} (")] == [f"{paper} ({k})" for k in range(1, count + 1)]
+    numbered = [entry for entry in register() if is_numbered(entry)]
+    assert len(numbered) == 90
+    assert all(map(is_accounted, numbered))
+
+
+def test_the_register_claims_nothing_that_is_not_there():
+    known_misprints = {m.id for m in misprints()}
+    for entry in register():
+        assert entry.function is None or entry.function in equations(), entry.id
+        assert entry.proof is None or entry.proof in proofs(), entry.id
+        if entry.status == "as printed":
+            assert entry.function or entry.covered_by or entry.proof or "recommended" in entry.id, entry.id
+        if entry.status == "covered":
+            assert entry.covered_by, entry.id
+        if entry.status == "mended":
+            assert entry.correct, entry.id
+            assert entry.proof, entry.id
+            assert entry.misprint, entry.id
+        for misprint in (entry.misprint or "").split(", "):
+            assert not misprint or misprint in known_misprints, entry.id
+
+
+def test_misprints_are_numbered_through_and_their_proofs_exist():
+    assert [m.id for m in misprints()] == [f"M{k}" for k in range(1, 43)]
+    without = {m.id for m in misprints() if m.proof is None}
+    assert without == {"M37", "M41", "M42"}, "slips of wording only"
+    assert all(m.proof in proofs() for m in misprints() if m.proof)
+
+
+def test_every_equation_of_the_papers_stands_in_the_register():
+    """Functions beyond the papers say so in their source; all others are named by an entry or a proof's paper."""
+    named = {entry.function for entry in register()}
+    for equation in equations().values():
+        if equation.name in named:
+            continue
+        beyond = (
+            "Theory",
+            "theory",
+            "erivative",
+            "Definition",
+            "Johnson",
+            "Juvinall",
+            "Goodman",
+            "Серенсен",
+            "Identity",
+        )
+        assert any(word in equation.source for word in (*beyond, "F11", "S19", "S21", "S22")), equation.name
+
+
+def test_the_command_counts_90_of_90(afmcalc):
+    out = afmcalc("equations").out
+    assert "numbered formulas in the papers asked for     90" in out
+    assert "of them implemented or covered                90" in out
+    result = afmcalc("equations", "--id", "S21 (15)", "--prove", "--json").json["result"]
+    assert result["formulas"][0]["misprint"] == "M9"
+    assert "M9" in result["proved"][0]["shows"]
+    assert len(afmcalc("equations", "--misprints", "--json").json["result"]["misprints"]) == 42
+    assert afmcalc("equations", "--paper", "S20").code == 2
+    missing = afmcalc("equations", "--id", "S21 (99)")
+    assert missing.code == 2
+    assert "did you mean" in missing.err
