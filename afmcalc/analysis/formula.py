@@ -5,6 +5,7 @@ from typing import Any
 
 import sympy
 from sympy.printing.latex import LatexPrinter
+from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
 
@@ -55,7 +56,7 @@ def _flat(expression: Any) -> Any:
         kind = type(expression)
         arguments = [part for each in arguments for part in (each.args if isinstance(each, kind) else (each,))]
         if kind is sympy.Mul:
-            arguments = [part for part in arguments if part != 1] or [sympy.Integer(1)]
+            arguments = _signs_joined([part for part in arguments if part != 1]) or [sympy.Integer(1)]
         if len(arguments) == 1:
             return arguments[0]
         return kind(*arguments, evaluate=False)
@@ -63,6 +64,13 @@ def _flat(expression: Any) -> Any:
         # 1/(a·b) as a⁻¹·b⁻¹, so that it joins the product it divides
         return sympy.Mul(*(sympy.Pow(part, -1, evaluate=False) for part in arguments[0].args), evaluate=False)
     return expression.func(*arguments, evaluate=False)
+
+
+def _signs_joined(factors: list[Any]) -> list[Any]:
+    """Put the minus of a difference onto the number it stands before: −1·2·x is −2·x."""
+    if len(factors) > 1 and factors[0] == -1 and factors[1].is_Integer:
+        return [-factors[1], *factors[2:]]
+    return factors
 
 
 def _number(value: Any, unit: str, *, latex: bool) -> str:
@@ -82,11 +90,34 @@ def symbol_latex(symbol: str) -> str:
     return str(_Latex().doprint(sympy.Symbol(symbol)))
 
 
+def _is_negative(term: Any) -> bool:
+    """Whether a term of a sum is written with a minus."""
+    number = term.args[0] if isinstance(term, sympy.Mul) else term
+    return bool(number.is_Integer and number < 0)
+
+
+def _negated(term: Any) -> Any:
+    """Return a negative term without its minus."""
+    if not isinstance(term, sympy.Mul):
+        return -term
+    number, *rest = term.args
+    factors = rest if number == -1 else [-number, *rest]
+    return factors[0] if len(factors) == 1 else sympy.Mul(*factors, evaluate=False)
+
+
 class _Text(StrPrinter):  # type: ignore[misc]
     """One-line Unicode: a raised dot for products, no space around it."""
 
     def _print_Mul(self, expr: Any) -> str:  # noqa: N802
         return str(super()._print_Mul(expr)).replace("*", "·").replace("··", "**")
+
+    def _print_Add(self, expr: Any, order: Any = None) -> str:  # noqa: N802
+        text = ""
+        for term in expr.args:
+            minus = _is_negative(term)
+            shown = self.parenthesize(_negated(term) if minus else term, PRECEDENCE["Add"])
+            text += (" - " if minus else " + ") + shown if text else ("-" if minus else "") + shown
+        return text
 
     def _print_Pow(self, expr: Any, rational: bool = False) -> str:  # noqa: N802
         return str(super()._print_Pow(expr, rational)).replace("**", "^")

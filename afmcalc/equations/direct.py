@@ -132,8 +132,7 @@ def torque(
 def group_torque(normal_force: Number, mean_radius: Number, pairs: Number, friction: Number) -> Number:
     """Torque of one group of pairs under a normal force, T_i = R z_i f_i N.
 
-    Source: F11 (2), (6); S21 (9) for all pairs. With N = F_п and the bypass pairs: what they carry before the
-        balls take a share, the condition behind C ≤ 1/(z_1 f_max) (F11 p. 4; theory, section 3).
+    Source: F11 (2), (6); S21 (9) for all pairs.
 
     Args:
         normal_force: N, normal force on the pairs [N].
@@ -145,7 +144,8 @@ def group_torque(normal_force: Number, mean_radius: Number, pairs: Number, frict
         T_i [N*m].
 
     Validity:
-        Slipping pairs.
+        Slipping pairs. With N = F_п and the bypass pairs it is what they carry before the balls take a share, the
+        condition behind C ≤ 1/(z_1 f_max) (F11 p. 4; theory, section 3).
     """
     return normal_force * mean_radius * pairs * friction
 

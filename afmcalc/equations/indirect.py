@@ -89,7 +89,7 @@ def control_force(closing_force: Number, pairs: Number, net_gain: Number, fricti
 def sleeve_stiffness(
     closing_stiffness: Number, control_stiffness: Number, pairs: Number, friction: Number, net_gain: Number
 ) -> Number:
-    """Denominator D(f) = c_1 + c_2 + z c_1 f κ: stiffness against which the sleeve moves.
+    """Stiffness against which the sleeve moves, D(f) = c_1 + c_2 + z c_1 f κ.
 
     Source: S21 (10), (11), in κ (theory, section 5).
 

@@ -161,7 +161,7 @@ def least_contact_force_cubic(
 def hertz_contact_modulus(
     ball_modulus: Number, ball_poisson: Number, wall_modulus: Number, wall_poisson: Number
 ) -> Number:
-    """Contact modulus E* from 1/E* = (1 − ν_1²)/E_1 + (1 − ν_2²)/E_2.
+    """Contact modulus E_c from 1/E_c = (1 − ν_1²)/E_1 + (1 − ν_2²)/E_2.
 
     Source: Johnson, Contact Mechanics (1985), (4.2a).
 
@@ -172,7 +172,7 @@ def hertz_contact_modulus(
         wall_poisson: ν_2, of the pocket wall [1].
 
     Returns:
-        E* [Pa].
+        E_c [Pa].
 
     Validity:
         Elastic half-spaces.
@@ -183,14 +183,14 @@ def hertz_contact_modulus(
 def hertz_allowable_force(
     allowable_pressure: Number, ball_radius: Number, contact_modulus: Number, pi: Number
 ) -> Number:
-    """Force at which a ball on a flat reaches the allowable pressure, F = π³ p_0³ r²/(6 E*²).
+    """Force at which a ball on a flat reaches the allowable pressure, F = π³ p_0³ r²/(6 E_c²).
 
     Source: Johnson, Contact Mechanics (1985), (4.24) with R = r (ball on flat).
 
     Args:
         allowable_pressure: p_0, allowable maximum contact pressure [Pa].
         ball_radius: r_ш, ball radius [m].
-        contact_modulus: E* [Pa].
+        contact_modulus: E_c [Pa].
         pi: π, a symbol under SymPy [1].
 
     Returns:

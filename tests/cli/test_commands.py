@@ -154,7 +154,19 @@ def test_check_exit_codes(afmcalc):
 def test_schema_describes_what_is_printed(afmcalc):
     spec_schema = json.loads(afmcalc("schema").out)
     assert set(spec_schema["properties"]) == set(package.Spec.model_fields)
-    for command in ("torque", "accuracy", "adjust", "overload", "synthesize", "life", "compare", "materials", "equations", "reproduce", "check"):
+    for command in (
+        "torque",
+        "accuracy",
+        "adjust",
+        "overload",
+        "synthesize",
+        "life",
+        "compare",
+        "materials",
+        "equations",
+        "reproduce",
+        "check",
+    ):
         schema = json.loads(afmcalc("schema", command).out)
         printed = afmcalc(command, "--json").json
         assert set(schema["properties"]) == set(printed)
