@@ -12,7 +12,7 @@ import os
 import signal
 import sys
 from collections.abc import Iterator
-from importlib import import_module
+from importlib import import_module, reload
 from pathlib import Path
 from typing import NamedTuple
 
@@ -96,12 +96,22 @@ def _passes(mutant: Mutant) -> bool:
         original = vars(module)[mutant.function]
         exec(code, vars(module))
         original.__code__ = vars(module)[mutant.function].__code__
+        _proofs_anew()
         for name in _proof_order(mutant.module):
             prove(name)
         _check_dimensions(f"{mutant.module}.{mutant.function}")
     except BaseException:
         return False
     return True
+
+
+def _proofs_anew() -> None:
+    """Import the proofs again: what they prepare when they are imported must come from the mutant."""
+    from afmcalc import proofs
+
+    for name in proofs.MODULES:
+        reload(import_module(f"afmcalc.proofs.{name}"))
+    proofs.proofs.cache_clear()
 
 
 def _proof_order(module: str) -> list[str]:
