@@ -9,14 +9,16 @@ from rich.text import Text
 
 from ..analysis.result import Output
 from .layout import Block, findings_lines, title
-from .table import curve_lines
+from .table import Curve
 
 _SHORT = 12
 """Columns up to this width are kept whole."""
 _STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
 
 
-def render_rich(output: Output, found: list[Block], *, width: int | None, terminal: bool, unicode: bool) -> str:
+def render_rich(
+    output: Output, found: list[Block], *, width: int | None, terminal: bool, unicode: bool, curve: Curve
+) -> str:
     """Lay out within ``width`` (None: the terminal's); rules and colours only in a terminal."""
     buffer = io.StringIO()
     if terminal:
@@ -33,7 +35,7 @@ def render_rich(output: Output, found: list[Block], *, width: int | None, termin
         if block.title:
             console.print(Text(block.title, style="italic"))
         console.print(_table(block, ruled=terminal and unicode))
-        for line in curve_lines(block, unicode):
+        for line in curve(block, unicode):
             console.print(Text(line), no_wrap=True, crop=True)
     if output.findings:
         console.print()
