@@ -57,7 +57,7 @@ def overload(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[OverloadRes
     Raises:
         CalculationError: a variant S22 does not treat.
     """
-    _refuse(clutch)
+    refuse(clutch)
     own = clutch.friction[0]
     at = {name: Actuation(clutch, getattr(own, name)) for name in ("min", "mean", "max")}
 
@@ -135,7 +135,8 @@ def applies(clutch: Clutch) -> bool:
     )
 
 
-def _refuse(clutch: Clutch) -> None:
+def refuse(clutch: Clutch) -> None:
+    """Refuse a variant S22 does not treat."""
     if not applies(clutch):
         what = "unlike materials" if clutch.spec.friction.unlike else f"variant {clutch.spec.variant!r}"
         raise CalculationError(

@@ -121,7 +121,7 @@ def default_range(key: Key, spec: Spec) -> Any:
     """Return a sensible range: the gain from 0 to its limit, counts one by one, else half to twice the value."""
     import numpy as np
 
-    current = _current(spec, key.path)
+    current = current_value(spec, key.path)
     group = spec.friction_group
     if key.path == "control_unit.gain":
         clutch = build(spec)
@@ -159,7 +159,7 @@ def _friction_range(path: str, spec: Spec, low: float, high: float) -> tuple[flo
     return own.min, own.max
 
 
-def _current(spec: Spec, path: str) -> Any:
+def current_value(spec: Spec, path: str) -> Any:
     """Return the value at ``path`` as the engines see it; None when absent."""
     if path.startswith("friction.") and path.rpartition(".")[2] in ("min", "mean", "max"):
         block: Any = spec.friction

@@ -10,6 +10,7 @@ from .session import Common, SpecArgument, build_from, calculate, emit, guarded,
 if TYPE_CHECKING:
     from ..analysis.sweep import Axis
     from ..engines import Clutch
+    from ..render.table import Curve
 
 SweepOption = Annotated[
     list[str] | None,
@@ -19,6 +20,10 @@ SweepOption = Annotated[
         help="Sweep a spec path or symbol (C, zC, z, z1, R, F, f_min, f_max, c1, c2, beta) over start:stop:count or "
         "v1,v2,...; repeatable: several make a grid.",
     ),
+]
+
+PlotOption = Annotated[
+    bool, typer.Option("--plot", help="Draw the sweep below the table (needs the extra plot; for files: afmcalc plot).")
 ]
 
 
@@ -49,6 +54,7 @@ def torque(
 def accuracy(
     spec: SpecArgument = None,
     sweep: SweepOption = None,
+    plot: PlotOption = False,
     *,
     common: Common,
 ) -> None:
@@ -67,6 +73,7 @@ def accuracy(
         spec,
         common,
         lambda clutch: analysis(clutch, [parse_axis(text, clutch.spec) for text in sweep or ()]),
+        _curve(plot, sweep, common),
     )
 
 
@@ -84,7 +91,7 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
 
 
 @with_common
-def overload(spec: SpecArgument = None, sweep: SweepOption = None, *, common: Common) -> None:
+def overload(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOption = False, *, common: Common) -> None:
     """Potential and actuation torque with a torque margin (S22).
 
     \b
@@ -96,7 +103,11 @@ def overload(spec: SpecArgument = None, sweep: SweepOption = None, *, common: Co
     from ..analysis.sweep import parse_axis
 
     calculate(
-        "overload", spec, common, lambda clutch: analysis(clutch, [parse_axis(t, clutch.spec) for t in sweep or ()])
+        "overload",
+        spec,
+        common,
+        lambda clutch: analysis(clutch, [parse_axis(text, clutch.spec) for text in sweep or ()]),
+        _curve(plot, sweep, common),
     )
 
 
@@ -141,6 +152,7 @@ def life(
         typer.Option("--model", help="Rule for the damaging stress: the paper's, Serensen-Kinasoshvili, Goodman."),
     ] = "mean-stress",
     sweep: SweepOption = None,
+    plot: PlotOption = False,
     *,
     common: Common,
 ) -> None:
@@ -160,7 +172,8 @@ def life(
     def axes(clutch: "Clutch") -> list["Axis"]:
         return [(band_axis if _is_band(text) else parse_axis)(text, clutch.spec) for text in sweep or ()]
 
-    calculate("life", spec, common, lambda clutch: analysis(clutch, model, axes(clutch)))
+    curve = _curve(plot, sweep, common)
+    calculate("life", spec, common, lambda clutch: analysis(clutch, model, axes(clutch)), curve)
 
 
 @with_common
@@ -186,6 +199,22 @@ def compare(
     clutches = [build_from(source, common) for source in sources]
     result, findings = guarded(lambda: compare_variants(clutches[0]) if variants else analysis(clutches))
     emit("compare", result, findings, common, resolved(clutches[0].spec))
+
+
+def _curve(plot: bool, sweep: list[str] | None, common: Common) -> "Curve | None":
+    """How to draw a sweep; refuse where there is none to draw, or no table to draw it under."""
+    if not plot:
+        return None
+    if not sweep:
+        raise AfmcalcError("--plot draws a sweep: give --sweep NAME with it (afmcalc plot draws the rest)")
+    if common.chosen_format != "table":
+        raise AfmcalcError(f"--plot draws under a table, not with --format {common.chosen_format}")
+    from ..extras import need
+
+    need("plot", "plotext")
+    from ..render.plot.text import swept_lines
+
+    return swept_lines
 
 
 def _is_band(text: str) -> bool:

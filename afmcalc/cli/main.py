@@ -21,6 +21,7 @@ COMMANDS = {
     "materials": "specs",
     "init": "specs",
     "check": "specs",
+    "plot": "plot",
     "schema": "specs",
 }
 """Command → module of this package that holds the function of that name, in the order of the help."""

@@ -16,6 +16,7 @@ from ..errors import AfmcalcError, CalculationError, FileError, SpecError
 if TYPE_CHECKING:
     from ..analysis.result import Output
     from ..engines import Clutch
+    from ..render.table import Curve
     from ..spec import Spec
 
 SpecArgument = Annotated[
@@ -99,7 +100,13 @@ def read(source: str | None, common: Common) -> "Spec":
     return read_spec(source, common.set or ())
 
 
-def calculate(name: str, source: str | None, common: Common, analysis: Callable[["Clutch"], Any]) -> "Output":
+def calculate(
+    name: str,
+    source: str | None,
+    common: Common,
+    analysis: Callable[["Clutch"], Any],
+    curve: "Curve | None" = None,
+) -> "Output":
     """Read the spec, build the clutch, run ``analysis`` on it and print what it returns."""
     from ..spec import resolved
 
@@ -107,7 +114,7 @@ def calculate(name: str, source: str | None, common: Common, analysis: Callable[
     clutch = build_from(source, common)
     with naming(source):
         result, findings = guarded(lambda: analysis(clutch))
-    return emit(name, result, findings, common, resolved(clutch.spec))
+    return emit(name, result, findings, common, resolved(clutch.spec), curve)
 
 
 def build_from(source: str | None, common: Common) -> "Clutch":
@@ -156,15 +163,23 @@ def guarded(calculation: Callable[[], Any]) -> Any:
 _NOT_FINITE = "a result is not finite (beyond the range of numbers): check the magnitudes in the spec"
 
 
-def emit(name: str, result: Any, findings: Any, common: Common, spec: dict[str, Any] | None) -> "Output":
-    """Render an output in the chosen format, to standard output or a file."""
+def emit(
+    name: str,
+    result: Any,
+    findings: Any,
+    common: Common,
+    spec: dict[str, Any] | None,
+    curve: "Curve | None" = None,
+) -> "Output":
+    """Render an output in the chosen format, to standard output or a file; ``curve`` draws under a table's sweep."""
     from ..analysis.result import Output
     from ..render import renderer
 
     output = Output(command=name, version=__version__, spec=spec, result=result, findings=findings)
     chosen = common.chosen_format
     terminal = common.output is None and _is_terminal()
-    write(renderer(chosen)(output, terminal), common.output)
+    text = renderer(chosen)(output, terminal) if curve is None else _with_curve(output, terminal, curve)
+    write(text, common.output)
     if chosen == "csv":
         from ..render.layout import findings_lines
 
@@ -172,6 +187,12 @@ def emit(name: str, result: Any, findings: Any, common: Common, spec: dict[str, 
             if not (common.quiet and line.startswith("info")):
                 print(line, file=sys.stderr)
     return output
+
+
+def _with_curve(output: "Output", terminal: bool, curve: "Curve") -> str:
+    from ..render import table
+
+    return table.render(output, terminal, curve)
 
 
 def _is_terminal() -> bool:

@@ -2,22 +2,31 @@
 
 import os
 import sys
+from collections.abc import Callable
 
 from ..analysis.result import Output
 from .document import document
 from .layout import Block, blocks, findings_lines, step_lines, title
 
+Curve = Callable[[Block, bool], list[str]]
+"""``curve(block, unicode)`` → lines under a table of a sweep, none under any other."""
 
-def render(output: Output, terminal: bool) -> str:
-    """Lay out tables, curves and findings; a terminal has a width, rules and colours, a pipe has none of them."""
+
+def render(output: Output, terminal: bool, curve: Curve | None = None) -> str:
+    """Lay out tables, curves and findings; a terminal has a width, rules and colours, a pipe has none of them.
+
+    ``curve`` draws under a sweep instead of the small curve of characters.
+    """
+    curve = curve or curve_lines
     laid_out = document(output.result)
     found, steps = blocks(laid_out), step_lines(laid_out)
     if terminal or _width():
         from .terminal import render_rich
 
-        text = render_rich(output, found, steps, width=_width(), terminal=terminal, unicode=is_unicode())
+        look = {"terminal": terminal, "unicode": is_unicode()}
+        text = render_rich(output, found, steps, curve, width=_width(), **look)
     else:
-        text = _plain(output, found, steps)
+        text = _plain(output, found, steps, curve)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
 
 
@@ -32,11 +41,11 @@ def is_unicode() -> bool:
     return (getattr(sys.stdout, "encoding", "") or "").lower().replace("-", "").startswith("utf")
 
 
-def _plain(output: Output, found: list[Block], steps: list[str]) -> str:
+def _plain(output: Output, found: list[Block], steps: list[str], curve: Curve) -> str:
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
     lines = [title(output)]
     for block in found:
-        lines += ["", *([block.title] if block.title else []), *_aligned(block), *curve_lines(block, is_unicode())]
+        lines += ["", *([block.title] if block.title else []), *_aligned(block), *curve(block, is_unicode())]
     lines += steps
     if output.findings:
         lines += ["", *findings_lines(output.findings)]

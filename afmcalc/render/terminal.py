@@ -9,7 +9,7 @@ from rich.text import Text
 
 from ..analysis.result import Output
 from .layout import Block, findings_lines, title
-from .table import curve_lines
+from .table import Curve
 
 _SHORT = 12
 """Columns up to this width are kept whole."""
@@ -17,7 +17,14 @@ _STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
 
 
 def render_rich(
-    output: Output, found: list[Block], steps: list[str], *, width: int | None, terminal: bool, unicode: bool
+    output: Output,
+    found: list[Block],
+    steps: list[str],
+    curve: Curve,
+    *,
+    width: int | None,
+    terminal: bool,
+    unicode: bool,
 ) -> str:
     """Lay out within ``width`` (None: the terminal's); rules and colours only in a terminal."""
     buffer = io.StringIO()
@@ -35,7 +42,7 @@ def render_rich(
         if block.title:
             console.print(Text(block.title, style="italic"))
         console.print(_table(block, ruled=terminal and unicode))
-        for line in curve_lines(block, unicode):
+        for line in curve(block, unicode):
             console.print(Text(line), no_wrap=True, crop=True)
     for line in steps:
         console.print(Text(line, style="" if line.startswith(" ") else "bold"))

@@ -21,6 +21,15 @@ def display_unit(unit: str) -> str:
     return _DISPLAY.get(unit, (unit, 1.0))[0]
 
 
+def factor(unit: str) -> float:
+    """What a value in an SI unit is multiplied by to be in the unit shown to people.
+
+    >>> factor("N"), factor("N*m")
+    (0.001, 1.0)
+    """
+    return _DISPLAY.get(unit, (unit, 1.0))[1]
+
+
 def display(value: object, unit: str) -> str:
     """Return ``value`` (SI) in the engineer's unit, to 5 significant figures.
 

@@ -1,0 +1,100 @@
+"""The command that draws."""
+
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import typer
+
+from ..errors import AfmcalcError
+from ..extras import need
+from .session import Common, build_from, guarded, naming, write, write_file
+
+if TYPE_CHECKING:
+    from ..render.plot.chart import Sheet
+
+_ENDINGS = ("png", "svg", "pdf")
+
+
+def plot(
+    what: Annotated[
+        str, typer.Argument(metavar="WHAT", help="torque, accuracy, overload, life, pocket, or paper with a figure.")
+    ],
+    subjects: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[SPEC...]", help="Specs; several give several curves. After paper: F11-2, S22-3, ..."),
+    ] = None,
+    sweep: Annotated[
+        str | None, typer.Option("--sweep", metavar="NAME[=RANGE]", help="accuracy: the axis (C); life: dT=RANGE.")
+    ] = None,
+    model: Annotated[
+        Literal["mean-stress", "amplitude", "goodman"] | None,
+        typer.Option("--model", help="life: rule for the damaging stress."),
+    ] = None,
+    set_: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="PATH=VALUE", help="Override a spec key in every SPEC; repeatable."),
+    ] = None,
+    output: Annotated[
+        str | None,
+        typer.Option("--output", "-o", metavar="FILE", help="File, .png, .svg or .pdf; without it drawn as text."),
+    ] = None,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False,
+) -> None:
+    """Plots: of clutches, of the pocket to scale, of the papers' figures.
+
+    \b
+    afmcalc plot torque clutch.toml -o torque.svg
+    afmcalc plot accuracy a.toml b.toml --sweep C=0:1.25:101 -o accuracy.png
+    afmcalc plot pocket clutch.toml -o pocket.pdf
+    afmcalc plot paper S22-3 -o figure.png
+    """  # noqa: D301
+    from ..render.plot import Request, kind_of, sheet_of
+
+    common = Common(set=set_, output=output, quiet=quiet)
+    kind = kind_of(what)
+    ending = _ending(output)
+    need("plot", "matplotlib" if ending else "plotext")
+    given: list[Any] = list(subjects or ())
+    if kind.takes == "names":
+        sheet = sheet_of(what, Request(given, sweep, model))
+    else:
+        _refuse_twice(given)
+        for source in given:
+            common.keep(source)
+        sources = given or [None]
+        with naming(sources[0]):
+            clutches = [build_from(source, common) for source in sources]
+            sheet = guarded(lambda: sheet_of(what, Request(clutches, sweep, model)))
+    _write(sheet, ending, common)
+
+
+def _ending(output: str | None) -> str | None:
+    """Kind of the file, by its ending; None for text."""
+    if output in (None, "-"):
+        return None
+    assert output is not None
+    ending = output.rpartition(".")[2].lower() if "." in output else ""
+    if ending not in _ENDINGS:
+        raise AfmcalcError(f"--output {output}: end it in .png, .svg or .pdf")
+    return ending
+
+
+def _refuse_twice(sources: list[str]) -> None:
+    if sources.count("-") > 1:
+        raise AfmcalcError("standard input (-) can be read once only")
+
+
+def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
+    if ending is None:
+        from ..render.plot.chart import Chart
+        from ..render.plot.text import draw_sheet
+        from ..render.table import is_unicode
+
+        if not any(isinstance(panel, Chart) for panel in sheet.panels):
+            raise AfmcalcError("this is a drawing, no curve: give a file, -o FILE.svg (or .png, .pdf)")
+        write(draw_sheet(sheet, unicode=is_unicode()), None)
+        return
+    from ..render.plot.figure import save
+
+    assert common.output is not None
+    write_file(common.output, save(sheet, ending))  # type: ignore[arg-type]
+    common.note(f"wrote {common.output}")

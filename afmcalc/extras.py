@@ -1,0 +1,23 @@
+"""Optional dependencies: a command whose extra is missing says how to get it."""
+
+from importlib.util import find_spec
+
+from .errors import AfmcalcError
+
+MODULES = {"plot": ("matplotlib", "plotext"), "report": ("jinja2", "matplotlib")}
+"""Extra → modules it brings."""
+
+
+def need(extra: str, *modules: str) -> None:
+    """Make sure that modules of an extra are installed, without importing them.
+
+    Args:
+        extra: name of the extra, as pip knows it.
+        modules: those that are needed; all of the extra's when none is named.
+
+    Raises:
+        AfmcalcError: one is missing.
+    """
+    missing = [name for name in modules or MODULES[extra] if find_spec(name) is None]
+    if missing:
+        raise AfmcalcError(f"this needs {' and '.join(missing)}, not installed here: pip install 'afmcalc[{extra}]'")

@@ -1,0 +1,143 @@
+"""What is drawn, as data in SI: a sheet of panels, each with its axes, lines, points and levels."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from pydantic import BaseModel
+
+from ..units import display, display_unit
+
+
+class Axis(NamedTuple):
+    """An axis: quantity, symbol, SI unit."""
+
+    quantity: str
+    symbol: str
+    unit: str = "1"
+    log: bool = False
+
+    @property
+    def label(self) -> str:
+        """Quantity, symbol and the engineer's unit."""
+        unit = display_unit(self.unit)
+        name = f"{self.quantity} {self.symbol}".strip()
+        return f"{name}, {unit}" if unit not in ("", "–") else name
+
+
+class Line(NamedTuple):
+    """A curve; values that are None are gaps."""
+
+    label: str
+    x: Sequence[float | None]
+    y: Sequence[float | None]
+    tag: str = ""
+    """Short name set at its end, such as the number of the curve in a paper."""
+    style: int | None = None
+    """Which of the line styles; by default the next one."""
+    points: bool = False
+    """Only markers, no line."""
+
+
+class Level(NamedTuple):
+    """A thin straight line across, at a value of one axis."""
+
+    label: str
+    value: float
+    across: bool = True
+    """Along x, at a value of y; False: the other way round."""
+
+
+class Span(NamedTuple):
+    """A dimension line beside the axes, between two values of y."""
+
+    label: str
+    low: float
+    high: float
+    style: int
+
+
+class Area(NamedTuple):
+    """A shaded region between two curves."""
+
+    label: str
+    x: Sequence[float]
+    low: Sequence[float]
+    high: Sequence[float]
+
+
+@dataclass(frozen=True)
+class Chart:
+    """One pair of axes."""
+
+    x: Axis
+    y: Axis
+    lines: list[Line]
+    title: str = ""
+    levels: list[Level] = field(default_factory=list)
+    spans: list[Span] = field(default_factory=list)
+    areas: list[Area] = field(default_factory=list)
+    from_zero: bool = False
+    """Whether the axis of y begins at 0."""
+    named: bool = False
+    """Whether the lines are labelled with names of the user's, set as they are."""
+
+    @property
+    def labels(self) -> list[str]:
+        """What the legend says."""
+        entries: list[Any] = [*self.areas, *self.lines, *self.levels]
+        return [entry.label for entry in entries if entry.label]
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """What one plot command draws: panels one below the other, title above, caption below."""
+
+    title: str
+    panels: list[Any]
+    """Each a ``Chart``, or an object with ``paint(axes, theme)`` and ``height``."""
+    caption: str = ""
+    name: str = ""
+    """Name of the user's (a spec's), beside the title; set as it is."""
+
+
+def axis_of(result: type[BaseModel], name: str, *, log: bool = False, quantity: str | None = None) -> Axis:
+    """Axis of a result's field, read off its symbol, unit and description."""
+    info = result.model_fields[name]
+    about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+    return Axis(quantity or info.description or name, str(about.get("symbol") or ""), str(about.get("unit") or ""), log)
+
+
+def describe(result: type[BaseModel], name: str) -> str:
+    """Label of a line that shows a result's field: symbol and description."""
+    axis = axis_of(result, name)
+    return f"{axis.symbol}: {axis.quantity}"
+
+
+def power(value: float) -> str:
+    """Write a large number as a power of ten.
+
+    >>> power(1e7), power(2.5e12)
+    ('10⁷', '2.5·10¹²')
+    """
+    mantissa, _, exponent = f"{value:.3e}".partition("e")
+    ten = "10" + str(int(exponent)).translate(_RAISED)
+    return ten if float(mantissa) == 1 else f"{float(mantissa):g}·{ten}"
+
+
+_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def named(clutch: Any) -> str:
+    """What to call a clutch beside others."""
+    return str(clutch.spec.name or clutch.spec.variant)
+
+
+def stated(symbol: str, value: float, unit: str) -> str:
+    """``symbol = value unit`` in the engineer's unit.
+
+    >>> stated("F_п", 2000.0, "N"), stated("C", 0.5, "1")
+    ('F_п = 2 kN', 'C = 0.5')
+    """
+    shown = display_unit(unit)
+    return f"{symbol} = {display(value, unit)}" + (f" {shown}" if shown not in ("", "–") else "")

@@ -1,0 +1,120 @@
+"""A sheet set as PNG, SVG or PDF: the same sheet gives the same bytes."""
+
+import io
+import textwrap
+from typing import TYPE_CHECKING, Any, Literal
+
+from ..symbols import literal, mathtext
+from .chart import Chart, Sheet
+from .paint import paint
+from .style import PARAMETERS, WIDTH
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+ENDINGS = ("png", "svg", "pdf")
+Ending = Literal["png", "svg", "pdf"]
+
+_LINE = 0.165
+"""Inches between lines of the caption."""
+
+
+def save(sheet: Sheet, ending: Ending) -> bytes:
+    """Set a sheet with its title and caption, on white.
+
+    Args:
+        sheet: what to draw.
+        ending: kind of file.
+
+    Returns:
+        The content of the file; without date or version, so that it depends on the sheet only.
+    """
+    with _settings():
+        figure = _figure(sheet, bare=False)
+        return _bytes(figure, ending)
+
+
+def inline_svg(sheet: Sheet) -> str:
+    """Set a sheet for a page: without title and caption, see-through, its texts as text."""
+    with _settings({"svg.fonttype": "none", "savefig.facecolor": "none"}):
+        figure = _figure(sheet, bare=True)
+        figure.patch.set_alpha(0)
+        for axes in figure.axes:
+            axes.patch.set_alpha(0)
+        return _bytes(figure, "svg").decode("utf-8")
+
+
+def _settings(more: dict[str, Any] | None = None) -> Any:
+    """Our parameters over matplotlib's defaults, for a while."""
+    import matplotlib as mpl
+
+    # a copy: the defaults carry the backend, which is not ours to set
+    own: Any = {key: value for key, value in mpl.rcParamsDefault.items() if not key.startswith(("backend", "toolbar"))}
+    return mpl.rc_context(own | PARAMETERS | (more or {}))
+
+
+def _figure(sheet: Sheet, *, bare: bool) -> "Figure":
+    from matplotlib.figure import Figure
+
+    heights = [_height(panel) for panel in sheet.panels]
+    caption = [] if bare else _wrapped(sheet.caption)
+    below = len(caption) * _LINE + (0.14 if caption else 0.02)
+    above = 0.02 if bare or not sheet.title else 0.34
+    total = sum(heights) + below + above
+    figure = Figure(figsize=(WIDTH, total), layout="constrained")
+    engine: Any = figure.get_layout_engine()
+    engine.set(rect=(0.005, below / total, 0.99, 1 - (below + above) / total), h_pad=0.1, w_pad=0.06)
+    # one grid, so that the axes of all panels stand one below the other
+    grid = figure.subplots(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0]
+    for axes, panel in zip(grid, sheet.panels, strict=True):
+        if isinstance(panel, Chart):
+            paint(axes, panel)
+            _legend(axes, _columns(panel.labels))
+        else:
+            panel.paint(axes)
+    if not bare:
+        title = mathtext(sheet.title) + (f" – {literal(sheet.name)}" if sheet.name else "")
+        figure.text(0.015, 1 - 0.2 / total, title, fontsize=11, fontweight="bold", va="center")
+        figure.text(0.015, 0.08 / total, "\n".join(map(mathtext, caption)), fontsize=8, va="bottom", linespacing=1.35)
+    return figure
+
+
+def _height(panel: Any) -> float:
+    """Inches: what the axes want, and a line of legend for each entry or two."""
+    if not isinstance(panel, Chart):
+        height: float = panel.height
+        return height
+    rows = -(-len(panel.labels) // _columns(panel.labels))
+    return 3.3 + 0.19 * rows + (0.2 if panel.title else 0)
+
+
+def _columns(labels: list[str]) -> int:
+    longest = max(map(len, labels), default=0)
+    return 1 if longest > 36 or len(labels) < 3 else 2 if longest > 22 or len(labels) < 6 else 3
+
+
+def _legend(axes: Any, columns: int) -> None:
+    """Below the axes, where it covers nothing."""
+    from matplotlib.transforms import ScaledTranslation
+
+    handles, labels = axes.get_legend_handles_labels()
+    below = axes.transAxes + ScaledTranslation(0, -37 / 72, axes.figure.dpi_scale_trans)
+    axes.legend(
+        handles, labels, loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=below, ncols=columns, fontsize=8.5,
+        borderaxespad=0, borderpad=0,
+    )  # fmt: skip
+
+
+def _wrapped(caption: str) -> list[str]:
+    return [line for part in caption.splitlines() for line in textwrap.wrap(part, 118)]
+
+
+def _bytes(figure: "Figure", ending: Ending) -> bytes:
+    metadata: dict[str, dict[str, Any]] = {
+        "png": {"Software": None},
+        "svg": {"Date": None, "Creator": None},
+        "pdf": {"CreationDate": None, "ModDate": None, "Creator": None, "Producer": None},
+    }
+    content = io.BytesIO()
+    figure.savefig(content, format=ending, metadata=metadata[ending])
+    return content.getvalue()

@@ -1,0 +1,69 @@
+"""What a kind of plot is, and which there are."""
+
+from collections.abc import Callable, Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+from ...errors import AfmcalcError
+from ...spec.suggest import did_you_mean
+
+if TYPE_CHECKING:
+    from .chart import Sheet
+
+
+class Kind(NamedTuple):
+    """One kind of plot: a module of this package of that name, with a function ``sheet(request)``."""
+
+    about: str
+    """What it shows, for the help."""
+    takes: Literal["clutch", "clutches", "names"]
+    """What ``Request.subjects`` holds: one clutch, one or more, or words (names of the papers' figures)."""
+    options: tuple[str, ...] = ()
+    """Fields of the request it heeds; any other that is given is refused."""
+
+
+KINDS = {
+    "torque": Kind("torque against friction, scatter band, both adjustment methods", "clutches"),
+    "accuracy": Kind("accuracy factor against any key, --sweep NAME[=RANGE]", "clutches", ("sweep",)),
+    "overload": Kind("trip over friction, and accuracy over the reduced gain (S22 fig. 3)", "clutch"),
+    "life": Kind("cycles against the scatter band", "clutches", ("sweep", "model")),
+    "pocket": Kind("section through ball and pockets, to scale", "clutch"),
+    "paper": Kind("a figure of the papers from the formulas: F11-2, S19-2, S21-2, …", "names"),
+}
+"""Name → kind, in the order of the help. A new kind (``tolerance``, ``pareto``) is a file and a row."""
+
+
+class Request(NamedTuple):
+    """What to draw."""
+
+    subjects: Sequence[Any]
+    sweep: str | None = None
+    model: str | None = None
+
+
+def kind_of(name: str) -> Kind:
+    """Return the kind of a name.
+
+    Raises:
+        AfmcalcError: there is none.
+    """
+    if name not in KINDS:
+        raise AfmcalcError(f"no plot {name!r}{did_you_mean(name, KINDS)}; there are: {', '.join(KINDS)}")
+    return KINDS[name]
+
+
+def sheet_of(name: str, request: Request) -> "Sheet":
+    """Calculate and lay out a plot, importing only its kind.
+
+    Raises:
+        AfmcalcError: no such kind, subjects or options that are not for it, or an analysis that does not apply.
+    """
+    kind = kind_of(name)
+    if kind.takes in ("clutch", "names") and len(request.subjects) != 1:
+        what = "SPEC" if kind.takes == "clutch" else "NAME"
+        raise AfmcalcError(f"plot {name} takes one {what}, not {len(request.subjects)}")
+    for option in ("sweep", "model"):
+        if getattr(request, option) is not None and option not in kind.options:
+            raise AfmcalcError(f"plot {name} has no use for --{option}")
+    make: Callable[[Request], Sheet] = import_module(f".{name}", __package__).sheet
+    return make(request)

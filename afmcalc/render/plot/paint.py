@@ -1,0 +1,113 @@
+"""From a chart to matplotlib's axes."""
+
+import math
+from typing import Any
+
+from ..symbols import literal, mathtext
+from ..units import factor
+from .chart import Chart, Line
+from .style import COLOURS, DASHES, INK, LEVELS, MARKERS, SHADE
+
+
+def paint(axes: Any, chart: Chart) -> None:
+    """Draw a chart into matplotlib's axes."""
+    wide, high = factor(chart.x.unit), factor(chart.y.unit)
+    if chart.title:
+        axes.set_title(mathtext(chart.title))
+    for area in chart.areas:
+        axes.fill_between(
+            _scaled(area.x, wide), _scaled(area.low, high), _scaled(area.high, high),
+            color=SHADE, alpha=0.28, linewidth=0, label=mathtext(area.label),
+        )  # fmt: skip
+    for number, line in enumerate(chart.lines):
+        _line(axes, line, number if line.style is None else line.style, wide, high, chart.named)
+    for number, level in enumerate(chart.levels):
+        draw = axes.axhline if level.across else axes.axvline
+        draw(
+            level.value * (high if level.across else wide), color=INK, linewidth=1.0,
+            linestyle=LEVELS[number % len(LEVELS)], label=mathtext(level.label), zorder=1.5, clip_on=False,
+        )  # fmt: skip
+    _limits(axes, chart, high)
+    _tags(axes, chart, wide, high)
+    for number, span in enumerate(chart.spans):
+        _span(axes, number, span, high)
+    axes.set_xlabel(mathtext(chart.x.label))
+    axes.set_ylabel(mathtext(chart.y.label))
+
+
+def _line(axes: Any, line: Line, style: int, wide: float, high: float, named: bool) -> None:
+    colour = COLOURS[style % len(COLOURS)]
+    x, y = _scaled(line.x, wide), _scaled(line.y, high)
+    label = (literal if named else mathtext)(line.label)
+    if line.points:
+        axes.plot(
+            x, y, linestyle="none", marker=MARKERS[style % len(MARKERS)], color=colour, label=label,
+            markerfacecolor="none", markeredgewidth=1.4, clip_on=False, zorder=3,
+        )  # fmt: skip
+    else:
+        axes.plot(x, y, color=colour, linestyle=DASHES[style % len(DASHES)], label=label)
+
+
+def _scaled(values: Any, scale: float) -> list[float]:
+    return [float("nan") if value is None else value * scale for value in values]
+
+
+def _limits(axes: Any, chart: Chart, high: float) -> None:
+    """Scales and limits; a whole-number axis gets whole ticks."""
+    from matplotlib.ticker import MaxNLocator
+
+    if chart.y.log:
+        axes.set_yscale("log")
+    if chart.x.log:
+        axes.set_xscale("log")
+    if chart.from_zero and axes.get_ylim()[0] > 0:
+        axes.set_ylim(bottom=0)
+    if any(line.points for line in chart.lines) and _whole(chart):
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=2))
+        low, top = axes.get_xlim()
+        axes.set_xlim(low - 0.03 * (top - low), top + 0.03 * (top - low))
+
+
+def _tags(axes: Any, chart: Chart, wide: float, high: float) -> None:
+    """Number the curves at their ends, moved apart where they would cover each other."""
+    ends = [
+        (line.x[-1] * wide, line.y[-1] * high, line.tag)
+        for line in chart.lines
+        if line.tag and line.x[-1] is not None and line.y[-1] is not None
+    ]
+    scale, limits = axes.yaxis.get_transform().transform, axes.get_ylim()
+    low, top = (float(scale(limit)) for limit in limits)
+    free = -math.inf
+    for x, y, tag in sorted(ends, key=lambda end: end[1]):
+        place = (float(scale(y)) - low) / (top - low) * _AXES_POINTS
+        lifted = max(place, free)
+        free = lifted + 9
+        axes.annotate(
+            tag, (x, y), xytext=(5, lifted - place), textcoords="offset points", va="center", color=INK, fontsize=8,
+            annotation_clip=False,
+        )  # fmt: skip
+
+
+_AXES_POINTS = 190
+"""Height of the axes of a chart, about, for what must be known before they are laid out."""
+
+
+def _whole(chart: Chart) -> bool:
+    return all(value == int(value) for line in chart.lines for value in line.x if value is not None)
+
+
+def _span(axes: Any, number: int, span: Any, high: float) -> None:
+    """Set a dimension line beside the axes, its text along it, with hairlines to the curve's ends."""
+    x = 1.035 + 0.085 * number
+    colour = COLOURS[span.style]
+    low, top = span.low * high, span.high * high
+    over = axes.get_yaxis_transform()
+    arrow = {"arrowstyle": "<|-|>", "color": colour, "shrinkA": 0, "shrinkB": 0, "linewidth": 1.0, "mutation_scale": 8}
+    axes.annotate("", (x, top), (x, low), xycoords=over, textcoords=over, arrowprops=arrow, annotation_clip=False)
+    for value in (low, top):
+        axes.plot([0, x + 0.012], [value, value], transform=over, color=colour, linewidth=0.6, linestyle=(0, (1, 2)),
+                  clip_on=False, zorder=1.2)  # fmt: skip
+    axes.text(
+        x + 0.012, (low + top) / 2, mathtext(span.label), transform=over, rotation=90, va="center", ha="left",
+        fontsize=8, color=INK,
+    )  # fmt: skip

@@ -1,0 +1,31 @@
+"""The papers' symbols, written ``K_т`` in the results, set with real subscripts."""
+
+import re
+
+_SUBSCRIPT = re.compile(r"_([^\W_]+(?:[.,][^\W_]+)*)")
+
+
+def split(text: str) -> list[tuple[str, bool]]:
+    """Split a text into pieces and whether each is a subscript.
+
+    >>> split("ΔT_2/ΔT_1")
+    [('ΔT', False), ('2', True), ('/ΔT', False), ('1', True)]
+    >>> split("T_н.муф, K_т,p")
+    [('T', False), ('н.муф', True), (', K', False), ('т,p', True)]
+    """
+    pieces = _SUBSCRIPT.split(text)
+    return [(piece, bool(number % 2)) for number, piece in enumerate(pieces) if piece]
+
+
+def mathtext(text: str) -> str:
+    """Set a text of our own (labels, symbols) for matplotlib.
+
+    >>> mathtext("K_т")
+    'K$_{\\\\mathregular{т}}$'
+    """
+    return "".join(f"$_{{\\mathregular{{{piece}}}}}$" if low else literal(piece) for piece, low in split(text))
+
+
+def literal(text: str) -> str:
+    """Keep matplotlib from reading anything into a text of the user's (the name of a spec)."""
+    return text.replace("$", r"\$")
