@@ -60,16 +60,25 @@ def equations(
 
 
 @with_common
-def reproduce(paper: PaperOption = None, *, common: Common) -> None:
+def reproduce(
+    paper: PaperOption = None,
+    figure: Annotated[
+        list[str] | None,
+        typer.Option("--figure", metavar="NAME", help="The points of a figure's curves, e.g. S22-3; repeatable."),
+    ] = None,
+    *,
+    common: Common,
+) -> None:
     """Recompute every printed figure and claim of the papers.
 
     \b
     afmcalc reproduce
+    afmcalc reproduce --figure S22-3 --format csv
     afmcalc reproduce --paper S22 --format csv
     """  # noqa: D301
     from ..analysis.reproduce import reproduce as analysis
 
-    result, findings = analysis(paper or [])
+    result, findings = analysis(paper or [], figure)
     emit("reproduce", result, findings, common, None)
     if not result.as_expected:
         raise typer.Exit(1)

@@ -36,7 +36,8 @@ def _findings(output: Output) -> list[Column]:
 def _columns(laid_out: Document) -> list[Column]:
     listed = [table for table in laid_out.tables if not _is_mapping(table.columns)]
     if listed:
-        return listed[-1].columns
+        # what was asked for by name, else the first list: the one the command is for
+        return next((table.columns for table in listed if table.data), listed[0].columns)
     wide = [column for row in laid_out.singles for column in _flat(row)]
     wide += [column for row in laid_out.triples for column in _flat(row)]
     for table in laid_out.tables:

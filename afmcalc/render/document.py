@@ -36,6 +36,8 @@ class Table(NamedTuple):
     title: str
     columns: list[Column]
     axes: int = 0
+    data: bool = False
+    """Rows for programs: CSV writes them, people are spared them."""
 
 
 class Document(NamedTuple):
@@ -74,7 +76,8 @@ def _walk(model: BaseModel, prefix: str, heading: str, into: Document) -> None:
             into.steps.extend(value)
             into.tables.append(_records(label, value))
         elif isinstance(value, list) and value and isinstance(value[0], BaseModel):
-            into.tables.append(_side_by_side(label, value) if about.get("columns") else _records(label, value))
+            laid_out = _side_by_side(label, value) if about.get("columns") else _records(label, value)
+            into.tables.append(laid_out._replace(data=bool(about.get("data"))))
         else:
             into.singles.append(Row(path, symbol, label, unit, (value,)))
 

@@ -42,7 +42,7 @@ def blocks(laid_out: Document) -> list[Block]:
         header = ["Symbol", "Quantity", "at f_min", "at mean f", "at f_max", "Unit"]
         found.append(Block("", header, rows, [False, False, True, True, True, False]))
     if not laid_out.steps:
-        found += [_table(table) for table in laid_out.tables]
+        found += [_table(table) for table in laid_out.tables if not table.data]
     return found
 
 

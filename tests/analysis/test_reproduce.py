@@ -48,6 +48,23 @@ def test_an_unexpected_verdict_fails_the_command(afmcalc, monkeypatch):
     assert "unexpected-verdict" in run.out
 
 
+def test_curves_of_the_figures(afmcalc):
+    result = afmcalc("reproduce", "--paper", "S22", "--figure", "S22-3", "--json").json["result"]
+    actual = [point for point in result["points"] if point["curve"] == "1"]
+    lowest = min(actual, key=lambda point: point["y"])
+    assert (lowest["x"], lowest["y"]) == (pytest.approx(1.25, abs=0.02), pytest.approx(4.5, abs=0.02))
+    rows = {(row["figure"], row["curve"]): row for row in afmcalc("reproduce", "--json").json["result"]["curves"]}
+    assert {figure for figure, _ in rows} == {
+        f"{paper} fig. {n}"
+        for paper, n in (("F11", 2), ("S19", 2), ("S21", 2), ("S21", 4), ("S22", 1), ("S22", 2), ("S22", 3), ("S22", 4))
+    }
+    assert rows["F11 fig. 2", "5"]["first"] == pytest.approx(1.909, abs=5e-4)
+    assert rows["S19 fig. 2", "a"]["first"] / rows["S19 fig. 2", "a"]["last"] == pytest.approx(21.43, abs=5e-3)
+    csv = afmcalc("reproduce", "--figure", "S22-1", "--format", "csv").out.splitlines()
+    assert csv[0].startswith("figure,curve")
+    assert afmcalc("reproduce", "--figure", "X-1").code == 2
+
+
 def test_the_command(afmcalc):
     assert afmcalc("reproduce").code == 0
     assert len(afmcalc("reproduce", "--paper", "S19", "--json").json["result"]["rows"]) == 5

@@ -33,7 +33,7 @@ COMMANDS = {
     "equations": ["equations", "--paper", "F11"],
     "equation": ["equations", "--id", "S21 (15)", "--prove"],
     "misprints": ["equations", "--misprints"],
-    "reproduce": ["reproduce"],
+    "reproduce": ["reproduce", "--paper", "S21"],
     "materials": ["materials"],
     "check": ["check", CONFIGS / "default.toml", "--set", "C=2"],
 }

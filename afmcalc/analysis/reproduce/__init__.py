@@ -7,6 +7,7 @@ from typing import Literal
 from ...engines.findings import Finding
 from ...errors import AfmcalcError
 from ...spec.suggest import did_you_mean
+from ..papers import FIGURES, PaperFigure, paper_figure
 from ..register import PAPERS
 from ..result import Result, quantity
 
@@ -27,6 +28,29 @@ class Row(Result):
     why: str = quantity("", None, "why")
 
 
+class CurveRow(Result):
+    """One curve of a figure, recomputed."""
+
+    figure: str = quantity("", None, "figure")
+    curve: str = quantity("", None, "curve")
+    label: str = quantity("", None, "what it shows")
+    axes: str = quantity("", None, "axes")
+    first: float = quantity("1", None, "y first")
+    least: float = quantity("1", None, "y least")
+    largest: float = quantity("1", None, "y largest")
+    last: float = quantity("1", None, "y last")
+    corrections: str = quantity("", None, "corrections", detail=True)
+
+
+class CurvePoint(Result):
+    """One point of a curve."""
+
+    figure: str = quantity("", None, "figure")
+    curve: str = quantity("", None, "curve")
+    x: float = quantity("", None, "abscissa, SI")
+    y: float = quantity("", None, "ordinate, SI")
+
+
 class ReproduceResult(Result):
     """The rows asked for, and whether every verdict is the one on record."""
 
@@ -35,6 +59,8 @@ class ReproduceResult(Result):
     corrected: int = quantity("", None, "reproduced with a correction")
     not_reproduced: int = quantity("", None, "not reproduced")
     as_expected: bool = quantity("", None, "every verdict is the one on record")
+    curves: list[CurveRow] | None = quantity("", None, "curves of the figures, recomputed", optional=True)
+    points: list[CurvePoint] | None = quantity("", None, "points of the curves", optional=True, data=True)
 
 
 EXPECTED: dict[str, Verdict] = {
@@ -47,11 +73,16 @@ EXPECTED: dict[str, Verdict] = {
 _MODULES = {"F11": "fokin2011", "S19": "shishkarev2019", "S21": "shishkarev2021", "S22": "shishkarev2022"}
 
 
-def reproduce(papers: list[str]) -> tuple[ReproduceResult, list[Finding]]:
-    """Recompute the printed figures of the papers asked for (empty: all), in the order of their numbers.
+def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[ReproduceResult, list[Finding]]:
+    """Recompute what the papers print, in the order of its numbers, and the curves of their figures.
+
+    Args:
+        papers: keys of the papers wanted; empty for all.
+        figures: figures such as ``S22-3`` whose curves are wanted with their points; None for the curves of all
+            figures of those papers without points.
 
     Raises:
-        AfmcalcError: no such paper.
+        AfmcalcError: no such paper or figure.
     """
     for paper in papers:
         if paper not in PAPERS:
@@ -65,18 +96,49 @@ def reproduce(papers: list[str]) -> tuple[ReproduceResult, list[Finding]]:
     rows.sort(key=lambda row: int(row.id[1:]))
     verdicts = [row.verdict for row in rows]
     unexpected = [row for row in rows if row.verdict != EXPECTED[row.id]]
+    shown = [paper_figure(name) for name in figures or FIGURES if figures or not papers or name.split("-")[0] in papers]
     result = ReproduceResult(
         rows=rows,
         reproduced=verdicts.count("reproduced"),
         corrected=verdicts.count("reproduced with correction"),
         not_reproduced=verdicts.count("not reproduced"),
         as_expected=not unexpected,
+        curves=[row for figure in shown for row in _curves(figure)],
+        points=[point for figure in shown for point in _points(figure)] if figures else None,
     )
     findings = [
         Finding("error", "unexpected-verdict", f"{row.id}: {row.verdict}; on record is: {EXPECTED[row.id]}")
         for row in unexpected
     ]
     return result, findings
+
+
+def _curves(figure: PaperFigure) -> list[CurveRow]:
+    """Sum up the curves of a figure."""
+    return [
+        CurveRow(
+            figure=figure.name,
+            curve=curve.number or curve.label,
+            label=curve.label,
+            axes=f"{axis.symbol or axis.name} over {figure.x.symbol or figure.x.name}",
+            first=curve.y[0],
+            least=min(curve.y),
+            largest=max(curve.y),
+            last=curve.y[-1],
+            corrections="; ".join(figure.corrections),
+        )
+        for axis, panel in zip(figure.y, figure.panels, strict=True)
+        for curve in panel
+    ]
+
+
+def _points(figure: PaperFigure) -> list[CurvePoint]:
+    return [
+        CurvePoint(figure=figure.name, curve=curve.number or curve.label, x=x, y=y)
+        for panel in figure.panels
+        for curve in panel
+        for x, y in zip(curve.x, curve.y, strict=True)
+    ]
 
 
 Check = Callable[[], Row]
