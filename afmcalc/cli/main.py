@@ -22,6 +22,7 @@ COMMANDS = {
     "init": "specs",
     "check": "specs",
     "plot": "plot",
+    "report": "report",
     "schema": "specs",
 }
 """Command → module of this package that holds the function of that name, in the order of the help."""

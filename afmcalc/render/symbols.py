@@ -2,7 +2,8 @@
 
 import re
 
-_SUBSCRIPT = re.compile(r"_([^\W_]+(?:[.,][^\W_]+)*)")
+_SUBSCRIPT = re.compile(r"(?<![^\W_]{3})_([^\W_]+(?:[.,][^\W_]+)*)")
+"""A symbol has a letter or two before its subscript: ``control_unit.gain`` is a key."""
 
 
 def split(text: str) -> list[tuple[str, bool]]:
@@ -12,6 +13,8 @@ def split(text: str) -> list[tuple[str, bool]]:
     [('ΔT', False), ('2', True), ('/ΔT', False), ('1', True)]
     >>> split("T_н.муф, K_т,p")
     [('T', False), ('н.муф', True), (', K', False), ('т,p', True)]
+    >>> split("control_unit.gain")
+    [('control_unit.gain', False)]
     """
     pieces = _SUBSCRIPT.split(text)
     return [(piece, bool(number % 2)) for number, piece in enumerate(pieces) if piece]

@@ -30,7 +30,7 @@ def read_spec(source: str | PathLike[str] | None = None, overrides: Iterable[str
         SpecError: every problem found, with file, key, value and what is allowed.
         FileError: the file cannot be read.
     """
-    text, label = _text(source)
+    text, label = text_of(source)
     data = apply_overrides(parse(text, label), overrides, label)
     return make_spec(data, label)
 
@@ -50,8 +50,12 @@ def label_of(source: str | PathLike[str] | None) -> str:
     return STANDARD_INPUT if source == "-" else str(source)
 
 
-def _text(source: str | PathLike[str] | None) -> tuple[str, str]:
-    """Return the text of ``source`` and what to call it in messages."""
+def text_of(source: str | PathLike[str] | None) -> tuple[str, str]:
+    """Return the text of a spec as given, and what to call it in messages.
+
+    Raises:
+        FileError: it cannot be read.
+    """
     if source is None:
         from .builtin import default_text
 

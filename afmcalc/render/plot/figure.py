@@ -19,17 +19,18 @@ _LINE = 0.165
 """Inches between lines of the caption."""
 
 
-def save(sheet: Sheet, ending: Ending) -> bytes:
+def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
     """Set a sheet with its title and caption, on white.
 
     Args:
         sheet: what to draw.
         ending: kind of file.
+        dpi: dots per inch of a PNG.
 
     Returns:
         The content of the file; without date or version, so that it depends on the sheet only.
     """
-    with _settings():
+    with _settings({"savefig.dpi": dpi}):
         figure = _figure(sheet, bare=False)
         return _bytes(figure, ending)
 

@@ -93,7 +93,8 @@ _AXES_POINTS = 190
 
 
 def _whole(chart: Chart) -> bool:
-    return all(value == int(value) for line in chart.lines for value in line.x if value is not None)
+    values = [value for line in chart.lines for value in line.x if value is not None]
+    return all(value == int(value) for value in values) and max(values) - min(values) <= 40
 
 
 def _span(axes: Any, number: int, span: Any, high: float) -> None:

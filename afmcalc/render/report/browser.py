@@ -1,0 +1,64 @@
+"""Printing a page to PDF with a headless browser, where there is one."""
+
+import os
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from ...errors import AfmcalcError
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "microsoft-edge", "msedge")
+_SECONDS = 120
+
+
+def find_browser() -> str:
+    """Return the program of a headless browser: AFMCALC_BROWSER, or one of ``NAMES`` on the path.
+
+    Raises:
+        AfmcalcError: there is none.
+    """
+    chosen = os.environ.get("AFMCALC_BROWSER")
+    found = next((path for name in ((chosen,) if chosen else NAMES) if (path := shutil.which(name))), None)
+    if found is None:
+        looked = chosen or ", ".join(NAMES)
+        raise AfmcalcError(
+            f"--pdf: no headless browser found (looked for {looked}): install Chromium, name one in AFMCALC_BROWSER, "
+            "or leave --pdf out and print the HTML file from any browser"
+        )
+    return found
+
+
+def arguments(browser: str, profile: str) -> list[str]:
+    """Command line that starts a browser without window, network chatter or traces."""
+    options = [
+        "--headless", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+        "--disable-component-update", "--disable-sync", f"--user-data-dir={profile}",
+    ]  # fmt: skip
+    # Chromium refuses to start its sandbox as root (containers); the page has neither script nor network
+    sandbox = ["--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else []
+    return [browser, *options, *sandbox]
+
+
+def print_pdf(browser: str, page: str) -> bytes:
+    """Print a page.
+
+    Raises:
+        AfmcalcError: the browser did not.
+    """
+    with tempfile.TemporaryDirectory(prefix="afmcalc-") as folder:
+        source, target = Path(folder, "report.html"), Path(folder, "report.pdf")
+        source.write_text(page, encoding="utf-8")
+        command = [
+            *arguments(browser, str(Path(folder, "profile"))),
+            "--no-pdf-header-footer",
+            f"--print-to-pdf={target}",
+            source.as_uri(),
+        ]
+        try:
+            ended = subprocess.run(command, capture_output=True, timeout=_SECONDS, check=False)
+        except (OSError, subprocess.TimeoutExpired) as error:
+            raise AfmcalcError(f"--pdf: {browser} did not print: {error}") from None
+        if not target.is_file():
+            raise AfmcalcError(f"--pdf: {browser} did not print (exit code {ended.returncode})")
+        return target.read_bytes()

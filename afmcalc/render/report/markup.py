@@ -1,0 +1,91 @@
+"""What may stand in the page as markup: checked MathML, our own drawings, subscripts."""
+
+import re
+from typing import Any
+from xml.etree import ElementTree
+
+from markupsafe import Markup, escape
+
+from ...spec.paths import keys
+from ..plot.style import GRID, INK, SHADE
+from ..symbols import split
+
+_NAMESPACE = "http://www.w3.org/1998/Math/MathML"
+_ELEMENTS = frozenset(
+    (
+        *("math", "mrow", "mi", "mn", "mo", "ms", "mtext", "mspace", "msup", "msub", "msubsup", "mfrac", "msqrt"),
+        *("mroot", "mover", "munder", "munderover", "mfenced", "mtable", "mtr", "mtd", "mpadded", "mphantom", "mstyle"),
+    )
+)
+_ATTRIBUTES = frozenset(
+    (
+        *("display", "mathvariant", "stretchy", "fence", "separator", "form", "lspace", "rspace", "width", "height"),
+        *("depth", "columnalign", "displaystyle", "scriptlevel", "open", "close", "separators", "linethickness"),
+    )
+)
+
+
+def mathml(text: str) -> Markup:
+    """Take MathML into the page: presentation elements only, nothing that acts or links.
+
+    Raises:
+        ValueError: it is not well formed, or more than presentation MathML.
+    """
+    try:
+        root = ElementTree.fromstring(text)
+    except ElementTree.ParseError as error:
+        raise ValueError(f"no well-formed MathML: {error}") from None
+    for element in root.iter():
+        element.tag = str(element.tag).removeprefix(f"{{{_NAMESPACE}}}")
+        if element.tag not in _ELEMENTS:
+            raise ValueError(f"no presentation MathML: <{element.tag}>")
+        if foreign := set(element.attrib) - _ATTRIBUTES:
+            raise ValueError(f"no presentation MathML: {', '.join(sorted(foreign))} of <{element.tag}>")
+    if root.tag != "math":
+        root_element = ElementTree.Element("math")
+        root_element.append(root)
+        root = root_element
+    return Markup(ElementTree.tostring(root, encoding="unicode"))  # noqa: S704
+
+
+def symbol(text: str) -> Markup:
+    """Set a symbol with subscripts.
+
+    >>> symbol("T_н < 1")
+    Markup('T<sub>н</sub> &lt; 1')
+    """
+    pieces: list[Any] = [Markup("<sub>{}</sub>").format(piece) if low else escape(piece) for piece, low in split(text)]
+    return Markup("").join(pieces)
+
+
+def cell(text: str) -> Markup:
+    """Set a cell of a table: a key as code, a power of ten as one, anything else with its symbols.
+
+    >>> cell("control_unit.gain"), cell("3.3493e+15"), cell("K_т")
+    (Markup('<code>control_unit.gain</code>'), Markup('3.3493·10<sup>15</sup>'), Markup('K<sub>т</sub>'))
+    """
+    if text in keys():
+        return Markup("<code>{}</code>").format(text)
+    if power := _POWER.fullmatch(text):
+        mantissa = "" if power[1] == "1" else f"{power[1]}·"
+        return Markup("{}10<sup>{}</sup>").format(mantissa, int(power[2]))
+    return symbol(text)
+
+
+_POWER = re.compile(r"(-?[\d.]+)e([+-]\d+)")
+
+
+def drawing(svg: str, name: str, number: int) -> Markup:
+    """Make one of our drawings part of the page: its own ids, the page's colours and width, a name to read out."""
+    svg = svg[svg.index("<svg") :]
+    svg = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>", "", svg, flags=re.DOTALL)
+    own = f"fig{number}-"
+    svg = re.sub(r'\bid="([^"]+)"', rf'id="{own}\1"', svg)
+    svg = re.sub(r"url\(#", f"url(#{own}", svg)
+    svg = re.sub(r'href="#', f'href="#{own}', svg)
+    for colour, variable in ((INK, "--ink"), (GRID, "--grid"), (SHADE, "--shade")):
+        svg = svg.replace(colour, f"var({variable})")
+    opening, _, rest = svg.partition(">")
+    opening = re.sub(r'\s(?:width|height|version|xmlns(?::\w+)?)="[^"]*"', "", opening)
+    label = escape(name)
+    return Markup(f'{opening} role="img" aria-label="{label}">{rest.strip()}')  # noqa: S704

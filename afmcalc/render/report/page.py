@@ -1,0 +1,107 @@
+"""From subject to page."""
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from ...spec import resolved
+from ...spec.paths import keys
+from ..plot.figure import inline_svg
+from ..units import display, display_unit
+from .interface import Section, Subject
+from .markup import cell, drawing, mathml, symbol
+from .references import REFERENCES
+from .sections import sections
+
+_LEVELS = {"error": 0, "warning": 1, "info": 2}
+
+
+class _Key(NamedTuple):
+    """A key of the spec as resolved."""
+
+    path: str
+    symbol: str
+    about: str
+    value: str
+    unit: str
+    numeric: bool
+
+
+def render(subject: Subject) -> str:
+    """Write the page; the same subject gives the same text."""
+    environment = Environment(
+        loader=FileSystemLoader(Path(__file__).parent),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters |= {
+        "symbol": symbol,
+        "cell": cell,
+        "mathml": mathml,
+        "display": display,
+        "display_unit": display_unit,
+    }
+    found = sections(subject)
+    page: str = environment.get_template("page.html").render(
+        subject=subject,
+        name=subject.clutch.spec.name or "Adaptive friction clutch",
+        digest=digest(subject),
+        keys=_keys(subject),
+        sections=found,
+        drawings=_drawings(found),
+        findings=sorted(subject.findings, key=lambda finding: _LEVELS[finding.level]),
+        references=_references(found),
+        passed=subject.dossier.check.passed,
+    )
+    return page
+
+
+def digest(subject: Subject) -> str:
+    """Return the SHA-256 of the spec as resolved: two reports of the same clutch have the same."""
+    text = json.dumps(resolved(subject.clutch.spec), sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    return hashlib.sha256(text.encode("utf-8")).hexdigest()
+
+
+def _keys(subject: Subject) -> list[_Key]:
+    known = keys()
+    return [
+        _Key(
+            path,
+            known[path].symbol or "",
+            known[path].description,
+            display(value, known[path].unit or ""),
+            display_unit(known[path].unit or ""),
+            known[path].unit is not None,
+        )
+        for path, value in _flat(resolved(subject.clutch.spec), "")
+    ]
+
+
+def _flat(data: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:
+    found: list[tuple[str, Any]] = []
+    for name, value in data.items():
+        found += _flat(value, f"{prefix}{name}.") if isinstance(value, dict) else [(prefix + name, value)]
+    return found
+
+
+def _drawings(found: list[Section]) -> dict[str, list[Any]]:
+    """Section key → its drawings, numbered through."""
+    made: dict[str, list[Any]] = {}
+    number = 0
+    for section in found:
+        made[section.key] = []
+        for sheet in section.sheets:
+            number += 1
+            made[section.key].append((number, sheet, drawing(inline_svg(sheet), sheet.title, number)))
+    return made
+
+
+def _references(found: list[Section]) -> list[tuple[str, str]]:
+    cited = {source for section in found for source in section.sources}
+    return [(key, text) for key, text in REFERENCES.items() if key in cited]

@@ -1,0 +1,225 @@
+"""The report: valid, escaped, the same bytes every time, without what does not apply; and in a real browser."""
+
+import os
+import re
+import subprocess
+import sys
+
+import chromium
+import html5lib
+import pytest
+from conftest import CONFIGS, ROOT
+
+import afmcalc as package
+from afmcalc.analysis.dossier import dossier
+from afmcalc.render.report import ExplainedStep, Subject, render
+from afmcalc.render.report.markup import mathml
+from afmcalc.render.report.page import digest
+
+VARIANTS = ["default", "conventional", "unlike-materials", "all-driving", "indirect"]
+EVIL = "<script>alert(1)</script>"
+
+
+def math(inside):
+    return f'<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">{inside}</math>'
+
+
+STEP = ExplainedStep(
+    title="slip torque",
+    symbol="T_п",
+    formula=math("<mi>T</mi><mo>=</mo><mfrac><mrow><mi>R</mi><mi>F</mi></mrow><mrow><mn>1</mn><mo>+</mo><mi>C</mi></mrow></mfrac>"),
+    numbers=math("<mi>T</mi><mo>=</mo><mfrac><mn>200</mn><mn>1.5</mn></mfrac>"),
+    result=math("<mi>T</mi><mo>=</mo><mn>133.3</mn><mtext>N·m</mtext>"),
+    source="F11 (12)",
+    note="printed without C (M1)",
+)  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def _a_day(monkeypatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1767225600")
+
+
+def subject(name="default", **more):
+    path = CONFIGS / f"{name}.toml"
+    clutch = package.load(path)
+    found, findings = dossier(clutch)
+    return Subject(clutch, found, findings, path.read_text(encoding="utf-8"), version="0", date="2026-01-01", **more)
+
+
+def parse(page):
+    return html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse(page)
+
+
+@pytest.mark.parametrize("name", VARIANTS)
+def test_valid_and_self_contained(name, afmcalc):
+    run = afmcalc("report", CONFIGS / f"{name}.toml")
+    assert run.code == 0
+    tree = parse(run.out)
+    assert not tree.findall(".//script")
+    assert not tree.findall(".//link")
+    assert not tree.findall(".//img")
+    ids = re.findall(r'\bid="([^"]+)"', run.out)
+    assert len(ids) == len(set(ids))
+    for target in re.findall(r'href="([^"]*)"|url\(([^)]*)\)', run.out):
+        assert "".join(target).startswith("#")
+        assert "".join(target)[1:] in ids
+    assert "2026-01-01" in run.out
+    assert re.search(r'title="[0-9a-f]{64}"', run.out)
+
+
+@pytest.mark.parametrize(
+    ("name", "absent"),
+    [
+        ("default", []),
+        ("conventional", ["overload", "synthesize"]),
+        ("unlike-materials", ["overload"]),
+        ("all-driving", []),
+        ("indirect", ["overload"]),
+    ],
+)
+def test_sections_that_do_not_apply_are_left_out(name, absent, afmcalc):
+    page = afmcalc("report", CONFIGS / f"{name}.toml").out
+    for key in ("torque", "accuracy", "adjust", "overload", "synthesize", "life"):
+        assert (f'<section id="{key}">' in page) == (key not in absent)
+        assert (f'href="#{key}"' in page) == (key not in absent)
+    bare = afmcalc("report", CONFIGS / f"{name}.toml", "--set", "fatigue=").out
+    assert '<section id="life">' not in bare
+    assert "None" not in page
+
+
+def test_same_spec_same_bytes(afmcalc, tmp_path):
+    target = tmp_path / "a.html"
+    assert afmcalc("report", CONFIGS / "default.toml", "-o", target).code == 0
+    run = subprocess.run(
+        [sys.executable, "-m", "afmcalc", "report", str(CONFIGS / "default.toml")],
+        capture_output=True, check=True, cwd=ROOT, env={**os.environ, "PYTHONHASHSEED": "5", "TZ": "Asia/Tokyo"},
+    )  # fmt: skip
+    assert run.stdout == target.read_bytes()
+
+
+def test_the_hash_is_of_the_spec(afmcalc):
+    shown = re.search(r'title="([0-9a-f]{64})"', afmcalc("report").out)[1]
+    assert shown == digest(subject())
+    assert shown != digest(subject("indirect"))
+
+
+def test_a_spec_named_script_stays_text(afmcalc, tmp_path):
+    spec = tmp_path / "evil.toml"
+    text = (CONFIGS / "default.toml").read_text(encoding="utf-8").replace("Base clutch", f"{EVIL}&lt;")
+    spec.write_text(text + f"\n# {EVIL} </pre> {{{{ 7*7 }}}}\n", encoding="utf-8")
+    page = afmcalc("report", spec, "--set", "control_unit.gain=0.6").out
+    assert "<script" not in page
+    assert "{{ 7*7 }}" in page
+    heading = parse(page).find(".//h1")
+    assert heading.text == f"{EVIL}&lt;"
+    assert afmcalc("report", "--set", f"name={EVIL}").out.count("<script") == 0
+
+
+def test_given_resolved_and_overridden(afmcalc):
+    page = afmcalc("report", "--set", "control_unit.gain=0.6").out
+    assert "gain = 0.5" in page
+    assert "<code>control_unit.gain=0.6</code>" in page
+    piped = afmcalc("report", "-", stdin=afmcalc("accuracy", "--sweep", "C", "--json").out).out
+    assert "accuracy_factor_peak" not in piped
+    assert "&#34;gain&#34;: 0.5" in piped
+
+
+def test_checks_have_utilisation_and_verdict(afmcalc):
+    tree = parse(afmcalc("report", "--set", "C=2", "--set", "control_unit.allowable_contact_force=100").out)
+    rows = tree.findall(".//section[@id='checks']//tr")[1:]
+    found = {"".join(row[1].itertext()): ("".join(row[0].itertext()), float(row[6].text)) for row in rows}
+    assert found["feedback gain"] == ("warning", 1.6)
+    verdict, used = found["contact force on one ball"]
+    assert verdict == "fail"
+    assert used > 1
+    assert "failed" in "".join(tree.find(".//dl").itertext())
+
+
+def test_explained_steps():
+    page = render(subject(steps={"torque": [STEP]}))
+    tree = parse(page)
+    assert len(tree.findall(".//section[@id='torque']//{http://www.w3.org/1998/Math/MathML}math")) == 3
+    assert "printed without C (M1)" in page
+
+
+@pytest.mark.parametrize(
+    "bad",
+    [
+        "",
+        "<math><script>1</script></math>",
+        '<math><mi href="x">a</mi></math>',
+        '<math onclick="1"/>',
+        "<svg/>",
+        "<math>",
+    ],
+)
+def test_only_mathml_is_taken_as_markup(bad):
+    with pytest.raises(ValueError, match="MathML"):
+        mathml(bad)
+
+
+def test_pdf_refusals(afmcalc, monkeypatch, tmp_path):
+    assert "-o report.html" in afmcalc("report", "--pdf").err
+    assert "x.html --pdf" in afmcalc("report", "--pdf", "-o", "x.pdf").err
+    monkeypatch.setenv("PATH", str(tmp_path))
+    run = afmcalc("report", "--pdf", "-o", tmp_path / "x.html")
+    assert run.code == 2
+    assert "no headless browser found" in run.err
+    assert not (tmp_path / "x.html").exists()
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "x")
+    assert afmcalc("report").code == 2
+
+
+browser = pytest.mark.skipif(chromium.PATH is None, reason=chromium.REASON)
+
+
+@pytest.fixture(scope="module")
+def page(tmp_path_factory):
+    with chromium.opened() as opened:
+        yield opened
+
+
+@browser
+@pytest.mark.parametrize("name", VARIANTS)
+def test_in_a_browser(name, page, tmp_path):
+    file = tmp_path / "report.html"
+    file.write_text(render(subject(name, steps={"torque": [STEP]})), encoding="utf-8")
+    page.requests.clear()
+    page.open(file)
+    for scheme in ("light", "dark"):
+        page.scheme(scheme)
+        for width in (375, 1280):
+            page.resize(width)
+            assert page.evaluate("document.documentElement.scrollWidth") <= width
+    assert page.evaluate("getComputedStyle(document.documentElement).backgroundColor") == "rgb(21, 23, 26)"
+    laid_out = "(e => e.getBoundingClientRect().height)(document.querySelector('{}'))"
+    assert page.evaluate(laid_out.format("mfrac")) > 1.4 * page.evaluate(laid_out.format("mfrac mn"))
+    assert page.problems == []
+    assert page.requests == [file.as_uri()]
+
+
+@browser
+@pytest.mark.parametrize("name", VARIANTS)
+def test_on_paper(name, page, tmp_path):
+    """A4 less its margins is 658 px wide: no table is wider, no figure higher than a page."""
+    file = tmp_path / "report.html"
+    file.write_text(render(subject(name)), encoding="utf-8")
+    page.scheme("light")
+    page.resize(658)
+    page.open(file)
+    page.call("Emulation.setEmulatedMedia", media="print")
+    try:
+        assert page.evaluate("[...document.querySelectorAll('table, pre, svg')].every(e => e.scrollWidth <= 658)")
+        assert page.evaluate("Math.max(...[...document.querySelectorAll('figure')].map(e => e.offsetHeight))") < 986
+    finally:
+        page.call("Emulation.setEmulatedMedia", media="")
+    printed = page.pdf()
+    assert printed.startswith(b"%PDF")
+    assert len(re.findall(rb"/Type\s*/Page\b", printed)) >= 5
+
+
+@browser
+def test_pdf_beside_the_report(afmcalc, tmp_path):
+    assert afmcalc("report", "-o", tmp_path / "r.html", "--pdf").code == 0
+    assert (tmp_path / "r.pdf").read_bytes().startswith(b"%PDF")
