@@ -21,6 +21,7 @@ RESULTS = {
     "synthesize": ("synthesize", "SynthesisResult"),
     "life": ("life", "LifeResult"),
     "compare": ("compare", "CompareResult"),
+    "solve": ("solve", "SolveResult"),
     "materials": ("materials", "MaterialsResult"),
     "check": ("check", "CheckResult"),
 }

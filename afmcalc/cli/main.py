@@ -15,6 +15,7 @@ COMMANDS = {
     "synthesize": "clutch",
     "life": "clutch",
     "compare": "clutch",
+    "solve": "design",
     "materials": "specs",
     "init": "specs",
     "check": "specs",
