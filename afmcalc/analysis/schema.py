@@ -22,6 +22,7 @@ RESULTS = {
     "life": ("life", "LifeResult"),
     "compare": ("compare", "CompareResult"),
     "solve": ("solve", "SolveResult"),
+    "tolerance": ("tolerance", "ToleranceResult"),
     "materials": ("materials", "MaterialsResult"),
     "check": ("check", "CheckResult"),
 }

@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from .session import Common, SpecArgument, build_from, emit, guarded, naming, with_common
+from .session import Common, SpecArgument, build_from, calculate, emit, guarded, naming, with_common
 
 
 @with_common
@@ -40,3 +40,26 @@ def solve(
     with naming(spec):
         result, solved, findings = guarded(lambda: analysis(clutch, parameter, name, wanted, beyond_limit=beyond_limit))
     emit("solve", result, findings, common, resolved(solved.spec))
+
+
+@with_common
+def tolerance(
+    spec: SpecArgument = None,
+    threads: Annotated[
+        int | None, typer.Option("--threads", min=1, help="How many threads; the digits stay the same.  [default: all]")
+    ] = None,
+    *,
+    common: Common,
+) -> None:
+    """Torque over tolerances and scatter: quantiles, risks, life, Sobol indices.
+
+    What scatters stands in the [tolerance] block of the spec; configs/tolerance.toml is an example.
+
+    \b
+    afmcalc tolerance clutch.toml
+    afmcalc tolerance clutch.toml --set tolerance.samples=10_000_000 --json
+    afmcalc tolerance clutch.toml --set tolerance.method=quasi-monte-carlo
+    """  # noqa: D301
+    from ..analysis.tolerance import tolerance as analysis
+
+    calculate("tolerance", spec, common, lambda clutch: analysis(clutch, threads=threads))

@@ -16,6 +16,7 @@ COMMANDS = {
     "life": "clutch",
     "compare": "clutch",
     "solve": "design",
+    "tolerance": "design",
     "materials": "specs",
     "init": "specs",
     "check": "specs",
