@@ -21,6 +21,8 @@ RESULTS = {
     "synthesize": ("synthesize", "SynthesisResult"),
     "life": ("life", "LifeResult"),
     "compare": ("compare", "CompareResult"),
+    "solve": ("solve", "SolveResult"),
+    "tolerance": ("tolerance", "ToleranceResult"),
     "materials": ("materials", "MaterialsResult"),
     "explain": ("explain", "ExplainResult"),
     "equations": ("register", "EquationsResult"),

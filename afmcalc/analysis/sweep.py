@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-_ALTERNATIVES = {
+ALTERNATIVES = {
     "control_unit.gain": ("control_unit.wall_angle",),
     "control_unit.wall_angle": ("control_unit.gain",),
     "friction_group.mean_radius": (
@@ -172,10 +172,10 @@ def current_value(spec: Spec, path: str) -> Any:
         return getattr(block.range, path.rpartition(".")[2])
     if path == "friction_group.mean_radius":
         return build(spec).mean_radius
-    return _value(spec, path)
+    return value_at(spec, path)
 
 
-def _value(spec: Spec, path: str) -> Any:
+def value_at(spec: Spec, path: str) -> Any:
     """Return the value at ``path`` as given; None when absent."""
     value: Any = spec
     for part in path.split("."):
@@ -210,18 +210,18 @@ def clutch_over(spec: Spec, values: Mapping[str, Any]) -> Clutch:
             raise AfmcalcError(f"--sweep {path}: {wrong:g} is not a whole number")
     data = spec.model_dump(exclude_none=True)
     for path in arrays:
-        for other in _ALTERNATIVES.get(path, ()):
+        for other in ALTERNATIVES.get(path, ()):
             if other not in arrays:
                 if other == "friction.material" and spec.friction.material is not None:
                     low, _, high = spec.friction.range
                     data["friction"] = {"min": low, "max": high}
-                _put(data, other, None)
+                put(data, other, None)
     valid = None
     for extreme in _corners(arrays):
         valid = _validated(data, extreme)
     assert valid is not None
     for path, array in arrays.items():
-        valid = _with_value(valid, path.split("."), array)
+        valid = with_value(valid, path.split("."), array)
     return build(valid)
 
 
@@ -230,8 +230,8 @@ def replaced(spec: Spec, axes: Sequence[Axis]) -> list[Finding]:
     swept = {axis.key.path for axis in axes}
     found = []
     for path in sorted(swept):
-        for other in _ALTERNATIVES.get(path, ()):
-            if other not in swept and _value(spec, other) is not None:
+        for other in ALTERNATIVES.get(path, ()):
+            if other not in swept and value_at(spec, other) is not None:
                 message = f"{other} of the spec gives way to the swept {path}"
                 found.append(Finding(level="info", code="sweep-replaces", message=message, path=other))
     return found
@@ -251,7 +251,7 @@ def _validated(data: Mapping[str, Any], extreme: Mapping[str, float]) -> Spec:
 
     trial = copy.deepcopy(dict(data))
     for path, value in extreme.items():
-        _put(trial, path, int(value) if is_whole(path) else value)
+        put(trial, path, int(value) if is_whole(path) else value)
     try:
         return make_spec(trial, "sweep")
     except SpecError as error:
@@ -259,7 +259,7 @@ def _validated(data: Mapping[str, Any], extreme: Mapping[str, float]) -> Spec:
         raise SpecError(f"sweep at {where}", error.problems) from None
 
 
-def _put(data: dict[str, Any], path: str, value: Any) -> None:
+def put(data: dict[str, Any], path: str, value: Any) -> None:
     """Set a nested value; None removes it."""
     *blocks, name = path.split(".")
     for block in blocks:
@@ -270,10 +270,10 @@ def _put(data: dict[str, Any], path: str, value: Any) -> None:
         data[name] = value
 
 
-def _with_value(model: Any, path: Sequence[str], value: Any) -> Any:
+def with_value(model: Any, path: Sequence[str], value: Any) -> Any:
     """Copy a spec with an unvalidated value (an array) at ``path``."""
     name, *rest = path
-    return model.model_copy(update={name: _with_value(getattr(model, name), rest, value) if rest else value})
+    return model.model_copy(update={name: with_value(getattr(model, name), rest, value) if rest else value})
 
 
 def grid(axes: Sequence[Axis]) -> list[Any]:

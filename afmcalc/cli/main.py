@@ -15,6 +15,8 @@ COMMANDS = {
     "synthesize": "clutch",
     "life": "clutch",
     "compare": "clutch",
+    "solve": "design",
+    "tolerance": "design",
     "explain": "papers",
     "equations": "papers",
     "reproduce": "papers",

@@ -1,6 +1,6 @@
 """What a clutch is: the pydantic models of a spec (contract, Spec). SI inside."""
 
-from typing import Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import BaseModel, ConfigDict, Field, ModelWrapValidatorHandler, ValidationError, model_validator
 
@@ -36,23 +36,25 @@ class Range(NamedTuple):
     max: Any
 
 
-def _key(description: str, symbol: str | None = None, default: Any = None) -> Any:
+def key_field(description: str, symbol: str | None = None, default: Any = None) -> Any:
     """A spec key: its default, what it is and the papers' symbol."""
     return Field(default=default, description=description, json_schema_extra={"symbol": symbol} if symbol else None)
 
 
-class _Block(BaseModel):
+class Block(BaseModel):
+    """Base of every table of a spec."""
+
     # only Spec is ever built on its own: building each block too would double the start-up time
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True)
 
 
-class FrictionRange(_Block):
+class FrictionRange(Block):
     """Friction of one group of pairs: a range, or a material of the catalogue."""
 
-    min: Coefficient | None = _key("smallest coefficient of friction", "f_min")
-    mean: Coefficient | None = _key("mean coefficient of friction; default (min + max)/2", "f_cp")
-    max: Coefficient | None = _key("largest coefficient of friction", "f_max")
-    material: str | None = _key("name of a friction material of the catalogue")
+    min: Coefficient | None = key_field("smallest coefficient of friction", "f_min")
+    mean: Coefficient | None = key_field("mean coefficient of friction; default (min + max)/2", "f_cp")
+    max: Coefficient | None = key_field("largest coefficient of friction", "f_max")
+    material: str | None = key_field("name of a friction material of the catalogue")
 
     @model_validator(mode="after")
     def _check_range(self) -> "FrictionRange":
@@ -84,8 +86,8 @@ class FrictionRange(_Block):
 class Friction(FrictionRange):
     """Friction of all pairs, or of the driving and the driven group apart (differentiated only)."""
 
-    driving: FrictionRange | None = _key("friction of the driving (bypass) pairs", "f_1")
-    driven: FrictionRange | None = _key("friction of the driven (controlled) pairs", "f_2")
+    driving: FrictionRange | None = key_field("friction of the driving (bypass) pairs", "f_1")
+    driven: FrictionRange | None = key_field("friction of the driven (controlled) pairs", "f_2")
 
     @property
     def groups(self) -> tuple[Range, Range]:
@@ -100,15 +102,17 @@ class Friction(FrictionRange):
         return self.driving is not None
 
 
-class FrictionGroup(_Block):
+class FrictionGroup(Block):
     """The pack of friction discs."""
 
     pairs: Count = Field(description="number of friction pairs, all groups", json_schema_extra={"symbol": "z"})
-    driving_pairs: Count | None = _key("pairs that bypass the control unit; default 1 (differentiated only)", "z_1")
-    mean_radius: Length | None = _key("mean friction radius", "R_cp")
-    inner_radius: Length | None = _key("inner radius of the friction surface", "r_i")
-    outer_radius: Length | None = _key("outer radius of the friction surface", "r_o")
-    radius_model: RadiusModel | None = _key("how the mean radius follows from the two; default uniform-wear")
+    driving_pairs: Count | None = key_field(
+        "pairs that bypass the control unit; default 1 (differentiated only)", "z_1"
+    )
+    mean_radius: Length | None = key_field("mean friction radius", "R_cp")
+    inner_radius: Length | None = key_field("inner radius of the friction surface", "r_i")
+    outer_radius: Length | None = key_field("outer radius of the friction surface", "r_o")
+    radius_model: RadiusModel | None = key_field("how the mean radius follows from the two; default uniform-wear")
 
     @model_validator(mode="after")
     def _check_radii(self) -> "FrictionGroup":
@@ -118,14 +122,14 @@ class FrictionGroup(_Block):
         return self
 
 
-class ClosingSpring(_Block):
+class ClosingSpring(Block):
     """The spring that presses the pack (13 in S21)."""
 
-    force: Force | None = _key("closing-spring force as set", "F_п")
-    stiffness: Stiffness | None = _key("stiffness of the closing spring (indirect only)", "c_1")
+    force: Force | None = key_field("closing-spring force as set", "F_п")
+    stiffness: Stiffness | None = key_field("stiffness of the closing spring (indirect only)", "c_1")
 
 
-class ControlSpring(_Block):
+class ControlSpring(Block):
     """The spring that holds the thrust sleeve at its stop (11 in S21)."""
 
     stiffness: StiffnessOrNone = Field(
@@ -133,7 +137,7 @@ class ControlSpring(_Block):
     )
 
 
-class Contact(_Block):
+class Contact(Block):
     """Elastic data of ball and pocket wall, for a Hertz check where no allowable force is given."""
 
     ball_modulus: Stress = Field(description="Young's modulus of the ball", json_schema_extra={"symbol": "E_1"})
@@ -147,37 +151,39 @@ class Contact(_Block):
     )
 
 
-class ControlUnit(_Block):
+class ControlUnit(Block):
     """Balls in pockets with inclined walls."""
 
-    gain: Ratio | None = _key("feedback gain", "C")
-    ball_circle_radius: Length | None = _key("radius of the ball circle", "r")
-    wall_angle: WallAngle | None = _key("wall angle of the pockets, from the axis", "α")
-    balls: Count | None = _key("number of balls", "n")
-    hub_diameter: Length | None = _key("hub diameter at the key (indirect only)", "d")
-    key_friction: Ratio | None = _key("friction coefficient at the key (indirect only)", "f_1")
-    face_gap: Gap | None = _key("gap between the faces of the pockets", "s")
-    edge_clearance: Gap | None = _key("clearance of the contact from the pocket's edge", "y")
-    allowable_contact_force: Force | None = _key("allowable normal force on one ball", "[F_n]")
-    ball_diameter: Length | None = _key("ball chosen; synthesize takes it instead of the next standard one", "2 r_ш")
+    gain: Ratio | None = key_field("feedback gain", "C")
+    ball_circle_radius: Length | None = key_field("radius of the ball circle", "r")
+    wall_angle: WallAngle | None = key_field("wall angle of the pockets, from the axis", "α")
+    balls: Count | None = key_field("number of balls", "n")
+    hub_diameter: Length | None = key_field("hub diameter at the key (indirect only)", "d")
+    key_friction: Ratio | None = key_field("friction coefficient at the key (indirect only)", "f_1")
+    face_gap: Gap | None = key_field("gap between the faces of the pockets", "s")
+    edge_clearance: Gap | None = key_field("clearance of the contact from the pocket's edge", "y")
+    allowable_contact_force: Force | None = key_field("allowable normal force on one ball", "[F_n]")
+    ball_diameter: Length | None = key_field(
+        "ball chosen; synthesize takes it instead of the next standard one", "2 r_ш"
+    )
     contact: Contact | None = None
 
 
-class Adjustment(_Block):
+class Adjustment(Block):
     """How the spring is set."""
 
-    method: Method = _key("friction at which the nominal torque is set", default="min-friction")
-    margin: AtLeastOne = _key("torque margin", "β_н", default=1.0)
-    nominal_torque: Torque | None = _key("nominal torque; gives the spring force when that is absent", "T_н")
+    method: Method = key_field("friction at which the nominal torque is set", default="min-friction")
+    margin: AtLeastOne = key_field("torque margin", "β_н", default=1.0)
+    nominal_torque: Torque | None = key_field("nominal torque; gives the spring force when that is absent", "T_н")
 
 
-class Drive(_Block):
+class Drive(Block):
     """The drive around the clutch."""
 
-    dynamic_factor: Coefficient = _key("dynamic factor of the unprotected side", "k_д", default=1.0)
+    dynamic_factor: Coefficient = key_field("dynamic factor of the unprotected side", "k_д", default=1.0)
 
 
-class Fatigue(_Block):
+class Fatigue(Block):
     """The part whose life is asked for."""
 
     endurance_limit: Stress = Field(description="endurance limit in shear", json_schema_extra={"symbol": "τ_limb"})
@@ -185,15 +191,46 @@ class Fatigue(_Block):
         description="polar section modulus", json_schema_extra={"symbol": "W_p"}
     )
     exponent: Coefficient = Field(description="exponent of the S-N line", json_schema_extra={"symbol": "m_τ"})
-    mean_stress_sensitivity: Ratio | None = _key("sensitivity to the mean stress (model amplitude)", "ψ_τ")
-    ultimate_strength: Stress | None = _key("ultimate strength in shear (model goodman)", "τ_u")
+    mean_stress_sensitivity: Ratio | None = key_field("sensitivity to the mean stress (model amplitude)", "ψ_τ")
+    ultimate_strength: Stress | None = key_field("ultimate strength in shear (model goodman)", "τ_u")
     base_cycles: Coefficient = Field(description="base cycles of the S-N line", json_schema_extra={"symbol": "N_0"})
 
 
-class Spec(_Block):
+class Deferred:
+    """A table whose model is imported only where a spec has it: few specs do, and the start-up is everybody's."""
+
+    def __init__(self, module: str, name: str) -> None:
+        """Note the module of this package and the class."""
+        self.module, self.name = module, name
+
+    def model(self) -> type[BaseModel]:
+        """The model of the table."""
+        from importlib import import_module
+
+        found: type[BaseModel] = getattr(import_module(f".{self.module}", __package__), self.name)
+        return found
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
+        """Validate by the model, once there is something to validate."""
+        from pydantic_core import core_schema
+
+        def read(value: Any) -> Any:
+            model = self.model()
+            return value if value is None or isinstance(value, model) else model.model_validate(value)
+
+        return core_schema.no_info_plain_validator_function(read)
+
+    def __get_pydantic_json_schema__(self, core: Any, handler: Any) -> Any:
+        """Describe the table as its model does."""
+        model = self.model()
+        model.model_rebuild()
+        return handler(model.__pydantic_core_schema__)
+
+
+class Spec(Block):
     """A clutch, as a spec file describes it."""
 
-    name: Name | None = _key("what the clutch is called")
+    name: Name | None = key_field("what the clutch is called")
     variant: Variant = Field(description="how the clutch regulates")
     friction: Friction
     friction_group: FrictionGroup
@@ -203,6 +240,7 @@ class Spec(_Block):
     adjustment: Adjustment = Adjustment()
     drive: Drive = Drive()
     fatigue: Fatigue | None = None
+    tolerance: Annotated[Any, Deferred("tolerance", "Tolerance")] = None
 
     @model_validator(mode="wrap")
     @classmethod

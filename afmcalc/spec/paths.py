@@ -1,12 +1,13 @@
 """The keys of a spec, read off the models: paths, units, symbols."""
 
 from functools import cache
-from typing import Any, NamedTuple, get_args
+from typing import Any, NamedTuple, get_args, get_origin
 
 from pydantic import BaseModel
+from pydantic.fields import FieldInfo
 
 from .fields import unit_of
-from .models import Spec
+from .models import Deferred, Spec
 
 
 class Key(NamedTuple):
@@ -42,11 +43,34 @@ ALIASES = {
 
 
 def _block(annotation: Any) -> type[BaseModel] | None:
-    """Return the model class in ``Model`` or ``Model | None``."""
+    """Return the model class in ``Model`` or ``Model | None``; a dictionary of models is none."""
+    if get_origin(annotation) is dict:
+        return None
     for candidate in (annotation, *get_args(annotation)):
         if isinstance(candidate, type) and issubclass(candidate, BaseModel):
             return candidate
     return None
+
+
+def _block_of(field: FieldInfo) -> type[BaseModel] | None:
+    """Return the model of a field that is a table."""
+    for item in field.metadata:
+        if isinstance(item, Deferred):
+            return item.model()
+    return _block(field.annotation)
+
+
+def field_metadata(path: str) -> list[Any]:
+    """Everything noted in the annotation of the key at a dotted path."""
+    *blocks, name = path.split(".")
+    model: type[BaseModel] = Spec
+    for block in blocks:
+        found = _block_of(model.model_fields[block])
+        assert found is not None
+        model = found
+    field = model.model_fields[name]
+    nested = [item for part in get_args(field.annotation) for item in getattr(part, "__metadata__", ())]
+    return [*field.metadata, *nested]
 
 
 def _unit(annotation: Any, metadata: list[Any]) -> str | None:
@@ -64,7 +88,7 @@ def keys(model: type[BaseModel] = Spec, prefix: str = "") -> dict[str, Key]:
     found: dict[str, Key] = {}
     for name, field in model.model_fields.items():
         path = prefix + name
-        if block := _block(field.annotation):
+        if block := _block_of(field):
             found |= keys(block, path + ".")
             continue
         extra = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}
@@ -79,7 +103,7 @@ def names_in(path: tuple[str, ...]) -> list[str]:
     model: type[BaseModel] = Spec
     for name in path:
         field = model.model_fields.get(name)
-        block = _block(field.annotation) if field else None
+        block = _block_of(field) if field else None
         if block is None:
             return []
         model = block

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from strategies import FRICTION, direct_specs
 
 import afmcalc
-from afmcalc.analysis.sweep import _with_value
+from afmcalc.analysis.sweep import with_value
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, resolved
 
@@ -78,7 +78,7 @@ def test_sensitivities_are_the_derivatives_of_the_accuracy(spec):
             value = spec
             for part in path.split("."):
                 value = getattr(value, part)
-            factors.append(float(build(_with_value(spec, path.split("."), value * (1 + sign * step))).accuracy_factor))
+            factors.append(float(build(with_value(spec, path.split("."), value * (1 + sign * step))).accuracy_factor))
         numeric = (np.log(factors[1]) - np.log(factors[0])) / (2 * step)
         assert elasticity == pytest.approx(numeric, abs=2e-5), path
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from strategies import FRICTION, indirect_specs
 
 import afmcalc
-from afmcalc.analysis.sweep import _with_value
+from afmcalc.analysis.sweep import with_value
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, read_spec, resolved
@@ -156,7 +156,7 @@ def test_sensitivities_are_the_derivatives_of_the_accuracy(spec):
             assert elasticity == 0
             continue
         factors = [
-            float(build(_with_value(spec, path.split("."), value * (1 + sign * step))).accuracy_factor)
+            float(build(with_value(spec, path.split("."), value * (1 + sign * step))).accuracy_factor)
             for sign in (-1, 1)
         ]
         numeric = (np.log(factors[1]) - np.log(factors[0])) / (2 * step)
@@ -171,7 +171,7 @@ def test_a_mean_that_is_not_given_moves_with_the_range(method):
     for end in ("min", "max"):
         value = getattr(base.friction, end)
         factors = [
-            build(_with_value(base, ["friction", end], value * (1 + sign * step))).accuracy_factor for sign in (-1, 1)
+            build(with_value(base, ["friction", end], value * (1 + sign * step))).accuracy_factor for sign in (-1, 1)
         ]
         numeric = (np.log(factors[1]) - np.log(factors[0])) / (2 * step)
         assert sensitivity[f"friction.{end}"] == pytest.approx(numeric, abs=1e-6)

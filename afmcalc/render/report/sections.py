@@ -39,7 +39,7 @@ def _adjust(subject: Subject) -> Section:
         "adjust",
         "Both settings of the spring",
         "The same nominal torque, reached at the smallest friction or, with the margin, at the mean friction.",
-        [methods, *blocks(Document(own, [], []))],
+        [methods, *blocks(Document(own, [], [], []))],
         sources=["S19"],
     )
 

@@ -1,0 +1,341 @@
+"""The way back: from a wanted accuracy or torque to gain, pairs, radius, stiffness (inverses of the laws)."""
+
+from ._types import Number
+
+
+def gain_for_accuracy_factor(
+    bypass_pairs: Number,
+    controlled_pairs: Number,
+    accuracy_factor: Number,
+    friction_driving_min: Number,
+    friction_driven_min: Number,
+    friction_driving_max: Number,
+    friction_driven_max: Number,
+) -> Number:
+    """Gain for a wanted K_т, C = (A − K_т)/[z_2 (K_т f_2max − A f_2min)] with A = K_т at C = 0.
+
+    Source: F11 (14) solved for C.
+
+    Args:
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        accuracy_factor: K_т wanted [1].
+        friction_driving_min: f_1min, smallest friction of the bypass pairs [1].
+        friction_driven_min: f_2min, smallest friction of the controlled pairs [1].
+        friction_driving_max: f_1max, largest friction of the bypass pairs [1].
+        friction_driven_max: f_2max, largest friction of the controlled pairs [1].
+
+    Returns:
+        C [1].
+
+    Validity:
+        A f_2min/f_2max < K_т ≤ A. The gain limit of the variant is a condition of its own.
+
+    >>> gain_for_accuracy_factor(0, 8, 2.0, 0.125, 0.125, 0.5, 0.5)
+    0.5
+    """
+    ordinary = (bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max) / (
+        bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min
+    )
+    return (ordinary - accuracy_factor) / (
+        controlled_pairs * (accuracy_factor * friction_driven_max - ordinary * friction_driven_min)
+    )
+
+
+def gain_for_torque(
+    torque: Number,
+    closing_force: Number,
+    mean_radius: Number,
+    bypass_pairs: Number,
+    controlled_pairs: Number,
+    friction_driving: Number,
+    friction_driven: Number,
+) -> Number:
+    """Gain for a wanted torque at one friction, C = [F_п R (z_1 f_1 + z_2 f_2)/T − 1]/(z_2 f_2).
+
+    Source: F11 (12) solved for C.
+
+    Args:
+        torque: T wanted [N*m].
+        closing_force: F_п, closing-spring force as set [N].
+        mean_radius: R_cp, mean friction radius [m].
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        friction_driving: f_1, friction of the bypass pairs [1].
+        friction_driven: f_2, friction of the controlled pairs [1].
+
+    Returns:
+        C [1].
+
+    Validity:
+        T not above that of the ordinary clutch (C = 0); z_2 ≥ 1.
+    """
+    carried = bypass_pairs * friction_driving + controlled_pairs * friction_driven
+    return (closing_force * mean_radius * carried / torque - 1) / (controlled_pairs * friction_driven)
+
+
+def controlled_pairs_for_accuracy_factor(
+    gain: Number, accuracy_factor: Number, friction_min: Number, friction_max: Number
+) -> Number:
+    """Controlled pairs for a wanted K_т, z_2 = (f_max/f_min − K_т)/[C f_max (K_т − 1)].
+
+    Source: S22 (18), F11 (14) with one material, solved for z_2.
+
+    Args:
+        gain: C, feedback gain [1].
+        accuracy_factor: K_т wanted [1].
+        friction_min: f_min [1].
+        friction_max: f_max [1].
+
+    Returns:
+        z_2 [1], not rounded to a whole number.
+
+    Validity:
+        One material; C > 0; 1 < K_т ≤ f_max/f_min.
+    """
+    return (friction_max / friction_min - accuracy_factor) / (gain * friction_max * (accuracy_factor - 1))
+
+
+def controlled_pairs_for_torque(
+    torque: Number,
+    closing_force: Number,
+    mean_radius: Number,
+    bypass_pairs: Number,
+    gain: Number,
+    friction_driving: Number,
+    friction_driven: Number,
+) -> Number:
+    """Controlled pairs for a wanted torque, z_2 = (T − F_п R z_1 f_1)/[f_2 (F_п R − C T)].
+
+    Source: F11 (12) solved for z_2.
+
+    Args:
+        torque: T wanted [N*m].
+        closing_force: F_п, closing-spring force as set [N].
+        mean_radius: R_cp, mean friction radius [m].
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        gain: C, feedback gain [1].
+        friction_driving: f_1, friction of the bypass pairs [1].
+        friction_driven: f_2, friction of the controlled pairs [1].
+
+    Returns:
+        z_2 [1], not rounded to a whole number.
+
+    Validity:
+        C T < F_п R: with ever more pairs the torque tends to F_п R/C and no further.
+    """
+    arm = closing_force * mean_radius
+    return (torque - arm * bypass_pairs * friction_driving) / (friction_driven * (arm - gain * torque))
+
+
+def mean_radius_for_torque(
+    torque: Number,
+    closing_force: Number,
+    bypass_pairs: Number,
+    controlled_pairs: Number,
+    gain: Number,
+    friction_driving: Number,
+    friction_driven: Number,
+) -> Number:
+    """Mean radius for a wanted torque at fixed gain, R = T (1 + C z_2 f_2)/[F_п (z_1 f_1 + z_2 f_2)].
+
+    Source: F11 (12) solved for R.
+
+    Args:
+        torque: T wanted [N*m].
+        closing_force: F_п, closing-spring force as set [N].
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        gain: C, feedback gain, kept [1].
+        friction_driving: f_1, friction of the bypass pairs [1].
+        friction_driven: f_2, friction of the controlled pairs [1].
+
+    Returns:
+        R_cp [m].
+
+    Validity:
+        C given as such, not by a wall angle (C would follow R).
+    """
+    return (
+        torque
+        * (1 + gain * controlled_pairs * friction_driven)
+        / (closing_force * (bypass_pairs * friction_driving + controlled_pairs * friction_driven))
+    )
+
+
+def best_accuracy_factor_differentiated(
+    bypass_pairs: Number,
+    controlled_pairs: Number,
+    friction_driving_min: Number,
+    friction_driven_min: Number,
+    friction_driving_max: Number,
+) -> Number:
+    """Best K_т up to the gain limit 1/(z_1 f_1max), (z_1 f_1max + z_2 f_2min)/(z_1 f_1min + z_2 f_2min).
+
+    Source: F11 (14) at C = 1/(z_1 f_1max); with one material (m z_1 + z_2)/z, m = f_max/f_min. It does not
+        depend on f_2max, as the slope in n vanishes at the limit (M2).
+
+    Args:
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        friction_driving_min: f_1min, smallest friction of the bypass pairs [1].
+        friction_driven_min: f_2min, smallest friction of the controlled pairs [1].
+        friction_driving_max: f_1max, largest friction of the bypass pairs [1].
+
+    Returns:
+        K_т at the limit [1].
+
+    Validity:
+        z_1 ≥ 1, and K_т ≥ 1 on the way there (f_1 and f_2 rise together).
+
+    >>> best_accuracy_factor_differentiated(1, 7, 0.125, 0.125, 0.75)
+    1.625
+    """
+    return (bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_min) / (
+        bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min
+    )
+
+
+def best_accuracy_factor_all_driving(friction_min: Number, friction_max: Number, reduced_gain_limit: Number) -> Number:
+    """Best K_т of the all-driving clutch at its largest zC, m (1 + zC f_min)/(1 + zC f_max).
+
+    Source: S22 (18) at zC = 5; m = f_max/f_min.
+
+    Args:
+        friction_min: f_min [1].
+        friction_max: f_max [1].
+        reduced_gain_limit: largest zC, 5 by S22 [1].
+
+    Returns:
+        K_т at the limit [1].
+
+    Validity:
+        z_1 = 0; the limit is a recommendation.
+    """
+    return friction_max * (1 + reduced_gain_limit * friction_min) / (
+        friction_min * (1 + reduced_gain_limit * friction_max)
+    )  # fmt: skip
+
+
+def best_accuracy_factor_indirect(friction_min: Number, friction_set: Number) -> Number:
+    """Limit of K_т of the indirect clutch as C grows, f_set/f_min.
+
+    Source: S21 (15) mended (M9), κ → ∞; below f_set the sleeve is at its stop (theory, section 5).
+
+    Args:
+        friction_min: f_min [1].
+        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
+
+    Returns:
+        The limit of K_т [1]: 1 when set at f_min. No finite gain reaches it.
+
+    Validity:
+        c_1 > 0.
+    """
+    return friction_set / friction_min
+
+
+def net_gain_for_accuracy_factor(
+    friction_min: Number,
+    friction_set: Number,
+    friction_max: Number,
+    closing_stiffness: Number,
+    control_stiffness: Number,
+    pairs: Number,
+    accuracy_factor: Number,
+) -> Number:
+    """Net gain of the indirect clutch for a wanted K_т.
+
+    κ = (c_1 + c_2)(f_max − K_т f_min)/[z c_1 f_max (K_т f_min − f_set)]; C is κ + 2 R f_1/d.
+
+    Source: S21 (15) mended (M9), solved for κ.
+
+    Args:
+        friction_min: f_min [1].
+        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
+        friction_max: f_max [1].
+        closing_stiffness: c_1, stiffness of the closing spring [N/m].
+        control_stiffness: c_2, stiffness of the control spring [N/m].
+        pairs: z, friction pairs [1].
+        accuracy_factor: K_т wanted [1].
+
+    Returns:
+        κ [1].
+
+    Validity:
+        f_set/f_min < K_т ≤ f_max/f_min.
+    """
+    return (
+        (closing_stiffness + control_stiffness)
+        * (friction_max - accuracy_factor * friction_min)
+        / (pairs * closing_stiffness * friction_max * (accuracy_factor * friction_min - friction_set))
+    )
+
+
+def pairs_for_accuracy_factor_indirect(
+    friction_min: Number,
+    friction_set: Number,
+    friction_max: Number,
+    closing_stiffness: Number,
+    control_stiffness: Number,
+    net_gain: Number,
+    accuracy_factor: Number,
+) -> Number:
+    """Pairs of the indirect clutch for a wanted K_т.
+
+    z = (c_1 + c_2)(f_max − K_т f_min)/[κ c_1 f_max (K_т f_min − f_set)].
+
+    Source: S21 (15) mended (M9), solved for z.
+
+    Args:
+        friction_min: f_min [1].
+        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
+        friction_max: f_max [1].
+        closing_stiffness: c_1, stiffness of the closing spring [N/m].
+        control_stiffness: c_2, stiffness of the control spring [N/m].
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+        accuracy_factor: K_т wanted [1].
+
+    Returns:
+        z [1], not rounded to a whole number.
+
+    Validity:
+        κ > 0; f_set/f_min < K_т ≤ f_max/f_min.
+    """
+    return net_gain_for_accuracy_factor(
+        friction_min, friction_set, friction_max, closing_stiffness, control_stiffness, net_gain, accuracy_factor
+    )  # fmt: skip
+
+
+def stiffness_ratio_for_accuracy_factor(
+    friction_min: Number,
+    friction_set: Number,
+    friction_max: Number,
+    pairs: Number,
+    net_gain: Number,
+    accuracy_factor: Number,
+) -> Number:
+    """Stiffness ratio of the indirect clutch for a wanted K_т, by which either spring follows from the other.
+
+    c_2/c_1 = [K_т f_min (1 + z f_max κ) − f_max (1 + z f_set κ)]/(f_max − K_т f_min).
+
+    Source: S21 (15) mended (M9), solved for c_2/c_1: K_т depends on the ratio only.
+
+    Args:
+        friction_min: f_min [1].
+        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
+        friction_max: f_max [1].
+        pairs: z, friction pairs [1].
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+        accuracy_factor: K_т wanted [1].
+
+    Returns:
+        c_2/c_1 [1].
+
+    Validity:
+        κ > 0; K_т between its value at c_2 = 0 and f_max/f_min.
+    """
+    return (
+        accuracy_factor * friction_min * (1 + pairs * friction_max * net_gain)
+        - friction_max * (1 + pairs * friction_set * net_gain)
+    ) / (friction_max - accuracy_factor * friction_min)

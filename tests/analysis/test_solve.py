@@ -1,0 +1,141 @@
+"""solve: what it finds gives what was wanted; what it refuses has no answer."""
+
+import pytest
+from conftest import CONFIGS
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from strategies import direct_specs, indirect_specs
+
+from afmcalc.analysis.solve import solve, solved_spec
+from afmcalc.analysis.targets import TARGETS
+from afmcalc.engines import build
+from afmcalc.errors import AfmcalcError, CalculationError
+from afmcalc.spec import read_spec
+
+TARGET_NAMES = ["accuracy_factor", "nominal_torque", "torque_max", "scatter"]
+
+
+@given(direct_specs(("differentiated", "unlike", "all-driving")), st.sampled_from(TARGET_NAMES), st.floats(0.05, 0.95))
+def test_gain_of_a_direct_clutch(spec, target, share):
+    clutch = build(spec)
+    goal = share * float(clutch.gain_limit)
+    wanted = float(TARGETS[target].value(build(solved_spec(spec, "control_unit.gain", goal))))
+    far = float(TARGETS[target].value(build(solved_spec(spec, "control_unit.gain", 0.0))))
+    assume(abs(far / wanted - 1) > 1e-3 if wanted > 1e-6 else False)
+    result, solved, _ = solve(clutch, "C", target, wanted)
+    assert result.reached == pytest.approx(wanted, rel=1e-6)
+    assert 0 <= result.value <= clutch.gain_limit * (1 + 1e-9)
+    assert float(TARGETS[target].value(solved)) == result.reached
+    if target == "nominal_torque":
+        assert result.method == "closed-form"
+        assert result.value == pytest.approx(goal, rel=1e-6, abs=1e-9)
+
+
+@given(indirect_specs(("min-friction",)), st.sampled_from(["C", "z", "c1", "c2"]))
+def test_an_indirect_clutch_gives_its_own_parameter_back(spec, name):
+    clutch = build(spec)
+    assume(clutch.control_stiffness > 100)
+    wanted = float(clutch.accuracy_factor)
+    own = clutch.friction[0]
+    assume(1 + 1e-4 < wanted < own.max / own.min * (1 - 1e-4))
+    assume(name != "c1" or wanted > 1.01)
+    now = {"C": clutch.gain, "z": clutch.pairs, "c1": clutch.closing_stiffness, "c2": clutch.control_stiffness}[name]
+    result, _, _ = solve(clutch, name, "accuracy_factor", wanted)
+    assert result.method == "closed-form"
+    assert (result.exact_value or result.value) == pytest.approx(now, rel=1e-5)
+
+
+@given(direct_specs(), st.sampled_from(["nominal_torque", "torque_max", "scatter"]), st.floats(0.1, 10))
+def test_torque_is_proportional_to_the_force(spec, target, factor):
+    clutch = build(spec)
+    wanted = factor * float(TARGETS[target].value(clutch))
+    assume(wanted > 1e-6)
+    result, _, _ = solve(clutch, "F", target, wanted)
+    assert result.value == pytest.approx(factor * clutch.closing_force, rel=1e-9)
+    assert result.method == "closed-form"
+
+
+@given(direct_specs(("differentiated", "all-driving")), st.floats(1.05, 6))
+def test_whole_pairs_are_the_fewest_that_meet_it(spec, wanted):
+    clutch = build(spec)
+    try:
+        result, _, _ = solve(clutch, "z", "accuracy_factor", wanted, beyond_limit=True)
+    except CalculationError:
+        return
+    assert result.value == int(result.value)
+    assert result.reached <= wanted * (1 + 1e-9)
+    fewest = spec.bypass_pairs + 1 if spec.variant == "differentiated" else 1
+    if result.value > fewest:
+        fewer = build(solved_spec(spec, "friction_group.pairs", result.value - 1))
+        assert fewer.accuracy_factor > wanted * (1 - 1e-8)
+
+
+def test_driving_pairs():
+    """More bypass pairs regulate less; f 0.1…0.8, z 8, C 0.5: z_1 = 2 gives 3.06, 3 gives 3.33."""
+    result, _, _ = solve(build(read_spec()), "z1", "accuracy_factor", 3.2)
+    assert result.value == 2
+    assert result.exact_value is None, "2.55 is beyond the gain limit, 1/(C f_max) = 2.5"
+    beyond, _, _ = solve(build(read_spec()), "z1", "accuracy_factor", 3.2, beyond_limit=True)
+    # z_2 = (8 − 3.2)/(0.5·0.8·2.2)
+    assert beyond.exact_value == pytest.approx(8 - 4.8 / 0.88)
+    assert beyond.value == 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["--for", "C", "accuracy_factor=1.5"], "the best is 1.875, reached at C = 1.25 (the gain limit 1/(z_1 f_1max))"),
+        (["--for", "C", "accuracy_factor=2", CONFIGS / "all-driving.toml", "--set", "f_min=0.1", "--set", "f_max=0.8"],
+         "the best is 2.4, reached at C = "),
+        (["--for", "C", "accuracy_factor=1", CONFIGS / "indirect.toml"], "the best is 1, approached as C grows"),
+        (["--for", "C", "accuracy_factor=9"], "the best is 8, reached at C = 0"),
+        (["--for", "z1", "accuracy_factor=2.7"], "the best is 2.84211, reached at z1 = 1"),
+        (["--for", "z", "nominal_torque=1000000"], "the best is 400 N·m, approached as z grows"),
+        (["--for", "F", "accuracy_factor=2"], "does not depend on F"),
+        (["--for", "c1", "accuracy_factor=2"], "only for indirect"),
+        (["--for", "x", "accuracy_factor=2"], "one of C, F, z, z1, R, c1, c2"),
+        (["acuracy_factor=2"], "did you mean 'accuracy_factor'?"),
+        (["accuracy_factor"], "write accuracy_factor=VALUE"),
+        (["nominal_torque=2 J"], "nominal_torque=2 J: "),
+        (["nominal_torque=-2"], "greater than 0"),
+        (["travel_max=1 mm"], "only of an indirect clutch"),
+        (["accuracy_factor=nan"], "must be finite"),
+    ],
+)  # fmt: skip
+def test_what_has_no_answer(arguments, says, afmcalc):
+    run = afmcalc("solve", *arguments)
+    assert (run.code, run.out) == (2, "")
+    assert says in run.err
+
+
+def test_json_pipes_into_torque(afmcalc):
+    solved = afmcalc("solve", "--for", "R", "torque_max=300 N*m", CONFIGS / "all-driving.toml", "--json")
+    torque = afmcalc("torque", "-", "--json", stdin=solved.out).json["result"]
+    assert torque["torque"]["max"] == pytest.approx(300)
+    assert solved.json["result"]["value"] == solved.json["spec"]["friction_group"]["mean_radius"]
+
+
+def test_a_force_replaces_the_torque_it_was_set_for(afmcalc):
+    run = afmcalc("solve", "--for", "F", "nominal_torque=250", "--set", "F=", "--set", "T_n=100", "--json").json
+    assert "nominal_torque" not in run["spec"]["adjustment"]
+    assert "solve-replaces" in [finding["code"] for finding in run["findings"]]
+    # F = T (1 + 3.5·0.1)/(0.1·8·0.1)
+    assert run["result"]["value"] == pytest.approx(250 * 1.35 / 0.08)
+
+
+def test_radius_with_a_wall_angle_has_no_closed_form():
+    spec = read_spec(None, ["C=", "alpha=14 deg"])
+    result, _, _ = solve(build(spec), "R", "nominal_torque", 120.0)
+    assert result.method == "bracketed-root"
+    assert result.reached == pytest.approx(120, rel=1e-9)
+
+
+def test_beyond_the_limit_on_request():
+    result, _, findings = solve(build(read_spec()), "C", "accuracy_factor", 1.5, beyond_limit=True)
+    assert result.value > 1.25
+    assert "gain-above-limit" in [finding.code for finding in findings]
+
+
+def test_errors_from_python():
+    with pytest.raises(AfmcalcError, match="cannot be solved for"):
+        solve(build(read_spec()), "q", "accuracy_factor", 2.0)
