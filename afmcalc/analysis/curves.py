@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 from ..engines.direct import DirectClutch
 from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
+from ..errors import CalculationError
 from ..spec.paths import is_whole
 from .adjust import METHODS, set_by
 from .overload import Actuation, refuse
@@ -101,8 +102,15 @@ def _own_value(axis: Axis, clutch: Clutch) -> float | None:
 
 
 def _path(clutch: Clutch) -> "tuple[NDArray[Any], NDArray[Any]]":
-    """f_1 and f_2 moving together from their smallest to their largest values."""
+    """f_1 and f_2 moving together from their smallest to their largest values.
+
+    Raises:
+        CalculationError: they do not move.
+    """
     import numpy as np
+
+    if not any(own.max > own.min for own in clutch.friction):
+        raise CalculationError("the friction does not wander (min = max): there is no curve over it")
 
     first, second = (np.linspace(own.min, own.max, POINTS) for own in clutch.friction)
     return first, second

@@ -40,7 +40,7 @@ def dossier(clutch: Clutch, model: Model = "mean-stress") -> tuple[Dossier, list
     unit, spec = clutch.spec.control_unit, clutch.spec
     synthesized = synthesize(clutch) if unit and unit.ball_circle_radius is not None and clutch.gain > 0 else None
     lived = life(clutch, model) if spec.fatigue is not None else None
-    overloaded = overload(clutch) if applies(clutch) and spec.adjustment.margin > 1 else None
+    overloaded = overload(clutch) if applies(clutch) else None
     for part in (overloaded, lived):
         findings += part[1] if part else []
     findings = list(dict.fromkeys(findings))

@@ -223,3 +223,21 @@ def test_on_paper(name, page, tmp_path):
 def test_pdf_beside_the_report(afmcalc, tmp_path):
     assert afmcalc("report", "-o", tmp_path / "r.html", "--pdf").code == 0
     assert (tmp_path / "r.pdf").read_bytes().startswith(b"%PDF")
+
+
+@pytest.mark.parametrize(
+    "overrides",
+    [
+        ["f_min=0.3", "f_max=0.3"],
+        ["C=0"],
+        ["beta=1"],
+        ["fatigue.mean_stress_sensitivity=0.1"],
+        ["name="],
+        ["friction.mean=", "control_unit.ball_circle_radius="],
+    ],
+)
+def test_edges_leave_out_what_has_no_curve(overrides, afmcalc):
+    model = ["--model", "amplitude"] if "sensitivity" in overrides[0] else []
+    run = afmcalc("report", *(part for text in overrides for part in ("--set", text)), *model)
+    assert (run.code, [line for line in run.err.splitlines() if "base clutch" not in line]) == (0, [])
+    parse(run.out)

@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 from markupsafe import Markup, escape
 
 from ...spec.paths import keys
-from ..plot.style import GRID, INK, SHADE
+from ..plot.style import COLOURS, GRID, INK, SHADE
 from ..symbols import split
 
 _NAMESPACE = "http://www.w3.org/1998/Math/MathML"
@@ -83,7 +83,8 @@ def drawing(svg: str, name: str, number: int) -> Markup:
     svg = re.sub(r'\bid="([^"]+)"', rf'id="{own}\1"', svg)
     svg = re.sub(r"url\(#", f"url(#{own}", svg)
     svg = re.sub(r'href="#', f'href="#{own}', svg)
-    for colour, variable in ((INK, "--ink"), (GRID, "--grid"), (SHADE, "--shade")):
+    lines = [(colour, f"--line-{index}") for index, colour in enumerate(COLOURS[:4])]
+    for colour, variable in ((INK, "--ink"), (GRID, "--grid"), (SHADE, "--shade"), *lines):
         svg = svg.replace(colour, f"var({variable})")
     opening, _, rest = svg.partition(">")
     opening = re.sub(r'\s(?:width|height|version|xmlns(?::\w+)?)="[^"]*"', "", opening)

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ...analysis.result import Result, Triple
+from ...errors import CalculationError
 from ..document import Document, document
 from ..layout import Block, blocks
 from ..plot import Request, sheet_of
@@ -18,13 +19,13 @@ def _torque(subject: Subject) -> Section:
         "Torque and forces",
         "The slipping clutch at the smallest, the mean and the largest friction, spring as set.",
         blocks(document(subject.dossier.torque)),
-        [_plot("torque", subject)],
+        _plots("torque", subject),
         ["S21"] if _indirect(subject) else ["F11"],
     )
 
 
 def _accuracy(subject: Subject) -> Section:
-    plots = [] if subject.clutch.spec.variant == "conventional" else [_plot("accuracy", subject)]
+    plots = [] if subject.clutch.spec.variant == "conventional" else _plots("accuracy", subject)
     about = "K_т is the largest over the smallest torque in service; 1 would be perfect."
     sources = ["S21"] if _indirect(subject) else ["F11", "S22"]
     return Section("accuracy", "Accuracy", about, blocks(document(subject.dossier.accuracy)), plots, sources)
@@ -50,7 +51,7 @@ def _overload(subject: Subject) -> Section | None:
         return None
     about = "What the drive sees when the clutch, set with a margin over the machine's torque, begins to slip."
     return Section(
-        "overload", "Overload", about, blocks(document(found)), [_plot("overload", subject)], ["S22"]
+        "overload", "Overload", about, blocks(document(found)), _plots("overload", subject), ["S22"]
     )  # fmt: skip
 
 
@@ -60,7 +61,7 @@ def _synthesis(subject: Subject) -> Section | None:
         return None
     about = "Wall angle, ball and pocket for the gain; the contact held against what it may carry."
     return Section(
-        "synthesize", "Control unit", about, blocks(document(found)), [_plot("pocket", subject)], ["S21"]
+        "synthesize", "Control unit", about, blocks(document(found)), _plots("pocket", subject), ["S21"]
     )  # fmt: skip
 
 
@@ -70,7 +71,7 @@ def _life(subject: Subject) -> Section | None:
         return None
     about = f"Cycles to failure on both sides of the clutch, by the rule {found.model}."
     return Section(
-        "life", "Life", about, blocks(document(found)), [_plot("life", subject, subject.model)], ["S19"]
+        "life", "Life", about, blocks(document(found)), _plots("life", subject, subject.model), ["S19"]
     )  # fmt: skip
 
 
@@ -94,8 +95,12 @@ def _indirect(subject: Subject) -> bool:
     return subject.clutch.spec.variant == "indirect"
 
 
-def _plot(kind: str, subject: Subject, model: str | None = None) -> Sheet:
-    return sheet_of(kind, Request([subject.clutch], model=model))
+def _plots(kind: str, subject: Subject, model: str | None = None) -> list[Sheet]:
+    """The plot of a section; none where there is no curve to draw (friction that does not wander, no limit of life)."""
+    try:
+        return [sheet_of(kind, Request([subject.clutch], model=model))]
+    except CalculationError:
+        return []
 
 
 def _side_by_side(results: dict[str, Result]) -> Block:
