@@ -4,7 +4,11 @@ from importlib.util import find_spec
 
 from .errors import AfmcalcError
 
-MODULES = {"plot": ("matplotlib", "plotext"), "report": ("jinja2", "matplotlib")}
+MODULES = {
+    "explain": ("sympy",),
+    "plot": ("matplotlib", "plotext"),
+    "report": ("jinja2", "matplotlib", "sympy", "latex2mathml"),
+}
 """Extra → modules it brings."""
 
 

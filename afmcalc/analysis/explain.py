@@ -7,6 +7,7 @@ from ..engines import build
 from ..engines.findings import Finding
 from ..engines.protocol import Clutch
 from ..errors import AfmcalcError
+from ..extras import need
 from ..spec import Spec
 from ..spec.suggest import did_you_mean
 from .register import register
@@ -39,7 +40,7 @@ class ExplainResult(Result):
     steps: list[Step] = quantity("", None, "steps of the calculation", steps=True)
 
 
-def _analyses() -> dict[str, Callable[[Clutch], Any]]:
+def _analyses() -> dict[str, Callable[..., Any]]:
     from .accuracy import accuracy
     from .adjust import adjust
     from .check import check
@@ -59,38 +60,31 @@ def _analyses() -> dict[str, Callable[[Clutch], Any]]:
     }
 
 
-def explain(command: str, spec: Spec) -> tuple[ExplainResult, list[Finding]]:
+def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, list[Finding]]:
     """Run a calculation and explain every equation it ran.
 
     Args:
         command: torque, accuracy, adjust, overload, synthesize, life or check.
         spec: the clutch.
+        options: options of the calculation, such as the ``model`` of life.
 
     Returns:
         The steps and the findings of the calculation itself.
 
     Raises:
-        AfmcalcError: no such calculation, or SymPy (extra ``explain``) is missing.
+        AfmcalcError: no such calculation, or the extra ``explain`` is missing.
     """
     analyses = _analyses()
     if command not in analyses:
         hint = did_you_mean(command, analyses)
         raise AfmcalcError(f"explain: no calculation {command!r}{hint}; explained are {', '.join(analyses)}")
-    require_sympy("explain")
+    need("explain")
     with recording() as calls:
         clutch = build(spec)
-        _, findings = analyses[command](clutch)
+        _, findings = analyses[command](clutch, **options)
     names = _Names(clutch, calls)
     steps = [_step(call, names) for call in distinct(calls) if _is_new(call)]
     return ExplainResult(explained=command, steps=steps), findings
-
-
-def require_sympy(command: str) -> None:
-    """Refuse, with the way to mend it, when SymPy is not installed."""
-    from importlib.util import find_spec
-
-    if find_spec("sympy") is None:
-        raise AfmcalcError(f"{command} needs SymPy, which is not installed: pip install 'afmcalc[explain]'")
 
 
 def _is_new(call: Call) -> bool:

@@ -1,5 +1,6 @@
 """The text of an equation function, from running it on SymPy symbols."""
 
+import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
@@ -82,7 +83,7 @@ def _number(value: Any, unit: str, *, latex: bool) -> str:
     if unit == "1":
         return text
     shown = unit.replace("*", "·").replace("^3", "³")
-    return f"{text}\\,\\mathrm{{{shown}}}" if latex else f"{text} {shown}"
+    return f"{text}\\,\\text{{{shown}}}" if latex else f"{text} {shown}"
 
 
 def symbol_latex(symbol: str) -> str:
@@ -130,6 +131,10 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         name = str(expr.name)
         if "\\" in name or name[:1].isdigit() or name[:1] == "-":
             return name
-        base, separator, index = name.partition("_")
-        base = base.replace("'", "^{\\prime}")
-        return f"{base}_{{\\text{{{index}}}}}" if separator else base
+        indexed = _INDEXED.sub(r"\1_{\\text{\2}}", name.replace("'", "^{\\prime}"))
+        return _FUNCTION.sub(r"\\\1 ", indexed)
+
+
+_INDEXED = re.compile(r"([^\W_](?:\^\{\\prime\})?)_([\w.,+]+)")
+"""A letter with an index: F_п, ΔT_2, T'_п."""
+_FUNCTION = re.compile(r"\b(sin|cos|tan|ln) ?(?=\w)")

@@ -123,8 +123,8 @@ def equations(
 
 
 def _prove(names: list[str]) -> list[Proved]:
+    from ..extras import need
     from ..proofs import prove
-    from .explain import require_sympy
 
-    require_sympy("equations --prove")
+    need("explain")
     return [Proved(proof=name, shows="; ".join(prove(name))) for name in dict.fromkeys(names)]

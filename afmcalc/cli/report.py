@@ -42,6 +42,7 @@ def report(
     from ..engines import build
     from ..render.report import Subject, render
     from ..render.report.browser import find_browser, print_pdf
+    from ..render.report.steps import explained
 
     common = Common(set=set_, output=output, quiet=quiet)
     target = _pdf_beside(output) if pdf else None
@@ -51,7 +52,14 @@ def report(
     with naming(spec):
         clutch = guarded(lambda: build(read))
         found, findings = guarded(lambda: dossier(clutch, model))
-        subject = Subject(clutch, found, findings, given, set_ or (), version=__version__, date=_date(), model=model)
+        calculations: dict[str, dict[str, str]] = {"torque": {}, "accuracy": {}, "adjust": {}}
+        calculations |= {"overload": {}} if found.overload else {}
+        calculations |= {"synthesize": {}} if found.synthesis else {}
+        calculations |= {"life": {"model": model}} if found.life else {}
+        steps = guarded(lambda: explained(read, calculations))
+        subject = Subject(
+            clutch, found, findings, given, set_ or (), version=__version__, date=_date(), model=model, steps=steps
+        )
         page = guarded(lambda: render(subject))
     write(page, output)
     if output not in (None, "-"):

@@ -80,6 +80,8 @@ class DirectClutch:
     def breakaway_torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Upper bound P of the breakaway torque, N·m (theory, section 3); arguments as ``torque``."""
         first, second = _pair(friction, friction_driven)
+        if self.spec.variant == "all-driving":
+            return self.torque(first, second)
         bypass: Values = direct.group_torque(self.closing_force, self.mean_radius, self.bypass_pairs, first)
         if self.spec.variant == "conventional":
             return bypass

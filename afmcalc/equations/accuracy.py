@@ -12,7 +12,7 @@ def accuracy_factor(
     friction_driving_max: Number,
     friction_driven_max: Number,
 ) -> Number:
-    """Accuracy factor K_т = T(f_1max, f_2max)/T(f_1min, f_2min).
+    """Accuracy factor along the common path, K_т = T(f_1max, f_2max)/T(f_1min, f_2min).
 
     Source: F11 (14); with one material S19 and S22 (18).
 
@@ -54,7 +54,7 @@ def accuracy_factor_by_ratios(
     friction_driving_min: Number,
     friction_driving_max: Number,
 ) -> Number:
-    """K_т in F11's ratios n = f_2max/f_1max, p = f_2min/f_1min, m = f_1max/f_1min.
+    """Accuracy factor in ratios, n = f_2max/f_1max, p = f_2min/f_1min, m = f_1max/f_1min.
 
     Source: F11 (17) with (15), (16).
 

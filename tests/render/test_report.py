@@ -29,7 +29,6 @@ STEP = ExplainedStep(
     symbol="T_п",
     formula=math("<mi>T</mi><mo>=</mo><mfrac><mrow><mi>R</mi><mi>F</mi></mrow><mrow><mn>1</mn><mo>+</mo><mi>C</mi></mrow></mfrac>"),
     numbers=math("<mi>T</mi><mo>=</mo><mfrac><mn>200</mn><mn>1.5</mn></mfrac>"),
-    result=math("<mi>T</mi><mo>=</mo><mn>133.3</mn><mtext>N·m</mtext>"),
     source="F11 (12)",
     note="printed without C (M1)",
 )  # fmt: skip

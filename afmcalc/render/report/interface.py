@@ -18,11 +18,9 @@ class ExplainedStep:
     title: str
     symbol: str
     formula: str
-    """Presentation MathML, a ``<math>`` element."""
+    """Presentation MathML, a ``<math>`` element; empty where the step before has shown it."""
     numbers: str
-    """The formula with numbers and units put in, MathML."""
-    result: str
-    """Value and unit, MathML."""
+    """The formula with numbers and units put in, and the value, MathML."""
     source: str
     """Where the formula is from, such as ``F11 (12)``."""
     note: str = ""
