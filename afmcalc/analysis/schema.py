@@ -23,6 +23,7 @@ RESULTS = {
     "compare": ("compare", "CompareResult"),
     "solve": ("solve", "SolveResult"),
     "tolerance": ("tolerance", "ToleranceResult"),
+    "design": ("design", "DesignResult"),
     "materials": ("materials", "MaterialsResult"),
     "check": ("check", "CheckResult"),
 }

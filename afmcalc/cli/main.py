@@ -17,6 +17,7 @@ COMMANDS = {
     "compare": "clutch",
     "solve": "design",
     "tolerance": "design",
+    "design": "design",
     "materials": "specs",
     "init": "specs",
     "check": "specs",
