@@ -5,6 +5,9 @@ from typing import Any
 TOLERANCE = 1e-12
 """Rounding makes equal K_т differ by a few units in the last place; no two designs are that near by intent."""
 
+_LEVELS = 2000
+"""Levels of the further objectives beyond which rows are compared with each other instead."""
+
 
 def ranks(column: Any, tolerance: float = TOLERANCE) -> Any:
     """Rank of every value, equal for values that follow each other within the tolerance.
@@ -37,16 +40,24 @@ def front(objectives: Any, tolerance: float = TOLERANCE) -> Any:
     ranked = ranked[:, np.argsort(-ranked.max(axis=0), kind="stable")]
     if ranked.shape[1] == 1:
         return np.array([int(np.argmin(ranked[:, 0]))])
-    levels, level = np.unique(ranked[:, 2:], axis=0, return_inverse=True)
-    level = level.ravel()
-    if len(levels) > 400:
+    heights = ranked[:, 2:].max(axis=0) + 1
+    if float(np.prod(heights.astype(float))) > 2.0**62:
         return _culled(ranked)
-    kept = []
-    for number, highest in enumerate(levels):
-        own = np.flatnonzero(level == number)
-        below = np.flatnonzero((levels <= highest).all(axis=1))
-        others = np.flatnonzero(np.isin(level, below[below != number]))
-        kept.append(_swept(ranked, own, others))
+    # one whole number per level, in lexicographic order
+    key = np.zeros(len(ranked), np.int64)
+    for column, height in zip(ranked[:, 2:].T, heights, strict=True):
+        key = key * height + column
+    order = np.argsort(key, kind="stable")
+    starts = np.flatnonzero(np.diff(key[order], prepend=-1))
+    if starts.size > _LEVELS:
+        return _culled(ranked)
+    members = np.split(order, starts[1:])
+    levels = ranked[order[starts], 2:]
+    kept: list[Any] = []
+    # in lexicographic order a level comes after all that are lower; what they kept decides for what they lost
+    for highest, own in zip(levels, members, strict=True):
+        below = [kept[k] for k in np.flatnonzero((levels[: len(kept)] <= highest).all(axis=1))]
+        kept.append(_swept(ranked, own, np.concatenate(below) if below else own[:0]))
     return np.sort(np.concatenate(kept))
 
 

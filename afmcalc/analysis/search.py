@@ -108,11 +108,13 @@ def _by_radius(need: Requirements, variant: str, found: Found, progress: Callabl
     import numpy as np
 
     laid = axes(need, variant)
-    radii = _Radii(need, laid.mean_radius)
+    radii = _Radii(need, laid.mean_radius, laid.ball_circle_radius.size)
     shape = [laid.pairs.size, laid.driving_pairs.size, laid.gain.size, laid.ball_circle_radius.size]
     count = int(np.prod(shape))
-    for start in range(0, count, BLOCK):
-        places = np.unravel_index(np.arange(start, min(start + BLOCK, count)), shape)
+    # whole groups of ball-circle radii, the last axis: only the best of a group goes on
+    block = max(1, BLOCK // shape[-1]) * shape[-1]
+    for start in range(0, count, block):
+        places = np.unravel_index(np.arange(start, min(start + block, count)), shape)
         pairs, driving, gain, circle = (
             axis[place]
             for axis, place in zip(
@@ -138,12 +140,12 @@ def _built(variant: str, pairs: Any, driving_pairs: Any) -> Any:
 class _Radii:
     """The mean radii searched, ascending, with what each allows."""
 
-    def __init__(self, need: Requirements, radii: Any) -> None:
+    def __init__(self, need: Requirements, radii: Any, circles: int) -> None:
         import numpy as np
 
         span, width = need.search.closing_force, need.fixed.face_width
         assert span is not None
-        self.values, self.span = radii, span
+        self.values, self.span, self.circles = radii, span, circles
         self.first = int(np.searchsorted(radii, width / 2, "right")) if width is not None else 0
         """Radii below it do not exceed half the face width."""
         self.torque_by_pressure = None
@@ -208,10 +210,12 @@ def _radius_block(
         found.excluded[name] += size * int(mask.sum())
         bad |= mask
     found.feasible += int(np.maximum(steps[-1] - begin, 0)[~bad].sum())
-    before, parts = begin, []
+    before, parts, circles = begin, [], radii.circles
     for step in steps:
-        # the largest radius of each ball size is best among those that take it
-        some = np.flatnonzero(~bad & (step > before))
+        # the largest mean radius is best among those that take one ball size, on whatever ball circle
+        place = np.where(~bad & (step > before), step - 1, -1).reshape(-1, circles)
+        some = place.argmax(axis=1) + circles * np.arange(len(place))
+        some = some[place.ravel()[some] >= 0]
         parts.append((some, step[some] - 1))
         before = np.maximum(before, step)
     row, place = (np.concatenate(column) for column in zip(*parts, strict=True))
