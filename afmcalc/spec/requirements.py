@@ -134,7 +134,9 @@ class Search(Block):
     """Among what to choose: one value, a list, or ``{ start, stop, count }`` each."""
 
     pairs: Pairs = Field(description="friction pairs z")
-    driving_pairs: Pairs = key_field("bypass pairs z_1 (differentiated)", default=Values((1.0,)))
+    driving_pairs: Pairs = Field(
+        default_factory=lambda: Values((1.0,)), description="bypass pairs z_1 (differentiated); default 1"
+    )
     mean_radius: Lengths = Field(description="mean friction radius R_cp")
     gain: Numbers | None = key_field("feedback gain C")
     wall_angle: Angles | None = key_field("wall angle instead of the gain")
