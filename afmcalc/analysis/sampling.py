@@ -160,5 +160,9 @@ def in_threads(work: Callable[[int], Any], count: int, threads: int) -> list[Any
         return [work(index) for index in range(count)]
     from concurrent.futures import ThreadPoolExecutor
 
-    with ThreadPoolExecutor(threads) as pool:
+    pool = ThreadPoolExecutor(threads)
+    try:
         return list(pool.map(work, range(count)))
+    finally:
+        # after Ctrl-C nothing new is begun
+        pool.shutdown(cancel_futures=True)

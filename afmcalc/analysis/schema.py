@@ -23,6 +23,7 @@ RESULTS = {
     "compare": ("compare", "CompareResult"),
     "solve": ("solve", "SolveResult"),
     "tolerance": ("tolerance", "ToleranceResult"),
+    "design": ("design", "DesignResult"),
     "materials": ("materials", "MaterialsResult"),
     "explain": ("explain", "ExplainResult"),
     "equations": ("register", "EquationsResult"),
@@ -33,16 +34,22 @@ RESULTS = {
 
 
 def schema(command: str | None = None) -> dict[str, Any]:
-    """Return the JSON Schema of a spec (None), or of the output of a command.
+    """Return the JSON Schema of a spec (None), of requirements, or of the output of a command.
 
     Raises:
         AfmcalcError: no such command.
     """
     if command is None or command == "spec":
         return {"$schema": DIALECT, **Spec.model_json_schema()}
+    if command == "requirements":
+        from ..spec.requirements import Requirements
+
+        return {"$schema": DIALECT, **Requirements.model_json_schema()}
     if command not in RESULTS:
         hint = did_you_mean(command, RESULTS)
-        raise AfmcalcError(f"no JSON of a command {command!r}{hint}; described are: spec, {', '.join(RESULTS)}")
+        raise AfmcalcError(
+            f"no JSON of a command {command!r}{hint}; described are: spec, requirements, {', '.join(RESULTS)}"
+        )
     module, name = RESULTS[command]
     result = getattr(import_module(f".{module}", __package__), name)
     parts: dict[str, Any] = {field.name: (field.type, ...) for field in fields(Output)}

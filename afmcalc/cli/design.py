@@ -4,7 +4,8 @@ from typing import Annotated
 
 import typer
 
-from .session import Common, SpecArgument, build_from, calculate, emit, guarded, naming, with_common
+from ..errors import AfmcalcError
+from .session import Common, SpecArgument, build_from, calculate, emit, guarded, naming, with_common, write
 
 
 @with_common
@@ -63,3 +64,48 @@ def tolerance(
     from ..analysis.tolerance import tolerance as analysis
 
     calculate("tolerance", spec, common, lambda clutch: analysis(clutch, threads=threads))
+
+
+@with_common
+def design(
+    requirements: Annotated[
+        str, typer.Argument(metavar="REQUIREMENTS", help="TOML or JSON file of what is wanted, - for standard input.")
+    ],
+    pick: Annotated[
+        int | None,
+        typer.Option("--pick", metavar="N", help="Take number N of the front as a spec; --output writes it."),
+    ] = None,
+    refined: Annotated[bool, typer.Option("--refined", help="Pick from the refined front, not from the grid.")] = False,
+    *,
+    common: Common,
+) -> None:
+    """The best clutches for what is wanted: the exact Pareto front.
+
+    configs/requirements.toml is an example. With --pick, --output FILE gets the chosen clutch as a spec.
+
+    \b
+    afmcalc design requirements.toml
+    afmcalc design requirements.toml --pick 3 --output clutch.toml
+    afmcalc design requirements.toml --pick 3 --json | afmcalc check -
+    """  # noqa: D301
+    from ..analysis.design import design as analysis
+    from ..analysis.design import picked
+    from ..analysis.search import total
+    from ..spec import resolved, to_toml
+    from ..spec.requirements import read_requirements
+    from .progress import Progress
+
+    common.keep(requirements)
+    need = read_requirements(requirements, common.set or ())
+    with Progress(total(need), quiet=common.quiet) as progress:
+        result, findings = guarded(lambda: analysis(need, progress.advance))
+    if pick is None or not result.front:
+        emit("design", result, findings, common, None)
+        if not result.front:
+            raise AfmcalcError(findings[0].message)
+        return
+    chosen = resolved(picked(need, result, pick, fine=refined))
+    emit("design", result, findings, common.to_standard_output(), chosen)
+    if common.output:
+        write(to_toml(chosen), common.output)
+        common.note(f"wrote number {pick} to {common.output}")

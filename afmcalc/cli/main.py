@@ -17,6 +17,7 @@ COMMANDS = {
     "compare": "clutch",
     "solve": "design",
     "tolerance": "design",
+    "design": "design",
     "explain": "papers",
     "equations": "papers",
     "reproduce": "papers",

@@ -98,9 +98,9 @@ def keys(model: type[BaseModel] = Spec, prefix: str = "") -> dict[str, Key]:
     return found
 
 
-def names_in(path: tuple[str, ...]) -> list[str]:
+def names_in(path: tuple[str, ...], root: type[BaseModel] = Spec) -> list[str]:
     """Return the names allowed in the block at ``path``."""
-    model: type[BaseModel] = Spec
+    model = root
     for name in path:
         field = model.model_fields.get(name)
         block = _block_of(field) if field else None

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from os import PathLike
 from typing import Any
 
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
 
 from ..errors import AfmcalcError, FileError, Problem, SpecError
 from .models import Spec
@@ -40,7 +40,7 @@ def make_spec(data: Mapping[str, Any], label: str = "spec") -> Spec:
     try:
         return Spec.model_validate(dict(data))
     except ValidationError as error:
-        raise SpecError(label, _problems(error, data)) from None
+        raise SpecError(label, problems_of(error, data)) from None
 
 
 def label_of(source: str | PathLike[str] | None) -> str:
@@ -122,18 +122,20 @@ def _parse_json(text: str, label: str) -> dict[str, Any]:
     return data
 
 
-def apply_overrides(data: dict[str, Any], overrides: Iterable[str], label: str) -> dict[str, Any]:
+def apply_overrides(
+    data: dict[str, Any], overrides: Iterable[str], label: str, model: type[BaseModel] = Spec
+) -> dict[str, Any]:
     """Apply ``path=value`` overrides to parsed data; an empty value removes the key."""
     for override in overrides:
         from .paths import ALIASES, names_in
         from .suggest import did_you_mean
 
         name, separator, text = override.partition("=")
-        path = ALIASES.get(name.strip(), name.strip())
+        path = ALIASES.get(name.strip(), name.strip()) if model is Spec else name.strip()
         if not separator or not path:
             raise AfmcalcError(f"--set {override}: write PATH=VALUE, for example control_unit.gain=0.5")
         parts = path.split(".")
-        if parts[-1] not in (known := names_in(tuple(parts[:-1]))):
+        if parts[-1] not in (known := names_in(tuple(parts[:-1]), model)):
             hint = did_you_mean(parts[-1], known) or (f"; known here: {', '.join(known)}" if known else "")
             raise AfmcalcError(f"--set {override}: unknown key {path!r}{hint}")
         block = data
@@ -159,12 +161,12 @@ def _override_value(text: str) -> Any:
         return text
 
 
-def _problems(error: ValidationError, data: Mapping[str, Any]) -> list[Problem]:
+def problems_of(error: ValidationError, data: Mapping[str, Any], model: type[BaseModel] = Spec) -> list[Problem]:
     """Turn pydantic's errors into ours: path, value as written, what is allowed."""
     problems = []
     for detail in error.errors(include_url=False):
         location = tuple(str(part) for part in detail["loc"])
-        problems.append(Problem(".".join(location), _given(location, data), _message(detail, location)))
+        problems.append(Problem(".".join(location), _given(location, data), _message(detail, location, model)))
     return list(dict.fromkeys(problems))
 
 
@@ -179,7 +181,7 @@ def _given(location: tuple[str, ...], data: Any) -> str | None:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
-def _message(detail: Any, location: tuple[str, ...]) -> str:
+def _message(detail: Any, location: tuple[str, ...], root: type[BaseModel]) -> str:
     from .paths import names_in
     from .suggest import did_you_mean
 
@@ -188,9 +190,9 @@ def _message(detail: Any, location: tuple[str, ...]) -> str:
         case "missing":
             return "required"
         case "extra_forbidden":
-            return _unknown_key(location)
+            return _unknown_key(location, root)
         case "model_type" | "model_attributes_type" | "dict_type":
-            return f"must be a table with the keys {', '.join(names_in(location))}"
+            return f"must be a table with the keys {', '.join(names_in(location, root))}"
         case "literal_error":
             expected = context["expected"].replace("'", "").replace(" or ", ", ")
             return f"must be one of {expected}{did_you_mean(str(detail['input']), expected.split(', '))}"
@@ -211,15 +213,15 @@ def _message(detail: Any, location: tuple[str, ...]) -> str:
             return message.removeprefix("Value error, ")
 
 
-def _unknown_key(location: tuple[str, ...]) -> str:
+def _unknown_key(location: tuple[str, ...], root: type[BaseModel]) -> str:
     from .paths import keys, names_in
     from .suggest import did_you_mean
 
     *block, name = location
-    allowed = names_in(tuple(block))
+    allowed = names_in(tuple(block), root)
     if hint := did_you_mean(name, allowed):
         return f"unknown key{hint}"
-    elsewhere = [path for path in keys() if path.rpartition(".")[2] == name]
+    elsewhere = [path for path in keys(root) if path.rpartition(".")[2] == name]
     if elsewhere:
         return f"unknown key; did you mean {' or '.join(elsewhere)}?"
     return f"unknown key; allowed here: {', '.join(allowed)}"

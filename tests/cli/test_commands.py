@@ -175,6 +175,31 @@ def test_schema_describes_what_is_printed(afmcalc):
     assert afmcalc("schema", "torqe").code == 2
 
 
+NEW = {
+    "solve": ["accuracy_factor=2"],
+    "design": [CONFIGS / "requirements.toml"],
+    "tolerance": [CONFIGS / "tolerance.toml", "--set", "tolerance.samples=2000", "--set", "tolerance.sobol_base=64"],
+}
+
+
+@pytest.mark.parametrize("command", NEW)
+def test_schema_of_the_way_back(command, afmcalc):
+    schema = json.loads(afmcalc("schema", command).out)
+    printed = afmcalc(command, *NEW[command], "--json").json
+    result = schema["$defs"][schema["properties"]["result"]["$ref"].rpartition("/")[2]]
+    assert set(result["properties"]) == set(printed["result"])
+    for format_ in ("table", "csv", "markdown"):
+        assert afmcalc(command, *NEW[command], "--format", format_).code == 0
+
+
+def test_schema_of_requirements_and_of_the_tolerance_block(afmcalc):
+    schema = json.loads(afmcalc("schema", "requirements").out)
+    assert {"wanted", "search", "limits"} <= set(schema["properties"])
+    spec = json.loads(afmcalc("schema").out)
+    assert "fields" in spec["properties"]["tolerance"]["properties"]
+    assert "Distribution" in spec["$defs"]
+
+
 def test_formats_exclude_each_other(afmcalc):
     assert afmcalc("torque", "--json", "--format", "csv").code == 2
     assert afmcalc("torque", "--format", "xml").code == 2

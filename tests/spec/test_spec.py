@@ -15,7 +15,7 @@ from afmcalc.spec import make_spec, read_spec, resolved, to_toml
 from afmcalc.spec.materials import catalogue
 from afmcalc.spec.reading import parse
 
-EXAMPLES = sorted(CONFIGS.glob("*.toml"))
+EXAMPLES = sorted(path for path in CONFIGS.glob("*.toml") if path.stem != "requirements")
 BASE = tomllib.loads((CONFIGS / "default.toml").read_text())
 
 
