@@ -94,6 +94,8 @@ def _synthesis_checks(found: SynthesisResult, check: _Check) -> Iterator[Check]:
 def _life_checks(found: LifeResult, check: _Check) -> Iterator[Check]:
     sides = (("protected", "τ_eq", found.stress_protected), ("unprotected", "τ'_eq", found.stress_unprotected))
     for side, symbol, stress in sides:
+        if stress is None:
+            continue
         name = f"damaging stress, {side} side (beyond: limited life)"
         yield check("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
 

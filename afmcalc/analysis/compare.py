@@ -1,6 +1,7 @@
 """Clutches side by side: several specs, or all variants one spec can be built as."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 from ..engines import build
@@ -31,7 +32,7 @@ class ComparedClutch(Result):
     accuracy_factor_peak: float = quantity("1", "K_т,p", "accuracy factor by breakaway peaks")
     gain_limit: float | None = quantity("1", "C_max", "gain limit", optional=True)
     travel_max: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
-    warnings: int = quantity("", None, "findings of level warning or error")
+    warnings: int = quantity("", None, "warnings")
 
 
 class CompareResult(Result):
@@ -44,23 +45,14 @@ def compare(clutches: Sequence[Clutch]) -> tuple[CompareResult, list[Finding]]:
     """Set the main quantities of several clutches side by side."""
     rows = [_row(clutch, None) for clutch in clutches]
     findings = [
-        Finding(
-            level=finding.level,
-            code=finding.code,
-            message=f"{clutch.spec.name or clutch.spec.variant}: {finding.message}",
-            value=finding.value,
-            limit=finding.limit,
-            path=finding.path,
-        )
-        for clutch in clutches
-        for finding in clutch.findings()
+        _named(finding, clutch.spec.name or clutch.spec.variant) for clutch in clutches for finding in clutch.findings()
     ]
     return CompareResult(clutches=rows), findings
 
 
 def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
     """Set all variants that a spec can be built as side by side, at equal spring force and at equal nominal torque."""
-    rows, missing = [], []
+    rows, remarks, missing = [], [], []
     for variant in VARIANTS:
         try:
             spec = as_variant(clutch.spec, variant)
@@ -70,8 +62,9 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
             missing.append(_missing(variant, error))
             continue
         rows += [_row(by_force, "spring force"), _row(by_torque, "nominal torque")]
+        remarks += [_named(finding, variant) for each in (by_force, by_torque) for finding in each.findings()]
     rows.sort(key=lambda row: row.basis != "spring force")
-    return CompareResult(clutches=rows), [*clutch.findings(), *missing]
+    return CompareResult(clutches=rows), [*dict.fromkeys(remarks), *missing]
 
 
 def as_variant(spec: Spec, variant: str) -> Spec:
@@ -110,6 +103,11 @@ def with_nominal_torque(spec: Spec, nominal_torque: float) -> Spec:
             "adjustment": spec.adjustment.model_copy(update={"nominal_torque": nominal_torque}),
         }
     )
+
+
+def _named(finding: Finding, name: str) -> Finding:
+    """Say which clutch a finding is about."""
+    return replace(finding, message=f"{name}: {finding.message}")
 
 
 def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:

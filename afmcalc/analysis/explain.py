@@ -28,6 +28,7 @@ class Step(Result):
     unit: str = quantity("", None, "SI unit")
     source: str = quantity("", None, "source")
     print_differs: str | None = quantity("", None, "what the paper prints instead", optional=True)
+    note: str | None = quantity("", None, "note", optional=True)
     function: str = quantity("", None, "equation function that ran")
     formula_latex: str = quantity("", None, "formula, LaTeX")
     substituted_latex: str = quantity("", None, "formula with numbers, LaTeX")
@@ -89,7 +90,7 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
 
 def _is_new(call: Call) -> bool:
     """Leave out the trial calls that engines make with unit spring force while the spring is being set."""
-    return call.arguments.get("closing_force") != 1.0
+    return 1.0 not in (call.arguments.get("closing_force"), call.arguments.get("normal_force"))
 
 
 class _Names:
@@ -117,6 +118,13 @@ class _Names:
 
     def at(self, call: Call) -> str | None:
         """Which friction a call is for."""
+        pair = [
+            self.symbol(call.equation.arguments[name].symbol, call.arguments[name])
+            for name in ("friction_driving", "friction_driven")
+            if name in call.arguments
+        ]
+        if len(pair) == 2 and pair[0][3:] != pair[1][3:]:
+            return ", ".join(pair)
         for name in ("friction", "friction_driven", "friction_driving"):
             if name in call.arguments:
                 term = call.equation.arguments[name]
@@ -125,6 +133,13 @@ class _Names:
                     return f"{term.symbol} = {call.arguments[name]:g}"
                 return named if self.unlike else "f_" + named.lstrip("f_12")
         return None
+
+
+def _note(call: Call) -> str | None:
+    """Say what is done with a value before it is shown as a result."""
+    if call.equation.name == "accuracy.accuracy_factor" and call.value < 1:
+        return f"the torque falls along the path: largest over smallest is the inverse, {1 / call.value:.5g}"
+    return None
 
 
 def _step(call: Call, names: _Names) -> Step:
@@ -146,6 +161,7 @@ def _step(call: Call, names: _Names) -> Step:
         value=call.value,
         unit=result.unit,
         source=call.equation.source,
+        note=_note(call),
         print_differs="; ".join(f"{e.id} prints {e.printed} ({e.misprint})" for e in mended if e.printed) or None,
         function=call.equation.name,
         formula_latex=formula.latex(),

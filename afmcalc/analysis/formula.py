@@ -74,12 +74,20 @@ def _signs_joined(factors: list[Any]) -> list[Any]:
     return factors
 
 
+def value_latex(text: str) -> str:
+    """Return a value as shown to people, such as ``1.2e+07 N·m``, in LaTeX."""
+    number, _, unit = text.partition(" ")
+    mantissa, _, exponent = number.partition("e")
+    shown = f"{mantissa} \\cdot 10^{{{int(exponent)}}}" if exponent else mantissa
+    return f"{shown}\\,\\text{{{unit}}}" if unit else shown
+
+
 def _number(value: Any, unit: str, *, latex: bool) -> str:
     """Write a value with its SI unit; the spaces keep it apart from operators."""
     text = f"{value:.5g}"
     if "e" in text:
         mantissa, _, exponent = text.partition("e")
-        text = f"{mantissa}\\cdot 10^{{{int(exponent)}}}" if latex else f"{mantissa}·10^{int(exponent)}"
+        text = f"{mantissa}\\cdot 10^{{{int(exponent)}}}" if latex else f"({mantissa}·10^{int(exponent)})"
     if unit == "1":
         return text
     shown = unit.replace("*", "·").replace("^3", "³")
@@ -89,6 +97,14 @@ def _number(value: Any, unit: str, *, latex: bool) -> str:
 def symbol_latex(symbol: str) -> str:
     """Return a symbol of the papers in LaTeX."""
     return str(_Latex().doprint(sympy.Symbol(symbol)))
+
+
+def _apart(power: Any) -> Any:
+    """Put brackets round a number with a unit that is raised to a power."""
+    base, exponent = power.args
+    if base.is_Symbol and " " in base.name and exponent != -1:
+        return sympy.Pow(sympy.Symbol(f"({base.name})"), exponent, evaluate=False)
+    return power
 
 
 def _is_negative(term: Any) -> bool:
@@ -121,7 +137,7 @@ class _Text(StrPrinter):  # type: ignore[misc]
         return text
 
     def _print_Pow(self, expr: Any, rational: bool = False) -> str:  # noqa: N802
-        return str(super()._print_Pow(expr, rational)).replace("**", "^")
+        return str(super()._print_Pow(_apart(expr), rational)).replace("**", "^")
 
 
 class _Latex(LatexPrinter):  # type: ignore[misc]
@@ -131,10 +147,23 @@ class _Latex(LatexPrinter):  # type: ignore[misc]
         name = str(expr.name)
         if "\\" in name or name[:1].isdigit() or name[:1] == "-":
             return name
+        for letter, command in _GREEK.items():
+            name = name.replace(letter, command)
         indexed = _INDEXED.sub(r"\1_{\\text{\2}}", name.replace("'", "^{\\prime}"))
         return _FUNCTION.sub(r"\\\1 ", indexed)
 
 
-_INDEXED = re.compile(r"([^\W_](?:\^\{\\prime\})?)_([\w.,+]+)")
+_GREEK = {
+    "α": "\\alpha ",
+    "β": "\\beta",
+    "κ": "\\kappa ",
+    "ν": "\\nu",
+    "π": "\\pi ",
+    "τ": "\\tau",
+    "ψ": "\\psi",
+    "Δ": "\\Delta ",
+    "∂": "\\partial ",
+}
+_INDEXED = re.compile(r"((?:\\[a-z]+|[^\W_])(?:\^\{\\prime\})?)_([\w.,+]+)")
 """A letter with an index: F_п, ΔT_2, T'_п."""
 _FUNCTION = re.compile(r"\b(sin|cos|tan|ln) ?(?=\w)")

@@ -1,14 +1,15 @@
 """Life of the shaft that the clutch's load swings (S19 (14)–(20)), by the paper's rule or by amplitude."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
-from ..engines._arrays import larger, smaller
+from ..engines._arrays import is_array, larger, smaller
 from ..engines.findings import Finding
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..errors import AfmcalcError, Problem, SpecError
-from ..spec.models import Fatigue
+from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
 from .result import Result, Series, quantity
 from .sweep import Axis, evaluate, grid
@@ -22,16 +23,18 @@ Model = Literal["mean-stress", "amplitude", "goodman"]
 class MethodCycles(Result):
     """Cycles by adjustment method; null where the life is not limited by fatigue."""
 
-    min_friction: float | None = quantity("1", "N_1", "cycles, set at f_min")
-    mean_friction: float | None = quantity("1", "N_2", "cycles, set at the mean friction with margin")
+    min_friction: float | None = quantity("1", "N_1", "cycles, set at f_min", null="no limit")
+    mean_friction: float | None = quantity("1", "N_2", "cycles, set at the mean friction with margin", null="no limit")
 
 
 class LifeSweep(Series):
     """Life over a swept key, or over the scatter band (dT)."""
 
-    protected: list[float | None] = quantity("1", "N", "cycles of the protected side")
-    unprotected: list[float | None] = quantity("1", "N'", "cycles of the unprotected side")
-    protected_forecast: list[float | None] = quantity("1", "N_cp", "cycles of the protected side, load from T_cp")
+    protected: list[float | None] = quantity("1", "N", "cycles of the protected side, as set", null="no limit")
+    unprotected: list[float | None] = quantity("1", "N'", "cycles of the unprotected side, as set", null="no limit")
+    protected_forecast: list[float | None] = quantity(
+        "1", "N_cp", "cycles of the protected side, load from T_cp, as set", null="no limit"
+    )
 
 
 class LifeResult(Result):
@@ -42,8 +45,8 @@ class LifeResult(Result):
     unprotected: MethodCycles = quantity("", None, "unprotected side")
     protected_forecast: MethodCycles = quantity("", None, "protected side, load from T at the mean friction (S19)")
     unprotected_forecast: MethodCycles = quantity("", None, "unprotected side, load from T at the mean friction (S19)")
-    stress_protected: float = quantity("Pa", "τ_eq", "damaging stress of the protected side, set at f_min")
-    stress_unprotected: float = quantity("Pa", "τ'_eq", "damaging stress of the unprotected side, set at f_min")
+    stress_protected: float | None = quantity("Pa", "τ_eq", "damaging stress of the protected side, as set")
+    stress_unprotected: float | None = quantity("Pa", "τ'_eq", "damaging stress of the unprotected side, as set")
     endurance_limit: float = quantity("Pa", "τ_limb", "endurance limit")
     base_cycles: float = quantity("1", "N_0", "base cycles of the S-N line")
     sweep: list[LifeSweep] | None = quantity("", None, "life over the swept values", optional=True, columns=True)
@@ -70,20 +73,24 @@ def life(clutch: Clutch, model: Model = "mean-stress", sweeps: Sequence[Axis] = 
         values = {m.replace("-", "_"): _single(part, model, dynamic * a, dynamic * b) for m, (a, b) in lows.items()}
         return MethodCycles(**values)
 
-    low, _, high = loads["min-friction"]
+    low, _, high = _loads(clutch)
     result = LifeResult(
         model=model,
         protected=cycles(1.0, False),
         unprotected=cycles(factor, False),
         protected_forecast=cycles(1.0, True),
         unprotected_forecast=cycles(factor, True),
-        stress_protected=float(_stress(part, model, low, high)),
-        stress_unprotected=float(_stress(part, model, factor * low, factor * high)),
+        stress_protected=_damaging(part, model, low, high),
+        stress_unprotected=_damaging(part, model, factor * low, factor * high),
         endurance_limit=part.endurance_limit,
         base_cycles=part.base_cycles,
         sweep=_sweep(clutch, part, model, sweeps) if sweeps else None,
     )
-    return result, [*clutch.findings(), *_findings(part, model, result, factor * high)]
+    found = [
+        *_unlimited(part, model, {m: (a, b) for m, (a, _, b) in loads.items()}, factor),
+        *_static(part, high, factor),
+    ]
+    return result, [*clutch.findings(), *found, *_rule_findings(model)]
 
 
 def _part(clutch: Clutch, model: Model) -> Fatigue:
@@ -116,17 +123,36 @@ def _stress(part: Fatigue, model: Model, low: Any, high: Any) -> Any:
     return law.mean_stress(stresses[0], stresses[1])
 
 
+def _is_static(part: Fatigue, model: Model, high: Any) -> Any:
+    """Whether the largest load reaches the ultimate strength: the shaft fails at once, by Goodman's line too."""
+    if model != "goodman":
+        return high != high
+    assert part.ultimate_strength is not None
+    return law.shear_stress(high, part.polar_section_modulus) >= part.ultimate_strength
+
+
+def _damaging(part: Fatigue, model: Model, low: float, high: float) -> float | None:
+    """Damaging stress; None where the shaft fails at once."""
+    return None if _is_static(part, model, high) else float(_stress(part, model, low, high))
+
+
 def cycles_at(part: Fatigue, model: Model, low: Any, high: Any) -> Any:
     """Cycles of a load that swings from ``low`` to ``high``: NaN where fatigue sets no limit, 0 at static failure."""
+    line = part.exponent, part.base_cycles
+    if not (is_array(low) or is_array(high)):
+        if _is_static(part, model, high):
+            return 0.0
+        stress = _stress(part, model, low, high)
+        found = law.cycles(part.endurance_limit, stress, *line) if stress > 0 else math.nan
+        return found if model == "mean-stress" or stress > part.endurance_limit else math.nan
     import numpy as np
 
-    stress = np.asarray(_stress(part, model, low, high), float)
     with np.errstate(all="ignore"):
-        found = np.asarray(law.cycles(part.endurance_limit, stress, part.exponent, part.base_cycles), float)
+        stress = np.asarray(_stress(part, model, low, high), float)
+        found = np.asarray(law.cycles(part.endurance_limit, stress, *line), float)
     if model == "mean-stress":
         return found
-    static = stress <= 0 if model == "goodman" else np.zeros(stress.shape, bool)
-    return np.where(static & (np.asarray(high) > 0), 0.0, np.where(stress > part.endurance_limit, found, np.nan))
+    return np.where(_is_static(part, model, high), 0.0, np.where(stress > part.endurance_limit, found, np.nan))
 
 
 def _single(part: Fatigue, model: Model, low: float, high: float) -> float | None:
@@ -191,37 +217,57 @@ def band_axis(text: str, spec: "Spec") -> Axis:
     return Axis("dT", key, values)
 
 
-def _findings(part: Fatigue, model: Model, result: LifeResult, largest: float) -> list[Finding]:
+def _unlimited(
+    part: Fatigue, model: Model, loads: Mapping[Method, tuple[float, float]], factor: float
+) -> list[Finding]:
+    """Say where the damaging stress stays below the endurance limit, by side and setting."""
+    number = (
+        "the number extrapolates the S-N line, as the paper does" if model == "mean-stress" else "no number is given"
+    )
     found = []
-    for side, stress in (("protected", result.stress_protected), ("unprotected", result.stress_unprotected)):
-        if 0 <= stress <= part.endurance_limit:
-            number = "the number extrapolates the S-N line, as the paper does" if model == "mean-stress" else "null"
-            message = (
-                f"{side} side: the damaging stress {stress / 1e6:.4g} MPa is below the endurance limit "
-                f"{part.endurance_limit / 1e6:.4g} MPa: life is not limited by fatigue ({number})"
-            )
-            found.append(
-                Finding(
-                    level="info", code="life-not-limited", message=message, value=stress, limit=part.endurance_limit,
-                    path="fatigue.endurance_limit",
-                )
-            )  # fmt: skip
-    top = largest / part.polar_section_modulus
-    if part.ultimate_strength is not None and top >= part.ultimate_strength:
+    for side, dynamic in (("protected", 1.0), ("unprotected", factor)):
+        stresses = {m: _damaging(part, model, dynamic * low, dynamic * high) for m, (low, high) in loads.items()}
+        below = {m: stress for m, stress in stresses.items() if stress is not None and stress <= part.endurance_limit}
+        if not below:
+            continue
+        listed = ", ".join(f"{stress / 1e6:.4g} MPa ({method})" for method, stress in below.items())
         message = (
-            f"the largest stress of the unprotected side, {top / 1e6:.4g} MPa, reaches "
-            f"the ultimate strength {part.ultimate_strength / 1e6:.4g} MPa: the shaft fails at once"
+            f"{side} side: the damaging stress, {listed}, is below the endurance limit "
+            f"{part.endurance_limit / 1e6:.4g} MPa: life is not limited by fatigue ({number})"
         )
         found.append(
             Finding(
-                level="error", code="static-strength-exceeded", message=message,
-                value=top, limit=part.ultimate_strength, path="fatigue.ultimate_strength",
+                level="info", code="life-not-limited", message=message, value=min(below.values()),
+                limit=part.endurance_limit, path="fatigue.endurance_limit",
             )
         )  # fmt: skip
-    if model == "mean-stress":
-        message = (
-            "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider band at equal "
-            "mean costs nothing (M23); --model amplitude or goodman weighs it"
-        )
-        found.append(Finding(level="info", code="mean-stress-rule", message=message))
     return found
+
+
+def _static(part: Fatigue, largest: float, factor: float) -> list[Finding]:
+    """Say which side's largest stress, as set, reaches the ultimate strength."""
+    found = []
+    for side, dynamic in (("protected", 1.0), ("unprotected", factor)):
+        top = float(law.shear_stress(dynamic * largest, part.polar_section_modulus))
+        if part.ultimate_strength is not None and top >= part.ultimate_strength:
+            message = (
+                f"the largest stress of the {side} side, {top / 1e6:.4g} MPa, reaches "
+                f"the ultimate strength {part.ultimate_strength / 1e6:.4g} MPa: the shaft fails at once"
+            )
+            found.append(
+                Finding(
+                    level="error", code="static-strength-exceeded", message=message,
+                    value=top, limit=part.ultimate_strength, path="fatigue.ultimate_strength",
+                )
+            )  # fmt: skip
+    return found
+
+
+def _rule_findings(model: Model) -> list[Finding]:
+    if model != "mean-stress":
+        return []
+    message = (
+        "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider band at equal "
+        "mean costs nothing (M23); --model amplitude or goodman weighs it"
+    )
+    return [Finding(level="info", code="mean-stress-rule", message=message)]

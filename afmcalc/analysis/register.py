@@ -107,7 +107,9 @@ def equations(
         known = [entry.id for entry in chosen]
         for name in ids:
             if name not in known:
-                raise AfmcalcError(f"--id {name}: no such formula{did_you_mean(name, known)}")
+                where = {"M": "; equations --misprints lists misprints", "P": "; reproduce has the printed figures"}
+                hint = where.get(name[:1]) if name[1:].isdecimal() else None
+                raise AfmcalcError(f"--id {name}: no such formula{hint or did_you_mean(name, known)}")
         chosen = [entry for entry in chosen if entry.id in ids]
     numbered = [entry for entry in chosen if is_numbered(entry)]
     slips = [m for m in misprints() if not papers or m.where.split()[0] in papers] if show_misprints else None

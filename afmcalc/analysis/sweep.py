@@ -143,7 +143,26 @@ def default_range(key: Key, spec: Spec) -> Any:
         low, high = _friction_range(key.path, spec, low, high)
     if key.path == "control_unit.wall_angle":
         high = min(high, 1.5)
-    return np.linspace(low, high, 26)
+    return np.linspace(_feasible(spec, key.path, current, low), _feasible(spec, key.path, current, high), 26)
+
+
+def _feasible(spec: Spec, path: str, current: float, end: float) -> float:
+    """Draw an end of a default range in to where the clutch can still be built (the key's threshold)."""
+
+    def builds(value: float) -> bool:
+        try:
+            build(with_value(spec, path.split("."), value))
+        except SpecError:
+            return False
+        return True
+
+    inside = current
+    if builds(end):
+        return end
+    for _ in range(60):
+        middle = (inside + end) / 2
+        inside, end = (middle, end) if builds(middle) else (inside, middle)
+    return inside
 
 
 def _friction_range(path: str, spec: Spec, low: float, high: float) -> tuple[float, float]:
@@ -253,10 +272,12 @@ def _validated(data: Mapping[str, Any], extreme: Mapping[str, float]) -> Spec:
     for path, value in extreme.items():
         put(trial, path, int(value) if is_whole(path) else value)
     try:
-        return make_spec(trial, "sweep")
+        valid = make_spec(trial, "sweep")
+        build(valid)
     except SpecError as error:
         where = ", ".join(f"{path} = {value:g}" for path, value in extreme.items())
         raise SpecError(f"sweep at {where}", error.problems) from None
+    return valid
 
 
 def put(data: dict[str, Any], path: str, value: Any) -> None:

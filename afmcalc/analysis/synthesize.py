@@ -29,7 +29,7 @@ class SynthesisResult(Result):
     ball_radius: float = quantity("m", "r_ш", "smallest ball radius")
     ball_diameter_standard: float | None = quantity("m", "d_ш", "ball chosen: given, or the next standard one")
     edge_clearance_standard: float | None = quantity("m", "y_st", "clearance with the ball chosen")
-    pocket_depth: float | None = quantity("m", "h_1", "pocket depth for the ball chosen")
+    pocket_depth: float = quantity("m", "h_1", "pocket depth for the ball chosen (the smallest where none is)")
     contact_force: float | None = quantity("N", "F_n", "largest normal force on one ball")
     contact_force_allowable: float | None = quantity("N", "[F_n]", "allowable normal force on one ball")
     contact_basis: Literal["given", "hertz-ball-on-flat"] | None = quantity(
@@ -37,7 +37,7 @@ class SynthesisResult(Result):
     )
     contact_utilisation: float | None = quantity("1", "F_n/[F_n]", "utilisation of the contact")
     gain_at_least_contact_force: float | None = quantity(
-        "1", "C_Fn", "gain at which the contact force is least; beyond it F_n grows again", optional=True
+        "1", "C_Fn", "gain of the least contact force at equal spring force; beyond it F_n grows", optional=True
     )
 
 
@@ -76,7 +76,7 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         ball_radius=smallest,
         ball_diameter_standard=chosen,
         edge_clearance_standard=None if own is None else law.edge_clearance(own, travel, gap, sine),
-        pocket_depth=None if own is None else law.pocket_depth(own, sine, gap),
+        pocket_depth=law.pocket_depth(smallest if own is None else own, sine, gap),
         contact_force=force,
         contact_force_allowable=allowable,
         contact_basis=basis,
@@ -178,7 +178,22 @@ def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
 
 
 def _findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
-    return [*_ball_findings(clutch, unit, result), *_contact_findings(unit, result)]
+    return [*_ball_findings(clutch, unit, result), *_spacing_findings(unit, result), *_contact_findings(unit, result)]
+
+
+def _spacing_findings(unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
+    """Say when the balls do not fit side by side on their circle."""
+    diameter = result.ball_diameter_standard or 2 * result.ball_radius
+    if unit.balls is None or unit.balls < 2:
+        return []
+    chord = 2 * result.ball_circle_radius * math.sin(math.pi / unit.balls)
+    if diameter < chord:
+        return []
+    message = (
+        f"{unit.balls} balls of {1000 * diameter:.5g} mm do not fit on the ball circle: "
+        f"their centres are {1000 * chord:.5g} mm apart"
+    )
+    return [Finding("warning", "balls-overlap", message, diameter, chord, "control_unit.balls")]
 
 
 def _ball_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -> list[Finding]:

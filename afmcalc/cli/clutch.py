@@ -130,17 +130,22 @@ def synthesize(
     afmcalc synthesize clutch.toml --output completed.toml
     afmcalc synthesize clutch.toml --json | afmcalc torque -
     """  # noqa: D301
+    import json
+
     from ..analysis.synthesize import completed
     from ..analysis.synthesize import synthesize as analysis
     from ..spec import to_toml
     from ..spec.balls import diameters
 
     common.keep(spec)
+    if common.output == "-":
+        raise AfmcalcError("synthesize --output writes the completed spec beside the result: name a file")
     sizes = diameters(balls) if balls else None
     output = calculate("synthesize", spec, common.to_standard_output(), lambda clutch: analysis(clutch, sizes))
     if common.output:
         data = completed(read_again(output), output.result)
-        write(to_toml(data), common.output)
+        as_json = common.output.endswith(".json")
+        write(json.dumps(data, indent=2, ensure_ascii=False) + "\n" if as_json else to_toml(data), common.output)
         common.note(f"wrote the completed spec to {common.output}")
 
 

@@ -1,9 +1,10 @@
 """Commands about the papers behind the numbers: equations, explain, reproduce."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 import typer
 
+from ..errors import AfmcalcError
 from .session import Common, SpecArgument, emit, guarded, naming, read, with_common
 
 PaperOption = Annotated[
@@ -17,6 +18,10 @@ def explain(
         str, typer.Argument(metavar="COMMAND", help="torque, accuracy, adjust, overload, synthesize, life or check.")
     ],
     spec: SpecArgument = None,
+    model: Annotated[
+        Literal["mean-stress", "amplitude", "goodman"] | None,
+        typer.Option("--model", help="For life: the rule for the damaging stress."),
+    ] = None,
     *,
     common: Common,
 ) -> None:
@@ -29,9 +34,11 @@ def explain(
     from ..analysis.explain import explain as analysis
     from ..spec import resolved
 
+    if model and command != "life":
+        raise AfmcalcError("explain: --model belongs to life")
     given = read(spec, common)
     with naming(spec):
-        result, findings = guarded(lambda: analysis(command, given))
+        result, findings = guarded(lambda: analysis(command, given, **({"model": model} if model else {})))
     emit("explain", result, findings, common, resolved(given))
 
 

@@ -175,12 +175,14 @@ def emit(
     from ..analysis.result import Output
     from ..render import renderer
 
+    if spec is None and common.set:
+        raise AfmcalcError(f"{name} takes no clutch, so --set has nothing to override")
     output = Output(command=name, version=__version__, spec=spec, result=result, findings=findings)
     chosen = common.chosen_format
     terminal = common.output is None and _is_terminal()
     text = renderer(chosen)(output, terminal) if curve is None else _with_curve(output, terminal, curve)
     write(text, common.output)
-    if chosen == "csv":
+    if chosen == "csv" and not result.findings_first:
         from ..render.layout import findings_lines
 
         for line in findings_lines(findings):

@@ -136,7 +136,14 @@ class IndirectClutch:
     def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
         """Normal force N on the pairs, N: F_п1 at the stop, then falling (S21 (9))."""
         friction = _one(friction, friction_driven)
+        if self._is_at_stop(friction):
+            return self.closing_force
         return smaller(self.closing_force, self._moving_force(friction, self.net_gain))
+
+    def _is_at_stop(self, friction: Any) -> bool:
+        """Whether one friction (no array) is not above the setting: the sleeve rests, nothing need be solved."""
+        at_set = self.friction_set
+        return not (is_array(friction) or is_array(at_set) or is_array(self.closing_force)) and bool(friction < at_set)
 
     def torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Slip torque T, N·m, friction rising (S21 (11); at the stop z R f F_п1).
@@ -171,6 +178,8 @@ class IndirectClutch:
     def travel(self, friction: Any, friction_driven: Any = None) -> Any:
         """Axial travel x of the sleeve, m; 0 at the stop (S21 (16))."""
         friction = _one(friction, friction_driven)
+        if self._is_at_stop(friction):
+            return 0.0
         moved = indirect.travel(
             self.pairs,
             self.closing_force,

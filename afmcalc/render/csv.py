@@ -54,6 +54,9 @@ def _is_mapping(columns: list[Column]) -> bool:
 
 
 def _flat(row: Row) -> list[Column]:
+    if len(row.values) == 1 and isinstance(row.values[0], list) and row.unit:
+        bounds = zip((".low", ".high"), row.values[0], strict=True)
+        return [Column(row.path + end, row.symbol, row.name, row.unit, [value]) for end, value in bounds]
     ends = ("",) if len(row.values) == 1 else (".min", ".mean", ".max")
     return [
         Column(row.path + end, row.symbol, row.name, row.unit, [value])

@@ -7,22 +7,26 @@ from .units import significant
 HEIGHT, WIDTH = 8, 52
 
 
-def curve(x: Sequence[float], y: Sequence[float], title: str, *, unicode: bool) -> list[str]:
+def curve(x: Sequence[float], y: Sequence[float | None], title: str, *, unicode: bool) -> list[str]:
     """Draw y over x as lines of text, with the ends of both axes named.
 
     Args:
         x: abscissae in any order.
-        y: ordinates, as many.
+        y: ordinates, as many; None where there is none.
         title: what is drawn.
         unicode: False for a terminal that shows ASCII only.
 
     Returns:
         The lines, without line ends.
     """
-    low_x, high_x, low_y, high_y = min(x), max(x), min(y), max(y)
+    drawn = [(a, b) for a, b in zip(x, y, strict=True) if b is not None]
+    if not drawn:
+        return [f"{title}: no values to draw"]
+    xs, ys = [a for a, _ in drawn], [b for _, b in drawn]
+    low_x, high_x, low_y, high_y = min(xs), max(xs), min(ys), max(ys)
     cells = [[" "] * WIDTH for _ in range(HEIGHT)]
     mark = "•" if unicode else "*"
-    for a, b in zip(x, y, strict=True):
+    for a, b in drawn:
         column = _place(a, low_x, high_x, WIDTH)
         row = HEIGHT - 1 - _place(b, low_y, high_y, HEIGHT)
         cells[row][column] = mark

@@ -16,6 +16,8 @@ class Row(NamedTuple):
     unit: str
     values: tuple[Any, ...]
     """One value, or three at f_min, mean, f_max."""
+    null: str = "–"
+    """What a missing value means, for people."""
 
 
 class Column(NamedTuple):
@@ -28,6 +30,7 @@ class Column(NamedTuple):
     values: list[Any]
     detail: bool = False
     """Left out of tables for people when the table is long."""
+    null: str = "–"
 
 
 class Table(NamedTuple):
@@ -79,7 +82,7 @@ def _walk(model: BaseModel, prefix: str, heading: str, into: Document) -> None:
             laid_out = _side_by_side(label, value) if about.get("columns") else _records(label, value)
             into.tables.append(laid_out._replace(data=bool(about.get("data"))))
         else:
-            into.singles.append(Row(path, symbol, label, unit, (value,)))
+            into.singles.append(Row(path, symbol, label, unit, (value,), str(about.get("null") or "–")))
 
 
 def _mapping(path: str, symbol: str, title: str, unit: str, value: dict[str, Any], *, ranked: bool) -> Table:
@@ -126,5 +129,6 @@ def _side_by_side(title: str, items: list[BaseModel]) -> Table:
                 axes.append(Column(facts.path, facts.parameter, facts.path, facts.unit, value))
             elif isinstance(value, list) and item is items[0]:
                 label = info.description or name
-                answers.append(Column(name, str(about.get("symbol") or ""), label, str(about.get("unit") or ""), value))
+                symbol, unit, null = (str(about.get(part) or "") for part in ("symbol", "unit", "null"))
+                answers.append(Column(name, symbol, label, unit, value, null=null or "–"))
     return Table(title, [*axes, *answers], axes=len(axes))

@@ -17,6 +17,8 @@ class Block(NamedTuple):
     numeric: list[bool]
     """Which columns are set flush right."""
     source: Table | None = None
+    legend: str = ""
+    """What the symbols in the header mean."""
 
 
 def title(output: Output) -> str:
@@ -31,7 +33,8 @@ def blocks(laid_out: Document) -> list[Block]:
     found = []
     if laid_out.singles:
         rows = [
-            [row.symbol, row.name, display(row.values[0], row.unit), display_unit(row.unit)] for row in laid_out.singles
+            [row.symbol, row.name, _shown(row.values[0], row.unit, row.null), display_unit(row.unit)]
+            for row in laid_out.singles
         ]
         found.append(Block("", ["Symbol", "Quantity", "Value", "Unit"], rows, [False, False, True, False]))
     if laid_out.triples:
@@ -60,6 +63,8 @@ def step_lines(laid_out: Document) -> list[str]:
         if step.substituted != step.formula:
             lines.append(f"{indent}= {step.substituted}")
         lines.append(f"{indent}= {step_value(step)}    [{step.source.rstrip('.')}]")
+        if step.note:
+            lines.append(f"    {step.note}")
         if step.print_differs:
             lines.append(f"    print differs: {step.print_differs}")
     return lines
@@ -71,14 +76,21 @@ def step_value(step: Any) -> str:
     return f"{display(step.value, step.unit)} {unit}".removesuffix(" –")
 
 
+def _shown(value: Any, unit: str, null: str) -> str:
+    return null if value is None else display(value, unit)
+
+
 def _table(table: Table) -> Block:
     if table.columns and len(table.columns[0].values) > _LONG:
         table = table._replace(columns=[column for column in table.columns if not column.detail])
     header = [_heading(column) for column in table.columns]
-    cells = [[display(value, column.unit) for value in column.values] for column in table.columns]
+    cells = [[_shown(value, column.unit, column.null) for value in column.values] for column in table.columns]
     numeric = [_is_numeric(column) for column in table.columns]
     rows = [list(row) for row in zip(*cells, strict=True)]
-    return Block(table.title[:1].upper() + table.title[1:], header, rows, numeric, table)
+    legend = (
+        "; ".join(f"{column.symbol}: {column.name}" for column in table.columns if column.symbol) if table.axes else ""
+    )
+    return Block(table.title[:1].upper() + table.title[1:], header, rows, numeric, table, legend)
 
 
 def _heading(column: Column) -> str:

@@ -14,6 +14,8 @@ def render(output: Output, terminal: bool) -> str:
     for block in blocks(document(output.result)):
         if block.title:
             lines += [f"### {_escape(block.title)}", ""]
+        if block.legend:
+            lines += [_escape(block.legend), ""]
         lines += _table(block.header, block.rows, block.numeric)
         lines.append("")
     lines += _steps(document(output.result))
@@ -25,13 +27,17 @@ def render(output: Output, terminal: bool) -> str:
 
 def _steps(laid_out: Document) -> list[str]:
     """Steps of an explanation with their formulas in LaTeX."""
+    if not laid_out.steps:
+        return []
+    from ..analysis.formula import value_latex
+
     lines = []
     for step in laid_out.steps:
         at = f" ({_escape(step.at)})" if step.at else ""
         equals = " = ".join(dict.fromkeys((step.formula_latex, step.substituted_latex)))
         lines += [f"### {_escape(step.symbol)}{at}: {_escape(step.name)}", ""]
         lines += [
-            f"$${step.symbol_latex} = {equals} = {_escape(step_value(step))}$$",
+            f"$${step.symbol_latex} = {equals} = {value_latex(step_value(step))}$$",
             "",
             f"Source: {_escape(step.source)}",
             "",

@@ -45,7 +45,8 @@ def _plain(output: Output, found: list[Block], steps: list[str], curve: Curve) -
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
     lines = [title(output)]
     for block in found:
-        lines += ["", *([block.title] if block.title else []), *_aligned(block), *curve(block, is_unicode())]
+        heading = [text for text in (block.title, block.legend) if text]
+        lines += ["", *heading, *_aligned(block), *curve(block, is_unicode())]
     lines += steps
     if output.findings:
         lines += ["", *findings_lines(output.findings)]

@@ -3,7 +3,7 @@
 import io
 
 from rich import box
-from rich.console import Console
+from rich.console import Console, Group
 from rich.table import Table
 from rich.text import Text
 
@@ -32,7 +32,7 @@ def render_rich(
         import shutil
 
         width = width or shutil.get_terminal_size().columns
-    width = max(width or 0, *map(_least_width, found))
+    width = width or 80
     console = Console(
         file=buffer, force_terminal=terminal, no_color=None if terminal else True, width=width, highlight=False
     )
@@ -41,7 +41,10 @@ def render_rich(
         console.print()
         if block.title:
             console.print(Text(block.title, style="italic"))
-        console.print(_table(block, ruled=terminal and unicode))
+        if block.legend:
+            console.print(Text(block.legend, style="dim"))
+        fits = _least_width(block) <= width
+        console.print(_table(block, ruled=terminal and unicode) if fits else _stacked(block))
         for line in curve(block, unicode):
             console.print(Text(line), no_wrap=True, crop=True)
     for line in steps:
@@ -54,10 +57,23 @@ def render_rich(
 
 
 def _least_width(block: Block) -> int:
-    """Width below which a table would have to cut: the terminal then folds the lines itself."""
+    """Width below which a table would have to cut."""
     widest = [max(map(len, cells)) for cells in zip(block.header, *block.rows, strict=True)]
     kept = [w if right else min(w, _SHORT) for w, right in zip(widest, block.numeric, strict=True)]
-    return sum(kept) + 2 * len(kept)
+    return sum(kept) + 3 * len(kept)
+
+
+def _stacked(block: Block) -> Group:
+    """Set every row as a list of its own: a table that is too wide is still whole."""
+    lists: list[Table | Text] = []
+    for row in block.rows:
+        table = Table(box=None, show_header=False, show_edge=False, pad_edge=False)
+        table.add_column(no_wrap=True, style="bold")
+        table.add_column(overflow="fold")
+        for heading, cell in zip(block.header, row, strict=True):
+            table.add_row(Text(heading), Text(cell))
+        lists += [table, Text("")]
+    return Group(*lists[:-1])
 
 
 def _table(block: Block, *, ruled: bool) -> Table:

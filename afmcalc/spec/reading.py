@@ -116,6 +116,8 @@ def _parse_json(text: str, label: str) -> dict[str, Any]:
     if not isinstance(data, dict):
         raise AfmcalcError(f"{label}: is not a spec: a JSON object is wanted")
     if "spec" in data:
+        if data["spec"] is None and "command" in data:
+            raise AfmcalcError(f"{label}: the output of {data['command']!r} carries no clutch")
         data = data["spec"]
         if not isinstance(data, dict):
             raise AfmcalcError(f"{label}: its spec block is no object")

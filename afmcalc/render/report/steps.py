@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 from latex2mathml.converter import convert
 
 from ...analysis.explain import Step, explain
+from ...analysis.formula import value_latex
 from ...spec import Spec
 from ..layout import step_value
 from .interface import ExplainedStep
@@ -45,9 +46,9 @@ def _steps(steps: Sequence[Step]) -> list[ExplainedStep]:
                 title=title,
                 symbol=step.symbol,
                 formula="" if again else _math(f"{step.symbol_latex} = {step.formula_latex}"),
-                numbers=_math(f"{step.symbol_latex} {numbers} = {_value(step)}"),
+                numbers=_math(f"{step.symbol_latex} {numbers} = {value_latex(step_value(step))}"),
                 source="" if again else step.source.rstrip("."),
-                note="" if again else step.print_differs or "",
+                note="; ".join(part for part in (step.note, None if again else step.print_differs) if part),
             )
         )
     return found
@@ -55,10 +56,3 @@ def _steps(steps: Sequence[Step]) -> list[ExplainedStep]:
 
 def _math(latex: str) -> str:
     return str(convert(latex, display="block"))
-
-
-def _value(step: Step) -> str:
-    number, _, unit = step_value(step).partition(" ")
-    mantissa, _, exponent = number.partition("e")
-    shown = f"{mantissa} \\cdot 10^{{{int(exponent)}}}" if exponent else mantissa
-    return f"{shown}\\,\\text{{{unit}}}" if unit else shown
