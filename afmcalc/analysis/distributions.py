@@ -86,7 +86,7 @@ class Input:
 
         self._fill(stream, into)
         low, high = self.limits
-        while into.min() < low or into.max() > high:
+        while (low > -math.inf and into.min() < low) or (high < math.inf and into.max() > high):
             outside = np.flatnonzero((into < low) | (into > high))
             again = np.empty(outside.size)
             self._fill(stream, again)

@@ -80,10 +80,7 @@ def test_errors(afmcalc, monkeypatch):
     assert (run.code, "did you mean 'torque'" in run.err) == (2, True)
     refused = afmcalc("explain", "overload", CONFIGS / "indirect.toml")
     assert refused.code == 2
-    import importlib.util
-
-    found = importlib.util.find_spec
-    monkeypatch.setattr(importlib.util, "find_spec", lambda name, *a: None if name == "sympy" else found(name, *a))
+    monkeypatch.setattr("afmcalc.extras.find_spec", lambda name: None)
     missing = afmcalc("explain", "torque")
     assert missing.code == 2
     assert "pip install 'afmcalc[explain]'" in missing.err
