@@ -60,7 +60,7 @@ def _least_width(block: Block) -> int:
     """Width below which a table would have to cut."""
     widest = [max(map(len, cells)) for cells in zip(block.header, *block.rows, strict=True)]
     kept = [w if right else min(w, _SHORT) for w, right in zip(widest, block.numeric, strict=True)]
-    return sum(kept) + 3 * len(kept)
+    return sum(kept) + 3 * (len(kept) - 1)
 
 
 def _stacked(block: Block) -> Group:
