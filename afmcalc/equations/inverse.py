@@ -183,7 +183,7 @@ def best_accuracy_factor_differentiated(
         friction_driving_max: f_1max, largest friction of the bypass pairs [1].
 
     Returns:
-        K_т at the limit [1].
+        K_best, K_т at the limit [1].
 
     Validity:
         z_1 ≥ 1, and K_т ≥ 1 on the way there (f_1 and f_2 rise together).
@@ -207,7 +207,7 @@ def best_accuracy_factor_all_driving(friction_min: Number, friction_max: Number,
         reduced_gain_limit: largest zC, 5 by S22 [1].
 
     Returns:
-        K_т at the limit [1].
+        K_best, K_т at the limit [1].
 
     Validity:
         z_1 = 0; the limit is a recommendation.
@@ -227,7 +227,7 @@ def best_accuracy_factor_indirect(friction_min: Number, friction_set: Number) ->
         friction_set: f_set, friction at the setting (f_min or f_cp) [1].
 
     Returns:
-        The limit of K_т [1]: 1 when set at f_min. No finite gain reaches it.
+        K_lim, the limit of K_т [1]: 1 when set at f_min. No finite gain reaches it.
 
     Validity:
         c_1 > 0.

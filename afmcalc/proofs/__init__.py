@@ -9,7 +9,7 @@ from functools import cache
 from importlib import import_module
 from typing import Any, NamedTuple
 
-MODULES = ("direct", "adjustment", "indirect", "overload", "parts")
+MODULES = ("direct", "adjustment", "indirect", "overload", "parts", "inverse")
 
 
 class Identity(NamedTuple):
@@ -63,6 +63,8 @@ def is_zero(expression: Any) -> bool:
     import sympy
 
     expression = sympy.sympify(expression)
-    if sympy.cancel(sympy.together(sympy.expand(expression))) == 0:
+    if sympy.numer(sympy.together(expression)).expand() == 0:
         return True
+    if expression.is_rational_function(*expression.free_symbols):
+        return False  # of a rational function the expanded numerator decides
     return bool(sympy.simplify(expression) == 0)
