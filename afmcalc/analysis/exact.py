@@ -32,17 +32,23 @@ class Exact:
         return float((self._weights * function(self._torque)).sum())
 
     def below(self, torque: float) -> float:
-        """Probability of a smaller torque, by bisection on the probability."""
-        low, high = 0.0, 1.0
+        """Probability of a smaller torque."""
+        import numpy as np
+
+        return float(self.all_below(np.array([torque]))[0])
+
+    def all_below(self, torques: Any) -> Any:
+        """Probability of a smaller torque, for each of an array, by bisection on the probability."""
+        import numpy as np
+
+        low, high = np.zeros(torques.shape), np.ones(torques.shape)
         for _ in range(200):
             middle = (low + high) / 2
-            if middle in (low, high):
+            if bool(((middle == low) | (middle == high)).all()):
                 break
-            if self.quantile(middle) < torque:
-                low = middle
-            else:
-                high = middle
-        return low if high < 1 else 1.0
+            smaller = self._at(middle if self.rising else 1 - middle) < torques
+            low, high = np.where(smaller, middle, low), np.where(smaller, high, middle)
+        return np.where(high < 1, low, 1.0)
 
     def damages(self) -> tuple[float, float]:
         """Expected damage of one slip on both sides."""

@@ -1,7 +1,7 @@
 """Torque over the tolerances of making and the scatter of service: distribution, risks, life, what matters most."""
 
 import os
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from ..engines.findings import Finding
 from ..engines.protocol import Clutch
@@ -11,6 +11,7 @@ from ..spec import Spec
 from ..spec.tolerance import Tolerance
 from .distributions import inputs_of
 from .exact import Exact, exact_of
+from .histogram import Histogram, histogram_of_exact, histogram_of_sample
 from .result import Result, quantity
 from .sampling import CELL, Model
 from .simulate import Plan, simulate, spread_of
@@ -81,9 +82,23 @@ class ToleranceResult(Result):
     quantiles: list[QuantileRow] = quantity("", None, "quantiles of the torque")
 
 
+class Study(NamedTuple):
+    """All that one sample tells."""
+
+    result: ToleranceResult
+    histogram: Histogram
+    findings: list[Finding]
+
+
 def tolerance(
     clutch: Clutch, *, threads: int | None = None, block: int = CELL
 ) -> tuple[ToleranceResult, list[Finding]]:
+    """Calculate the distribution of the torque; ``study`` without its histogram."""
+    found = study(clutch, threads=threads, block=block)
+    return found.result, found.findings
+
+
+def study(clutch: Clutch, *, threads: int | None = None, block: int = CELL) -> Study:
     """Calculate the distribution of the torque by the [tolerance] block of the spec.
 
     Args:
@@ -107,7 +122,9 @@ def tolerance(
     findings = [*clutch.findings(), *_findings(model, block_given)]
     exact = exact_of(model) if block_given.method == "auto" else None
     if exact is not None:
-        return _exact_result(exact, model, block_given, machine, shown), findings
+        return Study(
+            _exact_result(exact, model, block_given, machine, shown), histogram_of_exact(exact), findings
+        )  # fmt: skip
     if threads is None:
         threads = min(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1, 8)
     if threads < 1 or block < 1:
@@ -126,7 +143,9 @@ def tolerance(
         )
         for index in indices
     ]
-    return _sampled_result(tallies, block_given, machine, shown, rows, has_life=spec.fatigue is not None), findings
+    whole = merged(tallies)
+    result = _sampled_result(tallies, whole, block_given, machine, shown, rows, has_life=spec.fatigue is not None)
+    return Study(result, histogram_of_sample(whole), findings)
 
 
 def _block(spec: Spec) -> Tolerance:
@@ -195,6 +214,7 @@ def _exact_result(
 
 def _sampled_result(
     tallies: list[Tally],
+    whole: Tally,
     given: Tolerance,
     machine: float,
     shown: list[InputRow],
@@ -202,7 +222,6 @@ def _sampled_result(
     *,
     has_life: bool,
 ) -> ToleranceResult:
-    whole = merged(tallies)
     asked = [*given.quantiles, *ROBUST]
     by_replicate = [quantiles(each, asked) for each in tallies]
     found = quantiles(whole, asked)

@@ -9,6 +9,7 @@ from ..extras import need
 from .session import Common, build_from, guarded, naming, write, write_file
 
 if TYPE_CHECKING:
+    from ..render.plot import Request
     from ..render.plot.chart import Sheet
 
 _ENDINGS = ("png", "svg", "pdf")
@@ -16,11 +17,17 @@ _ENDINGS = ("png", "svg", "pdf")
 
 def plot(
     what: Annotated[
-        str, typer.Argument(metavar="WHAT", help="torque, accuracy, overload, life, pocket, or paper with a figure.")
+        str,
+        typer.Argument(
+            metavar="WHAT", help="torque, accuracy, overload, life, pocket, tolerance, pareto, or paper with a figure."
+        ),
     ],
     subjects: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[SPEC...]", help="Specs; several give several curves. After paper: F11-2, S22-3, ..."),
+        typer.Argument(
+            metavar="[SPEC...]",
+            help="Specs; several give several curves. After paper: F11-2, S22-3, ...; after pareto: REQUIREMENTS.",
+        ),
     ] = None,
     sweep: Annotated[
         str | None, typer.Option("--sweep", metavar="NAME[=RANGE]", help="accuracy: the axis (C); life: dT=RANGE.")
@@ -39,12 +46,14 @@ def plot(
     ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False,
 ) -> None:
-    """Plots: of clutches, of the pocket to scale, of the papers' figures.
+    """Plots: of clutches, of the pocket to scale, of tolerances, of a design's front, of the papers' figures.
 
     \b
     afmcalc plot torque clutch.toml -o torque.svg
     afmcalc plot accuracy a.toml b.toml --sweep C=0:1.25:101 -o accuracy.png
     afmcalc plot pocket clutch.toml -o pocket.pdf
+    afmcalc plot tolerance clutch.toml -o tolerance.svg
+    afmcalc plot pareto requirements.toml -o front.svg
     afmcalc plot paper S22-3 -o figure.png
     """  # noqa: D301
     from ..render.plot import Request, kind_of, sheet_of
@@ -56,6 +65,8 @@ def plot(
     given: list[Any] = list(subjects or ())
     if kind.takes == "names":
         sheet = sheet_of(what, Request(given, sweep, model))
+    elif kind.takes == "requirements":
+        sheet = _of_requirements(what, Request(given, sweep, model), common)
     else:
         _refuse_twice(given)
         for source in given:
@@ -65,6 +76,22 @@ def plot(
             clutches = [build_from(source, common) for source in sources]
             sheet = guarded(lambda: sheet_of(what, Request(clutches, sweep, model)))
     _write(sheet, ending, common)
+
+
+def _of_requirements(what: str, request: "Request", common: Common) -> "Sheet":
+    """Read the requirements and search, with a progress bar."""
+    from ..analysis.search import total
+    from ..render.plot import check_request, sheet_of
+    from ..spec.requirements import read_requirements
+    from .progress import Progress
+
+    check_request(what, request)
+    (source,) = request.subjects
+    common.keep(source)
+    need = read_requirements(source, common.set or ())
+    with Progress(total(need), quiet=common.quiet) as progress:
+        sheet: Sheet = guarded(lambda: sheet_of(what, request._replace(subjects=[need], progress=progress.advance)))
+    return sheet
 
 
 def _ending(output: str | None) -> str | None:

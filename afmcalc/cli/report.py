@@ -1,7 +1,7 @@
 """The command that writes a calculation report."""
 
 import os
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -11,6 +11,8 @@ from ..extras import need
 from .session import Common, SpecArgument, guarded, naming, write, write_file
 
 if TYPE_CHECKING:
+    from ..engines import Clutch
+    from ..engines.findings import Finding
     from ..spec import Spec
 
 
@@ -57,8 +59,10 @@ def report(
         calculations |= {"synthesize": {}} if found.synthesis else {}
         calculations |= {"life": {"model": model}} if found.life else {}
         steps = guarded(lambda: explained(read, calculations))
+        results, more = guarded(lambda: _beyond(clutch))
+        findings = list(dict.fromkeys([*findings, *more]))
         subject = Subject(
-            clutch, found, findings, given, set_ or (), version=__version__, date=_date(), model=model, steps=steps
+            clutch, found, findings, given, set_ or (), __version__, _date(), model=model, steps=steps, results=results
         )
         page = guarded(lambda: render(subject))
     write(page, output)
@@ -67,6 +71,16 @@ def report(
     if target and browser:
         write_file(target, print_pdf(browser, page))
         common.note(f"wrote {target}")
+
+
+def _beyond(clutch: "Clutch") -> "tuple[dict[str, Any], list[Finding]]":
+    """Results that the spec asks for by a block of its own, and their findings."""
+    if clutch.spec.tolerance is None:
+        return {}, []
+    from ..analysis.tolerance import study
+
+    found = study(clutch)
+    return {"tolerance": found}, found.findings
 
 
 def _pdf_beside(output: str | None) -> str:

@@ -1,6 +1,7 @@
 """Every picture against its stored baseline; files of every kind, the same bytes every time; the refusals."""
 
 import io
+import json
 import os
 import subprocess
 import sys
@@ -13,10 +14,14 @@ from PIL import Image
 
 import afmcalc as package
 from afmcalc.analysis.papers import FIGURES
+from afmcalc.engines import build
 from afmcalc.render.plot import KINDS, Request, sheet_of
 from afmcalc.render.plot.figure import ENDINGS, save
 from afmcalc.render.plot.style import COLOURS, DASHES
+from afmcalc.spec import read_spec
+from afmcalc.spec.requirements import read_requirements
 
+WISHES = CONFIGS / "requirements.toml"
 BASELINE = Path(__file__).parent / "baseline"
 DPI = 64
 TOLERANCE = 4.0
@@ -37,15 +42,29 @@ PICTURES = {
     "life-several": ("life", ["default", "all-driving", "indirect"], {}),
     "pocket": ("pocket", ["default"], {}),
     "pocket-indirect": ("pocket", ["indirect"], {}),
+    "tolerance": ("tolerance", ["tolerance"], {}),
+    "tolerance-exact": ("tolerance", ["exact"], {}),
+    "pareto": ("pareto", ["requirements"], {}),
+    "pareto-two": ("pareto", ["closing_force,pairs"], {}),
+    "pareto-panels": ("pareto", ["closing_force,accuracy_factor,ball_diameter"], {}),
     **{f"paper-{name}": ("paper", [name], {}) for name in FIGURES},
 }
 
 
 def sheet(name):
     kind, subjects, options = PICTURES[name]
-    if kind != "paper":
-        subjects = [package.load(CONFIGS / f"{subject}.toml") for subject in subjects]
-    return sheet_of(kind, Request(subjects, **options))
+    return sheet_of(kind, Request([subject_of(kind, subject) for subject in subjects], **options))
+
+
+def subject_of(kind, subject):
+    if kind == "paper":
+        return subject
+    if kind == "pareto":
+        aims = [] if subject == "requirements" else [f"objectives={json.dumps(subject.split(','))}"]
+        return read_requirements(CONFIGS / "requirements.toml", aims)
+    if subject == "exact":
+        return build(read_spec(CONFIGS / "default.toml", ['tolerance.fields={"friction" = {distribution="uniform"}}']))
+    return package.load(CONFIGS / f"{subject}.toml")
 
 
 def pixels(content):
@@ -158,6 +177,14 @@ def test_plot_of_a_grid_has_a_curve_for_each_outer_value(afmcalc):
         (["plot", "accuracy", CONFIGS / "conventional.toml", "-o", "x.svg"], "conventional"),
         (["plot", "life", "--sweep", "C", "-o", "x.svg"], "dT"),
         (["plot", "paper", "-o", "x.svg"], "takes one NAME"),
+        (["plot", "tolerance", CONFIGS / "default.toml", "-o", "x.svg"], "required by tolerance"),
+        (["plot", "tolerance", CONFIGS / "tolerance.toml", "--model", "goodman", "-o", "x.svg"], "no use for --model"),
+        (["plot", "pareto", "-o", "x.svg"], "takes one REQUIREMENTS"),
+        (["plot", "pareto", WISHES, WISHES, "-o", "x.svg"], "takes one REQUIREMENTS"),
+        (["plot", "pareto", WISHES, "--sweep", "C", "-o", "x.svg"], "no use for --sweep"),
+        (["plot", "pareto", CONFIGS / "default.toml", "-o", "x.svg"], "wanted"),
+        (["plot", "pareto", WISHES, "--set", 'objectives=["pairs"]', "-o", "x.svg"], "two or more"),
+        (["plot", "pareto", WISHES, "--set", "wanted.accuracy_factor=1", "-o", "x.svg"], "accuracy_factor excludes"),
         (["plot", "paper", "S22-9", "-o", "x.svg"], "S22-4"),
         (["accuracy", "--plot"], "give --sweep"),
         (["accuracy", "--sweep", "C", "--plot", "--json"], "under a table"),

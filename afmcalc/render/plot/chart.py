@@ -37,6 +37,10 @@ class Line(NamedTuple):
     """Which of the line styles; by default the next one."""
     points: bool = False
     """Only markers, no line."""
+    marker: int | None = None
+    """Which of the markers; by default that of the style."""
+    filled: bool = False
+    """Small filled markers instead of open ones."""
 
 
 class Level(NamedTuple):
@@ -46,6 +50,10 @@ class Level(NamedTuple):
     value: float
     across: bool = True
     """Along x, at a value of y; False: the other way round."""
+    tag: str = ""
+    """Short name set above the axes, for one that stands upright."""
+    style: int | None = None
+    """Which of the level styles; by default the next one."""
 
 
 class Span(NamedTuple):
@@ -79,6 +87,8 @@ class Chart:
     areas: list[Area] = field(default_factory=list)
     from_zero: bool = False
     """Whether the axis of y begins at 0."""
+    bounds: tuple[float, float, float, float] | None = None
+    """Ends of the axes where they are not the data's: of x, then of y."""
     named: bool = False
     """Whether the lines are labelled with names of the user's, set as they are."""
 

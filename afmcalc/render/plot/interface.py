@@ -16,8 +16,8 @@ class Kind(NamedTuple):
 
     about: str
     """What it shows, for the help."""
-    takes: Literal["clutch", "clutches", "names"]
-    """What ``Request.subjects`` holds: one clutch, one or more, or words (names of the papers' figures)."""
+    takes: Literal["clutch", "clutches", "names", "requirements"]
+    """What ``Request.subjects`` holds: one clutch, one or more, words (the papers' figures), or requirements."""
     options: tuple[str, ...] = ()
     """Fields of the request it heeds; any other that is given is refused."""
 
@@ -28,9 +28,15 @@ KINDS = {
     "overload": Kind("trip over friction, and accuracy over the reduced gain (S22 fig. 3)", "clutch"),
     "life": Kind("cycles against the scatter band", "clutches", ("sweep", "model")),
     "pocket": Kind("section through ball and pockets, to scale", "clutch"),
+    "tolerance": Kind("histogram of the torque with quantiles, by the [tolerance] block", "clutch"),
+    "pareto": Kind("Pareto front of a design, on the grid and refined", "requirements"),
     "paper": Kind("a figure of the papers from the formulas: F11-2, S19-2, S21-2, …", "names"),
 }
-"""Name → kind, in the order of the help. A new kind (``tolerance``, ``pareto``) is a file and a row."""
+"""Name → kind, in the order of the help. A new kind is a file and a row."""
+
+
+_SINGLE = {"clutch": "SPEC", "names": "NAME", "requirements": "REQUIREMENTS"}
+"""What stands alone, as the help calls it."""
 
 
 class Request(NamedTuple):
@@ -39,6 +45,8 @@ class Request(NamedTuple):
     subjects: Sequence[Any]
     sweep: str | None = None
     model: str | None = None
+    progress: Callable[[int], None] = lambda done: None
+    """Is told how many candidates of a design are behind."""
 
 
 def kind_of(name: str) -> Kind:
@@ -52,18 +60,26 @@ def kind_of(name: str) -> Kind:
     return KINDS[name]
 
 
+def check_request(name: str, request: Request) -> None:
+    """Refuse subjects or options that are not for a kind.
+
+    Raises:
+        AfmcalcError: no such kind, or what is refused.
+    """
+    kind = kind_of(name)
+    if kind.takes in _SINGLE and len(request.subjects) != 1:
+        raise AfmcalcError(f"plot {name} takes one {_SINGLE[kind.takes]}, not {len(request.subjects)}")
+    for option in ("sweep", "model"):
+        if getattr(request, option) is not None and option not in kind.options:
+            raise AfmcalcError(f"plot {name} has no use for --{option}")
+
+
 def sheet_of(name: str, request: Request) -> "Sheet":
     """Calculate and lay out a plot, importing only its kind.
 
     Raises:
         AfmcalcError: no such kind, subjects or options that are not for it, or an analysis that does not apply.
     """
-    kind = kind_of(name)
-    if kind.takes in ("clutch", "names") and len(request.subjects) != 1:
-        what = "SPEC" if kind.takes == "clutch" else "NAME"
-        raise AfmcalcError(f"plot {name} takes one {what}, not {len(request.subjects)}")
-    for option in ("sweep", "model"):
-        if getattr(request, option) is not None and option not in kind.options:
-            raise AfmcalcError(f"plot {name} has no use for --{option}")
+    check_request(name, request)
     make: Callable[[Request], Sheet] = import_module(f".{name}", __package__).sheet
     return make(request)

@@ -25,10 +25,12 @@ def paint(axes: Any, chart: Chart) -> None:
         draw = axes.axhline if level.across else axes.axvline
         draw(
             level.value * (high if level.across else wide), color=INK, linewidth=1.0,
-            linestyle=LEVELS[number % len(LEVELS)], label=mathtext(level.label), zorder=1.5, clip_on=False,
+            linestyle=LEVELS[(number if level.style is None else level.style) % len(LEVELS)],
+            label=mathtext(level.label), zorder=1.5, clip_on=False,
         )  # fmt: skip
-    _limits(axes, chart, high)
+    _limits(axes, chart, wide, high)
     _tags(axes, chart, wide, high)
+    _level_tags(axes, chart, wide)
     for number, span in enumerate(chart.spans):
         _span(axes, number, span, high)
     axes.set_xlabel(mathtext(chart.x.label))
@@ -41,18 +43,22 @@ def _line(axes: Any, line: Line, style: int, wide: float, high: float, named: bo
     label = (literal if named else mathtext)(line.label)
     if line.points:
         axes.plot(
-            x, y, linestyle="none", marker=MARKERS[style % len(MARKERS)], color=colour, label=label,
-            markerfacecolor="none", markeredgewidth=1.4, clip_on=False, zorder=3,
+            x, y, linestyle="none", color=colour, label=label, clip_on=False,
+            marker=MARKERS[(style if line.marker is None else line.marker) % len(MARKERS)],
+            **({"markersize": 2.4, "zorder": 4} if line.filled else _OPEN),
         )  # fmt: skip
     else:
         axes.plot(x, y, color=colour, linestyle=DASHES[style % len(DASHES)], label=label)
+
+
+_OPEN: dict[str, Any] = {"markerfacecolor": "none", "markeredgewidth": 1.4, "zorder": 3}
 
 
 def _scaled(values: Any, scale: float) -> list[float]:
     return [float("nan") if value is None else value * scale for value in values]
 
 
-def _limits(axes: Any, chart: Chart, high: float) -> None:
+def _limits(axes: Any, chart: Chart, wide: float, high: float) -> None:
     """Scales and limits; a whole-number axis gets whole ticks."""
     from matplotlib.ticker import MaxNLocator
 
@@ -66,6 +72,9 @@ def _limits(axes: Any, chart: Chart, high: float) -> None:
         axes.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=2))
         low, top = axes.get_xlim()
         axes.set_xlim(low - 0.03 * (top - low), top + 0.03 * (top - low))
+    if chart.bounds:
+        axes.set_xlim(*(end * wide for end in chart.bounds[:2]))
+        axes.set_ylim(*(end * high for end in chart.bounds[2:]))
 
 
 def _tags(axes: Any, chart: Chart, wide: float, high: float) -> None:
@@ -90,6 +99,24 @@ def _tags(axes: Any, chart: Chart, wide: float, high: float) -> None:
 
 _AXES_POINTS = 190
 """Height of the axes of a chart, about, for what must be known before they are laid out."""
+
+
+_AXES_WIDTH = 440
+
+
+def _level_tags(axes: Any, chart: Chart, wide: float) -> None:
+    """Name upright levels above the axes, in as many rows as keep the names apart."""
+    low, top = axes.get_xlim()
+    ends: list[float] = []
+    for level in sorted((level for level in chart.levels if level.tag), key=lambda level: level.value):
+        place = (level.value * wide - low) / (top - low) * _AXES_WIDTH
+        half = 2.7 * len(level.tag) + 3
+        row = next((number for number, end in enumerate(ends) if place - half >= end), len(ends))
+        ends[row : row + 1] = [place + half]
+        axes.annotate(
+            mathtext(level.tag), (level.value * wide, 1), xycoords=axes.get_xaxis_transform(), xytext=(0, 4 + 11 * row),
+            textcoords="offset points", ha="center", va="bottom", color=INK, fontsize=8, annotation_clip=False,
+        )  # fmt: skip
 
 
 def _whole(chart: Chart) -> bool:

@@ -11,7 +11,7 @@ from ..units import factor
 from .chart import Axis, Chart, Line, Sheet, power
 
 WIDTH, HEIGHT = 78, 20
-_MARKS = ("•", "x", "o", "+", "#", "%", "@", "*")
+_MARKS = ("•", "x", "o", "+", "#", "%", "@", "*", "=", "&")
 _PLAIN = str.maketrans("┌┐└┘├┤┬┴┼│─•…·−", "+++++++++|-*.*-")
 
 
@@ -31,24 +31,26 @@ def draw(chart: Chart, *, unicode: bool) -> list[str]:
     plotext.clear_figure()
     plotext.theme("clear")
     plotext.plotsize(WIDTH, HEIGHT)
-    keys, heights = [], []
-    for number, line in enumerate(chart.lines):
+    keys: dict[int, str] = {}
+    heights: list[float] = []
+    # what is drawn small goes first: here it would hide the rest
+    for number, line in sorted(enumerate(chart.lines), key=lambda item: not item[1].filled):
         points = [(x, y) for x, y in zip(line.x, line.y, strict=True) if x is not None and y is not None]
         if not points:
             continue
-        mark = _MARKS[number % len(_MARKS)]
+        mark = "·" if line.filled else _MARKS[number % len(_MARKS)]
         put = plotext.scatter if line.points else plotext.plot
         ys = [math.log10(y * high) if chart.y.log else y * high for _, y in points]
         put([x * wide for x, _ in points], ys, marker=mark)
         heights += ys
-        keys.append(f"  {mark} {line.label}")
+        keys[number] = f"  {mark} {line.label}"
     if chart.y.log and heights:
         ticks = _decades(min(heights), max(heights))
         plotext.yticks(ticks, [power(10**tick) for tick in ticks])
     built = plotext.uncolorize(plotext.build())
     plotext.clear_figure()
     lines = [chart.y.label, *(line.rstrip() for line in built.splitlines()), chart.x.label.rjust(WIDTH)]
-    lines += keys if len(keys) > 1 else []
+    lines += [keys[number] for number in sorted(keys)] if len(keys) > 1 else []
     return lines if unicode else [_ascii(line) for line in lines]
 
 

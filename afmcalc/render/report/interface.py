@@ -44,7 +44,7 @@ class Subject:
     steps: Mapping[str, Sequence[ExplainedStep]] = field(default_factory=dict)
     """Section key (``torque``, ``accuracy``, …) → its calculation, explained."""
     results: Mapping[str, Any] = field(default_factory=dict)
-    """Results beyond the dossier, by section key (``tolerance``)."""
+    """Results beyond the dossier, by section key (``tolerance``: a ``Study``)."""
 
 
 @dataclass(frozen=True)

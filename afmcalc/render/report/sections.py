@@ -75,6 +75,20 @@ def _life(subject: Subject) -> Section | None:
     )  # fmt: skip
 
 
+def _tolerance(subject: Subject) -> Section | None:
+    found = subject.results.get("tolerance")
+    if found is None:
+        return None
+    from ..plot.tolerance import drawn
+
+    about = "The torque as making and service scatter; ± is a standard error, nought where the answer is exact."
+    try:
+        plots = [drawn(subject.clutch, found)]
+    except CalculationError:
+        plots = []
+    return Section("tolerance", "Tolerances and scatter", about, blocks(document(found.result)), plots)
+
+
 SECTIONS: tuple[Callable[[Subject], Section | None], ...] = (
     _torque,
     _accuracy,
@@ -82,8 +96,9 @@ SECTIONS: tuple[Callable[[Subject], Section | None], ...] = (
     _overload,
     _synthesis,
     _life,
+    _tolerance,
 )
-"""In the order of the report. A further one (tolerance) is a function here, of ``subject.results``."""
+"""In the order of the report. A further one is a function here, of ``subject.results``."""
 
 
 def sections(subject: Subject) -> list[Section]:
