@@ -256,7 +256,7 @@ def test_every_problem_is_shown_at_once():
         ("{", "not valid JSON"),
         ('{"a": 1, "a": 2}', "stands twice"),
         ("a = 1\na = 2", "not valid TOML"),
-        ('{"command": "x", "result": {}, "spec": null}', "spec block is no object"),
+        ('{"command": "x", "result": {}, "spec": null}', "carries no clutch"),
         ('{"spec": [1]}', "spec block is no object"),
         ("a = " + "1" * 5000, "too many digits"),
         ('{"a": ' + "1" * 5000 + "}", "too many digits"),
