@@ -62,6 +62,7 @@ def equations(
     """  # noqa: D301
     from ..analysis.register import equations as analysis
 
+    common.takes_no_clutch("equations")
     result, findings = analysis(paper or [], id_ or [], show_misprints=misprints, prove=prove)
     emit("equations", result, findings, common, None)
 
@@ -85,6 +86,7 @@ def reproduce(
     """  # noqa: D301
     from ..analysis.reproduce import reproduce as analysis
 
+    common.takes_no_clutch("reproduce")
     result, findings = analysis(paper or [], figure)
     emit("reproduce", result, findings, common, None)
     if not result.as_expected:

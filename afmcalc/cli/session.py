@@ -63,6 +63,11 @@ class Common:
             if os.path.exists(source) and os.path.samefile(source, self.output):
                 raise AfmcalcError(f"--output {self.output}: is the SPEC itself; write to another file")
 
+    def takes_no_clutch(self, name: str) -> None:
+        """Refuse overrides where there is no spec to override."""
+        if self.set:
+            raise AfmcalcError(f"{name} takes no clutch, so --set has nothing to override")
+
     def note(self, text: str) -> None:
         """Say something beside the result."""
         if not self.quiet:
@@ -175,8 +180,6 @@ def emit(
     from ..analysis.result import Output
     from ..render import renderer
 
-    if spec is None and common.set:
-        raise AfmcalcError(f"{name} takes no clutch, so --set has nothing to override")
     output = Output(command=name, version=__version__, spec=spec, result=result, findings=findings)
     chosen = common.chosen_format
     terminal = common.output is None and _is_terminal()

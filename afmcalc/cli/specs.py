@@ -72,6 +72,7 @@ def materials(*, common: Common) -> None:
     """  # noqa: D301
     from ..analysis.materials import materials as analysis
 
+    common.takes_no_clutch("materials")
     result, findings = analysis()
     emit("materials", result, findings, common, None)
 

@@ -260,3 +260,11 @@ def test_ascii_streams_do_not_fail():
     run = _shell("afmcalc accuracy --sweep C", PYTHONIOENCODING="ascii")
     assert run.returncode == 0
     assert run.stdout.isascii()
+
+
+@pytest.mark.parametrize("command", ["materials", "equations", "reproduce"])
+def test_commands_without_a_clutch_take_no_overrides_and_give_no_spec(command, afmcalc):
+    assert afmcalc(command, "--set", "C=1").code == 2
+    piped = afmcalc("torque", "-", stdin=afmcalc(command, "--json").out)
+    assert piped.code == 2
+    assert "carries no clutch" in piped.err
