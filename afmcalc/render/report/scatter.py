@@ -63,8 +63,7 @@ def _quantiles(result: ToleranceResult, errors: bool) -> Block:
 def _inputs(inputs: list[InputRow]) -> Block:
     rows = [
         [
-            _symbol(each.path),
-            each.path,
+            *_named(each.path),
             each.distribution,
             display(each.center, each.unit),
             display(each.spread, each.unit),
@@ -72,14 +71,14 @@ def _inputs(inputs: list[InputRow]) -> Block:
         ]
         for each in inputs
     ]
-    header = ["Symbol", "Field", "Distribution", "Center", "Spread", "Unit"]
+    header = ["Symbol", "Quantity", "Distribution", "Center", "Spread", "Unit"]
     return Block("What scatters", header, rows, [False, False, False, True, True, False])
 
 
 def _shares(rows: list[IndexRow]) -> Block:
     lined: list[list[Any]] = [
         [
-            each.path,
+            *_named(each.path),
             display(each.first_order, "1"),
             _rounded(each.first_order_standard_error, "1"),
             display(each.total, "1"),
@@ -87,11 +86,21 @@ def _shares(rows: list[IndexRow]) -> Block:
         ]
         for each in sorted(rows, key=lambda each: -each.total)
     ]
-    header = ["Field", "S_1, first order", "±", "S_T, total", "±"]
+    header = ["Symbol", "Quantity", "S_1, first order", "±", "S_T, total", "±"]
     title = "Share in the variance of the torque (Sobol indices)"
-    return Block(title, header, lined, [False, True, True, True, True])
+    return Block(title, header, lined, [False, False, True, True, True, True])
 
 
-def _symbol(path: str) -> str:
-    named = {"friction": "f", "friction.driving": "f_1", "friction.driven": "f_2"}
-    return named.get(path) or (keys()[path].symbol or "")
+def _named(path: str) -> tuple[str, str]:
+    """Symbol and name of what scatters."""
+    if path in _FRICTION:
+        return _FRICTION[path]
+    key = keys()[path]
+    return key.symbol or "", key.description.partition(";")[0]
+
+
+_FRICTION = {
+    "friction": ("f", "friction in service"),
+    "friction.driving": ("f_1", "friction of the driving pairs in service"),
+    "friction.driven": ("f_2", "friction of the driven pairs in service"),
+}
