@@ -11,11 +11,12 @@ from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.distributions import inputs_of
+from afmcalc.analysis.histogram import CENTRAL, histogram_of_sample
 from afmcalc.analysis.sampling import Model, sizes
 from afmcalc.analysis.simulate import Plan, simulate
 from afmcalc.analysis.sobol import sobol_indices
 from afmcalc.analysis.streaming import Grid, Tally, merged, quantiles
-from afmcalc.analysis.tolerance import tolerance
+from afmcalc.analysis.tolerance import study, tolerance
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec, resolved
 
@@ -262,3 +263,46 @@ def test_simulate_counts():
     spec = read_spec(CONFIGS / "tolerance.toml")
     tallies = simulate(Model(spec, inputs_of(spec)), Plan(5000, 1), 0.0, 1e9)
     assert sum(each.above for each in tallies) == sum(each.below for each in tallies) == 5000
+
+
+@pytest.mark.parametrize("samples", [1000, 30_000, 200_000])
+@pytest.mark.parametrize("friction", FRICTIONS)
+def test_the_histogram_of_a_sample_against_the_exact_one(friction, samples):
+    base = read_spec(CONFIGS / "default.toml")
+    options = {"samples": samples, "sobol_base": 64}
+    exact = study(build(with_tolerance(base, {"friction": friction}, **options))).histogram
+    found = study(build(with_tolerance(base, {"friction": friction}, method="monte-carlo", **options))).histogram
+    assert sum(exact.probabilities) == pytest.approx(CENTRAL[1] - CENTRAL[0], abs=1e-9)
+    assert CENTRAL[1] - CENTRAL[0] - 0.01 <= sum(found.probabilities) <= 1
+    assert np.diff(found.edges) == pytest.approx(found.edges[1] - found.edges[0])
+    assert 5 <= len(found.probabilities) <= 60
+    # the sampled distribution function lies on the exact one, to the error of Kolmogorov's statistic
+    exact_cdf = CENTRAL[0] + np.concatenate([[0], np.cumsum(exact.probabilities)])
+    start = np.interp(found.edges[0], exact.edges, exact_cdf)
+    own = start + np.concatenate([[0], np.cumsum(found.probabilities)])
+    assert np.abs(own - np.interp(found.edges, exact.edges, exact_cdf)).max() < 2.5 / samples**0.5 + 2e-3
+
+
+def test_the_histogram_is_that_of_the_samples():
+    rng = np.random.Generator(np.random.SFC64(1))
+    values = rng.normal(100, 5, 50_000)
+    tally = Tally(Grid.of(values[:5000]))
+    tally.add(values, np.empty(values.size), np.empty(values.size, np.intp))
+    found = histogram_of_sample(tally)
+    counted, _ = np.histogram(values, found.edges)
+    assert np.array(found.probabilities) == pytest.approx(counted / values.size, abs=3 / values.size)
+    assert np.sum(np.array(found.densities) * np.diff(found.edges)) == pytest.approx(sum(found.probabilities))
+
+
+def test_no_histogram_where_nothing_scatters():
+    spec = with_tolerance(
+        read_spec(CONFIGS / "default.toml"),
+        {"closing_spring.force": {"distribution": "normal", "spread": 0}},
+        samples=1000,
+    )
+    assert study(build(spec)).histogram.edges == []
+
+
+def test_the_histogram_is_the_same_in_any_number_of_threads():
+    clutch = build(read_spec(CONFIGS / "tolerance.toml", ["tolerance.samples=20000", "tolerance.sobol_base=64"]))
+    assert study(clutch, threads=1).histogram == study(clutch, threads=5, block=1000).histogram

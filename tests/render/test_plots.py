@@ -137,9 +137,10 @@ def test_a_name_is_text(afmcalc, tmp_path):
     assert afmcalc("plot", "torque", other, CONFIGS / "indirect.toml", "--set", "name=$a$_b", "-o", target).code == 0
 
 
-@pytest.mark.parametrize("what", ["torque", "accuracy", "overload", "life", "paper"])
+@pytest.mark.parametrize("what", sorted(set(KINDS) - {"pocket"}))
 def test_without_a_file_it_is_drawn_as_text(what, afmcalc):
-    run = afmcalc("plot", what, *(["S22-3"] if what == "paper" else [CONFIGS / "all-driving.toml"]))
+    own = {"paper": "S22-3", "pareto": WISHES, "tolerance": CONFIGS / "tolerance.toml"}
+    run = afmcalc("plot", what, own.get(what, CONFIGS / "all-driving.toml"))
     assert run.code == 0
     assert "┤" in run.out
     assert "\x1b" not in run.out
@@ -161,6 +162,20 @@ def test_plot_of_a_grid_has_a_curve_for_each_outer_value(afmcalc):
     assert "x z = 8" in out
     assert afmcalc("life", "--sweep", "dT=100:300:9", "--plot").code == 0
     assert afmcalc("overload", "--sweep", "zC=0:5:9", "--plot").code == 0
+
+
+def test_a_picture_of_a_sample_or_a_search_is_the_same_every_time(afmcalc, tmp_path):
+    for kind, source in (("tolerance", CONFIGS / "tolerance.toml"), ("pareto", WISHES)):
+        made = []
+        for name in ("a.svg", "b.svg"):
+            assert afmcalc("plot", kind, source, "-o", tmp_path / name).code == 0
+            made.append((tmp_path / name).read_bytes())
+        assert made[0] == made[1]
+
+
+def test_each_number_of_pairs_is_named_once():
+    (panel,) = sheet("pareto").panels
+    assert sorted(line.tag for line in panel.lines if line.tag) == sorted(f"z = {z}" for z in range(4, 17, 2))
 
 
 @pytest.mark.parametrize(

@@ -12,11 +12,12 @@ from conftest import CONFIGS, ROOT
 
 import afmcalc as package
 from afmcalc.analysis.dossier import dossier
+from afmcalc.analysis.tolerance import study
 from afmcalc.render.report import ExplainedStep, Subject, render
 from afmcalc.render.report.markup import mathml
 from afmcalc.render.report.page import digest
 
-VARIANTS = ["default", "conventional", "unlike-materials", "all-driving", "indirect"]
+VARIANTS = ["default", "conventional", "unlike-materials", "all-driving", "indirect", "tolerance"]
 EVIL = "<script>alert(1)</script>"
 
 
@@ -43,7 +44,9 @@ def subject(name="default", **more):
     path = CONFIGS / f"{name}.toml"
     clutch = package.load(path)
     found, findings = dossier(clutch)
-    return Subject(clutch, found, findings, path.read_text(encoding="utf-8"), version="0", date="2026-01-01", **more)
+    results = {"tolerance": study(clutch)} if clutch.spec.tolerance else {}
+    given = path.read_text(encoding="utf-8")
+    return Subject(clutch, found, findings, given, version="0", date="2026-01-01", results=results, **more)
 
 
 def parse(page):
@@ -70,16 +73,17 @@ def test_valid_and_self_contained(name, afmcalc):
 @pytest.mark.parametrize(
     ("name", "absent"),
     [
-        ("default", []),
-        ("conventional", ["overload", "synthesize"]),
-        ("unlike-materials", ["overload"]),
-        ("all-driving", []),
-        ("indirect", ["overload"]),
+        ("default", ["tolerance"]),
+        ("conventional", ["overload", "synthesize", "tolerance"]),
+        ("unlike-materials", ["overload", "tolerance"]),
+        ("all-driving", ["tolerance"]),
+        ("indirect", ["overload", "tolerance"]),
+        ("tolerance", []),
     ],
 )
 def test_sections_that_do_not_apply_are_left_out(name, absent, afmcalc):
     page = afmcalc("report", CONFIGS / f"{name}.toml").out
-    for key in ("torque", "accuracy", "adjust", "overload", "synthesize", "life"):
+    for key in ("torque", "accuracy", "adjust", "overload", "synthesize", "life", "tolerance"):
         assert (f'<section id="{key}">' in page) == (key not in absent)
         assert (f'href="#{key}"' in page) == (key not in absent)
     bare = afmcalc("report", CONFIGS / f"{name}.toml", "--set", "fatigue=").out
@@ -133,6 +137,42 @@ def test_checks_have_utilisation_and_verdict(afmcalc):
     assert verdict == "fail"
     assert used > 1
     assert "failed" in "".join(tree.find(".//dl").itertext())
+
+
+def table_rows(tree, section):
+    rows = tree.findall(f".//section[@id='{section}']//tr")
+    return [["".join(each.itertext()) for each in row] for row in rows]
+
+
+def test_tolerance_values_have_their_errors_and_inputs_the_engineers_units():
+    found = subject("tolerance")
+    result = found.results["tolerance"].result
+    tree = parse(render(found))
+    listed = table_rows(tree, "tolerance")
+    rows = {row[0]: row[1:] for row in listed if len(row) < 6 or row[-1] in ("–", "kN", "mm", "MPa")}
+    assert rows["Tm"] == ["mean torque", f"{result.mean:.5g}", f"{result.mean_standard_error:.2g}", "N·m"]
+    assert rows["Fп"] == ["closing-spring force as set", "normal", "2", "0.1", "kN"]
+    assert rows["τlimb"][2:] == ["400", "32", "MPa"]
+    assert float(rows["T99.5"][1]) == pytest.approx(result.quantiles[-1].torque, rel=1e-4)
+    shares = listed[-len(result.sobol) :]
+    assert shares[0][:3] == ["f", "friction in service", f"{result.sobol[0].first_order:.5g}"]
+    spec = {row[1]: row[2:] for row in table_rows(tree, "spec")}
+    assert spec['scatter: endurance limit in shear tolerance.fields."fatigue.endurance_limit"'] == [
+        "normal, spread 8 %, min 250",
+        "MPa",
+    ]
+
+
+def test_an_exact_tolerance_has_no_errors(afmcalc):
+    only = 'tolerance={fields={friction={distribution="uniform"}}}'
+    page = afmcalc("report", CONFIGS / "default.toml", "--set", only).out
+    (section,) = re.findall(r'<section id="tolerance">.*?</section>', page, re.DOTALL)
+    assert "the answer is exact" in section
+    assert "±" not in section
+    still = 'tolerance={fields={"closing_spring.force"={distribution="normal", spread=0}}}'
+    page = afmcalc("report", CONFIGS / "default.toml", "--set", still).out
+    (section,) = re.findall(r'<section id="tolerance">.*?</section>', page, re.DOTALL)
+    assert "<figure" not in section
 
 
 def test_explained_steps():

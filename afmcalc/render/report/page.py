@@ -9,6 +9,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from ...spec import resolved
 from ...spec.paths import keys
+from ...spec.tolerance import unit_at
 from ..plot.figure import inline_svg
 from ..units import display, display_unit
 from .interface import Section, Subject
@@ -70,23 +71,43 @@ def digest(subject: Subject) -> str:
 
 def _keys(subject: Subject) -> list[_Key]:
     known = keys()
-    return [
-        _Key(
-            path,
-            known[path].symbol or "",
-            known[path].description,
-            display(value, known[path].unit or ""),
-            display_unit(known[path].unit or ""),
-            known[path].unit is not None,
+    found: list[_Key] = []
+    for path, value in _flat(resolved(subject.clutch.spec), ""):
+        if isinstance(value, dict):
+            found += [_scatter(path, name, each) for name, each in value.items()]
+            continue
+        key = known[path]
+        shown = list(value) if isinstance(value, tuple) else str(value) if key.unit is None else value
+        found.append(
+            _Key(
+                path,
+                key.symbol or "",
+                key.description,
+                display(shown, key.unit or ""),
+                display_unit(key.unit or ""),
+                key.unit is not None,
+            )
         )
-        for path, value in _flat(resolved(subject.clutch.spec), "")
-    ]
+    return found
+
+
+def _scatter(path: str, name: str, given: dict[str, Any]) -> _Key:
+    """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of what scatters."""
+    unit = unit_at(name) or ""
+    numbers = [f"{part} {display(value, unit)}" for part, value in given.items() if part != "distribution"]
+    key = keys().get(name)
+    about = f"scatter: {key.description.partition(';')[0]}" if key else "scatter of the friction in service"
+    value = ", ".join([given["distribution"], *numbers])
+    return _Key(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, display_unit(unit), False)
 
 
 def _flat(data: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:
+    """Value keys with their values; a key that holds a table of the user's own keys keeps it."""
     found: list[tuple[str, Any]] = []
     for name, value in data.items():
-        found += _flat(value, f"{prefix}{name}.") if isinstance(value, dict) else [(prefix + name, value)]
+        path = prefix + name
+        deeper = isinstance(value, dict) and path not in keys()
+        found += _flat(value, f"{path}.") if deeper else [(path, value)]
     return found
 
 

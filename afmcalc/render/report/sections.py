@@ -11,6 +11,7 @@ from ..plot import Request, sheet_of
 from ..plot.chart import Sheet
 from ..units import display, display_unit
 from .interface import Section, Subject
+from .scatter import scatter_blocks
 
 
 def _torque(subject: Subject) -> Section:
@@ -81,12 +82,14 @@ def _tolerance(subject: Subject) -> Section | None:
         return None
     from ..plot.tolerance import drawn
 
-    about = "The torque as making and service scatter; ± is a standard error, nought where the answer is exact."
+    about = "The slip torque as making and service scatter, by the block [tolerance]" + (
+        "; the answer is exact." if found.result.method == "exact" else "; ± is the standard error of the sample."
+    )
     try:
         plots = [drawn(subject.clutch, found)]
     except CalculationError:
         plots = []
-    return Section("tolerance", "Tolerances and scatter", about, blocks(document(found.result)), plots)
+    return Section("tolerance", "Tolerances and scatter", about, scatter_blocks(found.result), plots)
 
 
 SECTIONS: tuple[Callable[[Subject], Section | None], ...] = (
