@@ -8,9 +8,10 @@ from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..spec.paths import is_whole
 from .adjust import METHODS, set_by
+from .axes import current_value, parse_axis
 from .overload import Actuation, refuse
 from .result import Result, quantity
-from .sweep import Axis, current_value, parse_axis
+from .sweep import Axis
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -203,7 +203,7 @@ def band_axis(text: str, spec: "Spec") -> Axis:
     """Read ``dT[=RANGE]``: the scatter band, from half to twice what the clutch has, or as given."""
     from ..engines import build
     from ..spec.paths import Key
-    from .sweep import parse_values
+    from .axes import parse_values
 
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
     clutch = build(spec)

@@ -2,9 +2,9 @@
 
 from typing import Any
 
+from ...analysis.axes import parse_axis
 from ...analysis.curves import OverloadCurve, overload_curve
 from ...analysis.overload import OverloadResult, OverloadSweep, overload
-from ...analysis.sweep import parse_axis
 from .chart import Area, Axis, Chart, Level, Line, Sheet, axis_of, describe, stated
 from .interface import Request
 
