@@ -3,12 +3,19 @@
 import contextlib
 import io
 import json
+import os
 import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import settings
+
+# the same examples every time where a machine judges, new ones where a person looks; no verdict by the clock
+settings.register_profile("person", deadline=None)
+settings.register_profile("machine", deadline=None, derandomize=True)
+settings.load_profile("machine" if os.environ.get("CI") else "person")
 
 ROOT = Path(__file__).parents[1]
 CONFIGS = ROOT / "configs"

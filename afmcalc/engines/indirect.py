@@ -9,6 +9,7 @@ from ..spec.models import Range, Spec
 from . import geometry, setting
 from ._arrays import Values, checked_friction, is_array, larger, smaller
 from .findings import Finding
+from .indirect_sensitivity import sensitivity
 from .protocol import Point
 
 
@@ -119,7 +120,7 @@ class IndirectClutch:
         gain: Values = indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
         return gain
 
-    def _stiffness(self, friction: Any, net_gain: Any) -> Any:
+    def stiffness(self, friction: Any, net_gain: Any) -> Any:
         """D(f)."""
         return indirect.sleeve_stiffness(self.closing_stiffness, self.control_stiffness, self.pairs, friction, net_gain)
 
@@ -130,7 +131,7 @@ class IndirectClutch:
             self.closing_stiffness,
             self.control_force,
             self.control_stiffness,
-            self._stiffness(friction, net_gain),
+            self.stiffness(friction, net_gain),
         )
 
     def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
@@ -186,7 +187,7 @@ class IndirectClutch:
             friction,
             self.friction_set,
             self.net_gain,
-            self._stiffness(friction, self.net_gain),
+            self.stiffness(friction, self.net_gain),
         )
         return larger(0.0, moved)
 
@@ -256,51 +257,8 @@ class IndirectClutch:
         return ratio
 
     def sensitivity(self) -> dict[str, float]:
-        """Elasticities ∂ln K_т/∂ln p by spec path, from ln K = ln f_max − ln f_min + ln D(f_set) − ln D(f_max)."""
-        own, key = self.friction[0], indirect.gain_threshold(self.mean_radius, self.key_friction, self.hub_diameter)
-        at_set, at_max = self.friction_set, own.max
-
-        def across(elasticity: Any) -> Any:
-            return elasticity(at_set) - elasticity(at_max)
-
-        def feedback(part: Any) -> Any:
-            return lambda f: indirect.stiffness_elasticity_in_feedback(
-                self.closing_stiffness, self.pairs, f, part, self._stiffness(f, self.net_gain)
-            )
-
-        in_gain, in_key = across(feedback(self.gain)), across(feedback(-key))
-        return {
-            **self._friction_sensitivity(feedback(self.net_gain)),
-            "friction_group.pairs": across(feedback(self.net_gain)),
-            **geometry.gain_elasticities(self.spec, in_gain, in_radius=in_key),
-            "control_unit.key_friction": in_key,
-            "control_unit.hub_diameter": -in_key,
-            "closing_spring.stiffness": across(
-                lambda f: indirect.stiffness_elasticity_in_closing_stiffness(
-                    self.closing_stiffness, self.pairs, f, self.net_gain, self._stiffness(f, self.net_gain)
-                )
-            ),
-            "control_spring.stiffness": across(
-                lambda f: indirect.stiffness_elasticity_in_control_stiffness(
-                    self.control_stiffness, self._stiffness(f, self.net_gain)
-                )
-            ),
-            **geometry.force_elasticity(self.spec),
-        }
-
-    def _friction_sensitivity(self, in_friction: Any) -> dict[str, float]:
-        """Elasticities in the ends of the range; a mean that is not given moves with them."""
-        own, block = self.friction[0], self.spec.friction
-        found = {"friction.min": -1.0, "friction.max": 1.0 - in_friction(own.max)}
-        at_set = in_friction(self.friction_set)
-        if self.spec.adjustment.method == "min-friction":
-            found["friction.min"] += at_set
-        elif block.mean is not None:
-            found["friction.mean"] = at_set
-        else:
-            found["friction.min"] += at_set * own.min / (2 * own.mean)
-            found["friction.max"] += at_set * own.max / (2 * own.mean)
-        return found
+        """Elasticities ∂ln K_т/∂ln p by spec path."""
+        return sensitivity(self)
 
     def findings(self) -> list[Finding]:
         """What a designer should know: idle feedback, the key's hysteresis, the setting."""
