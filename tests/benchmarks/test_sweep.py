@@ -40,3 +40,18 @@ def test_sweep_of_the_gain(report):
 
     assert np.array_equal(bare()[0], swept()["accuracy_factor"])
     report("sweep of 1e6 gains, three answers each", median_ratio(swept, bare, pairs=41), 1.2)
+
+
+def test_sweep_of_the_gain_one_formula(report):
+    """The accuracy factor alone: validation and the copy weigh more than beside three answers."""
+    spec = afmcalc.load().spec
+    gain = np.linspace(0, 1.25, N)
+    z1, z2, low, high = 1, 7, 0.1, 0.8
+
+    def bare():
+        return (z1 * high + z2 * high) * (1 + z2 * gain * low) / ((z1 * low + z2 * low) * (1 + z2 * gain * high))
+
+    def swept():
+        return evaluate(spec, {"control_unit.gain": gain}, {"accuracy_factor": SWEEP_OUTPUTS["accuracy_factor"]})
+
+    report("sweep of 1e6 gains, accuracy factor alone", median_ratio(swept, bare, pairs=41), 1.2)

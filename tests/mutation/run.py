@@ -148,6 +148,14 @@ def _registry(cache: list[object] = []) -> object:  # noqa: B006
     return cache[0]
 
 
+def _control(source: str) -> Mutant:
+    """A function as it is: it must survive, or the run kills everything."""
+    function = next(
+        node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef) and node.name == "torque"
+    )
+    return Mutant("direct", "torque", function.lineno, "unchanged", ast.Module([function], []))
+
+
 def main(chosen: list[str]) -> int:
     """Run all mutants of the modules chosen (or all) and report."""
     from concurrent.futures import ThreadPoolExecutor
@@ -159,6 +167,9 @@ def main(chosen: list[str]) -> int:
         prove(name)
     _registry()
     folder = Path(afmcalc.equations.__file__).parent
+    if not survives(_control((folder / "direct.py").read_text(encoding="utf-8"))):
+        print("the control, an unchanged function, did not survive: nothing here can be believed")
+        return 2
     names = chosen or sorted(
         p.stem for p in folder.glob("*.py") if not p.stem.startswith("_") and p.stem != "catalogue"
     )

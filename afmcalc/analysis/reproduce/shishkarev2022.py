@@ -112,9 +112,9 @@ def p19() -> Row:
         printed="minimum at z = 3, above practically all coefficients of friction",
         computed=f"minimum at z = {best}, f = {bound[best]:.2f}",
         deviation=best / 3 - 1,
-        verdict=verdict(best == 3 and bound[best] > _HIGH),
-        correction=None,
-        why="z = 1 + 1/√(β_н − 1); the formula itself is no torque difference (M15)",
+        verdict=verdict(False, best == 3 and bound[best] > _HIGH),
+        correction="(11) reconstructed",
+        why="z = 1 + 1/√(β_н − 1); (11) was recovered with this claim in hand, and is no torque difference (M15)",
     )
 
 
