@@ -3,14 +3,14 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..engines.findings import Finding
 from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
-from .result import Result, Series, quantity
-from .sweep import replaced, series
+from ..findings import Finding
+from ..result import Result, Series, quantity
+from .sweep.grid import replaced, series
 
 if TYPE_CHECKING:
-    from .sweep import Axis
+    from .sweep.grid import Axis
 
 
 class AccuracySweep(Series):

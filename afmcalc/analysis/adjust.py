@@ -4,14 +4,14 @@ import math
 from typing import Literal
 
 from ..engines import build
-from ..engines.findings import Finding
 from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..engines.setting import torque_per_force
 from ..equations import adjustment
+from ..findings import Finding
+from ..result import Result, Triple, quantity
 from ..spec import Spec
 from ..spec.models import Method
-from .result import Result, Triple, quantity
 from .torque import triple
 
 METHODS: tuple[Method, Method] = ("min-friction", "mean-friction")

@@ -5,12 +5,12 @@ from dataclasses import replace
 from typing import Any
 
 from ..engines import build
-from ..engines.findings import Finding
 from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..errors import SpecError
-from ..spec import Spec, make_spec, resolved
-from .result import Result, Triple, quantity
+from ..findings import Finding
+from ..result import Result, Triple, quantity
+from ..spec.edit import as_variant, with_force, with_nominal_torque
 from .torque import triple
 
 VARIANTS = ("conventional", "differentiated", "all-driving", "indirect")
@@ -65,44 +65,6 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
         remarks += [_named(finding, variant) for each in (by_force, by_torque) for finding in each.findings()]
     rows.sort(key=lambda row: row.basis != "spring force")
     return CompareResult(clutches=rows), [*dict.fromkeys(remarks), *missing]
-
-
-def as_variant(spec: Spec, variant: str) -> Spec:
-    """Build the spec of the same pack as another variant: keys the variant does not have are left out.
-
-    Raises:
-        SpecError: the spec lacks what the variant needs.
-    """
-    from ..spec.rules import foreign_keys
-
-    data = resolved(spec)
-    data["variant"] = variant
-    for path in foreign_keys(data):
-        block = data
-        for part in path[:-1]:
-            block = block[part]
-        block.pop(path[-1])
-    return make_spec(data, f"as {variant}")
-
-
-def with_force(spec: Spec, force: float) -> Spec:
-    """Return the spec with its spring set to a force."""
-    return spec.model_copy(
-        update={
-            "closing_spring": spec.closing_spring.model_copy(update={"force": force}),
-            "adjustment": spec.adjustment.model_copy(update={"nominal_torque": None}),
-        }
-    )
-
-
-def with_nominal_torque(spec: Spec, nominal_torque: float) -> Spec:
-    """Return the spec with its spring set for a nominal torque."""
-    return spec.model_copy(
-        update={
-            "closing_spring": spec.closing_spring.model_copy(update={"force": None}),
-            "adjustment": spec.adjustment.model_copy(update={"nominal_torque": nominal_torque}),
-        }
-    )
 
 
 def _named(finding: Finding, name: str) -> Finding:

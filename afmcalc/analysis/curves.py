@@ -6,12 +6,12 @@ from ..engines.direct import DirectClutch
 from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
+from ..result import Result, quantity
 from ..spec.paths import is_whole
 from .adjust import METHODS, set_by
-from .axes import current_value, parse_axis
 from .overload import Actuation, refuse
-from .result import Result, quantity
-from .sweep import Axis
+from .sweep.axes import current_value, parse_axis
+from .sweep.grid import Axis
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -1,14 +1,14 @@
 """All that is to be said of one clutch, for a report."""
 
-from ..engines.findings import Finding
 from ..engines.protocol import Clutch
+from ..findings import Finding
+from ..result import Result, quantity
 from .accuracy import AccuracyResult, accuracy
 from .adjust import AdjustResult, adjust
-from .check import CheckResult, check
-from .checks import Check, checks
+from .checks.check import CheckResult, check
+from .checks.limits import Check, checks
 from .life import LifeResult, Model, life
 from .overload import OverloadResult, applies, overload
-from .result import Result, quantity
 from .synthesize import SynthesisResult, synthesize
 from .torque import TorqueResult, torque
 

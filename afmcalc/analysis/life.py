@@ -5,14 +5,14 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from ..engines._arrays import is_array, larger, smaller
-from ..engines.findings import Finding
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..errors import AfmcalcError, Problem, SpecError
+from ..findings import Finding
+from ..result import Result, Series, quantity
 from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
-from .result import Result, Series, quantity
-from .sweep import Axis, evaluate, grid
+from .sweep.grid import Axis, evaluate, grid
 
 if TYPE_CHECKING:
     from ..spec import Spec
@@ -203,7 +203,7 @@ def band_axis(text: str, spec: "Spec") -> Axis:
     """Read ``dT[=RANGE]``: the scatter band, from half to twice what the clutch has, or as given."""
     from ..engines import build
     from ..spec.paths import Key
-    from .axes import parse_values
+    from .sweep.axes import parse_values
 
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
     clutch = build(spec)

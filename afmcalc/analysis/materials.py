@@ -1,8 +1,8 @@
 """The friction-material catalogue as a result."""
 
-from ..engines.findings import Finding
+from ..findings import Finding
+from ..result import Result, quantity
 from ..spec.materials import catalogue
-from .result import Result, quantity
 
 
 class MaterialRow(Result):

@@ -5,15 +5,15 @@ from typing import TYPE_CHECKING, Any
 
 from ..engines._arrays import larger
 from ..engines.direct import DirectClutch
-from ..engines.findings import Finding
 from ..engines.protocol import Clutch
 from ..equations import overload as law
 from ..errors import CalculationError
-from .result import Result, Series, Triple, quantity
-from .sweep import series
+from ..findings import Finding
+from ..result import Result, Series, Triple, quantity
+from .sweep.grid import series
 
 if TYPE_CHECKING:
-    from .sweep import Axis
+    from .sweep.grid import Axis
 
 
 class OverloadSweep(Series):

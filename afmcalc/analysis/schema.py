@@ -7,9 +7,9 @@ from typing import Any
 from pydantic import create_model
 
 from ..errors import AfmcalcError
+from ..result import Output
 from ..spec import Spec
 from ..spec.suggest import did_you_mean
-from .result import Output
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
 
@@ -21,14 +21,14 @@ RESULTS = {
     "synthesize": ("synthesize", "SynthesisResult"),
     "life": ("life", "LifeResult"),
     "compare": ("compare", "CompareResult"),
-    "solve": ("solve", "SolveResult"),
-    "tolerance": ("tolerance", "ToleranceResult"),
-    "design": ("design", "DesignResult"),
+    "solve": ("solve.solve", "SolveResult"),
+    "tolerance": ("tolerance.study", "ToleranceResult"),
+    "design": ("design.design", "DesignResult"),
     "materials": ("materials", "MaterialsResult"),
-    "explain": ("explain", "ExplainResult"),
-    "equations": ("register", "EquationsResult"),
-    "reproduce": ("reproduce", "ReproduceResult"),
-    "check": ("check", "CheckResult"),
+    "explain": ("explain.explain", "ExplainResult"),
+    "equations": (".papers.register", "EquationsResult"),
+    "reproduce": (".papers.claims", "ReproduceResult"),
+    "check": ("checks.check", "CheckResult"),
 }
 """Command → module of this package and class of its result."""
 

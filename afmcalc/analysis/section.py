@@ -4,7 +4,7 @@ import math
 
 from ..engines.protocol import Clutch
 from ..equations.synthesis import pocket_depth
-from .result import Result, quantity
+from ..result import Result, quantity
 from .synthesize import SynthesisResult, synthesize
 
 

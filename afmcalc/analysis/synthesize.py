@@ -4,15 +4,15 @@ import math
 from collections.abc import Sequence
 from typing import Any, Literal
 
-from ..engines.findings import Finding
 from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
 from ..errors import Problem, SpecError
+from ..findings import Finding
+from ..result import Result, quantity
 from ..spec import Spec, resolved
 from ..spec.balls import diameters
 from ..spec.models import Contact, ControlUnit
-from .result import Result, quantity
 
 DEFAULT_CLEARANCE = 0.002
 """s and y where the spec gives none, m: S21 takes 2…3 mm."""

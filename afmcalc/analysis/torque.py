@@ -3,11 +3,11 @@
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from ..engines.findings import Finding
 from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
-from .result import Result, Triple, quantity
+from ..findings import Finding
+from ..result import Result, Triple, quantity
 
 
 class FrictionPoint(Result):

@@ -5,12 +5,14 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from ..errors import AfmcalcError
-from .session import Common, SpecArgument, build_from, calculate, emit, guarded, read_again, with_common, write
+from .files import write
+from .options import Common, SpecArgument, with_common
+from .run import build_from, calculate, emit, guarded, read_again
 
 if TYPE_CHECKING:
-    from ..analysis.sweep import Axis
+    from ..analysis.sweep.grid import Axis
     from ..engines import Clutch
-    from ..render.table import Curve
+    from ..render.formats.table import Curve
 
 SweepOption = Annotated[
     list[str] | None,
@@ -66,7 +68,7 @@ def accuracy(
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
     """  # noqa: D301
     from ..analysis.accuracy import accuracy as analysis
-    from ..analysis.axes import parse_axis
+    from ..analysis.sweep.axes import parse_axis
 
     calculate(
         "accuracy",
@@ -99,8 +101,8 @@ def overload(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOpt
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
-    from ..analysis.axes import parse_axis
     from ..analysis.overload import overload as analysis
+    from ..analysis.sweep.axes import parse_axis
 
     calculate(
         "overload",
@@ -170,9 +172,9 @@ def life(
     afmcalc life clutch.toml --model amplitude --set fatigue.mean_stress_sensitivity=0.1
     afmcalc life clutch.toml --sweep dT=500:1100:13
     """  # noqa: D301
-    from ..analysis.axes import parse_axis
     from ..analysis.life import band_axis
     from ..analysis.life import life as analysis
+    from ..analysis.sweep.axes import parse_axis
 
     def axes(clutch: "Clutch") -> list["Axis"]:
         return [(band_axis if _is_band(text) else parse_axis)(text, clutch.spec) for text in sweep or ()]

@@ -5,7 +5,9 @@ from typing import Annotated
 import typer
 
 from ..errors import AfmcalcError
-from .session import Common, SpecArgument, build_from, calculate, emit, guarded, naming, with_common, write
+from .files import write
+from .options import Common, SpecArgument, with_common
+from .run import build_from, calculate, emit, guarded, naming
 
 
 @with_common
@@ -31,8 +33,8 @@ def solve(
     afmcalc solve --for F nominal_torque="250 N*m" clutch.toml --json | afmcalc torque -
     afmcalc solve --for z torque_max=300 clutch.toml
     """  # noqa: D301
-    from ..analysis.solve import solve as analysis
-    from ..analysis.targets import parse_target
+    from ..analysis.solve.solve import solve as analysis
+    from ..analysis.solve.targets import parse_target
     from ..spec import resolved
 
     common.keep(spec)
@@ -61,7 +63,7 @@ def tolerance(
     afmcalc tolerance clutch.toml --set tolerance.samples=10_000_000 --json
     afmcalc tolerance clutch.toml --set tolerance.method=quasi-monte-carlo
     """  # noqa: D301
-    from ..analysis.tolerance import tolerance as analysis
+    from ..analysis.tolerance.study import tolerance as analysis
 
     calculate("tolerance", spec, common, lambda clutch: analysis(clutch, threads=threads))
 
@@ -88,9 +90,9 @@ def design(
     afmcalc design requirements.toml --pick 3 --output clutch.toml
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
-    from ..analysis.design import design as analysis
-    from ..analysis.design import picked
-    from ..analysis.search import total
+    from ..analysis.design.design import design as analysis
+    from ..analysis.design.design import picked
+    from ..analysis.design.search import total
     from ..spec import resolved, to_toml
     from ..spec.requirements import read_requirements
     from .progress import Progress

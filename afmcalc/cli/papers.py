@@ -5,7 +5,8 @@ from typing import Annotated, Literal
 import typer
 
 from ..errors import AfmcalcError
-from .session import Common, SpecArgument, emit, guarded, naming, read, with_common
+from .options import Common, SpecArgument, with_common
+from .run import emit, guarded, naming, read
 
 PaperOption = Annotated[
     list[str] | None, typer.Option("--paper", metavar="KEY", help="F11, S19, S21 or S22; repeatable.")
@@ -31,7 +32,7 @@ def explain(
     afmcalc explain torque clutch.toml
     afmcalc explain overload --format markdown > overload.md
     """  # noqa: D301
-    from ..analysis.explain import explain as analysis
+    from ..analysis.explain.explain import explain as analysis
     from ..spec import resolved
 
     if model and command != "life":
@@ -60,7 +61,7 @@ def equations(
     afmcalc equations --id "S21 (15)" --prove
     afmcalc equations --misprints
     """  # noqa: D301
-    from ..analysis.register import equations as analysis
+    from ..papers.register import equations as analysis
 
     common.takes_no_clutch("equations")
     result, findings = analysis(paper or [], id_ or [], show_misprints=misprints, prove=prove)
@@ -84,7 +85,7 @@ def reproduce(
     afmcalc reproduce --figure S22-3 --format csv
     afmcalc reproduce --paper S22 --format csv
     """  # noqa: D301
-    from ..analysis.reproduce import reproduce as analysis
+    from ..papers.claims import reproduce as analysis
 
     common.takes_no_clutch("reproduce")
     result, findings = analysis(paper or [], figure)

@@ -6,7 +6,9 @@ import typer
 
 from ..errors import AfmcalcError
 from ..extras import need
-from .session import Common, build_from, guarded, naming, write, write_file
+from .files import write, write_file
+from .options import Common
+from .run import build_from, guarded, naming
 
 if TYPE_CHECKING:
     from ..render.plot import Request
@@ -80,7 +82,7 @@ def plot(
 
 def _of_requirements(what: str, request: "Request", common: Common) -> "Sheet":
     """Read the requirements and search, with a progress bar."""
-    from ..analysis.search import total
+    from ..analysis.design.search import total
     from ..render.plot import check_request, sheet_of
     from ..spec.requirements import read_requirements
     from .progress import Progress
@@ -112,9 +114,9 @@ def _refuse_twice(sources: list[str]) -> None:
 
 def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
     if ending is None:
+        from ..render.formats.table import is_unicode
         from ..render.plot.chart import Chart
         from ..render.plot.text import draw_sheet
-        from ..render.table import is_unicode
 
         if not any(isinstance(panel, Chart) for panel in sheet.panels):
             raise AfmcalcError("this is a drawing, no curve: give a file, -o FILE.svg (or .png, .pdf)")

@@ -8,11 +8,13 @@ import typer
 from .. import __version__
 from ..errors import AfmcalcError
 from ..extras import need
-from .session import Common, SpecArgument, guarded, naming, write, write_file
+from .files import write, write_file
+from .options import Common, SpecArgument
+from .run import guarded, naming
 
 if TYPE_CHECKING:
     from ..engines import Clutch
-    from ..engines.findings import Finding
+    from ..findings import Finding
     from ..spec import Spec
 
 
@@ -77,7 +79,7 @@ def _beyond(clutch: "Clutch") -> "tuple[dict[str, Any], list[Finding]]":
     """Results that the spec asks for by a block of its own, and their findings."""
     if clutch.spec.tolerance is None:
         return {}, []
-    from ..analysis.tolerance import study
+    from ..analysis.tolerance.study import study
 
     found = study(clutch)
     return {"tolerance": found}, found.findings

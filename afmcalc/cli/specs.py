@@ -6,7 +6,9 @@ from typing import Annotated, Literal
 import typer
 
 from ..errors import AfmcalcError
-from .session import Common, SpecArgument, calculate, emit, with_common, write
+from .files import write
+from .options import Common, SpecArgument, with_common
+from .run import calculate, emit
 
 _EXAMPLES = {"differentiated": "default"}
 """Example that stands for a variant where the names differ."""
@@ -55,7 +57,7 @@ def check(
     afmcalc check clutch.toml && echo fine
     afmcalc check clutch.toml --strict --json
     """  # noqa: D301
-    from ..analysis.check import check as analysis
+    from ..analysis.checks.check import check as analysis
 
     output = calculate("check", spec, common, lambda clutch: analysis(clutch, strict=strict))
     if not output.result.passed:

@@ -4,10 +4,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ..equations import accuracy, direct
+from ..findings import Finding
 from ..spec.models import Range, Spec
 from . import geometry, setting
 from ._arrays import Values, checked_friction, larger, smaller
-from .findings import Finding
 from .protocol import Point
 
 

@@ -5,12 +5,12 @@ from typing import Any
 
 from ..equations import direct, indirect
 from ..errors import Problem, SpecError
+from ..findings import Finding
 from ..spec.models import Range, Spec
 from . import geometry, setting
 from ._arrays import Values, checked_friction, is_array, larger, smaller
-from .findings import Finding
-from .indirect_sensitivity import sensitivity
 from .protocol import Point
+from .sensitivity import sensitivity
 
 
 @dataclass(frozen=True)

@@ -2,9 +2,9 @@
 
 from typing import Any, NamedTuple, Protocol
 
+from ..findings import Finding
 from ..spec.models import Range, Spec
 from ._arrays import Values
-from .findings import Finding
 
 
 class Point(NamedTuple):

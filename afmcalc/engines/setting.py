@@ -3,9 +3,9 @@
 from typing import Any, Protocol
 
 from ..equations import adjustment
+from ..findings import Finding
 from ..spec.models import Method, Range, Spec
 from ._arrays import Values
-from .findings import Finding
 
 
 class Settable(Protocol):

@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
-from ..analysis.result import Result, Triple
+from ..result import Result, Triple
 
 
 class Row(NamedTuple):

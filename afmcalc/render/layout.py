@@ -2,8 +2,8 @@
 
 from typing import Any, NamedTuple
 
-from ..analysis.result import Output
-from ..engines.findings import Finding
+from ..findings import Finding
+from ..result import Output
 from .document import Column, Document, Table
 from .units import display, display_unit
 

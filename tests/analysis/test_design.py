@@ -15,9 +15,9 @@ from conftest import CONFIGS, ROOT
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from afmcalc.analysis import search as searching
-from afmcalc.analysis.design import design, picked
-from afmcalc.analysis.pareto import front
+from afmcalc.analysis.design import search as searching
+from afmcalc.analysis.design.design import design, picked
+from afmcalc.analysis.design.pareto import front
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
 from afmcalc.equations import adjustment, inverse

@@ -4,9 +4,9 @@ import pytest
 import sympy
 from conftest import CONFIGS
 
-from afmcalc.analysis.explain import explain
-from afmcalc.analysis.formula import Formula
-from afmcalc.analysis.trace import distinct, recording
+from afmcalc.analysis.explain.explain import explain
+from afmcalc.analysis.explain.formula import Formula
+from afmcalc.analysis.explain.trace import distinct, recording
 from afmcalc.engines import build
 from afmcalc.equations import direct
 from afmcalc.equations.catalogue import equations
@@ -23,7 +23,7 @@ def test_every_value_shown_is_the_value_calculated(command, name):
     result, _ = explain(command, spec)
     assert result.steps
     with recording() as calls:
-        from afmcalc.analysis.explain import _analyses
+        from afmcalc.analysis.explain.explain import _analyses
 
         _analyses()[command](build(spec))
     values = {(call.equation.name, call.value) for call in calls if isinstance(call.value, float)}

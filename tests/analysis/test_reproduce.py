@@ -2,7 +2,7 @@
 
 import pytest
 
-from afmcalc.analysis.reproduce import EXPECTED, reproduce
+from afmcalc.papers.claims import EXPECTED, reproduce
 
 FIGURES = {
     "P1": ["8.197", "9.225"],

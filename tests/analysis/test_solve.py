@@ -6,8 +6,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
-from afmcalc.analysis.solve import solve, solved_spec
-from afmcalc.analysis.targets import TARGETS
+from afmcalc.analysis.solve.solve import solve, solved_spec
+from afmcalc.analysis.solve.targets import TARGETS
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError, CalculationError
 from afmcalc.spec import read_spec

@@ -10,13 +10,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
-from afmcalc.analysis.distributions import inputs_of
-from afmcalc.analysis.histogram import CENTRAL, histogram_of_sample
-from afmcalc.analysis.sampling import Model, sizes
-from afmcalc.analysis.simulate import Plan, simulate
-from afmcalc.analysis.sobol import sobol_indices
-from afmcalc.analysis.streaming import Grid, Tally, merged, quantiles
-from afmcalc.analysis.tolerance import study, tolerance
+from afmcalc.analysis.tolerance.distributions import inputs_of
+from afmcalc.analysis.tolerance.histogram import CENTRAL, histogram_of_sample
+from afmcalc.analysis.tolerance.run import Plan, simulate
+from afmcalc.analysis.tolerance.sampling import Model, sizes
+from afmcalc.analysis.tolerance.sobol import sobol_indices
+from afmcalc.analysis.tolerance.study import study, tolerance
+from afmcalc.analysis.tolerance.tally import Grid, Tally, merged, quantiles
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec, resolved
 

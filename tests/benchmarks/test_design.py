@@ -9,7 +9,7 @@ import tomllib
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.search import Found, _flat, search, total
+from afmcalc.analysis.design.search import Found, _flat, search, total
 from afmcalc.spec.requirements import make_requirements
 
 BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))

@@ -11,11 +11,11 @@ import numpy as np
 import pytest
 from ratios import median_ratio
 
-from afmcalc.analysis.distributions import inputs_of
-from afmcalc.analysis.sampling import Model
-from afmcalc.analysis.simulate import Plan, simulate
-from afmcalc.analysis.sobol import sobol_indices
-from afmcalc.analysis.streaming import merged, quantiles
+from afmcalc.analysis.tolerance.distributions import inputs_of
+from afmcalc.analysis.tolerance.run import Plan, simulate
+from afmcalc.analysis.tolerance.sampling import Model
+from afmcalc.analysis.tolerance.sobol import sobol_indices
+from afmcalc.analysis.tolerance.tally import merged, quantiles
 from afmcalc.spec import make_spec
 
 N = 10_000_000

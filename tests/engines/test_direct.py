@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 from strategies import FRICTION, direct_specs
 
 import afmcalc
-from afmcalc.analysis.sweep import with_value
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, resolved
+from afmcalc.spec.edit import with_value
 
 
 def solve_balance(spec, f1: float, f2: float) -> tuple[float, float, float]:

@@ -8,10 +8,10 @@ from hypothesis import strategies as st
 from strategies import FRICTION, indirect_specs
 
 import afmcalc
-from afmcalc.analysis.sweep import with_value
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, read_spec, resolved
+from afmcalc.spec.edit import with_value
 
 
 def forces(spec):

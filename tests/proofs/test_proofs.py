@@ -4,8 +4,8 @@ import re
 
 import pytest
 
-from afmcalc.analysis.register import is_accounted, is_numbered, misprints, register
 from afmcalc.equations.catalogue import equations
+from afmcalc.papers.register import is_accounted, is_numbered, misprints, register
 from afmcalc.proofs import Identity, ProofError, is_zero, proofs, prove
 
 NUMBERED = {"F11": 22, "S19": 20, "S21": 24, "S22": 24}

@@ -10,7 +10,7 @@ import snapshots
 from conftest import CONFIGS
 
 import afmcalc as package
-from afmcalc.render.curve import curve
+from afmcalc.render.formats.curve import curve
 from afmcalc.render.units import significant
 
 COMMANDS = {

@@ -13,8 +13,8 @@ from conftest import CONFIGS
 from PIL import Image
 
 import afmcalc as package
-from afmcalc.analysis.papers import FIGURES
 from afmcalc.engines import build
+from afmcalc.papers.figures import FIGURES
 from afmcalc.render.plot import KINDS, Request, sheet_of
 from afmcalc.render.plot.figure import ENDINGS, save
 from afmcalc.render.plot.style import COLOURS, DASHES

@@ -12,7 +12,7 @@ from conftest import CONFIGS, ROOT
 
 import afmcalc as package
 from afmcalc.analysis.dossier import dossier
-from afmcalc.analysis.tolerance import study
+from afmcalc.analysis.tolerance.study import study
 from afmcalc.render.report import ExplainedStep, Subject, render
 from afmcalc.render.report.markup import mathml
 from afmcalc.render.report.page import digest

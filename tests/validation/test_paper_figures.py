@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from afmcalc.analysis.papers import FIGURES, paper_figure
+from afmcalc.papers.figures import FIGURES, paper_figure
 
 
 def at(name, number, x, panel=0):

@@ -81,5 +81,5 @@ def sheet_of(name: str, request: Request) -> "Sheet":
         AfmcalcError: no such kind, subjects or options that are not for it, or an analysis that does not apply.
     """
     check_request(name, request)
-    make: Callable[[Request], Sheet] = import_module(f".{name}", __package__).sheet
+    make: Callable[[Request], Sheet] = import_module(f".kinds.{name}", __package__).sheet
     return make(request)

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ...analysis.dossier import Dossier
-from ...engines.findings import Finding
 from ...engines.protocol import Clutch
+from ...findings import Finding
 from ..layout import Block
 from ..plot.chart import Sheet
 

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+from ...papers.references import REFERENCES
 from ...spec import resolved
 from ...spec.paths import keys
 from ...spec.tolerance import unit_at
@@ -14,7 +15,6 @@ from ..plot.figure import inline_svg
 from ..units import display, display_unit
 from .interface import Section, Subject
 from .markup import cell, drawing, mathml, symbol
-from .references import REFERENCES
 from .sections import sections
 
 _LEVELS = {"error": 0, "warning": 1, "info": 2}

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from ...analysis.tolerance import IndexRow, InputRow, ToleranceResult
+from ...analysis.tolerance.study import IndexRow, InputRow, ToleranceResult
 from ...spec.paths import keys
 from ..document import Row, document
 from ..layout import Block

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from typing import Any
 
-from ...analysis.result import Result, Triple
 from ...errors import CalculationError
+from ...result import Result, Triple
 from ..document import Document, document
 from ..layout import Block, blocks
 from ..plot import Request, sheet_of
@@ -80,7 +80,7 @@ def _tolerance(subject: Subject) -> Section | None:
     found = subject.results.get("tolerance")
     if found is None:
         return None
-    from ..plot.tolerance import drawn
+    from ..plot.kinds.tolerance import drawn
 
     about = "The slip torque as making and service scatter, by the block [tolerance]" + (
         "; the answer is exact." if found.result.method == "exact" else "; ± is the standard error of the sample."

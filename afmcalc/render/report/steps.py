@@ -4,8 +4,8 @@ from collections.abc import Mapping, Sequence
 
 from latex2mathml.converter import convert
 
-from ...analysis.explain import Step, explain
-from ...analysis.formula import value_latex
+from ...analysis.explain.explain import Step, explain
+from ...analysis.explain.formula import value_latex
 from ...spec import Spec
 from ..layout import step_value
 from .interface import ExplainedStep

@@ -1,0 +1,1 @@
+"""Every limit a design is held against."""

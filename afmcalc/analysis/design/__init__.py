@@ -1,0 +1,1 @@
+"""From requirements to the Pareto front of everything that meets them."""

@@ -1,0 +1,1 @@
+"""A calculation as an engineer writes it."""

@@ -1,0 +1,1 @@
+"""From a wanted quantity back to one parameter."""

@@ -1,0 +1,1 @@
+"""Sweeps: any numeric key of the spec over a range of values."""

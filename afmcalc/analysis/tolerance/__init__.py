@@ -1,0 +1,1 @@
+"""The torque when making and service scatter."""

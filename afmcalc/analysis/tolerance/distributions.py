@@ -1,0 +1,196 @@
+"""Distributions of the scattering numbers: drawn from a stream, or mapped from a uniform number."""
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from statistics import NormalDist
+from typing import Any, Literal
+
+from ...errors import CalculationError
+from ...spec import Spec
+from ...spec.edit import value_at
+from ...spec.tolerance import FRICTION, Distribution, percentage, physical_limits, unit_at
+
+_NORMAL = NormalDist()
+_LEAST_MASS = 1e-3
+"""Share of a distribution that its limits must leave for it to be drawn at all."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """One number that scatters, SI."""
+
+    path: str
+    unit: str
+    kind: Literal["normal", "uniform", "triangular", "lognormal"]
+    center: float
+    spread: float
+    """Standard deviation, or half-width; for ends given, half their distance."""
+    ends: tuple[float, float]
+    """Ends of a uniform or triangular distribution before truncation."""
+    limits: tuple[float, float]
+    """Truncation."""
+
+    @cached_property
+    def scores(self) -> tuple[float, float]:
+        """Parameters of the normal score: the value is ``a + b·z``, or its exponential for lognormal."""
+        if self.kind == "normal":
+            return self.center, self.spread
+        variance = math.log1p((self.spread / self.center) ** 2)
+        return math.log(self.center) - variance / 2, math.sqrt(variance)
+
+    def cdf(self, x: float) -> float:
+        """Probability below x, before truncation."""
+        if self.kind in ("normal", "lognormal"):
+            a, b = self.scores
+            if self.kind == "lognormal":
+                if x <= 0:
+                    return 0.0
+                x = math.log(x) if x < math.inf else math.inf
+            if b == 0:
+                return float(x >= a)
+            return _NORMAL.cdf((x - a) / b)
+        low, high = self.ends
+        if x <= low:
+            return 0.0
+        if x >= high:
+            return 1.0
+        if self.kind == "uniform":
+            return (x - low) / (high - low)
+        if x < self.center:
+            return (x - low) ** 2 / ((high - low) * (self.center - low))
+        return 1 - (high - x) ** 2 / ((high - low) * (high - self.center))
+
+    @cached_property
+    def mass(self) -> tuple[float, float]:
+        """Probabilities at the limits; the part between them is what remains."""
+        return self.cdf(self.limits[0]), self.cdf(self.limits[1])
+
+    def quantiles(self, u: Any) -> Any:
+        """Value at each probability of an array, truncation included."""
+        import numpy as np
+
+        below, above = self.mass
+        u = below + u * (above - below)
+        if self.kind in ("normal", "lognormal"):
+            a, b = self.scores
+            values = a + b * normal_score(u)
+            values = np.exp(values) if self.kind == "lognormal" else values
+        else:
+            values = self._between(u)
+        return np.clip(values, *self.limits)
+
+    def draw(self, stream: Any, into: Any) -> None:
+        """Fill an array from a stream of random numbers; what falls outside the limits is drawn again."""
+        import numpy as np
+
+        self._fill(stream, into)
+        low, high = self.limits
+        while (low > -math.inf and into.min() < low) or (high < math.inf and into.max() > high):
+            outside = np.flatnonzero((into < low) | (into > high))
+            again = np.empty(outside.size)
+            self._fill(stream, again)
+            into[outside] = again
+
+    def from_scores(self, z: Any) -> Any:
+        """Value at each standard normal score of an array (the correlated pair)."""
+        return self.quantiles(normal_probability(z))
+
+    def _fill(self, stream: Any, into: Any) -> None:
+        import numpy as np
+
+        if self.kind in ("normal", "lognormal"):
+            a, b = self.scores
+            stream.standard_normal(out=into)
+            into *= b
+            into += a
+            if self.kind == "lognormal":
+                np.exp(into, out=into)
+            return
+        stream.random(out=into)
+        into[...] = self._between(into)
+
+    def _between(self, u: Any) -> Any:
+        import numpy as np
+
+        low, high = self.ends
+        if self.kind == "uniform" or high == low:
+            return low + (high - low) * u
+        peak = (self.center - low) / (high - low)
+        rising = low + np.sqrt(u * ((high - low) * (self.center - low)))
+        falling = high - np.sqrt((1 - u) * ((high - low) * (high - self.center)))
+        return np.where(u < peak, rising, falling)
+
+
+def inputs_of(spec: Spec) -> list[Input]:
+    """Return what scatters in a spec, in the order of its [tolerance] block."""
+    return [_input(spec, path, given) for path, given in spec.tolerance.fields.items()]
+
+
+def _input(spec: Spec, path: str, given: Distribution) -> Input:
+    unit = unit_at(path)
+    assert unit is not None
+    center = _float(given.center)
+    low, high = _float(given.min), _float(given.max)
+    limits = physical_limits(path)
+    if path in FRICTION:
+        own = spec.friction if path == "friction" else getattr(spec.friction, path.rpartition(".")[2])
+        center = own.range.mean if center is None else center
+        if given.distribution in ("uniform", "triangular") and given.spread is None:
+            low, high = own.range.min if low is None else low, own.range.max if high is None else high
+    elif center is None:
+        value = value_at(spec, path)
+        if value is None and low is not None and high is not None:
+            value = (low + high) / 2
+        if value is None:
+            raise CalculationError(f"tolerance.fields.{path}: the spec has no {path} to scatter; give center")
+        center = float(value)
+    share = percentage(given.spread)
+    spread = abs(center) * share if share is not None else _float(given.spread)
+    if spread is None:
+        assert low is not None
+        assert high is not None
+        ends, spread = (low, high), (high - low) / 2
+        if given.distribution == "triangular" and not low <= center <= high:
+            raise CalculationError(
+                f"tolerance.fields.{path}: the peak {center:g} is not between min {low:g} and max {high:g}"
+            )
+    else:
+        ends = center - spread, center + spread
+        limits = max(limits[0], -math.inf if low is None else low), min(limits[1], math.inf if high is None else high)
+    if given.distribution == "lognormal" and not center > 0:
+        raise CalculationError(f"tolerance.fields.{path}: a lognormal center must be greater than 0")
+    found = Input(path, unit, given.distribution, center, spread, ends, limits)
+    below, above = found.mass
+    if spread > 0 and not above - below > _LEAST_MASS:
+        raise CalculationError(
+            f"tolerance.fields.{path}: the limits {limits[0]:g} to {limits[1]:g} leave nothing of the distribution"
+        )
+    return found
+
+
+def _float(value: Any) -> float | None:
+    return None if value is None else float(value)
+
+
+def normal_score(u: Any) -> Any:
+    """Inverse of the normal distribution over an array; SciPy's where it is installed, else the standard library's."""
+    import numpy as np
+
+    try:
+        from scipy.special import ndtri
+    except ImportError:
+        tiny = np.clip(u, 1e-300, 1 - 2**-53)
+        return np.fromiter(map(_NORMAL.inv_cdf, tiny.ravel()), float, tiny.size).reshape(tiny.shape)
+    return ndtri(u)
+
+
+def normal_probability(z: Any) -> Any:
+    """Normal distribution over an array."""
+    import numpy as np
+
+    try:
+        from scipy.special import ndtr
+    except ImportError:
+        return np.fromiter(map(_NORMAL.cdf, z.ravel()), float, z.size).reshape(z.shape)
+    return ndtr(z)

@@ -1,0 +1,1 @@
+"""What the papers say: their formulas, misprints, claims and figures."""

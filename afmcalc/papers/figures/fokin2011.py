@@ -1,0 +1,35 @@
+"""Figure of Фокин and others 2011 (F11)."""
+
+import numpy as np
+
+from ...equations.accuracy import accuracy_factor, accuracy_factor_by_ratios
+from .interface import PaperFigure, axis, curve
+
+_RANGES = ((0.10, 0.6), (0.14, 0.7), (0.16, 0.7), (0.16, 0.8))
+"""f_1min and f_1max of curves 1–4."""
+_BYPASS, _CONTROLLED, _GAIN, _RATIO_MIN = 1, 6, 1.25, 1.0
+
+
+def figure_2() -> PaperFigure:
+    """K_т over n = f_2max/f_1max, formula (17); lines 5–7 one material."""
+    n = np.linspace(0.5, 1.5, 101)
+    curves = []
+    for number, (low, high) in enumerate(_RANGES, start=1):
+        factor = accuracy_factor_by_ratios(_BYPASS, _CONTROLLED, _GAIN, n, _RATIO_MIN, low, high)
+        curves.append(curve(str(number), f"f_1 = {low:.2f}…{high:.1f}", n, factor))
+    for number, (low, high) in enumerate(_RANGES[:3], start=5):
+        factor = accuracy_factor(0, 6, _GAIN, low, low, high, high)
+        curves.append(curve(str(number), f"one material, f = {low:.2f}…{high:.1f}", n, factor))
+    return PaperFigure(
+        name="F11 fig. 2",
+        title="accuracy factor against the ratio of the largest frictions",
+        panels=[curves],
+        x=axis("ratio f_2max/f_1max", "n"),
+        y=[axis("accuracy factor", "K_т")],
+        inputs="Formula (17), z_2 = 6, C = 1.25; lines 5–7: z = 6, all pairs controlled.",
+        corrections=[
+            "M4: z_1 = 1, printed 2, with which all four curves fall (z_1 = 2 with C = 0.625 mends it too)",
+            "M5: K_т grows with n while C < 1/(z_1 f_1max), so n > 1 lowers the accuracy",
+        ],
+        assumed="p = f_2min/f_1min = 1 and n = 0.5…1.5.",
+    )

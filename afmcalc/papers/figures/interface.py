@@ -1,0 +1,81 @@
+"""What a figure of a paper is, and which there are."""
+
+from importlib import import_module
+
+from ...errors import AfmcalcError
+from ...result import Result, quantity
+from ...spec.suggest import did_you_mean
+
+FIGURES = {
+    "F11-2": "fokin2011",
+    "S19-2": "shishkarev2019",
+    "S21-2": "shishkarev2021",
+    "S21-4": "shishkarev2021",
+    "S22-1": "shishkarev2022",
+    "S22-2": "shishkarev2022",
+    "S22-3": "shishkarev2022",
+    "S22-4": "shishkarev2022",
+}
+"""Figure → module of this package that has a function of its name (``figure_2``)."""
+
+
+class PaperAxis(Result):
+    """An axis of a figure."""
+
+    name: str = quantity("", None, "quantity")
+    symbol: str = quantity("", None, "symbol")
+    unit: str = quantity("", None, "SI unit")
+    log: bool = quantity("", None, "whether its scale is logarithmic")
+
+
+class PaperCurve(Result):
+    """One curve, or a row of points."""
+
+    number: str = quantity("", None, "number of the curve in the paper")
+    label: str = quantity("", None, "what it shows")
+    x: list[float] = quantity("", None, "abscissae, SI")
+    y: list[float] = quantity("", None, "ordinates, SI")
+    points: bool = quantity("", None, "whether it is single points")
+
+
+class PaperFigure(Result):
+    """One figure: axes, curves, what was mended and what the paper leaves open."""
+
+    name: str = quantity("", None, "paper and number of the figure")
+    title: str = quantity("", None, "what it shows")
+    panels: list[list[PaperCurve]] = quantity("", None, "curves, one list per pair of axes")
+    x: PaperAxis = quantity("", None, "abscissa, common to all panels")
+    y: list[PaperAxis] = quantity("", None, "ordinate of each panel")
+    inputs: str = quantity("", None, "inputs as printed")
+    corrections: list[str] = quantity("", None, "misprints mended, with their numbers")
+    assumed: str = quantity("", None, "inputs the paper does not print, as chosen here")
+
+
+def axis(name: str, symbol: str, unit: str = "1", *, log: bool = False) -> PaperAxis:
+    """Describe an axis."""
+    return PaperAxis(name=name, symbol=symbol, unit=unit, log=log)
+
+
+def curve(number: str, label: str, x: object, y: object, *, points: bool = False) -> PaperCurve:
+    """Take arrays as a curve; an ordinate that does not depend on x is a level line."""
+    import numpy as np
+
+    xs, ys = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
+    return PaperCurve(number=number, label=label, x=xs.tolist(), y=ys.tolist(), points=points)
+
+
+def paper_figure(name: str) -> PaperFigure:
+    """Calculate a figure of the papers.
+
+    Args:
+        name: paper and number, such as ``"S22-3"``.
+
+    Raises:
+        AfmcalcError: no such figure, or one that shows a scheme and no formula.
+    """
+    wanted = name.upper().replace(" ", "-")
+    if wanted not in FIGURES:
+        raise AfmcalcError(f"no figure {name!r}{did_you_mean(wanted, FIGURES)}; there are: {', '.join(FIGURES)}")
+    module = import_module(f".{FIGURES[wanted]}", __package__)
+    made: PaperFigure = getattr(module, f"figure_{wanted.partition('-')[2]}")()
+    return made

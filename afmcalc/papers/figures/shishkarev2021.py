@@ -1,0 +1,74 @@
+"""Figures of Шишкарев 2021 (S21): indirect regulation."""
+
+from typing import Any
+
+import numpy as np
+
+from ...equations import indirect, synthesis
+from ...equations.accuracy import accuracy_factor
+from .interface import PaperFigure, axis, curve
+
+_PAIRS, _RADIUS, _HUB, _KEY = 8, 0.1, 0.05, 0.15
+_LOW, _HIGH = 0.1, 0.8
+_CLOSING, _CONTROL = (20e3, 30e3, 40e3), 10e3
+_INPUTS = "f = 0.1…0.8, z = 8, R_cp = 100 mm, d = 50 mm, f_1 = 0.15, c_2 = 10 N/mm"
+_BALL_CIRCLE, _FORCE, _GAP = 0.05, 1000.0, 0.002
+
+
+def _gains(stop: float) -> Any:
+    """Gains from the threshold of the feedback on."""
+    return np.linspace(indirect.gain_threshold(_RADIUS, _KEY, _HUB), stop, 241)
+
+
+def figure_2() -> PaperFigure:
+    """K_т of the indirect clutch over its gain, formula (15), with K_п and the base clutch."""
+    gain = _gains(12.0)
+    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
+    curves = [
+        curve(
+            str(number), f"K_т, c_1 = {stiffness / 1e3:g} N/mm", gain,
+            indirect.accuracy_factor(_LOW, _LOW, _HIGH, stiffness, _CONTROL, _PAIRS, net),
+        )
+        for number, stiffness in enumerate(_CLOSING, start=1)
+    ]  # fmt: skip
+    curves += [
+        curve("4", "K_п, nominal torque ratio", gain, indirect.nominal_torque_ratio(_PAIRS, gain, _LOW)),
+        curve("5", "K_т of the base clutch", gain, accuracy_factor(0, _PAIRS, gain, _LOW, _LOW, _HIGH, _HIGH)),
+    ]
+    return PaperFigure(
+        name="S21 fig. 2",
+        title="accuracy and nominal torque of the indirect clutch against the gain",
+        panels=[curves],
+        x=axis("feedback gain", "C"),
+        y=[axis("accuracy factor K_т, torque ratio", "K_п")],
+        inputs=f"Formula (15), {_INPUTS}.",
+        corrections=[
+            "M9: (15) with 2 z R c_1 f f_1 divided by d",
+            "M26: at equal gain the indirect clutch is less accurate than the base clutch (curve 5)",
+            "M38: curve 5 has all z pairs controlled; with one bypass pair it is 2.061, not 1.946, at C = 1",
+        ],
+        assumed="range of C from the threshold 2 R f_1/d = 0.6 to 12 (both printed averages, 1.03 and 1.18, fit 3…12).",
+    )
+
+
+def figure_4() -> PaperFigure:
+    """Ball radius (23) and travel (16) over the gain."""
+    gain = _gains(24.0)
+    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
+    stiffness = indirect.sleeve_stiffness(_CLOSING[0], _CONTROL, _PAIRS, _HIGH, net)
+    travel = indirect.travel(_PAIRS, _FORCE, _HIGH, _LOW, net, stiffness)
+    tangent = synthesis.tan_wall_angle(gain, _BALL_CIRCLE, _RADIUS)
+    radius = synthesis.ball_radius(travel, _GAP, _GAP, np.sin(np.arctan(tangent)))
+    return PaperFigure(
+        name="S21 fig. 4",
+        title="ball radius and largest travel against the gain",
+        panels=[[curve("1", "r_ш, ball radius (23)", gain, radius), curve("2", "x_max, travel (16)", gain, travel)]],
+        x=axis("feedback gain", "C"),
+        y=[axis("ball radius r_ш, travel", "x_max", "m")],
+        inputs=f"Formulas (16), (23), {_INPUTS}, c_1 = 20 N/mm.",
+        corrections=[
+            "M28: the data are those of curve 1 of fig. 2, printed fig. 3",
+            "P8: r_ш first rises, falls from C ≈ 1, and rises again from C ≈ 18; it does not simply fall",
+        ],
+        assumed="F_п1 = 1 kN, r = 50 mm, s = y = 2 mm, range of C.",
+    )

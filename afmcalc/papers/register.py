@@ -1,0 +1,132 @@
+"""The register: every formula of the papers, what implements or covers it, and the papers' misprints."""
+
+from functools import cache
+from typing import Any, Literal
+
+from ..errors import AfmcalcError
+from ..findings import Finding
+from ..result import Result, quantity
+from ..spec.suggest import did_you_mean
+
+PAPERS = ("F11", "S19", "S21", "S22")
+
+
+class Formula(Result):
+    """One formula of a paper."""
+
+    id: str = quantity("", None, "formula")
+    status: Literal["as printed", "mended", "covered", "not recoverable"] = quantity("", None, "status")
+    misprint: str | None = quantity("", None, "misprint")
+    function: str | None = quantity("", None, "equation function")
+    proof: str | None = quantity("", None, "proof")
+    says: str = quantity("", None, "says")
+    printed: str | None = quantity("", None, "printed", detail=True)
+    correct: str | None = quantity("", None, "should be", detail=True)
+    covered_by: str | None = quantity("", None, "covered by", detail=True)
+
+
+class Misprint(Result):
+    """One misprint or contradiction of a paper."""
+
+    id: str = quantity("", None, "misprint")
+    where: str = quantity("", None, "where")
+    printed: str = quantity("", None, "printed")
+    correct: str = quantity("", None, "should be")
+    why: str = quantity("", None, "why")
+    proof: str | None = quantity("", None, "proof")
+
+
+class Proved(Result):
+    """One proof that was run."""
+
+    proof: str = quantity("", None, "proof")
+    shows: str = quantity("", None, "what it shows")
+
+
+class EquationsResult(Result):
+    """The register, or the part of it asked for."""
+
+    numbered: int = quantity("", None, "numbered formulas in the papers asked for")
+    accounted: int = quantity("", None, "of them implemented or covered")
+    formulas: list[Formula] | None = quantity("", None, "formulas", optional=True)
+    misprints: list[Misprint] | None = quantity("", None, "misprints and contradictions", optional=True)
+    proved: list[Proved] | None = quantity("", None, "proofs run", optional=True)
+
+
+@cache
+def register() -> list[Formula]:
+    """Every entry, in the order of the papers."""
+    optional = ("misprint", "function", "proof", "printed", "correct", "covered_by")
+    return [Formula(**{**dict.fromkeys(optional), **entry}) for entry in _data("register.toml")["formula"]]
+
+
+@cache
+def misprints() -> list[Misprint]:
+    """Every misprint, in order."""
+    return [Misprint(**{"proof": None, **entry}) for entry in _data("misprints.toml")["misprint"]]
+
+
+def _data(name: str) -> dict[str, Any]:
+    import tomllib
+    from importlib.resources import files
+
+    return tomllib.loads(files("afmcalc.papers").joinpath(name).read_text(encoding="utf-8"))
+
+
+def is_numbered(formula: Formula) -> bool:
+    """Whether the paper numbers the formula."""
+    return "unnumbered" not in formula.id
+
+
+def is_accounted(formula: Formula) -> bool:
+    """Whether a function implements the formula or an identity covers it."""
+    return formula.function is not None or formula.covered_by is not None or formula.proof is not None
+
+
+def equations(
+    papers: list[str], ids: list[str], *, show_misprints: bool = False, prove: bool = False
+) -> tuple[EquationsResult, list[Finding]]:
+    """Look up the register.
+
+    Args:
+        papers: keys of the papers wanted; empty for all.
+        ids: formulas wanted, e.g. ``S21 (15)``; empty for all.
+        show_misprints: the misprints instead of the formulas.
+        prove: run the proofs of what is listed.
+
+    Raises:
+        AfmcalcError: no such paper or formula.
+    """
+    for paper in papers:
+        if paper not in PAPERS:
+            raise AfmcalcError(
+                f"--paper {paper}: no such paper{did_you_mean(paper, PAPERS)}; papers: {', '.join(PAPERS)}"
+            )
+    chosen = [entry for entry in register() if not papers or entry.id.split()[0] in papers]
+    if ids:
+        known = [entry.id for entry in chosen]
+        for name in ids:
+            if name not in known:
+                where = {"M": "; equations --misprints lists misprints", "P": "; reproduce has the printed figures"}
+                hint = where.get(name[:1]) if name[1:].isdecimal() else None
+                raise AfmcalcError(f"--id {name}: no such formula{hint or did_you_mean(name, known)}")
+        chosen = [entry for entry in chosen if entry.id in ids]
+    numbered = [entry for entry in chosen if is_numbered(entry)]
+    slips = [m for m in misprints() if not papers or m.where.split()[0] in papers] if show_misprints else None
+    listed = slips if slips is not None else chosen
+    result = EquationsResult(
+        numbered=len(numbered),
+        accounted=sum(is_accounted(entry) for entry in numbered),
+        formulas=None if show_misprints else chosen,
+        misprints=slips,
+        proved=_prove([entry.proof for entry in listed if entry.proof]) if prove else None,
+    )
+    return result, []
+
+
+def _prove(names: list[str]) -> list[Proved]:
+    from ..extras import need
+    from ..proofs import prove
+
+    need("explain")
+    return [Proved(proof=name, shows="; ".join(prove(name))) for name in dict.fromkeys(names)]

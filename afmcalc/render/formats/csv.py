@@ -1,0 +1,68 @@
+"""CSV: one header line with units, SI, full precision."""
+
+import csv
+import io
+from typing import Any
+
+from ...result import Output
+from ..document import Column, Document, Row, document
+
+
+def render(output: Output, terminal: bool) -> str:
+    """Write the result's records or sweep, one row each; without any, all quantities in one row."""
+    columns = _findings(output) if output.result.findings_first else _columns(document(output.result))
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow([_header(column.path, column.unit) for column in columns])
+    writer.writerows(
+        [_cell(value) for value in row] for row in zip(*(column.values for column in columns), strict=True)
+    )
+    return text.getvalue()
+
+
+def _cell(value: Any) -> Any:
+    """Write a list (an interval) into one cell."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return " ".join(map(str, value)) if isinstance(value, list) else value
+
+
+def _findings(output: Output) -> list[Column]:
+    """One row per finding."""
+    names = ("level", "code", "value", "limit", "path", "message")
+    return [Column(name, "", name, "", [getattr(finding, name) for finding in output.findings]) for name in names]
+
+
+def _columns(laid_out: Document) -> list[Column]:
+    listed = [table for table in laid_out.tables if not _is_mapping(table.columns)]
+    if listed:
+        # what was asked for by name, else the first list: the one the command is for
+        return next((table.columns for table in listed if table.data), listed[0].columns)
+    wide = [column for row in laid_out.singles for column in _flat(row)]
+    wide += [column for row in laid_out.triples for column in _flat(row)]
+    for table in laid_out.tables:
+        names, values = table.columns
+        wide += [
+            Column(f"{values.path}.{name}", "", name, values.unit, [value])
+            for name, value in zip(names.values, values.values, strict=True)
+        ]
+    return wide
+
+
+def _is_mapping(columns: list[Column]) -> bool:
+    return columns[0].path.endswith(".key")
+
+
+def _flat(row: Row) -> list[Column]:
+    if len(row.values) == 1 and isinstance(row.values[0], list) and row.unit:
+        bounds = zip((".low", ".high"), row.values[0], strict=True)
+        return [Column(row.path + end, row.symbol, row.name, row.unit, [value]) for end, value in bounds]
+    ends = ("",) if len(row.values) == 1 else (".min", ".mean", ".max")
+    return [
+        Column(row.path + end, row.symbol, row.name, row.unit, [value])
+        for end, value in zip(ends, row.values, strict=True)
+    ]
+
+
+def _header(path: str, unit: str) -> str:
+    return f"{path} [{unit}]" if unit else path

@@ -1,0 +1,18 @@
+"""JSON: SI, full precision, finite."""
+
+import json
+from dataclasses import asdict
+
+from ...result import Output
+
+
+def render(output: Output, terminal: bool) -> str:
+    """Write the whole output object; fields that do not apply are null."""
+    data = {
+        "command": output.command,
+        "version": output.version,
+        "spec": output.spec,
+        "result": output.result.model_dump(mode="json"),
+        "findings": [asdict(finding) for finding in output.findings],
+    }
+    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"

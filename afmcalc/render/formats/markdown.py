@@ -1,0 +1,61 @@
+"""Markdown: the tables of the terminal as pipe tables."""
+
+import re
+from collections.abc import Sequence
+
+from ...result import Output
+from ..document import Document, document
+from ..layout import blocks, findings_lines, step_value, title
+
+
+def render(output: Output, terminal: bool) -> str:
+    """Write tables in the engineer's units and the findings as a list."""
+    lines = [f"## {_escape(title(output))}", ""]
+    for block in blocks(document(output.result)):
+        if block.title:
+            lines += [f"### {_escape(block.title)}", ""]
+        if block.legend:
+            lines += [_escape(block.legend), ""]
+        lines += _table(block.header, block.rows, block.numeric)
+        lines.append("")
+    lines += _steps(document(output.result))
+    remarks = findings_lines(output.findings)
+    if remarks:
+        lines += ["### Findings", "", *(f"- {_escape(line)}" for line in remarks), ""]
+    return "\n".join(lines)
+
+
+def _steps(laid_out: Document) -> list[str]:
+    """Steps of an explanation with their formulas in LaTeX."""
+    if not laid_out.steps:
+        return []
+    from ...analysis.explain.formula import value_latex
+
+    lines = []
+    for step in laid_out.steps:
+        at = f" ({_escape(step.at)})" if step.at else ""
+        equals = " = ".join(dict.fromkeys((step.formula_latex, step.substituted_latex)))
+        lines += [f"### {_escape(step.symbol)}{at}: {_escape(step.name)}", ""]
+        lines += [
+            f"$${step.symbol_latex} = {equals} = {value_latex(step_value(step))}$$",
+            "",
+            f"Source: {_escape(step.source)}",
+            "",
+        ]
+        if step.print_differs:
+            lines += [f"*Print differs:* {_escape(step.print_differs)}", ""]
+    return lines
+
+
+def _table(header: Sequence[str], rows: Sequence[Sequence[str]], numeric: Sequence[bool]) -> list[str]:
+    rule = ["---:" if right else "---" for right in numeric]
+    return ["| " + " | ".join(map(_escape, line)) + " |" for line in (header, rule, *rows)]
+
+
+def _escape(text: str) -> str:
+    """Keep what a spec may carry (its name) from being read as markup."""
+    return " ".join(_MARKUP.sub(r"\\\g<0>", text).split())
+
+
+_MARKUP = re.compile(r"[\\|<>*`\[\]]|(?<!\w)_|_(?!\w)")
+"""Signs Markdown reads as markup; an underscore only at the edge of a word."""

@@ -1,0 +1,77 @@
+"""Tables for people: ruled and coloured in a terminal, plain aligned text in a pipe or a file."""
+
+import os
+import sys
+from collections.abc import Callable
+
+from ...result import Output
+from ..document import document
+from ..layout import Block, blocks, findings_lines, step_lines, title
+
+Curve = Callable[[Block, bool], list[str]]
+"""``curve(block, unicode)`` → lines under a table of a sweep, none under any other."""
+
+
+def render(output: Output, terminal: bool, curve: Curve | None = None) -> str:
+    """Lay out tables, curves and findings; a terminal has a width, rules and colours, a pipe has none of them.
+
+    ``curve`` draws under a sweep instead of the small curve of characters.
+    """
+    curve = curve or curve_lines
+    laid_out = document(output.result)
+    found, steps = blocks(laid_out), step_lines(laid_out)
+    if terminal or _width():
+        from .terminal import render_rich
+
+        look = {"terminal": terminal, "unicode": is_unicode()}
+        text = render_rich(output, found, steps, curve, width=_width(), **look)
+    else:
+        text = _plain(output, found, steps, curve)
+    return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+
+
+def _width() -> int | None:
+    """Return the width the user asked for by ``COLUMNS``, if any."""
+    columns = os.environ.get("COLUMNS", "")
+    return int(columns) if columns.isdecimal() and int(columns) else None
+
+
+def is_unicode() -> bool:
+    """Whether standard output shows more than ASCII."""
+    return (getattr(sys.stdout, "encoding", "") or "").lower().replace("-", "").startswith("utf")
+
+
+def _plain(output: Output, found: list[Block], steps: list[str], curve: Curve) -> str:
+    """Align columns by spaces, as wide as they are: nothing is cut or folded."""
+    lines = [title(output)]
+    for block in found:
+        heading = [text for text in (block.title, block.legend) if text]
+        lines += ["", *heading, *_aligned(block), *curve(block, is_unicode())]
+    lines += steps
+    if output.findings:
+        lines += ["", *findings_lines(output.findings)]
+    return "\n".join(lines)
+
+
+def _aligned(block: Block) -> list[str]:
+    lines = [block.header, *block.rows]
+    widths = [max(map(len, cells)) for cells in zip(*lines, strict=True)]
+    return [
+        "  ".join(
+            cell.rjust(width) if right else cell.ljust(width)
+            for cell, width, right in zip(line, widths, block.numeric, strict=True)
+        )
+        for line in lines
+    ]
+
+
+def curve_lines(block: Block, unicode: bool) -> list[str]:
+    """Draw the first answer of a sweep along one axis; nothing for any other table."""
+    if block.source is None or block.source.axes != 1:
+        return []
+    x, y = block.source.columns[:2]
+    if len(x.values) < 3:
+        return []
+    from .curve import curve
+
+    return ["", *curve(x.values, y.values, f"{y.symbol} against {x.symbol}", unicode=unicode)]

@@ -1,0 +1,31 @@
+"""The papers' figures, redrawn from the formulas, their corrections named in the caption."""
+
+from ....papers.figures import PaperCurve, PaperFigure, paper_figure
+from ....papers.figures.interface import PaperAxis
+from ..chart import Axis, Chart, Line, Sheet
+from ..interface import Request
+
+
+def sheet(request: Request) -> Sheet:
+    """Draw one figure of the papers."""
+    found = paper_figure(request.subjects[0])
+    x = _axis(found.x)
+    panels = [
+        Chart(x, _axis(y), [_line(curve) for curve in curves]) for y, curves in zip(found.y, found.panels, strict=True)
+    ]
+    return Sheet(f"{found.name}: {found.title}", panels, _caption(found))
+
+
+def _axis(axis: PaperAxis) -> Axis:
+    return Axis(axis.name, axis.symbol, axis.unit, axis.log)
+
+
+def _line(curve: PaperCurve) -> Line:
+    label = f"{curve.number}: {curve.label}" if curve.number else curve.label
+    return Line(label, curve.x, curve.y, tag=curve.number, points=curve.points)
+
+
+def _caption(found: PaperFigure) -> str:
+    mended = "; ".join(found.corrections)
+    assumed = f"\nNot printed, assumed here: {found.assumed}" if found.assumed else ""
+    return f"{found.inputs}\nMended: {mended}.{assumed}"

@@ -1,0 +1,121 @@
+"""The Pareto front of a design: the first objective against the others, on the grid and refined between its points."""
+
+from ....analysis.design.design import DesignResult, DesignRow, design
+from ....errors import CalculationError
+from ..chart import Axis, Chart, Line, Sheet, axis_of
+from ..interface import Request
+
+_QUANTITIES = {
+    "closing_force": "closing force",
+    "accuracy_factor": "accuracy factor",
+    "pairs": "friction pairs",
+    "ball_diameter": "standard ball",
+    "travel": "travel of the sleeve",
+}
+
+
+def sheet(request: Request) -> Sheet:
+    """Search what the requirements allow, and draw the front.
+
+    Raises:
+        CalculationError: there is one objective only, or nothing meets the requirements.
+    """
+    need = request.subjects[0]
+    if len(set(need.objectives)) < 2:
+        raise CalculationError("plot pareto: one objective has one best clutch and no front; give two or more")
+    result, findings = design(need, request.progress)
+    if not result.front:
+        raise CalculationError(findings[0].message)
+    x, *others = _axes(result.objectives)
+    by_pairs = _name_points(result, x, others)
+    charts = [_chart(result, x, y, by_pairs=by_pairs) for y in others if not (by_pairs and y == "pairs")]
+    return Sheet("Pareto front", charts, _caption(result), name=need.name or "")
+
+
+def _name_points(result: DesignResult, x: str, others: list[str]) -> bool:
+    """Whether the friction pairs name the points: where they are no axis, and few enough to be told apart."""
+    few = len({row.pairs for row in result.front}) <= _FEW
+    return few and x != "pairs" and (len(others) > 1 or "pairs" not in others)
+
+
+_FEW = 9
+
+
+def _axes(objectives: list[str]) -> list[str]:
+    """Objectives in the order of the axes: friction pairs along x of two, else last, where they name the points."""
+    rest = [name for name in dict.fromkeys(objectives) if name != "pairs"]
+    if "pairs" not in objectives:
+        return rest
+    return ["pairs", *rest] if len(rest) == 1 else [*rest, "pairs"]
+
+
+def _chart(result: DesignResult, x: str, y: str, *, by_pairs: bool) -> Chart:
+    groups: dict[tuple[str, int], list[DesignRow]] = {}
+    for row in result.front:
+        groups.setdefault((row.variant, row.pairs if by_pairs else 0), []).append(row)
+    variants, pairs = (sorted(set(part)) for part in zip(*groups, strict=True))
+    lines = []
+    for (variant, z), rows in sorted(groups.items()):
+        # colour tells the pairs, shape the variant; where there is one of either, both tell the other
+        place = pairs.index(z) if by_pairs else variants.index(variant)
+        named = ([variant] if len(variants) > 1 or not by_pairs else []) + ([f"z = {z}"] if by_pairs else [])
+        marker = variants.index(variant) if len(variants) > 1 else place
+        style = _COLOURED[place % len(_COLOURED)]
+        lines.append(
+            Line(", ".join(named), _values(rows, x), _values(rows, y), style=style, points=True, marker=marker)
+        )
+    if len(pairs) > 1:
+        lines = _tagged(lines, [z for _, z in sorted(groups)])
+    fine = Line(
+        "refined between the grid points", _values(result.refined, x), _values(result.refined, y),
+        style=_INK, points=True, marker=0, filled=True,
+    )  # fmt: skip
+    every = [*result.front, *result.refined]
+    bounds = (*_ends(_values(every, x)), *_ends(_values(every, y)))
+    return Chart(_axis(x), _axis(y), [*lines, fine], bounds=bounds)
+
+
+_INK = 4
+"""The style in the colour of the text."""
+_COLOURED = (0, 1, 2, 3, 5, 6)
+
+
+def _tagged(lines: list[Line], pairs: list[int]) -> list[Line]:
+    """Name each number of pairs once, at the end of the line that reaches furthest."""
+    named = list(lines)
+    for z in set(pairs):
+        own = [number for number, each in enumerate(pairs) if each == z]
+        place = max(own, key=lambda number: lines[number].x[-1] or 0.0)
+        named[place] = lines[place]._replace(tag=f"z = {z}")
+    return named
+
+
+def _axis(name: str) -> Axis:
+    return axis_of(DesignRow, name, quantity=_QUANTITIES[name])
+
+
+def _values(rows: list[DesignRow], name: str) -> list[float]:
+    """Values of an objective; what a variant does not have costs nothing, as in the search."""
+    return [float(getattr(row, name) or 0.0) for row in rows]
+
+
+def _ends(values: list[float]) -> tuple[float, float]:
+    low, high = min(values), max(values)
+    room = 0.04 * (high - low) or 0.04 * abs(high) or 1.0
+    return low - room, high + room
+
+
+def _caption(result: DesignResult) -> str:
+    names = [_axis(name).symbol for name in result.objectives]
+    listed = ", ".join(names[:-1]) + f" and {names[-1]}"
+    counts: dict[str, int] = {}
+    for row in result.front:
+        counts[row.variant] = counts.get(row.variant, 0) + 1
+    variants = ", ".join(f"{count:,} {variant}" for variant, count in sorted(counts.items()))
+    variants = f"all {next(iter(counts))}" if len(counts) == 1 else variants
+    said = (
+        f"{result.feasible:,} of {result.candidates:,} candidates meet every requirement; the {len(result.front):,} "
+        f"drawn are beaten by no other in {listed} together ({variants})."
+    )
+    lacking = any(getattr(row, name) is None for row in result.front for name in result.objectives)
+    return said + (" What a variant does not have costs nothing: it lies at 0." if lacking else "")

@@ -1,0 +1,189 @@
+"""Section through a ball and its two pockets (A–A of the papers), to scale in mm, with the synthesized ball."""
+
+import math
+from typing import Any, NamedTuple
+
+from ....analysis.section import PocketSection, pocket_section
+from ...symbols import mathtext
+from ...units import display
+from ..chart import Sheet, stated
+from ..interface import Request
+from ..style import COLOURS, INK, WIDTH
+
+_MM = 1e3
+_HATCH = ("///", "\\\\\\")
+
+
+class _Sizes(NamedTuple):
+    """What the section shows, mm and radians."""
+
+    radius: float
+    angle: float
+    gap: float
+    depth: float
+    travel: float
+
+
+def sheet(request: Request) -> Sheet:
+    """Draw the ball at the stop and, where the sleeve travels, at its largest travel."""
+    clutch = request.subjects[0]
+    section = pocket_section(clutch)
+    sizes = _Sizes(
+        radius=section.ball_diameter / 2 * _MM,
+        angle=section.wall_angle,
+        gap=section.face_gap * _MM,
+        depth=section.pocket_depth * _MM,
+        travel=section.travel_max * _MM,
+    )
+    positions = {0.0: "at the stop, x = 0", sizes.travel: f"at f_max, {_stated('x_max', section.travel_max)}"}
+    panels = [Section(sizes, travel, title if sizes.travel else "") for travel, title in positions.items()]
+    return Sheet("Ball and pockets, section A–A", panels, _caption(section), name=clutch.spec.name or "")
+
+
+def _stated(symbol: str, value: float) -> str:
+    return stated(symbol, value, "m")
+
+
+def _caption(section: PocketSection) -> str:
+    found = section.synthesis
+    smallest = f"smallest ball {_stated('r_ш', found.ball_radius)}"
+    ball = f"drawn with {_stated('d_ш', section.ball_diameter)}"
+    if not section.standard:
+        ball += ", for no standard ball is that large"
+    elif found.edge_clearance_standard is not None:
+        ball += f", which leaves {_stated('y', found.edge_clearance_standard)} to the edge"
+    force = "" if found.contact_force is None else f", {stated('F_n', found.contact_force, 'N')} on one ball"
+    circle = _stated("r", found.ball_circle_radius)
+    return (
+        f"To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch horizontal, "
+        f"dots: contact{force}. S21 (20), (23), (24): {smallest}; {ball}. Pockets run to the apex that h_1 counts to."
+    )
+
+
+class Section:
+    """One position of the sleeve."""
+
+    def __init__(self, sizes: _Sizes, travel: float, title: str) -> None:
+        """Lay out the section with the sleeve ``travel`` from its stop."""
+        self.sizes = sizes
+        self.travel = travel
+        self.title = title
+        self.half_gap = (sizes.gap + travel) / 2
+        self.apex = self.half_gap + sizes.depth
+        self.mouth = sizes.depth * math.tan(sizes.angle)
+        # moved apart by x, the pockets turn against each other until the ball bears on one wall of each again
+        self.shift = travel / 2 * math.tan(sizes.angle)
+        # the same frame for every position, so that they are drawn to one scale
+        reach = (sizes.gap + sizes.travel) / 2 + sizes.depth
+        self.back = 1.18 * reach
+        self.side = 1.12 * (self.mouth + sizes.travel / 2 * math.tan(sizes.angle)) + 0.12 * reach
+        self.step = 0.1 * reach
+
+    @property
+    def height(self) -> float:
+        """Inches that leave the drawing its scale over the width of the sheet."""
+        wide, high = self._extent()
+        return min(5.0, (WIDTH - 0.3) * high / wide) + 0.25
+
+    def _extent(self) -> tuple[float, float]:
+        return 2 * (self.back + 3.2 * self.step), 2 * (self.side + 2 * self.step)
+
+    def paint(self, axes: Any) -> None:
+        """Draw into matplotlib's axes."""
+        from matplotlib.patches import Circle, Polygon
+
+        axes.set_axis_off()
+        axes.set_aspect("equal")
+        wide, high = self._extent()
+        axes.set_xlim(-wide / 2, wide / 2)
+        axes.set_ylim(-high / 2, high / 2)
+        if self.title:
+            axes.set_title(mathtext(self.title), fontsize=9.5)
+        for hand, hatch in zip((-1, 1), _HATCH, strict=True):
+            axes.add_patch(
+                Polygon(self._half(hand), closed=True, facecolor="none", edgecolor=INK, hatch=hatch, linewidth=1.2)
+            )
+        axes.add_patch(Circle((0, 0), self.sizes.radius, facecolor="none", edgecolor=COLOURS[0], linewidth=2.0))
+        for x, y in self._contacts():
+            axes.plot([x], [y], marker="o", markersize=5, color=COLOURS[1], zorder=4)
+        self._centre_lines(axes)
+        self._dimensions(axes)
+
+    def _half(self, hand: int) -> list[tuple[float, float]]:
+        """Outline of one half: the face with its pocket, the back cut off."""
+        face, apex, middle = hand * self.half_gap, hand * self.apex, hand * self.shift
+        return [
+            (hand * self.back, self.side),
+            (face, self.side),
+            (face, middle + self.mouth),
+            (apex, middle),
+            (face, middle - self.mouth),
+            (face, -self.side),
+            (hand * self.back, -self.side),
+        ]
+
+    def _contacts(self) -> list[tuple[float, float]]:
+        """Where ball and walls touch: at rest both walls of both pockets, under way one of each."""
+        along = self.sizes.radius * math.sin(self.sizes.angle)
+        across = self.sizes.radius * math.cos(self.sizes.angle)
+        if self.travel:
+            return [(along, -across), (-along, across)]
+        return [(a * along, b * across) for a in (-1, 1) for b in (-1, 1)]
+
+    def _centre_lines(self, axes: Any) -> None:
+        style: dict[str, Any] = {"color": INK, "linewidth": 0.7, "linestyle": (0, (10, 3, 2, 3))}
+        reach = self.sizes.radius * 1.18
+        axes.plot([-self.apex, self.apex], [0, 0], **style)
+        axes.plot([0, 0], [-reach, reach], **style)
+
+    def _dimensions(self, axes: Any) -> None:
+        sizes, top = self.sizes, self.side
+        self._measure(axes, self.half_gap, self.apex, top + self.step, f"h_1 = {_mm(sizes.depth)}", self.shift)
+        gap = "s + x" if self.travel else "s"
+        self._measure(axes, -self.half_gap, self.half_gap, -top - self.step, f"{gap} = {_mm(2 * self.half_gap)}", -top)
+        self._diameter(axes)
+        self._angle(axes)
+
+    def _diameter(self, axes: Any) -> None:
+        """Leader from the ball to its diameter."""
+        reach = self.sizes.radius * math.sqrt(0.5)
+        text = (-self.half_gap - 0.35 * self.apex, self.side + self.step)
+        axes.annotate(
+            mathtext(f"ball d_ш = {_mm(2 * self.sizes.radius)}"), (-reach, reach), xytext=text, ha="right", va="center",
+            arrowprops={"arrowstyle": "-|>", "color": INK, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 0},
+        )  # fmt: skip
+
+    def _angle(self, axes: Any) -> None:
+        """The wall angle at the apex of the left pocket, between wall and axis."""
+        from matplotlib.patches import Arc
+
+        apex, degrees = (-self.apex, -self.shift), math.degrees(self.sizes.angle)
+        size = 0.9 * self.sizes.depth
+        axes.plot([apex[0], apex[0] + size * 0.6], [apex[1]] * 2, color=INK, linewidth=0.7)
+        axes.add_patch(Arc(apex, size, size, theta1=0, theta2=degrees, color=INK, linewidth=0.9))
+        middle = self.sizes.angle / 2
+        tip = (apex[0] + size / 2 * math.cos(middle), apex[1] + size / 2 * math.sin(middle))
+        text = (-self.back - 0.2 * self.step, tip[1])
+        axes.annotate(
+            mathtext(f"α = {degrees:.4g}°"), tip, xytext=text, ha="right", va="center",
+            arrowprops={"arrowstyle": "-", "color": INK, "linewidth": 0.6, "shrinkA": 1, "shrinkB": 0},
+        )  # fmt: skip
+
+    def _measure(self, axes: Any, left: float, right: float, y: float, text: str, start: float) -> None:
+        """Dimension along the axis, with extension lines; arrows from outside where it is too narrow for them."""
+        beyond, small = math.copysign(0.25 * self.step, y), right - left < 1.6 * self.step
+        for x, origin in ((left, math.copysign(self.side, y)), (right, start)):
+            axes.plot([x, x], [origin, y + beyond], color=INK, linewidth=0.6)
+        arrow = {"color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
+        if small:
+            for x, outside in ((left, left - 1.2 * self.step), (right, right + 1.2 * self.step)):
+                axes.annotate("", (x, y), (outside, y), arrowprops={"arrowstyle": "-|>", **arrow})
+            axes.text(right + 1.4 * self.step, y, mathtext(text), ha="left", va="center")
+        else:
+            axes.annotate("", (left, y), (right, y), arrowprops={"arrowstyle": "<|-|>", **arrow})
+            above = "bottom" if y > 0 else "top"
+            axes.text((left + right) / 2, y + beyond, mathtext(text), ha="center", va=above)
+
+
+def _mm(value: float) -> str:
+    return display(value / _MM, "m")

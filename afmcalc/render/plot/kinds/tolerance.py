@@ -1,0 +1,94 @@
+"""The torque over tolerances: its histogram, with quantiles, the nominal torques and the limit marked."""
+
+import math
+from typing import Any
+
+from ....analysis.tolerance.histogram import CENTRAL
+from ....analysis.tolerance.study import Study, study
+from ....errors import CalculationError
+from ...units import display
+from ..chart import Area, Axis, Chart, Level, Line, Sheet, stated
+from ..interface import Request
+
+_METHODS = {"exact": "Exact", "monte-carlo": "Monte Carlo", "quasi-monte-carlo": "Quasi-Monte Carlo"}
+
+
+def sheet(request: Request) -> Sheet:
+    """Calculate one clutch by its [tolerance] block and draw the histogram."""
+    clutch = request.subjects[0]
+    return drawn(clutch, study(clutch))
+
+
+def drawn(clutch: Any, found: Study) -> Sheet:
+    """Draw what was found of a clutch.
+
+    Raises:
+        CalculationError: the torque does not scatter.
+    """
+    densities = found.histogram.densities
+    if not densities:
+        raise CalculationError("plot tolerance: the torque does not scatter, there is no histogram")
+    edges = found.histogram.edges
+    x = [edge for edge in edges for _ in range(2)]
+    y = [0.0, *(density for density in densities for _ in range(2)), 0.0]
+    levels = [*_quantiles(found), *_torques(clutch, found)]
+    ends = [*edges, *(level.value for level in levels)]
+    room = 0.03 * (max(ends) - min(ends))
+    chart = Chart(
+        Axis("slip torque", "T", "N*m"),
+        Axis("probability density", "p", "1/(N*m)"),
+        [Line("density of the slip torque", x, y)],
+        levels=levels,
+        areas=[Area("", x, [0.0] * len(x), y)],
+        bounds=(min(ends) - room, max(ends) + room, 0.0, 1.05 * max(densities)),
+    )
+    return Sheet("Slip torque over tolerances and scatter", [chart], _caption(clutch, found), clutch.spec.name or "")
+
+
+def _quantiles(found: Study) -> list[Level]:
+    """Thin lines named by their probability; the first stands for all of them in the legend."""
+    rows = found.result.quantiles
+    label = "quantiles: torque not exceeded with this probability"
+    return [
+        Level("" if number else label, row.torque, across=False, tag=_percent(row.probability), style=0)
+        for number, row in enumerate(rows)
+    ]
+
+
+def _torques(clutch: Any, found: Study) -> list[Level]:
+    """The nominal torques and the limit, where each is one of its own."""
+    result, nominal = found.result, float(clutch.nominal_torque)
+    named = [("T_н", "nominal torque", nominal)]
+    if not math.isclose(result.machine_torque, nominal, rel_tol=1e-9):
+        named.append(("T_н.маш", "machine's nominal torque", result.machine_torque))
+    if result.torque_limit is not None:
+        named.append(("T_lim", "torque limit", result.torque_limit))
+    return [
+        Level(stated(f"{about} {symbol}", value, "N*m"), value, across=False, tag=symbol, style=style)
+        for style, (symbol, about, value) in enumerate(named, 1)
+    ]
+
+
+def _caption(clutch: Any, found: Study) -> str:
+    result, given = found.result, clutch.spec.tolerance
+    how = _METHODS[result.method]
+    how += f", {result.samples:,} samples, seed {given.seed}" if result.samples else ": only friction scatters"
+    said = [f"{how}. The bars hold the middle {_percent(CENTRAL[1] - CENTRAL[0])}."]
+    listed = ", ".join(f"{_percent(row.probability)}: {display(row.torque, 'N*m')}" for row in result.quantiles)
+    said.append(f"Quantiles in N·m: {listed}.")
+    said.append(f"Robust accuracy factor K_т,r = {display(result.accuracy_factor_robust, '1')}.")
+    risks = [_risk("T < T_н.маш", result.probability_below_machine, result.samples)]
+    if result.probability_above_limit is not None:
+        risks.append(_risk("T > T_lim", result.probability_above_limit, result.samples))
+    return " ".join([*said, ", ".join(risks) + "."])
+
+
+def _risk(event: str, probability: float, samples: int | None) -> str:
+    """A sample in which it never happens says only that it is rare."""
+    if samples and not probability:
+        return f"P({event}) < {_percent(1 / samples)}"
+    return f"P({event}) = {_percent(probability)}"
+
+
+def _percent(probability: float) -> str:
+    return f"{100 * probability:.4g} %"
