@@ -1,9 +1,11 @@
 """Findings: what a designer should know about a legal design."""
 
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field
+
+from .messages import sentence
 
 Level = Literal["info", "warning", "error"]
 
@@ -20,6 +22,30 @@ class Finding:
     value: Annotated[float | None, Field(description="the number in question, SI")] = None
     limit: Annotated[float | None, Field(description="what it is held against, SI")] = None
     path: Annotated[str | None, Field(description="spec key it belongs to")] = None
+
+
+def finding(
+    code: str,
+    level: Level,
+    *,
+    value: float | None = None,
+    limit: float | None = None,
+    path: str | None = None,
+    **values: Any,
+) -> Finding:
+    """Make a finding whose sentence is that of its code in ``messages.FINDINGS``.
+
+    Args:
+        code: short name that scripts may rely on.
+        level: how grave it is.
+        value: the number in question, SI; the sentence may show it as ``{value}``.
+        limit: what it is held against, SI; ``{limit}``.
+        path: spec key it belongs to; ``{path}``.
+        values: what else the sentence shows, SI.
+    """
+    said = {"value": value, "limit": limit, "path": path, **values}
+    number, bound = (None if each is None else float(each) for each in (value, limit))
+    return Finding(level, code, sentence(code, said), number, bound, path)
 
 
 def worst(findings: list[Finding]) -> Level | None:

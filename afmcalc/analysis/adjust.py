@@ -6,7 +6,6 @@ from typing import Literal
 from ..engines import build
 from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
-from ..engines.setting import torque_per_force
 from ..equations import adjustment
 from ..findings import Finding
 from ..result import Result, Triple, quantity
@@ -97,7 +96,7 @@ def _ratio(clutch: Clutch, set_at_min: Clutch, bands: list[float]) -> float | No
         return None
     if isinstance(clutch, IndirectClutch):
         return bands[1] / bands[0]
-    at_min, at_mean = (torque_per_force(set_at_min, method) for method in METHODS)
+    at_min, at_mean = (set_at_min.torque_per_force(method) for method in METHODS)
     return float(adjustment.scatter_ratio(clutch.spec.adjustment.margin, at_min, at_mean))
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..engines._arrays import larger
+from ..arrays import larger
 from ..engines.direct import DirectClutch
 from ..engines.protocol import Clutch
 from ..equations import overload as law

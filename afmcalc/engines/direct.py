@@ -1,13 +1,14 @@
 """Engine of direct regulation: one law, the variants are pair counts."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
+from ..arrays import Values, checked_friction, larger, smaller
 from ..equations import accuracy, direct
 from ..findings import Finding
-from ..spec.models import Range, Spec
+from ..spec.models import Method, Range, Spec
 from . import geometry, setting
-from ._arrays import Values, checked_friction, larger, smaller
+from .laws import DirectLaw
 from .protocol import Point
 
 
@@ -16,32 +17,44 @@ class DirectClutch:
     """Conventional, differentiated (like or unlike materials) or all-driving clutch."""
 
     spec: Spec
-    mean_radius: Values
-    """R_cp, m."""
-    bypass_pairs: Values
-    """z_1."""
-    controlled_pairs: Values
-    """z_2."""
-    gain: Values
-    """C."""
+    law: DirectLaw
     friction: tuple[Range, Range]
     """Ranges of f_1 and f_2."""
-    closing_force: Values = 1.0
+    closing_force: Values
     """F_п as set, N."""
 
     @classmethod
     def from_spec(cls, spec: Spec) -> "DirectClutch":
         """Build the engine of a spec whose values may be arrays."""
         bypass = spec.bypass_pairs
-        clutch = cls(
-            spec=spec,
-            mean_radius=geometry.mean_radius(spec),
-            bypass_pairs=bypass,
-            controlled_pairs=spec.friction_group.pairs - bypass,
-            gain=geometry.feedback_gain(spec),
-            friction=spec.friction.groups,
-        )
-        return replace(clutch, closing_force=setting.closing_force(clutch))
+        controlled = spec.friction_group.pairs - bypass
+        law = DirectLaw(geometry.mean_radius(spec), bypass, controlled, geometry.feedback_gain(spec))
+        force = setting.closing_force(spec, lambda: law.torque_per_force(*setting.friction_at_setting(spec)))
+        return cls(spec, law, spec.friction.groups, force)
+
+    @property
+    def mean_radius(self) -> Values:
+        """R_cp, m."""
+        return self.law.mean_radius
+
+    @property
+    def bypass_pairs(self) -> Values:
+        """z_1."""
+        return self.law.bypass_pairs
+
+    @property
+    def controlled_pairs(self) -> Values:
+        """z_2."""
+        return self.law.controlled_pairs
+
+    @property
+    def gain(self) -> Values:
+        """C."""
+        return self.law.gain
+
+    def torque_per_force(self, method: Method | None = None) -> Any:
+        """T/F_п at the friction of a setting, m; by default the spec's own."""
+        return self.law.torque_per_force(*setting.friction_at_setting(self.spec, method))
 
     def torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Sustained slip torque T, N·m (F11 (12)).
@@ -58,31 +71,29 @@ class DirectClutch:
             ValueError: negative friction.
         """
         first, second = _pair(friction, friction_driven)
-        return direct.torque(
-            self.closing_force, self.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain, first, second
-        )
+        return self.law.torque(self.closing_force, first, second)
 
     def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
         """Normal force N on the pairs, N; arguments as ``torque``."""
         _, second = _pair(friction, friction_driven)
-        return direct.normal_force(self.closing_force, self.controlled_pairs, self.gain, second)
+        return self.law.normal_force(self.closing_force, second)
 
     def release_force(self, friction: Any, friction_driven: Any = None) -> Any:
         """Release force F_p of the control unit, N; arguments as ``torque``."""
         _, second = _pair(friction, friction_driven)
-        return direct.release_force(self.closing_force, self.controlled_pairs, self.gain, second)
+        return self.law.release_force(self.closing_force, second)
 
     def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Torque T_2 that passes the balls, N·m; arguments as ``torque``."""
-        first, second = _pair(friction, friction_driven)
-        return direct.group_torque(self.normal_force(first, second), self.mean_radius, self.controlled_pairs, second)
+        _, second = _pair(friction, friction_driven)
+        return self.law.ball_torque(self.closing_force, second)
 
     def breakaway_torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Upper bound P of the breakaway torque, N·m (theory, section 3); arguments as ``torque``."""
         first, second = _pair(friction, friction_driven)
         if self.spec.variant == "all-driving":
             return self.torque(first, second)
-        bypass: Values = direct.group_torque(self.closing_force, self.mean_radius, self.bypass_pairs, first)
+        bypass: Values = self.law.bypass_torque(self.closing_force, first)
         if self.spec.variant == "conventional":
             return bypass
         return larger(bypass, self.torque(first, second))
@@ -99,8 +110,7 @@ class DirectClutch:
     @property
     def reduced_gain(self) -> Values:
         """z_2 C."""
-        reduced: Values = direct.reduced_gain(self.controlled_pairs, self.gain)
-        return reduced
+        return self.law.reduced_gain
 
     @property
     def nominal_torque(self) -> Values:

@@ -3,9 +3,9 @@
 import math
 from typing import Any
 
+from ..arrays import tangent
 from ..equations import direct, geometry
 from ..spec.models import Spec
-from ._arrays import tangent
 
 _MEAN_RADIUS = {
     "uniform-wear": geometry.mean_radius_uniform_wear,

@@ -3,12 +3,13 @@
 from dataclasses import dataclass, replace
 from typing import Any
 
+from ..arrays import Values, checked_friction, is_array
 from ..equations import direct, indirect
 from ..errors import Problem, SpecError
 from ..findings import Finding
-from ..spec.models import Range, Spec
+from ..spec.models import Method, Range, Spec
 from . import geometry, setting
-from ._arrays import Values, checked_friction, is_array, larger, smaller
+from .laws import IndirectLaw
 from .protocol import Point
 from .sensitivity import sensitivity
 
@@ -18,23 +19,10 @@ class IndirectClutch:
     """Clutch whose release force slackens the closing spring by way of a sleeve."""
 
     spec: Spec
-    mean_radius: Values
-    """R_cp, m."""
-    pairs: Values
-    """z."""
-    gain: Values
-    """C."""
-    closing_stiffness: Values
-    """c_1, N/m."""
-    control_stiffness: Values
-    """c_2, N/m."""
-    key_friction: Values
-    """f_1 at the key."""
-    hub_diameter: Values
-    """d, m."""
+    law: IndirectLaw
     friction: tuple[Range, Range]
     """Range of f, twice."""
-    closing_force: Values = 1.0
+    closing_force: Values
     """F_п1 as set, N."""
 
     @classmethod
@@ -47,8 +35,7 @@ class IndirectClutch:
         unit, control = spec.control_unit, spec.control_spring
         assert unit is not None
         assert control is not None
-        clutch = cls(
-            spec=spec,
+        law = IndirectLaw(
             mean_radius=geometry.mean_radius(spec),
             pairs=spec.friction_group.pairs,
             gain=geometry.feedback_gain(spec),
@@ -56,27 +43,60 @@ class IndirectClutch:
             control_stiffness=control.stiffness,
             key_friction=_given(unit.key_friction),
             hub_diameter=_given(unit.hub_diameter),
-            friction=spec.friction.groups,
+            friction_set=setting.friction_at_setting(spec)[0],
         )
-        clutch._refuse_negative_net_gain()
-        return replace(clutch, closing_force=setting.closing_force(clutch))
+        _refuse_negative_net_gain(spec, law)
+        force = setting.closing_force(spec, lambda: law.torque_per_force)
+        return cls(spec, law, spec.friction.groups, force)
 
-    def _refuse_negative_net_gain(self) -> None:
-        """Below the threshold the sleeve leaves its stop at zero torque: no clutch at all."""
-        shortfall = -self.net_gain
-        if is_array(shortfall):
-            if not bool((shortfall > 0).any()):  # type: ignore[union-attr]
-                return
-        elif not shortfall > 0:
-            return
-        threshold, gain = _largest(self.gain_threshold), _smallest(self.gain)
-        message = (
-            f"must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
-            "force, and the sleeve leaves its stop at zero torque"
-        )
-        path = "control_unit.wall_angle" if geometry.angle_given(self.spec) else "control_unit.gain"
-        given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
-        raise SpecError("spec", [Problem(path, given, message)])
+    @property
+    def mean_radius(self) -> Values:
+        """R_cp, m."""
+        return self.law.mean_radius
+
+    @property
+    def pairs(self) -> Values:
+        """z."""
+        return self.law.pairs
+
+    @property
+    def gain(self) -> Values:
+        """C."""
+        return self.law.gain
+
+    @property
+    def closing_stiffness(self) -> Values:
+        """c_1, N/m."""
+        return self.law.closing_stiffness
+
+    @property
+    def control_stiffness(self) -> Values:
+        """c_2, N/m."""
+        return self.law.control_stiffness
+
+    @property
+    def gain_threshold(self) -> Values:
+        """2 R f_1/d: the gain at which feedback begins."""
+        return self.law.gain_threshold
+
+    @property
+    def net_gain(self) -> Values:
+        """κ, moving off the stop."""
+        return self.law.net_gain
+
+    @property
+    def net_gain_returning(self) -> Values:
+        """κ₊, moving back."""
+        return self.law.net_gain_returning
+
+    @property
+    def friction_set(self) -> Values:
+        """Friction at the setting."""
+        return self.law.friction_set
+
+    def torque_per_force(self, method: Method | None = None) -> Any:
+        """T/F_п1 at the friction of a setting, m; by default the spec's own."""
+        return replace(self.law, friction_set=setting.friction_at_setting(self.spec, method)[0]).torque_per_force
 
     @property
     def bypass_pairs(self) -> Values:
@@ -84,34 +104,9 @@ class IndirectClutch:
         return 0
 
     @property
-    def gain_threshold(self) -> Values:
-        """2 R f_1/d: the gain at which feedback begins."""
-        threshold: Values = indirect.gain_threshold(self.mean_radius, self.key_friction, self.hub_diameter)
-        return threshold
-
-    @property
-    def net_gain(self) -> Values:
-        """κ, moving off the stop."""
-        net: Values = indirect.net_gain(self.gain, self.mean_radius, self.key_friction, self.hub_diameter)
-        return net
-
-    @property
-    def net_gain_returning(self) -> Values:
-        """κ₊, moving back."""
-        net: Values = indirect.net_gain_returning(self.gain, self.mean_radius, self.key_friction, self.hub_diameter)
-        return net
-
-    @property
-    def friction_set(self) -> Values:
-        """Friction at the setting."""
-        own = self.friction[0]
-        at: Values = own.mean if self.spec.adjustment.method == "mean-friction" else own.min
-        return at
-
-    @property
     def control_force(self) -> Values:
         """F_п2, N (S21 (14))."""
-        force: Values = indirect.control_force(self.closing_force, self.pairs, self.net_gain, self.friction_set)
+        force: Values = self.law.control_force(self.closing_force)
         return force
 
     @property
@@ -120,26 +115,12 @@ class IndirectClutch:
         gain: Values = indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
         return gain
 
-    def stiffness(self, friction: Any, net_gain: Any) -> Any:
-        """D(f)."""
-        return indirect.sleeve_stiffness(self.closing_stiffness, self.control_stiffness, self.pairs, friction, net_gain)
-
-    def _moving_force(self, friction: Any, net_gain: Any) -> Any:
-        """Normal force with the sleeve moving, κ or κ₊ in force."""
-        return indirect.normal_force_moving(
-            self.closing_force,
-            self.closing_stiffness,
-            self.control_force,
-            self.control_stiffness,
-            self.stiffness(friction, net_gain),
-        )
-
     def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
         """Normal force N on the pairs, N: F_п1 at the stop, then falling (S21 (9))."""
         friction = _one(friction, friction_driven)
         if self._is_at_stop(friction):
             return self.closing_force
-        return smaller(self.closing_force, self._moving_force(friction, self.net_gain))
+        return self.law.normal_force(self.closing_force, friction)
 
     def _is_at_stop(self, friction: Any) -> bool:
         """Whether one friction (no array) is not above the setting: the sleeve rests, nothing need be solved."""
@@ -168,9 +149,7 @@ class IndirectClutch:
         The key's friction holds the sleeve where f_max put it until f has fallen by κ₊/κ; then it moves back.
         """
         friction = checked_friction(friction)
-        locked = self.normal_force(self.friction[0].max)
-        moving = larger(locked, self._moving_force(friction, self.net_gain_returning))
-        return direct.group_torque(smaller(self.closing_force, moving), self.mean_radius, self.pairs, friction)
+        return self.law.torque_returning(self.closing_force, friction, self.friction[0].max)
 
     def release_force(self, friction: Any, friction_driven: Any = None) -> Any:
         """Release force F_p of the balls on the sleeve, N."""
@@ -181,15 +160,7 @@ class IndirectClutch:
         friction = _one(friction, friction_driven)
         if self._is_at_stop(friction):
             return 0.0
-        moved = indirect.travel(
-            self.pairs,
-            self.closing_force,
-            friction,
-            self.friction_set,
-            self.net_gain,
-            self.stiffness(friction, self.net_gain),
-        )
-        return larger(0.0, moved)
+        return self.law.travel(self.closing_force, friction)
 
     def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Torque that passes the balls, N·m: all of it."""
@@ -207,7 +178,7 @@ class IndirectClutch:
     @property
     def reduced_gain(self) -> Values:
         """z C."""
-        return self.pairs * self.gain
+        return self.law.reduced_gain
 
     @property
     def nominal_torque(self) -> Values:
@@ -258,7 +229,7 @@ class IndirectClutch:
 
     def sensitivity(self) -> dict[str, float]:
         """Elasticities ∂ln K_т/∂ln p by spec path."""
-        return sensitivity(self)
+        return sensitivity(self.spec, self.law)
 
     def findings(self) -> list[Finding]:
         """What a designer should know: idle feedback, the key's hysteresis, the setting."""
@@ -275,7 +246,7 @@ class IndirectClutch:
                     value=float(self.gain), limit=threshold, path=path,
                 )
             ]  # fmt: skip
-        if self.key_friction == 0:
+        if self.law.key_friction == 0:
             return []
         ratio = float(indirect.hysteresis_ratio(self.net_gain, self.net_gain_returning))
         message = (
@@ -288,6 +259,24 @@ class IndirectClutch:
                 value=ratio, limit=1.0, path="control_unit.key_friction",
             )
         ]  # fmt: skip
+
+
+def _refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
+    """Below the threshold the sleeve leaves its stop at zero torque: no clutch at all."""
+    shortfall = -law.net_gain
+    if is_array(shortfall):
+        if not bool((shortfall > 0).any()):  # type: ignore[union-attr]
+            return
+    elif not shortfall > 0:
+        return
+    threshold, gain = _largest(law.gain_threshold), _smallest(law.gain)
+    message = (
+        f"must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
+        "force, and the sleeve leaves its stop at zero torque"
+    )
+    path = "control_unit.wall_angle" if geometry.angle_given(spec) else "control_unit.gain"
+    given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
+    raise SpecError("spec", [Problem(path, given, message)])
 
 
 def _given(value: Any) -> Any:

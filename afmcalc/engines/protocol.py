@@ -2,9 +2,9 @@
 
 from typing import Any, NamedTuple, Protocol
 
+from ..arrays import Values
 from ..findings import Finding
-from ..spec.models import Range, Spec
-from ._arrays import Values
+from ..spec.models import Method, Range, Spec
 
 
 class Point(NamedTuple):
@@ -71,6 +71,9 @@ class Clutch(Protocol):
     @property
     def accuracy_factor_peak(self) -> Values:
         """K_т by breakaway peaks."""
+
+    def torque_per_force(self, method: Method | None = None) -> Any:
+        """T/F_п at the friction of a setting, m; by default the spec's own."""
 
     def torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Sustained slip torque, N·m."""

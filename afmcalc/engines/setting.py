@@ -1,11 +1,12 @@
 """Setting of the closing spring (настройка): every law is proportional to F_п, so one rule serves all (S19)."""
 
+from collections.abc import Callable
 from typing import Any, Protocol
 
+from ..arrays import Values
 from ..equations import adjustment
 from ..findings import Finding
 from ..spec.models import Method, Range, Spec
-from ._arrays import Values
 
 
 class Settable(Protocol):
@@ -25,25 +26,24 @@ def margin(spec: Spec, method: Method | None = None) -> Any:
     return spec.adjustment.margin if (method or spec.adjustment.method) == "mean-friction" else 1.0
 
 
-def torque_per_force(clutch: Settable, method: Method | None = None) -> Any:
-    """T(f_set)/F_п, m."""
-    first, second = clutch.friction
-    mean = (method or clutch.spec.adjustment.method) == "mean-friction"
-    at = (first.mean, second.mean) if mean else (first.min, second.min)
-    return clutch.torque(*at) / clutch.closing_force
+def friction_at_setting(spec: Spec, method: Method | None = None) -> tuple[Any, Any]:
+    """f_1 and f_2 at which the spring is set: the smallest, or the mean."""
+    first, second = spec.friction.groups
+    mean = (method or spec.adjustment.method) == "mean-friction"
+    return (first.mean, second.mean) if mean else (first.min, second.min)
 
 
-def closing_force(clutch: Settable) -> Any:
-    """F_п as given, or from the nominal torque."""
-    spec = clutch.spec
+def closing_force(spec: Spec, torque_per_force: Callable[[], Any]) -> Any:
+    """F_п as given, or from the nominal torque and T/F_п at the setting."""
     if spec.closing_spring.force is not None:
         return spec.closing_spring.force
-    return adjustment.closing_force(spec.adjustment.nominal_torque, margin(spec), torque_per_force(clutch))
+    return adjustment.closing_force(spec.adjustment.nominal_torque, margin(spec), torque_per_force())
 
 
 def nominal_torque(clutch: Settable) -> Values:
     """T_н that the spring as set gives."""
-    torque: Values = adjustment.nominal_torque(clutch.closing_force, margin(clutch.spec), torque_per_force(clutch))
+    at_setting = clutch.torque(*friction_at_setting(clutch.spec))
+    torque: Values = adjustment.nominal_torque(at_setting, margin(clutch.spec))
     return torque
 
 

@@ -22,15 +22,14 @@ def closing_force(nominal_torque: Number, margin: Number, torque_per_force: Numb
     return margin * nominal_torque / torque_per_force
 
 
-def nominal_torque(closing_force: Number, margin: Number, torque_per_force: Number) -> Number:
-    """Nominal torque that a closing force gives, F_п R g(f_set)/β_н: the inverse of ``closing_force``.
+def nominal_torque(torque_at_setting: Number, margin: Number) -> Number:
+    """Nominal torque that the spring as set gives, T(f_set)/β_н: the inverse of ``closing_force``.
 
     Source: S19 (1)–(4).
 
     Args:
-        closing_force: F_п, as set [N].
+        torque_at_setting: T_set, T(f_set) with the force as set [N*m].
         margin: β_н; 1 for min-friction [1].
-        torque_per_force: a_set, R g(f_set) = T(f_set)/F_п [m].
 
     Returns:
         T_н [N*m].
@@ -38,7 +37,7 @@ def nominal_torque(closing_force: Number, margin: Number, torque_per_force: Numb
     Validity:
         As ``closing_force``.
     """
-    return closing_force * torque_per_force / margin
+    return torque_at_setting / margin
 
 
 def force_ratio(torque_per_force_mean: Number, torque_per_force_min: Number) -> Number:

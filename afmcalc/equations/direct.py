@@ -89,6 +89,39 @@ def release_force(closing_force: Number, controlled_pairs: Number, gain: Number,
     return closing_force * feedback / (1 + feedback)
 
 
+def torque_per_force(
+    mean_radius: Number,
+    bypass_pairs: Number,
+    controlled_pairs: Number,
+    gain: Number,
+    friction_driving: Number,
+    friction_driven: Number,
+) -> Number:
+    """Slip torque per spring force, T/F_п = R (z_1 f_1 + z_2 f_2)/(1 + C z_2 f_2).
+
+    Source: F11 (12); R g(f) of S19 (1)–(4).
+
+    Args:
+        mean_radius: R_cp, mean friction radius [m].
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        gain: C, feedback gain [1].
+        friction_driving: f_1, friction of the bypass pairs [1].
+        friction_driven: f_2, friction of the controlled pairs [1].
+
+    Returns:
+        T/F_п [m].
+
+    Validity:
+        As ``torque``.
+    """
+    return (
+        mean_radius
+        * (bypass_pairs * friction_driving + controlled_pairs * friction_driven)
+        / (1 + gain * controlled_pairs * friction_driven)
+    )
+
+
 def torque(
     closing_force: Number,
     mean_radius: Number,

@@ -66,6 +66,25 @@ def net_gain_returning(gain: Number, mean_radius: Number, key_friction: Number, 
     return gain + gain_threshold(mean_radius, key_friction, hub_diameter)
 
 
+def torque_per_force(pairs: Number, mean_radius: Number, friction_set: Number) -> Number:
+    """Slip torque per closing force at the setting, T_н/F_п1 = z R f_set.
+
+    Source: S21, before (14): at the setting the sleeve rests and N = F_п1.
+
+    Args:
+        pairs: z, friction pairs [1].
+        mean_radius: R_cp, mean friction radius [m].
+        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
+
+    Returns:
+        T_н/F_п1 [m].
+
+    Validity:
+        The control spring set by (14).
+    """
+    return mean_radius * pairs * friction_set
+
+
 def control_force(closing_force: Number, pairs: Number, net_gain: Number, friction_set: Number) -> Number:
     """Control-spring force that just holds the sleeve at its stop at the setting, F_п2 = F_п1 (1 + z f_set κ).
 

@@ -34,7 +34,7 @@ def spring_forces_of_both_methods() -> Steps:
     second = adjustment.closing_force(T_n, beta, _arm(fcp))
     yield Identity("(5): T(f_min) = T_н", _torque(first, fmin) - T_n)
     yield Identity("(6): T(f_cp) = β_н T_н", _torque(second, fcp) - beta * T_n)
-    yield Identity("its inverse", adjustment.nominal_torque(second, beta, _arm(fcp)) - T_n)
+    yield Identity("its inverse", adjustment.nominal_torque(second * _arm(fcp), beta) - T_n)
     printed = fcp * (1 + (z - 1) * C * fmin) / (fmin * (1 + (z - 1) * C * fcp))
     ratio = adjustment.force_ratio(_arm(fcp), _arm(fmin))
     yield Identity("(7), z_1 = 1", (ratio - printed).subs(z1, 1))

@@ -40,6 +40,7 @@ def torque_law_from_the_balance() -> Steps:
         "(2) + (6) is (12)",
         direct.group_torque(normal, R, z1, f1) + direct.group_torque(normal, R, z2, f2) - torque,
     )
+    yield Identity("T/F_п is the torque of one newton", direct.torque_per_force(R, z1, z2, gain, f1, f2) - torque / F)
     yield Identity("a group's torque is R f z N", direct.group_torque(N, R, z1, f1) - R * f1 * z1 * N)
     yield Identity("reduced gain", direct.reduced_gain(z2, C) - z2 * C)
     printed = z2 * F * f2 / (1 + z2 * C * f2)

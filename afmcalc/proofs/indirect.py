@@ -49,6 +49,7 @@ def setting_of_the_control_spring() -> Steps:
     nominal = direct.group_torque(F, R, z, fset)
     control = indirect.control_force(F, z, KAPPA, fset)
     yield Identity("(1): the sleeve just rests at T_н", F + nominal * C / R - control - 2 * nominal * fk / d)
+    yield Identity("T_н/F_п1 at the setting", indirect.torque_per_force(z, R, fset) - nominal / F)
     yield Identity("(14)", control - (F * (1 + z * C * fset) - 2 * z * F * R * fset * fk / d))
     gain = 2 * R * fk / d + (control - F) / (z * F * fset)
     yield Identity("(5)", gain - C)

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any, NamedTuple
 
-from ...engines._arrays import larger, smaller
+from ...arrays import larger, smaller
 from ...equations import direct, geometry, indirect, synthesis
 from ...spec.requirements import Requirements, Values
 

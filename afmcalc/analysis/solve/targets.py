@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any, Literal, NamedTuple
 
-from ...engines._arrays import larger, smaller
+from ...arrays import larger, smaller
 from ...engines.indirect import IndirectClutch
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from ...engines._arrays import larger
+from ...arrays import larger
 from ...equations import overload as law
 from ...equations.accuracy import accuracy_factor
 from ...equations.reconstruction import friction_bound
