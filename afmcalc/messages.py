@@ -41,7 +41,12 @@ def say(template: str, /, **values: Any) -> str:
     return _Sentence().vformat(template, (), values)
 
 
-FINDINGS: Mapping[str, str] = {}
+FINDINGS: Mapping[str, str] = {
+    "hysteresis": "the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction "
+    "has fallen {value:.4g} times, and the torque then stays below the rising branch; full unloading reseats it",
+    "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
+    "{value:.5g N·m}, below the nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
+}
 """Code of a finding → its sentence."""
 
 

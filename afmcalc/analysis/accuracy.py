@@ -28,6 +28,9 @@ class AccuracyResult(Result):
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor along the common path of f_1 and f_2")
     accuracy_factor_worst_case: float = quantity("1", "K_т,w", "accuracy factor with f_1 and f_2 independent")
     accuracy_factor_peak: float = quantity("1", "K_т,p", "accuracy factor by breakaway peaks (upper bound)")
+    accuracy_factor_hysteresis: float | None = quantity(
+        "1", "K_т,h", "accuracy factor under a load that lasts, T(f_max)/T_ret(f_min)", optional=True
+    )
     conventional_accuracy_factor: float = quantity("1", "K_т,0", "accuracy factor of an ordinary clutch in its place")
     gain_limit: float | None = quantity("1", "C_max", "largest gain at which the law describes the slip", optional=True)
     gain_threshold: float | None = quantity("1", "2R f_1/d", "gain at which feedback begins", optional=True)
@@ -90,6 +93,7 @@ def _indirect(clutch: Clutch) -> dict[str, Any]:
     if not isinstance(clutch, IndirectClutch):
         return {}
     return {
+        "accuracy_factor_hysteresis": clutch.accuracy_factor_hysteresis,
         "gain_threshold": clutch.gain_threshold,
         "equivalent_gain": clutch.equivalent_gain,
         "nominal_torque_ratio": clutch.nominal_torque_ratio,

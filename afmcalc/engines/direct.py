@@ -33,6 +33,11 @@ class DirectClutch:
         return cls(spec, law, spec.friction.groups, force)
 
     @property
+    def pack_force_at_rest(self) -> Values:
+        """Force on the pack of the clutch at rest, N: the closing spring's."""
+        return self.closing_force
+
+    @property
     def mean_radius(self) -> Values:
         """R_cp, m."""
         return self.law.mean_radius

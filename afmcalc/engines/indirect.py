@@ -4,9 +4,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ..arrays import Values, checked_friction, is_array
-from ..equations import direct, indirect
+from ..equations import indirect
 from ..errors import Problem, SpecError
-from ..findings import Finding
+from ..findings import Finding, finding
 from ..spec.models import Method, Range, Spec
 from . import geometry, setting
 from .laws import IndirectLaw
@@ -44,6 +44,7 @@ class IndirectClutch:
             key_friction=_given(unit.key_friction),
             hub_diameter=_given(unit.hub_diameter),
             friction_set=setting.friction_at_setting(spec)[0],
+            made_control_force=control.force,
         )
         _refuse_negative_net_gain(spec, law)
         force = setting.closing_force(spec, lambda: law.torque_per_force)
@@ -116,19 +117,16 @@ class IndirectClutch:
         return gain
 
     def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
-        """Normal force N on the pairs, N: F_п1 at the stop, then falling (S21 (9))."""
-        friction = _one(friction, friction_driven)
-        if self._is_at_stop(friction):
-            return self.closing_force
-        return self.law.normal_force(self.closing_force, friction)
+        """Normal force N on the pairs, N: from F_п2 at rest down to F_п1 at the setting, then by S21 (9)."""
+        return self.law.normal_force(self.closing_force, _one(friction, friction_driven))
 
-    def _is_at_stop(self, friction: Any) -> bool:
-        """Whether one friction (no array) is not above the setting: the sleeve rests, nothing need be solved."""
-        at_set = self.friction_set
-        return not (is_array(friction) or is_array(at_set) or is_array(self.closing_force)) and bool(friction < at_set)
+    @property
+    def pack_force_at_rest(self) -> Values:
+        """Force on the pack of the clutch at rest, N: what the control spring presses through sleeve and stop."""
+        return self.law.normal_force(self.closing_force, 0.0)
 
     def torque(self, friction: Any, friction_driven: Any = None) -> Any:
-        """Slip torque T, N·m, friction rising (S21 (11); at the stop z R f F_п1).
+        """Slip torque T, N·m, friction rising (S21 (11); at the stop a direct clutch of gain κ).
 
         Args:
             friction: f of all pairs, a float or an array of any shape.
@@ -140,8 +138,7 @@ class IndirectClutch:
         Raises:
             ValueError: negative friction, or two different frictions.
         """
-        friction = _one(friction, friction_driven)
-        return direct.group_torque(self.normal_force(friction), self.mean_radius, self.pairs, friction)
+        return self.law.torque(self.closing_force, _one(friction, friction_driven))
 
     def torque_returning(self, friction: Any) -> Any:
         """Torque when friction falls again from f_max under load, N·m (theory, section 5).
@@ -158,8 +155,6 @@ class IndirectClutch:
     def travel(self, friction: Any, friction_driven: Any = None) -> Any:
         """Axial travel x of the sleeve, m; 0 at the stop (S21 (16))."""
         friction = _one(friction, friction_driven)
-        if self._is_at_stop(friction):
-            return 0.0
         return self.law.travel(self.closing_force, friction)
 
     def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
@@ -189,6 +184,9 @@ class IndirectClutch:
     def accuracy_factor(self) -> Values:
         """K_т (S21 (15), with the stop)."""
         own = self.friction[0]
+        if self.law.made_control_force is not None:
+            ratio: Values = self.torque(own.max) / self.torque(own.min)
+            return ratio
         factor: Values = indirect.accuracy_factor(
             own.min,
             self.friction_set,
@@ -198,6 +196,13 @@ class IndirectClutch:
             self.pairs,
             self.net_gain,
         )
+        return factor
+
+    @property
+    def accuracy_factor_hysteresis(self) -> Values:
+        """K_т under a load that lasts: friction falls from f_max to f_min, the key holding the sleeve back."""
+        own = self.friction[0]
+        factor: Values = indirect.accuracy_factor_hysteresis(self.torque(own.max), self.torque_returning(own.min))
         return factor
 
     @property
@@ -229,7 +234,7 @@ class IndirectClutch:
 
     def sensitivity(self) -> dict[str, float]:
         """Elasticities ∂ln K_т/∂ln p by spec path."""
-        return sensitivity(self.spec, self.law)
+        return sensitivity(self.spec, self.law, self.closing_force)
 
     def findings(self) -> list[Finding]:
         """What a designer should know: idle feedback, the key's hysteresis, the setting."""
@@ -248,17 +253,13 @@ class IndirectClutch:
             ]  # fmt: skip
         if self.law.key_friction == 0:
             return []
+        returning, nominal = float(self.torque_returning(self.friction[0].min)), float(self.nominal_torque)
         ratio = float(indirect.hysteresis_ratio(self.net_gain, self.net_gain_returning))
-        message = (
-            f"the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction has "
-            f"fallen {ratio:.4g} times, and the torque then stays below the rising branch; full unloading reseats it"
-        )
-        return [
-            Finding(
-                level="info", code="hysteresis", message=message,
-                value=ratio, limit=1.0, path="control_unit.key_friction",
-            )
-        ]  # fmt: skip
+        key = "control_unit.key_friction"
+        found = [finding("hysteresis", "info", value=ratio, limit=1.0, path=key)]
+        if returning < nominal * (1 - 1e-12):
+            found.append(finding("returning-below-nominal", "warning", value=returning, limit=nominal, path=key))
+        return found
 
 
 def _refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:

@@ -33,6 +33,10 @@ class Clutch(Protocol):
         """F_п as set, N."""
 
     @property
+    def pack_force_at_rest(self) -> Values:
+        """Force on the pack of the clutch at rest, N."""
+
+    @property
     def mean_radius(self) -> Values:
         """R_cp, m."""
 

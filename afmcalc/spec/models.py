@@ -135,6 +135,9 @@ class ControlSpring(Block):
     stiffness: StiffnessOrNone = Field(
         description="stiffness of the control spring", json_schema_extra={"symbol": "c_2"}
     )
+    force: Force | None = key_field(
+        "control-spring force as made; default so that the sleeve just rests at T_н", "F_п2"
+    )
 
 
 class Contact(Block):

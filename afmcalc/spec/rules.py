@@ -166,6 +166,8 @@ def _contact(data: Mapping[str, Any]) -> Iterable[Finding]:
 def _force(data: Mapping[str, Any]) -> Iterable[Finding]:
     if not _has(data, "closing_spring", "force") and not _has(data, "adjustment", "nominal_torque"):
         yield ("closing_spring", "force"), MISSING, "required (or give adjustment.nominal_torque, which sets it)"
+    elif _has(data, "control_spring", "force") and not _has(data, "closing_spring", "force"):
+        yield ("closing_spring", "force"), MISSING, "required beside control_spring.force: both forces as made"
 
 
 def variants_of(path: str) -> tuple[str, ...]:
