@@ -159,4 +159,3 @@ def test_balls_that_do_not_fit_are_found(afmcalc):
     (finding,) = [f for f in crowded["findings"] if f["code"] == "balls-overlap"]
     assert finding["value"] == pytest.approx(0.025)
     assert finding["limit"] == pytest.approx(0.01564, abs=1e-5)
-    assert afmcalc("synthesize", CONFIGS / "indirect.toml", "--json").json["result"]["pocket_depth"] > 0

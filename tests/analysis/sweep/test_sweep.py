@@ -44,7 +44,6 @@ def test_bad_sweeps(sweep, afmcalc, tmp_path):
     run = afmcalc("accuracy", "--sweep", sweep, "-o", tmp_path / "x")
     assert run.code == 2, run.out
     assert run.err.strip().splitlines()[-1].startswith("error: ")
-    assert "Traceback" not in run.err
     assert not (tmp_path / "x").exists()
 
 

@@ -2,7 +2,6 @@
 
 import csv
 import io
-import json
 import os
 from pathlib import Path
 
@@ -115,11 +114,10 @@ def test_curve(unicode):
     assert unicode or all(line.isascii() for line in lines)
     flat = curve([1, 1], [2, 2], "level", unicode=unicode)
     assert len(flat) == len(lines)
-    assert curve([-1e308, 1e308], [0, 1], "huge", unicode=unicode)
+    assert len(curve([-1e308, 1e308], [0, 1], "huge", unicode=unicode)) == len(lines)
 
 
 def test_json_is_finite_and_complete(afmcalc):
     for arguments in COMMANDS.values():
         data = afmcalc(*arguments, "--json").json
         assert set(data) == {"command", "version", "spec", "result", "findings"}
-        assert json.dumps(data)
