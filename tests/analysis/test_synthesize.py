@@ -152,3 +152,10 @@ def test_the_users_own_balls(afmcalc, tmp_path):
     own.write_bytes(b"\xff")
     with pytest.raises(AfmcalcError):
         diameters(own)
+
+
+def test_balls_that_do_not_fit_are_found(afmcalc):
+    crowded = afmcalc("synthesize", "--set", "control_unit.balls=20", "--json").json
+    (finding,) = [f for f in crowded["findings"] if f["code"] == "balls-overlap"]
+    assert finding["value"] == pytest.approx(0.025)
+    assert finding["limit"] == pytest.approx(0.01564, abs=1e-5)

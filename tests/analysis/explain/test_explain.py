@@ -84,3 +84,28 @@ def test_errors(afmcalc, monkeypatch):
     missing = afmcalc("explain", "torque")
     assert missing.code == 2
     assert "pip install 'afmcalc[explain]'" in missing.err
+
+
+def test_explain_shows_the_stop_the_corners_and_the_cycles(afmcalc):
+    indirect = afmcalc(
+        "explain", "torque", CONFIGS / "indirect.toml", "--set", "adjustment.method=mean-friction", "--json"
+    )
+    assert all(step["value"] >= 0 for step in indirect.json["result"]["steps"] if step["symbol"] == "x")
+    corners = {step["at"] for step in afmcalc("explain", "accuracy", "--json").json["result"]["steps"]}
+    assert {"f_1min, f_2max", "f_1max, f_2min"} <= corners
+    life = afmcalc("explain", "life", "--json").json["result"]["steps"]
+    assert [step for step in life if step["function"] == "life.cycles"]
+    goodman = ["--model", "goodman", "--set", "fatigue.ultimate_strength=900 MPa"]
+    assert "equivalent_stress_goodman" in afmcalc("explain", "life", *goodman, "--json").out
+    assert afmcalc("explain", "torque", "--model", "goodman").code == 2
+    stress = next(step for step in life if step["function"] == "life.shear_stress")
+    assert "/((1.5·10^-5) m³)" in stress["substituted"] or "(1.5·10^-5)" in stress["substituted"]
+
+
+def test_falling_torque_is_explained(afmcalc):
+    falling = ["--set", "friction.driving.min=0.5", "--set", "friction.driven.min=0.1", "--set", "C=3"]
+    steps = afmcalc("explain", "accuracy", CONFIGS / "unlike-materials.toml", *falling, "--json").json["result"][
+        "steps"
+    ]
+    notes = [step["note"] for step in steps if step["note"]]
+    assert any("the inverse, 1.1037" in note for note in notes)

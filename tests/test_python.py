@@ -18,8 +18,9 @@ def test_doctests(name):
 
 
 def test_public_names():
-    for name in afmcalc.__all__:
-        assert getattr(afmcalc, name)
+    names: dict[str, object] = {}
+    exec("from afmcalc import *", names)
+    assert set(afmcalc.__all__) <= set(names)
     with pytest.raises(AttributeError, match="no attribute 'nothing'"):
         _ = afmcalc.nothing
     assert doctest.testmod(afmcalc).failed == 0

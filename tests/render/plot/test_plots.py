@@ -110,13 +110,23 @@ def test_files(ending, afmcalc, tmp_path):
     run = afmcalc("plot", "torque", CONFIGS / "default.toml", "-o", target)
     assert (run.code, run.out) == (0, "")
     assert target.read_bytes().startswith(starts[ending])
-    again = "import sys, afmcalc\nfrom afmcalc.render.plot import sheet_of, Request\n"
-    again += "from afmcalc.render.plot.figure import save\n"
-    again += f"clutch = afmcalc.load({str(CONFIGS / 'default.toml')!r})\n"
-    again += f"sys.stdout.buffer.write(save(sheet_of('torque', Request([clutch])), {ending!r}))"
+
+
+def test_same_spec_same_bytes(tmp_path):
+    """From this process and from one with another hash seed and another backend."""
+    again = f"""
+import afmcalc
+from afmcalc.render.plot import Request, sheet_of
+from afmcalc.render.plot.figure import save
+for ending in {list(ENDINGS)!r}:
+    with open("again." + ending, "wb") as file:
+        file.write(save(sheet_of("torque", Request([afmcalc.load({str(CONFIGS / "default.toml")!r})])), ending))
+"""
     environment = {**os.environ, "PYTHONHASHSEED": "7", "MPLBACKEND": "svg"}
-    run = subprocess.run([sys.executable, "-c", again], capture_output=True, check=True, env=environment)
-    assert run.stdout == target.read_bytes()
+    subprocess.run([sys.executable, "-c", again], check=True, env=environment, cwd=tmp_path)
+    for ending in ENDINGS:
+        made = save(sheet_of("torque", Request([package.load(CONFIGS / "default.toml")])), ending)
+        assert made == (tmp_path / f"again.{ending}").read_bytes()
 
 
 def test_a_users_settings_change_nothing(monkeypatch):

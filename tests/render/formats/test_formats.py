@@ -2,11 +2,10 @@
 
 import csv
 import io
-import json
+import os
 from pathlib import Path
 
 import pytest
-import snapshots
 from conftest import CONFIGS
 
 import afmcalc as package
@@ -46,7 +45,10 @@ def test_snapshot(name, format_, afmcalc):
     run = afmcalc(*COMMANDS[name], "--format", format_)
     assert run.code == 0
     text = run.out.replace(f'"version": "{package.__version__}"', '"version": "X"')
-    snapshots.check(Path(__file__).parent, f"{name}.{ENDINGS[format_]}", text)
+    path = Path(__file__).parent / "snapshots" / f"{name}.{ENDINGS[format_]}"
+    if os.environ.get("AFMCALC_UPDATE"):
+        path.write_text(text, encoding="utf-8")
+    assert text == path.read_text(encoding="utf-8"), f"{path.name} differs; AFMCALC_UPDATE=1 writes it anew: read it"
 
 
 def test_csv_is_a_rectangle_with_units(afmcalc):
@@ -112,11 +114,10 @@ def test_curve(unicode):
     assert unicode or all(line.isascii() for line in lines)
     flat = curve([1, 1], [2, 2], "level", unicode=unicode)
     assert len(flat) == len(lines)
-    assert curve([-1e308, 1e308], [0, 1], "huge", unicode=unicode)
+    assert len(curve([-1e308, 1e308], [0, 1], "huge", unicode=unicode)) == len(lines)
 
 
 def test_json_is_finite_and_complete(afmcalc):
     for arguments in COMMANDS.values():
         data = afmcalc(*arguments, "--json").json
         assert set(data) == {"command", "version", "spec", "result", "findings"}
-        assert json.dumps(data)
