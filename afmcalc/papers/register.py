@@ -1,7 +1,7 @@
 """The register: every formula of the papers, what implements or covers it, and the papers' misprints."""
 
 from functools import cache
-from typing import Any, Literal
+from typing import Literal
 
 from ..errors import AfmcalcError
 from ..findings import Finding
@@ -34,6 +34,7 @@ class Misprint(Result):
     correct: str = quantity("", None, "should be")
     why: str = quantity("", None, "why")
     proof: str | None = quantity("", None, "proof")
+    status: Literal["in print", "as extracted", "by the figure", "withdrawn"] = quantity("", None, "status")
 
 
 class Proved(Result):
@@ -62,11 +63,11 @@ def register() -> list[Formula]:
 
 @cache
 def misprints() -> list[Misprint]:
-    """Every misprint, in order."""
-    return [Misprint(**{"proof": None, **entry}) for entry in _data("misprints.toml")["misprint"]]
+    """Every misprint, in order; a withdrawn one keeps its number."""
+    return [Misprint(**{"status": "in print", "proof": None, **entry}) for entry in _data("misprints.toml")["misprint"]]
 
 
-def _data(name: str) -> dict[str, Any]:
+def _data(name: str) -> dict[str, list[dict[str, str]]]:
     import tomllib
     from importlib.resources import files
 

@@ -1,8 +1,7 @@
 """Figures of Шишкарев 2021 (S21): indirect regulation."""
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import NDArray
 
 from ...equations import indirect, synthesis
 from ...equations.accuracy import accuracy_factor
@@ -15,7 +14,7 @@ _INPUTS = "f = 0.1…0.8, z = 8, R_cp = 100 mm, d = 50 mm, f_1 = 0.15, c_2 = 10 
 _BALL_CIRCLE, _FORCE, _GAP = 0.05, 1000.0, 0.002
 
 
-def _gains(stop: float) -> Any:
+def _gains(stop: float) -> NDArray[np.float64]:
     """Gains from the threshold of the feedback on."""
     return np.linspace(indirect.gain_threshold(_RADIUS, _KEY, _HUB), stop, 241)
 
@@ -45,6 +44,7 @@ def figure_2() -> PaperFigure:
         corrections=[
             "M9: (15) with 2 z R c_1 f f_1 divided by d",
             "M26: at equal gain the indirect clutch is less accurate than the base clutch (curve 5)",
+            "M27: K_п compares at equal F_п1; at equal force on the pack (F_п2 at rest) it is 1.364, not 1.8, at C = 1",
             "M38: curve 5 has all z pairs controlled; with one bypass pair it is 2.061, not 1.946, at C = 1",
         ],
         assumed="range of C from the threshold 2 R f_1/d = 0.6 to 12 (both printed averages, 1.03 and 1.18, fit 3…12).",

@@ -1,10 +1,8 @@
 """Figures of Шишкарев 2022 (S22): overload with a torque margin."""
 
-from typing import Any
-
 import numpy as np
 
-from ...arrays import larger
+from ...arrays import Values, larger
 from ...equations import overload as law
 from ...equations.accuracy import accuracy_factor
 from ...equations.reconstruction import friction_bound
@@ -79,17 +77,16 @@ def figure_3() -> PaperFigure:
         title="expected and actual accuracy factor against the reduced gain",
         panels=[
             [
-                curve("1", "actual (19), max(T_ср, T_муф)", reduced, expected * larger(factor, np.ones_like(factor))),
+                curve("1", "actual, max(T_ср, T_муф)", reduced, expected * larger(factor, np.ones_like(factor))),
                 curve("2", "expected (18)", reduced, expected),
             ]
         ],
         x=axis("reduced gain", "zC"),
         y=[axis("accuracy factor", "K_т")],
-        inputs="β_н = 1.25, f = 0.1…0.8.",
+        inputs="β_н = 1.25, f = 0.1…0.8; curve 1 is (18) or (19) by case, the larger of T_ср and T_муф.",
         corrections=[
             "M11: (15) with [1 − v²] f_min divided by f",
             "M13: the best actual accuracy is at zC = 1/f_max = 1.25 (A = 1), printed ≈ 1.6, where A = 1.225",
-            "M35: (19) alone has no minimum, max(T_ср, T_муф) has",
             "M12: at equilibrium the trip is at T_муф and curve 2 holds throughout",
         ],
         assumed="",
@@ -125,7 +122,8 @@ def figure_4() -> PaperFigure:
     )
 
 
-def _factor(reduced: Any) -> Any:
+def _factor(reduced: Values) -> Values:
     """A at f_max with a reduced gain."""
     here, at_min = law.loop_gain(reduced, 1, _HIGH), law.loop_gain(reduced, 1, _LOW)
-    return law.actuation_factor(here, at_min, _HIGH, _LOW, _MARGIN)
+    found: Values = law.actuation_factor(here, at_min, _HIGH, _LOW, _MARGIN)
+    return found
