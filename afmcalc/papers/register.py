@@ -1,6 +1,8 @@
 """The register: every formula of the papers, what implements or covers it, and the papers' misprints."""
 
+import tomllib
 from functools import cache
+from importlib.resources import files
 from typing import Literal
 
 from ..errors import AfmcalcError
@@ -58,19 +60,17 @@ class EquationsResult(Result):
 def register() -> list[Formula]:
     """Every entry, in the order of the papers."""
     optional = ("misprint", "function", "proof", "printed", "correct", "covered_by")
-    return [Formula(**{**dict.fromkeys(optional), **entry}) for entry in _data("register.toml")["formula"]]
+    return [Formula(**{**dict.fromkeys(optional), **entry}) for entry in data("register.toml")["formula"]]
 
 
 @cache
 def misprints() -> list[Misprint]:
     """Every misprint, in order; a withdrawn one keeps its number."""
-    return [Misprint(**{"status": "in print", "proof": None, **entry}) for entry in _data("misprints.toml")["misprint"]]
+    return [Misprint(**{"status": "in print", "proof": None, **entry}) for entry in data("misprints.toml")["misprint"]]
 
 
-def _data(name: str) -> dict[str, list[dict[str, str]]]:
-    import tomllib
-    from importlib.resources import files
-
+def data(name: str) -> dict[str, list[dict[str, str]]]:
+    """Read one of the lists of this package: kind of entry → its entries, in order."""
     return tomllib.loads(files("afmcalc.papers").joinpath(name).read_text(encoding="utf-8"))
 
 
