@@ -74,6 +74,19 @@ def data(name: str) -> dict[str, list[dict[str, str]]]:
     return tomllib.loads(files("afmcalc.papers").joinpath(name).read_text(encoding="utf-8"))
 
 
+def check_papers(papers: list[str]) -> None:
+    """Refuse a paper that there is not.
+
+    Raises:
+        AfmcalcError: no such paper.
+    """
+    for paper in papers:
+        if paper not in PAPERS:
+            raise AfmcalcError(
+                f"--paper {paper}: no such paper{did_you_mean(paper, PAPERS)}; papers: {', '.join(PAPERS)}"
+            )
+
+
 def is_numbered(formula: Formula) -> bool:
     """Whether the paper numbers the formula."""
     return "unnumbered" not in formula.id
@@ -98,11 +111,7 @@ def equations(
     Raises:
         AfmcalcError: no such paper or formula.
     """
-    for paper in papers:
-        if paper not in PAPERS:
-            raise AfmcalcError(
-                f"--paper {paper}: no such paper{did_you_mean(paper, PAPERS)}; papers: {', '.join(PAPERS)}"
-            )
+    check_papers(papers)
     chosen = [entry for entry in register() if not papers or entry.id.split()[0] in papers]
     if ids:
         known = [entry.id for entry in chosen]

@@ -7,7 +7,7 @@ from conftest import ROOT
 
 from afmcalc.equations.catalogue import equations
 from afmcalc.papers.figures import FIGURES, paper_figure
-from afmcalc.papers.register import is_accounted, is_numbered, misprints, register
+from afmcalc.papers.register import data, is_accounted, is_numbered, misprints, register
 from afmcalc.proofs import Identity, ProofError, Refutation, is_zero, proofs, prove
 
 NUMBERED = {"F11": 22, "S19": 20, "S21": 24, "S22": 24}
@@ -75,6 +75,9 @@ def test_what_does_not_stand_in_print_says_so():
     assert all(m.proof is None for m in misprints() if m.id in withdrawn)
     used = {name for entry in register() for name in (entry.misprint or "").split(", ")}
     used |= set(re.findall(r"M\d+", " ".join(text for name in FIGURES for text in paper_figure(name).corrections)))
+    claims = " ".join(text for entry in data("claims.toml")["claim"] for text in entry.values())
+    used |= set(re.findall(r"M\d+", claims))
+    assert used - {""} <= {m.id for m in misprints()}
     assert not withdrawn & used, "nothing rests on a withdrawn one"
 
 

@@ -4,12 +4,10 @@ from collections.abc import Callable
 from functools import cache
 from importlib import import_module
 
-from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...result import Result, quantity
-from ...spec.suggest import did_you_mean
 from ..figures import FIGURES, PaperFigure, paper_figure
-from ..register import PAPERS, data
+from ..register import PAPERS, check_papers, data
 from .found import Found, Verdict
 
 
@@ -83,11 +81,7 @@ def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[Repr
     Raises:
         AfmcalcError: no such paper or figure.
     """
-    for paper in papers:
-        if paper not in PAPERS:
-            raise AfmcalcError(
-                f"--paper {paper}: no such paper{did_you_mean(paper, PAPERS)}; papers: {', '.join(PAPERS)}"
-            )
+    check_papers(papers)
     checks: dict[str, Callable[[], Found]] = {}
     for paper in papers or PAPERS:
         checks |= import_module(f".{_MODULES[paper]}", __name__).CHECKS
