@@ -46,6 +46,7 @@ FINDINGS: Mapping[str, str] = {
     "has fallen {value:.4g} times, and the torque then stays below the rising branch; full unloading reseats it",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
+    "unexpected-verdict": "{row}: {verdict}; on record is: {record}",
 }
 """Code of a finding → its sentence."""
 

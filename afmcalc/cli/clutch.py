@@ -118,7 +118,9 @@ def synthesize(
     spec: SpecArgument = None,
     balls: Annotated[
         str | None,
-        typer.Option("--balls", metavar="FILE", help="TOML file with a list of your own, diameters = [...] in mm."),
+        typer.Option(
+            "--balls", metavar="FILE", help="Your own list: TOML, diameters = [...] in mm, or CSV, headed diameter_mm."
+        ),
     ] = None,
     *,
     common: Common,
