@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..findings import Finding
 from ..result import Result, Series, quantity
@@ -63,7 +62,9 @@ def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyRes
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         conventional_accuracy_factor=conventional_accuracy_factor(clutch),
         gain_limit=clutch.gain_limit,
-        **_indirect(clutch),
+        gain_threshold=clutch.gain_threshold,
+        equivalent_gain=clutch.equivalent_gain,
+        nominal_torque_ratio=clutch.nominal_torque_ratio,
         sensitivity=clutch.sensitivity(),
         sweep=swept,
     )
@@ -83,17 +84,6 @@ def _sweep_findings(swept: list[AccuracySweep] | None) -> list[Finding]:
         "there exceed the sustained torque, K_т,p is the accuracy factor with them"
     )
     return [Finding(level="warning", code="sweep-beyond-gain-limit", message=message, value=beyond, limit=0.0)]
-
-
-def _indirect(clutch: Clutch) -> dict[str, Any]:
-    """Return what only an indirect clutch has."""
-    if not isinstance(clutch, IndirectClutch):
-        return {}
-    return {
-        "gain_threshold": clutch.gain_threshold,
-        "equivalent_gain": clutch.equivalent_gain,
-        "nominal_torque_ratio": clutch.nominal_torque_ratio,
-    }
 
 
 def conventional_accuracy_factor(clutch: Clutch) -> Any:
