@@ -17,6 +17,7 @@ from .reading import apply_overrides, label_of, parse, problems_of, text_of
 Objective = Literal["closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel"]
 
 MOST_VALUES = 10_000_000
+_GAIN_LIMITS = ", ".join(dict.fromkeys(each.gain_limit.rule for each in VARIANTS.values() if each.gain_limit))
 
 
 class Values(NamedTuple):
@@ -167,7 +168,7 @@ class Limits(Block):
     contact_force: Force | None = key_field("normal force on one ball")
     travel: Length | None = key_field("travel of the sleeve (indirect)")
     reduced_gain: Ratio | None = key_field("reduced gain")
-    gain_limit: bool = key_field("hold the gain limit of the variant (1/(z_1 f_1max), zC = 5)", default=True)
+    gain_limit: bool = key_field(f"hold the gain limit of the variant ({_GAIN_LIMITS})", default=True)
 
 
 class Requirements(Block):
