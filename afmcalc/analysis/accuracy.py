@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..engines.protocol import Clutch
+from ..equations import accuracy as law
 from ..findings import Finding
 from ..result import Result, Series, quantity
 from .sweep.grid import replaced, series
@@ -88,9 +89,7 @@ def _sweep_findings(swept: list[AccuracySweep] | None) -> list[Finding]:
 
 def conventional_accuracy_factor(clutch: Clutch) -> Any:
     """Return the K_т of an ordinary clutch with the same pairs: its torque follows z_1 f_1 + z_2 f_2."""
-    from ..equations.accuracy import accuracy_factor
-
     first, second = clutch.friction
     bypass = clutch.bypass_pairs
     controlled = clutch.spec.friction_group.pairs - bypass
-    return accuracy_factor(bypass, controlled, 0.0, first.min, second.min, first.max, second.max)
+    return law.conventional_accuracy_factor(bypass, controlled, first.min, second.min, first.max, second.max)
