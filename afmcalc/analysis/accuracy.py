@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
+from ..equations import accuracy as law
 from ..findings import Finding
 from ..result import Result, Series, quantity
 from .sweep.grid import replaced, series
@@ -64,9 +64,12 @@ def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyRes
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_worst_case=clutch.accuracy_factor_worst_case,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
+        accuracy_factor_hysteresis=clutch.accuracy_factor_hysteresis,
         conventional_accuracy_factor=conventional_accuracy_factor(clutch),
         gain_limit=clutch.gain_limit,
-        **_indirect(clutch),
+        gain_threshold=clutch.gain_threshold,
+        equivalent_gain=clutch.equivalent_gain,
+        nominal_torque_ratio=clutch.nominal_torque_ratio,
         sensitivity=clutch.sensitivity(),
         sweep=swept,
     )
@@ -88,23 +91,9 @@ def _sweep_findings(swept: list[AccuracySweep] | None) -> list[Finding]:
     return [Finding(level="warning", code="sweep-beyond-gain-limit", message=message, value=beyond, limit=0.0)]
 
 
-def _indirect(clutch: Clutch) -> dict[str, Any]:
-    """Return what only an indirect clutch has."""
-    if not isinstance(clutch, IndirectClutch):
-        return {}
-    return {
-        "accuracy_factor_hysteresis": clutch.accuracy_factor_hysteresis,
-        "gain_threshold": clutch.gain_threshold,
-        "equivalent_gain": clutch.equivalent_gain,
-        "nominal_torque_ratio": clutch.nominal_torque_ratio,
-    }
-
-
 def conventional_accuracy_factor(clutch: Clutch) -> Any:
     """Return the K_т of an ordinary clutch with the same pairs: its torque follows z_1 f_1 + z_2 f_2."""
-    from ..equations.accuracy import accuracy_factor
-
     first, second = clutch.friction
     bypass = clutch.bypass_pairs
     controlled = clutch.spec.friction_group.pairs - bypass
-    return accuracy_factor(bypass, controlled, 0.0, first.min, second.min, first.max, second.max)
+    return law.conventional_accuracy_factor(bypass, controlled, first.min, second.min, first.max, second.max)

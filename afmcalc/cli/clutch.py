@@ -12,7 +12,7 @@ from .run import build_from, calculate, emit, guarded, read_again
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
     from ..engines import Clutch
-    from ..render.formats.table import Curve
+    from ..render.layout import Curve
 
 SweepOption = Annotated[
     list[str] | None,

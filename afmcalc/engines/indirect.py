@@ -7,23 +7,18 @@ from ..arrays import Values, checked_friction, is_array
 from ..equations import indirect
 from ..errors import Problem, SpecError
 from ..findings import Finding, finding
-from ..spec.models import Method, Range, Spec
+from ..spec.models import Method, Spec
 from . import geometry, setting
 from .laws import IndirectLaw
-from .protocol import Point
+from .protocol import ByGain, Clutch
 from .sensitivity import sensitivity
 
 
 @dataclass(frozen=True)
-class IndirectClutch:
+class IndirectClutch(Clutch):
     """Clutch whose release force slackens the closing spring by way of a sleeve."""
 
-    spec: Spec
     law: IndirectLaw
-    friction: tuple[Range, Range]
-    """Range of f, twice."""
-    closing_force: Values
-    """F_п1 as set, N."""
 
     @classmethod
     def from_spec(cls, spec: Spec) -> "IndirectClutch":
@@ -51,19 +46,9 @@ class IndirectClutch:
         return cls(spec, law, spec.friction.groups, force)
 
     @property
-    def mean_radius(self) -> Values:
-        """R_cp, m."""
-        return self.law.mean_radius
-
-    @property
     def pairs(self) -> Values:
         """z."""
         return self.law.pairs
-
-    @property
-    def gain(self) -> Values:
-        """C."""
-        return self.law.gain
 
     @property
     def closing_stiffness(self) -> Values:
@@ -126,18 +111,7 @@ class IndirectClutch:
         return self.law.normal_force(self.closing_force, 0.0)
 
     def torque(self, friction: Any, friction_driven: Any = None) -> Any:
-        """Slip torque T, N·m, friction rising (S21 (11); at the stop a direct clutch of gain κ).
-
-        Args:
-            friction: f of all pairs, a float or an array of any shape.
-            friction_driven: the same again, or left out.
-
-        Returns:
-            T, N·m.
-
-        Raises:
-            ValueError: negative friction, or two different frictions.
-        """
+        """Slip torque T, N·m, friction rising (S21 (11); at the stop a direct clutch of gain κ)."""
         return self.law.torque(self.closing_force, _one(friction, friction_driven))
 
     def torque_returning(self, friction: Any) -> Any:
@@ -160,25 +134,6 @@ class IndirectClutch:
     def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Torque that passes the balls, N·m: all of it."""
         return self.torque(friction, friction_driven)
-
-    def point(self, friction: Any, friction_driven: Any = None) -> Point:
-        """State of the slipping clutch at one friction."""
-        return Point(
-            torque=self.torque(friction, friction_driven),
-            normal_force=self.normal_force(friction, friction_driven),
-            release_force=self.release_force(friction, friction_driven),
-            travel=self.travel(friction, friction_driven),
-        )
-
-    @property
-    def reduced_gain(self) -> Values:
-        """z C."""
-        return self.law.reduced_gain
-
-    @property
-    def nominal_torque(self) -> Values:
-        """T_н that the setting gives, N·m; it does not depend on C."""
-        return setting.nominal_torque(self)
 
     @property
     def accuracy_factor(self) -> Values:
@@ -206,25 +161,10 @@ class IndirectClutch:
         return factor
 
     @property
-    def accuracy_factor_worst_case(self) -> Values:
-        """K_т: there is but one friction."""
-        return self.accuracy_factor
-
-    @property
-    def accuracy_factor_peak(self) -> Values:
-        """K_т: no pairs bypass the balls."""
-        return self.accuracy_factor
-
-    @property
     def torque_max(self) -> Values:
         """T(f_max), N·m: the torque rises with friction."""
         torque: Values = self.torque(self.friction[0].max)
         return torque
-
-    @property
-    def gain_limit(self) -> Values | None:
-        """None in principle."""
-        return None
 
     @property
     def nominal_torque_ratio(self) -> Values:
@@ -232,25 +172,26 @@ class IndirectClutch:
         ratio: Values = indirect.nominal_torque_ratio(self.pairs, self.gain, self.friction_set)
         return ratio
 
+    def ball_torque_by_gain(self) -> ByGain:
+        """T ∝ D(f_set)/D(f_max), and D = (c_1 + c_2 − z c_1 f·threshold) + (z c_1 f)·C."""
+        springs = float(self.closing_stiffness + self.control_stiffness)
+        start = float(self.gain_threshold)
+        slopes = [
+            float(self.pairs * self.closing_stiffness) * f for f in (float(self.friction_set), self.friction[0].max)
+        ]
+        at_set, at_max = (((springs - slope * start) / springs, slope / springs) for slope in slopes)
+        return ByGain(at_set, at_max, start)
+
     def sensitivity(self) -> dict[str, float]:
         """Elasticities ∂ln K_т/∂ln p by spec path."""
         return sensitivity(self.spec, self.law, self.closing_force)
 
-    def findings(self) -> list[Finding]:
-        """What a designer should know: idle feedback, the key's hysteresis, the setting."""
-        return [*self._feedback_findings(), *setting.findings(self)]
-
-    def _feedback_findings(self) -> list[Finding]:
-        path = "control_unit.wall_angle" if geometry.angle_given(self.spec) else "control_unit.gain"
-        threshold = float(self.gain_threshold)
+    def _law_findings(self) -> list[Finding]:
+        """Idle feedback, the key's hysteresis."""
+        gain, threshold = float(self.gain), float(self.gain_threshold)
         if self.net_gain == 0:
-            message = f"C equals 2 R f_1/d = {threshold:.5g}: the key holds the sleeve, the clutch is an ordinary one"
-            return [
-                Finding(
-                    level="warning", code="feedback-idle", message=message,
-                    value=float(self.gain), limit=threshold, path=path,
-                )
-            ]  # fmt: skip
+            path = geometry.gain_path(self.spec)
+            return [finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)]
         if self.law.key_friction == 0:
             return []
         returning, nominal = float(self.torque_returning(self.friction[0].min)), float(self.nominal_torque)
@@ -275,7 +216,7 @@ def _refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
         f"must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
         "force, and the sleeve leaves its stop at zero torque"
     )
-    path = "control_unit.wall_angle" if geometry.angle_given(spec) else "control_unit.gain"
+    path = geometry.gain_path(spec)
     given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
     raise SpecError("spec", [Problem(path, given, message)])
 

@@ -66,6 +66,8 @@ def accuracy_factor_is_the_ratio_of_torques() -> Steps:
     torques = [direct.torque(F, R, z1, z2, C, a, b) for a, b in ((f1max, f2max), (f1min, f2min))]
     factor = accuracy.accuracy_factor(z1, z2, C, f1min, f2min, f1max, f2max)
     yield Identity("(14) = T(f_max)/T(f_min)", factor - torques[0] / torques[1])
+    ordinary = accuracy.conventional_accuracy_factor(z1, z2, f1min, f2min, f1max, f2max)
+    yield Identity("K_т,0 is (14) at C = 0", ordinary - accuracy.accuracy_factor(z1, z2, 0, f1min, f2min, f1max, f2max))
     one = accuracy.accuracy_factor(z1, z2, C, fmin, fmin, fmax, fmax)
     yield Identity(
         "one material (theory, section 3; lines 5–7 of fig. 2)",
