@@ -63,6 +63,14 @@ FINDINGS: Mapping[str, str] = {
     ),
     "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",
     "torque-falls": "the torque falls as the friction of both groups rises: the largest torque is at f_min",
+    "friction-fixed": ("friction does not scatter in [tolerance.fields]: the torque is taken at the mean friction"),
+    "friction-independent": (
+        "the correlation of f_1 and f_2 is not given: they are taken as independent (F11 has them together, 1)"
+    ),
+    "miner": (
+        "expected life by Miner's rule: each slip loads the shaft with its torque, damage 1/N by the S-N line, "
+        "extrapolated below the endurance limit as the paper does"
+    ),
 }
 """Code of a finding, with its case where it has several → its sentence."""
 

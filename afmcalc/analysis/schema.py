@@ -22,7 +22,7 @@ RESULTS = {
     "life": ("life", "LifeResult"),
     "compare": ("compare", "CompareResult"),
     "solve": ("solve.solve", "SolveResult"),
-    "tolerance": ("tolerance.study", "ToleranceResult"),
+    "tolerance": ("tolerance.result", "ToleranceResult"),
     "design": ("design.design", "DesignResult"),
     "materials": ("materials", "MaterialsResult"),
     "explain": ("explain.explain", "ExplainResult"),

@@ -4,13 +4,17 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 from statistics import NormalDist
-from typing import Any, Literal
+from typing import Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ...errors import CalculationError
 from ...spec import Spec
 from ...spec.edit import value_at
 from ...spec.tolerance import FRICTION, Distribution, percentage, physical_limits, unit_at
 
+Array: TypeAlias = NDArray[np.float64]
 _NORMAL = NormalDist()
 _LEAST_MASS = 1e-3
 """Share of a distribution that its limits must leave for it to be drawn at all."""
@@ -66,10 +70,8 @@ class Input:
         """Probabilities at the limits; the part between them is what remains."""
         return self.cdf(self.limits[0]), self.cdf(self.limits[1])
 
-    def quantiles(self, u: Any) -> Any:
+    def quantiles(self, u: Array) -> Array:
         """Value at each probability of an array, truncation included."""
-        import numpy as np
-
         below, above = self.mass
         u = below + u * (above - below)
         if self.kind in ("normal", "lognormal"):
@@ -80,10 +82,8 @@ class Input:
             values = self._between(u)
         return np.clip(values, *self.limits)
 
-    def draw(self, stream: Any, into: Any) -> None:
+    def draw(self, stream: np.random.Generator, into: Array) -> None:
         """Fill an array from a stream of random numbers; what falls outside the limits is drawn again."""
-        import numpy as np
-
         self._fill(stream, into)
         low, high = self.limits
         while (low > -math.inf and into.min() < low) or (high < math.inf and into.max() > high):
@@ -92,13 +92,7 @@ class Input:
             self._fill(stream, again)
             into[outside] = again
 
-    def from_scores(self, z: Any) -> Any:
-        """Value at each standard normal score of an array (the correlated pair)."""
-        return self.quantiles(normal_probability(z))
-
-    def _fill(self, stream: Any, into: Any) -> None:
-        import numpy as np
-
+    def _fill(self, stream: np.random.Generator, into: Array) -> None:
         if self.kind in ("normal", "lognormal"):
             a, b = self.scores
             stream.standard_normal(out=into)
@@ -110,9 +104,7 @@ class Input:
         stream.random(out=into)
         into[...] = self._between(into)
 
-    def _between(self, u: Any) -> Any:
-        import numpy as np
-
+    def _between(self, u: Array) -> Array:
         low, high = self.ends
         if self.kind == "uniform" or high == low:
             return low + (high - low) * u
@@ -169,28 +161,26 @@ def _input(spec: Spec, path: str, given: Distribution) -> Input:
     return found
 
 
-def _float(value: Any) -> float | None:
+def _float(value: float | str | None) -> float | None:
     return None if value is None else float(value)
 
 
-def normal_score(u: Any) -> Any:
+def normal_score(u: Array) -> Array:
     """Inverse of the normal distribution over an array; SciPy's where it is installed, else the standard library's."""
-    import numpy as np
-
     try:
         from scipy.special import ndtri
     except ImportError:
         tiny = np.clip(u, 1e-300, 1 - 2**-53)
         return np.fromiter(map(_NORMAL.inv_cdf, tiny.ravel()), float, tiny.size).reshape(tiny.shape)
-    return ndtri(u)
+    found: Array = ndtri(u)
+    return found
 
 
-def normal_probability(z: Any) -> Any:
+def normal_probability(z: Array) -> Array:
     """Normal distribution over an array."""
-    import numpy as np
-
     try:
         from scipy.special import ndtr
     except ImportError:
         return np.fromiter(map(_NORMAL.cdf, z.ravel()), float, z.size).reshape(z.shape)
-    return ndtr(z)
+    found: Array = ndtr(z)
+    return found

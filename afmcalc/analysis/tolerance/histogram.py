@@ -1,7 +1,9 @@
 """Histogram of the torque: the sample's own fine bins drawn together, or exact shares."""
 
-from ...result import Result, quantity
+import numpy as np
+
 from .exact import Exact
+from .result import Histogram
 from .tally import BINS, Tally, quantiles
 
 CENTRAL = (0.0005, 0.9995)
@@ -9,23 +11,8 @@ CENTRAL = (0.0005, 0.9995)
 _BARS = 60
 
 
-class Histogram(Result):
-    """Bars of equal width over the central part of the torque; none where the torque does not scatter."""
-
-    edges: list[float] = quantity("N*m", "T", "ends of the bars, one more than there are bars")
-    probabilities: list[float] = quantity("1", None, "probability of each bar")
-
-    @property
-    def densities(self) -> list[float]:
-        """Probability of each bar over its width, 1/(N·m)."""
-        ends = zip(self.edges, self.edges[1:], self.probabilities, strict=False)
-        return [probability / (high - low) for low, high, probability in ends]
-
-
 def histogram_of_sample(tally: Tally) -> Histogram:
     """Draw the fine bins of a sample together, the fewer bars the smaller it is (2·∛n, at most 60)."""
-    import numpy as np
-
     low, high = quantiles(tally, CENTRAL)
     if _is_single(low, high):
         return Histogram(edges=[], probabilities=[])
@@ -43,8 +30,6 @@ def histogram_of_sample(tally: Tally) -> Histogram:
 
 def histogram_of_exact(exact: Exact) -> Histogram:
     """Exact probability of each bar."""
-    import numpy as np
-
     low, high = (exact.quantile(p) for p in CENTRAL)
     if _is_single(low, high):
         return Histogram(edges=[], probabilities=[])

@@ -1,24 +1,25 @@
-"""The torque of a clutch over a sample of what scatters, block by block, in threads."""
+"""The sampling run: the torque of a clutch over a sample of what scatters, cell by cell, in threads."""
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
-from ...engines.protocol import Clutch
+import numpy as np
+
+from ...arrays import Values
+from ...engines import Clutch
 from ...equations import life as law
-from .sampling import CELL, REPLICATES, Model, Stream, cells, in_threads, sizes
+from .model import Model
+from .streams import CELL, REPLICATES, Stream, cells, in_threads, sizes
 from .tally import Grid, Tally
 
 
 @dataclass(frozen=True)
 class Plan:
-    """How to sample; threads and block change the time, never a digit."""
+    """How to sample; threads change the time, never a digit."""
 
     samples: int
     seed: int
     quasi: bool = False
     threads: int = 1
-    block: int = CELL
 
 
 def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> list[Tally]:
@@ -26,70 +27,50 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
 
     Args:
         model: torque as a function of what scatters.
-        plan: size, seed, method, threads, block.
+        plan: size, seed, method, threads.
         upper: torque whose exceedance is counted, N·m; None for none.
         lower: torque below which samples are counted, N·m.
 
     Returns:
         A tally per replicate.
     """
-    import numpy as np
-
     each = sizes(plan.samples, plan.quasi)
-    pilot_width = min(CELL, each[0])
-    pilot = [np.empty(pilot_width) for _ in model.inputs]
+    pilot = [np.empty(min(CELL, each[0])) for _ in model.inputs]
     Stream(model.inputs, plan.seed, 0, quasi=plan.quasi, model=model).fill(pilot)
-    grid = Grid.of(np.broadcast_to(model.torque(pilot), pilot_width))
+    grid = Grid.of(np.broadcast_to(model.torque(pilot), pilot[0].shape))
 
     def replicate(number: int) -> Tally:
         stream = Stream(model.inputs, plan.seed, number, quasi=plan.quasi, model=model)
         tally = Tally(grid)
-        room = min(max(CELL, plan.block), max(each[number], 1))
+        room = min(CELL, each[number])
         columns = [np.empty(room) for _ in model.inputs]
-        torque, work, index = np.empty(room), np.empty(CELL), np.empty(CELL, np.intp)
-        damages = (np.empty(room), np.empty(room))
-        for widths in cells(each[number], plan.block):
-            end = 0
-            for width in widths:
-                stream.fill([column[end : end + width] for column in columns])
-                end += width
-            for start in range(0, end, plan.block):
-                piece = slice(start, min(start + plan.block, end))
-                values = [column[piece] for column in columns]
-                clutch = model.clutch(values)
-                torque[piece] = model.torque(values, clutch)
-                if model.spec.fatigue is not None:
-                    for damage, share in zip(damages, damage_rates(clutch, torque[piece]), strict=True):
-                        damage[piece] = share
-            start = 0
-            for width in widths:
-                cell = slice(start, start + width)
-                tally.add(torque[cell], work[:width], index[:width])
-                tally.above += 0 if upper is None else int(np.count_nonzero(torque[cell] > upper))
-                tally.below += int(np.count_nonzero(torque[cell] < lower))
-                if model.spec.fatigue is not None:
-                    tally.damage += float(damages[0][cell].sum())
-                    tally.damage_unprotected += float(damages[1][cell].sum())
-                start += width
+        work, index = np.empty(room), np.empty(room, np.intp)
+        for width in cells(each[number]):
+            values = [column[:width] for column in columns]
+            stream.fill(values)
+            clutch = model.clutch(values)
+            torque = np.broadcast_to(model.torque(values, clutch), width)
+            tally.add(torque, work[:width], index[:width])
+            tally.above += 0 if upper is None else int(np.count_nonzero(torque > upper))
+            tally.below += int(np.count_nonzero(torque < lower))
+            if model.spec.fatigue is not None:
+                rates = (np.broadcast_to(rate, width).sum() for rate in damage_rates(clutch, torque))
+                protected, unprotected = (float(rate) for rate in rates)
+                tally.damage += protected
+                tally.damage_unprotected += unprotected
         return tally
 
     return in_threads(replicate, REPLICATES, plan.threads)
 
 
-def damage_rates(clutch: Clutch, torque: Any) -> tuple[Any, Any]:
+def damage_rates(clutch: Clutch, torque: Values) -> tuple[Values, Values]:
     """Damage 1/N of one slip on the protected and the unprotected side (Miner), by the paper's S–N line."""
     part = clutch.spec.fatigue
     assert part is not None
 
-    def rate(load: Any) -> Any:
+    def rate(load: Values) -> Values:
         stress = law.shear_stress(load, part.polar_section_modulus)
-        return 1 / law.cycles(part.endurance_limit, stress, part.exponent, part.base_cycles)
+        damage: Values = 1 / law.cycles(part.endurance_limit, stress, part.exponent, part.base_cycles)
+        return damage
 
     return rate(torque), rate(clutch.spec.drive.dynamic_factor * torque)
-
-
-def spread_of(figure: Callable[[Tally], float], tallies: Sequence[Tally]) -> float:
-    """Standard error of a figure of the whole sample, from its spread between the replicates."""
-    from statistics import stdev
-
-    return float(stdev([figure(each) for each in tallies]) / len(tallies) ** 0.5)

@@ -1,8 +1,15 @@
 """Statistics of a sample that is never held: moments, a histogram for the quantiles, tallies."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from statistics import stdev
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .distributions import Array
+from .result import Estimate
 
 BINS = 8192
 
@@ -15,7 +22,7 @@ class Grid:
     width: float
 
     @classmethod
-    def of(cls, pilot: Any) -> "Grid":
+    def of(cls, pilot: Array) -> "Grid":
         """Bins over the pilot's range and half of it again on either side."""
         low, high = float(pilot.min()), float(pilot.max())
         reach = max(high - low, 1e-9 * abs(high), 1e-300)
@@ -30,30 +37,21 @@ class Tally:
     count: int = 0
     total: float = 0.0
     squares: float = 0.0
-    bins: Any = None
-    outside: list[Any] = field(default_factory=list)
+    bins: NDArray[np.int64] = field(default_factory=lambda: np.zeros(BINS, np.int64))
+    outside: list[Array] = field(default_factory=list)
     """Values beyond the bins, kept as they are: few, since the bins are twice as wide as the pilot's range."""
     above: int = 0
     below: int = 0
     damage: float = 0.0
     damage_unprotected: float = 0.0
 
-    def __post_init__(self) -> None:
-        """Start with empty bins."""
-        import numpy as np
-
-        if self.bins is None:
-            self.bins = np.zeros(BINS, np.int64)
-
     @property
     def shift(self) -> float:
         """Middle of the bins, about which moments are summed."""
         return self.grid.low + self.grid.width * BINS / 2
 
-    def add(self, values: Any, work: Any, index: Any) -> None:
+    def add(self, values: Array, work: Array, index: NDArray[np.intp]) -> None:
         """Take in one cell; ``work`` and ``index`` are buffers of its length."""
-        import numpy as np
-
         self.count += values.size
         np.subtract(values, self.shift, out=work)
         self.total += float(work.sum())
@@ -72,8 +70,6 @@ class Tally:
 
 def merged(tallies: Sequence[Tally]) -> Tally:
     """All replicates together, in their order."""
-    import math
-
     whole = Tally(tallies[0].grid)
     for name in ("count", "above", "below"):
         setattr(whole, name, sum(getattr(each, name) for each in tallies))
@@ -83,6 +79,16 @@ def merged(tallies: Sequence[Tally]) -> Tally:
         whole.bins += each.bins
         whole.outside += each.outside
     return whole
+
+
+def spread(values: Sequence[float]) -> float:
+    """Standard error of a figure of the whole sample, from its values in the replicates."""
+    return float(stdev(values) / len(values) ** 0.5)
+
+
+def estimate(figure: Callable[[Tally], float], tallies: Sequence[Tally], whole: Tally) -> Estimate:
+    """A figure of the whole sample, its error from its spread between the replicates."""
+    return Estimate(figure(whole), spread([figure(each) for each in tallies]))
 
 
 def mean(tally: Tally) -> float:
@@ -98,8 +104,6 @@ def deviation(tally: Tally) -> float:
 
 def quantiles(tally: Tally, probabilities: Sequence[float]) -> list[float]:
     """Quantiles: linear within a bin, order statistics beyond the bins."""
-    import numpy as np
-
     outside = np.sort(np.concatenate(tally.outside)) if tally.outside else np.empty(0)
     under = int(np.searchsorted(outside, tally.grid.low))
     cumulative = under + np.cumsum(tally.bins)

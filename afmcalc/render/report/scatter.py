@@ -1,14 +1,10 @@
 """Tables of the torque over tolerances: each value beside its standard error, inputs in the engineer's units."""
 
-from typing import Any
-
-from ...analysis.tolerance.study import IndexRow, InputRow, ToleranceResult
+from ...analysis.tolerance.result import IndexRow, InputRow, ToleranceResult, error_fields
 from ...spec.paths import keys
 from ..document import Row, document
 from ..layout import Block
 from ..units import display, display_unit, factor, significant
-
-_ERROR = "_standard_error"
 
 
 def scatter_blocks(result: ToleranceResult) -> list[Block]:
@@ -19,25 +15,24 @@ def scatter_blocks(result: ToleranceResult) -> list[Block]:
 
 
 def _figures(result: ToleranceResult, errors: bool) -> Block:
-    rows = document(result).singles
-    error_of = {row.path.removesuffix(_ERROR): row for row in rows if row.path.endswith(_ERROR)}
+    names = error_fields(type(result))
     lined = [
         [
             row.symbol,
             row.name,
             display(row.values[0], row.unit),
-            *([_error_of(row, error_of.get(row.path))] if errors else []),
+            *([_error(result, row) if row.path in names else ""] if errors else []),
             display_unit(row.unit),
         ]
-        for row in rows
-        if not row.path.endswith(_ERROR)
+        for row in document(result).singles
+        if row.path not in names.values()
     ]
     header = ["Symbol", "Quantity", "Value", *(["±"] if errors else []), "Unit"]
     return Block("", header, lined, [False, False, True, *([True] if errors else []), False])
 
 
-def _error_of(row: Row, error: Row | None) -> str:
-    return "" if error is None else _rounded(error.values[0], row.unit)
+def _error(result: ToleranceResult, row: Row) -> str:
+    return _rounded(result.estimate(row.path).standard_error, row.unit)
 
 
 def _rounded(error: float, unit: str) -> str:
@@ -76,7 +71,7 @@ def _inputs(inputs: list[InputRow]) -> Block:
 
 
 def _shares(rows: list[IndexRow]) -> Block:
-    lined: list[list[Any]] = [
+    lined = [
         [
             *_named(each.path),
             display(each.first_order, "1"),

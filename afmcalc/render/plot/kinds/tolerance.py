@@ -4,7 +4,8 @@ import math
 from typing import Any
 
 from ....analysis.tolerance.histogram import CENTRAL
-from ....analysis.tolerance.study import Study, study
+from ....analysis.tolerance.result import Study
+from ....analysis.tolerance.study import study
 from ....errors import CalculationError
 from ...units import display
 from ..chart import Area, Axis, Chart, Level, Line, Sheet, stated
