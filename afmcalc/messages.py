@@ -63,13 +63,29 @@ FINDINGS: Mapping[str, str] = {
     ),
     "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",
     "torque-falls": "the torque falls as the friction of both groups rises: the largest torque is at f_min",
-    "friction-fixed": ("friction does not scatter in [tolerance.fields]: the torque is taken at the mean friction"),
+    "as-made": (
+        "the springs are those of the nominal clutch, held in every sample (tolerance.setting = as-made); "
+        "each-adjusted sets every clutch on the bench"
+    ),
+    "each-adjusted": (
+        "every sample is set on the bench (tolerance.setting = each-adjusted): its springs follow its own dimensions; "
+        "as-made holds those of the nominal clutch"
+    ),
+    "few-samples": (
+        "{value:.0f} samples are too few for the error of the outermost quantile, which is not told in full: "
+        "at least {limit:.0f}"
+    ),
+    "friction-fixed": "friction does not scatter in [tolerance.fields]: the torque is taken at the mean friction",
     "friction-independent": (
         "the correlation of f_1 and f_2 is not given: they are taken as independent (F11 has them together, 1)"
     ),
     "miner": (
-        "expected life by Miner's rule: each slip loads the shaft with its torque, damage 1/N by the S-N line, "
-        "extrapolated below the endurance limit as the paper does"
+        "life by Miner's rule: friction varies from slip to slip, the rest from clutch to clutch; each slip loads the "
+        "shaft with its torque, damage 1/N by the S-N line, extrapolated below the endurance limit as the paper does"
+    ),
+    "no-clutch": (
+        "{value:.3g} of the samples are no clutch (feedback does not overcome the friction at the key, or the faces "
+        "have no width); the figures are those of the others"
     ),
 }
 """Code of a finding, with its case where it has several → its sentence."""

@@ -75,5 +75,6 @@ else:
     WallAngle = _quantity("rad", ge=0, lt=1.5707963267948966)
     Stress = _quantity("Pa", gt=0)
     SectionModulus = _quantity("m^3", gt=0)
-Count = Annotated[int, BeforeValidator(_whole), Unit("1"), Field(ge=1)]
+Whole = Annotated[int, BeforeValidator(_whole)]
+Count = Annotated[Whole, Unit("1"), Field(ge=1)]
 Name = Annotated[str, BeforeValidator(_name)]

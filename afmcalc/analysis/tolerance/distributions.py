@@ -16,6 +16,8 @@ from ...spec.tolerance import FRICTION, Distribution, percentage, physical_limit
 
 Array: TypeAlias = NDArray[np.float64]
 _NORMAL = NormalDist()
+_NEVER = 1e-20
+"""Probability that no sample is large enough to meet."""
 _LEAST_MASS = 1e-3
 """Share of a distribution that its limits must leave for it to be drawn at all."""
 
@@ -70,6 +72,17 @@ class Input:
         """Probabilities at the limits; the part between them is what remains."""
         return self.cdf(self.limits[0]), self.cdf(self.limits[1])
 
+    @property
+    def kinks(self) -> list[float]:
+        """Probabilities at which the quantile function has a kink."""
+        return [self.share_below(self.center)] if self.kind == "triangular" else []
+
+    def share_below(self, x: float) -> float:
+        """Probability below x, truncation included."""
+        below, above = self.mass
+        share = (self.cdf(x) - below) / (above - below) if above > below else float(x >= self.center)
+        return min(max(share, 0.0), 1.0)
+
     def quantiles(self, u: Array) -> Array:
         """Value at each probability of an array, truncation included."""
         below, above = self.mass
@@ -83,26 +96,26 @@ class Input:
         return np.clip(values, *self.limits)
 
     def draw(self, stream: np.random.Generator, into: Array) -> None:
-        """Fill an array from a stream of random numbers; what falls outside the limits is drawn again."""
+        """Fill an array from a stream of random numbers; of a normal one, what falls outside the limits again."""
+        if self.kind in ("uniform", "triangular"):
+            stream.random(out=into)
+            into[...] = self.quantiles(into)
+            return
         self._fill(stream, into)
         low, high = self.limits
-        while (low > -math.inf and into.min() < low) or (high < math.inf and into.max() > high):
+        while (self.mass[0] > _NEVER and into.min() < low) or (high < math.inf and into.max() > high):
             outside = np.flatnonzero((into < low) | (into > high))
             again = np.empty(outside.size)
             self._fill(stream, again)
             into[outside] = again
 
     def _fill(self, stream: np.random.Generator, into: Array) -> None:
-        if self.kind in ("normal", "lognormal"):
-            a, b = self.scores
-            stream.standard_normal(out=into)
-            into *= b
-            into += a
-            if self.kind == "lognormal":
-                np.exp(into, out=into)
-            return
-        stream.random(out=into)
-        into[...] = self._between(into)
+        a, b = self.scores
+        stream.standard_normal(out=into)
+        into *= b
+        into += a
+        if self.kind == "lognormal":
+            np.exp(into, out=into)
 
     def _between(self, u: Array) -> Array:
         low, high = self.ends
@@ -167,12 +180,13 @@ def _float(value: float | str | None) -> float | None:
 
 def normal_score(u: Array) -> Array:
     """Inverse of the normal distribution over an array; SciPy's where it is installed, else the standard library's."""
+    # 0 and 1 have no score; a probability so near to them is not told apart anyway
+    inside: Array = np.clip(u, 1e-300, 1 - 2**-53)
     try:
         from scipy.special import ndtri
     except ImportError:
-        tiny = np.clip(u, 1e-300, 1 - 2**-53)
-        return np.fromiter(map(_NORMAL.inv_cdf, tiny.ravel()), float, tiny.size).reshape(tiny.shape)
-    found: Array = ndtri(u)
+        return np.fromiter(map(_NORMAL.inv_cdf, inside.ravel()), float, inside.size).reshape(inside.shape)
+    found: Array = ndtri(inside)
     return found
 
 

@@ -1,15 +1,15 @@
 """The exact answer where only friction varies: torque is monotone in it, so quantiles map to quantiles."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 
+from ...arrays import Values
 from ...engines.indirect import IndirectClutch
 from .distributions import Array, Input
 from .model import Model
-from .run import damage_rates
-
-_EDGES = (0.0, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.15, 0.3, 0.5)
+from .quadrature import panels
+from .service import damage_of, unprotected
 
 
 class Exact:
@@ -28,7 +28,7 @@ class Exact:
         """Torque not exceeded with probability p."""
         return float(self._at(np.array([p if self.rising else 1 - p]))[0])
 
-    def mean_of(self, function: Callable[[Array], Array]) -> float:
+    def mean_of(self, function: Callable[[Array], Values]) -> float:
         """Expectation of a function of the torque."""
         return float((self._weights * function(self._torque)).sum())
 
@@ -47,12 +47,11 @@ class Exact:
             low, high = np.where(smaller, middle, low), np.where(smaller, high, middle)
         return np.where(high < 1, low, 1.0)
 
-    def damages(self) -> tuple[float, float]:
-        """Expected damage of one slip on both sides."""
-        values = [each.quantiles(self._u) for each in self.model.inputs]
-        rates = damage_rates(self.model.clutch(values), self._torque)
-        first, second = (float((self._weights * rate).sum()) for rate in rates)
-        return first, second
+    def lives(self) -> tuple[float, float]:
+        """Slips to failure on both sides: all clutches are alike, and each sees the whole range of friction."""
+        clutch = self.model.clutch([each.center for each in self.model.inputs])
+        life = 1 / self.mean_of(lambda torque: damage_of(clutch, torque))
+        return life, float(unprotected(clutch, life))
 
 
 def exact_of(model: Model) -> Exact | None:
@@ -74,23 +73,19 @@ def _torque_at(model: Model, u: Array) -> Array:
 
 
 def _nodes(model: Model) -> tuple[Array, Array]:
-    """Gauss–Legendre nodes on panels that are finer towards the tails and end at kinks of the distribution."""
-    kinks = [each.cdf(each.center) for each in model.inputs if each.kind == "triangular"]
+    """Nodes of the probability, panels ending at kinks of the distribution and of the law."""
+    kinks = [kink for each in model.inputs for kink in each.kinks]
     clutch = model.clutch([each.center for each in model.inputs])
     if isinstance(clutch, IndirectClutch):
-        # the sleeve leaves its stop at f_set: a kink of the law
-        kinks += [_share(each, float(clutch.friction_set)) for each in model.inputs]
-    edges = sorted({*_EDGES, *(1 - edge for edge in _EDGES), *(k for k in kinks if 0 < k < 1)})
-    return _panels(edges, *np.polynomial.legendre.leggauss(24))
+        kinks += [_lift(clutch, each) for each in model.inputs]
+    return panels(kinks)
 
 
-def _share(each: Input, x: float) -> float:
-    below, above = each.mass
-    return float((each.cdf(x) - below) / (above - below))
-
-
-def _panels(edges: Sequence[float], x: Array, w: Array) -> tuple[Array, Array]:
-    low, high = np.array(edges[:-1]), np.array(edges[1:])
-    half = (high - low) / 2
-    u = (low + half)[:, None] + half[:, None] * x
-    return u.ravel(), (half[:, None] * w).ravel()
+def _lift(clutch: IndirectClutch, friction: Input) -> float:
+    """Probability of a friction below which the sleeve rests at its stop: a kink of the law."""
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        middle = (low + high) / 2
+        seated = clutch.law.is_seated(clutch.closing_force, friction.quantiles(np.array([middle])))
+        low, high = (middle, high) if seated else (low, middle)
+    return low

@@ -5,6 +5,7 @@ from typing import Any, Literal, NamedTuple, Self
 
 from ...findings import Finding
 from ...result import Result, quantity
+from ...spec.tolerance import Setting
 
 
 class Estimate(NamedTuple):
@@ -64,6 +65,16 @@ class QuantileRow(Estimated):
     standard_error: float = error("torque", "N*m", "±", "standard error")
 
 
+class LifeRow(Estimated):
+    """One quantile of the life over the clutches."""
+
+    probability: float = quantity("1", "p", "share of the clutches that have failed by then")
+    protected: float = quantity("1", "N_p", "slips, protected side")
+    protected_standard_error: float = error("protected", "1", "± N_p", "standard error of N_p")
+    unprotected: float = quantity("1", "N'_p", "slips, unprotected side")
+    unprotected_standard_error: float = error("unprotected", "1", "± N'_p", "standard error of N'_p")
+
+
 class IndexRow(Estimated):
     """Sobol indices of one input."""
 
@@ -78,7 +89,14 @@ class ToleranceResult(Estimated):
     """Distribution of the slip torque; standard errors are 0 where the answer is exact."""
 
     method: Literal["exact", "monte-carlo", "quasi-monte-carlo"] = quantity("", None, "how it was calculated")
+    setting: Setting = quantity("", None, "how the springs are set")
     samples: int | None = quantity("", None, "sample size", optional=True)
+    probability_no_clutch: float | None = quantity(
+        "1", "P(–)", "probability of no clutch; the rest is told of the others", optional=True
+    )
+    probability_no_clutch_standard_error: float | None = error(
+        "probability_no_clutch", "1", "± P(–)", "standard error of it", optional=True
+    )
     mean: float = quantity("N*m", "T_m", "mean torque")
     mean_standard_error: float = error("mean", "N*m", "± T_m", "standard error of the mean")
     standard_deviation: float = quantity("N*m", "s_T", "standard deviation of the torque")
@@ -100,16 +118,22 @@ class ToleranceResult(Estimated):
         "probability_below_machine", "1", "± P(T<T_н.маш)", "standard error of it"
     )
     life_protected: float | None = quantity(
-        "1", "N", "expected slips to failure of the protected side (Miner)", optional=True
+        "1",
+        "N",
+        "slips to failure at the clutches' mean damage, protected side (harmonic mean of lives)",
+        optional=True,
     )
     life_protected_standard_error: float | None = error(
         "life_protected", "1", "± N", "standard error of it", optional=True
     )
     life_unprotected: float | None = quantity(
-        "1", "N'", "expected slips to failure of the unprotected side (Miner)", optional=True
+        "1", "N'", "slips to failure at the clutches' mean damage, unprotected side", optional=True
     )
     life_unprotected_standard_error: float | None = error(
         "life_unprotected", "1", "± N'", "standard error of it", optional=True
+    )
+    life_quantiles: list[LifeRow] | None = quantity(
+        "", None, "life over the clutches, each in the whole friction of its service", optional=True
     )
     inputs: list[InputRow] = quantity("", None, "what scatters")
     sobol: list[IndexRow] = quantity("", None, "share in the variance of the torque")

@@ -1,15 +1,22 @@
 """The sampling run: the torque of a clutch over a sample of what scatters, cell by cell, in threads."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from ...arrays import Values
-from ...engines import Clutch
-from ...equations import life as law
+from ...errors import CalculationError
+from .bins import Grid
+from .distributions import Array
 from .model import Model
+from .service import life_of, service_of, unprotected
 from .streams import CELL, REPLICATES, Stream, cells, in_threads, sizes
-from .tally import Grid, Tally
+from .tally import Tally
+
+POPULATION = 200_000
+"""Clutches whose life is calculated, at most: each is asked at every node of its service."""
+_LEAST_CLUTCHES = 2
+"""In each replicate: one has no spread."""
 
 
 @dataclass(frozen=True)
@@ -33,44 +40,66 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
 
     Returns:
         A tally per replicate.
+
+    Raises:
+        CalculationError: hardly any sample is a clutch.
     """
     each = sizes(plan.samples, plan.quasi)
-    pilot = [np.empty(min(CELL, each[0])) for _ in model.inputs]
-    Stream(model.inputs, plan.seed, 0, quasi=plan.quasi, model=model).fill(pilot)
-    grid = Grid.of(np.broadcast_to(model.torque(pilot), pilot[0].shape))
+    pilot = _possible(model, _pilot(model, plan, each[0]))
+    _refuse_few(pilot[0].size)
+    torques = np.broadcast_to(model.torque(pilot), pilot[0].shape)
+    grid, shift = Grid.of(torques), float(np.median(torques))
+    slips = None if model.spec.fatigue is None else service_of(model)
 
     def replicate(number: int) -> Tally:
         stream = Stream(model.inputs, plan.seed, number, quasi=plan.quasi, model=model)
-        tally = Tally(grid)
+        tally = Tally(grid, shift)
         room = min(CELL, each[number])
         columns = [np.empty(room) for _ in model.inputs]
-        work, index = np.empty(room), np.empty(room, np.intp)
+        work, index = np.empty(room), np.empty(room, np.uint64)
         for width in cells(each[number]):
-            values = [column[:width] for column in columns]
-            stream.fill(values)
+            drawn = [column[:width] for column in columns]
+            stream.fill(drawn)
+            values = _possible(model, drawn)
+            size = values[0].size
+            tally.impossible += width - size
+            if not size:
+                continue
             clutch = model.clutch(values)
-            torque = np.broadcast_to(model.torque(values, clutch), width)
-            tally.add(torque, work[:width], index[:width])
+            torque = np.broadcast_to(model.torque(values, clutch), size)
+            tally.add(torque, work[:size], index[:size])
             tally.above += 0 if upper is None else int(np.count_nonzero(torque > upper))
             tally.below += int(np.count_nonzero(torque < lower))
-            if model.spec.fatigue is not None:
-                rates = (np.broadcast_to(rate, width).sum() for rate in damage_rates(clutch, torque))
-                protected, unprotected = (float(rate) for rate in rates)
-                tally.damage += protected
-                tally.damage_unprotected += unprotected
+            if slips is not None and tally.clutches < POPULATION // REPLICATES:
+                few = min(size, POPULATION // REPLICATES - tally.clutches)
+                clutch = model.clutch([column[:few] for column in values])
+                life = life_of(model, clutch, slips)
+                both = (life, unprotected(clutch, life))
+                tally.lives.append(np.stack([np.broadcast_to(side, few) for side in both]))
         return tally
 
-    return in_threads(replicate, REPLICATES, plan.threads)
+    tallies = in_threads(replicate, REPLICATES, plan.threads)
+    _refuse_few(min(tally.count for tally in tallies))
+    return tallies
 
 
-def damage_rates(clutch: Clutch, torque: Values) -> tuple[Values, Values]:
-    """Damage 1/N of one slip on the protected and the unprotected side (Miner), by the paper's S–N line."""
-    part = clutch.spec.fatigue
-    assert part is not None
+def _refuse_few(clutches: int) -> None:
+    if clutches < _LEAST_CLUTCHES:
+        raise CalculationError(
+            "tolerance: hardly a sample is a clutch (feedback must overcome the key's friction, faces have a width)"
+        )
 
-    def rate(load: Values) -> Values:
-        stress = law.shear_stress(load, part.polar_section_modulus)
-        damage: Values = 1 / law.cycles(part.endurance_limit, stress, part.exponent, part.base_cycles)
-        return damage
 
-    return rate(torque), rate(clutch.spec.drive.dynamic_factor * torque)
+def _pilot(model: Model, plan: Plan, size: int) -> list[Array]:
+    """Return the first cell of the first replicate."""
+    columns = [np.empty(min(CELL, size)) for _ in model.inputs]
+    Stream(model.inputs, plan.seed, 0, quasi=plan.quasi, model=model).fill(columns)
+    return columns
+
+
+def _possible(model: Model, values: Sequence[Array]) -> Sequence[Array]:
+    """Leave out what is no clutch."""
+    if not model.may_fail:
+        return values
+    possible = model.possible(values)
+    return values if possible.all() else [column[possible] for column in values]

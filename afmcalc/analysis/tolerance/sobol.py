@@ -1,11 +1,12 @@
 """First-order and total Sobol indices of the torque (Saltelli 2010, Jansen 1999), with standard errors."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 
+from ...errors import CalculationError
 from .distributions import Array
 from .model import Model
 from .result import Estimate
@@ -39,14 +40,18 @@ def groups_of(model: Model) -> list[Group]:
 
 
 def sobol_indices(model: Model, plan: Plan) -> list[Index]:
-    """Sobol indices of the torque with ``plan.samples`` as the base sample."""
+    """Sobol indices of the torque with ``plan.samples`` as the base sample.
+
+    Raises:
+        CalculationError: no row of the base sample is a clutch throughout.
+    """
     groups = groups_of(model)
     count = len(model.inputs)
     each = sizes(plan.samples, plan.quasi)
     center = model.torque([one.center for one in model.inputs])
 
-    def torque(values: Sequence[Array], width: int) -> Array:
-        return np.broadcast_to(model.torque(values) - center, width)
+    def torque(values: Sequence[Array]) -> Array:
+        return np.broadcast_to(model.torque(values) - center, values[0].shape)
 
     def replicate(number: int) -> Array:
         # streams of their own, apart from those of the sample
@@ -57,22 +62,37 @@ def sobol_indices(model: Model, plan: Plan) -> list[Index]:
         for width in cells(each[number]):
             cut = [column[:width] for column in columns]
             stream.fill(cut)
-            one, other = cut[:count], cut[count:]
-            at_mixed = (
-                torque([other[k] if k in group.members else one[k] for k in range(count)], width) for group in groups
-            )
-            sums += _cell(torque(one, width), torque(other, width), at_mixed)
+            one, other, mixed = _mixed(model, cut[:count], cut[count:], groups)
+            if one[0].size:
+                sums += _cell(torque, one, other, mixed)
         return sums
 
     rows = np.array(in_threads(replicate, REPLICATES, plan.threads))
+    if not rows[:, 0].any():
+        raise CalculationError("tolerance.sobol_base: too few of the samples are a clutch; give a larger one")
     return _indices(rows, [group.name for group in groups])
 
 
-def _cell(at_one: Array, at_other: Array, at_mixed: Iterable[Array]) -> Array:
+def _mixed(
+    model: Model, one: list[Array], other: list[Array], groups: Sequence[Group]
+) -> tuple[list[Array], list[Array], list[list[Array]]]:
+    """Two samples and, per group, the first with that group from the second; without rows that are no clutch."""
+    mixed = [[other[k] if k in group.members else one[k] for k in range(len(one))] for group in groups]
+    if not model.may_fail:
+        return one, other, mixed
+    kept = np.logical_and.reduce([model.possible(values) for values in (one, other, *mixed)])
+    first, second, *rest = ([column[kept] for column in values] for values in (one, other, *mixed))
+    return first, second, rest
+
+
+def _cell(
+    torque: Callable[[Sequence[Array]], Array], one: list[Array], other: list[Array], mixed: list[list[Array]]
+) -> Array:
     """Sums of one cell: size, values, squares, then both numerators of each group."""
+    at_one, at_other = torque(one), torque(other)
     sums = [float(at_one.size), float(at_one.sum() + at_other.sum()), float((at_one**2).sum() + (at_other**2).sum())]
-    for mixed in at_mixed:
-        difference = mixed - at_one
+    for values in mixed:
+        difference = torque(values) - at_one
         sums.append(float((at_other * difference).sum()))
         sums.append(float((difference**2).sum()) / 2)
     return np.array(sums)

@@ -6,15 +6,17 @@ from collections.abc import Sequence
 from ...engines.protocol import Clutch
 from ...equations.overload import machine_torque
 from ...errors import AfmcalcError, Problem, SpecError
-from ...findings import Finding, finding
+from ...findings import Finding
 from ...spec import Spec
-from ...spec.tolerance import FRICTION, Tolerance
+from ...spec.tolerance import Tolerance
 from .distributions import Input, inputs_of
 from .exact import exact_of
-from .figures import Figures, exact_figures, sampled_figures
+from .figures import LIFE_PROBABILITIES, Figures, exact_figures, sampled_figures
 from .model import Model
-from .result import IndexRow, InputRow, QuantileRow, Study, ToleranceResult
+from .remarks import findings_of
+from .result import IndexRow, InputRow, LifeRow, QuantileRow, Study, ToleranceResult
 from .run import Plan, simulate
+from .setting import with_setting
 from .sobol import sobol_indices
 
 __all__ = ["Study", "ToleranceResult", "study", "tolerance"]
@@ -37,12 +39,12 @@ def study(clutch: Clutch, *, threads: int | None = None) -> Study:
         SpecError: no [tolerance] block, or a field that the clutch does not have.
         AfmcalcError: quasi-Monte Carlo without SciPy.
     """
-    spec = clutch.spec
-    given = _block(spec)
+    given = _block(clutch.spec)
+    spec = with_setting(clutch, given.setting)
     model = Model(spec, inputs_of(spec), given.friction_correlation or 0.0)
     machine = _machine_torque(clutch)
     figures = _figures(model, given, machine, _threads(threads))
-    findings = [*clutch.findings(), *_findings(model, given)]
+    findings = [*clutch.findings(), *findings_of(model, given, figures)]
     return Study(_result(figures, model.inputs, given, machine), figures.histogram, findings)
 
 
@@ -53,7 +55,7 @@ def _figures(model: Model, given: Tolerance, machine: float, threads: int) -> Fi
     quasi = given.method == "quasi-monte-carlo"
     tallies = simulate(model, Plan(given.samples, given.seed, quasi, threads), given.torque_limit, machine)
     indices = sobol_indices(model, Plan(given.sobol_base, given.seed, quasi, threads))
-    return sampled_figures(tallies, given, indices, has_life=model.spec.fatigue is not None)
+    return sampled_figures(model, tallies, given, indices)
 
 
 def _threads(given: int | None) -> int:
@@ -89,19 +91,23 @@ def _machine_torque(clutch: Clutch) -> float:
 
 
 def _result(figures: Figures, inputs: Sequence[Input], given: Tolerance, machine: float) -> ToleranceResult:
-    life = dict(zip(("life_protected", "life_unprotected"), figures.life or (), strict=False))
-    above = {} if figures.above_limit is None else {"probability_above_limit": figures.above_limit}
+    some = {
+        "probability_no_clutch": figures.no_clutch,
+        "probability_above_limit": figures.above_limit,
+        **dict(zip(("life_protected", "life_unprotected"), (each.harmonic for each in figures.lives), strict=False)),
+    }
     return ToleranceResult.of(
         method=figures.method,
+        setting=given.setting,
         samples=figures.samples,
         mean=figures.mean,
         standard_deviation=figures.deviation,
         accuracy_factor_robust=figures.robust,
         torque_limit=given.torque_limit,
-        **above,
         machine_torque=machine,
         probability_below_machine=figures.below_machine,
-        **life,
+        **{name: figure for name, figure in some.items() if figure is not None},
+        life_quantiles=_life_rows(figures),
         inputs=[
             InputRow(path=each.path, distribution=each.kind, center=each.center, spread=each.spread, unit=each.unit)
             for each in inputs
@@ -114,13 +120,11 @@ def _result(figures: Figures, inputs: Sequence[Input], given: Tolerance, machine
     )
 
 
-def _findings(model: Model, given: Tolerance) -> list[Finding]:
-    names = {each.path for each in model.inputs}
-    found = []
-    if not names & set(FRICTION):
-        found.append(finding("friction-fixed", "info", path="tolerance.fields"))
-    if {"friction.driving", "friction.driven"} <= names and given.friction_correlation is None:
-        found.append(finding("friction-independent", "info", path="tolerance.friction_correlation"))
-    if model.spec.fatigue is not None:
-        found.append(finding("miner", "info", path="fatigue"))
-    return found
+def _life_rows(figures: Figures) -> list[LifeRow] | None:
+    if not figures.lives:
+        return None
+    columns = (life.quantiles for life in figures.lives)
+    return [
+        LifeRow.of(probability=p, protected=protected, unprotected=unprotected)
+        for p, protected, unprotected in zip(LIFE_PROBABILITIES, *columns, strict=True)
+    ]

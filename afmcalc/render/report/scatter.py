@@ -1,8 +1,8 @@
 """Tables of the torque over tolerances: each value beside its standard error, inputs in the engineer's units."""
 
-from ...analysis.tolerance.result import IndexRow, InputRow, ToleranceResult, error_fields
+from ...analysis.tolerance.result import Estimate, IndexRow, InputRow, LifeRow, ToleranceResult, error_fields
 from ...spec.paths import keys
-from ..document import Row, document
+from ..document import document
 from ..layout import Block
 from ..units import display, display_unit, factor, significant
 
@@ -10,7 +10,10 @@ from ..units import display, display_unit, factor, significant
 def scatter_blocks(result: ToleranceResult) -> list[Block]:
     """Return the distribution, its quantiles, what scatters and the share of each input."""
     errors = result.method != "exact"
-    found = [_figures(result, errors), _quantiles(result, errors), _inputs(result.inputs)]
+    found = [_figures(result, errors), _quantiles(result, errors)]
+    if result.life_quantiles:
+        found.append(_lives(result.life_quantiles, errors))
+    found.append(_inputs(result.inputs))
     return [*found, _shares(result.sobol)] if errors else found
 
 
@@ -20,8 +23,11 @@ def _figures(result: ToleranceResult, errors: bool) -> Block:
         [
             row.symbol,
             row.name,
-            display(row.values[0], row.unit),
-            *([_error(result, row) if row.path in names else ""] if errors else []),
+            *(
+                _with_error(result.estimate(row.path), row.unit, errors)
+                if row.path in names
+                else [display(row.values[0], row.unit), *([""] if errors else [])]
+            ),
             display_unit(row.unit),
         ]
         for row in document(result).singles
@@ -29,10 +35,6 @@ def _figures(result: ToleranceResult, errors: bool) -> Block:
     ]
     header = ["Symbol", "Quantity", "Value", *(["±"] if errors else []), "Unit"]
     return Block("", header, lined, [False, False, True, *([True] if errors else []), False])
-
-
-def _error(result: ToleranceResult, row: Row) -> str:
-    return _rounded(result.estimate(row.path).standard_error, row.unit)
 
 
 def _rounded(error: float, unit: str) -> str:
@@ -45,14 +47,31 @@ def _quantiles(result: ToleranceResult, errors: bool) -> Block:
         [
             f"T_{100 * row.probability:g}",
             f"torque not exceeded with probability {100 * row.probability:g} %",
-            display(row.torque, "N*m"),
-            *([_rounded(row.standard_error, "N*m")] if errors else []),
+            *_with_error(row.estimate("torque"), "N*m", errors),
             display_unit("N*m"),
         ]
         for row in result.quantiles
     ]
     header = ["Symbol", "Quantity", "Value", *(["±"] if errors else []), "Unit"]
     return Block("Quantiles of the torque", header, rows, [False, False, True, *([True] if errors else []), False])
+
+
+def _lives(rows: list[LifeRow], errors: bool) -> Block:
+    lined = [
+        [
+            f"{100 * row.probability:g} %",
+            *(text for side in ("protected", "unprotected") for text in _with_error(row.estimate(side), "1", errors)),
+        ]
+        for row in rows
+    ]
+    sides = (["Slips, protected side"], ["Slips, unprotected side"])
+    header = ["Clutches failed", *(name for side in sides for name in (side + ["±"] if errors else side))]
+    return Block("Life over the clutches", header, lined, [False, *[True] * (len(header) - 1)])
+
+
+def _with_error(estimate: Estimate, unit: str, errors: bool) -> list[str]:
+    value = display(estimate.value, unit)
+    return [value, _rounded(estimate.standard_error, unit)] if errors else [value]
 
 
 def _inputs(inputs: list[InputRow]) -> Block:
@@ -74,10 +93,8 @@ def _shares(rows: list[IndexRow]) -> Block:
     lined = [
         [
             *_named(each.path),
-            display(each.first_order, "1"),
-            _rounded(each.first_order_standard_error, "1"),
-            display(each.total, "1"),
-            _rounded(each.total_standard_error, "1"),
+            *_with_error(each.estimate("first_order"), "1", errors=True),
+            *_with_error(each.estimate("total"), "1", errors=True),
         ]
         for each in sorted(rows, key=lambda each: -each.total)
     ]

@@ -11,13 +11,11 @@ from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.tolerance.distributions import inputs_of
-from afmcalc.analysis.tolerance.histogram import CENTRAL, histogram_of_sample
+from afmcalc.analysis.tolerance.histogram import CENTRAL
 from afmcalc.analysis.tolerance.model import Model
 from afmcalc.analysis.tolerance.run import Plan, simulate
 from afmcalc.analysis.tolerance.sobol import sobol_indices
-from afmcalc.analysis.tolerance.streams import sizes
 from afmcalc.analysis.tolerance.study import study, tolerance
-from afmcalc.analysis.tolerance.tally import Grid, Tally, merged, quantiles
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec, resolved
 
@@ -160,31 +158,6 @@ def test_correlation_of_the_two_frictions(correlation, method):
     assert (exact.method == "exact") == (correlation == 1)
 
 
-@given(st.integers(1000, 10**7), st.booleans())
-def test_sizes(samples, quasi):
-    each = sizes(samples, quasi)
-    assert sum(each) >= samples
-    assert quasi or sum(each) == samples
-    assert not quasi or all(size & (size - 1) == 0 for size in each)
-
-
-@given(st.integers(0, 1000), st.sampled_from(["normal", "exponential", "standard_cauchy"]), st.floats(1e-6, 1e6))
-def test_streaming_quantiles_against_sorting(seed, kind, scale):
-    """Heavy tails too: what lies beyond the bins is kept."""
-    values = scale * getattr(np.random.default_rng(seed), kind)(size=3000)
-    grid = Grid.of(values[:100])
-    tallies = [Tally(grid), Tally(grid)]
-    for tally, part in zip(tallies, np.split(values, 2), strict=True):
-        tally.add(part, np.empty(part.size), np.empty(part.size, np.intp))
-    whole = merged(tallies)
-    p = [0.01, 0.3, 0.5, 0.9, 0.999]
-    ordered = np.sort(values)
-    for found, q in zip(quantiles(whole, p), p, strict=True):
-        rank = int(q * values.size)
-        # between neighbours in rank, give or take a bin
-        assert ordered[max(rank - 2, 0)] - grid.width <= found <= ordered[min(rank + 2, values.size - 1)] + grid.width
-
-
 def test_expected_life_by_miner():
     """With only the endurance limit scattering, E[1/N] ∝ E[τ_limb^−m]: lognormal moments in closed form."""
     base = read_spec()
@@ -199,37 +172,6 @@ def test_expected_life_by_miner():
     ratio = result.life_protected / result.life_unprotected
     assert ratio == pytest.approx(base.drive.dynamic_factor**m, rel=1e-9)
     assert result.standard_deviation == pytest.approx(0, abs=1e-9 * result.mean)
-
-
-@pytest.mark.parametrize(
-    ("fields", "settings_", "says"),
-    [
-        ('"closing_spring.forse" = { distribution = "normal", spread = 1 }', "", "did you mean 'closing_spring.force'?"),
-        ('"friction_group.pairs" = { distribution = "normal", spread = 1 }', "", "whole number, which does not scatter"),
-        ('"name" = { distribution = "normal", spread = 1 }', "", "is not a number"),
-        ('"closing_spring.force" = { distribution = "normal", spread = "-5 %" }', "", "must be at least 0"),
-        ('"closing_spring.force" = { distribution = "uniform", min = 3, max = 1 }', "", "must be greater than min"),
-        ('"closing_spring.force" = { distribution = "normal" }', "", "required for 'normal'"),
-        ('"closing_spring.force" = { distribution = "uniform" }', "", "or give min and max"),
-        ('"closing_spring.force" = { distribution = "uniform", spread = 1, min = 1, max = 2 }', "", "excludes min and max"),
-        ('"closing_spring.force" = { distribution = "normal", spread = "5 mm" }', "", "is a length, not a force"),
-        ('"closing_spring.force" = { distribution = "gauss", spread = 5 }', "", "must be one of normal"),
-        ('"closing_spring.force" = { distribution = "normal", sigma = 5 }', "", "unknown key"),
-        ('"closing_spring.force" = { distribution = "normal", spread = 1, max = 1 }', "", "leave nothing"),
-        ('"closing_spring.force" = { distribution = "triangular", min = 1, max = 2 }', "", "the peak 2000 is not between"),
-        ('"closing_spring.stiffness" = { distribution = "normal", spread = 1 }', "", "no closing_spring.stiffness to scatter"),
-        ('"friction.driving" = { distribution = "triangular" }', "", "this clutch has friction instead"),
-        ('"friction" = { distribution = "triangular" }', "samples = 10", "must be at least 1000"),
-        ('"friction" = { distribution = "triangular" }', "quantiles = [0.5, 1.5]", "between 0 and 1"),
-        ('"friction" = { distribution = "triangular" }', "friction_correlation = 2", "at most 1"),
-        ("", "", "fields"),
-    ],
-)  # fmt: skip
-def test_what_is_refused(fields, settings_, says, afmcalc):
-    text = (CONFIGS / "default.toml").read_text(encoding="utf-8")
-    result = afmcalc("tolerance", "-", stdin=f"{text}\n[tolerance]\n{settings_}\n[tolerance.fields]\n{fields}\n")
-    assert (result.code, result.out) == (2, "")
-    assert says in result.err
 
 
 def test_without_a_block_or_scipy(afmcalc, monkeypatch):
@@ -279,17 +221,6 @@ def test_the_histogram_of_a_sample_against_the_exact_one(friction, samples):
     start = np.interp(found.edges[0], exact.edges, exact_cdf)
     own = start + np.concatenate([[0], np.cumsum(found.probabilities)])
     assert np.abs(own - np.interp(found.edges, exact.edges, exact_cdf)).max() < 2.5 / samples**0.5 + 2e-3
-
-
-def test_the_histogram_is_that_of_the_samples():
-    rng = np.random.Generator(np.random.SFC64(1))
-    values = rng.normal(100, 5, 50_000)
-    tally = Tally(Grid.of(values[:5000]))
-    tally.add(values, np.empty(values.size), np.empty(values.size, np.intp))
-    found = histogram_of_sample(tally)
-    counted, _ = np.histogram(values, found.edges)
-    assert np.array(found.probabilities) == pytest.approx(counted / values.size, abs=3 / values.size)
-    assert np.sum(np.array(found.densities) * np.diff(found.edges)) == pytest.approx(sum(found.probabilities))
 
 
 def test_no_histogram_where_nothing_scatters():
