@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...arrays import Values
-from ...engines.indirect import IndirectClutch
+from ...engines.laws import IndirectLaw
 from .distributions import Array, Input
 from .model import Model
 from .quadrature import panels
@@ -76,16 +76,17 @@ def _nodes(model: Model) -> tuple[Array, Array]:
     """Nodes of the probability, panels ending at kinks of the distribution and of the law."""
     kinks = [kink for each in model.inputs for kink in each.kinks]
     clutch = model.clutch([each.center for each in model.inputs])
-    if isinstance(clutch, IndirectClutch):
-        kinks += [_lift(clutch, each) for each in model.inputs]
+    law, force = clutch.law, clutch.closing_force
+    if isinstance(law, IndirectLaw):
+        kinks += [_lift(law, force, each) for each in model.inputs]
     return panels(kinks)
 
 
-def _lift(clutch: IndirectClutch, friction: Input) -> float:
+def _lift(law: IndirectLaw, closing_force: Values, friction: Input) -> float:
     """Probability of a friction below which the sleeve rests at its stop: a kink of the law."""
     low, high = 0.0, 1.0
     for _ in range(60):
         middle = (low + high) / 2
-        seated = clutch.law.is_seated(clutch.closing_force, friction.quantiles(np.array([middle])))
+        seated = law.is_seated(closing_force, friction.quantiles(np.array([middle])))
         low, high = (middle, high) if seated else (low, middle)
     return low

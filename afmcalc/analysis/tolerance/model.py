@@ -38,7 +38,7 @@ class Model:
     @property
     def may_fail(self) -> bool:
         """Whether there may be samples that are no clutch."""
-        causes = _IN_NET_GAIN if self.spec.variant == "indirect" else _RADII
+        causes = _IN_NET_GAIN if self.spec.kind.law == "indirect" else _RADII
         return any(each.path.startswith(causes) for each in self.inputs)
 
     def possible(self, values: Sequence[Values]) -> NDArray[np.bool_]:
@@ -48,7 +48,7 @@ class Model:
         found: NDArray[np.bool_] = np.ones(np.shape(values[0]), np.bool_)
         if group.inner_radius is not None and group.outer_radius is not None:
             found &= group.inner_radius < group.outer_radius
-        if spec.variant == "indirect" and unit is not None:
+        if spec.kind.law == "indirect" and unit is not None:
             assert unit.key_friction is not None
             assert unit.hub_diameter is not None
             radius = geometry.mean_radius(spec)

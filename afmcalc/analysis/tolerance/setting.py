@@ -1,7 +1,6 @@
 """Who is set: the springs as the nominal clutch needs them, then held, or every clutch on the bench."""
 
 from ...engines import Clutch
-from ...engines.indirect import IndirectClutch
 from ...errors import Problem, SpecError
 from ...spec import Spec
 from ...spec.edit import with_force, with_value
@@ -40,7 +39,7 @@ def with_setting(clutch: Clutch, setting: Setting) -> Spec:
     spec = clutch.spec
     if setting == "as-made":
         spec = with_force(spec, float(clutch.closing_force))
-    if isinstance(clutch, IndirectClutch):
-        force = float(clutch.control_force) if setting == "as-made" else None
-        spec = with_value(spec, _CONTROL_FORCE, force)
+    if clutch.control_force is not None:
+        made = float(clutch.control_force) if setting == "as-made" else None
+        spec = with_value(spec, _CONTROL_FORCE, made)
     return spec
