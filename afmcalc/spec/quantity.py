@@ -6,6 +6,8 @@ from decimal import Decimal
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
+from .units import KNOWN, SIGNS
+
 if TYPE_CHECKING:
     import pint
 
@@ -81,11 +83,12 @@ def _parse_text(text: str, unit: str) -> float:
         raise ValueError(f"has no unit; {_allowed(unit)}")
     if unit == "1":
         raise ValueError(f"is dimensionless and takes no unit; {_allowed(unit)}")
-    return float(Decimal(number) * _factor(unit_text, unit))
+    known = KNOWN[unit].get(unit_text.translate(SIGNS))
+    return float(Decimal(number) * (looked_up(unit_text, unit) if known is None else known))
 
 
 @cache
-def _factor(unit_text: str, unit: str) -> Decimal:
+def looked_up(unit_text: str, unit: str) -> Decimal:
     """How many SI units of the field one ``unit_text`` is; decimal, so that 15 cm^3 is exactly 15e-6 m^3."""
     import pint
 
