@@ -98,11 +98,11 @@ def _part(clutch: Clutch, model: Model) -> Fatigue:
     part = clutch.spec.fatigue
     if part is None:
         raise SpecError(
-            "spec", [Problem("fatigue", None, "required by life: endurance_limit, polar_section_modulus, …")]
+            clutch.spec.label, [Problem("fatigue", None, "required by life: endurance_limit, polar_section_modulus, …")]
         )
     needed = {"amplitude": "mean_stress_sensitivity", "goodman": "ultimate_strength"}.get(model)
     if needed and getattr(part, needed) is None:
-        raise SpecError("spec", [Problem(f"fatigue.{needed}", None, f"required by the model {model!r}")])
+        raise SpecError(clutch.spec.label, [Problem(f"fatigue.{needed}", None, f"required by the model {model!r}")])
     return part
 
 

@@ -7,7 +7,7 @@ import typer
 from ..errors import AfmcalcError
 from .files import write
 from .options import Common, SpecArgument, with_common
-from .run import build_from, calculate, emit, guarded, read_again
+from .run import build_from, calculate, emit, read_again
 
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
@@ -206,7 +206,7 @@ def compare(
         raise AfmcalcError("compare --variants takes one SPEC")
     sources: list[str | None] = [*specs] if specs else [None]
     clutches = [build_from(source, common) for source in sources]
-    result, findings = guarded(lambda: compare_variants(clutches[0]) if variants else analysis(clutches))
+    result, findings = compare_variants(clutches[0]) if variants else analysis(clutches)
     emit("compare", result, findings, common, resolved(clutches[0].spec))
 
 

@@ -31,7 +31,24 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         sys.exit(2)
     except KeyboardInterrupt:
         sys.exit(130)
+    except Exception as error:
+        if not _is_beyond_numbers(error):
+            raise
+        print(
+            "error: a result is not finite (beyond the range of numbers): check the magnitudes in the spec",
+            file=sys.stderr,
+        )
+        sys.exit(2)
     sys.exit(0)
+
+
+def _is_beyond_numbers(error: Exception) -> bool:
+    """Whether a calculation left the range of numbers, in its arithmetic or with its result."""
+    from pydantic import ValidationError
+
+    if isinstance(error, ValidationError):
+        return all(detail["type"] == "finite_number" for detail in error.errors())
+    return isinstance(error, OverflowError | ZeroDivisionError)
 
 
 def _tune() -> None:

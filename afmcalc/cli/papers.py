@@ -6,7 +6,7 @@ import typer
 
 from ..errors import AfmcalcError
 from .options import Common, SpecArgument, with_common
-from .run import emit, guarded, naming, read
+from .run import emit, read
 
 PaperOption = Annotated[
     list[str] | None, typer.Option("--paper", metavar="KEY", help="F11, S19, S21 or S22; repeatable.")
@@ -38,8 +38,7 @@ def explain(
     if model and command != "life":
         raise AfmcalcError("explain: --model belongs to life")
     given = read(spec, common)
-    with naming(spec):
-        result, findings = guarded(lambda: analysis(command, given, **({"model": model} if model else {})))
+    result, findings = analysis(command, given, **({"model": model} if model else {}))
     emit("explain", result, findings, common, resolved(given))
 
 

@@ -8,7 +8,7 @@ from ..errors import AfmcalcError
 from ..extras import need
 from .files import write, write_file
 from .options import Common
-from .run import build_from, guarded, naming
+from .run import build_from
 
 if TYPE_CHECKING:
     from ..render.plot import Request
@@ -74,9 +74,8 @@ def plot(
         for source in given:
             common.keep(source)
         sources = given or [None]
-        with naming(sources[0]):
-            clutches = [build_from(source, common) for source in sources]
-            sheet = guarded(lambda: sheet_of(what, Request(clutches, sweep, model)))
+        clutches = [build_from(source, common) for source in sources]
+        sheet = sheet_of(what, Request(clutches, sweep, model))
     _write(sheet, ending, common)
 
 
@@ -92,8 +91,7 @@ def _of_requirements(what: str, request: "Request", common: Common) -> "Sheet":
     common.keep(source)
     need = read_requirements(source, common.set or ())
     with Progress(total(need), quiet=common.quiet) as progress:
-        sheet: Sheet = guarded(lambda: sheet_of(what, request._replace(subjects=[need], progress=progress.advance)))
-    return sheet
+        return sheet_of(what, request._replace(subjects=[need], progress=progress.advance))
 
 
 def _ending(output: str | None) -> str | None:

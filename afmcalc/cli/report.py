@@ -10,7 +10,6 @@ from ..errors import AfmcalcError
 from ..extras import need
 from .files import write, write_file
 from .options import Common, SpecArgument
-from .run import guarded, naming
 
 if TYPE_CHECKING:
     from ..engines import Clutch
@@ -53,20 +52,19 @@ def report(
     browser = find_browser() if pdf else None
     common.keep(spec)
     given, read = _read(spec, common)
-    with naming(spec):
-        clutch = guarded(lambda: build(read))
-        found, findings = guarded(lambda: dossier(clutch, model))
-        calculations: dict[str, dict[str, str]] = {"torque": {}, "accuracy": {}, "adjust": {}}
-        calculations |= {"overload": {}} if found.overload else {}
-        calculations |= {"synthesize": {}} if found.synthesis else {}
-        calculations |= {"life": {"model": model}} if found.life else {}
-        steps = guarded(lambda: explained(read, calculations))
-        results, more = guarded(lambda: _beyond(clutch))
-        findings = list(dict.fromkeys([*findings, *more]))
-        subject = Subject(
-            clutch, found, findings, given, set_ or (), __version__, _date(), model=model, steps=steps, results=results
-        )
-        page = guarded(lambda: render(subject))
+    clutch = build(read)
+    found, findings = dossier(clutch, model)
+    calculations: dict[str, dict[str, str]] = {"torque": {}, "accuracy": {}, "adjust": {}}
+    calculations |= {"overload": {}} if found.overload else {}
+    calculations |= {"synthesize": {}} if found.synthesis else {}
+    calculations |= {"life": {"model": model}} if found.life else {}
+    steps = explained(read, calculations)
+    results, more = _beyond(clutch)
+    findings = list(dict.fromkeys([*findings, *more]))
+    subject = Subject(
+        clutch, found, findings, given, set_ or (), __version__, _date(), model=model, steps=steps, results=results
+    )
+    page = render(subject)
     write(page, output)
     if output not in (None, "-"):
         common.note(f"wrote {output}")
@@ -108,7 +106,7 @@ def _read(source: str | None, common: Common) -> "tuple[str, Spec]":
         import json
 
         text = json.dumps(data, indent=2, ensure_ascii=False)
-    return text.strip("\n"), make_spec(apply_overrides(data, common.set or (), label), label)
+    return text.strip("\n"), make_spec(apply_overrides(data, common.set or ()), label)
 
 
 def _date() -> str:

@@ -218,7 +218,7 @@ def _refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
     )
     path = geometry.gain_path(spec)
     given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
-    raise SpecError("spec", [Problem(path, given, message)])
+    raise SpecError(spec.label, [Problem(path, given, message)])
 
 
 def _given(value: Any) -> Any:

@@ -1,10 +1,24 @@
-"""The units that specs are written in, known by heart: reading ``units.txt`` with pint costs half the start-up.
+"""The units of fields, and those that specs are written in, known by heart: pint costs half the start-up.
 
 Factors are decimal and exactly those pint finds (a test compares every row), so that it makes no difference which of
 the two reads a unit. What is not here is pint's.
 """
 
 from decimal import Decimal
+
+from ..messages import say, translate
+
+EXAMPLES = {
+    "N": ("a force", "2 kN"),
+    "m": ("a length", "100 mm"),
+    "N*m": ("a torque", "200 N*m"),
+    "N/m": ("a stiffness", "20 N/mm"),
+    "rad": ("an angle", "30 deg"),
+    "Pa": ("a pressure or stress", "400 MPa"),
+    "m^3": ("a section modulus", "15 cm^3"),
+    "1": ("a plain number", "0.3"),
+}
+"""SI unit of a field → what it is, and how one may be written."""
 
 SIGNS = str.maketrans({"·": "*", "⋅": "*", "×": "*", "²": "^2", "³": "^3"})
 """Signs that people write → those of the table."""
@@ -42,3 +56,16 @@ KNOWN: dict[str, dict[str, Decimal]] = {
     "m^3": {f"{unit}^3": Decimal(factor) ** 3 for unit, factor in _LENGTHS.items()},
 }
 """SI unit of a field → unit as written → how many SI units it is."""
+
+
+def allowed(unit: str) -> str:
+    """Say what may stand in a field of the SI unit ``unit``."""
+    kind, example = EXAMPLES[unit]
+    if unit == "1":
+        return say("give {kind} such as {example}", kind=translate(kind), example=example)
+    return say(
+        'give {kind}: a number in SI ({unit}) or a string with a unit such as "{example}"',
+        kind=translate(kind),
+        unit=unit,
+        example=example,
+    )

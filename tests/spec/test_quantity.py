@@ -9,8 +9,9 @@ from conftest import CONFIGS
 from hypothesis import given
 from hypothesis import strategies as st
 
-from afmcalc.spec.quantity import EXAMPLES, looked_up, parse_quantity
-from afmcalc.spec.units import KNOWN
+from afmcalc.spec.lookup import looked_up
+from afmcalc.spec.quantity import parse_quantity
+from afmcalc.spec.units import EXAMPLES, KNOWN
 
 
 @pytest.mark.parametrize(

@@ -134,7 +134,7 @@ def solved_spec(spec: Spec, path: str, x: float) -> Spec:
     for other in _REPLACED.get(path, ()):
         put(data, other, None)
     put(data, path, int(x) if is_whole(path) else x)
-    return make_spec(data)
+    return make_spec(data, spec.label)
 
 
 def _replaced(spec: Spec, path: str) -> list[Finding]:

@@ -67,7 +67,7 @@ def clutch_over(spec: Spec, values: Mapping[str, Any]) -> Clutch:
                 put(data, other, None)
     valid = None
     for extreme in _corners(arrays):
-        valid = _validated(data, extreme)
+        valid = _validated(data, extreme, spec.label)
     assert valid is not None
     for path, array in arrays.items():
         valid = with_value(valid, path.split("."), array)
@@ -95,14 +95,14 @@ def _corners(arrays: Mapping[str, Any]) -> list[dict[str, float]]:
     return corners
 
 
-def _validated(data: Mapping[str, Any], extreme: Mapping[str, float]) -> Spec:
+def _validated(data: Mapping[str, Any], extreme: Mapping[str, float], label: str) -> Spec:
     import copy
 
     trial = copy.deepcopy(dict(data))
     for path, value in extreme.items():
         put(trial, path, int(value) if is_whole(path) else value)
     try:
-        valid = make_spec(trial, "sweep")
+        valid = make_spec(trial, label)
         build(valid)
     except SpecError as error:
         where = ", ".join(f"{path} = {value:g}" for path, value in extreme.items())

@@ -124,6 +124,7 @@ class Input:
 
 def inputs_of(spec: Spec) -> list[Input]:
     """Return what scatters in a spec, in the order of its [tolerance] block."""
+    assert spec.tolerance is not None
     return [_input(spec, path, given) for path, given in spec.tolerance.fields.items()]
 
 

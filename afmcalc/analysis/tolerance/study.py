@@ -154,14 +154,13 @@ def _block(spec: Spec) -> Tolerance:
     if given is None:
         message = 'required by tolerance, for example [tolerance.fields] "closing_spring.force" = '
         message += '{ distribution = "normal", spread = "5 %" }'
-        raise SpecError("spec", [Problem("tolerance", None, message)])
-    assert isinstance(given, Tolerance)
+        raise SpecError(spec.label, [Problem("tolerance", None, message)])
     unlike = spec.friction.unlike
     wrong = {"friction": unlike, "friction.driving": not unlike, "friction.driven": not unlike}
     for path in given.fields:
         if wrong.get(path):
             use = "friction.driving and friction.driven" if unlike else "friction"
-            raise SpecError("spec", [Problem(f"tolerance.fields.{path}", None, f"this clutch has {use} instead")])
+            raise SpecError(spec.label, [Problem(f"tolerance.fields.{path}", None, f"this clutch has {use} instead")])
     return given
 
 
