@@ -5,6 +5,7 @@ from typing import Annotated
 import typer
 
 from ..errors import AfmcalcError
+from ..messages import say
 from .files import write
 from .options import Common, SpecArgument, with_common
 from .run import build_from, calculate, emit
@@ -109,4 +110,4 @@ def design(
     emit("design", result, findings, common.to_standard_output(), chosen)
     if common.output:
         write(to_toml(chosen), common.output)
-        common.note(f"wrote number {pick} to {common.output}")
+        common.note(say("wrote number {pick} to {output}", pick=pick, output=common.output))

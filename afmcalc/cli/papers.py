@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 import typer
 
 from ..errors import AfmcalcError
+from ..messages import say
 from .options import Common, SpecArgument, with_common
 from .run import emit, read
 
@@ -36,7 +37,7 @@ def explain(
     from ..spec import resolved
 
     if model and command != "life":
-        raise AfmcalcError("explain: --model belongs to life")
+        raise AfmcalcError(say("explain: --model belongs to life"))
     given = read(spec, common)
     result, findings = analysis(command, given, **({"model": model} if model else {}))
     emit("explain", result, findings, common, resolved(given))

@@ -8,6 +8,7 @@ import typer
 from .. import __version__
 from ..errors import AfmcalcError
 from ..extras import need
+from ..messages import say
 from .files import write, write_file
 from .options import Common, SpecArgument
 
@@ -67,10 +68,10 @@ def report(
     page = render(subject)
     write(page, output)
     if output not in (None, "-"):
-        common.note(f"wrote {output}")
+        common.note(say("wrote {output}", output=output))
     if target and browser:
         write_file(target, print_pdf(browser, page))
-        common.note(f"wrote {target}")
+        common.note(say("wrote {target}", target=target))
 
 
 def _beyond(clutch: "Clutch") -> "tuple[dict[str, Any], list[Finding]]":
@@ -85,11 +86,17 @@ def _beyond(clutch: "Clutch") -> "tuple[dict[str, Any], list[Finding]]":
 
 def _pdf_beside(output: str | None) -> str:
     if output in (None, "-"):
-        raise AfmcalcError("--pdf prints beside the HTML file: give it with -o report.html")
+        raise AfmcalcError(say("--pdf prints beside the HTML file: give it with -o report.html"))
     assert output is not None
     stem, ending = os.path.splitext(output)
     if ending.lower() == ".pdf":
-        raise AfmcalcError(f"-o {output}: the report is HTML; -o {stem}.html --pdf writes {output} beside it")
+        raise AfmcalcError(
+            say(
+                "-o {output}: the report is HTML; -o {stem}.html --pdf writes {output} beside it",
+                output=output,
+                stem=stem,
+            )
+        )
     return f"{stem}.pdf"
 
 
@@ -99,7 +106,7 @@ def _read(source: str | None, common: Common) -> "tuple[str, Spec]":
     from ..spec.reading import apply_overrides, parse, text_of
 
     if source is None:
-        common.note("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)")
+        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
     text, label = text_of(source)
     data = parse(text, label)
     if text.lstrip().startswith("{"):
@@ -117,5 +124,5 @@ def _date() -> str:
     if not epoch:
         return datetime.now().date().isoformat()
     if not epoch.isdecimal():
-        raise AfmcalcError(f"SOURCE_DATE_EPOCH = {epoch!r}: seconds since 1970 are wanted")
+        raise AfmcalcError(say("SOURCE_DATE_EPOCH = {epoch!r}: seconds since 1970 are wanted", epoch=epoch))
     return datetime.fromtimestamp(int(epoch), UTC).date().isoformat()

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from .. import __version__
+from ..messages import say
 from .files import write
 from .options import Common
 
@@ -20,9 +21,9 @@ def read(source: str | None, common: Common) -> "Spec":
     from ..spec import read_spec
 
     if source is None:
-        common.note("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)")
+        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
     elif source == "-" and sys.stdin.isatty():
-        common.note("reading the spec from the terminal: end it with Ctrl-D, or give a file")
+        common.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
     return read_spec(source, common.set or ())
 
 
