@@ -7,6 +7,7 @@ from ..arrays import Values, checked_friction, is_array
 from ..equations import indirect
 from ..errors import Problem, SpecError
 from ..findings import Finding, finding
+from ..messages import say
 from ..spec.models import Method, Spec
 from . import geometry, setting
 from .laws import IndirectLaw
@@ -212,9 +213,10 @@ def _refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
     elif not shortfall > 0:
         return
     threshold, gain = _largest(law.gain_threshold), _smallest(law.gain)
-    message = (
-        f"must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
-        "force, and the sleeve leaves its stop at zero torque"
+    message = say(
+        "must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
+        "force, and the sleeve leaves its stop at zero torque",
+        threshold=threshold,
     )
     path = geometry.gain_path(spec)
     given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
@@ -234,7 +236,7 @@ def _one(friction: Any, friction_driven: Any) -> Any:
         return friction
     same = friction == checked_friction(friction_driven)
     if not (bool(same.all()) if is_array(same) else same):
-        raise ValueError("an indirect clutch has one friction for all pairs")
+        raise ValueError(say("an indirect clutch has one friction for all pairs"))
     return friction
 
 
