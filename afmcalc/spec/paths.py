@@ -1,13 +1,13 @@
 """The keys of a spec, read off the models: paths, units, symbols."""
 
 from functools import cache
-from typing import Any, NamedTuple, get_args, get_origin
+from typing import NamedTuple, get_args, get_origin
 
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from .fields import unit_of
-from .models import Deferred, Spec
+from .fields import Quantity
+from .models import Spec
 
 
 class Key(NamedTuple):
@@ -42,44 +42,28 @@ ALIASES = {
 """Symbols that stand for a path on the command line."""
 
 
-def _block(annotation: Any) -> type[BaseModel] | None:
-    """Return the model class in ``Model`` or ``Model | None``; a dictionary of models is none."""
-    if get_origin(annotation) is dict:
-        return None
-    for candidate in (annotation, *get_args(annotation)):
+def _block_of(field: FieldInfo) -> type[BaseModel] | None:
+    """Return the model of a field that is a table, ``Model`` or ``Model | None``; a dictionary of models is none."""
+    for candidate in (field.annotation, *get_args(field.annotation)):
         if isinstance(candidate, type) and issubclass(candidate, BaseModel):
-            return candidate
+            return None if get_origin(field.annotation) is dict else candidate
     return None
 
 
-def _block_of(field: FieldInfo) -> type[BaseModel] | None:
-    """Return the model of a field that is a table."""
-    for item in field.metadata:
-        if isinstance(item, Deferred):
-            return item.model()
-    return _block(field.annotation)
-
-
-def field_metadata(path: str) -> list[Any]:
-    """Everything noted in the annotation of the key at a dotted path."""
+def quantity_at(path: str) -> Quantity | None:
+    """Return what the number at a dotted path may be; None for text."""
     *blocks, name = path.split(".")
     model: type[BaseModel] = Spec
     for block in blocks:
         found = _block_of(model.model_fields[block])
         assert found is not None
         model = found
-    field = model.model_fields[name]
-    nested = [item for part in get_args(field.annotation) for item in getattr(part, "__metadata__", ())]
-    return [*field.metadata, *nested]
+    return _quantity(model.model_fields[name])
 
 
-def _unit(annotation: Any, metadata: list[Any]) -> str | None:
-    if found := unit_of(metadata):
-        return found
-    for candidate in get_args(annotation):
-        if found := unit_of(list(getattr(candidate, "__metadata__", ()))):
-            return found
-    return None
+def _quantity(field: FieldInfo) -> Quantity | None:
+    nested = (item for part in get_args(field.annotation) for item in getattr(part, "__metadata__", ()))
+    return next((item for item in (*field.metadata, *nested) if isinstance(item, Quantity)), None)
 
 
 @cache
@@ -92,9 +76,8 @@ def keys(model: type[BaseModel] = Spec, prefix: str = "") -> dict[str, Key]:
             found |= keys(block, path + ".")
             continue
         extra = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}
-        symbol = extra.get("symbol")
-        unit = _unit(field.annotation, field.metadata)
-        found[path] = Key(path, unit, str(symbol) if symbol else None, field.description or "")
+        symbol, about = extra.get("symbol"), _quantity(field)
+        found[path] = Key(path, about.unit if about else None, str(symbol) if symbol else None, field.description or "")
     return found
 
 
@@ -112,4 +95,4 @@ def names_in(path: tuple[str, ...], root: type[BaseModel] = Spec) -> list[str]:
 
 def is_whole(path: str) -> bool:
     """Whether the key counts something."""
-    return path.rpartition(".")[2] in {"pairs", "driving_pairs", "balls"}
+    return path in keys() and (about := quantity_at(path)) is not None and about.whole

@@ -5,9 +5,10 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, field_validator, model_validator
 
+from ..errors import Problem
+from ..messages import say
 from . import rules
-from .fields import Torque, Whole
-from .models import Block, key_field
+from .fields import Block, Quantity, Torque, key_field
 from .quantity import parse_quantity
 
 Kind = Literal["normal", "uniform", "triangular", "lognormal"]
@@ -20,32 +21,30 @@ FRICTION = ("friction", "friction.driving", "friction.driven")
 _PERCENT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*%\s*")
 
 
-def _number(value: object) -> float:
-    return parse_quantity(value, "1")
-
-
 def _no_truth(value: object) -> object:
     if isinstance(value, bool):
-        raise ValueError("a boolean is not a number")
+        raise ValueError(say("a boolean is not a number"))
     return value
 
 
-Number = Annotated[float, BeforeValidator(_number)]
-Quantity = Annotated[float | str, BeforeValidator(_no_truth)]
+Number = Annotated[float, BeforeValidator(Quantity("1").read)]
+Whole = Annotated[int, BeforeValidator(Quantity("1", whole=True).read)]
+Given = Annotated[float | str, BeforeValidator(_no_truth)]
+"""A number in SI or a text with a unit; which unit depends on what scatters."""
 
 
 class Distribution(Block):
     """How one number scatters about its value in the spec."""
 
     distribution: Kind = Field(description="kind of the distribution")
-    center: Quantity | None = key_field(
+    center: Given | None = key_field(
         "mean of normal and lognormal, middle of uniform, peak of triangular; default the value in the spec"
     )
-    spread: Quantity | None = key_field(
+    spread: Given | None = key_field(
         "standard deviation (normal, lognormal) or half-width (uniform, triangular); a quantity or a percentage"
     )
-    min: Quantity | None = key_field("lower end; truncates a normal or lognormal distribution")
-    max: Quantity | None = key_field("upper end; truncates a normal or lognormal distribution")
+    min: Given | None = key_field("lower end; truncates a normal or lognormal distribution")
+    max: Given | None = key_field("upper end; truncates a normal or lognormal distribution")
 
 
 class Tolerance(Block):
@@ -76,15 +75,15 @@ class Tolerance(Block):
     @classmethod
     def _inside(cls, given: tuple[float, ...]) -> tuple[float, ...]:
         if not given or not all(0 < p < 1 for p in given):
-            raise ValueError("must be probabilities between 0 and 1, at least one")
+            raise ValueError(say("must be probabilities between 0 and 1, at least one"))
         return tuple(sorted(set(given)))
 
     @model_validator(mode="after")
     def _read_quantities(self) -> "Tolerance":
-        problems: list[rules.Finding] = []
+        problems: list[Problem] = []
         fields = {path: _read(path, each, problems) for path, each in self.fields.items()}
         if problems:
-            raise rules.validation_error("Tolerance", problems)
+            raise rules.RuleError(problems)
         object.__setattr__(self, "fields", fields)
         return self
 
@@ -117,23 +116,18 @@ def physical_limits(path: str) -> tuple[float, float]:
     """
     import math
 
-    from .paths import field_metadata
+    from .paths import quantity_at
 
-    low, high = -math.inf, math.inf
-    for item in field_metadata("friction.min" if path in FRICTION else path):
-        for bound in getattr(item, "metadata", [item]):
-            low = max(low, *(float(v) for v in (getattr(bound, n, None) for n in ("gt", "ge")) if v is not None), low)
-            high = min(
-                high, *(float(v) for v in (getattr(bound, n, None) for n in ("lt", "le")) if v is not None), high
-            )
-    return low, high
+    found = quantity_at("friction.min" if path in FRICTION else path)
+    low, high = (found.low, found.high) if found else (None, None)
+    return -math.inf if low is None else float(low), math.inf if high is None else float(high)
 
 
-def _read(path: str, given: Distribution, problems: list[rules.Finding]) -> Distribution:
+def _read(path: str, given: Distribution, problems: list[Problem]) -> Distribution:
     """Turn quantities into SI; percentages stay, since they follow the spec."""
     unit = unit_at(path)
     if unit is None:
-        problems.append((("fields", path), None, _unknown(path)))
+        problems.append(rules.wrong(f"fields.{path}", _unknown(path)))
         return given
     read: dict[str, Any] = {}
     for name in ("center", "spread", "min", "max"):
@@ -144,32 +138,37 @@ def _read(path: str, given: Distribution, problems: list[rules.Finding]) -> Dist
         try:
             read[name] = parse_quantity(value, unit)
         except ValueError as error:
-            problems.append((("fields", path, name), value, str(error)))
+            problems.append(rules.wrong(f"fields.{path}.{name}", str(error)))
             return given
     lowest, highest = physical_limits(path)
     for name in ("min", "max"):
         value = read[name]
         if value is not None and not lowest <= value <= highest:
-            bound = f"at least {lowest:g}" if value < lowest else f"at most {highest:g}"
-            problems.append((("fields", path, name), getattr(given, name), f"must be {bound}, as {path} itself"))
+            problems.append(rules.wrong(f"fields.{path}.{name}", _beyond(path, value, lowest, highest)))
     share = percentage(read["spread"])
     size = read["spread"] if share is None else share
     if size is not None and not size >= 0:
-        problems.append((("fields", path, "spread"), given.spread, "must be at least 0"))
+        problems.append(rules.wrong(f"fields.{path}.spread", say("must be at least 0")))
     low, high = read["min"], read["max"]
     if low is not None and high is not None and not low < high:
-        problems.append((("fields", path, "max"), given.max, f"must be greater than min ({low:g})"))
+        problems.append(rules.wrong(f"fields.{path}.max", say("must be greater than min ({low:g})", low=low)))
     if given.distribution in ("normal", "lognormal") and size is None:
-        problems.append((("fields", path, "spread"), rules.MISSING, f"required for {given.distribution!r}"))
+        problems.append(rules.wrong(f"fields.{path}.spread", say("required for {kind!r}", kind=given.distribution)))
     if given.distribution in ("uniform", "triangular") and size is None and path not in FRICTION:
         if low is None or high is None:
-            message = f"required for {given.distribution!r} (or give min and max)"
-            problems.append((("fields", path, "spread"), rules.MISSING, message))
+            message = say("required for {kind!r} (or give min and max)", kind=given.distribution)
+            problems.append(rules.wrong(f"fields.{path}.spread", message))
     elif given.distribution in ("uniform", "triangular") and size is not None and (low is not None or high is not None):
         problems.append(
-            (("fields", path, "spread"), given.spread, "excludes min and max: give a half-width or both ends")
+            rules.wrong(f"fields.{path}.spread", say("excludes min and max: give a half-width or both ends"))
         )
     return given.model_copy(update=read)
+
+
+def _beyond(path: str, value: float, low: float, high: float) -> str:
+    if value < low:
+        return say("must be at least {low:g}, as {path} itself", low=low, path=path)
+    return say("must be at most {high:g}, as {path} itself", high=high, path=path)
 
 
 def _unknown(path: str) -> str:
@@ -177,6 +176,7 @@ def _unknown(path: str) -> str:
     from .suggest import did_you_mean
 
     if path in keys():
-        return "is a whole number, which does not scatter" if is_whole(path) else "is not a number"
-    hint = did_you_mean(path, [*FRICTION, *keys()])
-    return f"unknown field{hint}" if hint else "unknown field; a spec path, or friction for the friction in service"
+        return say("is a whole number, which does not scatter") if is_whole(path) else say("is not a number")
+    if hint := did_you_mean(path, [*FRICTION, *keys()]):
+        return say("unknown field{hint}", hint=hint)
+    return say("unknown field; a spec path, or friction for the friction in service")

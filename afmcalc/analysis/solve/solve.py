@@ -8,6 +8,7 @@ from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, CalculationError, SpecError
 from ...findings import Finding
+from ...messages import say
 from ...result import Result, quantity
 from ...spec import Spec, make_spec, resolved
 from ...spec.edit import ALTERNATIVES, put, value_at, with_value
@@ -112,10 +113,25 @@ def solve(
 def _path(spec: Spec, name: str) -> str:
     """Spec path of a parameter; refuse one that the variant does not have."""
     if name not in NAMES:
-        raise AfmcalcError(f"--for {name}: cannot be solved for{did_you_mean(name, NAMES)}; one of {', '.join(NAMES)}")
+        raise AfmcalcError(
+            say(
+                "--for {name}: cannot be solved for{hint}; one of {names}",
+                name=name,
+                hint=did_you_mean(name, NAMES),
+                names=", ".join(NAMES),
+            )
+        )
     path = ALIASES[name]
     if (only := variants_of(path)) and spec.variant not in only:
-        raise AfmcalcError(f"--for {name}: {path} is only for {', '.join(only)}, not {spec.variant!r}")
+        raise AfmcalcError(
+            say(
+                "--for {name}: {path} is only for {only}, not {variant!r}",
+                name=name,
+                path=path,
+                only=", ".join(only),
+                variant=spec.variant,
+            )
+        )
     return path
 
 
@@ -134,7 +150,7 @@ def solved_spec(spec: Spec, path: str, x: float) -> Spec:
     for other in _REPLACED.get(path, ()):
         put(data, other, None)
     put(data, path, int(x) if is_whole(path) else x)
-    return make_spec(data)
+    return make_spec(data, spec.label)
 
 
 def _replaced(spec: Spec, path: str) -> list[Finding]:

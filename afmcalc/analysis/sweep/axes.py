@@ -4,6 +4,7 @@ from typing import Any
 
 from ...engines import build
 from ...errors import AfmcalcError, SpecError
+from ...messages import say
 from ...spec import Spec
 from ...spec.edit import value_at, with_value
 from ...spec.paths import ALIASES, Key, keys
@@ -23,9 +24,16 @@ def find_key(name: str) -> Key:
     if path not in known:
         symbols = ", ".join(ALIASES)
         hint = did_you_mean(name, [*ALIASES, *known])
-        raise AfmcalcError(f"{name!r} is no spec path or symbol{hint}; symbols: {symbols}; paths: as in the spec")
+        raise AfmcalcError(
+            say(
+                "{name!r} is no spec path or symbol{hint}; symbols: {symbols}; paths: as in the spec",
+                name=name,
+                hint=hint,
+                symbols=symbols,
+            )
+        )
     if known[path].unit is None:
-        raise AfmcalcError(f"{name!r} is not a number and cannot be swept")
+        raise AfmcalcError(say("{name!r} is not a number and cannot be swept", name=name))
     return known[path]
 
 
@@ -39,7 +47,15 @@ def parse_axis(text: str, spec: Spec) -> Axis:
     name = name.strip()
     key = find_key("C" if name == "zC" else name)
     if (only := variants_of(key.path)) and spec.variant not in only:
-        raise AfmcalcError(f"--sweep {text}: {key.path} is only for {', '.join(only)}, not {spec.variant!r}")
+        raise AfmcalcError(
+            say(
+                "--sweep {text}: {path} is only for {only}, not {variant!r}",
+                text=text,
+                path=key.path,
+                only=", ".join(only),
+                variant=spec.variant,
+            )
+        )
     unit = key.unit or "1"
     scale = 1 / (spec.friction_group.pairs - spec.bypass_pairs) if name == "zC" else 1.0
 
@@ -62,19 +78,26 @@ def parse_values(text: str, given: str, unit: str) -> Any:
         try:
             return parse_quantity(part, unit)
         except ValueError as error:
-            raise AfmcalcError(f"--sweep {text}: {part!r}: {error}") from None
+            raise AfmcalcError(say("--sweep {text}: {part!r}: {why}", text=text, part=part, why=error)) from None
 
     parts = given.split(":") if ":" in given else given.split(",")
     listed = parts[:2] if ":" in given else parts
     if len({_has_unit(part) for part in listed}) > 1:
-        raise AfmcalcError(f"--sweep {text}: give every value a unit, or none (SI)")
+        raise AfmcalcError(say("--sweep {text}: give every value a unit, or none (SI)", text=text))
     if ":" not in given:
         return np.array([number(part) for part in parts])
     if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 2:
-        raise AfmcalcError(f"--sweep {text}: write start:stop:count with a whole count of at least 2")
+        raise AfmcalcError(say("--sweep {text}: write start:stop:count with a whole count of at least 2", text=text))
     count = int(parts[2])
     if count > MOST_POINTS:
-        raise AfmcalcError(f"--sweep {text}: {count} points; at most {MOST_POINTS} are swept")
+        raise AfmcalcError(
+            say(
+                "--sweep {text}: {count} points; at most {most_points} are swept",
+                text=text,
+                count=count,
+                most_points=MOST_POINTS,
+            )
+        )
     return np.linspace(number(parts[0]), number(parts[1]), count)
 
 
@@ -100,7 +123,7 @@ def default_range(key: Key, spec: Spec) -> Any:
     if key.path == "adjustment.margin":
         return np.linspace(1.0, max(2.0, float(current or 1)), 21)
     if current is None:
-        raise AfmcalcError(f"{key.path} is not in the spec: give a range, {key.path}=start:stop:count")
+        raise AfmcalcError(say("{path} is not in the spec: give a range, {path}=start:stop:count", path=key.path))
     low, high = 0.5 * current, 2 * current
     if key.path.startswith("friction."):
         low, high = _friction_range(key.path, spec, low, high)

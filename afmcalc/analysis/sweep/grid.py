@@ -7,6 +7,7 @@ from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, SpecError
 from ...findings import Finding
+from ...messages import say
 from ...result import Series
 from ...spec import Spec, make_spec
 from ...spec.edit import ALTERNATIVES, put, value_at, with_value
@@ -53,10 +54,10 @@ def clutch_over(spec: Spec, values: Mapping[str, Any]) -> Clutch:
     arrays = {path: np.asarray(array, float) for path, array in values.items()}
     for path, array in arrays.items():
         if array.size == 0:
-            raise AfmcalcError(f"{path}: no values to sweep")
+            raise AfmcalcError(say("{path}: no values to sweep", path=path))
         if is_whole(path) and bool(np.any(array != np.floor(array))):
             wrong = float(array[array != np.floor(array)].ravel()[0])
-            raise AfmcalcError(f"--sweep {path}: {wrong:g} is not a whole number")
+            raise AfmcalcError(say("--sweep {path}: {wrong:g} is not a whole number", path=path, wrong=wrong))
     data = spec.model_dump(exclude_none=True)
     for path in arrays:
         for other in ALTERNATIVES.get(path, ()):
@@ -67,7 +68,7 @@ def clutch_over(spec: Spec, values: Mapping[str, Any]) -> Clutch:
                 put(data, other, None)
     valid = None
     for extreme in _corners(arrays):
-        valid = _validated(data, extreme)
+        valid = _validated(data, extreme, spec.label)
     assert valid is not None
     for path, array in arrays.items():
         valid = with_value(valid, path.split("."), array)
@@ -95,18 +96,18 @@ def _corners(arrays: Mapping[str, Any]) -> list[dict[str, float]]:
     return corners
 
 
-def _validated(data: Mapping[str, Any], extreme: Mapping[str, float]) -> Spec:
+def _validated(data: Mapping[str, Any], extreme: Mapping[str, float], label: str) -> Spec:
     import copy
 
     trial = copy.deepcopy(dict(data))
     for path, value in extreme.items():
         put(trial, path, int(value) if is_whole(path) else value)
     try:
-        valid = make_spec(trial, "sweep")
+        valid = make_spec(trial, label)
         build(valid)
     except SpecError as error:
         where = ", ".join(f"{path} = {value:g}" for path, value in extreme.items())
-        raise SpecError(f"sweep at {where}", error.problems) from None
+        raise SpecError(say("sweep at {where}", where=where), error.problems) from None
     return valid
 
 
@@ -118,11 +119,17 @@ def grid(axes: Sequence[Axis]) -> list[Any]:
     for axis in axes:
         count *= axis.values.size
     if count > MOST_POINTS:
-        raise AfmcalcError(f"the sweep asks for {count} points; at most {MOST_POINTS} are swept")
+        raise AfmcalcError(
+            say(
+                "the sweep asks for {count} points; at most {most_points} are swept",
+                count=count,
+                most_points=MOST_POINTS,
+            )
+        )
     if len({axis.key.path for axis in axes}) < len(axes):
-        raise AfmcalcError("the same key is swept twice")
+        raise AfmcalcError(say("the same key is swept twice"))
     if any(axis.name == "zC" for axis in axes) and any(axis.key.path.endswith("pairs") for axis in axes):
-        raise AfmcalcError("zC and a number of pairs cannot be swept together: sweep C with it")
+        raise AfmcalcError(say("zC and a number of pairs cannot be swept together: sweep C with it"))
     if len(axes) == 1:
         return [axes[0].values]
     return [coordinates.ravel() for coordinates in np.meshgrid(*(axis.values for axis in axes), indexing="ij")]

@@ -12,7 +12,8 @@ def findings_of(model: Model, given: Tolerance, figures: Figures) -> list[Findin
     names = {each.path for each in model.inputs}
     found = []
     if not names <= set(FRICTION):
-        found.append(finding(given.setting, "info", path="tolerance.setting"))
+        adjusted = given.setting == "each-adjusted"
+        found.append(finding("each-adjusted" if adjusted else "as-made", "info", path="tolerance.setting"))
     if not names & set(FRICTION):
         found.append(finding("friction-fixed", "info", path="tolerance.fields"))
     if {"friction.driving", "friction.driven"} <= names and given.friction_correlation is None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...errors import CalculationError
+from ...messages import say
 from .bins import Grid
 from .distributions import Array
 from .model import Model
@@ -86,7 +87,9 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
 def _refuse_few(clutches: int) -> None:
     if clutches < _LEAST_CLUTCHES:
         raise CalculationError(
-            "tolerance: hardly a sample is a clutch (feedback must overcome the key's friction, faces have a width)"
+            say(
+                "tolerance: hardly a sample is a clutch (feedback must overcome the key's friction, faces have a width)"
+            )
         )
 
 

@@ -2,9 +2,10 @@
 
 from ...engines import Clutch
 from ...errors import Problem, SpecError
+from ...messages import say
 from ...spec import Spec
 from ...spec.edit import with_force, with_value
-from ...spec.tolerance import Setting, Tolerance
+from ...spec.tolerance import Tolerance
 
 _ONLY_SETTING = (
     "adjustment.",
@@ -18,24 +19,26 @@ _ONLY_SETTING = (
 _CONTROL_FORCE = ("control_spring", "force")
 
 
-def with_setting(clutch: Clutch, setting: Setting) -> Spec:
+def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
     """Return the spec whose samples are set in one of the two ways.
 
     Args:
         clutch: the nominal clutch.
-        setting: ``as-made``: the springs of the nominal clutch; ``each-adjusted``: those each sample asks for.
+        given: its [tolerance] block; as-made: the springs of the nominal clutch, each-adjusted: those a sample needs.
 
     Raises:
         SpecError: a field scatters that could have no effect.
     """
-    given: Tolerance = clutch.spec.tolerance
+    setting = given.setting
     for path in given.fields:
         if setting == "as-made" and path.startswith(_ONLY_SETTING):
-            message = 'acts through the setting alone, which "as-made" holds: give tolerance.setting = "each-adjusted"'
-            raise SpecError("spec", [Problem(f"tolerance.fields.{path}", None, message)])
+            message = say(
+                'acts through the setting alone, which "as-made" holds: give tolerance.setting = "each-adjusted"'
+            )
+            raise SpecError(clutch.spec.label, [Problem(f"tolerance.fields.{path}", None, message)])
         if setting == "each-adjusted" and path == ".".join(_CONTROL_FORCE):
-            message = 'follows from the setting of each clutch: give tolerance.setting = "as-made"'
-            raise SpecError("spec", [Problem(f"tolerance.fields.{path}", None, message)])
+            message = say('follows from the setting of each clutch: give tolerance.setting = "as-made"')
+            raise SpecError(clutch.spec.label, [Problem(f"tolerance.fields.{path}", None, message)])
     spec = clutch.spec
     if setting == "as-made":
         spec = with_force(spec, float(clutch.closing_force))

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...errors import CalculationError
+from ...messages import say
 from .distributions import Array
 from .model import Model
 from .result import Estimate
@@ -69,7 +70,7 @@ def sobol_indices(model: Model, plan: Plan) -> list[Index]:
 
     rows = np.array(in_threads(replicate, REPLICATES, plan.threads))
     if not rows[:, 0].any():
-        raise CalculationError("tolerance.sobol_base: too few of the samples are a clutch; give a larger one")
+        raise CalculationError(say("tolerance.sobol_base: too few of the samples are a clutch; give a larger one"))
     return _indices(rows, [group.name for group in groups])
 
 

@@ -12,6 +12,7 @@ from typing import Protocol, TypeVar
 import numpy as np
 
 from ...errors import AfmcalcError
+from ...messages import say
 from .distributions import Array, Input, normal_probability, normal_score
 from .model import Model
 
@@ -86,7 +87,7 @@ def sobol_sequence(dimensions: int, generator: np.random.Generator) -> Points:
     try:
         from scipy.stats import qmc
     except ImportError:
-        raise AfmcalcError("quasi-Monte Carlo needs SciPy: pip install 'afmcalc[stats]'") from None
+        raise AfmcalcError(say("quasi-Monte Carlo needs SciPy: pip install 'afmcalc[stats]'")) from None
     # the argument was renamed; either way the generator is ours
     name = "rng" if "rng" in inspect.signature(qmc.Sobol.__init__).parameters else "seed"
     found: Points = qmc.Sobol(dimensions, scramble=True, **{name: generator})

@@ -7,6 +7,7 @@ from ...engines.protocol import Clutch
 from ...equations.overload import machine_torque
 from ...errors import AfmcalcError, Problem, SpecError
 from ...findings import Finding
+from ...messages import say
 from ...spec import Spec
 from ...spec.tolerance import Tolerance
 from .distributions import Input, inputs_of
@@ -40,7 +41,7 @@ def study(clutch: Clutch, *, threads: int | None = None) -> Study:
         AfmcalcError: quasi-Monte Carlo without SciPy.
     """
     given = _block(clutch.spec)
-    spec = with_setting(clutch, given.setting)
+    spec = with_setting(clutch, given)
     model = Model(spec, inputs_of(spec), given.friction_correlation or 0.0)
     machine = _machine_torque(clutch)
     figures = _figures(model, given, machine, _threads(threads))
@@ -62,7 +63,7 @@ def _threads(given: int | None) -> int:
     if given is None:
         return min(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1, 8)
     if given < 1:
-        raise AfmcalcError("threads must be at least 1")
+        raise AfmcalcError(say("threads must be at least 1"))
     return given
 
 
@@ -70,16 +71,19 @@ def _block(spec: Spec) -> Tolerance:
     """Return the [tolerance] block; refuse fields that this clutch does not have."""
     given = spec.tolerance
     if given is None:
-        message = 'required by tolerance, for example [tolerance.fields] "closing_spring.force" = '
-        message += '{ distribution = "normal", spread = "5 %" }'
-        raise SpecError("spec", [Problem("tolerance", None, message)])
-    assert isinstance(given, Tolerance)
+        message = say(
+            'required by tolerance, for example [tolerance.fields] "closing_spring.force" = '
+            '{{ distribution = "normal", spread = "5 %" }}'
+        )
+        raise SpecError(spec.label, [Problem("tolerance", None, message)])
     unlike = spec.friction.unlike
     wrong = {"friction": unlike, "friction.driving": not unlike, "friction.driven": not unlike}
     for path in given.fields:
         if wrong.get(path):
             use = "friction.driving and friction.driven" if unlike else "friction"
-            raise SpecError("spec", [Problem(f"tolerance.fields.{path}", None, f"this clutch has {use} instead")])
+            raise SpecError(
+                spec.label, [Problem(f"tolerance.fields.{path}", None, say("this clutch has {use} instead", use=use))]
+            )
     return given
 
 

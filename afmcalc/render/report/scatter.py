@@ -1,6 +1,7 @@
 """Tables of the torque over tolerances: each value beside its standard error, inputs in the engineer's units."""
 
 from ...analysis.tolerance.result import Estimate, IndexRow, InputRow, LifeRow, ToleranceResult, error_fields
+from ...messages import translate
 from ...spec.paths import keys
 from ..document import document
 from ..layout import Block
@@ -108,7 +109,7 @@ def _named(path: str) -> tuple[str, str]:
     if path in _FRICTION:
         return _FRICTION[path]
     key = keys()[path]
-    return key.symbol or "", key.description.partition(";")[0]
+    return key.symbol or "", translate(key.description).partition(";")[0]
 
 
 _FRICTION = {
