@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any
 
 from ..arrays import is_array, larger, smaller
 from ..engines.protocol import Clutch
@@ -12,12 +12,8 @@ from ..findings import Finding
 from ..result import Result, Series, quantity
 from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
+from .registry import StressRule
 from .sweep.grid import Axis, evaluate, grid
-
-if TYPE_CHECKING:
-    from ..spec import Spec
-
-Model = Literal["mean-stress", "amplitude", "goodman"]
 
 
 class MethodCycles(Result):
@@ -40,7 +36,7 @@ class LifeSweep(Series):
 class LifeResult(Result):
     """Cycles to failure of the protected and the unprotected side."""
 
-    model: Model = quantity("", None, "rule for the damaging stress")
+    model: StressRule = quantity("", None, "rule for the damaging stress")
     protected: MethodCycles = quantity("", None, "protected side")
     unprotected: MethodCycles = quantity("", None, "unprotected side")
     protected_forecast: MethodCycles = quantity("", None, "protected side, load from T at the mean friction (S19)")
@@ -52,7 +48,9 @@ class LifeResult(Result):
     sweep: list[LifeSweep] | None = quantity("", None, "life over the swept values", optional=True, columns=True)
 
 
-def life(clutch: Clutch, model: Model = "mean-stress", sweeps: Sequence[Axis] = ()) -> tuple[LifeResult, list[Finding]]:
+def life(
+    clutch: Clutch, model: StressRule = "mean-stress", sweeps: Sequence[Axis] = ()
+) -> tuple[LifeResult, list[Finding]]:
     """Calculate the cycles to failure.
 
     Args:
@@ -84,7 +82,7 @@ def life(clutch: Clutch, model: Model = "mean-stress", sweeps: Sequence[Axis] = 
         stress_unprotected=_damaging(part, model, factor * low, factor * high),
         endurance_limit=part.endurance_limit,
         base_cycles=part.base_cycles,
-        sweep=_sweep(clutch, part, model, sweeps) if sweeps else None,
+        sweep=life_sweep(clutch, model, sweeps) if sweeps else None,
     )
     found = [
         *_unlimited(part, model, {m: (a, b) for m, (a, _, b) in loads.items()}, factor),
@@ -93,7 +91,7 @@ def life(clutch: Clutch, model: Model = "mean-stress", sweeps: Sequence[Axis] = 
     return result, [*clutch.findings(), *found, *_rule_findings(model)]
 
 
-def _part(clutch: Clutch, model: Model) -> Fatigue:
+def _part(clutch: Clutch, model: StressRule) -> Fatigue:
     """Return the [fatigue] block; refuse a spec without what the model needs."""
     part = clutch.spec.fatigue
     if part is None:
@@ -113,7 +111,7 @@ def _loads(clutch: Clutch) -> tuple[float, float, float]:
     return ends[0], float(clutch.torque(first.mean, second.mean)), ends[1]
 
 
-def _stress(part: Fatigue, model: Model, low: Any, high: Any) -> Any:
+def _stress(part: Fatigue, model: StressRule, low: Any, high: Any) -> Any:
     """Damaging stress of a load that swings from ``low`` to ``high``."""
     stresses = [law.shear_stress(torque, part.polar_section_modulus) for torque in (low, high)]
     if model == "amplitude":
@@ -123,7 +121,7 @@ def _stress(part: Fatigue, model: Model, low: Any, high: Any) -> Any:
     return law.mean_stress(stresses[0], stresses[1])
 
 
-def _is_static(part: Fatigue, model: Model, high: Any) -> Any:
+def _is_static(part: Fatigue, model: StressRule, high: Any) -> Any:
     """Whether the largest load reaches the ultimate strength: the shaft fails at once, by Goodman's line too."""
     if model != "goodman":
         return high != high
@@ -131,12 +129,12 @@ def _is_static(part: Fatigue, model: Model, high: Any) -> Any:
     return law.shear_stress(high, part.polar_section_modulus) >= part.ultimate_strength
 
 
-def _damaging(part: Fatigue, model: Model, low: float, high: float) -> float | None:
+def _damaging(part: Fatigue, model: StressRule, low: float, high: float) -> float | None:
     """Damaging stress; None where the shaft fails at once."""
     return None if _is_static(part, model, high) else float(_stress(part, model, low, high))
 
 
-def cycles_at(part: Fatigue, model: Model, low: Any, high: Any) -> Any:
+def cycles_at(part: Fatigue, model: StressRule, low: Any, high: Any) -> Any:
     """Cycles of a load that swings from ``low`` to ``high``: NaN where fatigue sets no limit, 0 at static failure."""
     line = part.exponent, part.base_cycles
     if not (is_array(low) or is_array(high)):
@@ -155,7 +153,7 @@ def cycles_at(part: Fatigue, model: Model, low: Any, high: Any) -> Any:
     return np.where(_is_static(part, model, high), 0.0, np.where(stress > part.endurance_limit, found, np.nan))
 
 
-def _single(part: Fatigue, model: Model, low: float, high: float) -> float | None:
+def _single(part: Fatigue, model: StressRule, low: float, high: float) -> float | None:
     return _null(float(cycles_at(part, model, low, high)))
 
 
@@ -163,10 +161,15 @@ def _null(value: float) -> float | None:
     return None if value != value else value
 
 
-def _sweep(clutch: Clutch, part: Fatigue, model: Model, axes: Sequence[Axis]) -> list[LifeSweep]:
-    """Life over spec keys, or over the band dT at the T_min and T_cp of the spec."""
+def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis]) -> list[LifeSweep]:
+    """Calculate the life over spec keys, or over the band dT at the T_min and T_cp of the spec.
+
+    Raises:
+        SpecError: no [fatigue] block, or one that lacks what the model needs.
+    """
     import numpy as np
 
+    part = _part(clutch, model)
     factor = clutch.spec.drive.dynamic_factor
     points = grid(axes)
     loads: dict[str, Any]
@@ -199,14 +202,12 @@ def _sweep(clutch: Clutch, part: Fatigue, model: Model, axes: Sequence[Axis]) ->
     ]
 
 
-def band_axis(text: str, spec: "Spec") -> Axis:
+def band_axis(text: str, clutch: Clutch) -> Axis:
     """Read ``dT[=RANGE]``: the scatter band, from half to twice what the clutch has, or as given."""
-    from ..engines import build
     from ..spec.paths import Key
     from .sweep.axes import parse_values
 
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
-    clutch = build(spec)
     low, _, high = _loads(clutch)
     _, separator, given = text.partition("=")
     import numpy as np
@@ -218,7 +219,7 @@ def band_axis(text: str, spec: "Spec") -> Axis:
 
 
 def _unlimited(
-    part: Fatigue, model: Model, loads: Mapping[Method, tuple[float, float]], factor: float
+    part: Fatigue, model: StressRule, loads: Mapping[Method, tuple[float, float]], factor: float
 ) -> list[Finding]:
     """Say where the damaging stress stays below the endurance limit, by side and setting."""
     number = (
@@ -263,7 +264,7 @@ def _static(part: Fatigue, largest: float, factor: float) -> list[Finding]:
     return found
 
 
-def _rule_findings(model: Model) -> list[Finding]:
+def _rule_findings(model: StressRule) -> list[Finding]:
     if model != "mean-stress":
         return []
     message = (

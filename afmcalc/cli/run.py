@@ -1,17 +1,20 @@
 """Reading the spec, running a calculation, printing its output."""
 
+import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from .. import __version__
+from ..analysis.registry import ANALYSES
 from ..errors import CalculationError, SpecError
 from .files import write
 from .options import Common
 
 if TYPE_CHECKING:
     from ..engines import Clutch
+    from ..findings import Finding
     from ..render.formats.table import Curve
     from ..result import Output
     from ..spec import Spec
@@ -29,20 +32,27 @@ def read(source: str | None, common: Common) -> "Spec":
 
 
 def calculate(
-    name: str,
-    source: str | None,
     common: Common,
-    analysis: Callable[["Clutch"], Any],
+    source: str | None,
+    options: "Callable[[Clutch], Mapping[str, object]]" = lambda clutch: {},
     curve: "Curve | None" = None,
 ) -> "Output":
-    """Read the spec, build the clutch, run ``analysis`` on it and print what it returns."""
+    """Read the spec, build the clutch, run the analysis of the command on it and print what it returns.
+
+    Args:
+        common: the common options.
+        source: where the spec is.
+        options: arguments of the analysis beside the clutch.
+        curve: what draws under a table's sweep.
+    """
     from ..spec import resolved
 
     common.keep(source)
     clutch = build_from(source, common)
+    analysis = ANALYSES[common.command].function
     with naming(source):
-        result, findings = guarded(lambda: analysis(clutch))
-    return emit(name, result, findings, common, resolved(clutch.spec), curve)
+        result, findings = guarded(lambda: analysis(clutch, **options(clutch)))
+    return emit(common, result, findings, resolved(clutch.spec), curve)
 
 
 def build_from(source: str | None, common: Common) -> "Clutch":
@@ -66,14 +76,6 @@ def naming(source: str | None) -> Iterator[None]:
         raise error.named(label_of(source)) from None
 
 
-def read_again(output: "Output") -> "Spec":
-    """Return the spec an output carries."""
-    from ..spec import make_spec
-
-    assert output.spec is not None
-    return make_spec(output.spec)
-
-
 def guarded(calculation: Callable[[], Any]) -> Any:
     """Run a calculation; a result beyond the range of numbers is an error for people."""
     from pydantic import ValidationError
@@ -92,21 +94,26 @@ _NOT_FINITE = "a result is not finite (beyond the range of numbers): check the m
 
 
 def emit(
-    name: str,
-    result: Any,
-    findings: Any,
     common: Common,
-    spec: dict[str, Any] | None,
+    result: Any,
+    findings: "list[Finding]",
+    spec: dict[str, Any] | None = None,
     curve: "Curve | None" = None,
 ) -> "Output":
-    """Render an output in the chosen format, to standard output or a file; ``curve`` draws under a table's sweep."""
-    from ..render import renderer
+    """Render the output of a command in the chosen format, to standard output or a file."""
     from ..result import Output
 
-    output = Output(command=name, version=__version__, spec=spec, result=result, findings=findings)
+    output = Output(command=common.command, version=__version__, spec=spec, result=result, findings=findings)
     chosen = common.chosen_format
-    terminal = common.output is None and _is_terminal()
-    text = renderer(chosen)(output, terminal) if curve is None else _with_curve(output, terminal, curve)
+    terminal = common.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
+    if curve:
+        from ..render.formats import table
+
+        text = table.render(output, terminal, curve)
+    else:
+        from ..render import renderer
+
+        text = renderer(chosen)(output, terminal)
     write(text, common.output)
     if chosen == "csv" and not result.findings_first:
         from ..render.layout import findings_lines
@@ -115,15 +122,3 @@ def emit(
             if not (common.quiet and line.startswith("info")):
                 print(line, file=sys.stderr)
     return output
-
-
-def _with_curve(output: "Output", terminal: bool, curve: "Curve") -> str:
-    from ..render.formats import table
-
-    return table.render(output, terminal, curve)
-
-
-def _is_terminal() -> bool:
-    import os
-
-    return sys.stdout.isatty() and os.environ.get("TERM") != "dumb"

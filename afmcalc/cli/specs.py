@@ -41,7 +41,7 @@ def init(
         raise AfmcalcError(f"{target}: exists already; --force overwrites it")
     write(example_text(_EXAMPLES.get(variant, variant)), target)
     if target != "-":
-        Common(quiet=quiet).note(f"wrote {target}; calculate it with: afmcalc torque {target}")
+        Common("init", quiet=quiet).note(f"wrote {target}; calculate it with: afmcalc torque {target}")
 
 
 @with_common
@@ -57,9 +57,7 @@ def check(
     afmcalc check clutch.toml && echo fine
     afmcalc check clutch.toml --strict --json
     """  # noqa: D301
-    from ..analysis.checks.check import check as analysis
-
-    output = calculate("check", spec, common, lambda clutch: analysis(clutch, strict=strict))
+    output = calculate(common, spec, lambda clutch: {"strict": strict})
     if not output.result.passed:
         raise typer.Exit(1)
 
@@ -74,9 +72,9 @@ def materials(*, common: Common) -> None:
     """  # noqa: D301
     from ..analysis.materials import materials as analysis
 
-    common.takes_no_clutch("materials")
+    common.takes_no_clutch()
     result, findings = analysis()
-    emit("materials", result, findings, common, None)
+    emit(common, result, findings)
 
 
 def schema(

@@ -13,9 +13,12 @@ from conftest import CONFIGS
 from PIL import Image
 
 import afmcalc as package
+from afmcalc.analysis.dossier import Answers
+from afmcalc.analysis.figures import Request, gathered
+from afmcalc.analysis.registry import PLOTS
 from afmcalc.engines import build
 from afmcalc.papers.figures import FIGURES
-from afmcalc.render.plot import KINDS, Request, sheet_of
+from afmcalc.render.plot import sheet_of
 from afmcalc.render.plot.figure import ENDINGS, save
 from afmcalc.render.plot.style import COLOURS, DASHES
 from afmcalc.spec import read_spec
@@ -53,7 +56,7 @@ PICTURES = {
 
 def sheet(name):
     kind, subjects, options = PICTURES[name]
-    return sheet_of(kind, Request([subject_of(kind, subject) for subject in subjects], **options))
+    return sheet_of(kind, gathered(kind, Request([subject_of(kind, subject) for subject in subjects], **options)))
 
 
 def subject_of(kind, subject):
@@ -63,8 +66,9 @@ def subject_of(kind, subject):
         aims = [] if subject == "requirements" else [f"objectives={json.dumps(subject.split(','))}"]
         return read_requirements(CONFIGS / "requirements.toml", aims)
     if subject == "exact":
-        return build(read_spec(CONFIGS / "default.toml", ['tolerance.fields={"friction" = {distribution="uniform"}}']))
-    return package.load(CONFIGS / f"{subject}.toml")
+        only = ['tolerance.fields={"friction" = {distribution="uniform"}}']
+        return Answers(build(read_spec(CONFIGS / "default.toml", only)))
+    return Answers(package.load(CONFIGS / f"{subject}.toml"))
 
 
 def pixels(content):
@@ -96,7 +100,7 @@ def test_a_missing_curve_exceeds_the_tolerance():
 
 
 def test_every_kind_has_a_picture():
-    assert {kind for kind, _, _ in PICTURES.values()} == set(KINDS)
+    assert {kind for kind, _, _ in PICTURES.values()} == set(PLOTS)
 
 
 def test_styles_can_be_told_apart_without_colour():
@@ -110,10 +114,10 @@ def test_files(ending, afmcalc, tmp_path):
     run = afmcalc("plot", "torque", CONFIGS / "default.toml", "-o", target)
     assert (run.code, run.out) == (0, "")
     assert target.read_bytes().startswith(starts[ending])
-    again = "import sys, afmcalc\nfrom afmcalc.render.plot import sheet_of, Request\n"
-    again += "from afmcalc.render.plot.figure import save\n"
+    again = "import sys, afmcalc\nfrom afmcalc.analysis.curves import torque_curve\n"
+    again += "from afmcalc.render.plot import sheet_of\nfrom afmcalc.render.plot.figure import save\n"
     again += f"clutch = afmcalc.load({str(CONFIGS / 'default.toml')!r})\n"
-    again += f"sys.stdout.buffer.write(save(sheet_of('torque', Request([clutch])), {ending!r}))"
+    again += f"sys.stdout.buffer.write(save(sheet_of('torque', [torque_curve(clutch)]), {ending!r}))"
     environment = {**os.environ, "PYTHONHASHSEED": "7", "MPLBACKEND": "svg"}
     run = subprocess.run([sys.executable, "-c", again], capture_output=True, check=True, env=environment)
     assert run.stdout == target.read_bytes()
@@ -137,7 +141,7 @@ def test_a_name_is_text(afmcalc, tmp_path):
     assert afmcalc("plot", "torque", other, CONFIGS / "indirect.toml", "--set", "name=$a$_b", "-o", target).code == 0
 
 
-@pytest.mark.parametrize("what", sorted(set(KINDS) - {"pocket"}))
+@pytest.mark.parametrize("what", sorted(set(PLOTS) - {"pocket"}))
 def test_without_a_file_it_is_drawn_as_text(what, afmcalc):
     own = {"paper": "S22-3", "pareto": WISHES, "tolerance": CONFIGS / "tolerance.toml"}
     run = afmcalc("plot", what, own.get(what, CONFIGS / "all-driving.toml"))

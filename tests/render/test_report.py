@@ -10,29 +10,14 @@ import html5lib
 import pytest
 from conftest import CONFIGS, ROOT
 
-import afmcalc as package
 from afmcalc.analysis.dossier import dossier
-from afmcalc.analysis.tolerance.study import study
-from afmcalc.render.report import ExplainedStep, Subject, render
+from afmcalc.render.report import Subject, render
 from afmcalc.render.report.markup import mathml
 from afmcalc.render.report.page import digest
+from afmcalc.spec import read_spec
 
 VARIANTS = ["default", "conventional", "unlike-materials", "all-driving", "indirect", "tolerance"]
 EVIL = "<script>alert(1)</script>"
-
-
-def math(inside):
-    return f'<math xmlns="http://www.w3.org/1998/Math/MathML" display="block">{inside}</math>'
-
-
-STEP = ExplainedStep(
-    title="slip torque",
-    symbol="T_п",
-    formula=math("<mi>T</mi><mo>=</mo><mfrac><mrow><mi>R</mi><mi>F</mi></mrow><mrow><mn>1</mn><mo>+</mo><mi>C</mi></mrow></mfrac>"),
-    numbers=math("<mi>T</mi><mo>=</mo><mfrac><mn>200</mn><mn>1.5</mn></mfrac>"),
-    source="F11 (12)",
-    note="printed without C (M1)",
-)  # fmt: skip
 
 
 @pytest.fixture(autouse=True)
@@ -40,13 +25,10 @@ def _a_day(monkeypatch):
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1767225600")
 
 
-def subject(name="default", **more):
+def subject(name="default", *, explained=False):
     path = CONFIGS / f"{name}.toml"
-    clutch = package.load(path)
-    found, findings = dossier(clutch)
-    results = {"tolerance": study(clutch)} if clutch.spec.tolerance else {}
-    given = path.read_text(encoding="utf-8")
-    return Subject(clutch, found, findings, given, version="0", date="2026-01-01", results=results, **more)
+    found = dossier(read_spec(path), explained=explained)
+    return Subject(found, path.read_text(encoding="utf-8"), version="0", date="2026-01-01")
 
 
 def parse(page):
@@ -146,7 +128,7 @@ def table_rows(tree, section):
 
 def test_tolerance_values_have_their_errors_and_inputs_the_engineers_units():
     found = subject("tolerance")
-    result = found.results["tolerance"].result
+    (result,) = (topic.result for topic in found.dossier.topics if topic.name == "tolerance")
     tree = parse(render(found))
     listed = table_rows(tree, "tolerance")
     rows = {row[0]: row[1:] for row in listed if len(row) < 6 or row[-1] in ("–", "kN", "mm", "MPa")}
@@ -175,11 +157,15 @@ def test_an_exact_tolerance_has_no_errors(afmcalc):
     assert "<figure" not in section
 
 
-def test_explained_steps():
-    page = render(subject(steps={"torque": [STEP]}))
-    tree = parse(page)
-    assert len(tree.findall(".//section[@id='torque']//{http://www.w3.org/1998/Math/MathML}math")) == 2
-    assert "printed without C (M1)" in page
+def test_every_step_is_shown_once_with_its_numbers():
+    found = subject(explained=True)
+    tree = parse(render(found))
+    for topic in found.dossier.topics:
+        shown = tree.findall(f".//section[@id='{topic.name}']//div[@class='step']")
+        assert len(shown) == len(topic.steps)
+        assert all(step.findall(".//{http://www.w3.org/1998/Math/MathML}math") for step in shown)
+    every = [(step.function, step.at, step.value) for topic in found.dossier.topics for step in topic.steps]
+    assert len(every) == len(set(every)) > 30
 
 
 @pytest.mark.parametrize(
@@ -223,7 +209,7 @@ def page(tmp_path_factory):
 @pytest.mark.parametrize("name", VARIANTS)
 def test_in_a_browser(name, page, tmp_path):
     file = tmp_path / "report.html"
-    file.write_text(render(subject(name, steps={"torque": [STEP]})), encoding="utf-8")
+    file.write_text(render(subject(name, explained=True)), encoding="utf-8")
     page.requests.clear()
     page.open(file)
     for scheme in ("light", "dark"):
@@ -233,7 +219,7 @@ def test_in_a_browser(name, page, tmp_path):
             assert page.evaluate("document.documentElement.scrollWidth") <= width
     assert page.evaluate("getComputedStyle(document.documentElement).backgroundColor") == "rgb(21, 23, 26)"
     laid_out = "(e => e.getBoundingClientRect().height)(document.querySelector('{}'))"
-    assert page.evaluate(laid_out.format("mfrac")) > 1.4 * page.evaluate(laid_out.format("mfrac mn"))
+    assert page.evaluate(laid_out.format("mfrac")) > 1.4 * page.evaluate(laid_out.format("mfrac mi"))
     assert page.problems == []
     assert page.requests == [file.as_uri()]
 

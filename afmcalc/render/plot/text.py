@@ -8,7 +8,7 @@ from typing import Any
 from ..document import Table
 from ..layout import Block
 from ..units import factor
-from .chart import Axis, Chart, Line, Sheet, power
+from .chart import Chart, ChartAxis, Line, Sheet, power
 
 WIDTH, HEIGHT = 78, 20
 _MARKS = ("•", "x", "o", "+", "#", "%", "@", "*", "=", "&")
@@ -85,7 +85,7 @@ def _chart(table: Table) -> Chart | None:
     *outer, inner, answer = table.columns[: table.axes + 1]
     if not any(value is not None for value in answer.values):
         return None
-    x, y = (Axis(column.name, column.symbol, column.unit) for column in (inner, answer))
+    x, y = (ChartAxis(column.name, column.symbol, column.unit) for column in (inner, answer))
     x = x._replace(quantity="") if inner.symbol else x
     if not outer:
         return Chart(x, y, [Line(y.symbol, inner.values, answer.values)])
