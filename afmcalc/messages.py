@@ -23,13 +23,14 @@ SCALES = {
 
 
 class _Sentence(string.Formatter):
-    """``str.format`` whose numbers may carry a unit."""
+    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once."""
 
     def format_field(self, value: Any, format_spec: str) -> Any:
         number, _, unit = format_spec.partition(" ")
         if not unit:
             return super().format_field(value, number)
-        return f"{super().format_field(value * SCALES[unit], number)} {unit}"
+        shown = super().format_field(value * SCALES[unit.removesuffix("…")], number)
+        return f"{shown}…" if unit.endswith("…") else f"{shown} {unit}"
 
 
 def say(template: str, /, **values: Any) -> str:
@@ -41,8 +42,48 @@ def say(template: str, /, **values: Any) -> str:
     return _Sentence().vformat(template, (), values)
 
 
-FINDINGS: Mapping[str, str] = {}
-"""Code of a finding → its sentence."""
+FINDINGS: Mapping[str, str] = {
+    # torque, accuracy, overload, compare
+    "friction-outside-range": "friction {value:g} is outside the range of the spec, {least:g} to {largest:g}",
+    "sweep-beyond-gain-limit": "{value} of {points} swept points lie above the gain limit 1/(z_1 f_1max): breakaway "
+    "peaks there exceed the sustained torque, K_т,p is the accuracy factor with them",
+    "published-against-equilibrium": "trust the equilibrium torque: at slip the load equals T_муф for every margin. "
+    "The published T_ср = T_п − ΔT' (S22 (14)) swaps the weights of T_п and T_н.маш against the paper's own (12) "
+    "(misprint M12); where the release force lags the load (impact), the trip lies between T_муф and T_п",
+    "margin-role": "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of "
+    "the spring as set, not as the surplus force of the mean-friction setting",
+    "variant-not-possible": "not as {variant}: {lacks}",
+    # life
+    "life-not-limited/extrapolated": "{side} side: the damaging stress, {listed}, is below the endurance limit "
+    "{limit:.4g MPa}: life is not limited by fatigue (the number extrapolates the S-N line, as the paper does)",
+    "life-not-limited/no-number": "{side} side: the damaging stress, {listed}, is below the endurance limit "
+    "{limit:.4g MPa}: life is not limited by fatigue (no number is given)",
+    "static-strength-exceeded": "the largest stress of the {side} side, {value:.4g MPa}, reaches the ultimate "
+    "strength {limit:.4g MPa}: the shaft fails at once",
+    "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
+    "band at equal mean costs nothing (M23); --model amplitude or goodman weighs it",
+    # control unit
+    "balls-overlap": "{balls} balls of {value:.5g mm} do not fit on the ball circle: their centres are "
+    "{limit:.5g mm} apart",
+    "default-clearance": "{path} is not given: {value:g mm} is taken (S21: 2…3 mm)",
+    "no-sleeve-travel": "a direct clutch has no sleeve: x_max is 0; allow for wear and disc release in the clearance",
+    "no-standard-ball": "no standard ball is as large as {value:.5g mm}: change gain, springs or list",
+    "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
+    "clearance need",
+    "balls-not-given": "the number of balls is not given: the contact force is not calculated",
+    "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
+    # surface pressure
+    **{
+        f"{kind}{grade}": f"surface pressure {{value:.5g kPa}} {where}, utilisation {{used:.3g}}: {said}"
+        for kind, where in (("mean-pressure", "in the mean"), ("peak-pressure", "at the inner edge"))
+        for grade, said in (
+            ("-exceeded", "above the allowable {low:g kPa…}{high:g kPa} of {name}"),
+            ("-in-range", "within the printed range of the allowable, {low:g kPa…}{high:g kPa} of {name}"),
+            ("", "below the allowable {low:g kPa} of {name}"),
+        )
+    },
+}
+"""Code of a finding, with its case where it has several → its sentence."""
 
 
 def sentence(code: str, values: Mapping[str, Any]) -> str:

@@ -8,7 +8,8 @@ from ..arrays import is_array, larger, smaller
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..errors import AfmcalcError, Problem, SpecError
-from ..findings import Finding
+from ..findings import Finding, finding
+from ..messages import say
 from ..result import Result, Series, quantity
 from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
@@ -88,7 +89,8 @@ def life(
         *_unlimited(part, model, {m: (a, b) for m, (a, _, b) in loads.items()}, factor),
         *_static(part, high, factor),
     ]
-    return result, [*clutch.findings(), *found, *_rule_findings(model)]
+    rule = [finding("mean-stress-rule", "info")] if model == "mean-stress" else []
+    return result, [*clutch.findings(), *found, *rule]
 
 
 def _part(clutch: Clutch, model: StressRule) -> Fatigue:
@@ -222,53 +224,25 @@ def _unlimited(
     part: Fatigue, model: StressRule, loads: Mapping[Method, tuple[float, float]], factor: float
 ) -> list[Finding]:
     """Say where the damaging stress stays below the endurance limit, by side and setting."""
-    number = (
-        "the number extrapolates the S-N line, as the paper does" if model == "mean-stress" else "no number is given"
-    )
+    limit, path = part.endurance_limit, "fatigue.endurance_limit"
+    code = f"life-not-limited/{'extrapolated' if model == 'mean-stress' else 'no-number'}"
     found = []
     for side, dynamic in (("protected", 1.0), ("unprotected", factor)):
         stresses = {m: _damaging(part, model, dynamic * low, dynamic * high) for m, (low, high) in loads.items()}
-        below = {m: stress for m, stress in stresses.items() if stress is not None and stress <= part.endurance_limit}
-        if not below:
-            continue
-        listed = ", ".join(f"{stress / 1e6:.4g} MPa ({method})" for method, stress in below.items())
-        message = (
-            f"{side} side: the damaging stress, {listed}, is below the endurance limit "
-            f"{part.endurance_limit / 1e6:.4g} MPa: life is not limited by fatigue ({number})"
-        )
-        found.append(
-            Finding(
-                level="info", code="life-not-limited", message=message, value=min(below.values()),
-                limit=part.endurance_limit, path="fatigue.endurance_limit",
-            )
-        )  # fmt: skip
+        below = {m: stress for m, stress in stresses.items() if stress is not None and stress <= limit}
+        if below:
+            listed = ", ".join(say("{stress:.4g MPa} ({method})", stress=s, method=m) for m, s in below.items())
+            numbers = {"value": min(below.values()), "limit": limit}
+            found.append(finding(code, "info", path=path, side=side, listed=listed, **numbers))
     return found
 
 
 def _static(part: Fatigue, largest: float, factor: float) -> list[Finding]:
     """Say which side's largest stress, as set, reaches the ultimate strength."""
+    limit, path = part.ultimate_strength, "fatigue.ultimate_strength"
     found = []
     for side, dynamic in (("protected", 1.0), ("unprotected", factor)):
         top = float(law.shear_stress(dynamic * largest, part.polar_section_modulus))
-        if part.ultimate_strength is not None and top >= part.ultimate_strength:
-            message = (
-                f"the largest stress of the {side} side, {top / 1e6:.4g} MPa, reaches "
-                f"the ultimate strength {part.ultimate_strength / 1e6:.4g} MPa: the shaft fails at once"
-            )
-            found.append(
-                Finding(
-                    level="error", code="static-strength-exceeded", message=message,
-                    value=top, limit=part.ultimate_strength, path="fatigue.ultimate_strength",
-                )
-            )  # fmt: skip
+        if limit is not None and top >= limit:
+            found.append(finding("static-strength-exceeded", "error", value=top, limit=limit, path=path, side=side))
     return found
-
-
-def _rule_findings(model: StressRule) -> list[Finding]:
-    if model != "mean-stress":
-        return []
-    message = (
-        "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider band at equal "
-        "mean costs nothing (M23); --model amplitude or goodman weighs it"
-    )
-    return [Finding(level="info", code="mean-stress-rule", message=message)]

@@ -5,7 +5,7 @@ from typing import Any
 
 from ...engines.protocol import Clutch
 from ...equations import geometry
-from ...findings import Finding
+from ...findings import Finding, Level, finding
 from ...spec.materials import Material, catalogue
 
 
@@ -41,16 +41,15 @@ def _finding(kind: str, pressure: float, material: Material, path: str) -> Findi
     low, high = material.pressure_min, material.pressure_max
     assert low is not None
     assert high is not None
-    where = "at the inner edge" if kind == "peak-pressure" else "in the mean"
-    said = f"surface pressure {pressure / 1e3:.5g} kPa {where}, utilisation {pressure / low:.3g}"
+    code, level, limit = _graded(pressure, low, high)
+    return finding(
+        f"{kind}{code}", level, value=pressure, limit=limit, path=path,
+        used=pressure / low, low=low, high=high, name=material.name,
+    )  # fmt: skip
+
+
+def _graded(pressure: float, low: float, high: float) -> tuple[str, Level, float]:
+    """Return end of the code, level, and the limit it is held against."""
     if pressure > high:
-        message = f"{said}: above the allowable {low / 1e3:g}…{high / 1e3:g} kPa of {material.name}"
-        return Finding("error", f"{kind}-exceeded", message, pressure, high, path)
-    if pressure > low:
-        message = (
-            f"{said}: within the printed range of the allowable, {low / 1e3:g}…{high / 1e3:g} kPa of {material.name}"
-        )
-        return Finding("warning", f"{kind}-in-range", message, pressure, low, path)
-    return Finding(
-        "info", kind, f"{said}: below the allowable {low / 1e3:g} kPa of {material.name}", pressure, low, path
-    )
+        return "-exceeded", "error", high
+    return ("-in-range", "warning", low) if pressure > low else ("", "info", low)
