@@ -13,7 +13,7 @@ from .run import build_from, calculate, emit, guarded
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
     from ..engines import Clutch
-    from ..render.formats.table import Curve
+    from ..render.formats.curve import Curve
 
 SweepOption = Annotated[
     list[str] | None,
@@ -26,7 +26,7 @@ SweepOption = Annotated[
 ]
 
 PlotOption = Annotated[
-    bool, typer.Option("--plot", help="Draw the sweep below the table (needs the extra plot; for files: afmcalc plot).")
+    bool, typer.Option("--plot", help="Draw the sweep large below the table (for files: afmcalc plot).")
 ]
 
 
@@ -202,9 +202,6 @@ def _curve(plot: bool, sweep: list[str] | None, common: Common) -> "Curve | None
         raise AfmcalcError("--plot draws a sweep: give --sweep NAME with it (afmcalc plot draws the rest)")
     if common.chosen_format != "table":
         raise AfmcalcError(f"--plot draws under a table, not with --format {common.chosen_format}")
-    from ..extras import need
-
-    need("plot", "plotext")
     from ..render.plot.text import swept_lines
 
     return swept_lines

@@ -53,7 +53,8 @@ def plot(
 
     takes = plot_of(what).takes
     ending = _ending(common.output)
-    need("plot", "matplotlib" if ending else "plotext")
+    if ending:
+        need("plot")
     request = Request(subjects or (), sweep, model)
     if takes == "names":
         found = gathered(what, request)

@@ -221,8 +221,6 @@ def test_refusals(arguments, said, afmcalc, tmp_path, monkeypatch):
     ("arguments", "module", "extra"),
     [
         (["plot", "torque", "-o", "x.svg"], "matplotlib", "plot"),
-        (["plot", "torque"], "plotext", "plot"),
-        (["accuracy", "--sweep", "C", "--plot"], "plotext", "plot"),
         (["report", "-o", "x.html"], "jinja2", "report"),
         (["report", "-o", "x.html"], "matplotlib", "report"),
     ],
@@ -242,7 +240,7 @@ def test_other_commands_load_none_of_it():
     code += "import atexit\natexit.register(lambda: print(*sys.modules, file=sys.stderr))\n"
     code += "from afmcalc.cli.entry import main\nmain()"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert not set(run.stderr.split()) & {"matplotlib", "plotext", "jinja2", "afmcalc.render.plot"}
+    assert not set(run.stderr.split()) & {"matplotlib", "jinja2", "afmcalc.render.plot"}
 
 
 def test_a_spec_is_not_written_over(afmcalc, tmp_path):

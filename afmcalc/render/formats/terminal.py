@@ -9,7 +9,7 @@ from rich.text import Text
 
 from ...result import Output
 from ..layout import Block, findings_lines, title
-from .table import Curve
+from .curve import Curve
 
 _SHORT = 12
 """Columns up to this width are kept whole."""
