@@ -6,8 +6,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..engines.direct import DirectClutch
-from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..equations.overload import optimal_reduced_gain
 from ..errors import AfmcalcError, CalculationError
@@ -17,7 +15,7 @@ from ..spec.paths import is_whole
 from .accuracy import SWEEP_OUTPUTS as ACCURACY_OUTPUTS
 from .accuracy import AccuracySweep
 from .adjust import METHODS, AdjustResult, set_by
-from .dossier import Answers
+from .answers import Answers
 from .life import LifeResult, LifeSweep, band_axis, life_sweep
 from .overload import SWEEP_OUTPUTS as OVERLOAD_OUTPUTS
 from .overload import Actuation, OverloadSweep, refuse
@@ -102,6 +100,7 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
     path = _path(clutch)
     nominal = float(clutch.nominal_torque)
     by_method = [set_by(clutch.spec, method, nominal).torque(*path).tolist() for method in METHODS]
+    returning = clutch.torque_returning(path[0])
     return TorqueCurve(
         name=clutch.spec.name,
         variant=clutch.spec.variant,
@@ -111,7 +110,7 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
         torque_min_friction=by_method[0],
         torque_mean_friction=by_method[1],
         breakaway_torque=_breakaway(clutch, path),
-        torque_returning=clutch.torque_returning(path[0]).tolist() if isinstance(clutch, IndirectClutch) else None,
+        torque_returning=None if returning is None else returning.tolist(),
         nominal_torque=nominal,
         margin=clutch.spec.adjustment.margin,
         method=clutch.spec.adjustment.method,
@@ -233,7 +232,5 @@ def _path(clutch: Clutch) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
 
 def _breakaway(clutch: Clutch, path: tuple[NDArray[np.float64], NDArray[np.float64]]) -> list[float] | None:
     """Breakaway torque where it exceeds the sustained one anywhere."""
-    if not isinstance(clutch, DirectClutch) or clutch.spec.variant == "conventional":
-        return None
     peak, sustained = clutch.breakaway_torque(*path), clutch.torque(*path)
     return peak.tolist() if bool((peak > sustained * (1 + 1e-9)).any()) else None

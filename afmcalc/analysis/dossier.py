@@ -1,61 +1,20 @@
-"""What is said of one clutch: each answer calculated once, and all of them gathered for a report."""
+"""All that is to be said of one clutch, gathered for a report."""
 
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 from ..engines import build
-from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..extras import need
 from ..findings import Finding
 from ..result import Result
 from ..spec import Spec
+from .answers import Answers
+from .checks.check import CheckResult
+from .checks.limits import Utilisation, utilisations
+from .explain.explain import Step, steps_of
+from .explain.trace import recording, with_roles
+from .figures import Request, gathered
 from .registry import ANALYSES, Analysis, Plot, StressRule
-
-if TYPE_CHECKING:
-    from .checks.check import CheckResult
-    from .checks.limits import Utilisation
-    from .explain.explain import Step
-    from .tolerance.study import Study
-
-R = TypeVar("R", bound=Result)
-
-
-class Answers:
-    """A clutch with the answers to what was asked of it; each is calculated when first asked for, and kept."""
-
-    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress") -> None:
-        """Ask of ``clutch``, the life by the rule ``model``."""
-        self.clutch = clutch
-        self._options = {"model": model, "answers": self}
-        self._found: dict[str, tuple[Any, list[Finding]]] = {}
-
-    def ask(self, name: str) -> tuple[Any, list[Finding]]:
-        """Return result and findings of an analysis, run at most once."""
-        if name not in self._found:
-            self._found[name] = self._run(ANALYSES[name])
-        return self._found[name]
-
-    def of(self, kind: type[R]) -> R:
-        """Return the result of that class."""
-        name = next(each.name for each in ANALYSES.values() if each.result == kind.__name__)
-        found: R = self.ask(name)[0]
-        return found
-
-    @cached_property
-    def study(self) -> "Study":
-        """The tolerance study, with what only a picture needs."""
-        from .tolerance.study import study
-
-        return study(self.clutch)
-
-    def _run(self, analysis: Analysis) -> tuple[Any, list[Finding]]:
-        if analysis.name == "tolerance":
-            return self.study.result, self.study.findings
-        found: tuple[Any, list[Finding]] = analysis.function(
-            self.clutch, **{name: self._options[name] for name in analysis.options}
-        )
-        return found
 
 
 class Topic(NamedTuple):
@@ -66,7 +25,7 @@ class Topic(NamedTuple):
     about: str
     sources: tuple[str, ...]
     result: Result
-    steps: "list[Step]"
+    steps: list[Step]
     """How it was calculated, less what topics before it show."""
     plot: str
     """Kind of its plot, and what is drawn; empty and None where there is no curve."""
@@ -77,8 +36,8 @@ class Dossier(NamedTuple):
     """All that is to be said of one clutch."""
 
     spec: Spec
-    check: "CheckResult"
-    limits: "list[Utilisation]"
+    check: CheckResult
+    limits: list[Utilisation]
     findings: list[Finding]
     topics: list[Topic]
 
@@ -94,8 +53,6 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     Returns:
         Results, findings of all of them, each once, steps, and what there is to draw.
     """
-    from .checks.limits import utilisations
-
     answers, steps = _explained(spec, model) if explained else (Answers(build(spec), model=model), {})
     applying = [each for each in ANALYSES.values() if each.section and each.applies(answers.clutch)]
     verdict, findings = answers.ask("check")
@@ -109,18 +66,15 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     )
 
 
-def _explained(spec: Spec, model: StressRule) -> "tuple[Answers, dict[str, list[Step]]]":
+def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Step]]]:
     """Ask what can be explained, and note the equations that ran; each step is shown where it first occurs."""
     need("explain")
-    from .explain.explain import steps
-    from .explain.trace import recording
-
     wanted = [each for each in ANALYSES.values() if each.section and each.explained]
     # imported before anything is recorded, so that none keeps a recording function
     assert all(each.function for each in wanted)
     ends = {}
     with recording() as calls:
-        answers = Answers(build(spec), model=model)
+        answers = Answers(build(with_roles(spec)), model=model)
         for each in wanted:
             if each.applies(answers.clutch):
                 answers.ask(each.name)
@@ -129,21 +83,21 @@ def _explained(spec: Spec, model: StressRule) -> "tuple[Answers, dict[str, list[
     found = {}
     start = 0
     for name, end in ends.items():
-        own = steps(answers.clutch, calls[start:end])
+        own = steps_of(calls[start:end])
         start = end
         found[name] = [step for step in own if (step.function, step.at, step.value) not in seen]
         seen |= {(step.function, step.at, step.value) for step in own}
     return answers, found
 
 
-def _topic(analysis: Analysis, answers: Answers, steps: "list[Step]") -> Topic:
+def _topic(analysis: Analysis, answers: Answers, steps: list[Step]) -> Topic:
     section, plot, result = analysis.section, analysis.plot, answers.ask(analysis.name)[0]
     assert section is not None
     return Topic(
         name=analysis.name,
         title=section.title,
         about=section.about(result) if callable(section.about) else section.about,
-        sources=section.sources_indirect or section.sources if _is_indirect(answers.clutch) else section.sources,
+        sources=section.sources_indirect or section.sources if answers.clutch.spec.kind.travels else section.sources,
         result=result,
         steps=steps,
         plot=plot.name if plot else "",
@@ -153,13 +107,7 @@ def _topic(analysis: Analysis, answers: Answers, steps: "list[Step]") -> Topic:
 
 def _figure(plot: Plot, answers: Answers) -> Any:
     """What is drawn; None where there is no curve (friction that does not wander, no limit of life)."""
-    from .figures import Request, gathered
-
     try:
         return gathered(plot.name, Request([answers]))
     except CalculationError:
         return None
-
-
-def _is_indirect(clutch: Clutch) -> bool:
-    return clutch.spec.variant == "indirect"

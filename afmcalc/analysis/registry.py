@@ -73,12 +73,6 @@ class Analysis(NamedTuple):
         return getattr(import_module(f"..{self.home}", __package__), self.result)
 
 
-def _can_be_overloaded(clutch: "Clutch") -> bool:
-    from .overload import applies
-
-    return applies(clutch)
-
-
 def _can_be_synthesized(clutch: "Clutch") -> bool:
     unit = clutch.spec.control_unit
     return unit is not None and unit.ball_circle_radius is not None and bool(clutch.gain > 0)
@@ -110,7 +104,7 @@ ANALYSES: dict[str, Analysis] = {
             ),
             plot=Plot(
                 "accuracy", "accuracy factor against any key, --sweep NAME[=RANGE]", options=("sweep",),
-                applies=lambda clutch: clutch.spec.control_unit is not None,
+                applies=lambda clutch: clutch.spec.kind.controlled,
             ),
         ),
         Analysis(
@@ -122,7 +116,8 @@ ANALYSES: dict[str, Analysis] = {
             ),
         ),
         Analysis(
-            "overload", "analysis.overload", "OverloadResult", "clutch", _can_be_overloaded, explained=True,
+            "overload", "analysis.overload", "OverloadResult", "clutch",
+            lambda clutch: clutch.spec.kind.overload and not clutch.spec.friction.unlike, explained=True,
             section=Section(
                 "Overload",
                 "What the drive sees when the clutch, set with a margin over the machine's torque, begins to slip.",

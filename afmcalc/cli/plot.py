@@ -65,7 +65,7 @@ def plot(
 
 def _of_clutches(what: str, request: "Request", common: Common) -> Any:
     """Read and build the clutches, and calculate what is drawn of them."""
-    from ..analysis.dossier import Answers
+    from ..analysis.answers import Answers
     from ..analysis.figures import gathered
 
     if request.subjects.count("-") > 1:

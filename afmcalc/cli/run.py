@@ -15,7 +15,7 @@ from .options import Common
 if TYPE_CHECKING:
     from ..engines import Clutch
     from ..findings import Finding
-    from ..render.formats.curve import Curve
+    from ..render.layout import Curve
     from ..result import Output
     from ..spec import Spec
 

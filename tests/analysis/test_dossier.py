@@ -7,7 +7,8 @@ from importlib import import_module
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.dossier import Answers, dossier
+from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.dossier import dossier
 from afmcalc.analysis.figures import gathered
 from afmcalc.analysis.registry import ANALYSES, PLOTS
 from afmcalc.analysis.tolerance.study import study

@@ -5,7 +5,7 @@ from typing import ClassVar
 from ...engines.protocol import Clutch
 from ...findings import Finding, worst
 from ...result import Result, quantity
-from ..dossier import Answers
+from ..answers import Answers
 from ..registry import ANALYSES
 from .pressure import pressure_findings
 

@@ -3,11 +3,10 @@
 from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
-from ...engines.indirect import IndirectClutch
 from ...engines.protocol import Clutch
 from ...findings import Finding, Level
 from ...result import Result, quantity
-from ..dossier import Answers
+from ..answers import Answers
 from ..life import LifeResult
 from ..registry import ANALYSES
 from ..synthesize import SynthesisResult
@@ -71,12 +70,11 @@ def _used(held: _Held, levels: dict[str, Level]) -> Utilisation:
 
 
 def _of_clutch(clutch: Clutch) -> Iterator[_Held]:
-    gain, limit = float(clutch.gain), clutch.gain_limit
-    if limit is not None and clutch.spec.variant == "all-driving":
-        yield _Held("reduced-gain-above-limit", "reduced gain", "zC ≤ 5", "1", float(clutch.reduced_gain), 5.0)
-    elif limit is not None:
-        yield _Held("gain-above-limit", "feedback gain", "C ≤ 1/(z_1 f_1max)", "1", gain, float(limit))
-    if isinstance(clutch, IndirectClutch) and clutch.gain_threshold:
+    gain, rule, limit = float(clutch.gain), clutch.spec.kind.gain_limit, clutch.gain_limit
+    if rule is not None and limit is not None:
+        value, bound = rule.stated(gain, clutch.reduced_gain, limit)
+        yield _Held(rule.code, rule.quantity, rule.symbol, "1", float(value), float(bound))
+    if clutch.gain_threshold:
         threshold = float(clutch.gain_threshold)
         yield _Held("feedback-idle", "gain against key friction", "C ≥ 2R f_1/d", "1", gain, threshold, least=True)
     first, second = clutch.friction

@@ -6,7 +6,8 @@ from functools import cache
 from typing import Any, NamedTuple
 
 from ...arrays import larger, smaller
-from ...equations import direct, geometry, indirect, synthesis
+from ...engines.laws import IndirectLaw
+from ...equations import direct, geometry, synthesis
 from ...spec.requirements import Requirements, Values
 
 SAME = 1e-12
@@ -230,16 +231,16 @@ def _indirect_law(
     need: Requirements, at: Axes, gain: Any, bypass: Any, controlled: Any, excluded: dict[str, Any]
 ) -> tuple[Any, Any, Any, Any, Any]:
     (at_set, _), (low, _), (high, _) = friction_ends(need)
-    fixed, c1, c2 = need.fixed, at.closing_stiffness, at.control_stiffness
-    net = indirect.net_gain(gain, at.mean_radius, fixed.key_friction, fixed.hub_diameter)
-    excluded["gain_threshold"] = ~(net > 0)
-    stiffness = indirect.sleeve_stiffness(c1, c2, at.pairs, high, net)
-    control = indirect.control_force(1.0, at.pairs, net, at_set)
-    pressed = smaller(1.0, indirect.normal_force_moving(1.0, c1, control, c2, stiffness))
-    torque_high = direct.group_torque(pressed, at.mean_radius, at.pairs, high)
-    still, least = (direct.group_torque(1.0, at.mean_radius, at.pairs, f) for f in (at_set, low))
-    travel = larger(0.0, indirect.travel(at.pairs, 1.0, high, at_set, net, stiffness))
-    return still, least, torque_high, torque_high, travel
+    fixed = need.fixed
+    assert fixed.key_friction is not None
+    assert fixed.hub_diameter is not None
+    law = IndirectLaw(
+        at.mean_radius, at.pairs, gain, at.closing_stiffness, at.control_stiffness, fixed.key_friction,
+        fixed.hub_diameter, at_set,
+    )  # fmt: skip
+    excluded["gain_threshold"] = ~(law.net_gain > 0)
+    torque_high = law.torque(1.0, high)
+    return law.torque_per_force, law.torque(1.0, low), torque_high, torque_high, law.travel(1.0, high)
 
 
 def objectives(need: Requirements, state: State, pairs: Any) -> Any:

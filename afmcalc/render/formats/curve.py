@@ -1,15 +1,12 @@
 """A small curve of characters, under a sweep in the terminal."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from ..canvas import Trace, bounds, drawn
 from ..layout import Block
 from ..units import significant
 
 SIZE = WIDTH, HEIGHT = 52, 8
-
-Curve = Callable[[Block, bool], list[str]]
-"""``curve(block, unicode)`` → lines under a table of a sweep, none under any other."""
 
 
 def curve(x: Sequence[float], y: Sequence[float | None], title: str, *, unicode: bool) -> list[str]:

@@ -5,8 +5,8 @@ import sys
 
 from ...result import Output
 from ..document import document
-from ..layout import Block, blocks, findings_lines, step_lines, title
-from .curve import Curve, curve_lines
+from ..layout import Block, Curve, blocks, findings_lines, step_lines, title
+from .curve import curve_lines
 
 
 def render(output: Output, terminal: bool, curve: Curve | None = None) -> str:
