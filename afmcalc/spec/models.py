@@ -35,6 +35,7 @@ from .fields import (
     StiffnessOrNone,
     Stress,
     Torque,
+    TorqueOrNone,
     WallAngle,
     key_field,
 )
@@ -221,6 +222,9 @@ class Fatigue(Block):
     mean_stress_sensitivity: Ratio | None = key_field("sensitivity to the mean stress (model amplitude)", "ψ_τ")
     ultimate_strength: Stress | None = key_field("ultimate strength in shear (model goodman)", "τ_u")
     base_cycles: Coefficient = Field(description="base cycles of the S-N line", json_schema_extra={"symbol": "N_0"})
+    load_low: TorqueOrNone = key_field(
+        "torque from which a slip swings the load and to which it falls back (amplitude, goodman)", "T_low", default=0.0
+    )
 
 
 @dataclass(frozen=True)
