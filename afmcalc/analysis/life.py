@@ -206,7 +206,7 @@ def _sweep(clutch: Clutch, part: Fatigue, model: Model, axes: Sequence[Axis]) ->
 def band_axis(text: str, spec: "Spec") -> Axis:
     """Read ``dT[=RANGE]``: the scatter band, from half to twice what the clutch has, or as given."""
     from ..engines import build
-    from ..spec.paths import Key
+    from ..spec.walk import Key
     from .sweep.axes import parse_values
 
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
