@@ -184,7 +184,7 @@ def band_axis(text: str, clutch: Clutch) -> Axis:
     """Read ``dT[=RANGE]``: the scatter band, from half to twice what the clutch has, or as given."""
     import numpy as np
 
-    from ..spec.paths import Key
+    from ..spec.walk import Key
     from .sweep.axes import parse_values
 
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")

@@ -10,6 +10,7 @@ from pydantic import (
     ModelWrapValidatorHandler,
     PrivateAttr,
     ValidationError,
+    field_validator,
     model_validator,
 )
 from pydantic.json_schema import JsonSchemaValue
@@ -39,7 +40,7 @@ from .fields import (
     WallAngle,
     key_field,
 )
-from .tolerance import Tolerance
+from .tolerance import Tolerance, in_si
 
 
 class _Registered:
@@ -250,6 +251,11 @@ class Spec(Block):
     tolerance: Tolerance | None = None
 
     _origin: Origin = PrivateAttr(Origin("spec"))
+
+    @field_validator("tolerance")
+    @classmethod
+    def _scatter(cls, given: Tolerance | None) -> Tolerance | None:
+        return given and in_si(given, cls)
 
     @model_validator(mode="wrap")
     @classmethod

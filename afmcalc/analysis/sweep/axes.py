@@ -7,9 +7,10 @@ from ...errors import AfmcalcError, SpecError
 from ...messages import say
 from ...spec import Spec
 from ...spec.edit import value_at, with_value
-from ...spec.paths import ALIASES, Key, keys
+from ...spec.paths import ALIASES, keys
 from ...spec.rules import variants_of
 from ...spec.suggest import did_you_mean
+from ...spec.walk import Key
 from .grid import MOST_POINTS, Axis
 
 

@@ -11,7 +11,8 @@ from ...messages import say
 from ...result import Series
 from ...spec import Spec, make_spec
 from ...spec.edit import ALTERNATIVES, put, value_at, with_value
-from ...spec.paths import Key, is_whole
+from ...spec.paths import is_whole
+from ...spec.walk import Key
 
 if TYPE_CHECKING:
     import numpy as np

@@ -10,8 +10,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from ...messages import translate
 from ...papers.references import REFERENCES
 from ...spec import resolved
-from ...spec.paths import keys
-from ...spec.tolerance import unit_at
+from ...spec.paths import keys, unit_at
 from ..plot.figure import inline_svg
 from ..units import display, display_unit
 from .chapters import chapters
