@@ -8,8 +8,9 @@ from ..result import Result, quantity
 from ..spec.paths import is_whole
 from .adjust import METHODS, set_by
 from .overload import Actuation, refuse
-from .sweep.axes import current_value, parse_axis
+from .sweep.axes import parse_axis
 from .sweep.grid import Axis
+from .sweep.ranges import current_value
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -12,7 +12,7 @@ from ..findings import Finding
 from ..result import Result, Series, quantity
 from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
-from .sweep.grid import Axis, evaluate, grid
+from .sweep.grid import Axis
 
 if TYPE_CHECKING:
     from ..spec import Spec
@@ -167,6 +167,8 @@ def _sweep(clutch: Clutch, part: Fatigue, model: Model, axes: Sequence[Axis]) ->
     """Life over spec keys, or over the band dT at the T_min and T_cp of the spec."""
     import numpy as np
 
+    from .sweep.points import evaluate, grid
+
     factor = clutch.spec.drive.dynamic_factor
     points = grid(axes)
     loads: dict[str, Any]
@@ -203,7 +205,7 @@ def band_axis(text: str, spec: "Spec") -> Axis:
     """Read ``dT[=RANGE]``: the scatter band, from half to twice what the clutch has, or as given."""
     from ..engines import build
     from ..spec.paths import Key
-    from .sweep.axes import parse_values
+    from .sweep.ranges import parse_values
 
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
     clutch = build(spec)

@@ -18,6 +18,8 @@ class Key(NamedTuple):
     """SI unit of a number; None for text."""
     symbol: str | None
     description: str
+    whole: bool = False
+    """Whether it counts something."""
 
 
 ALIASES = {
@@ -82,6 +84,11 @@ def _unit(annotation: Any, metadata: list[Any]) -> str | None:
     return None
 
 
+def _is_int(annotation: Any) -> bool:
+    """Whether the type is ``int``, also as one that may be left out."""
+    return annotation is int or any(_is_int(part) for part in get_args(annotation))
+
+
 @cache
 def keys(model: type[BaseModel] = Spec, prefix: str = "") -> dict[str, Key]:
     """Every value key below ``model`` by dotted path."""
@@ -94,7 +101,8 @@ def keys(model: type[BaseModel] = Spec, prefix: str = "") -> dict[str, Key]:
         extra = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}
         symbol = extra.get("symbol")
         unit = _unit(field.annotation, field.metadata)
-        found[path] = Key(path, unit, str(symbol) if symbol else None, field.description or "")
+        symbol_text = str(symbol) if symbol else None
+        found[path] = Key(path, unit, symbol_text, field.description or "", _is_int(field.annotation))
     return found
 
 
@@ -112,4 +120,4 @@ def names_in(path: tuple[str, ...], root: type[BaseModel] = Spec) -> list[str]:
 
 def is_whole(path: str) -> bool:
     """Whether the key counts something."""
-    return path.rpartition(".")[2] in {"pairs", "driving_pairs", "balls"}
+    return keys()[path].whole

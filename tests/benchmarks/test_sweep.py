@@ -5,7 +5,7 @@ from ratios import median_ratio
 
 import afmcalc
 from afmcalc.analysis.accuracy import SWEEP_OUTPUTS
-from afmcalc.analysis.sweep.grid import evaluate
+from afmcalc.analysis.sweep.points import evaluate
 
 N = 1_000_000
 

@@ -2,15 +2,15 @@
 
 import math
 from collections.abc import Callable
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, CalculationError, SpecError
 from ...findings import Finding
 from ...result import Result, quantity
-from ...spec import Spec, make_spec, resolved
-from ...spec.edit import ALTERNATIVES, put, value_at, with_value
+from ...spec import Spec
+from ...spec.edit import replaced_findings, respecified, with_key
 from ...spec.paths import ALIASES, is_whole
 from ...spec.rules import variants_of
 from ...spec.suggest import did_you_mean
@@ -21,8 +21,6 @@ NAMES = ("C", "F", "z", "z1", "R", "c1", "c2")
 """Parameters that can be solved for, by symbol."""
 
 _UNITS = {"C": "1", "F": "N", "z": "1", "z1": "1", "R": "m", "c1": "N/m", "c2": "N/m"}
-_REPLACED = {**ALTERNATIVES, "closing_spring.force": ("adjustment.nominal_torque",)}
-"""Keys that a solved one takes the place of; a force solved for replaces the torque it was set for."""
 _SAME = 1e-9
 """Relative tolerance within which a wanted value counts as reached."""
 
@@ -79,7 +77,7 @@ def solve(
     domain = _domain(clutch, name, beyond_limit)
 
     def value(x: float) -> float:
-        return float(TARGETS[target].value(build(with_parameter(clutch.spec, path, x))))
+        return float(TARGETS[target].value(build(with_key(clutch.spec, path, x))))
 
     found, method = _exact(clutch, name, target, wanted, domain, value)
     chosen = found
@@ -87,7 +85,7 @@ def solve(
         chosen = _whole(found, wanted, target, domain, value)
     if chosen is None:
         raise CalculationError(_not_attainable(name, target, wanted, domain, value))
-    solved = build(solved_spec(clutch.spec, path, chosen))
+    solved = build(respecified(clutch.spec, {path: chosen}))
     result = SolveResult(
         parameter=name,
         path=path,
@@ -106,7 +104,7 @@ def solve(
         scatter=scatter(solved),
         accuracy_factor=solved.accuracy_factor,
     )
-    return result, solved, [*solved.findings(), *_replaced(clutch.spec, path)]
+    return result, solved, [*solved.findings(), *replaced_findings(clutch.spec, [path], "solve-replaces")]
 
 
 def _path(spec: Spec, name: str) -> str:
@@ -117,33 +115,6 @@ def _path(spec: Spec, name: str) -> str:
     if (only := variants_of(path)) and spec.variant not in only:
         raise AfmcalcError(f"--for {name}: {path} is only for {', '.join(only)}, not {spec.variant!r}")
     return path
-
-
-def with_parameter(spec: Spec, path: str, x: float) -> Spec:
-    """Return the spec with an unvalidated (real) value at a path, its alternatives taken out."""
-    for other in _REPLACED.get(path, ()):
-        if value_at(spec, other) is not None:
-            spec = with_value(spec, other.split("."), None)
-    changed: Spec = with_value(spec, path.split("."), x)
-    return changed
-
-
-def solved_spec(spec: Spec, path: str, x: float) -> Spec:
-    """Return the validated spec with the value found."""
-    data = resolved(spec)
-    for other in _REPLACED.get(path, ()):
-        put(data, other, None)
-    put(data, path, int(x) if is_whole(path) else x)
-    return make_spec(data)
-
-
-def _replaced(spec: Spec, path: str) -> list[Finding]:
-    found = []
-    for other in _REPLACED.get(path, ()):
-        if value_at(spec, other) is not None:
-            message = f"{other} of the spec gives way to the {path} found"
-            found.append(Finding(level="info", code="solve-replaces", message=message, path=other))
-    return found
 
 
 def _domain(clutch: Clutch, name: str, beyond_limit: bool) -> Domain:
@@ -177,7 +148,7 @@ def _exact(
     inverse = closed_inverse(clutch, name, target)
     if inverse is not None:
         try:
-            x = inverse(clutch, wanted)
+            x = inverse(wanted)
         except (ZeroDivisionError, OverflowError):
             x = math.nan
         within = domain.low * (1 - _SAME) <= x <= domain.high * (1 + _SAME)
@@ -293,5 +264,5 @@ def _not_attainable(name: str, target: str, wanted: float, domain: Domain, value
 
 
 def _unit(target: str) -> str:
-    unit: Any = TARGETS[target].unit
+    unit = TARGETS[target].unit
     return "" if unit == "1" else f"{unit.replace('*', '·')} "

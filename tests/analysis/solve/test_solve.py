@@ -6,11 +6,12 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
-from afmcalc.analysis.solve.solve import solve, solved_spec
+from afmcalc.analysis.solve.solve import solve
 from afmcalc.analysis.solve.targets import TARGETS
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError, CalculationError
 from afmcalc.spec import read_spec
+from afmcalc.spec.edit import respecified
 
 TARGET_NAMES = ["accuracy_factor", "nominal_torque", "torque_max", "scatter"]
 
@@ -19,8 +20,8 @@ TARGET_NAMES = ["accuracy_factor", "nominal_torque", "torque_max", "scatter"]
 def test_gain_of_a_direct_clutch(spec, target, share):
     clutch = build(spec)
     goal = share * float(clutch.gain_limit)
-    wanted = float(TARGETS[target].value(build(solved_spec(spec, "control_unit.gain", goal))))
-    far = float(TARGETS[target].value(build(solved_spec(spec, "control_unit.gain", 0.0))))
+    wanted = float(TARGETS[target].value(build(respecified(spec, {"control_unit.gain": goal}))))
+    far = float(TARGETS[target].value(build(respecified(spec, {"control_unit.gain": 0.0}))))
     assume(abs(far / wanted - 1) > 1e-3 if wanted > 1e-6 else False)
     result, solved, _ = solve(clutch, "C", target, wanted)
     assert result.reached == pytest.approx(wanted, rel=1e-6)
@@ -66,7 +67,7 @@ def test_whole_pairs_are_the_fewest_that_meet_it(spec, wanted):
     assert result.reached <= wanted * (1 + 1e-9)
     fewest = spec.bypass_pairs + 1 if spec.variant == "differentiated" else 1
     if result.value > fewest:
-        fewer = build(solved_spec(spec, "friction_group.pairs", result.value - 1))
+        fewer = build(respecified(spec, {"friction_group.pairs": result.value - 1}))
         assert fewer.accuracy_factor > wanted * (1 - 1e-8)
 
 
