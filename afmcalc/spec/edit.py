@@ -22,7 +22,7 @@ _REPLACED = {
         "friction_group.radius_model",
     ),
     "closing_spring.force": ("adjustment.nominal_torque",),
-    "adjustment.nominal_torque": ("closing_spring.force",),
+    "adjustment.nominal_torque": ("closing_spring.force", "control_spring.force"),
     "friction.min": ("friction.material",),
     "friction.mean": ("friction.material",),
     "friction.max": ("friction.material",),

@@ -1,8 +1,10 @@
 """The keys of a spec, read off the models: paths, units, symbols."""
 
+import math
 from functools import cache
 from typing import Any, NamedTuple, get_args, get_origin
 
+from annotated_types import Ge, Gt
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
@@ -116,6 +118,18 @@ def names_in(path: tuple[str, ...], root: type[BaseModel] = Spec) -> list[str]:
             return []
         model = block
     return list(model.model_fields)
+
+
+def least(path: str) -> tuple[float, bool]:
+    """Return the bound of the key from below, and whether it is itself allowed."""
+    noted = field_metadata(path)
+    noted += [inner for item in noted if isinstance(item, FieldInfo) for inner in item.metadata]
+    for bound in noted:
+        if isinstance(bound, Gt):
+            return float(str(bound.gt)), False
+        if isinstance(bound, Ge):
+            return float(str(bound.ge)), True
+    return -math.inf, False
 
 
 def is_whole(path: str) -> bool:

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import TypeAlias
 
+from ...arrays import Values
 from ...engines.direct import DirectClutch
 from ...engines.geometry import angle_given
 from ...engines.indirect import IndirectClutch
@@ -90,12 +91,13 @@ def _for_indirect_accuracy(clutch: IndirectClutch) -> dict[str, Inverse]:
     def count(wanted: float) -> float:
         return float(inverse.pairs_for_accuracy_factor_indirect(own.min, at_set, own.max, c1, c2, net, wanted))
 
-    def ratio(wanted: float) -> float:
-        return float(inverse.stiffness_ratio_for_accuracy_factor(own.min, at_set, own.max, pairs, net, wanted))
+    def ratio(wanted: float) -> Values:
+        found: Values = inverse.stiffness_ratio_for_accuracy_factor(own.min, at_set, own.max, pairs, net, wanted)
+        return found
 
     return {
         "C": gain,
         "z": count,
-        "c1": lambda wanted: float(c2) / ratio(wanted),
-        "c2": lambda wanted: float(c1) * ratio(wanted),
+        "c1": lambda wanted: float(c2 / ratio(wanted)),
+        "c2": lambda wanted: float(c1 * ratio(wanted)),
     }
