@@ -12,7 +12,7 @@ from ..findings import Finding
 from ..result import Result, Series, quantity
 from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
-from .sweep.grid import Axis
+from .sweep.grid import Axis, grid
 
 if TYPE_CHECKING:
     from ..spec import Spec
@@ -167,7 +167,7 @@ def _sweep(clutch: Clutch, part: Fatigue, model: Model, axes: Sequence[Axis]) ->
     """Life over spec keys, or over the band dT at the T_min and T_cp of the spec."""
     import numpy as np
 
-    from .sweep.points import evaluate, grid
+    from .sweep.points import evaluate
 
     factor = clutch.spec.drive.dynamic_factor
     points = grid(axes)

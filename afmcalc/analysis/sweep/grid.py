@@ -5,6 +5,7 @@ from typing import NamedTuple, TypeVar
 
 from ...arrays import Floats, Values
 from ...engines.protocol import Clutch
+from ...errors import AfmcalcError
 from ...findings import Finding
 from ...result import Series
 from ...spec import Spec
@@ -31,6 +32,24 @@ def replaced(spec: Spec, axes: Sequence[Axis]) -> list[Finding]:
     return replaced_findings(spec, [axis.key.path for axis in axes], "sweep-replaces")
 
 
+def grid(axes: Sequence[Axis]) -> list[Floats]:
+    """Coordinates of every point of the grid by axis, flat, the first axis slowest."""
+    count = 1
+    for axis in axes:
+        count *= axis.values.size
+    if count > MOST_POINTS:
+        raise AfmcalcError(f"the sweep asks for {count} points; at most {MOST_POINTS} are swept")
+    if len({axis.key.path for axis in axes}) < len(axes):
+        raise AfmcalcError("the same key is swept twice")
+    if any(axis.name == "zC" for axis in axes) and any(axis.key.path.endswith("pairs") for axis in axes):
+        raise AfmcalcError("zC and a number of pairs cannot be swept together: sweep C with it")
+    if len(axes) == 1:
+        return [axes[0].values]
+    import numpy as np
+
+    return [coordinates.ravel() for coordinates in np.meshgrid(*(axis.values for axis in axes), indexing="ij")]
+
+
 S = TypeVar("S", bound=Series)
 
 
@@ -40,7 +59,7 @@ def series(
     """Sweep ``outputs`` over the grid of ``axes``, one series per axis; None without axes."""
     if not axes:
         return None
-    from .points import evaluate, grid
+    from .points import evaluate
 
     points = grid(axes)
     values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import product
+from types import EllipsisType
 
 import numpy as np
 
@@ -12,8 +13,9 @@ from ...errors import AfmcalcError, SpecError
 from ...spec import Spec
 from ...spec.edit import respecified, with_value
 from ...spec.paths import is_whole
-from .grid import MOST_POINTS, Axis
 
+_BLOCK = 1 << 15
+"""Points calculated at a time."""
 Output = Callable[[Clutch], Values]
 """What is asked of the clutch at every point."""
 
@@ -34,7 +36,22 @@ def clutch_over(spec: Spec, values: Mapping[str, Floats]) -> Clutch:
     Raises:
         SpecError: a value no spec may have.
     """
-    arrays = {path: np.asarray(array, float) for path, array in values.items()}
+    arrays = _arrays(values)
+    return _over(_checked(spec, arrays), arrays)
+
+
+def _arrays(values: Mapping[str, Floats]) -> dict[str, Floats]:
+    return {path: np.asarray(array, float) for path, array in values.items()}
+
+
+def _over(spec: Spec, arrays: Mapping[str, Floats]) -> Clutch:
+    for path, array in arrays.items():
+        spec = with_value(spec, path.split("."), array)
+    return build(spec)
+
+
+def _checked(spec: Spec, arrays: Mapping[str, Floats]) -> Spec:
+    """Return the spec ready to take the arrays, every corner of their extremes validated."""
     for path, array in arrays.items():
         if array.size == 0:
             raise AfmcalcError(f"{path}: no values to sweep")
@@ -44,9 +61,7 @@ def clutch_over(spec: Spec, values: Mapping[str, Floats]) -> Clutch:
     ends = [dict.fromkeys((float(array.min()), float(array.max()))) for array in arrays.values()]
     for corner in product(*ends):
         valid = _validated(spec, dict(zip(arrays, corner, strict=True)))
-    for path, array in arrays.items():
-        valid = with_value(valid, path.split("."), array)
-    return build(valid)
+    return valid
 
 
 def _validated(spec: Spec, corner: dict[str, float]) -> Spec:
@@ -57,22 +72,6 @@ def _validated(spec: Spec, corner: dict[str, float]) -> Spec:
         where = ", ".join(f"{path} = {value:g}" for path, value in corner.items())
         raise SpecError(f"sweep at {where}", error.problems) from None
     return valid
-
-
-def grid(axes: Sequence[Axis]) -> list[Floats]:
-    """Coordinates of every point of the grid by axis, flat, the first axis slowest."""
-    count = 1
-    for axis in axes:
-        count *= axis.values.size
-    if count > MOST_POINTS:
-        raise AfmcalcError(f"the sweep asks for {count} points; at most {MOST_POINTS} are swept")
-    if len({axis.key.path for axis in axes}) < len(axes):
-        raise AfmcalcError("the same key is swept twice")
-    if any(axis.name == "zC" for axis in axes) and any(axis.key.path.endswith("pairs") for axis in axes):
-        raise AfmcalcError("zC and a number of pairs cannot be swept together: sweep C with it")
-    if len(axes) == 1:
-        return [axes[0].values]
-    return [coordinates.ravel() for coordinates in np.meshgrid(*(axis.values for axis in axes), indexing="ij")]
 
 
 def evaluate(spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Output]) -> dict[str, Floats]:
@@ -86,7 +85,20 @@ def evaluate(spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Out
     Returns:
         name → array in the broadcast shape of ``values``.
     """
-    clutch = clutch_over(spec, values)
-    shape = np.broadcast_shapes(*(np.shape(array) for array in values.values()))
+    arrays = _arrays(values)
+    valid = _checked(spec, arrays)
+    shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    answers = {name: np.empty(shape) for name in outputs}
     with np.errstate(all="ignore"):
-        return {name: np.broadcast_to(function(clutch), shape) for name, function in outputs.items()}
+        for block in _blocks(shape, arrays):
+            clutch = _over(valid, {path: array[block] for path, array in arrays.items()})
+            for name, function in outputs.items():
+                answers[name][block] = function(clutch)
+    return answers
+
+
+def _blocks(shape: tuple[int, ...], arrays: Mapping[str, Floats]) -> Sequence[slice | EllipsisType]:
+    """Stretches of a flat sweep whose intermediate arrays stay in the processor's cache; else the whole."""
+    if len(shape) != 1 or any(array.shape != shape for array in arrays.values()):
+        return [...]
+    return [slice(start, start + _BLOCK) for start in range(0, shape[0], _BLOCK)]

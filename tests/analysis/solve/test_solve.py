@@ -107,7 +107,7 @@ def test_driving_pairs():
         # the gain follows R: C = R tan α/r = 1.25 at R = 0.05·1.25/0.25, T = F R z f/(1 + z_2 C f)
         (["--for", "R", "torque_max=1000", "--set", "C=", "--set", f"alpha={math.atan(0.25)} rad"],
          "the best is 400 N·m, reached at R = 0.25 m (the gain limit 1/(z_1 f_1max))"),
-        (["--for", "z1", "accuracy_factor=2", "--set", "C=2"], "no value of z1 keeps the gain C = 2 within its limit"),
+        (["--for", "z1", "accuracy_factor=2", "--set", "C=2"], "no value of z1 keeps C = 2 within the gain limit"),
         (["--for", "c1", "accuracy_factor=2"], "only for indirect"),
         (["--for", "x", "accuracy_factor=2"], "one of C, F, z, z1, R, c1, c2"),
         (["acuracy_factor=2"], "did you mean 'accuracy_factor'?"),
