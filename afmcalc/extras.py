@@ -3,6 +3,7 @@
 from importlib.util import find_spec
 
 from .errors import AfmcalcError
+from .messages import say
 
 MODULES = {
     "explain": ("sympy",),
@@ -24,4 +25,10 @@ def need(extra: str, *modules: str) -> None:
     """
     missing = [name for name in modules or MODULES[extra] if find_spec(name) is None]
     if missing:
-        raise AfmcalcError(f"this needs {' and '.join(missing)}, not installed here: pip install 'afmcalc[{extra}]'")
+        raise AfmcalcError(
+            say(
+                "this needs {missing}, not installed here: pip install 'afmcalc[{extra}]'",
+                missing=say(" and ").join(missing),
+                extra=extra,
+            )
+        )

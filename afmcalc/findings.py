@@ -1,7 +1,7 @@
 """Findings: what a designer should know about a legal design."""
 
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -31,7 +31,7 @@ def finding(
     value: float | None = None,
     limit: float | None = None,
     path: str | None = None,
-    **values: Any,
+    **values: object,
 ) -> Finding:
     """Make a finding whose sentence is that of its code in ``messages.FINDINGS``.
 

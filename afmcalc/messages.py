@@ -1,13 +1,16 @@
-"""What is said to people: a sentence per finding, numbers set by their unit.
+"""What is said to people, in one place where another language can step in.
 
-A sentence is a template of ``str.format`` whose fields may end in a unit people use: ``{force:.5g kN}`` sets a force
-given in N. So a sentence holds no arithmetic and a value stays SI; another language is another table.
+A message is a template of ``str.format`` whose fields may end in a unit people use: ``{force:.5g kN}`` sets a force
+given in N. So a template holds no arithmetic and a value stays SI. The English template is the key of the message, as
+in gettext: an error says it where it arises, ``say("{path}: is no table", path=path)``, always a literal so that it can
+be collected; the sentences of findings stand below, by code; descriptions and labels stand beside what they describe
+and are shown through ``translate``.
 """
 
 import math
 import string
 from collections.abc import Mapping
-from typing import Any
+from typing import SupportsFloat
 
 SCALES = {
     "N": 1.0,
@@ -25,20 +28,26 @@ SCALES = {
 class _Sentence(string.Formatter):
     """``str.format`` whose numbers may carry a unit."""
 
-    def format_field(self, value: Any, format_spec: str) -> Any:
+    def format_field(self, value: object, format_spec: str) -> str:
         number, _, unit = format_spec.partition(" ")
         if not unit:
-            return super().format_field(value, number)
-        return f"{super().format_field(value * SCALES[unit], number)} {unit}"
+            return format(value, number)
+        assert isinstance(value, SupportsFloat)
+        return f"{float(value) * SCALES[unit]:{number}} {unit}"
 
 
-def say(template: str, /, **values: Any) -> str:
-    """Fill a template.
+def translate(text: str) -> str:
+    """Return a text in the language of the user; English, so far the only one, is the text itself."""
+    return text
+
+
+def say(template: str, /, **values: object) -> str:
+    """Fill a template, in the language of the user.
 
     >>> say("the force is {force:.5g kN}, {times:g} times too much", force=2000.0, times=2)
     'the force is 2 kN, 2 times too much'
     """
-    return _Sentence().vformat(template, (), values)
+    return _Sentence().vformat(translate(template), (), values)
 
 
 FINDINGS: Mapping[str, str] = {
@@ -70,6 +79,6 @@ FINDINGS: Mapping[str, str] = {
 """Code of a finding, with its case where it has several → its sentence."""
 
 
-def sentence(code: str, values: Mapping[str, Any]) -> str:
+def sentence(code: str, values: Mapping[str, object]) -> str:
     """Return the sentence of a finding."""
     return say(FINDINGS[code], **values)

@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
+from ..messages import say
 from ..result import Result, quantity
 from ..spec.paths import is_whole
 from .adjust import METHODS, set_by
@@ -111,7 +112,7 @@ def _path(clutch: Clutch) -> "tuple[NDArray[Any], NDArray[Any]]":
     import numpy as np
 
     if not any(own.max > own.min for own in clutch.friction):
-        raise CalculationError("the friction does not wander (min = max): there is no curve over it")
+        raise CalculationError(say("the friction does not wander (min = max): there is no curve over it"))
 
     first, second = (np.linspace(own.min, own.max, POINTS) for own in clutch.friction)
     return first, second

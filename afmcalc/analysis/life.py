@@ -9,6 +9,7 @@ from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..errors import AfmcalcError, Problem, SpecError
 from ..findings import Finding
+from ..messages import say
 from ..result import Result, Series, quantity
 from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
@@ -98,11 +99,14 @@ def _part(clutch: Clutch, model: Model) -> Fatigue:
     part = clutch.spec.fatigue
     if part is None:
         raise SpecError(
-            "spec", [Problem("fatigue", None, "required by life: endurance_limit, polar_section_modulus, …")]
+            clutch.spec.label,
+            [Problem("fatigue", None, say("required by life: endurance_limit, polar_section_modulus, …"))],
         )
     needed = {"amplitude": "mean_stress_sensitivity", "goodman": "ultimate_strength"}.get(model)
     if needed and getattr(part, needed) is None:
-        raise SpecError("spec", [Problem(f"fatigue.{needed}", None, f"required by the model {model!r}")])
+        raise SpecError(
+            clutch.spec.label, [Problem(f"fatigue.{needed}", None, say("required by the model {model!r}", model=model))]
+        )
     return part
 
 
@@ -174,7 +178,7 @@ def _sweep(clutch: Clutch, part: Fatigue, model: Model, axes: Sequence[Axis]) ->
     loads: dict[str, Any]
     if any(axis.name == "dT" for axis in axes):
         if len(axes) > 1:
-            raise AfmcalcError("dT is swept alone: it takes the place of what the clutch gives")
+            raise AfmcalcError(say("dT is swept alone: it takes the place of what the clutch gives"))
         least, mean, _ = _loads(clutch)
         loads = {"low": least, "mean": mean, "high": least + points[0]}
     else:
@@ -215,7 +219,7 @@ def band_axis(text: str, spec: "Spec") -> Axis:
 
     values = parse_values(text, given, "N*m") if separator else np.linspace(0.5 * (high - low), 2 * (high - low), 26)
     if bool((values < 0).any()):
-        raise AfmcalcError(f"--sweep {text}: a scatter band is not negative")
+        raise AfmcalcError(say("--sweep {text}: a scatter band is not negative", text=text))
     return Axis("dT", key, values)
 
 

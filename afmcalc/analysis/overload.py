@@ -8,6 +8,7 @@ from ..engines.protocol import Clutch
 from ..equations import overload as law
 from ..errors import CalculationError
 from ..findings import Finding
+from ..messages import say
 from ..result import Result, Series, Triple, quantity
 from .sweep.grid import series
 
@@ -135,9 +136,10 @@ def applies(clutch: Clutch) -> bool:
 def refuse(clutch: Clutch) -> None:
     """Refuse a variant S22 does not treat."""
     if not applies(clutch):
-        what = "unlike materials" if clutch.spec.friction.unlike else f"variant {clutch.spec.variant!r}"
+        unlike, variant = clutch.spec.friction.unlike, clutch.spec.variant
+        what = say("unlike materials") if unlike else say("variant {variant!r}", variant=variant)
         raise CalculationError(
-            f"overload: S22 treats all-driving and differentiated clutches of one material, not {what}"
+            say("overload: S22 treats all-driving and differentiated clutches of one material, not {what}", what=what)
         )
 
 

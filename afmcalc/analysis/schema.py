@@ -7,6 +7,7 @@ from typing import Any
 from pydantic import create_model
 
 from ..errors import AfmcalcError
+from ..messages import say
 from ..result import Output
 from ..spec import Spec
 from ..spec.suggest import did_you_mean
@@ -48,7 +49,12 @@ def schema(command: str | None = None) -> dict[str, Any]:
     if command not in RESULTS:
         hint = did_you_mean(command, RESULTS)
         raise AfmcalcError(
-            f"no JSON of a command {command!r}{hint}; described are: spec, requirements, {', '.join(RESULTS)}"
+            say(
+                "no JSON of a command {command!r}{hint}; described are: spec, requirements, {results}",
+                command=command,
+                hint=hint,
+                results=", ".join(RESULTS),
+            )
         )
     module, name = RESULTS[command]
     result = getattr(import_module(f".{module}", __package__), name)

@@ -36,7 +36,7 @@ def along(clutch: Clutch, *, from_mean: bool = False) -> Callable[[Values], Valu
 
 def kinks(clutch: Clutch, *, from_mean: bool = False) -> list[Values]:
     """Shares of the way at which the law changes: where the sleeve of an indirect clutch leaves its stop."""
-    leaving = getattr(clutch, "friction_set", None)
+    leaving = clutch.friction_set
     own = clutch.friction[0]
     start = own.mean if from_mean else own.min
     return [] if leaving is None or own.max == start else [(leaving - start) / (own.max - start)]

@@ -8,6 +8,7 @@ from ..engines.protocol import Clutch
 from ..equations import synthesis as law
 from ..errors import Problem, SpecError
 from ..findings import Finding
+from ..messages import say
 from ..result import Result, quantity
 from ..spec import Spec, resolved
 from ..spec.balls import diameters
@@ -89,12 +90,14 @@ def _unit(clutch: Clutch) -> ControlUnit:
     """Return the control unit; refuse a clutch without what synthesis needs."""
     unit = clutch.spec.control_unit
     if unit is None:
-        raise SpecError("spec", [Problem("variant", clutch.spec.variant, "has no control unit to synthesize")])
-    if unit.ball_circle_radius is None:
-        raise SpecError("spec", [Problem("control_unit.ball_circle_radius", None, "required by synthesize")])
-    if clutch.gain == 0:
-        raise SpecError("spec", [Problem("control_unit.gain", "0", "must be greater than 0 to synthesize pockets")])
-    return unit
+        problem = Problem("variant", clutch.spec.variant, say("has no control unit to synthesize"))
+    elif unit.ball_circle_radius is None:
+        problem = Problem("control_unit.ball_circle_radius", None, say("required by synthesize"))
+    elif clutch.gain == 0:
+        problem = Problem("control_unit.gain", "0", say("must be greater than 0 to synthesize pockets"))
+    else:
+        return unit
+    raise SpecError(clutch.spec.label, [problem])
 
 
 def _travel(clutch: Clutch) -> float:

@@ -6,6 +6,7 @@ from typing import Any
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..findings import Finding
+from ..messages import say
 from ..result import Result, Triple, quantity
 
 
@@ -61,7 +62,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
     points = list(friction)
     if not clutch.spec.friction.unlike and any(pair[1] is not None for pair in points):
         raise CalculationError(
-            "--friction F1,F2 is for unlike materials; this clutch has one friction (a decimal point, no comma)"
+            say("--friction F1,F2 is for unlike materials; this clutch has one friction (a decimal point, no comma)")
         )
     ranges = clutch.friction
     ends = [(getattr(ranges[0], at), getattr(ranges[1], at)) for at in ("min", "mean", "max")]

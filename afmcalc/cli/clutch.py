@@ -5,9 +5,10 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from ..errors import AfmcalcError
+from ..messages import say
 from .files import write
 from .options import Common, SpecArgument, with_common
-from .run import build_from, calculate, emit, guarded, read_again
+from .run import build_from, calculate, emit, read_again
 
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
@@ -143,14 +144,14 @@ def synthesize(
 
     common.keep(spec)
     if common.output == "-":
-        raise AfmcalcError("synthesize --output writes the completed spec beside the result: name a file")
+        raise AfmcalcError(say("synthesize --output writes the completed spec beside the result: name a file"))
     sizes = diameters(balls) if balls else None
     output = calculate("synthesize", spec, common.to_standard_output(), lambda clutch: analysis(clutch, sizes))
     if common.output:
         data = completed(read_again(output), output.result)
         as_json = common.output.endswith(".json")
         write(json.dumps(data, indent=2, ensure_ascii=False) + "\n" if as_json else to_toml(data), common.output)
-        common.note(f"wrote the completed spec to {common.output}")
+        common.note(say("wrote the completed spec to {output}", output=common.output))
 
 
 @with_common
@@ -203,10 +204,10 @@ def compare(
     from ..spec import resolved
 
     if variants and len(specs or ()) > 1:
-        raise AfmcalcError("compare --variants takes one SPEC")
+        raise AfmcalcError(say("compare --variants takes one SPEC"))
     sources: list[str | None] = [*specs] if specs else [None]
     clutches = [build_from(source, common) for source in sources]
-    result, findings = guarded(lambda: compare_variants(clutches[0]) if variants else analysis(clutches))
+    result, findings = compare_variants(clutches[0]) if variants else analysis(clutches)
     emit("compare", result, findings, common, resolved(clutches[0].spec))
 
 
@@ -215,9 +216,11 @@ def _curve(plot: bool, sweep: list[str] | None, common: Common) -> "Curve | None
     if not plot:
         return None
     if not sweep:
-        raise AfmcalcError("--plot draws a sweep: give --sweep NAME with it (afmcalc plot draws the rest)")
+        raise AfmcalcError(say("--plot draws a sweep: give --sweep NAME with it (afmcalc plot draws the rest)"))
     if common.chosen_format != "table":
-        raise AfmcalcError(f"--plot draws under a table, not with --format {common.chosen_format}")
+        raise AfmcalcError(
+            say("--plot draws under a table, not with --format {chosen_format}", chosen_format=common.chosen_format)
+        )
     from ..extras import need
 
     need("plot", "plotext")
@@ -237,5 +240,7 @@ def _friction(text: str) -> tuple[float, float | None]:
     except ValueError:
         values = []
     if len(values) not in (1, 2) or not all(0 <= value < float("inf") for value in values):
-        raise AfmcalcError(f"--friction {text}: write a coefficient such as 0.3, or F1,F2 for unlike materials")
+        raise AfmcalcError(
+            say("--friction {text}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text)
+        )
     return values[0], values[1] if len(values) == 2 else None

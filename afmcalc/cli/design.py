@@ -5,9 +5,10 @@ from typing import Annotated
 import typer
 
 from ..errors import AfmcalcError
+from ..messages import say
 from .files import write
 from .options import Common, SpecArgument, with_common
-from .run import build_from, calculate, emit, guarded, naming
+from .run import build_from, calculate, emit
 
 
 @with_common
@@ -40,8 +41,7 @@ def solve(
     common.keep(spec)
     name, wanted = parse_target(target)
     clutch = build_from(spec, common)
-    with naming(spec):
-        result, solved, findings = guarded(lambda: analysis(clutch, parameter, name, wanted, beyond_limit=beyond_limit))
+    result, solved, findings = analysis(clutch, parameter, name, wanted, beyond_limit=beyond_limit)
     emit("solve", result, findings, common, resolved(solved.spec))
 
 
@@ -100,7 +100,7 @@ def design(
     common.keep(requirements)
     need = read_requirements(requirements, common.set or ())
     with Progress(total(need), quiet=common.quiet) as progress:
-        result, findings = guarded(lambda: analysis(need, progress.advance))
+        result, findings = analysis(need, progress.advance)
     if pick is None or not result.front:
         emit("design", result, findings, common, None)
         if not result.front:
@@ -110,4 +110,4 @@ def design(
     emit("design", result, findings, common.to_standard_output(), chosen)
     if common.output:
         write(to_toml(chosen), common.output)
-        common.note(f"wrote number {pick} to {common.output}")
+        common.note(say("wrote number {pick} to {output}", pick=pick, output=common.output))

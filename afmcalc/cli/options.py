@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 import typer
 
 from ..errors import AfmcalcError
+from ..messages import say
 
 SpecArgument = Annotated[
     str | None,
@@ -39,7 +40,7 @@ class Common:
     def chosen_format(self) -> str:
         """The format asked for; ``--json`` is a short form."""
         if self.json and self.format not in (None, "json"):
-            raise AfmcalcError(f"--json and --format {self.format} exclude each other")
+            raise AfmcalcError(say("--json and --format {format} exclude each other", format=self.format))
         return "json" if self.json else self.format or "table"
 
     def to_standard_output(self) -> "Common":
@@ -53,17 +54,19 @@ class Common:
         if source not in (None, "-") and self.output and os.path.exists(self.output):
             assert source is not None
             if os.path.exists(source) and os.path.samefile(source, self.output):
-                raise AfmcalcError(f"--output {self.output}: is the SPEC itself; write to another file")
+                raise AfmcalcError(
+                    say("--output {output}: is the SPEC itself; write to another file", output=self.output)
+                )
 
     def takes_no_clutch(self, name: str) -> None:
         """Refuse overrides where there is no spec to override."""
         if self.set:
-            raise AfmcalcError(f"{name} takes no clutch, so --set has nothing to override")
+            raise AfmcalcError(say("{name} takes no clutch, so --set has nothing to override", name=name))
 
     def note(self, text: str) -> None:
         """Say something beside the result."""
         if not self.quiet:
-            print(f"note: {text}", file=sys.stderr)
+            print(say("note: {text}", text=text), file=sys.stderr)
 
 
 def with_common(function: Callable[..., None]) -> Callable[..., None]:

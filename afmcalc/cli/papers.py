@@ -5,8 +5,9 @@ from typing import Annotated, Literal
 import typer
 
 from ..errors import AfmcalcError
+from ..messages import say
 from .options import Common, SpecArgument, with_common
-from .run import emit, guarded, naming, read
+from .run import emit, read
 
 PaperOption = Annotated[
     list[str] | None, typer.Option("--paper", metavar="KEY", help="F11, S19, S21 or S22; repeatable.")
@@ -36,10 +37,9 @@ def explain(
     from ..spec import resolved
 
     if model and command != "life":
-        raise AfmcalcError("explain: --model belongs to life")
+        raise AfmcalcError(say("explain: --model belongs to life"))
     given = read(spec, common)
-    with naming(spec):
-        result, findings = guarded(lambda: analysis(command, given, **({"model": model} if model else {})))
+    result, findings = analysis(command, given, **({"model": model} if model else {}))
     emit("explain", result, findings, common, resolved(given))
 
 

@@ -6,9 +6,10 @@ import typer
 
 from ..errors import AfmcalcError
 from ..extras import need
+from ..messages import say
 from .files import write, write_file
 from .options import Common
-from .run import build_from, guarded, naming
+from .run import build_from
 
 if TYPE_CHECKING:
     from ..render.plot import Request
@@ -74,9 +75,8 @@ def plot(
         for source in given:
             common.keep(source)
         sources = given or [None]
-        with naming(sources[0]):
-            clutches = [build_from(source, common) for source in sources]
-            sheet = guarded(lambda: sheet_of(what, Request(clutches, sweep, model)))
+        clutches = [build_from(source, common) for source in sources]
+        sheet = sheet_of(what, Request(clutches, sweep, model))
     _write(sheet, ending, common)
 
 
@@ -92,8 +92,7 @@ def _of_requirements(what: str, request: "Request", common: Common) -> "Sheet":
     common.keep(source)
     need = read_requirements(source, common.set or ())
     with Progress(total(need), quiet=common.quiet) as progress:
-        sheet: Sheet = guarded(lambda: sheet_of(what, request._replace(subjects=[need], progress=progress.advance)))
-    return sheet
+        return sheet_of(what, request._replace(subjects=[need], progress=progress.advance))
 
 
 def _ending(output: str | None) -> str | None:
@@ -103,13 +102,13 @@ def _ending(output: str | None) -> str | None:
     assert output is not None
     ending = output.rpartition(".")[2].lower() if "." in output else ""
     if ending not in _ENDINGS:
-        raise AfmcalcError(f"--output {output}: end it in .png, .svg or .pdf")
+        raise AfmcalcError(say("--output {output}: end it in .png, .svg or .pdf", output=output))
     return ending
 
 
 def _refuse_twice(sources: list[str]) -> None:
     if sources.count("-") > 1:
-        raise AfmcalcError("standard input (-) can be read once only")
+        raise AfmcalcError(say("standard input (-) can be read once only"))
 
 
 def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
@@ -119,11 +118,11 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
         from ..render.plot.text import draw_sheet
 
         if not any(isinstance(panel, Chart) for panel in sheet.panels):
-            raise AfmcalcError("this is a drawing, no curve: give a file, -o FILE.svg (or .png, .pdf)")
+            raise AfmcalcError(say("this is a drawing, no curve: give a file, -o FILE.svg (or .png, .pdf)"))
         write(draw_sheet(sheet, unicode=is_unicode()), None)
         return
     from ..render.plot.figure import save
 
     assert common.output is not None
     write_file(common.output, save(sheet, ending))  # type: ignore[arg-type]
-    common.note(f"wrote {common.output}")
+    common.note(say("wrote {output}", output=common.output))

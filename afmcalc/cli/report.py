@@ -8,9 +8,9 @@ import typer
 from .. import __version__
 from ..errors import AfmcalcError
 from ..extras import need
+from ..messages import say
 from .files import write, write_file
 from .options import Common, SpecArgument
-from .run import guarded, naming
 
 if TYPE_CHECKING:
     from ..engines import Clutch
@@ -53,26 +53,25 @@ def report(
     browser = find_browser() if pdf else None
     common.keep(spec)
     given, read = _read(spec, common)
-    with naming(spec):
-        clutch = guarded(lambda: build(read))
-        found, findings = guarded(lambda: dossier(clutch, model))
-        calculations: dict[str, dict[str, str]] = {"torque": {}, "accuracy": {}, "adjust": {}}
-        calculations |= {"overload": {}} if found.overload else {}
-        calculations |= {"synthesize": {}} if found.synthesis else {}
-        calculations |= {"life": {"model": model}} if found.life else {}
-        steps = guarded(lambda: explained(read, calculations))
-        results, more = guarded(lambda: _beyond(clutch))
-        findings = list(dict.fromkeys([*findings, *more]))
-        subject = Subject(
-            clutch, found, findings, given, set_ or (), __version__, _date(), model=model, steps=steps, results=results
-        )
-        page = guarded(lambda: render(subject))
+    clutch = build(read)
+    found, findings = dossier(clutch, model)
+    calculations: dict[str, dict[str, str]] = {"torque": {}, "accuracy": {}, "adjust": {}}
+    calculations |= {"overload": {}} if found.overload else {}
+    calculations |= {"synthesize": {}} if found.synthesis else {}
+    calculations |= {"life": {"model": model}} if found.life else {}
+    steps = explained(read, calculations)
+    results, more = _beyond(clutch)
+    findings = list(dict.fromkeys([*findings, *more]))
+    subject = Subject(
+        clutch, found, findings, given, set_ or (), __version__, _date(), model=model, steps=steps, results=results
+    )
+    page = render(subject)
     write(page, output)
     if output not in (None, "-"):
-        common.note(f"wrote {output}")
+        common.note(say("wrote {output}", output=output))
     if target and browser:
         write_file(target, print_pdf(browser, page))
-        common.note(f"wrote {target}")
+        common.note(say("wrote {target}", target=target))
 
 
 def _beyond(clutch: "Clutch") -> "tuple[dict[str, Any], list[Finding]]":
@@ -87,11 +86,17 @@ def _beyond(clutch: "Clutch") -> "tuple[dict[str, Any], list[Finding]]":
 
 def _pdf_beside(output: str | None) -> str:
     if output in (None, "-"):
-        raise AfmcalcError("--pdf prints beside the HTML file: give it with -o report.html")
+        raise AfmcalcError(say("--pdf prints beside the HTML file: give it with -o report.html"))
     assert output is not None
     stem, ending = os.path.splitext(output)
     if ending.lower() == ".pdf":
-        raise AfmcalcError(f"-o {output}: the report is HTML; -o {stem}.html --pdf writes {output} beside it")
+        raise AfmcalcError(
+            say(
+                "-o {output}: the report is HTML; -o {stem}.html --pdf writes {output} beside it",
+                output=output,
+                stem=stem,
+            )
+        )
     return f"{stem}.pdf"
 
 
@@ -101,14 +106,14 @@ def _read(source: str | None, common: Common) -> "tuple[str, Spec]":
     from ..spec.reading import apply_overrides, parse, text_of
 
     if source is None:
-        common.note("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)")
+        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
     text, label = text_of(source)
     data = parse(text, label)
     if text.lstrip().startswith("{"):
         import json
 
         text = json.dumps(data, indent=2, ensure_ascii=False)
-    return text.strip("\n"), make_spec(apply_overrides(data, common.set or (), label), label)
+    return text.strip("\n"), make_spec(apply_overrides(data, common.set or ()), label)
 
 
 def _date() -> str:
@@ -119,5 +124,5 @@ def _date() -> str:
     if not epoch:
         return datetime.now().date().isoformat()
     if not epoch.isdecimal():
-        raise AfmcalcError(f"SOURCE_DATE_EPOCH = {epoch!r}: seconds since 1970 are wanted")
+        raise AfmcalcError(say("SOURCE_DATE_EPOCH = {epoch!r}: seconds since 1970 are wanted", epoch=epoch))
     return datetime.fromtimestamp(int(epoch), UTC).date().isoformat()

@@ -1,12 +1,11 @@
 """Reading the spec, running a calculation, printing its output."""
 
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from .. import __version__
-from ..errors import CalculationError, SpecError
+from ..messages import say
 from .files import write
 from .options import Common
 
@@ -22,9 +21,9 @@ def read(source: str | None, common: Common) -> "Spec":
     from ..spec import read_spec
 
     if source is None:
-        common.note("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)")
+        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
     elif source == "-" and sys.stdin.isatty():
-        common.note("reading the spec from the terminal: end it with Ctrl-D, or give a file")
+        common.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
     return read_spec(source, common.set or ())
 
 
@@ -40,8 +39,7 @@ def calculate(
 
     common.keep(source)
     clutch = build_from(source, common)
-    with naming(source):
-        result, findings = guarded(lambda: analysis(clutch))
+    result, findings = analysis(clutch)
     return emit(name, result, findings, common, resolved(clutch.spec), curve)
 
 
@@ -49,21 +47,7 @@ def build_from(source: str | None, common: Common) -> "Clutch":
     """Read a spec and build its clutch."""
     from ..engines import build
 
-    spec = read(source, common)
-    with naming(source):
-        clutch: Clutch = guarded(lambda: build(spec))
-    return clutch
-
-
-@contextmanager
-def naming(source: str | None) -> Iterator[None]:
-    """Name the file in errors that engines and analyses find in a spec."""
-    from ..spec.reading import label_of
-
-    try:
-        yield
-    except SpecError as error:
-        raise error.named(label_of(source)) from None
+    return build(read(source, common))
 
 
 def read_again(output: "Output") -> "Spec":
@@ -72,23 +56,6 @@ def read_again(output: "Output") -> "Spec":
 
     assert output.spec is not None
     return make_spec(output.spec)
-
-
-def guarded(calculation: Callable[[], Any]) -> Any:
-    """Run a calculation; a result beyond the range of numbers is an error for people."""
-    from pydantic import ValidationError
-
-    try:
-        return calculation()
-    except ValidationError as error:
-        if any(detail["type"] != "finite_number" for detail in error.errors()):
-            raise
-        raise CalculationError(_NOT_FINITE) from None
-    except (OverflowError, ZeroDivisionError):
-        raise CalculationError(_NOT_FINITE) from None
-
-
-_NOT_FINITE = "a result is not finite (beyond the range of numbers): check the magnitudes in the spec"
 
 
 def emit(

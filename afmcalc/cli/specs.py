@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 import typer
 
 from ..errors import AfmcalcError
+from ..messages import say
 from ..variants import VARIANTS
 from .files import write
 from .options import Common, SpecArgument, with_common
@@ -44,13 +45,13 @@ def init(
     from ..spec.builtin import example_text
 
     if output and file:
-        raise AfmcalcError("give FILE or --output, not both")
+        raise AfmcalcError(say("give FILE or --output, not both"))
     target = output or file or "clutch.toml"
     if target != "-" and os.path.lexists(target) and not force:
-        raise AfmcalcError(f"{target}: exists already; --force overwrites it")
+        raise AfmcalcError(say("{target}: exists already; --force overwrites it", target=target))
     write(example_text(_EXAMPLES[variant] or variant), target)
     if target != "-":
-        Common(quiet=quiet).note(f"wrote {target}; calculate it with: afmcalc torque {target}")
+        Common(quiet=quiet).note(say("wrote {target}; calculate it with: afmcalc torque {target}", target=target))
 
 
 @with_common

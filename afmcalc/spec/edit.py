@@ -78,16 +78,16 @@ def with_key(spec: Spec, path: str, value: Values) -> Spec:
     return with_value(_without_replaced(spec, [path]), path.split("."), value)
 
 
-def respecified(spec: Spec, values: dict[str, float], source: str = "spec") -> Spec:
+def respecified(spec: Spec, values: dict[str, float]) -> Spec:
     """Return the validated spec with other values of some keys, and without what they stand in for.
 
     Raises:
-        SpecError: a value no spec may have; ``source`` is what the message names.
+        SpecError: a value no spec may have.
     """
     data = _without_replaced(spec, values).model_dump(exclude_none=True)
     for path, value in values.items():
         put(data, path, int(value) if is_whole(path) else value)
-    return make_spec(data, source)
+    return make_spec(data, spec.label)
 
 
 def _without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:

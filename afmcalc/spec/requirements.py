@@ -1,18 +1,26 @@
 """What a clutch is wanted to do, and among what it may be chosen: the file of the design command."""
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from os import PathLike
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
-from pydantic import BeforeValidator, Field, ValidationError, model_validator
+from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler, model_validator
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, core_schema
 
-from ..errors import SpecError
+from ..errors import Problem
+from ..messages import say
 from ..variants import VARIANTS
 from . import rules
-from .fields import AtLeastOne, Count, Force, Gap, Length, Name, Ratio, Stress, Torque
-from .models import Block, Friction, Method, VariantName, key_field
+from .fields import AtLeastOne, Block, Count, Force, Gap, Length, Name, Ratio, Stress, Torque, key_field
+from .models import Friction, Method, VariantName
 from .quantity import parse_quantity
-from .reading import apply_overrides, label_of, parse, problems_of, text_of
+from .reading import apply_overrides, parse, text_of, validated
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 Objective = Literal["closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel"]
 
@@ -20,7 +28,7 @@ MOST_VALUES = 10_000_000
 _GAIN_LIMITS = ", ".join(dict.fromkeys(each.gain_limit.rule for each in VARIANTS.values() if each.gain_limit))
 
 
-class Values(NamedTuple):
+class Choices(NamedTuple):
     """Values of one searched parameter, SI: a list, or an even grid that is not yet laid out."""
 
     listed: tuple[float, ...]
@@ -33,80 +41,88 @@ class Values(NamedTuple):
         """How many values."""
         return len(self.listed) or self.length
 
-    def array(self) -> Any:
+    def array(self) -> "NDArray[np.float64]":
         """The values, ascending."""
         import numpy as np
 
         return np.array(self.listed) if self.listed else np.linspace(self.start, self.stop, self.length)
 
 
-def _values(unit: str, *, whole: bool = False, least: float = 0.0) -> Any:
-    """Type of a searched parameter: one value, a list, or a table with start, stop and count (or step)."""
+@dataclass(frozen=True)
+class Searched:
+    """What a searched parameter may be: one value, a list, or a table with start, stop and count (or step)."""
 
-    def number(value: object) -> float:
-        found = parse_quantity(value, unit)
-        if whole and found != found // 1:
-            raise ValueError("must be whole numbers")
-        if found < least or (not whole and least == 0 and unit != "1" and found == 0):
-            raise ValueError(f"must be {'at least' if whole or unit == '1' else 'greater than'} {least:g}")
+    unit: str
+    whole: bool = False
+    least: float = 0.0
+
+    def number(self, value: object) -> float:
+        """Read one value, SI."""
+        found = parse_quantity(value, self.unit)
+        if self.whole and found != found // 1:
+            raise ValueError(say("must be whole numbers"))
+        if self.whole or self.unit == "1":
+            if found < self.least:
+                raise ValueError(say("must be at least {least:g}", least=self.least))
+        elif not found > self.least:
+            raise ValueError(say("must be greater than {least:g}", least=self.least))
         return found
 
-    def read(value: object) -> Values:
-        if isinstance(value, Values):
+    def read(self, value: object) -> Choices:
+        """Read what stands in the file."""
+        if isinstance(value, Choices):
             return value
         if isinstance(value, list | tuple):
             if not value:
-                raise ValueError("must not be an empty list")
-            return Values(tuple(sorted({number(item) for item in value})))
-        if not isinstance(value, Mapping):
-            return Values((number(value),))
-        return _grid(value, number, whole=whole)
+                raise ValueError(say("must not be an empty list"))
+            return Choices(tuple(sorted({self.number(item) for item in value})))
+        return self._grid(value) if isinstance(value, Mapping) else Choices((self.number(value),))
 
-    schema: Any = float | str | list[float | str] | dict[str, float | str]
-    return Annotated[Any, BeforeValidator(read, json_schema_input_type=schema)]
-
-
-def _grid(value: Mapping[str, Any], number: Any, *, whole: bool) -> Values:
-    if unknown := sorted(set(value) - {"start", "stop", "count", "step"}):
-        raise ValueError(f"unknown key {unknown[0]!r}; a range has start, stop and count (or step)")
-    if "start" not in value or "stop" not in value:
-        raise ValueError("a range has start, stop and count (or step)")
-    start, stop = number(value["start"]), number(value["stop"])
-    if start > stop:
-        raise ValueError(f"the range is inverted: start {start:g} is above stop {stop:g}")
-    if "count" in value and "step" in value:
-        raise ValueError("give count or step, not both")
-    if "count" in value:
-        count = value["count"]
+    def _grid(self, value: rules.Table) -> Choices:
+        if unknown := sorted(set(value) - {"start", "stop", "count", "step"}):
+            raise ValueError(say("unknown key {key!r}; a range has start, stop and count (or step)", key=unknown[0]))
+        if "start" not in value or "stop" not in value:
+            raise ValueError(say("a range has start, stop and count (or step)"))
+        start, stop = self.number(value["start"]), self.number(value["stop"])
+        if start > stop:
+            raise ValueError(
+                say("the range is inverted: start {start:g} is above stop {stop:g}", start=start, stop=stop)
+            )
+        if "count" in value and "step" in value:
+            raise ValueError(say("give count or step, not both"))
+        count = value.get("count")
+        if "count" not in value:
+            step = self.number(value["step"]) if "step" in value else 1.0 if self.whole else 0.0
+            if not step > 0:
+                raise ValueError(say("a range needs count, or a step greater than 0"))
+            count = int((stop - start) / step * (1 + 1e-12)) + 1
+            stop = start + (count - 1) * step
         if isinstance(count, bool) or not isinstance(count, int) or count < 1:
-            raise ValueError("count must be a whole number of at least 1")
-    else:
-        step = number(value["step"]) if "step" in value else 1.0 if whole else 0.0
-        if not step > 0:
-            raise ValueError("a range needs count, or a step greater than 0")
-        count = int((stop - start) / step * (1 + 1e-12)) + 1
-        stop = start + (count - 1) * step
-    if count > MOST_VALUES:
-        raise ValueError(f"{count} values; at most {MOST_VALUES} per parameter")
-    if whole and count > 1 and (stop - start) % (count - 1):
-        raise ValueError("count does not give whole numbers; use step")
-    return Values((), start, stop, count)
+            raise ValueError(say("count must be a whole number of at least 1"))
+        if count > MOST_VALUES:
+            raise ValueError(say("{count} values; at most {most} per parameter", count=count, most=MOST_VALUES))
+        if self.whole and count > 1 and (stop - start) % (count - 1):
+            raise ValueError(say("count does not give whole numbers; use step"))
+        return Choices((), start, stop, count)
+
+    def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Validate by reading."""
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """Describe what may stand in the file."""
+        one: JsonSchemaValue = {"anyOf": [{"type": "number"}, {"type": "string"}]}
+        return {
+            "anyOf": [*one["anyOf"], {"type": "array", "items": one}, {"type": "object", "additionalProperties": one}]
+        }
 
 
-if TYPE_CHECKING:
-    Pairs: TypeAlias = Values
-    Lengths: TypeAlias = Values
-    Numbers: TypeAlias = Values
-    Angles: TypeAlias = Values
-    Stiffnesses: TypeAlias = Values
-    Forces: TypeAlias = Values
-else:
-    Pairs = _values("1", whole=True, least=1)
-    Lengths = _values("m")
-    Numbers = _values("1")
-    Angles = _values("rad")
-    Stiffnesses = _values("N/m")
-    Forces = _values("N")
+Pairs = Annotated[Choices, Searched("1", whole=True, least=1)]
+Lengths = Annotated[Choices, Searched("m")]
+Numbers = Annotated[Choices, Searched("1")]
+Angles = Annotated[Choices, Searched("rad")]
+Stiffnesses = Annotated[Choices, Searched("N/m")]
+Forces = Annotated[Choices, Searched("N")]
 
 
 class Wanted(Block):
@@ -128,7 +144,7 @@ class ForceRange(Block):
     @model_validator(mode="after")
     def _ordered(self) -> "ForceRange":
         if self.min > self.max:
-            raise rules.validation_error("ForceRange", [(("max",), self.max, f"must not be below min ({self.min:g})")])
+            raise rules.RuleError([rules.wrong("max", say("must not be below min ({low:g})", low=self.min))])
         return self
 
 
@@ -137,7 +153,7 @@ class Search(Block):
 
     pairs: Pairs = Field(description="friction pairs z")
     driving_pairs: Pairs = Field(
-        default_factory=lambda: Values((1.0,)), description="bypass pairs z_1 (differentiated); default 1"
+        default_factory=lambda: Choices((1.0,)), description="bypass pairs z_1 (differentiated); default 1"
     )
     mean_radius: Lengths = Field(description="mean friction radius R_cp")
     gain: Numbers | None = key_field("feedback gain C")
@@ -185,43 +201,44 @@ class Requirements(Block):
 
     @model_validator(mode="after")
     def _complete(self) -> "Requirements":
-        problems = [*self._friction_problems(), *self._needed()]
-        if problems:
-            raise rules.validation_error("Requirements", problems)
+        if problems := [*self._friction_problems(), *self._needed()]:
+            raise rules.RuleError(problems)
         return self
 
-    def _friction_problems(self) -> list[rules.Finding]:
+    def _friction_problems(self) -> Iterable[Problem]:
         try:
             _ = self.friction.groups
         except ValueError:
-            return [(("friction", "min"), rules.MISSING, "required: min and max, a material, or both groups")]
-        if self.friction.unlike and not all(VARIANTS[name].unlike for name in self.variants):
-            able = ", ".join(repr(each.name) for each in VARIANTS.values() if each.unlike)
-            return [(("friction", "driving"), rules.MISSING, f"unlike materials are for variant {able} alone")]
-        return []
+            yield rules.wrong("friction.min", say("required: min and max, a material, or both groups"))
+        else:
+            if self.friction.unlike and not all(VARIANTS[name].unlike for name in self.variants):
+                able = ", ".join(repr(each.name) for each in VARIANTS.values() if each.unlike)
+                yield rules.wrong("friction.driving", say("unlike materials are for variant {able} alone", able=able))
 
-    def _needed(self) -> list[rules.Finding]:
-        search = self.search
-        problems: list[rules.Finding] = []
+    def _needed(self) -> Iterable[Problem]:
+        search, fixed = self.search, self.fixed
         if (search.closing_force is None) == (search.closing_forces is None):
-            message = "give closing_force (a range) or closing_forces (a catalogue), one of them"
-            problems.append((("search", "closing_force"), rules.MISSING, message))
+            yield rules.wrong(
+                "search.closing_force",
+                say("give closing_force (a range) or closing_forces (a catalogue), one of them"),
+            )
         variants = [VARIANTS[name] for name in self.variants]
         if any(each.controlled for each in variants):
             if (search.gain is None) == (search.wall_angle is None):
-                problems.append((("search", "gain"), rules.MISSING, "give gain or wall_angle, one of them"))
+                yield rules.wrong("search.gain", say("give gain or wall_angle, one of them"))
             if search.ball_circle_radius is None:
-                problems.append((("search", "ball_circle_radius"), rules.MISSING, "required with a control unit"))
+                yield rules.wrong("search.ball_circle_radius", say("required with a control unit"))
+        springs_and_hub = {
+            "search.closing_stiffness": search.closing_stiffness,
+            "search.control_stiffness": search.control_stiffness,
+            "fixed.hub_diameter": fixed.hub_diameter,
+            "fixed.key_friction": fixed.key_friction,
+        }
         for each in (each for each in variants if each.travels):
-            for block, name in (
-                ("search", "closing_stiffness"), ("search", "control_stiffness"),
-                ("fixed", "hub_diameter"), ("fixed", "key_friction"),
-            ):  # fmt: skip
-                if getattr(getattr(self, block), name) is None:
-                    problems.append(((block, name), rules.MISSING, f"required for variant {each.name!r}"))
-        if self.limits.surface_pressure is not None and self.fixed.face_width is None:
-            problems.append((("fixed", "face_width"), rules.MISSING, "required beside limits.surface_pressure"))
-        return problems
+            for path in (path for path, given in springs_and_hub.items() if given is None):
+                yield rules.wrong(path, say("required for variant {variant!r}", variant=each.name))
+        if self.limits.surface_pressure is not None and fixed.face_width is None:
+            yield rules.wrong("fixed.face_width", say("required beside {other}", other="limits.surface_pressure"))
 
 
 def read_requirements(source: str | PathLike[str], overrides: Iterable[str] = ()) -> Requirements:
@@ -231,14 +248,10 @@ def read_requirements(source: str | PathLike[str], overrides: Iterable[str] = ()
         SpecError: every problem found.
         FileError: the file cannot be read.
     """
-    text, _ = text_of(source)
-    label = label_of(source)
-    return make_requirements(apply_overrides(parse(text, label), overrides, label, Requirements), label)
+    text, label = text_of(source)
+    return make_requirements(apply_overrides(parse(text, label), overrides, Requirements), label)
 
 
-def make_requirements(data: Mapping[str, Any], label: str = "requirements") -> Requirements:
+def make_requirements(data: rules.Table, label: str = "requirements") -> Requirements:
     """Validate requirements given as nested mappings."""
-    try:
-        return Requirements.model_validate(dict(data))
-    except ValidationError as error:
-        raise SpecError(label, problems_of(error, data, Requirements)) from None
+    return validated(Requirements, data, label)

@@ -5,9 +5,10 @@ from typing import Any, Literal
 
 from pydantic import Field, field_validator, model_validator
 
+from ..errors import Problem
+from ..messages import say
 from . import rules
-from .fields import Torque
-from .models import Block, key_field
+from .fields import Block, Torque, key_field
 from .quantity import parse_quantity
 
 Kind = Literal["normal", "uniform", "triangular", "lognormal"]
@@ -53,15 +54,15 @@ class Tolerance(Block):
     @classmethod
     def _inside(cls, given: tuple[float, ...]) -> tuple[float, ...]:
         if not given or not all(0 < p < 1 for p in given):
-            raise ValueError("must be probabilities between 0 and 1, at least one")
+            raise ValueError(say("must be probabilities between 0 and 1, at least one"))
         return tuple(sorted(set(given)))
 
     @model_validator(mode="after")
     def _read_quantities(self) -> "Tolerance":
-        problems: list[rules.Finding] = []
+        problems: list[Problem] = []
         fields = {path: _read(path, each, problems) for path, each in self.fields.items()}
         if problems:
-            raise rules.validation_error("Tolerance", problems)
+            raise rules.RuleError(problems)
         object.__setattr__(self, "fields", fields)
         return self
 
@@ -94,23 +95,18 @@ def physical_limits(path: str) -> tuple[float, float]:
     """
     import math
 
-    from .paths import field_metadata
+    from .paths import quantity_at
 
-    low, high = -math.inf, math.inf
-    for item in field_metadata("friction.min" if path in FRICTION else path):
-        for bound in getattr(item, "metadata", [item]):
-            low = max(low, *(float(v) for v in (getattr(bound, n, None) for n in ("gt", "ge")) if v is not None), low)
-            high = min(
-                high, *(float(v) for v in (getattr(bound, n, None) for n in ("lt", "le")) if v is not None), high
-            )
-    return low, high
+    found = quantity_at("friction.min" if path in FRICTION else path)
+    low, high = (found.low, found.high) if found else (None, None)
+    return -math.inf if low is None else float(low), math.inf if high is None else float(high)
 
 
-def _read(path: str, given: Distribution, problems: list[rules.Finding]) -> Distribution:
+def _read(path: str, given: Distribution, problems: list[Problem]) -> Distribution:
     """Turn quantities into SI; percentages stay, since they follow the spec."""
     unit = unit_at(path)
     if unit is None:
-        problems.append((("fields", path), None, _unknown(path)))
+        problems.append(rules.wrong(f"fields.{path}", _unknown(path)))
         return given
     read: dict[str, Any] = {}
     for name in ("center", "spread", "min", "max"):
@@ -121,24 +117,24 @@ def _read(path: str, given: Distribution, problems: list[rules.Finding]) -> Dist
         try:
             read[name] = parse_quantity(value, unit)
         except ValueError as error:
-            problems.append((("fields", path, name), value, str(error)))
+            problems.append(rules.wrong(f"fields.{path}.{name}", str(error)))
             return given
     share = percentage(read["spread"])
     size = read["spread"] if share is None else share
     if size is not None and not size >= 0:
-        problems.append((("fields", path, "spread"), given.spread, "must be at least 0"))
+        problems.append(rules.wrong(f"fields.{path}.spread", say("must be at least 0")))
     low, high = read["min"], read["max"]
     if low is not None and high is not None and not low < high:
-        problems.append((("fields", path, "max"), given.max, f"must be greater than min ({low:g})"))
+        problems.append(rules.wrong(f"fields.{path}.max", say("must be greater than min ({low:g})", low=low)))
     if given.distribution in ("normal", "lognormal") and size is None:
-        problems.append((("fields", path, "spread"), rules.MISSING, f"required for {given.distribution!r}"))
+        problems.append(rules.wrong(f"fields.{path}.spread", say("required for {kind!r}", kind=given.distribution)))
     if given.distribution in ("uniform", "triangular") and size is None and path not in FRICTION:
         if low is None or high is None:
-            message = f"required for {given.distribution!r} (or give min and max)"
-            problems.append((("fields", path, "spread"), rules.MISSING, message))
+            message = say("required for {kind!r} (or give min and max)", kind=given.distribution)
+            problems.append(rules.wrong(f"fields.{path}.spread", message))
     elif given.distribution in ("uniform", "triangular") and size is not None and (low is not None or high is not None):
         problems.append(
-            (("fields", path, "spread"), given.spread, "excludes min and max: give a half-width or both ends")
+            rules.wrong(f"fields.{path}.spread", say("excludes min and max: give a half-width or both ends"))
         )
     return given.model_copy(update=read)
 
@@ -148,6 +144,7 @@ def _unknown(path: str) -> str:
     from .suggest import did_you_mean
 
     if path in keys():
-        return "is a whole number, which does not scatter" if is_whole(path) else "is not a number"
-    hint = did_you_mean(path, [*FRICTION, *keys()])
-    return f"unknown field{hint}" if hint else "unknown field; a spec path, or friction for the friction in service"
+        return say("is a whole number, which does not scatter") if is_whole(path) else say("is not a number")
+    if hint := did_you_mean(path, [*FRICTION, *keys()]):
+        return say("unknown field{hint}", hint=hint)
+    return say("unknown field; a spec path, or friction for the friction in service")

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from ...arrays import larger, smaller
 from ...engines.laws import IndirectLaw
 from ...equations import direct, geometry, synthesis
-from ...spec.requirements import Requirements, Values
+from ...spec.requirements import Choices, Requirements
 
 SAME = 1e-12
 """Relative slack of every limit: a candidate on the limit holds it."""
@@ -61,7 +61,7 @@ def counts(need: Requirements, variant: str) -> list[int]:
     ]
 
 
-def _given(values: Values | None) -> Values:
+def _given(values: Choices | None) -> Choices:
     """Values that the rules of the requirements ask for."""
     assert values is not None
     return values

@@ -6,6 +6,7 @@ from typing import Any
 
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding
+from ...messages import say
 from ...result import Result, quantity
 from ...spec import Spec, make_spec
 from ...spec.requirements import Requirements
@@ -69,7 +70,11 @@ def design(
     count = total(need)
     if count > MOST:
         raise AfmcalcError(
-            f"the search asks for {count:,} candidates; at most {MOST:,} are searched: coarser ranges, please"
+            say(
+                "the search asks for {count:,} candidates; at most {most:,} are searched: coarser ranges, please",
+                count=count,
+                most=MOST,
+            )
         )
     found = search(need, progress)
     grid, fine = _rows(need, found)
@@ -160,7 +165,9 @@ def picked(need: Requirements, result: DesignResult, number: int, *, fine: bool 
     """
     rows = result.refined if fine else result.front
     if not 1 <= number <= len(rows):
-        raise CalculationError(f"--pick {number}: the front has the numbers 1 to {len(rows)}")
+        raise CalculationError(
+            say("--pick {number}: the front has the numbers 1 to {count}", number=number, count=len(rows))
+        )
     row, fixed, limits = rows[number - 1], need.fixed, need.limits
     group: dict[str, Any] = {"pairs": row.pairs}
     if row.driving_pairs is not None:

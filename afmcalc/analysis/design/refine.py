@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from ...spec.requirements import Requirements, Values
+from ...spec.requirements import Choices, Requirements
 from .candidates import Axes, evaluate, feasible, objectives
 
 _ROUNDS = 150
@@ -61,7 +61,7 @@ def refined(need: Requirements, variant: str, rows: Any) -> Any:
 def _free(need: Requirements, variant: str) -> list[tuple[int, Any]]:
     """Columns of the axes that were given as ranges of real numbers, with their ranges."""
     search = need.search
-    given: dict[int, Values | None] = {6: search.mean_radius}
+    given: dict[int, Choices | None] = {6: search.mean_radius}
     if variant != "conventional":
         given |= {2: search.gain or search.wall_angle, 5: search.ball_circle_radius}
     if variant == "indirect":

@@ -7,6 +7,7 @@ from ...engines import build
 from ...errors import AfmcalcError
 from ...extras import need
 from ...findings import Finding
+from ...messages import say
 from ...papers.register import register
 from ...result import Result, quantity
 from ...spec import Spec
@@ -77,7 +78,14 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
     analyses = _analyses()
     if command not in analyses:
         hint = did_you_mean(command, analyses)
-        raise AfmcalcError(f"explain: no calculation {command!r}{hint}; explained are {', '.join(analyses)}")
+        raise AfmcalcError(
+            say(
+                "explain: no calculation {command!r}{hint}; explained are {analyses}",
+                command=command,
+                hint=hint,
+                analyses=", ".join(analyses),
+            )
+        )
     need("explain")
     with recording() as calls:
         _, findings = analyses[command](build(with_roles(spec)), **options)

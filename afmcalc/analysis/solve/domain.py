@@ -7,9 +7,10 @@ from ...engines import build
 from ...engines.geometry import angle_given
 from ...engines.protocol import Clutch
 from ...errors import CalculationError, SpecError
+from ...messages import say
 from ...spec import Spec
 from ...spec.edit import with_key
-from ...spec.paths import ALIASES, is_whole, least
+from ...spec.paths import ALIASES, quantity_at
 from ...variants import GainLimit
 
 SAME = 1e-9
@@ -35,26 +36,34 @@ def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
         CalculationError: no value keeps the gain within its limit.
     """
     spec, path = clutch.spec, ALIASES[name]
-    low, low_taken = least(path)
+    about = quantity_at(path)
+    assert about is not None
+    low, low_taken = about.low or 0.0, about.gt is None
     ends = [(math.inf, "")]
     if name == "C":
         low = float(clutch.gain_threshold or 0.0)
     if name == "z":
         low = float(spec.least_pairs)
     if name == "z1":
-        ends.append((float(spec.friction_group.pairs - 1), "one driven pair at least"))
+        ends.append((float(spec.friction_group.pairs - 1), say("one driven pair at least")))
     if name == "R":
-        ends.append((_threshold_radius(clutch), "the feedback ends, C = 2 R f_1/d"))
+        ends.append((_threshold_radius(clutch), say("the feedback ends, C = 2 R f_1/d")))
     if spec.kind.gain_limit is not None and not beyond_limit:
         end = _gain_limit(clutch, spec.kind.gain_limit, name)
-        if is_whole(path) and math.isfinite(end):
+        if about.whole and math.isfinite(end):
             end = float(math.floor(end * (1 + SAME)))
-        rule = f"the gain limit {spec.kind.gain_limit.rule}"
+        rule = spec.kind.gain_limit.rule
         if end < low:
             raise CalculationError(
-                f"no value of {name} keeps C = {float(clutch.gain):.6g} within {rule} (--beyond-limit goes past it)"
+                say(
+                    "no value of {name} keeps C = {gain:.6g} within the gain limit {rule} "
+                    "(--beyond-limit goes past it)",
+                    name=name,
+                    gain=float(clutch.gain),
+                    rule=rule,
+                )
             )
-        ends.append((end, rule))
+        ends.append((end, say("the gain limit {rule}", rule=rule)))
     high, why = min(ends, key=lambda end: end[0])
     return Domain(low, low_taken, high, why)
 

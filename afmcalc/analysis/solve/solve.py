@@ -1,7 +1,7 @@
 """From a wanted quantity back to one parameter: closed where the law can be inverted, else a bracketed root."""
 
 import math
-from typing import Literal
+from typing import Literal, TypeGuard
 
 import numpy as np
 
@@ -10,6 +10,7 @@ from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
+from ...messages import say
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.edit import replaced_findings, respecified, with_key
@@ -87,7 +88,15 @@ def solve(
     domain = domain_of(clutch, name, beyond_limit=beyond_limit)
     curve = explore(function, wanted, domain)
     if len(curve.at) > 1 and np.ptp(curve.value) <= 1e-12 * abs(curve.value[0]):
-        raise CalculationError(_independent(name, target, float(curve.value[0])))
+        level = _with_unit(float(curve.value[0]), TARGETS[target].unit)
+        raise CalculationError(
+            say(
+                "{target} does not depend on {name} here: it is {level} for every value",
+                target=target,
+                name=name,
+                level=level,
+            )
+        )
     found = roots(function, wanted, curve)
     exact = _closed(clutch, name, target, wanted, curve, function)
     if exact is not None:
@@ -121,10 +130,25 @@ def solve(
 def _path(spec: Spec, name: str) -> str:
     """Spec path of a parameter; refuse one that the variant does not have."""
     if name not in NAMES:
-        raise AfmcalcError(f"--for {name}: cannot be solved for{did_you_mean(name, NAMES)}; one of {', '.join(NAMES)}")
+        raise AfmcalcError(
+            say(
+                "--for {name}: cannot be solved for{hint}; one of {names}",
+                name=name,
+                hint=did_you_mean(name, NAMES),
+                names=", ".join(NAMES),
+            )
+        )
     path = ALIASES[name]
     if (only := variants_of(path)) and spec.variant not in only:
-        raise AfmcalcError(f"--for {name}: {path} is only for {', '.join(only)}, not {spec.variant!r}")
+        raise AfmcalcError(
+            say(
+                "--for {name}: {path} is only for {only}, not {variant!r}",
+                name=name,
+                path=path,
+                only=", ".join(only),
+                variant=spec.variant,
+            )
+        )
     return path
 
 
@@ -179,38 +203,53 @@ def _others(name: str, path: str, target: str, wanted: float, others: list[float
     ]
 
 
-def _independent(name: str, target: str, value: float) -> str:
-    unit = TARGETS[target].unit
-    return f"{target} does not depend on {name} here: it is {_with_unit(value, unit)} for every value"
-
-
 def _not_attainable(
     name: str, target: str, wanted: float, domain: Domain, curve: Curve, function: Function
 ) -> CalculationError:
     """Say what is nearest to the wanted value, and where."""
     unit = TARGETS[target].unit
-    said = f"{target} = {_with_unit(wanted, unit)} is not attainable by {name}"
+    asked = {"target": target, "wanted": _with_unit(wanted, unit), "name": name}
     at, value = curve.at, curve.value
     if is_whole(ALIASES[name]) and len(at):
         at = np.unique(np.clip(np.concatenate([np.floor(at), np.ceil(at)]), domain.low, domain.high))
         value = function(at)
     if not len(at):
-        return CalculationError(f"{said}: no value of {name} gives a clutch")
+        return CalculationError(
+            say("{target} = {wanted} is not attainable by {name}: no value of {name} gives a clutch", **asked)
+        )
     # nothing reaches the wanted value, so all lie on one side of it
     side = np.sign(wanted - value[0])
     rank = side * value
     tied = np.flatnonzero(rank >= rank.max() - 1e-13 * abs(rank.max()))
     best = tied[-1] if at[tied[-1]] == domain.high else tied[0]
     nearest, place = float(value[best]), float(at[best])
-    where = f"reached at {name} = {_with_unit(place, _UNITS[name])}"
-    if place == domain.high and domain.why:
-        where += f" ({domain.why})"
-    for limit, way in ((curve.limit_low, f"{name} goes to 0"), (curve.limit_high, f"{name} grows without end")):
-        if limit is not None and side * (limit - nearest) > 1e-12 * abs(limit):
-            return NotAttainableError(
-                f"{said}: the best is {_with_unit(limit, unit)}, approached as {way}", limit, None
-            )
-    return NotAttainableError(f"{said}: the best is {_with_unit(nearest, unit)}, {where}", nearest, place)
+
+    def nearer(limit: float | None) -> TypeGuard[float]:
+        return limit is not None and bool(side * (limit - nearest) > 1e-12 * abs(limit))
+
+    if nearer(limit := curve.limit_low):
+        message = say(
+            "{target} = {wanted} is not attainable by {name}: the best is {best}, approached as {name} goes to 0",
+            **asked,
+            best=_with_unit(limit, unit),
+        )
+        return NotAttainableError(message, limit, None)
+    if nearer(limit := curve.limit_high):
+        message = say(
+            "{target} = {wanted} is not attainable by {name}: the best is {best}, "
+            "approached as {name} grows without end",
+            **asked,
+            best=_with_unit(limit, unit),
+        )
+        return NotAttainableError(message, limit, None)
+    message = say(
+        "{target} = {wanted} is not attainable by {name}: the best is {best}, reached at {name} = {place}{why}",
+        **asked,
+        best=_with_unit(nearest, unit),
+        place=_with_unit(place, _UNITS[name]),
+        why=f" ({domain.why})" if place == domain.high and domain.why else "",
+    )
+    return NotAttainableError(message, nearest, place)
 
 
 def _with_unit(value: float, unit: str) -> str:

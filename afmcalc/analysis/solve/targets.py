@@ -6,6 +6,7 @@ from typing import Literal, NamedTuple
 from ...arrays import Values, larger, smaller
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
+from ...messages import say
 from ...spec.quantity import parse_quantity
 from ...spec.suggest import did_you_mean
 
@@ -39,7 +40,7 @@ def scatter(clutch: Clutch) -> Values:
 def _travel(clutch: Clutch) -> Values:
     travel: Values | None = clutch.travel(clutch.friction[0].max)
     if travel is None:
-        raise AfmcalcError("travel_max is only of an indirect clutch: a direct one has no sleeve")
+        raise AfmcalcError(say("travel_max is only of an indirect clutch: a direct one has no sleeve"))
     return travel
 
 
@@ -69,16 +70,23 @@ def parse_target(text: str) -> tuple[str, float]:
     name, separator, given = (part.strip() for part in text.partition("="))
     if name not in TARGETS:
         known = ", ".join(TARGETS)
-        raise AfmcalcError(f"{text!r} is no target{did_you_mean(name, TARGETS)}; write NAME=VALUE, NAME one of {known}")
+        raise AfmcalcError(
+            say(
+                "{text!r} is no target{hint}; write NAME=VALUE, NAME one of {known}",
+                text=text,
+                hint=did_you_mean(name, TARGETS),
+                known=known,
+            )
+        )
     if not separator or not given:
-        raise AfmcalcError(f"{text}: write {name}=VALUE")
+        raise AfmcalcError(say("{text}: write {name}=VALUE", text=text, name=name))
     unit = TARGETS[name].unit
     try:
         value = parse_quantity(_number_or_text(given), unit)
     except ValueError as error:
-        raise AfmcalcError(f"{text}: {error}") from None
+        raise AfmcalcError(say("{text}: {why}", text=text, why=error)) from None
     if not value > 0:
-        raise AfmcalcError(f"{text}: must be greater than 0")
+        raise AfmcalcError(say("{text}: must be greater than 0", text=text))
     return name, value
 
 

@@ -1,6 +1,7 @@
 """Axes of a sweep as written on the command line: which key is meant."""
 
 from ...errors import AfmcalcError
+from ...messages import say
 from ...spec import Spec
 from ...spec.paths import ALIASES, Key, keys
 from ...spec.rules import variants_of
@@ -19,9 +20,16 @@ def find_key(name: str) -> Key:
     if path not in known:
         symbols = ", ".join(ALIASES)
         hint = did_you_mean(name, [*ALIASES, *known])
-        raise AfmcalcError(f"{name!r} is no spec path or symbol{hint}; symbols: {symbols}; paths: as in the spec")
+        raise AfmcalcError(
+            say(
+                "{name!r} is no spec path or symbol{hint}; symbols: {symbols}; paths: as in the spec",
+                name=name,
+                hint=hint,
+                symbols=symbols,
+            )
+        )
     if known[path].unit is None:
-        raise AfmcalcError(f"{name!r} is not a number and cannot be swept")
+        raise AfmcalcError(say("{name!r} is not a number and cannot be swept", name=name))
     return known[path]
 
 
@@ -35,7 +43,15 @@ def parse_axis(text: str, spec: Spec) -> Axis:
     name = name.strip()
     key = find_key("C" if name == "zC" else name)
     if (only := variants_of(key.path)) and spec.variant not in only:
-        raise AfmcalcError(f"--sweep {text}: {key.path} is only for {', '.join(only)}, not {spec.variant!r}")
+        raise AfmcalcError(
+            say(
+                "--sweep {text}: {path} is only for {only}, not {variant!r}",
+                text=text,
+                path=key.path,
+                only=", ".join(only),
+                variant=spec.variant,
+            )
+        )
     scale = 1 / (spec.friction_group.pairs - spec.bypass_pairs) if name == "zC" else 1.0
     # here, not above: it loads NumPy, which only a sweep needs
     from .ranges import default_range, parse_values

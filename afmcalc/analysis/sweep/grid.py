@@ -7,6 +7,7 @@ from ...arrays import Floats, Values
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
 from ...findings import Finding
+from ...messages import say
 from ...result import Series
 from ...spec import Spec
 from ...spec.edit import replaced_findings
@@ -38,11 +39,17 @@ def grid(axes: Sequence[Axis]) -> list[Floats]:
     for axis in axes:
         count *= axis.values.size
     if count > MOST_POINTS:
-        raise AfmcalcError(f"the sweep asks for {count} points; at most {MOST_POINTS} are swept")
+        raise AfmcalcError(
+            say(
+                "the sweep asks for {count} points; at most {most_points} are swept",
+                count=count,
+                most_points=MOST_POINTS,
+            )
+        )
     if len({axis.key.path for axis in axes}) < len(axes):
-        raise AfmcalcError("the same key is swept twice")
+        raise AfmcalcError(say("the same key is swept twice"))
     if any(axis.name == "zC" for axis in axes) and any(axis.key.path.endswith("pairs") for axis in axes):
-        raise AfmcalcError("zC and a number of pairs cannot be swept together: sweep C with it")
+        raise AfmcalcError(say("zC and a number of pairs cannot be swept together: sweep C with it"))
     if len(axes) == 1:
         return [axes[0].values]
     import numpy as np

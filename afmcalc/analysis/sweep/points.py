@@ -10,6 +10,7 @@ from ...arrays import Floats, Values
 from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, SpecError
+from ...messages import say
 from ...spec import Spec
 from ...spec.edit import respecified, with_value
 from ...spec.paths import is_whole
@@ -54,10 +55,10 @@ def _checked(spec: Spec, arrays: Mapping[str, Floats]) -> Spec:
     """Return the spec ready to take the arrays, every corner of their extremes validated."""
     for path, array in arrays.items():
         if array.size == 0:
-            raise AfmcalcError(f"{path}: no values to sweep")
+            raise AfmcalcError(say("{path}: no values to sweep", path=path))
         if is_whole(path) and bool(np.any(array != np.floor(array))):
             wrong = float(array[array != np.floor(array)].ravel()[0])
-            raise AfmcalcError(f"--sweep {path}: {wrong:g} is not a whole number")
+            raise AfmcalcError(say("--sweep {path}: {wrong:g} is not a whole number", path=path, wrong=wrong))
     ends = [dict.fromkeys((float(array.min()), float(array.max()))) for array in arrays.values()]
     for corner in product(*ends):
         valid = _validated(spec, dict(zip(arrays, corner, strict=True)))
@@ -66,11 +67,11 @@ def _checked(spec: Spec, arrays: Mapping[str, Floats]) -> Spec:
 
 def _validated(spec: Spec, corner: dict[str, float]) -> Spec:
     try:
-        valid = respecified(spec, corner, "sweep")
+        valid = respecified(spec, corner)
         build(valid)
     except SpecError as error:
         where = ", ".join(f"{path} = {value:g}" for path, value in corner.items())
-        raise SpecError(f"sweep at {where}", error.problems) from None
+        raise SpecError(say("sweep at {where}", where=where), error.problems) from None
     return valid
 
 

@@ -5,6 +5,7 @@ import numpy as np
 from ...arrays import Floats
 from ...engines import build
 from ...errors import AfmcalcError, SpecError
+from ...messages import say
 from ...spec import Spec
 from ...spec.edit import value_at, with_key
 from ...spec.models import FrictionRange
@@ -25,19 +26,26 @@ def parse_values(text: str, given: str, unit: str) -> Floats:
         try:
             return parse_quantity(part, unit)
         except ValueError as error:
-            raise AfmcalcError(f"--sweep {text}: {part!r}: {error}") from None
+            raise AfmcalcError(say("--sweep {text}: {part!r}: {why}", text=text, part=part, why=error)) from None
 
     parts = given.split(":") if ":" in given else given.split(",")
     listed = parts[:2] if ":" in given else parts
     if len({_has_unit(part) for part in listed}) > 1:
-        raise AfmcalcError(f"--sweep {text}: give every value a unit, or none (SI)")
+        raise AfmcalcError(say("--sweep {text}: give every value a unit, or none (SI)", text=text))
     if ":" not in given:
         return np.array([number(part) for part in parts])
     if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 2:
-        raise AfmcalcError(f"--sweep {text}: write start:stop:count with a whole count of at least 2")
+        raise AfmcalcError(say("--sweep {text}: write start:stop:count with a whole count of at least 2", text=text))
     count = int(parts[2])
     if count > MOST_POINTS:
-        raise AfmcalcError(f"--sweep {text}: {count} points; at most {MOST_POINTS} are swept")
+        raise AfmcalcError(
+            say(
+                "--sweep {text}: {count} points; at most {most_points} are swept",
+                text=text,
+                count=count,
+                most_points=MOST_POINTS,
+            )
+        )
     return np.linspace(number(parts[0]), number(parts[1]), count)
 
 
@@ -61,7 +69,7 @@ def default_range(key: Key, spec: Spec) -> Floats:
     if key.path == "adjustment.margin":
         return np.linspace(1.0, max(2.0, float(current or 1)), 21)
     if current is None:
-        raise AfmcalcError(f"{key.path} is not in the spec: give a range, {key.path}=start:stop:count")
+        raise AfmcalcError(say("{path} is not in the spec: give a range, {path}=start:stop:count", path=key.path))
     low, high = 0.5 * current, 2 * current
     if key.path.startswith("friction."):
         low, high = _friction_range(key.path, spec, low, high)

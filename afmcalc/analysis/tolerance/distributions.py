@@ -7,6 +7,7 @@ from statistics import NormalDist
 from typing import Any, Literal
 
 from ...errors import CalculationError
+from ...messages import say
 from ...spec import Spec
 from ...spec.edit import value_at
 from ...spec.tolerance import FRICTION, Distribution, percentage, physical_limits, unit_at
@@ -124,6 +125,7 @@ class Input:
 
 def inputs_of(spec: Spec) -> list[Input]:
     """Return what scatters in a spec, in the order of its [tolerance] block."""
+    assert spec.tolerance is not None
     return [_input(spec, path, given) for path, given in spec.tolerance.fields.items()]
 
 
@@ -143,7 +145,9 @@ def _input(spec: Spec, path: str, given: Distribution) -> Input:
         if value is None and low is not None and high is not None:
             value = (low + high) / 2
         if value is None:
-            raise CalculationError(f"tolerance.fields.{path}: the spec has no {path} to scatter; give center")
+            raise CalculationError(
+                say("tolerance.fields.{path}: the spec has no {path} to scatter; give center", path=path)
+            )
         center = float(value)
     share = percentage(given.spread)
     spread = abs(center) * share if share is not None else _float(given.spread)
@@ -153,18 +157,29 @@ def _input(spec: Spec, path: str, given: Distribution) -> Input:
         ends, spread = (low, high), (high - low) / 2
         if given.distribution == "triangular" and not low <= center <= high:
             raise CalculationError(
-                f"tolerance.fields.{path}: the peak {center:g} is not between min {low:g} and max {high:g}"
+                say(
+                    "tolerance.fields.{path}: the peak {center:g} is not between min {low:g} and max {high:g}",
+                    path=path,
+                    center=center,
+                    low=low,
+                    high=high,
+                )
             )
     else:
         ends = center - spread, center + spread
         limits = max(limits[0], -math.inf if low is None else low), min(limits[1], math.inf if high is None else high)
     if given.distribution == "lognormal" and not center > 0:
-        raise CalculationError(f"tolerance.fields.{path}: a lognormal center must be greater than 0")
+        raise CalculationError(say("tolerance.fields.{path}: a lognormal center must be greater than 0", path=path))
     found = Input(path, unit, given.distribution, center, spread, ends, limits)
     below, above = found.mass
     if spread > 0 and not above - below > _LEAST_MASS:
         raise CalculationError(
-            f"tolerance.fields.{path}: the limits {limits[0]:g} to {limits[1]:g} leave nothing of the distribution"
+            say(
+                "tolerance.fields.{path}: the limits {low:g} to {high:g} leave nothing of the distribution",
+                path=path,
+                low=limits[0],
+                high=limits[1],
+            )
         )
     return found
 

@@ -11,6 +11,7 @@ from typing import Any
 from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
+from ...messages import say
 from ...spec import Spec
 from ...spec.edit import with_value
 from ...spec.tolerance import FRICTION
@@ -132,7 +133,7 @@ def sobol_sequence(dimensions: int, generator: Any) -> Any:
     try:
         from scipy.stats import qmc
     except ImportError:
-        raise AfmcalcError("quasi-Monte Carlo needs SciPy: pip install 'afmcalc[stats]'") from None
+        raise AfmcalcError(say("quasi-Monte Carlo needs SciPy: pip install 'afmcalc[stats]'")) from None
     import inspect
 
     # the argument was renamed; either way the generator is ours

@@ -7,6 +7,7 @@ from ...engines.protocol import Clutch
 from ...equations.overload import machine_torque
 from ...errors import AfmcalcError, Problem, SpecError
 from ...findings import Finding
+from ...messages import say
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.tolerance import Tolerance
@@ -128,7 +129,7 @@ def study(clutch: Clutch, *, threads: int | None = None, block: int = CELL) -> S
     if threads is None:
         threads = min(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1, 8)
     if threads < 1 or block < 1:
-        raise AfmcalcError("threads and block must be at least 1")
+        raise AfmcalcError(say("threads and block must be at least 1"))
     quasi = block_given.method == "quasi-monte-carlo"
     plan = Plan(block_given.samples, block_given.seed, quasi, threads, block)
     tallies = simulate(model, plan, block_given.torque_limit, machine)
@@ -152,16 +153,19 @@ def _block(spec: Spec) -> Tolerance:
     """Return the [tolerance] block; refuse fields that this clutch does not have."""
     given = spec.tolerance
     if given is None:
-        message = 'required by tolerance, for example [tolerance.fields] "closing_spring.force" = '
-        message += '{ distribution = "normal", spread = "5 %" }'
-        raise SpecError("spec", [Problem("tolerance", None, message)])
-    assert isinstance(given, Tolerance)
+        message = say(
+            'required by tolerance, for example [tolerance.fields] "closing_spring.force" = '
+            '{{ distribution = "normal", spread = "5 %" }}'
+        )
+        raise SpecError(spec.label, [Problem("tolerance", None, message)])
     unlike = spec.friction.unlike
     wrong = {"friction": unlike, "friction.driving": not unlike, "friction.driven": not unlike}
     for path in given.fields:
         if wrong.get(path):
             use = "friction.driving and friction.driven" if unlike else "friction"
-            raise SpecError("spec", [Problem(f"tolerance.fields.{path}", None, f"this clutch has {use} instead")])
+            raise SpecError(
+                spec.label, [Problem(f"tolerance.fields.{path}", None, say("this clutch has {use} instead", use=use))]
+            )
     return given
 
 

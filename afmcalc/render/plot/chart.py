@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
+from ...messages import translate
 from ..units import display, display_unit
 
 
@@ -115,7 +116,12 @@ def axis_of(result: type[BaseModel], name: str, *, log: bool = False, quantity: 
     """Axis of a result's field, read off its symbol, unit and description."""
     info = result.model_fields[name]
     about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
-    return Axis(quantity or info.description or name, str(about.get("symbol") or ""), str(about.get("unit") or ""), log)
+    return Axis(
+        quantity or translate(info.description or name),
+        str(about.get("symbol") or ""),
+        str(about.get("unit") or ""),
+        log,
+    )
 
 
 def describe(result: type[BaseModel], name: str) -> str:

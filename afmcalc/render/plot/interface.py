@@ -5,6 +5,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from ...errors import AfmcalcError
+from ...messages import say
 from ...spec.suggest import did_you_mean
 
 if TYPE_CHECKING:
@@ -56,7 +57,14 @@ def kind_of(name: str) -> Kind:
         AfmcalcError: there is none.
     """
     if name not in KINDS:
-        raise AfmcalcError(f"no plot {name!r}{did_you_mean(name, KINDS)}; there are: {', '.join(KINDS)}")
+        raise AfmcalcError(
+            say(
+                "no plot {name!r}{hint}; there are: {kinds}",
+                name=name,
+                hint=did_you_mean(name, KINDS),
+                kinds=", ".join(KINDS),
+            )
+        )
     return KINDS[name]
 
 
@@ -68,10 +76,17 @@ def check_request(name: str, request: Request) -> None:
     """
     kind = kind_of(name)
     if kind.takes in _SINGLE and len(request.subjects) != 1:
-        raise AfmcalcError(f"plot {name} takes one {_SINGLE[kind.takes]}, not {len(request.subjects)}")
+        raise AfmcalcError(
+            say(
+                "plot {name} takes one {what}, not {count}",
+                name=name,
+                what=_SINGLE[kind.takes],
+                count=len(request.subjects),
+            )
+        )
     for option in ("sweep", "model"):
         if getattr(request, option) is not None and option not in kind.options:
-            raise AfmcalcError(f"plot {name} has no use for --{option}")
+            raise AfmcalcError(say("plot {name} has no use for --{option}", name=name, option=option))
 
 
 def sheet_of(name: str, request: Request) -> "Sheet":

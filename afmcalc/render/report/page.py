@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+from ...messages import translate
 from ...papers.references import REFERENCES
 from ...spec import resolved
 from ...spec.paths import keys
@@ -82,7 +83,7 @@ def _keys(subject: Subject) -> list[_Key]:
             _Key(
                 path,
                 key.symbol or "",
-                key.description,
+                translate(key.description),
                 display(shown, key.unit or ""),
                 display_unit(key.unit or ""),
                 key.unit is not None,
@@ -96,7 +97,7 @@ def _scatter(path: str, name: str, given: dict[str, Any]) -> _Key:
     unit = unit_at(name) or ""
     numbers = [f"{part} {display(value, unit)}" for part, value in given.items() if part != "distribution"]
     key = keys().get(name)
-    about = f"scatter: {key.description.partition(';')[0]}" if key else "scatter of the friction in service"
+    about = f"scatter: {translate(key.description).partition(';')[0]}" if key else "scatter of the friction in service"
     value = ", ".join([given["distribution"], *numbers])
     return _Key(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, display_unit(unit), False)
 

@@ -3,6 +3,7 @@
 from typing import Any
 
 from ...analysis.tolerance.study import IndexRow, InputRow, ToleranceResult
+from ...messages import translate
 from ...spec.paths import keys
 from ..document import Row, document
 from ..layout import Block
@@ -96,7 +97,7 @@ def _named(path: str) -> tuple[str, str]:
     if path in _FRICTION:
         return _FRICTION[path]
     key = keys()[path]
-    return key.symbol or "", key.description.partition(";")[0]
+    return key.symbol or "", translate(key.description).partition(";")[0]
 
 
 _FRICTION = {

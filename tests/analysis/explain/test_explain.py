@@ -85,7 +85,7 @@ def test_the_key_keeps_its_own_friction(afmcalc):
     # without friction at the key κ and κ₊ are one number, not one quantity
     steps = afmcalc("explain", "torque", indirect, "--set", "control_unit.key_friction=0", "--json").json["result"]
     stiffness = {(step["at"], step["formula"]) for step in steps["steps"] if step["symbol"] == "D"}
-    assert {("f_max", "c_1 + c_2 + z·c_1·f_max·κ"), ("f_cp", "c_1 + c_2 + z·c_1·f_cp·κ₊")} <= stiffness
+    assert {("f_max", "c_1 + c_2 + z·c_1·f_max·κ"), ("f_cp, returning", "c_1 + c_2 + z·c_1·f_cp·κ₊")} <= stiffness
 
 
 def test_a_mean_that_is_the_largest_hides_neither(afmcalc):
@@ -140,9 +140,7 @@ def test_every_result_has_its_steps_whatever_numbers_coincide(spec):
     steps = explain("torque", spec)[0].steps
     clutch = build(spec)
     group = "2" if spec.friction.unlike else ""
-    results = {"T": clutch.torque, "F_p": clutch.release_force}
-    if not spec.kind.travels:
-        results["N"] = clutch.normal_force
+    results = {"T": clutch.torque, "F_p": clutch.release_force, "N": clutch.normal_force}
     for end, name in (("min", "min"), ("mean", "cp"), ("max", "max")):
         at = f"f_{group}{name}"
         pair = [getattr(own, end) for own in clutch.friction]
@@ -151,9 +149,13 @@ def test_every_result_has_its_steps_whatever_numbers_coincide(spec):
             assert any(s.value == pytest.approx(result(*pair), rel=1e-12) for s in own), (symbol, at)
             others = {f"f_{digit}{other}" for digit in ("", "1", "2") for other in {"min", "cp", "max"} - {name}}
             assert not any(other in s.formula for s in own for other in others)
+        returning = clutch.torque_returning(pair[0])
+        back = [s.value for s in steps if s.symbol == "T_i" and (s.at or "").partition(" ")[0].rstrip(",") == at]
+        assert returning is None or any(value == pytest.approx(returning, rel=1e-12) for value in back)
     assert any(s.symbol == "T_н" for s in steps)
     for step in steps:
-        assert ("κ₊" in step.formula) <= (step.symbol in ("D", "N", "κ₊", "κ₊/κ"))
+        if step.symbol == "D":
+            assert ("κ₊" in step.formula) == (step.at or "").endswith(", returning")
 
 
 def test_formats(afmcalc):

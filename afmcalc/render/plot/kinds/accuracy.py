@@ -3,6 +3,7 @@
 from ....analysis.accuracy import AccuracyResult, AccuracySweep, accuracy
 from ....analysis.curves import swept
 from ....analysis.sweep.grid import Axis as SweptKey
+from ....messages import translate
 from ....spec.paths import is_whole
 from ..chart import Axis, Chart, Level, Line, Sheet, axis_of, describe, named, stated
 from ..interface import Request
@@ -26,7 +27,7 @@ def sheet(request: Request) -> Sheet:
 def _abscissa(key: SweptKey) -> Axis:
     if key.name == "zC":
         return Axis("reduced gain", "zC")
-    return Axis(key.key.description.partition(";")[0], key.key.symbol or "", key.key.unit or "1")
+    return Axis(translate(key.key.description).partition(";")[0], key.key.symbol or "", key.key.unit or "1")
 
 
 def _line(label: str, result: AccuracyResult, key: SweptKey, answer: str = "accuracy_factor") -> Line:

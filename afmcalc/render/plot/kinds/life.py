@@ -7,6 +7,7 @@ from ....analysis.curves import POINTS
 from ....analysis.life import LifeSweep, band_axis, life
 from ....analysis.sweep.grid import Axis as SweptKey
 from ....errors import AfmcalcError, CalculationError
+from ....messages import say
 from ..chart import Axis, Chart, Level, Line, Sheet, axis_of, describe, named, power
 from ..interface import Request
 
@@ -36,7 +37,9 @@ def sheet(request: Request) -> Sheet:
         title = "Life against the scatter band"
         levels = [Level(f"base cycles N_0 = {power(result.base_cycles)}", result.base_cycles)]
     if not any(value for line in lines for value in line.y):
-        raise CalculationError(f"plot life: by the model {model!r} fatigue sets no limit anywhere in the range")
+        raise CalculationError(
+            say("plot life: by the model {model!r} fatigue sets no limit anywhere in the range", model=model)
+        )
     beyond = (
         "Above N_0 the stress is below the endurance limit: life is not limited by fatigue, the line is extrapolated "
         "as the paper does."
@@ -67,11 +70,13 @@ def _band(text: str | None, clutch: Any) -> SweptKey:
 
     name = (text or "dT").partition("=")[0].strip()
     if name != "dT":
-        raise AfmcalcError(f"plot life: its axis is the scatter band dT, not {name!r} (dT=RANGE sets its range)")
+        raise AfmcalcError(
+            say("plot life: its axis is the scatter band dT, not {name!r} (dT=RANGE sets its range)", name=name)
+        )
     key = band_axis(text or "dT", clutch.spec)
     if text and "=" in text:
         return key
     low, high = float(key.values.min()), float(key.values.max())
     if not high > low:
-        raise CalculationError("plot life: the friction does not wander, there is no band: give --sweep dT=RANGE")
+        raise CalculationError(say("plot life: the friction does not wander, there is no band: give --sweep dT=RANGE"))
     return key._replace(values=np.linspace(low, high, POINTS))

@@ -2,6 +2,7 @@
 
 from ....analysis.design.design import DesignResult, DesignRow, design
 from ....errors import CalculationError
+from ....messages import say
 from ..chart import Axis, Chart, Line, Sheet, axis_of
 from ..interface import Request
 
@@ -22,7 +23,7 @@ def sheet(request: Request) -> Sheet:
     """
     need = request.subjects[0]
     if len(set(need.objectives)) < 2:
-        raise CalculationError("plot pareto: one objective has one best clutch and no front; give two or more")
+        raise CalculationError(say("plot pareto: one objective has one best clutch and no front; give two or more"))
     result, findings = design(need, request.progress)
     if not result.front:
         raise CalculationError(findings[0].message)

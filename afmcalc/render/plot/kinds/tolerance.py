@@ -6,6 +6,7 @@ from typing import Any
 from ....analysis.tolerance.histogram import CENTRAL
 from ....analysis.tolerance.study import Study, study
 from ....errors import CalculationError
+from ....messages import say
 from ...units import display
 from ..chart import Area, Axis, Chart, Level, Line, Sheet, stated
 from ..interface import Request
@@ -27,7 +28,7 @@ def drawn(clutch: Any, found: Study) -> Sheet:
     """
     densities = found.histogram.densities
     if not densities:
-        raise CalculationError("plot tolerance: the torque does not scatter, there is no histogram")
+        raise CalculationError(say("plot tolerance: the torque does not scatter, there is no histogram"))
     edges = found.histogram.edges
     x = [edge for edge in edges for _ in range(2)]
     y = [0.0, *(density for density in densities for _ in range(2)), 0.0]
