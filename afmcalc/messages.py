@@ -117,6 +117,9 @@ FINDINGS: Mapping[str, str] = {
     ),
     "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",
     "torque-falls": "the torque falls as the friction of both groups rises: the largest torque is at f_min",
+    "solve-replaces": "{path} of the spec gives way to the {by} found",
+    "solve-another-value": "{target} = {wanted} is given by {others} as well",
+    "sweep-replaces": "{path} of the spec gives way to the swept {by}",
 }
 """Code of a finding, with its case where it has several → its sentence."""
 

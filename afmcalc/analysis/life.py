@@ -13,7 +13,7 @@ from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
 from .registry import StressRule
 from .slips import RULES, Load, cycles, damaging_stress, is_static, load_of
-from .sweep.grid import Axis, evaluate, grid
+from .sweep.grid import Axis, grid
 
 
 class MethodCycles(Result):
@@ -135,7 +135,10 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis]) -> list[
     """
     import numpy as np
 
+    from .sweep.points import evaluate
+
     part, points = _part(clutch, model), grid(axes)
+    answers: Mapping[str, Values]
     if any(axis.name == "dT" for axis in axes):
         if len(axes) > 1:
             raise AfmcalcError(say("dT is swept alone: it takes the place of what the clutch gives"))
@@ -185,7 +188,7 @@ def band_axis(text: str, clutch: Clutch) -> Axis:
     import numpy as np
 
     from ..spec.walk import Key
-    from .sweep.axes import parse_values
+    from .sweep.ranges import parse_values
 
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
     load = load_of(clutch)
