@@ -10,9 +10,10 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    Values: TypeAlias = float | NDArray[np.float64]
+    Floats: TypeAlias = NDArray[np.float64]
+    Values: TypeAlias = float | Floats
 else:
-    Values = Any
+    Floats = Values = Any
 """One number, or an array of any shape; shapes of several arguments broadcast."""
 
 

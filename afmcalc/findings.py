@@ -44,7 +44,7 @@ def finding(
         values: what else the sentence shows, SI.
     """
     said = {"value": value, "limit": limit, "path": path, **values}
-    number, bound = (None if each is None else float(each) for each in (value, limit))
+    number, bound = (each if each is None or type(each) is int else float(each) for each in (value, limit))
     return Finding(level, code.partition("/")[0], sentence(code, said), number, bound, path)
 
 

@@ -26,14 +26,15 @@ SCALES = {
 
 
 class _Sentence(string.Formatter):
-    """``str.format`` whose numbers may carry a unit."""
+    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once."""
 
     def format_field(self, value: object, format_spec: str) -> str:
         number, _, unit = format_spec.partition(" ")
         if not unit:
             return format(value, number)
         assert isinstance(value, SupportsFloat)
-        return f"{float(value) * SCALES[unit]:{number}} {unit}"
+        shown = format(float(value) * SCALES[unit.removesuffix("…")], number)
+        return f"{shown}…" if unit.endswith("…") else f"{shown} {unit}"
 
 
 def translate(text: str) -> str:
@@ -51,6 +52,50 @@ def say(template: str, /, **values: object) -> str:
 
 
 FINDINGS: Mapping[str, str] = {
+    "slips-averaged": "every slip swings the load from {value:.5g N·m} (fatigue.load_low) to T(f) and back; every "
+    "friction from f_min to f_max is taken as equally likely, and the life is that of the mean damage (Miner)",
+    # torque, accuracy, overload, compare
+    "friction-outside-range": "friction {value:g} is outside the range of the spec, {least:g} to {largest:g}",
+    "sweep-beyond-gain-limit": "{value} of {points} swept points lie above the gain limit 1/(z_1 f_1max): breakaway "
+    "peaks there exceed the sustained torque, K_т,p is the accuracy factor with them",
+    "published-against-equilibrium": "trust the equilibrium torque: at slip the load equals T_муф for every margin. "
+    "The published T_ср = T_п − ΔT' (S22 (14)) swaps the weights of T_п and T_н.маш against the paper's own (12) "
+    "(misprint M12); where the release force lags the load (impact), the trip lies between T_муф and T_п",
+    "margin-role": "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of "
+    "the spring as set, not as the surplus force of the mean-friction setting",
+    "variant-not-possible": "not as {variant}: {lacks}",
+    # life
+    "life-not-limited/extrapolated": "{side} side: the damaging stress, {listed}, is below the endurance limit "
+    "{limit:.4g MPa}: life is not limited by fatigue (the number extrapolates the S-N line, as the paper does)",
+    "life-not-limited/no-number": "{side} side: the damaging stress, {listed}, is below the endurance limit "
+    "{limit:.4g MPa}: life is not limited by fatigue (no number is given)",
+    "static-strength-exceeded": "the largest stress of the {side} side, {value:.4g MPa}, reaches the ultimate "
+    "strength {limit:.4g MPa}: the shaft fails at once",
+    "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
+    "band at equal mean costs nothing (M23); --model amplitude or goodman weighs it",
+    # control unit
+    "balls-overlap": "{balls} balls of {value:.5g mm} do not fit on the ball circle: their centres are "
+    "{limit:.5g mm} apart",
+    "default-clearance": "{path} is not given: {value:g mm} is taken (S21: 2…3 mm)",
+    "no-sleeve-travel": "a direct clutch has no sleeve: x_max is 0; allow for wear and disc release in the clearance",
+    "no-standard-ball": "no standard ball is as large as {value:.5g mm}: change gain, springs or list",
+    "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
+    "clearance need",
+    "balls-not-given": "the number of balls is not given: the contact force is not calculated",
+    "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
+    # surface pressure
+    "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
+    "above the allowable {low:g kPa…}{high:g kPa} of {name}",
+    "mean-pressure-in-range": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
+    "within the printed range of the allowable, {low:g kPa…}{high:g kPa} of {name}",
+    "mean-pressure": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
+    "below the allowable {low:g kPa} of {name}",
+    "peak-pressure-exceeded": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
+    "above the allowable {low:g kPa…}{high:g kPa} of {name}",
+    "peak-pressure-in-range": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
+    "within the printed range of the allowable, {low:g kPa…}{high:g kPa} of {name}",
+    "peak-pressure": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
+    "below the allowable {low:g kPa} of {name}",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
     "unexpected-verdict": "{row}: {verdict}; on record is: {record}",
@@ -96,6 +141,9 @@ FINDINGS: Mapping[str, str] = {
         "{value:.3g} of the samples are no clutch (feedback does not overcome the friction at the key, or the faces "
         "have no width); the figures are those of the others"
     ),
+    "solve-replaces": "{path} of the spec gives way to the {by} found",
+    "solve-another-value": "{target} = {wanted} is given by {others} as well",
+    "sweep-replaces": "{path} of the spec gives way to the swept {by}",
 }
 """Code of a finding, with its case where it has several → its sentence."""
 

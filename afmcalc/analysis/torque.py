@@ -5,7 +5,7 @@ from typing import Any
 
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
-from ..findings import Finding
+from ..findings import Finding, finding
 from ..messages import say
 from ..result import Result, Triple, quantity
 
@@ -129,9 +129,10 @@ def _outside(clutch: Clutch, friction: float, friction_driven: float | None) -> 
     found = []
     for value, allowed in zip(asked, clutch.friction, strict=True):
         if not allowed.min <= value <= allowed.max:
-            message = f"friction {value:g} is outside the range of the spec, {allowed.min:g} to {allowed.max:g}"
             limit = allowed.min if value < allowed.min else allowed.max
             found.append(
-                Finding(level="info", code="friction-outside-range", message=message, value=value, limit=limit)
+                finding(
+                    "friction-outside-range", "info", value=value, limit=limit, least=allowed.min, largest=allowed.max
+                )
             )
     return list(dict.fromkeys(found))

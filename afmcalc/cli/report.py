@@ -1,39 +1,33 @@
 """The command that writes a calculation report."""
 
 import os
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from .. import __version__
+from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..extras import need
 from ..messages import say
 from .files import write, write_file
-from .options import Common, SpecArgument
+from .options import Common, SpecArgument, common_options
 
 if TYPE_CHECKING:
-    from ..engines import Clutch
-    from ..findings import Finding
     from ..spec import Spec
 
 
+@common_options("set", "output", "quiet", output="HTML file; without it standard output.")
 def report(
     spec: SpecArgument = None,
     pdf: Annotated[
         bool, typer.Option("--pdf", help="Print it to PDF too, beside FILE, with a headless browser found here.")
     ] = False,
     model: Annotated[
-        Literal["mean-stress", "amplitude", "goodman"],
-        typer.Option("--model", help="Rule for the damaging stress of the life."),
+        StressRule, typer.Option("--model", help="Rule for the damaging stress of the life.")
     ] = "mean-stress",
-    set_: Annotated[
-        list[str] | None, typer.Option("--set", metavar="PATH=VALUE", help="Override a spec key; repeatable.")
-    ] = None,
-    output: Annotated[
-        str | None, typer.Option("--output", "-o", metavar="FILE", help="HTML file; without it standard output.")
-    ] = None,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False,
+    *,
+    common: Common,
 ) -> None:
     """Calculation report: one self-contained HTML file, for the project folder or the reviewer.
 
@@ -43,45 +37,22 @@ def report(
     """  # noqa: D301
     need("report")
     from ..analysis.dossier import dossier
-    from ..engines import build
     from ..render.report import Subject, render
     from ..render.report.browser import find_browser, print_pdf
-    from ..render.report.steps import explained
 
-    common = Common(set=set_, output=output, quiet=quiet)
+    output = common.output
     target = _pdf_beside(output) if pdf else None
     browser = find_browser() if pdf else None
     common.keep(spec)
     given, read = _read(spec, common)
-    clutch = build(read)
-    found, findings = dossier(clutch, model)
-    calculations: dict[str, dict[str, str]] = {"torque": {}, "accuracy": {}, "adjust": {}}
-    calculations |= {"overload": {}} if found.overload else {}
-    calculations |= {"synthesize": {}} if found.synthesis else {}
-    calculations |= {"life": {"model": model}} if found.life else {}
-    steps = explained(read, calculations)
-    results, more = _beyond(clutch)
-    findings = list(dict.fromkeys([*findings, *more]))
-    subject = Subject(
-        clutch, found, findings, given, set_ or (), __version__, _date(), model=model, steps=steps, results=results
-    )
-    page = render(subject)
+    found = dossier(read, model)
+    page = render(Subject(found, given, common.set or (), __version__, _date()))
     write(page, output)
     if output not in (None, "-"):
         common.note(say("wrote {output}", output=output))
     if target and browser:
         write_file(target, print_pdf(browser, page))
         common.note(say("wrote {target}", target=target))
-
-
-def _beyond(clutch: "Clutch") -> "tuple[dict[str, Any], list[Finding]]":
-    """Results that the spec asks for by a block of its own, and their findings."""
-    if clutch.spec.tolerance is None:
-        return {}, []
-    from ..analysis.tolerance.study import study
-
-    found = study(clutch)
-    return {"tolerance": found}, found.findings
 
 
 def _pdf_beside(output: str | None) -> str:

@@ -51,7 +51,9 @@ def init(
         raise AfmcalcError(say("{target}: exists already; --force overwrites it", target=target))
     write(example_text(_EXAMPLES[variant] or variant), target)
     if target != "-":
-        Common(quiet=quiet).note(say("wrote {target}; calculate it with: afmcalc torque {target}", target=target))
+        Common("init", quiet=quiet).note(
+            say("wrote {target}; calculate it with: afmcalc torque {target}", target=target)
+        )
 
 
 @with_common
@@ -67,9 +69,7 @@ def check(
     afmcalc check clutch.toml && echo fine
     afmcalc check clutch.toml --strict --json
     """  # noqa: D301
-    from ..analysis.checks.check import check as analysis
-
-    output = calculate("check", spec, common, lambda clutch: analysis(clutch, strict=strict))
+    output = calculate(common, spec, lambda clutch: {"strict": strict})
     if not output.result.passed:
         raise typer.Exit(1)
 
@@ -84,9 +84,9 @@ def materials(*, common: Common) -> None:
     """  # noqa: D301
     from ..analysis.materials import materials as analysis
 
-    common.takes_no_clutch("materials")
+    common.takes_no_clutch()
     result, findings = analysis()
-    emit("materials", result, findings, common, None)
+    emit(common, result, findings)
 
 
 def schema(

@@ -137,6 +137,23 @@ def damage(endurance_limit: Number, stress: Number, exponent: Number, base_cycle
     return (stress / endurance_limit) ** exponent / base_cycles
 
 
+def cycles_of_mean_damage(mean_damage: Number) -> Number:
+    """Slips to failure from the mean damage of a slip, N = 1/D_m.
+
+    Source: Miner: D_m is the mean of 1/N(T_low, T(f)) over the friction of the slips (theory, section 4).
+
+    Args:
+        mean_damage: D_m, mean damage of a slip over f_min … f_max [1].
+
+    Returns:
+        N [1].
+
+    Validity:
+        Linear damage; slips below the endurance limit do none.
+    """
+    return 1 / mean_damage
+
+
 def cycles_of_band(
     endurance_limit: Number,
     polar_section_modulus: Number,

@@ -99,6 +99,12 @@ def cycles_from_the_line() -> Steps:
     yield Identity("(16), (17)", stresses[0] - low / modulus)
     mean = life.mean_stress(*stresses)
     yield Identity("(15), (18)", mean - (2 * low + band) / (2 * modulus))
+    often, rarely = sp.symbols("n_1 n_2", positive=True)
+    damage = (often / cycles + rarely / (2 * cycles)) / (often + rarely)
+    slips = life.cycles_of_mean_damage(damage)
+    yield Identity(
+        "Miner: after that many slips the damage is 1", slips * (often + rarely / 2) / cycles - (often + rarely)
+    )
     for power in (1, 2, 6):
         direct_form = life.cycles(limit, mean, power, base)
         yield Identity(

@@ -10,6 +10,7 @@ from pydantic import (
     ModelWrapValidatorHandler,
     PrivateAttr,
     ValidationError,
+    field_validator,
     model_validator,
 )
 from pydantic.json_schema import JsonSchemaValue
@@ -35,10 +36,11 @@ from .fields import (
     StiffnessOrNone,
     Stress,
     Torque,
+    TorqueOrNone,
     WallAngle,
     key_field,
 )
-from .tolerance import Tolerance
+from .tolerance import Tolerance, in_si
 
 
 class _Registered:
@@ -221,6 +223,9 @@ class Fatigue(Block):
     mean_stress_sensitivity: Ratio | None = key_field("sensitivity to the mean stress (model amplitude)", "ψ_τ")
     ultimate_strength: Stress | None = key_field("ultimate strength in shear (model goodman)", "τ_u")
     base_cycles: Coefficient = Field(description="base cycles of the S-N line", json_schema_extra={"symbol": "N_0"})
+    load_low: TorqueOrNone = key_field(
+        "torque from which a slip swings the load and to which it falls back (amplitude, goodman)", "T_low", default=0.0
+    )
 
 
 @dataclass(frozen=True)
@@ -246,6 +251,11 @@ class Spec(Block):
     tolerance: Tolerance | None = None
 
     _origin: Origin = PrivateAttr(Origin("spec"))
+
+    @field_validator("tolerance")
+    @classmethod
+    def _scatter(cls, given: Tolerance | None) -> Tolerance | None:
+        return given and in_si(given, cls)
 
     @model_validator(mode="wrap")
     @classmethod

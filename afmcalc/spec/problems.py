@@ -8,9 +8,9 @@ from pydantic_core import ErrorDetails
 
 from ..errors import Problem
 from ..messages import say
-from .paths import keys, names_in
 from .rules import RuleError, Table
 from .suggest import did_you_mean
+from .walk import keys_below, names_in
 
 
 def problems_of(error: ValidationError, data: Table, model: type[BaseModel]) -> list[Problem]:
@@ -83,7 +83,7 @@ def _unknown_key(location: tuple[str, ...], root: type[BaseModel]) -> str:
     allowed = names_in(tuple(block), root)
     if hint := did_you_mean(name, allowed):
         return say("unknown key{hint}", hint=hint)
-    elsewhere = [path for path in keys(root) if path.rpartition(".")[2] == name]
+    elsewhere = [path for path in keys_below(root) if path.rpartition(".")[2] == name]
     if elsewhere:
         return say("unknown key; did you mean {paths}?", paths=say(" or ").join(elsewhere))
     return say("unknown key; allowed here: {names}", names=", ".join(allowed))

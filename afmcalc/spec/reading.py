@@ -157,8 +157,9 @@ def apply_overrides(data: dict[str, object], overrides: Iterable[str], model: ty
 
 def _path(override: str, model: type[BaseModel]) -> list[str]:
     """Parts of the path an override names; a symbol stands for its path."""
-    from .paths import ALIASES, names_in
+    from .paths import ALIASES
     from .suggest import did_you_mean
+    from .walk import names_in
 
     name, separator, _ = override.partition("=")
     path = ALIASES.get(name.strip(), name.strip()) if model is Spec else name.strip()

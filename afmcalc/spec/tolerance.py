@@ -3,13 +3,14 @@
 import re
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, field_validator, model_validator
+from pydantic import BaseModel, BeforeValidator, Field, field_validator
 
 from ..errors import Problem
 from ..messages import say
 from . import rules
 from .fields import Block, Quantity, Torque, key_field
 from .quantity import parse_quantity
+from .walk import keys_below
 
 Kind = Literal["normal", "uniform", "triangular", "lognormal"]
 Setting = Literal["as-made", "each-adjusted"]
@@ -78,24 +79,25 @@ class Tolerance(Block):
             raise ValueError(say("must be probabilities between 0 and 1, at least one"))
         return tuple(sorted(set(given)))
 
-    @model_validator(mode="after")
-    def _read_quantities(self) -> "Tolerance":
-        problems: list[Problem] = []
-        fields = {path: _read(path, each, problems) for path, each in self.fields.items()}
-        if problems:
-            raise rules.RuleError(problems)
-        object.__setattr__(self, "fields", fields)
-        return self
+
+def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
+    """Turn what the user wrote of each field into SI, by the unit of the key of ``spec`` that scatters.
+
+    Raises:
+        RuleError: a field that does not scatter, or not so.
+    """
+    problems: list[Problem] = []
+    fields = {path: _read(path, each, problems, spec) for path, each in given.fields.items()}
+    if problems:
+        raise rules.RuleError(problems)
+    return given.model_copy(update={"fields": fields})
 
 
-def unit_at(path: str) -> str | None:
-    """SI unit of what may scatter; None when the path is none of it."""
-    from .paths import is_whole, keys
-
-    if path in FRICTION:
-        return "1"
-    found = keys().get(path)
-    return None if found is None or is_whole(path) or path.startswith("tolerance.") else found.unit
+def scattering(path: str, spec: type[BaseModel]) -> Quantity | None:
+    """What a number that scatters may be; None when nothing that may scatter is at the path."""
+    found = keys_below(spec).get("friction.min" if path in FRICTION else path)
+    about = found.about if found else None
+    return None if about is None or about.whole or path.startswith("tolerance.") else about
 
 
 def percentage(value: object) -> float | None:
@@ -108,26 +110,11 @@ def percentage(value: object) -> float | None:
     return float(matched[1]) / 100 if matched else None
 
 
-def physical_limits(path: str) -> tuple[float, float]:
-    """Bounds that the spec sets to a field, which no scatter passes.
-
-    >>> physical_limits("closing_spring.force"), physical_limits("friction")
-    ((0.0, inf), (0.0, inf))
-    """
-    import math
-
-    from .paths import quantity_at
-
-    found = quantity_at("friction.min" if path in FRICTION else path)
-    low, high = (found.low, found.high) if found else (None, None)
-    return -math.inf if low is None else float(low), math.inf if high is None else float(high)
-
-
-def _read(path: str, given: Distribution, problems: list[Problem]) -> Distribution:
+def _read(path: str, given: Distribution, problems: list[Problem], spec: type[BaseModel]) -> Distribution:
     """Turn quantities into SI; percentages stay, since they follow the spec."""
-    unit = unit_at(path)
-    if unit is None:
-        problems.append(rules.wrong(f"fields.{path}", _unknown(path)))
+    about = scattering(path, spec)
+    if about is None:
+        problems.append(rules.wrong(f"fields.{path}", _unknown(path, spec)))
         return given
     read: dict[str, Any] = {}
     for name in ("center", "spread", "min", "max"):
@@ -136,15 +123,18 @@ def _read(path: str, given: Distribution, problems: list[Problem]) -> Distributi
             read[name] = value
             continue
         try:
-            read[name] = parse_quantity(value, unit)
+            read[name] = parse_quantity(value, about.unit)
         except ValueError as error:
             problems.append(rules.wrong(f"fields.{path}.{name}", str(error)))
             return given
-    lowest, highest = physical_limits(path)
     for name in ("min", "max"):
         value = read[name]
-        if value is not None and not lowest <= value <= highest:
-            problems.append(rules.wrong(f"fields.{path}.{name}", _beyond(path, value, lowest, highest)))
+        if value is not None and about.low is not None and value < about.low:
+            message = say("must be at least {low:g}, as {path} itself", low=about.low, path=path)
+            problems.append(rules.wrong(f"fields.{path}.{name}", message))
+        elif value is not None and about.high is not None and value > about.high:
+            message = say("must be at most {high:g}, as {path} itself", high=about.high, path=path)
+            problems.append(rules.wrong(f"fields.{path}.{name}", message))
     share = percentage(read["spread"])
     size = read["spread"] if share is None else share
     if size is not None and not size >= 0:
@@ -165,18 +155,13 @@ def _read(path: str, given: Distribution, problems: list[Problem]) -> Distributi
     return given.model_copy(update=read)
 
 
-def _beyond(path: str, value: float, low: float, high: float) -> str:
-    if value < low:
-        return say("must be at least {low:g}, as {path} itself", low=low, path=path)
-    return say("must be at most {high:g}, as {path} itself", high=high, path=path)
-
-
-def _unknown(path: str) -> str:
-    from .paths import is_whole, keys
+def _unknown(path: str, spec: type[BaseModel]) -> str:
     from .suggest import did_you_mean
 
-    if path in keys():
-        return say("is a whole number, which does not scatter") if is_whole(path) else say("is not a number")
-    if hint := did_you_mean(path, [*FRICTION, *keys()]):
+    known = keys_below(spec)
+    if path in known:
+        counts = (about := known[path].about) is not None and about.whole
+        return say("is a whole number, which does not scatter") if counts else say("is not a number")
+    if hint := did_you_mean(path, [*FRICTION, *known]):
         return say("unknown field{hint}", hint=hint)
     return say("unknown field; a spec path, or friction for the friction in service")

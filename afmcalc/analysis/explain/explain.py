@@ -1,6 +1,5 @@
 """A calculation as an engineer writes it: formula, numbers put in, value, source, and where the print differs."""
 
-from collections.abc import Callable
 from typing import Any
 
 from ...engines import build
@@ -12,6 +11,7 @@ from ...papers.register import register
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.suggest import did_you_mean
+from ..registry import ANALYSES, EXPLAINED
 from .trace import Call, distinct, recording, with_roles
 
 
@@ -41,26 +41,6 @@ class ExplainResult(Result):
     steps: list[Step] = quantity("", None, "steps of the calculation", steps=True)
 
 
-def _analyses() -> dict[str, Callable[..., Any]]:
-    from ..accuracy import accuracy
-    from ..adjust import adjust
-    from ..checks.check import check
-    from ..life import life
-    from ..overload import overload
-    from ..synthesize import synthesize
-    from ..torque import torque
-
-    return {
-        "torque": torque,
-        "accuracy": accuracy,
-        "adjust": adjust,
-        "overload": overload,
-        "synthesize": synthesize,
-        "life": life,
-        "check": check,
-    }
-
-
 def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, list[Finding]]:
     """Run a calculation and explain every equation it ran.
 
@@ -75,21 +55,26 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
     Raises:
         AfmcalcError: no such calculation, or the extra ``explain`` is missing.
     """
-    analyses = _analyses()
-    if command not in analyses:
-        hint = did_you_mean(command, analyses)
+    if command not in EXPLAINED:
+        hint = did_you_mean(command, EXPLAINED)
         raise AfmcalcError(
             say(
                 "explain: no calculation {command!r}{hint}; explained are {analyses}",
                 command=command,
                 hint=hint,
-                analyses=", ".join(analyses),
+                analyses=", ".join(EXPLAINED),
             )
         )
     need("explain")
+    calculation = ANALYSES[command].function
     with recording() as calls:
-        _, findings = analyses[command](build(with_roles(spec)), **options)
-    return ExplainResult(explained=command, steps=[_step(call) for call in distinct(calls)]), findings
+        _, findings = calculation(build(with_roles(spec)), **options)
+    return ExplainResult(explained=command, steps=steps_of(calls)), findings
+
+
+def steps_of(calls: list[Call]) -> list[Step]:
+    """Return the steps of what was recorded."""
+    return [_step(call) for call in distinct(calls)]
 
 
 def _note(call: Call) -> str | None:

@@ -74,14 +74,6 @@ def _signs_joined(factors: list[Any]) -> list[Any]:
     return factors
 
 
-def value_latex(text: str) -> str:
-    """Return a value as shown to people, such as ``1.2e+07 N·m``, in LaTeX."""
-    number, _, unit = text.partition(" ")
-    mantissa, _, exponent = number.partition("e")
-    shown = f"{mantissa} \\cdot 10^{{{int(exponent)}}}" if exponent else mantissa
-    return f"{shown}\\,\\text{{{unit}}}" if unit else shown
-
-
 def _number(value: Any, unit: str, *, latex: bool) -> str:
     """Write a value with its SI unit; the spaces keep it apart from operators."""
     text = f"{value:.5g}"

@@ -1,12 +1,13 @@
 """Quantities that a design can be asked for: solve aims at them."""
 
 from collections.abc import Callable
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
-from ...arrays import larger, smaller
+from ...arrays import Values, larger, smaller
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
 from ...messages import say
+from ...spec.quantity import parse_quantity
 from ...spec.suggest import did_you_mean
 
 
@@ -15,29 +16,29 @@ class Target(NamedTuple):
 
     unit: str
     description: str
-    value: Callable[[Clutch], Any]
+    value: Callable[[Clutch], Values]
     better: Literal["low", "high"]
     """Which side of the wanted value still meets it, where only whole numbers can be chosen."""
 
 
-def _ends(clutch: Clutch) -> tuple[Any, Any]:
+def _ends(clutch: Clutch) -> tuple[Values, Values]:
     first, second = clutch.friction
     return clutch.torque(first.min, second.min), clutch.torque(first.max, second.max)
 
 
-def torque_min(clutch: Clutch) -> Any:
+def torque_min(clutch: Clutch) -> Values:
     """Smallest sustained torque along the common path, N·m."""
     return smaller(*_ends(clutch))
 
 
-def scatter(clutch: Clutch) -> Any:
+def scatter(clutch: Clutch) -> Values:
     """Width of the torque scatter band ΔT, N·m."""
     low, high = _ends(clutch)
     return larger(low, high) - smaller(low, high)
 
 
-def _travel(clutch: Clutch) -> Any:
-    travel = clutch.travel(clutch.friction[0].max)
+def _travel(clutch: Clutch) -> Values:
+    travel: Values | None = clutch.travel(clutch.friction[0].max)
     if travel is None:
         raise AfmcalcError(say("travel_max is only of an indirect clutch: a direct one has no sleeve"))
     return travel
@@ -66,8 +67,6 @@ def parse_target(text: str) -> tuple[str, float]:
     Raises:
         AfmcalcError: no such target, or no such value.
     """
-    from ...spec.quantity import parse_quantity
-
     name, separator, given = (part.strip() for part in text.partition("="))
     if name not in TARGETS:
         known = ", ".join(TARGETS)

@@ -6,6 +6,7 @@ import numpy as np
 
 from ...arrays import Values
 from ...engines.laws import IndirectLaw
+from ...equations.life import cycles_of_mean_damage
 from .distributions import Array, Input
 from .model import Model
 from .quadrature import panels
@@ -50,7 +51,7 @@ class Exact:
     def lives(self) -> tuple[float, float]:
         """Slips to failure on both sides: all clutches are alike, and each sees the whole range of friction."""
         clutch = self.model.clutch([each.center for each in self.model.inputs])
-        life = 1 / self.mean_of(lambda torque: damage_of(clutch, torque))
+        life = cycles_of_mean_damage(self.mean_of(lambda torque: damage_of(clutch, torque)))
         return life, float(unprotected(clutch, life))
 
 

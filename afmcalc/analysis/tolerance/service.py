@@ -77,7 +77,8 @@ def life_of(model: Model, clutch: Clutch, slips: list[Slip]) -> Values:
     total: Values = 0.0
     for slip in slips:
         total = total + slip.share * damage_of(clutch, model.torque_of(clutch, slip.frictions))
-    return 1 / total
+    slips_to_failure: Values = law.cycles_of_mean_damage(total)
+    return slips_to_failure
 
 
 def damage_of(clutch: Clutch, torque: Values) -> Values:

@@ -37,12 +37,14 @@ def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
 
 def inline_svg(sheet: Sheet) -> str:
     """Set a sheet for a page: without title and caption, see-through, its texts as text."""
+    from .inline import svg_of
+
     with _settings({"svg.fonttype": "none", "savefig.facecolor": "none"}):
         figure = _figure(sheet, bare=True)
         figure.patch.set_alpha(0)
         for axes in figure.axes:
             axes.patch.set_alpha(0)
-        return _bytes(figure, "svg").decode("utf-8")
+        return svg_of(figure)
 
 
 def _settings(more: dict[str, Any] | None = None) -> Any:

@@ -10,13 +10,12 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from ...messages import translate
 from ...papers.references import REFERENCES
 from ...spec import resolved
-from ...spec.paths import keys
-from ...spec.tolerance import unit_at
+from ...spec.paths import keys, unit_at
 from ..plot.figure import inline_svg
 from ..units import display, display_unit
-from .interface import Section, Subject
+from .chapters import chapters
+from .interface import Chapter, Subject
 from .markup import cell, drawing, mathml, symbol
-from .sections import sections
 
 _LEVELS = {"error": 0, "warning": 1, "info": 2}
 
@@ -49,31 +48,30 @@ def render(subject: Subject) -> str:
         "display": display,
         "display_unit": display_unit,
     }
-    found = sections(subject)
+    found = chapters(subject.dossier)
     page: str = environment.get_template("page.html").render(
         subject=subject,
-        name=subject.clutch.spec.name or "Adaptive friction clutch",
+        name=subject.dossier.spec.name or "Adaptive friction clutch",
         digest=digest(subject),
         keys=_keys(subject),
-        sections=found,
+        chapters=found,
         drawings=_drawings(found),
-        findings=sorted(subject.findings, key=lambda finding: _LEVELS[finding.level]),
+        findings=sorted(subject.dossier.findings, key=lambda finding: _LEVELS[finding.level]),
         references=_references(found),
-        passed=subject.dossier.check.passed,
     )
     return page
 
 
 def digest(subject: Subject) -> str:
     """Return the SHA-256 of the spec as resolved: two reports of the same clutch have the same."""
-    text = json.dumps(resolved(subject.clutch.spec), sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    text = json.dumps(resolved(subject.dossier.spec), sort_keys=True, separators=(",", ":"), ensure_ascii=False)
     return hashlib.sha256(text.encode("utf-8")).hexdigest()
 
 
 def _keys(subject: Subject) -> list[_Key]:
     known = keys()
     found: list[_Key] = []
-    for path, value in _flat(resolved(subject.clutch.spec), ""):
+    for path, value in _flat(resolved(subject.dossier.spec), ""):
         if isinstance(value, dict):
             found += [_scatter(path, name, each) for name, each in value.items()]
             continue
@@ -112,18 +110,18 @@ def _flat(data: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:
     return found
 
 
-def _drawings(found: list[Section]) -> dict[str, list[Any]]:
-    """Section key → its drawings, numbered through."""
+def _drawings(found: list[Chapter]) -> dict[str, list[Any]]:
+    """Chapter key → its drawings, numbered through."""
     made: dict[str, list[Any]] = {}
     number = 0
-    for section in found:
-        made[section.key] = []
-        for sheet in section.sheets:
+    for chapter in found:
+        made[chapter.key] = []
+        for sheet in chapter.sheets:
             number += 1
-            made[section.key].append((number, sheet, drawing(inline_svg(sheet), sheet.title, number)))
+            made[chapter.key].append((number, sheet, drawing(inline_svg(sheet), sheet.title, number)))
     return made
 
 
-def _references(found: list[Section]) -> list[tuple[str, str]]:
-    cited = {source for section in found for source in section.sources}
+def _references(found: list[Chapter]) -> list[tuple[str, str]]:
+    cited = {source for chapter in found for source in chapter.sources}
     return [(key, text) for key, text in REFERENCES.items() if key in cited]

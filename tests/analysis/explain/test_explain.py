@@ -10,6 +10,7 @@ from strategies import direct_specs, indirect_specs
 from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.explain.formula import Formula
 from afmcalc.analysis.explain.trace import distinct, recording
+from afmcalc.analysis.registry import ANALYSES
 from afmcalc.engines import build
 from afmcalc.equations import direct
 from afmcalc.equations.catalogue import equations
@@ -26,9 +27,7 @@ def test_every_value_shown_is_the_value_calculated(command, name):
     result, _ = explain(command, spec)
     assert result.steps
     with recording() as calls:
-        from afmcalc.analysis.explain.explain import _analyses
-
-        _analyses()[command](build(spec))
+        ANALYSES[command].function(build(spec))
     values = {(call.equation.name, call.value) for call in calls if isinstance(call.value, float)}
     for step in result.steps:
         assert any(step.function == function and step.value == pytest.approx(value) for function, value in values)
