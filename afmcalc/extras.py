@@ -7,7 +7,7 @@ from .errors import AfmcalcError
 MODULES = {
     "explain": ("sympy",),
     "plot": ("matplotlib",),
-    "report": ("jinja2", "matplotlib", "sympy", "latex2mathml"),
+    "report": ("jinja2", "matplotlib", "latex2mathml"),
 }
 """Extra → modules it brings."""
 

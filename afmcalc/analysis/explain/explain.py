@@ -4,13 +4,13 @@ from typing import Any
 
 from ...engines import build
 from ...errors import AfmcalcError
-from ...extras import need
 from ...findings import Finding
 from ...papers.register import register
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.suggest import did_you_mean
 from ..registry import ANALYSES, EXPLAINED
+from .formula import Formula, symbol_latex
 from .trace import Call, distinct, recording, with_roles
 
 
@@ -52,12 +52,11 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
         The steps and the findings of the calculation itself.
 
     Raises:
-        AfmcalcError: no such calculation, or the extra ``explain`` is missing.
+        AfmcalcError: no such calculation.
     """
     if command not in EXPLAINED:
         hint = did_you_mean(command, EXPLAINED)
         raise AfmcalcError(f"explain: no calculation {command!r}{hint}; explained are {', '.join(EXPLAINED)}")
-    need("explain")
     calculation = ANALYSES[command].function
     with recording() as calls:
         _, findings = calculation(build(with_roles(spec)), **options)
@@ -77,8 +76,6 @@ def _note(call: Call) -> str | None:
 
 
 def _step(call: Call) -> Step:
-    from .formula import Formula, symbol_latex
-
     terms = call.equation.arguments
     symbols = {name: call.symbol(name) for name in call.arguments}
     units = {name: terms[name].unit for name in call.arguments}
