@@ -41,7 +41,9 @@ def say(template: str, /, **values: Any) -> str:
     return _Sentence().vformat(template, (), values)
 
 
-FINDINGS: Mapping[str, str] = {}
+FINDINGS: Mapping[str, str] = {
+    "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
+}
 """Code of a finding → its sentence."""
 
 

@@ -82,7 +82,7 @@ def plot(
 
 def _of_requirements(what: str, request: "Request", common: Common) -> "Sheet":
     """Read the requirements and search, with a progress bar."""
-    from ..analysis.design.search import total
+    from ..analysis.design.space import total
     from ..render.plot import check_request, sheet_of
     from ..spec.requirements import read_requirements
     from .progress import Progress

@@ -2,123 +2,65 @@
 
 from collections.abc import Iterable, Mapping
 from os import PathLike
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
+from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, ValidationError, model_validator
+from pydantic import Field, ValidationError, model_validator
 
 from ..errors import SpecError
 from . import rules
+from .choices import Angles, Choice, Diameters, Forces, Lengths, Pairs, Ratios, Stiffnesses, StiffnessesOrNone
 from .fields import AtLeastOne, Count, Force, Gap, Length, Name, Ratio, Stress, Torque
 from .models import Block, Friction, Method, Variant, key_field
-from .quantity import parse_quantity
 from .reading import apply_overrides, label_of, parse, problems_of, text_of
 
-Objective = Literal["closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel"]
-
-MOST_VALUES = 10_000_000
-
-
-class Values(NamedTuple):
-    """Values of one searched parameter, SI: a list, or an even grid that is not yet laid out."""
-
-    listed: tuple[float, ...]
-    start: float = 0.0
-    stop: float = 0.0
-    length: int = 0
-
-    @property
-    def size(self) -> int:
-        """How many values."""
-        return len(self.listed) or self.length
-
-    def array(self) -> Any:
-        """The values, ascending."""
-        import numpy as np
-
-        return np.array(self.listed) if self.listed else np.linspace(self.start, self.stop, self.length)
-
-
-def _values(unit: str, *, whole: bool = False, least: float = 0.0) -> Any:
-    """Type of a searched parameter: one value, a list, or a table with start, stop and count (or step)."""
-
-    def number(value: object) -> float:
-        found = parse_quantity(value, unit)
-        if whole and found != found // 1:
-            raise ValueError("must be whole numbers")
-        if found < least or (not whole and least == 0 and unit != "1" and found == 0):
-            raise ValueError(f"must be {'at least' if whole or unit == '1' else 'greater than'} {least:g}")
-        return found
-
-    def read(value: object) -> Values:
-        if isinstance(value, Values):
-            return value
-        if isinstance(value, list | tuple):
-            if not value:
-                raise ValueError("must not be an empty list")
-            return Values(tuple(sorted({number(item) for item in value})))
-        if not isinstance(value, Mapping):
-            return Values((number(value),))
-        return _grid(value, number, whole=whole)
-
-    schema: Any = float | str | list[float | str] | dict[str, float | str]
-    return Annotated[Any, BeforeValidator(read, json_schema_input_type=schema)]
-
-
-def _grid(value: Mapping[str, Any], number: Any, *, whole: bool) -> Values:
-    if unknown := sorted(set(value) - {"start", "stop", "count", "step"}):
-        raise ValueError(f"unknown key {unknown[0]!r}; a range has start, stop and count (or step)")
-    if "start" not in value or "stop" not in value:
-        raise ValueError("a range has start, stop and count (or step)")
-    start, stop = number(value["start"]), number(value["stop"])
-    if start > stop:
-        raise ValueError(f"the range is inverted: start {start:g} is above stop {stop:g}")
-    if "count" in value and "step" in value:
-        raise ValueError("give count or step, not both")
-    if "count" in value:
-        count = value["count"]
-        if isinstance(count, bool) or not isinstance(count, int) or count < 1:
-            raise ValueError("count must be a whole number of at least 1")
-    else:
-        step = number(value["step"]) if "step" in value else 1.0 if whole else 0.0
-        if not step > 0:
-            raise ValueError("a range needs count, or a step greater than 0")
-        count = int((stop - start) / step * (1 + 1e-12)) + 1
-        stop = start + (count - 1) * step
-    if count > MOST_VALUES:
-        raise ValueError(f"{count} values; at most {MOST_VALUES} per parameter")
-    if whole and count > 1 and (stop - start) % (count - 1):
-        raise ValueError("count does not give whole numbers; use step")
-    return Values((), start, stop, count)
-
-
-if TYPE_CHECKING:
-    Pairs: TypeAlias = Values
-    Lengths: TypeAlias = Values
-    Numbers: TypeAlias = Values
-    Angles: TypeAlias = Values
-    Stiffnesses: TypeAlias = Values
-    Forces: TypeAlias = Values
-else:
-    Pairs = _values("1", whole=True, least=1)
-    Lengths = _values("m")
-    Numbers = _values("1")
-    Angles = _values("rad")
-    Stiffnesses = _values("N/m")
-    Forces = _values("N")
+Objective = Literal[
+    "closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel",
+    "control_force", "closing_deflection", "control_deflection",
+]  # fmt: skip
 
 
 class Wanted(Block):
     """What the clutch must do."""
 
-    nominal_torque: Torque = Field(description="nominal torque")
+    nominal_torque: Torque | None = key_field("nominal torque of the clutch", "T_н")
+    machine_torque: Torque | None = key_field(
+        "nominal torque of the machine, instead: with min-friction the clutch's is margin times it", "T_н.маш"
+    )
     accuracy_factor: AtLeastOne | None = key_field("largest K_т allowed", "K_т")
     torque_max: Torque | None = key_field("largest torque allowed", "T_max")
     method: Method = key_field("friction at which the nominal torque is set", default="min-friction")
-    margin: AtLeastOne = key_field("torque margin", "β_н", default=1.0)
+    margin: AtLeastOne = key_field(
+        "torque margin: in the spring with mean-friction (S19), between clutch and machine with min-friction (S22)",
+        "β_н",
+        default=1.0,
+    )
+
+    @model_validator(mode="after")
+    def _one_torque(self) -> "Wanted":
+        if (self.nominal_torque is None) == (self.machine_torque is None):
+            message = "required: nominal_torque of the clutch or machine_torque, one of them"
+            raise rules.validation_error("Wanted", [(("nominal_torque",), rules.MISSING, message)])
+        return self
+
+    @property
+    def in_spring(self) -> float:
+        """Margin as far as it is in the spring."""
+        return self.margin if self.method == "mean-friction" else 1.0
+
+    @property
+    def over_machine(self) -> float:
+        """Nominal torque of the clutch over that of the machine."""
+        return self.margin / self.in_spring
+
+    @property
+    def clutch_torque(self) -> float:
+        """Nominal torque of the clutch, N·m."""
+        given = self.nominal_torque
+        return given if given is not None else (self.machine_torque or 0.0) * self.over_machine
 
 
 class ForceRange(Block):
-    """Spring force that can be had, any value between the ends."""
+    """Force that the pack may be pressed by at rest, any value between the ends (F_п; indirect F_п2)."""
 
     min: Force = Field(description="smallest force")
     max: Force = Field(description="largest force")
@@ -135,17 +77,19 @@ class Search(Block):
 
     pairs: Pairs = Field(description="friction pairs z")
     driving_pairs: Pairs = Field(
-        default_factory=lambda: Values((1.0,)), description="bypass pairs z_1 (differentiated); default 1"
+        default_factory=lambda: Choice((1.0,)), description="bypass pairs z_1 (differentiated); default 1"
     )
     mean_radius: Lengths = Field(description="mean friction radius R_cp")
-    gain: Numbers | None = key_field("feedback gain C")
+    gain: Ratios | None = key_field("feedback gain C")
     wall_angle: Angles | None = key_field("wall angle instead of the gain")
     ball_circle_radius: Lengths | None = key_field("ball-circle radius r")
-    closing_force: ForceRange | None = key_field("spring force: any between min and max")
-    closing_forces: Forces | None = key_field("spring forces of a catalogue, instead of a range")
+    closing_force: ForceRange | None = key_field(
+        "force the pack must bear, any between min and max: F_п, of an indirect clutch F_п2"
+    )
+    closing_forces: Forces | None = key_field("closing-spring forces F_п of a catalogue, instead of a range")
     closing_stiffness: Stiffnesses | None = key_field("c_1 (indirect)")
-    control_stiffness: Stiffnesses | None = key_field("c_2 (indirect)")
-    ball_diameters: Lengths | None = key_field("standard balls; default the list that ships")
+    control_stiffness: StiffnessesOrNone | None = key_field("c_2 (indirect); 0: a constant force")
+    ball_diameters: Diameters | None = key_field("standard balls; default the list that ships")
 
 
 class Fixed(Block):
@@ -174,7 +118,9 @@ class Requirements(Block):
 
     name: Name | None = key_field("what the design is called")
     variants: Annotated[tuple[Variant, ...], Field(min_length=1)] = Field(description="variants allowed")
-    objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = Field(description="what is to be small")
+    objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = Field(
+        description="what is to be small; closing_force is the force the pack must bear (F_п; indirect F_п2)"
+    )
     friction: Friction
     wanted: Wanted
     search: Search

@@ -9,7 +9,11 @@ import tomllib
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.design.search import Found, _flat, search, total
+from afmcalc.analysis.design.found import Found
+from afmcalc.analysis.design.kinds import Kind
+from afmcalc.analysis.design.search import search
+from afmcalc.analysis.design.space import total
+from afmcalc.analysis.design.tiles import by_tile
 from afmcalc.spec.requirements import make_requirements
 
 BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
@@ -54,7 +58,7 @@ def test_every_candidate_evaluated(report):
     need = make_requirements(wide(["closing_force", "accuracy_factor"], radii=100, gains=100))
     report(
         "evaluated one by one, ns per candidate",
-        nanoseconds(lambda: _flat(need, "differentiated", Found(), print_nothing), total(need)),
+        nanoseconds(lambda: by_tile(need, Kind("differentiated"), Found(), print_nothing), total(need)),
         500,
     )
 
@@ -66,7 +70,7 @@ def print_nothing(done):
 def test_peak_memory(report):
     code = """
 import json, sys
-from afmcalc.analysis.search import search
+from afmcalc.analysis.design.search import search
 from afmcalc.spec.requirements import make_requirements
 search(make_requirements(json.loads(sys.stdin.read())))
 print(next(line.split()[1] for line in open("/proc/self/status") if line.startswith("VmHWM")))

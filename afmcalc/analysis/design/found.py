@@ -1,0 +1,64 @@
+"""What a search has found so far: counts, and the front among all it was shown."""
+
+from collections import Counter
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from ...spec.requirements import Requirements
+from .candidates import candidates
+from .kinds import Kind
+from .limits import objectives
+from .pareto import front
+from .space import Axes, Numbers
+
+_MERGE = 200_000
+"""Candidates kept before the front is taken again: bounds memory."""
+
+
+class Members(NamedTuple):
+    """Candidates of one variant on the front, one per element of each column, and a row of objectives each."""
+
+    kind: Kind
+    at: Axes
+    values: Numbers
+
+
+@dataclass
+class Found:
+    """Outcome of a search."""
+
+    candidates: int = 0
+    feasible: int = 0
+    excluded: Counter[str] = field(default_factory=Counter)
+    members: list[Members] = field(default_factory=list)
+    _waiting: int = 0
+
+    def add(self, need: Requirements, kind: Kind, at: Axes) -> None:
+        """Take in feasible candidates of a block: their front first, the common front when many wait."""
+        if not at.pairs.size:
+            return
+        values = objectives(candidates(need, kind, at))
+        keep = front(values)
+        self.members.append(Members(kind, Axes(*(column[keep] for column in at)), values[keep]))
+        self._waiting += keep.size
+        if self._waiting > _MERGE:
+            self.settle()
+
+    def settle(self) -> None:
+        """Reduce all members to their common front, one entry per variant."""
+        if not self.members:
+            return
+        values = np.concatenate([member.values for member in self.members])
+        keep = np.zeros(len(values), bool)
+        keep[front(values)] = True
+        ends = np.cumsum([len(member.values) for member in self.members])
+        masks = np.split(keep, ends[:-1])
+        reduced = []
+        for kind in dict.fromkeys(member.kind for member in self.members):
+            own = [(member, mask) for member, mask in zip(self.members, masks, strict=True) if member.kind == kind]
+            at = Axes(*(np.concatenate([member.at[k][mask] for member, mask in own]) for k in range(len(Axes._fields))))
+            if at.pairs.size:
+                reduced.append(Members(kind, at, np.concatenate([member.values[mask] for member, mask in own])))
+        self.members, self._waiting = reduced, int(keep.sum())
