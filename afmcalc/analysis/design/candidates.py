@@ -72,6 +72,11 @@ class Candidates(ABC):
         at_set = "mean" if self.need.wanted.method == "mean-friction" else "min"
         return tuple((getattr(first, name), getattr(second, name)) for name in (at_set, "min", "max"))
 
+    @property
+    def set_low(self) -> bool:
+        """Whether the spring is set at f_min."""
+        return self.frictions[0] == self.frictions[1]
+
     @cached_property
     def bypass_pairs(self) -> Numbers:
         """z_1."""
@@ -202,11 +207,12 @@ class Candidates(ABC):
         """F_п2/c_2, m: infinite for a constant force; NaN without a control spring."""
         return self.control_force / self.at.control_stiffness
 
-    def takes_ball(self, diameter: float) -> Mask:
-        """Whether a ball of a diameter is large enough; gain 0 has no pockets to speak of."""
-        fixed, half = self.need.fixed, diameter * (1 + SAME) / 2
-        left = synthesis.edge_clearance(half, self.travel, fixed.face_gap, self.tangent * self.cosine)
-        return np.asarray((left >= fixed.edge_clearance) | (self.tangent <= 0))
+    def travel_room(self, diameter: Numbers | float) -> Numbers:
+        """Travel for which a ball is large enough, m: half of it goes off the clearance; no bound at gain 0."""
+        fixed, sine = self.need.fixed, self.tangent * self.cosine
+        left = synthesis.edge_clearance(diameter / 2, 0.0, fixed.face_gap, sine) - fixed.edge_clearance
+        # gain 0 has no pockets to speak of
+        return np.where(self.tangent > 0, 2 * left, np.inf)
 
     @cached_property
     def ball_diameter(self) -> Numbers:
@@ -234,8 +240,7 @@ class DirectCandidates(Candidates):
 
     @cached_property
     def low(self) -> Numbers:  # noqa: D102
-        found: Numbers = self.law.torque_per_force(*self.frictions[1])
-        return found
+        return self.at_set if self.set_low else np.asarray(self.law.torque_per_force(*self.frictions[1]))
 
     @cached_property
     def high(self) -> Numbers:  # noqa: D102
@@ -282,8 +287,7 @@ class IndirectCandidates(Candidates):
 
     @cached_property
     def low(self) -> Numbers:  # noqa: D102
-        found: Numbers = self.law.torque(1.0, self.frictions[1][0])
-        return found
+        return self.at_set if self.set_low else np.asarray(self.law.torque(1.0, self.frictions[1][0]))
 
     @cached_property
     def high(self) -> Numbers:  # noqa: D102

@@ -11,10 +11,12 @@ from .candidates import candidates
 from .kinds import Kind
 from .limits import objectives
 from .pareto import front
-from .space import Axes, Numbers
+from .space import Axes, Mask, Numbers
 
 _MERGE = 200_000
 """Candidates kept before the front is taken again: bounds memory."""
+_SAMPLE, _KEPT = 256, 24
+"""Candidates of a block looked at first, and how many of their front the others are held against."""
 
 
 class Members(NamedTuple):
@@ -34,17 +36,33 @@ class Found:
     excluded: Counter[str] = field(default_factory=Counter)
     members: list[Members] = field(default_factory=list)
     _waiting: int = 0
+    _sample: Numbers | None = None
+    """A few rows of objectives spread over the front so far."""
 
     def add(self, need: Requirements, kind: Kind, at: Axes) -> None:
         """Take in feasible candidates of a block: their front first, the common front when many wait."""
         if not at.pairs.size:
             return
         values = objectives(candidates(need, kind, at))
-        keep = front(values)
+        keep = np.flatnonzero(~self._beaten(values))
+        keep = keep[front(values[keep])]
         self.members.append(Members(kind, Axes(*(column[keep] for column in at)), values[keep]))
         self._waiting += keep.size
         if self._waiting > _MERGE:
             self.settle()
+
+    def _beaten(self, values: Numbers) -> Mask:
+        """Candidates that a sample of the front beats clearly: most, and much quicker than by the front itself."""
+        own = values[:: max(1, len(values) // _SAMPLE)]
+        known = own if self._sample is None else np.concatenate([self._sample, own])
+        known = known[front(known)]
+        self._sample = known[:: max(1, len(known) // _KEPT)]
+        beaten = np.zeros(len(values), bool)
+        for best in self._sample:
+            no_better = [column >= one for column, one in zip(values.T, best, strict=True)]
+            worse = [column > one * (1 + 1e-9) for column, one in zip(values.T, best, strict=True)]
+            beaten |= np.logical_and.reduce(no_better) & np.logical_or.reduce(worse)
+        return beaten
 
     def settle(self) -> None:
         """Reduce all members to their common front, one entry per variant."""

@@ -55,7 +55,7 @@ def _bounds(need: Requirements, kind: Kind) -> Iterable[_Bound]:
 
 
 def _of_the_control_unit(need: Requirements, kind: Kind) -> Iterable[_Bound]:
-    limits, largest, friction = need.limits, float(balls(need)[-1]), need.friction.groups[0].max
+    limits, largest, friction = need.limits, float(balls(need)[-1]) * OVER, need.friction.groups[0].max
     if limits.gain_limit and kind.limited:
 
         def within(c: Candidates) -> Mask:
@@ -66,7 +66,7 @@ def _of_the_control_unit(need: Requirements, kind: Kind) -> Iterable[_Bound]:
         yield "reduced_gain", lambda c: c.reduced_gain <= reduced * OVER, (0, -1)
     if (force := limits.contact_force) is not None:
         yield "contact_force", lambda c: c.ball_torque <= force * OVER / c.force_per_ball, (1, 1)
-    yield "standard_ball", lambda c: c.takes_ball(largest), (-1, int(kind.travels))
+    yield "standard_ball", lambda c: c.travel <= c.travel_room(largest), (-1, int(kind.travels))
     if kind.travels and (travel := limits.travel) is not None:
         yield "travel", lambda c: c.travel <= travel * OVER, (0, 1)
 
@@ -88,7 +88,8 @@ OBJECTIVES: dict[str, Callable[[Candidates], Numbers]] = {
 def objectives(found: Candidates) -> Numbers:
     """One row per candidate, one column per objective."""
     columns = [OBJECTIVES[name](found) for name in found.need.objectives]
-    return np.stack(np.broadcast_arrays(*columns, found.at.pairs)[:-1], axis=-1)
+    # columns of their own in memory, rows to look at
+    return np.moveaxis(np.stack(np.broadcast_arrays(*columns, found.at.pairs)[:-1]), 0, -1)
 
 
 def feasible(found: Candidates) -> Mask:

@@ -228,11 +228,10 @@ class _Rows:
         return self.limit[..., aims.index(name)] if name in aims else np.full(self.at.pairs.shape, np.inf)
 
     def _travel_allowed(self, own: Candidates) -> Numbers:
-        need, fixed = self.need, self.need.fixed
+        need = self.need
         limit = np.inf if need.limits.travel is None else need.limits.travel
         ball = np.minimum(self._most("ball_diameter"), balls(need)[-1])
-        room = ball * own.tangent * own.cosine - fixed.face_gap - 2 * fixed.edge_clearance
-        allowed: Numbers = np.minimum(np.minimum(limit, self._most("travel")), room)
+        allowed: Numbers = np.minimum(np.minimum(limit, self._most("travel")), own.travel_room(ball))
         return allowed
 
     def _torque_allowed(self, own: Candidates) -> Numbers:
