@@ -23,7 +23,8 @@ FIRST, LATER, ROUNDS = 256, 32, 10
 ROWS = 256
 """Candidates refined at once."""
 _WHOLE = ("pairs", "ball_diameter")
-_INSIDE = 1 - 1e-13
+_INSIDE = 1 - 5e-13
+"""What is solved for aims at the middle of the slack that limits have."""
 _FREE = ("mean_radius", "steering", "ball_circle_radius", "closing_stiffness", "control_stiffness")
 
 
@@ -100,7 +101,7 @@ class _Rows:
         own = self._steep(best)
         for turn in range(ROUNDS):
             parts = np.linspace(0.0, 1.0, FIRST if turn == 0 else LATER)
-            tried = np.sort(np.concatenate([low + (high - low) * parts, np.clip(own, low, high)], axis=1), axis=1)
+            tried = np.concatenate([low + (high - low) * parts, own], axis=1)
             at = self._placed(self.need.objectives[goal], tried)
             score = self._score(goal, at)
             choice = score.argmin(axis=1)
@@ -114,9 +115,8 @@ class _Rows:
                 )
             )
             own = np.where(better[:, None], tried[each, choice][:, None], own)
-            place = (tried <= own).sum(axis=1) - 1
-            low = tried[each, np.maximum(place - 1, 0)][:, None]
-            high = tried[each, np.minimum(place + 1, tried.shape[1] - 1)][:, None]
+            low = np.where(tried < own, tried, low).max(axis=1, keepdims=True)
+            high = np.where(tried > own, tried, high).min(axis=1, keepdims=True)
         return best
 
     def _score(self, goal: int, at: Axes) -> Numbers:
@@ -215,10 +215,10 @@ class _Rows:
         if goal in ("travel", "control_deflection"):
             allowed, share = self._torque_allowed(none), per * at.closing_stiffness
             ordinary = (some.torque_max * (1 + share) - none.torque_max) / share
-            most = (allowed - none.torque_max) / (per * (ordinary - allowed)) * _INSIDE
+            most = (allowed - none.torque_max) / (per * (ordinary - allowed))
             chosen = np.where(ordinary > allowed, most, np.inf)
         else:
-            least = (none.travel / self._travel_allowed(none) - 1) / per / _INSIDE
+            least = (none.travel / self._travel_allowed(none) - 1) / per
             chosen = np.maximum(least, none.control_force / self._most("control_deflection") / _INSIDE)
         return at._replace(control_stiffness=span.clip(np.nan_to_num(chosen, nan=0.0)))
 
@@ -231,7 +231,7 @@ class _Rows:
         need = self.need
         limit = np.inf if need.limits.travel is None else need.limits.travel
         ball = np.minimum(self._most("ball_diameter"), balls(need)[-1])
-        allowed: Numbers = np.minimum(np.minimum(limit, self._most("travel")), own.travel_room(ball))
+        allowed: Numbers = np.minimum(np.minimum(limit, self._most("travel")), own.travel_room(ball)) * _INSIDE
         return allowed
 
     def _torque_allowed(self, own: Candidates) -> Numbers:
@@ -239,5 +239,5 @@ class _Rows:
         factor = np.minimum(self._most("accuracy_factor"), wanted.accuracy_factor or np.inf)
         allowed: Numbers = np.minimum(factor * own.closing_force * own.low, wanted.torque_max or np.inf)
         contact = np.inf if limits.contact_force is None else limits.contact_force
-        least: Numbers = np.minimum(allowed, contact / own.force_per_ball)
+        least: Numbers = np.minimum(allowed, contact / own.force_per_ball) * _INSIDE
         return least
