@@ -1,6 +1,7 @@
 """The few steps between equations that are not plain arithmetic, for floats and arrays alike."""
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 if TYPE_CHECKING:
@@ -34,6 +35,15 @@ def smaller(first: Values, second: Values) -> Values:
 
         return np.minimum(first, second)
     return first if first <= second else second
+
+
+def chosen(condition: Any, yes: Callable[[], Values], no: Callable[[], Values]) -> Values:
+    """Elementwise choice; of two numbers only the one chosen is calculated."""
+    if is_array(condition):
+        import numpy as np
+
+        return np.where(condition, yes(), no())
+    return yes() if condition else no()
 
 
 def through_math(function: Any, value: Any) -> Any:

@@ -36,7 +36,7 @@ def finding(
     """Make a finding whose sentence is that of its code in ``messages.FINDINGS``.
 
     Args:
-        code: short name that scripts may rely on.
+        code: short name that scripts may rely on; one with several sentences is followed by ``/case``.
         level: how grave it is.
         value: the number in question, SI; the sentence may show it as ``{value}``.
         limit: what it is held against, SI; ``{limit}``.
@@ -45,7 +45,7 @@ def finding(
     """
     said = {"value": value, "limit": limit, "path": path, **values}
     number, bound = (None if each is None else float(each) for each in (value, limit))
-    return Finding(level, code, sentence(code, said), number, bound, path)
+    return Finding(level, code.partition("/")[0], sentence(code, said), number, bound, path)
 
 
 def worst(findings: list[Finding]) -> Level | None:

@@ -17,6 +17,8 @@ settings.register_profile("person", deadline=None)
 settings.register_profile("machine", deadline=None, derandomize=True)
 settings.load_profile("machine" if os.environ.get("CI") else "person")
 
+os.environ.pop("COLUMNS", None)  # tables are as wide as they need to be, whoever runs the tests
+
 ROOT = Path(__file__).parents[1]
 CONFIGS = ROOT / "configs"
 
@@ -38,19 +40,18 @@ def _refuse(constant: str) -> None:
     raise AssertionError(f"{constant} in JSON")
 
 
-@pytest.fixture
-def afmcalc(monkeypatch: pytest.MonkeyPatch):
+@pytest.fixture(scope="session")
+def afmcalc():
     """Run the program in this process: ``afmcalc("torque", "x.toml", stdin="…")``."""
     from afmcalc.cli.entry import main
 
-    monkeypatch.setattr("afmcalc.cli.entry._tune", lambda: None)
-    monkeypatch.delenv("COLUMNS", raising=False)
-
     def run(*arguments: object, stdin: str = "") -> Run:
         out, err = io.TextIOWrapper(io.BytesIO(), "utf-8"), io.TextIOWrapper(io.BytesIO(), "utf-8")
-        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(stdin.encode()), "utf-8"))
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), pytest.raises(SystemExit) as ended:
-            main([str(argument) for argument in arguments])
+        with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            patch.setattr("afmcalc.cli.entry._tune", lambda: None)
+            patch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(stdin.encode()), "utf-8"))
+            with pytest.raises(SystemExit) as ended:
+                main([str(argument) for argument in arguments])
         for stream in (out, err):
             stream.flush()
         texts = [stream.buffer.getvalue().decode() for stream in (out, err)]  # type: ignore[attr-defined]

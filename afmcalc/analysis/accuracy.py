@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
+from ..equations import accuracy as law
 from ..findings import Finding
 from ..result import Result, Series, quantity
 from .sweep.grid import replaced, series
@@ -28,6 +28,9 @@ class AccuracyResult(Result):
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor along the common path of f_1 and f_2")
     accuracy_factor_worst_case: float = quantity("1", "K_т,w", "accuracy factor with f_1 and f_2 independent")
     accuracy_factor_peak: float = quantity("1", "K_т,p", "accuracy factor by breakaway peaks (upper bound)")
+    accuracy_factor_hysteresis: float | None = quantity(
+        "1", "K_т,h", "accuracy factor under a load that lasts, T(f_max)/T_ret(f_min)", optional=True
+    )
     conventional_accuracy_factor: float = quantity("1", "K_т,0", "accuracy factor of an ordinary clutch in its place")
     gain_limit: float | None = quantity("1", "C_max", "largest gain at which the law describes the slip", optional=True)
     gain_threshold: float | None = quantity("1", "2R f_1/d", "gain at which feedback begins", optional=True)
@@ -61,9 +64,12 @@ def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyRes
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_worst_case=clutch.accuracy_factor_worst_case,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
+        accuracy_factor_hysteresis=clutch.accuracy_factor_hysteresis,
         conventional_accuracy_factor=conventional_accuracy_factor(clutch),
         gain_limit=clutch.gain_limit,
-        **_indirect(clutch),
+        gain_threshold=clutch.gain_threshold,
+        equivalent_gain=clutch.equivalent_gain,
+        nominal_torque_ratio=clutch.nominal_torque_ratio,
         sensitivity=clutch.sensitivity(),
         sweep=swept,
     )
@@ -85,22 +91,9 @@ def _sweep_findings(swept: list[AccuracySweep] | None) -> list[Finding]:
     return [Finding(level="warning", code="sweep-beyond-gain-limit", message=message, value=beyond, limit=0.0)]
 
 
-def _indirect(clutch: Clutch) -> dict[str, Any]:
-    """Return what only an indirect clutch has."""
-    if not isinstance(clutch, IndirectClutch):
-        return {}
-    return {
-        "gain_threshold": clutch.gain_threshold,
-        "equivalent_gain": clutch.equivalent_gain,
-        "nominal_torque_ratio": clutch.nominal_torque_ratio,
-    }
-
-
 def conventional_accuracy_factor(clutch: Clutch) -> Any:
     """Return the K_т of an ordinary clutch with the same pairs: its torque follows z_1 f_1 + z_2 f_2."""
-    from ..equations.accuracy import accuracy_factor
-
     first, second = clutch.friction
     bypass = clutch.bypass_pairs
     controlled = clutch.spec.friction_group.pairs - bypass
-    return accuracy_factor(bypass, controlled, 0.0, first.min, second.min, first.max, second.max)
+    return law.conventional_accuracy_factor(bypass, controlled, first.min, second.min, first.max, second.max)

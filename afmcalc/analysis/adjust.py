@@ -4,7 +4,6 @@ import math
 from typing import Literal
 
 from ..engines import build
-from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..equations import adjustment
 from ..findings import Finding
@@ -65,7 +64,9 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     narrower: Literal["min-friction", "mean-friction", "equal"] = "equal"
     if ratio is not None and abs(ratio - 1) > 1e-12:
         narrower = METHODS[0] if ratio > 1 else METHODS[1]
-    limit = clutch.gain_limit if clutch.spec.variant == "differentiated" else None
+    rule = clutch.spec.kind.gain_limit
+    # a limit of the reduced gain follows the pairs asked for
+    limit = clutch.gain_limit if rule is not None and rule.reduced is None else None
     result = AdjustResult(
         nominal_torque=nominal,
         margin=clutch.spec.adjustment.margin,
@@ -94,7 +95,8 @@ def _ratio(clutch: Clutch, set_at_min: Clutch, bands: list[float]) -> float | No
     """ΔT_2/ΔT_1; None when friction does not wander at all."""
     if bands[0] == 0:
         return None
-    if isinstance(clutch, IndirectClutch):
+    if clutch.friction_set is not None:
+        # the stop moves with the setting, and K_т with it
         return bands[1] / bands[0]
     at_min, at_mean = (set_at_min.torque_per_force(method) for method in METHODS)
     return float(adjustment.scatter_ratio(clutch.spec.adjustment.margin, at_min, at_mean))
@@ -103,7 +105,7 @@ def _ratio(clutch: Clutch, set_at_min: Clutch, bands: list[float]) -> float | No
 def _threshold(clutch: Clutch, gain: float) -> float | None:
     """z of S19 (12); None where it does not apply."""
     spec = clutch.spec
-    if spec.variant not in ("differentiated", "all-driving") or spec.friction.unlike:
+    if spec.kind.travels or spec.friction.unlike:
         return None
     if not (spec.adjustment.margin - 1) * gain > 0:
         return None

@@ -2,18 +2,15 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
 
 from ..engines import build
-from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..errors import SpecError
 from ..findings import Finding
 from ..result import Result, Triple, quantity
 from ..spec.edit import as_variant, with_force, with_nominal_torque
+from ..variants import VARIANTS
 from .torque import triple
-
-VARIANTS = ("conventional", "differentiated", "all-driving", "indirect")
 
 
 class ComparedClutch(Result):
@@ -74,9 +71,6 @@ def _named(finding: Finding, name: str) -> Finding:
 
 def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:
     torque = triple(clutch, clutch.torque)
-    own: dict[str, Any] = (
-        {"travel_max": clutch.travel(clutch.friction[0].max)} if isinstance(clutch, IndirectClutch) else {}
-    )
     return ComparedClutch(
         name=clutch.spec.name,
         variant=clutch.spec.variant,
@@ -90,8 +84,8 @@ def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         gain_limit=clutch.gain_limit,
+        travel_max=clutch.travel(clutch.friction[0].max),
         warnings=sum(finding.level != "info" for finding in clutch.findings()),
-        **own,
     )
 
 

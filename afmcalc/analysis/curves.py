@@ -2,8 +2,6 @@
 
 from typing import TYPE_CHECKING, Any
 
-from ..engines.direct import DirectClutch
-from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..result import Result, quantity
@@ -51,6 +49,7 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
     path = _path(clutch)
     nominal = float(clutch.nominal_torque)
     by_method = [set_by(clutch.spec, method, nominal).torque(*path).tolist() for method in METHODS]
+    returning = clutch.torque_returning(path[0])
     return TorqueCurve(
         friction=path[0].tolist(),
         friction_driving=path[0].tolist() if clutch.spec.friction.unlike else None,
@@ -58,7 +57,7 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
         torque_min_friction=by_method[0],
         torque_mean_friction=by_method[1],
         breakaway_torque=_breakaway(clutch, path),
-        torque_returning=clutch.torque_returning(path[0]).tolist() if isinstance(clutch, IndirectClutch) else None,
+        torque_returning=None if returning is None else returning.tolist(),
     )
 
 
@@ -119,7 +118,5 @@ def _path(clutch: Clutch) -> "tuple[NDArray[Any], NDArray[Any]]":
 
 def _breakaway(clutch: Clutch, path: "tuple[NDArray[Any], NDArray[Any]]") -> list[float] | None:
     """Breakaway torque where it exceeds the sustained one anywhere."""
-    if not isinstance(clutch, DirectClutch) or clutch.spec.variant == "conventional":
-        return None
     peak, sustained = clutch.breakaway_torque(*path), clutch.torque(*path)
     return peak.tolist() if bool((peak > sustained * (1 + 1e-9)).any()) else None

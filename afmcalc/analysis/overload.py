@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..arrays import larger
-from ..engines.direct import DirectClutch
 from ..engines.protocol import Clutch
 from ..equations import overload as law
 from ..errors import CalculationError
@@ -130,9 +129,7 @@ SWEEP_OUTPUTS = {
 
 def applies(clutch: Clutch) -> bool:
     """Whether S22 treats this clutch."""
-    return (
-        isinstance(clutch, DirectClutch) and clutch.spec.variant != "conventional" and not clutch.spec.friction.unlike
-    )
+    return clutch.spec.kind.overload and not clutch.spec.friction.unlike
 
 
 def refuse(clutch: Clutch) -> None:

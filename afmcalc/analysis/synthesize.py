@@ -4,7 +4,6 @@ import math
 from collections.abc import Sequence
 from typing import Any, Literal
 
-from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
 from ..errors import Problem, SpecError
@@ -100,7 +99,7 @@ def _unit(clutch: Clutch) -> ControlUnit:
 
 def _travel(clutch: Clutch) -> float:
     """x_max; a direct clutch has no sleeve, and its law no travel."""
-    return float(clutch.travel(clutch.friction[0].max)) if isinstance(clutch, IndirectClutch) else 0.0
+    return float(clutch.travel(clutch.friction[0].max) or 0.0)
 
 
 def _next(sizes: Sequence[float], wanted: float) -> float | None:
@@ -143,19 +142,9 @@ def least_contact_force_gain(clutch: Clutch) -> float | None:
     unit = clutch.spec.control_unit
     assert unit is not None
     assert unit.ball_circle_radius is not None
-    own = clutch.friction[1]
-    if isinstance(clutch, IndirectClutch):
-        # T ∝ D(f_set)/D(f_max), and D = (c_1 + c_2 − z c_1 f·threshold) + (z c_1 f)·C
-        springs = float(clutch.closing_stiffness + clutch.control_stiffness)
-        start = float(clutch.gain_threshold)
-        slopes = [float(clutch.pairs * clutch.closing_stiffness) * f for f in (float(clutch.friction_set), own.max)]
-        constants = [springs - slope * start for slope in slopes]
-        slopes, constants = ([value / springs for value in values] for values in (slopes, constants))
-    else:
-        # T_2 ∝ 1/(1 + z_2 f_2 C)
-        slopes, constants, start = [0.0, float(clutch.reduced_gain / clutch.gain) * own.max], [1.0, 1.0], 0.0
+    (a0, a1), (b0, b1), start = clutch.ball_torque_by_gain()
     ratio = unit.ball_circle_radius / float(clutch.mean_radius)
-    cubic = law.least_contact_force_cubic(constants[0], slopes[0], constants[1], slopes[1], ratio)
+    cubic = law.least_contact_force_cubic(a0, a1, b0, b1, ratio)
     roots = np.roots(np.array(cubic, float))
     real = sorted(root.real for root in roots if abs(root.imag) < 1e-9 * abs(root) and root.real > start)
     return float(real[0]) if real else None
@@ -207,7 +196,7 @@ def _ball_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -
                     value=DEFAULT_CLEARANCE, path=f"control_unit.{key}",
                 )
             )  # fmt: skip
-    if not isinstance(clutch, IndirectClutch):
+    if not clutch.spec.kind.travels:
         message = "a direct clutch has no sleeve: x_max is 0; allow for wear and disc release in the clearance"
         found.append(Finding(level="info", code="no-sleeve-travel", message=message, value=0.0))
     if result.ball_diameter_standard is None:

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..findings import Finding
@@ -28,6 +27,7 @@ class TorqueResult(Result):
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the setting")
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
     control_force: float | None = quantity("N", "F_п2", "control-spring force as set", optional=True)
+    pack_force_at_rest: float | None = quantity("N", "N_0", "force on the pack of the clutch at rest", optional=True)
     gain: float = quantity("1", "C", "feedback gain")
     reduced_gain: float = quantity("1", "z_2 C", "reduced gain")
     friction: Triple | None = quantity("1", "f", "coefficient of friction", optional=True)
@@ -66,7 +66,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
     ranges = clutch.friction
     ends = [(getattr(ranges[0], at), getattr(ranges[1], at)) for at in ("min", "mean", "max")]
     states = [clutch.point(*end) for end in ends]
-    torques = [state.torque for state in states]
+    torques, travels = [state.torque for state in states], [state.travel for state in states]
     asked = [_point(clutch, *pair) for pair in points]
     result = TorqueResult(
         nominal_torque=clutch.nominal_torque,
@@ -77,23 +77,15 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         torque=_triple(torques),
         normal_force=_triple([state.normal_force for state in states]),
         release_force=_triple([state.release_force for state in states]),
-        **_indirect(clutch),
+        control_force=clutch.control_force,
+        pack_force_at_rest=None if clutch.control_force is None else clutch.pack_force_at_rest,
+        travel=_triple_or_none(travels),
+        torque_returning=_triple_or_none([clutch.torque_returning(end[0]) for end in ends]),
         scatter=abs(torques[2] - torques[0]),
         accuracy_factor=clutch.accuracy_factor,
         points=asked or None,
     )
     return result, clutch.findings() + [f for pair in points for f in _outside(clutch, *pair)]
-
-
-def _indirect(clutch: Clutch) -> dict[str, Any]:
-    """Return what only an indirect clutch has."""
-    if not isinstance(clutch, IndirectClutch):
-        return {}
-    return {
-        "control_force": clutch.control_force,
-        "travel": triple(clutch, clutch.travel),
-        "torque_returning": triple(clutch, lambda f, _: clutch.torque_returning(f)),
-    }
 
 
 def friction_triples(clutch: Clutch) -> dict[str, Triple]:
@@ -112,6 +104,11 @@ def triple(clutch: Clutch, function: Callable[..., Any]) -> Triple:
 
 def _triple(values: list[float]) -> Triple:
     return Triple(min=values[0], mean=values[1], max=values[2])
+
+
+def _triple_or_none(values: list[Any]) -> Triple | None:
+    """Three values, or None where the clutch has no such thing."""
+    return None if None in values else _triple(values)
 
 
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> FrictionPoint:

@@ -12,7 +12,7 @@ from .run import build_from, calculate, emit, guarded, read_again
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
     from ..engines import Clutch
-    from ..render.formats.table import Curve
+    from ..render.layout import Curve
 
 SweepOption = Annotated[
     list[str] | None,
@@ -118,7 +118,9 @@ def synthesize(
     spec: SpecArgument = None,
     balls: Annotated[
         str | None,
-        typer.Option("--balls", metavar="FILE", help="TOML file with a list of your own, diameters = [...] in mm."),
+        typer.Option(
+            "--balls", metavar="FILE", help="Your own list: TOML, diameters = [...] in mm, or CSV, headed diameter_mm."
+        ),
     ] = None,
     *,
     common: Common,

@@ -12,7 +12,7 @@ from .options import Common
 
 if TYPE_CHECKING:
     from ..engines import Clutch
-    from ..render.formats.table import Curve
+    from ..render.layout import Curve
     from ..result import Output
     from ..spec import Spec
 

@@ -1,17 +1,26 @@
 """Commands about the spec itself: init, check, schema."""
 
 import os
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
 import typer
 
 from ..errors import AfmcalcError
+from ..variants import VARIANTS
 from .files import write
 from .options import Common, SpecArgument, with_common
 from .run import calculate, emit
 
-_EXAMPLES = {"differentiated": "default"}
-"""Example that stands for a variant where the names differ."""
+_EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.example} | dict.fromkeys(
+    ["unlike-materials"]
+)
+"""What to start from → its example, where the names differ."""
+
+if TYPE_CHECKING:
+    Example: TypeAlias = str
+else:
+    Example = Literal[tuple(_EXAMPLES)]
+_DEFAULT = next(name for name, example in _EXAMPLES.items() if example == "default")
 
 
 def init(
@@ -19,9 +28,9 @@ def init(
         str | None, typer.Argument(metavar="FILE", help="File to write (clutch.toml); - for standard output.")
     ] = None,
     variant: Annotated[
-        Literal["conventional", "differentiated", "all-driving", "indirect", "unlike-materials"],
+        Example,
         typer.Option("--variant", help="Clutch to start from."),
-    ] = "differentiated",
+    ] = _DEFAULT,
     output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="The same as FILE.")] = None,
     force: Annotated[bool, typer.Option("--force", help="Overwrite an existing file.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False,
@@ -39,7 +48,7 @@ def init(
     target = output or file or "clutch.toml"
     if target != "-" and os.path.lexists(target) and not force:
         raise AfmcalcError(f"{target}: exists already; --force overwrites it")
-    write(example_text(_EXAMPLES.get(variant, variant)), target)
+    write(example_text(_EXAMPLES[variant] or variant), target)
     if target != "-":
         Common(quiet=quiet).note(f"wrote {target}; calculate it with: afmcalc torque {target}")
 

@@ -7,11 +7,14 @@ from typing import Any
 from ..errors import SpecError
 from ..spec import Spec, make_spec, read_spec
 from ..spec.reading import label_of
+from ..variants import Law
 from .direct import DirectClutch
 from .indirect import IndirectClutch
 from .protocol import Clutch
 
 __all__ = ["Clutch", "build", "load"]
+
+_ENGINES: dict[Law, type[DirectClutch | IndirectClutch]] = {"direct": DirectClutch, "indirect": IndirectClutch}
 
 
 def build(spec: Spec | Mapping[str, Any]) -> Clutch:
@@ -22,8 +25,7 @@ def build(spec: Spec | Mapping[str, Any]) -> Clutch:
     """
     if not isinstance(spec, Spec):
         spec = make_spec(spec)
-    engine: type[DirectClutch | IndirectClutch] = IndirectClutch if spec.variant == "indirect" else DirectClutch
-    return engine.from_spec(spec)
+    return _ENGINES[spec.kind.law].from_spec(spec)
 
 
 def load(source: str | PathLike[str] | None = None) -> Clutch:

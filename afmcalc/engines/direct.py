@@ -3,25 +3,20 @@
 from dataclasses import dataclass
 from typing import Any
 
-from ..arrays import Values, checked_friction, larger, smaller
-from ..equations import accuracy, direct
-from ..findings import Finding
-from ..spec.models import Method, Range, Spec
+from ..arrays import Values, checked_friction, is_array, larger, smaller
+from ..equations import accuracy
+from ..findings import Finding, finding
+from ..spec.models import Method, Spec
 from . import geometry, setting
 from .laws import DirectLaw
-from .protocol import Point
+from .protocol import ByGain, Clutch
 
 
 @dataclass(frozen=True)
-class DirectClutch:
-    """Conventional, differentiated (like or unlike materials) or all-driving clutch."""
+class DirectClutch(Clutch):
+    """Clutch whose release force acts on the pack itself."""
 
-    spec: Spec
     law: DirectLaw
-    friction: tuple[Range, Range]
-    """Ranges of f_1 and f_2."""
-    closing_force: Values
-    """F_п as set, N."""
 
     @classmethod
     def from_spec(cls, spec: Spec) -> "DirectClutch":
@@ -33,11 +28,6 @@ class DirectClutch:
         return cls(spec, law, spec.friction.groups, force)
 
     @property
-    def mean_radius(self) -> Values:
-        """R_cp, m."""
-        return self.law.mean_radius
-
-    @property
     def bypass_pairs(self) -> Values:
         """z_1."""
         return self.law.bypass_pairs
@@ -47,29 +37,12 @@ class DirectClutch:
         """z_2."""
         return self.law.controlled_pairs
 
-    @property
-    def gain(self) -> Values:
-        """C."""
-        return self.law.gain
-
     def torque_per_force(self, method: Method | None = None) -> Any:
         """T/F_п at the friction of a setting, m; by default the spec's own."""
         return self.law.torque_per_force(*setting.friction_at_setting(self.spec, method))
 
     def torque(self, friction: Any, friction_driven: Any = None) -> Any:
-        """Sustained slip torque T, N·m (F11 (12)).
-
-        Args:
-            friction: f of all pairs, or f_1 of the driving pairs when ``friction_driven`` is given;
-                a float or an array of any shape.
-            friction_driven: f_2 of the driven pairs.
-
-        Returns:
-            T, N·m, in the broadcast shape of the arguments.
-
-        Raises:
-            ValueError: negative friction.
-        """
+        """Sustained slip torque T, N·m (F11 (12))."""
         first, second = _pair(friction, friction_driven)
         return self.law.torque(self.closing_force, first, second)
 
@@ -91,31 +64,12 @@ class DirectClutch:
     def breakaway_torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Upper bound P of the breakaway torque, N·m (theory, section 3); arguments as ``torque``."""
         first, second = _pair(friction, friction_driven)
-        if self.spec.variant == "all-driving":
+        if _is_zero(self.bypass_pairs):
             return self.torque(first, second)
         bypass: Values = self.law.bypass_torque(self.closing_force, first)
-        if self.spec.variant == "conventional":
+        if not self.spec.kind.controlled:
             return bypass
         return larger(bypass, self.torque(first, second))
-
-    def point(self, friction: Any, friction_driven: Any = None) -> Point:
-        """State of the slipping clutch at one friction."""
-        return Point(
-            torque=self.torque(friction, friction_driven),
-            normal_force=self.normal_force(friction, friction_driven),
-            release_force=self.release_force(friction, friction_driven),
-            travel=None,
-        )
-
-    @property
-    def reduced_gain(self) -> Values:
-        """z_2 C."""
-        return self.law.reduced_gain
-
-    @property
-    def nominal_torque(self) -> Values:
-        """T_н that the setting gives, N·m."""
-        return setting.nominal_torque(self)
 
     @property
     def _factor(self) -> Values:
@@ -160,15 +114,16 @@ class DirectClutch:
 
     @property
     def gain_limit(self) -> Values | None:
-        """Largest gain at which the law describes the whole slip (F11 p. 4; S22); None without control unit."""
-        limit: Values
-        if self.spec.variant == "differentiated":
-            limit = direct.gain_limit_differentiated(self.bypass_pairs, self.friction[0].max)
-        elif self.spec.variant == "all-driving":
-            limit = direct.gain_limit_all_driving(self.controlled_pairs)
-        else:
+        """Largest gain at which the law describes the whole slip, where the variant has one."""
+        rule = self.spec.kind.gain_limit
+        if rule is None:
             return None
+        limit: Values = rule.gain(self.bypass_pairs, self.controlled_pairs, self.friction[0].max)
         return limit
+
+    def ball_torque_by_gain(self) -> ByGain:
+        """T_2 ∝ 1/(1 + z_2 f_2 C)."""
+        return ByGain((1.0, 0.0), (1.0, float(self.reduced_gain / self.gain) * self.friction[1].max), 0.0)
 
     def sensitivity(self) -> dict[str, float]:
         """Elasticities ∂ln K_т/∂ln p by spec path, from the derivatives of the law."""
@@ -184,7 +139,7 @@ class DirectClutch:
             else:
                 found[f"friction.{end}"] = way * (slopes["friction_driving"] + slopes["friction_driven"])
         found["friction_group.pairs"] = shared["pairs"]
-        if self.spec.variant == "differentiated":
+        if self.spec.kind.chooses_bypass:
             found["friction_group.driving_pairs"] = shared["driving_pairs"]
         found |= geometry.gain_elasticities(self.spec, shared["gain"])
         return found | geometry.force_elasticity(self.spec)
@@ -201,44 +156,26 @@ class DirectClutch:
             **_pair_elasticities(z1, z2, driving, driven),
         }
 
-    def findings(self) -> list[Finding]:
-        """What a designer should know: gain limits, idle feedback, the setting."""
-        return [*self._gain_findings(), *self._path_findings(), *setting.findings(self)]
+    def _law_findings(self) -> list[Finding]:
+        """Gain limits, idle feedback, a torque that falls with friction."""
+        return [*self._gain_findings(), *self._path_findings()]
 
     def _gain_findings(self) -> list[Finding]:
-        path = "control_unit.wall_angle" if geometry.angle_given(self.spec) else "control_unit.gain"
-        if self.spec.variant != "conventional" and self.gain == 0:
-            message = "the gain is 0: the control unit gives no release force, the clutch is an ordinary one"
-            return [Finding(level="warning", code="feedback-idle", message=message, value=0.0, limit=0.0, path=path)]
-        limit = self.gain_limit
-        if limit is None or self.gain <= limit * (1 + 1e-9):
+        path = geometry.gain_path(self.spec)
+        if self.spec.kind.controlled and self.gain == 0:
+            return [finding("feedback-idle", "warning", value=0.0, limit=0.0, path=path)]
+        rule, limit = self.spec.kind.gain_limit, self.gain_limit
+        if rule is None or limit is None or self.gain <= limit * (1 + 1e-9):
             return []
-        if self.spec.variant == "all-driving":
-            message = f"the reduced gain zC = {self.reduced_gain:.4g} is above the recommended 5 (S22)"
-            return [
-                Finding(
-                    level="warning", code="reduced-gain-above-limit", message=message,
-                    value=float(self.reduced_gain), limit=5.0, path=path,
-                )
-            ]  # fmt: skip
-        first, second = self.friction
-        peak, sustained = self.breakaway_torque(first.max, second.max), self.torque(first.max, second.max)
-        message = (
-            f"C = {self.gain:.4g} is above 1/(z_1 f_1max) = {limit:.4g}: at f_max the bypass pairs alone may carry "
-            f"{peak:.5g} N·m before the balls take over, the sustained torque is {sustained:.5g} N·m"
-        )
-        return [
-            Finding(
-                level="warning", code="gain-above-limit", message=message,
-                value=float(self.gain), limit=float(limit), path=path,
-            )
-        ]  # fmt: skip
+        value, bound = rule.stated(self.gain, self.reduced_gain, limit)
+        first, second = (own.max for own in self.friction)
+        peak, sustained = self.breakaway_torque(first, second), self.torque(first, second)
+        return [finding(rule.code, "warning", value=value, limit=bound, path=path, peak=peak, sustained=sustained)]
 
     def _path_findings(self) -> list[Finding]:
         if not self.spec.friction.unlike or self._factor >= 1:
             return []
-        message = "the torque falls as the friction of both groups rises: the largest torque is at f_min"
-        return [Finding(level="info", code="torque-falls", message=message, value=float(self._factor), limit=1.0)]
+        return [finding("torque-falls", "info", value=float(self._factor), limit=1.0)]
 
 
 @dataclass(frozen=True)
@@ -252,6 +189,10 @@ class _FrictionPair:
 def _pair(friction: Any, friction_driven: Any) -> tuple[Any, Any]:
     first = checked_friction(friction)
     return first, first if friction_driven is None else checked_friction(friction_driven)
+
+
+def _is_zero(pairs: Any) -> bool:
+    return not is_array(pairs) and pairs == 0
 
 
 def _pair_elasticities(bypass: Any, controlled: Any, driving: float, driven: float) -> dict[str, float]:

@@ -36,6 +36,11 @@ def angle_given(spec: Spec) -> bool:
     return spec.control_unit is not None and spec.control_unit.wall_angle is not None
 
 
+def gain_path(spec: Spec) -> str:
+    """Key of the spec that the gain follows from."""
+    return "control_unit.wall_angle" if angle_given(spec) else "control_unit.gain"
+
+
 def gain_elasticities(spec: Spec, in_gain: float, in_radius: float = 0.0) -> dict[str, float]:
     """Elasticities by the spec keys behind C, from the one in C (chain rule; C ∝ R tan α/r).
 

@@ -4,26 +4,21 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ..arrays import Values, checked_friction, is_array
-from ..equations import direct, indirect
+from ..equations import indirect
 from ..errors import Problem, SpecError
-from ..findings import Finding
-from ..spec.models import Method, Range, Spec
+from ..findings import Finding, finding
+from ..spec.models import Method, Spec
 from . import geometry, setting
 from .laws import IndirectLaw
-from .protocol import Point
+from .protocol import ByGain, Clutch
 from .sensitivity import sensitivity
 
 
 @dataclass(frozen=True)
-class IndirectClutch:
+class IndirectClutch(Clutch):
     """Clutch whose release force slackens the closing spring by way of a sleeve."""
 
-    spec: Spec
     law: IndirectLaw
-    friction: tuple[Range, Range]
-    """Range of f, twice."""
-    closing_force: Values
-    """F_п1 as set, N."""
 
     @classmethod
     def from_spec(cls, spec: Spec) -> "IndirectClutch":
@@ -44,25 +39,16 @@ class IndirectClutch:
             key_friction=_given(unit.key_friction),
             hub_diameter=_given(unit.hub_diameter),
             friction_set=setting.friction_at_setting(spec)[0],
+            made_control_force=control.force,
         )
         _refuse_negative_net_gain(spec, law)
         force = setting.closing_force(spec, lambda: law.torque_per_force)
         return cls(spec, law, spec.friction.groups, force)
 
     @property
-    def mean_radius(self) -> Values:
-        """R_cp, m."""
-        return self.law.mean_radius
-
-    @property
     def pairs(self) -> Values:
         """z."""
         return self.law.pairs
-
-    @property
-    def gain(self) -> Values:
-        """C."""
-        return self.law.gain
 
     @property
     def closing_stiffness(self) -> Values:
@@ -116,32 +102,17 @@ class IndirectClutch:
         return gain
 
     def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
-        """Normal force N on the pairs, N: F_п1 at the stop, then falling (S21 (9))."""
-        friction = _one(friction, friction_driven)
-        if self._is_at_stop(friction):
-            return self.closing_force
-        return self.law.normal_force(self.closing_force, friction)
+        """Normal force N on the pairs, N: from F_п2 at rest down to F_п1 at the setting, then by S21 (9)."""
+        return self.law.normal_force(self.closing_force, _one(friction, friction_driven))
 
-    def _is_at_stop(self, friction: Any) -> bool:
-        """Whether one friction (no array) is not above the setting: the sleeve rests, nothing need be solved."""
-        at_set = self.friction_set
-        return not (is_array(friction) or is_array(at_set) or is_array(self.closing_force)) and bool(friction < at_set)
+    @property
+    def pack_force_at_rest(self) -> Values:
+        """Force on the pack of the clutch at rest, N: what the control spring presses through sleeve and stop."""
+        return self.law.normal_force(self.closing_force, 0.0)
 
     def torque(self, friction: Any, friction_driven: Any = None) -> Any:
-        """Slip torque T, N·m, friction rising (S21 (11); at the stop z R f F_п1).
-
-        Args:
-            friction: f of all pairs, a float or an array of any shape.
-            friction_driven: the same again, or left out.
-
-        Returns:
-            T, N·m.
-
-        Raises:
-            ValueError: negative friction, or two different frictions.
-        """
-        friction = _one(friction, friction_driven)
-        return direct.group_torque(self.normal_force(friction), self.mean_radius, self.pairs, friction)
+        """Slip torque T, N·m, friction rising (S21 (11); at the stop a direct clutch of gain κ)."""
+        return self.law.torque(self.closing_force, _one(friction, friction_driven))
 
     def torque_returning(self, friction: Any) -> Any:
         """Torque when friction falls again from f_max under load, N·m (theory, section 5).
@@ -158,37 +129,19 @@ class IndirectClutch:
     def travel(self, friction: Any, friction_driven: Any = None) -> Any:
         """Axial travel x of the sleeve, m; 0 at the stop (S21 (16))."""
         friction = _one(friction, friction_driven)
-        if self._is_at_stop(friction):
-            return 0.0
         return self.law.travel(self.closing_force, friction)
 
     def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
         """Torque that passes the balls, N·m: all of it."""
         return self.torque(friction, friction_driven)
 
-    def point(self, friction: Any, friction_driven: Any = None) -> Point:
-        """State of the slipping clutch at one friction."""
-        return Point(
-            torque=self.torque(friction, friction_driven),
-            normal_force=self.normal_force(friction, friction_driven),
-            release_force=self.release_force(friction, friction_driven),
-            travel=self.travel(friction, friction_driven),
-        )
-
-    @property
-    def reduced_gain(self) -> Values:
-        """z C."""
-        return self.law.reduced_gain
-
-    @property
-    def nominal_torque(self) -> Values:
-        """T_н that the setting gives, N·m; it does not depend on C."""
-        return setting.nominal_torque(self)
-
     @property
     def accuracy_factor(self) -> Values:
         """K_т (S21 (15), with the stop)."""
         own = self.friction[0]
+        if self.law.made_control_force is not None:
+            ratio: Values = self.torque(own.max) / self.torque(own.min)
+            return ratio
         factor: Values = indirect.accuracy_factor(
             own.min,
             self.friction_set,
@@ -201,14 +154,11 @@ class IndirectClutch:
         return factor
 
     @property
-    def accuracy_factor_worst_case(self) -> Values:
-        """K_т: there is but one friction."""
-        return self.accuracy_factor
-
-    @property
-    def accuracy_factor_peak(self) -> Values:
-        """K_т: no pairs bypass the balls."""
-        return self.accuracy_factor
+    def accuracy_factor_hysteresis(self) -> Values:
+        """K_т under a load that lasts: friction falls from f_max to f_min, the key holding the sleeve back."""
+        own = self.friction[0]
+        factor: Values = indirect.accuracy_factor_hysteresis(self.torque(own.max), self.torque_returning(own.min))
+        return factor
 
     @property
     def torque_max(self) -> Values:
@@ -217,48 +167,40 @@ class IndirectClutch:
         return torque
 
     @property
-    def gain_limit(self) -> Values | None:
-        """None in principle."""
-        return None
-
-    @property
     def nominal_torque_ratio(self) -> Values:
         """K_п against the base clutch of equal spring and gain, all pairs controlled."""
         ratio: Values = indirect.nominal_torque_ratio(self.pairs, self.gain, self.friction_set)
         return ratio
 
+    def ball_torque_by_gain(self) -> ByGain:
+        """T ∝ D(f_set)/D(f_max), and D = (c_1 + c_2 − z c_1 f·threshold) + (z c_1 f)·C."""
+        springs = float(self.closing_stiffness + self.control_stiffness)
+        start = float(self.gain_threshold)
+        slopes = [
+            float(self.pairs * self.closing_stiffness) * f for f in (float(self.friction_set), self.friction[0].max)
+        ]
+        at_set, at_max = (((springs - slope * start) / springs, slope / springs) for slope in slopes)
+        return ByGain(at_set, at_max, start)
+
     def sensitivity(self) -> dict[str, float]:
         """Elasticities ∂ln K_т/∂ln p by spec path."""
-        return sensitivity(self.spec, self.law)
+        return sensitivity(self.spec, self.law, self.closing_force)
 
-    def findings(self) -> list[Finding]:
-        """What a designer should know: idle feedback, the key's hysteresis, the setting."""
-        return [*self._feedback_findings(), *setting.findings(self)]
-
-    def _feedback_findings(self) -> list[Finding]:
-        path = "control_unit.wall_angle" if geometry.angle_given(self.spec) else "control_unit.gain"
-        threshold = float(self.gain_threshold)
+    def _law_findings(self) -> list[Finding]:
+        """Idle feedback, the key's hysteresis."""
+        gain, threshold = float(self.gain), float(self.gain_threshold)
         if self.net_gain == 0:
-            message = f"C equals 2 R f_1/d = {threshold:.5g}: the key holds the sleeve, the clutch is an ordinary one"
-            return [
-                Finding(
-                    level="warning", code="feedback-idle", message=message,
-                    value=float(self.gain), limit=threshold, path=path,
-                )
-            ]  # fmt: skip
+            path = geometry.gain_path(self.spec)
+            return [finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)]
         if self.law.key_friction == 0:
             return []
+        returning, nominal = float(self.torque_returning(self.friction[0].min)), float(self.nominal_torque)
         ratio = float(indirect.hysteresis_ratio(self.net_gain, self.net_gain_returning))
-        message = (
-            f"the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction has "
-            f"fallen {ratio:.4g} times, and the torque then stays below the rising branch; full unloading reseats it"
-        )
-        return [
-            Finding(
-                level="info", code="hysteresis", message=message,
-                value=ratio, limit=1.0, path="control_unit.key_friction",
-            )
-        ]  # fmt: skip
+        key = "control_unit.key_friction"
+        found = [finding("hysteresis", "info", value=ratio, limit=1.0, path=key)]
+        if returning < nominal * (1 - 1e-12):
+            found.append(finding("returning-below-nominal", "warning", value=returning, limit=nominal, path=key))
+        return found
 
 
 def _refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
@@ -274,7 +216,7 @@ def _refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
         f"must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
         "force, and the sleeve leaves its stop at zero torque"
     )
-    path = "control_unit.wall_angle" if geometry.angle_given(spec) else "control_unit.gain"
+    path = geometry.gain_path(spec)
     given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
     raise SpecError("spec", [Problem(path, given, message)])
 

@@ -6,7 +6,7 @@ A law knows neither a spec nor how the spring is set: engines, sweeps and search
 from dataclasses import dataclass
 from typing import Any
 
-from ..arrays import Values, larger, smaller
+from ..arrays import Values, chosen, larger, smaller
 from ..equations import direct, indirect
 
 
@@ -78,7 +78,9 @@ class IndirectLaw:
     hub_diameter: Values
     """d, m."""
     friction_set: Values
-    """Friction at which the sleeve just stays at its stop."""
+    """Friction at which the control spring is set so that the sleeve just stays at its stop."""
+    made_control_force: Values | None = None
+    """F_п2 as made, N; None where it is set by S21 (14)."""
 
     @property
     def reduced_gain(self) -> Values:
@@ -104,45 +106,75 @@ class IndirectLaw:
         return net
 
     @property
-    def torque_per_force(self) -> Any:
-        """T/F_п1 at the setting, m: the sleeve rests, so the pack is pressed by the closing spring."""
-        return indirect.torque_per_force(self.pairs, self.mean_radius, self.friction_set)
+    def torque_per_force(self) -> Values:
+        """T/F_п1 at the setting, m: there the pack is pressed by the closing spring alone."""
+        per_force: Values = indirect.torque_per_force(self.pairs, self.mean_radius, self.friction_set)
+        return per_force
 
-    def control_force(self, closing_force: Any) -> Any:
-        """F_п2, N (S21 (14))."""
-        return indirect.control_force(closing_force, self.pairs, self.net_gain, self.friction_set)
+    def control_force(self, closing_force: Values) -> Values:
+        """F_п2, N: as made, or by S21 (14)."""
+        if self.made_control_force is not None:
+            return self.made_control_force
+        force: Values = indirect.control_force(closing_force, self.pairs, self.net_gain, self.friction_set)
+        return force
 
-    def stiffness(self, friction: Any, net_gain: Any) -> Any:
+    def stiffness(self, friction: Values, net_gain: Values) -> Values:
         """D(f), N/m."""
-        return indirect.sleeve_stiffness(self.closing_stiffness, self.control_stiffness, self.pairs, friction, net_gain)
-
-    def moving_force(self, closing_force: Any, friction: Any, net_gain: Any) -> Any:
-        """Normal force with the sleeve moving, N; κ or κ₊ in force."""
-        return indirect.normal_force_moving(
-            closing_force,
-            self.closing_stiffness,
-            self.control_force(closing_force),
-            self.control_stiffness,
-            self.stiffness(friction, net_gain),
+        stiffness: Values = indirect.sleeve_stiffness(
+            self.closing_stiffness, self.control_stiffness, self.pairs, friction, net_gain
         )
+        return stiffness
 
-    def normal_force(self, closing_force: Any, friction: Any) -> Any:
-        """Normal force N on the pairs, N: F_п1 at the stop, then falling (S21 (9))."""
-        return smaller(closing_force, self.moving_force(closing_force, friction, self.net_gain))
+    def is_seated(self, closing_force: Values, friction: Values, *, returning: bool = False) -> Any:
+        """Whether the stop carries: the control spring has more over the closing one than the balls take."""
+        if self.made_control_force is None and not returning:
+            return friction < self.friction_set
+        net = self.net_gain_returning if returning else self.net_gain
+        return self.control_force(closing_force) > closing_force * (1 + self.pairs * net * friction)
 
-    def torque(self, closing_force: Any, friction: Any) -> Any:
-        """Slip torque T, N·m, friction rising (S21 (11))."""
-        return direct.group_torque(self.normal_force(closing_force, friction), self.mean_radius, self.pairs, friction)
+    def normal_force(self, closing_force: Values, friction: Values, *, returning: bool = False) -> Values:
+        """Normal force N on the pairs, N: F_п2/(1 + zκf) at the stop, then S21 (9); ``returning`` has κ₊ for κ."""
+        net = self.net_gain_returning if returning else self.net_gain
+        control = self.control_force(closing_force)
 
-    def torque_returning(self, closing_force: Any, friction: Any, friction_max: Any) -> Any:
-        """Torque when friction falls again from ``friction_max`` under load, N·m (theory, section 5)."""
+        def seated() -> Values:
+            force: Values = indirect.normal_force_seated(control, self.pairs, net, friction)
+            return force
+
+        def moving() -> Values:
+            springs = closing_force, self.closing_stiffness, control, self.control_stiffness
+            force: Values = indirect.normal_force_moving(*springs, self.stiffness(friction, net))
+            return smaller(closing_force, force)
+
+        return chosen(self.is_seated(closing_force, friction, returning=returning), seated, moving)
+
+    def torque(self, closing_force: Values, friction: Values) -> Values:
+        """Slip torque T, N·m, friction rising (S21 (11); theory, section 5)."""
+        pressed = self.normal_force(closing_force, friction)
+        torque: Values = direct.group_torque(pressed, self.mean_radius, self.pairs, friction)
+        return torque
+
+    def torque_returning(self, closing_force: Values, friction: Values, friction_max: Values) -> Values:
+        """Torque when friction falls again from ``friction_max`` under load, N·m (theory, section 5).
+
+        The key locks the sleeve where ``friction_max`` put it until f has fallen by κ₊/κ.
+        """
         locked = self.normal_force(closing_force, friction_max)
-        moving = larger(locked, self.moving_force(closing_force, friction, self.net_gain_returning))
-        return direct.group_torque(smaller(closing_force, moving), self.mean_radius, self.pairs, friction)
+        moving = self.normal_force(closing_force, friction, returning=True)
+        torque: Values = direct.group_torque(larger(locked, moving), self.mean_radius, self.pairs, friction)
+        return torque
 
-    def travel(self, closing_force: Any, friction: Any) -> Any:
-        """Axial travel x of the sleeve, m; 0 at the stop (S21 (16))."""
-        net = self.net_gain
-        stiffness = self.stiffness(friction, net)
-        moved = indirect.travel(self.pairs, closing_force, friction, self.friction_set, net, stiffness)
-        return larger(0.0, moved)
+    def travel(self, closing_force: Values, friction: Values) -> Values:
+        """Axial travel x of the sleeve, m; 0 at the stop (S21 (10), (16))."""
+
+        def moved() -> Values:
+            net, made = self.net_gain, self.made_control_force
+            stiffness = self.stiffness(friction, net)
+            travel: Values = (
+                indirect.travel(self.pairs, closing_force, friction, self.friction_set, net, stiffness)
+                if made is None
+                else indirect.travel_as_made(closing_force, made, self.pairs, friction, net, stiffness)
+            )
+            return travel
+
+        return chosen(self.is_seated(closing_force, friction), lambda: 0.0, moved)

@@ -1,10 +1,15 @@
 """What every engine offers to the analyses."""
 
-from typing import Any, NamedTuple, Protocol
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 from ..arrays import Values
+from ..equations import adjustment
 from ..findings import Finding
 from ..spec.models import Method, Range, Spec
+from . import setting
+from .laws import DirectLaw, IndirectLaw
 
 
 class Point(NamedTuple):
@@ -17,75 +22,186 @@ class Point(NamedTuple):
     """Axial travel of the thrust sleeve, m; None where there is no sleeve."""
 
 
-class Clutch(Protocol):
-    """A clutch that can be asked; parameters are floats or, in a sweep, arrays."""
+class ByGain(NamedTuple):
+    """Ball torque at f_max and fixed spring force over the gain C: ∝ (a_0 + a_1 C)/(b_0 + b_1 C)."""
+
+    numerator: tuple[float, float]
+    denominator: tuple[float, float]
+    start: float
+    """Gain at which feedback begins."""
+
+
+@dataclass(frozen=True)
+class Clutch(ABC):
+    """A clutch that can be asked; parameters are floats or, in a sweep, arrays.
+
+    What a law does not have is None: a clutch without sleeve has no travel, no threshold of the gain.
+    """
+
+    spec: Spec
+    """The spec it was built from."""
+    law: DirectLaw | IndirectLaw
+    """Torque and forces as functions of the spring force and the friction."""
+    friction: tuple[Range, Range]
+    """Ranges of f_1 and f_2 (twice the same with one material)."""
+    closing_force: Values
+    """F_п as set, N."""
 
     @property
-    def spec(self) -> Spec:
-        """The spec it was built from."""
-
-    @property
-    def friction(self) -> tuple[Range, Range]:
-        """Ranges of f_1 and f_2 (twice the same with one material)."""
-
-    @property
-    def closing_force(self) -> Values:
-        """F_п as set, N."""
+    def pack_force_at_rest(self) -> Values:
+        """Force on the pack of the clutch at rest, N: the closing spring's."""
+        return self.closing_force
 
     @property
     def mean_radius(self) -> Values:
         """R_cp, m."""
-
-    @property
-    def bypass_pairs(self) -> Values:
-        """z_1, pairs that bypass the control unit."""
+        return self.law.mean_radius
 
     @property
     def gain(self) -> Values:
         """C."""
+        return self.law.gain
 
     @property
     def reduced_gain(self) -> Values:
         """z C or z_2 C."""
+        return self.law.reduced_gain
+
+    @property
+    @abstractmethod
+    def bypass_pairs(self) -> Values:
+        """z_1, pairs that bypass the control unit."""
 
     @property
     def gain_limit(self) -> Values | None:
         """Largest gain at which the law describes the whole slip."""
+        return None
+
+    @property
+    def gain_threshold(self) -> Values | None:
+        """Gain at which feedback begins."""
+        return None
+
+    @property
+    def equivalent_gain(self) -> Values | None:
+        """Gain of the all-driving clutch with the same torque curve."""
+        return None
+
+    @property
+    def nominal_torque_ratio(self) -> Values | None:
+        """K_п against the base clutch of equal spring and gain, all pairs controlled."""
+        return None
+
+    @property
+    def friction_set(self) -> Values | None:
+        """Friction at which the sleeve just stays at its stop: the law bends there."""
+        return None
+
+    @property
+    def control_force(self) -> Values | None:
+        """F_п2 of the control spring, N."""
+        return None
 
     @property
     def nominal_torque(self) -> Values:
-        """T_н, N·m."""
+        """T_н that the setting gives, N·m."""
+        at_setting = self.torque(*setting.friction_at_setting(self.spec))
+        torque: Values = adjustment.nominal_torque(at_setting, setting.margin(self.spec))
+        return torque
 
     @property
+    @abstractmethod
     def torque_max(self) -> Values:
         """Largest sustained torque along the common path, N·m."""
 
     @property
+    @abstractmethod
     def accuracy_factor(self) -> Values:
         """K_т along the common path."""
 
     @property
+    def accuracy_factor_hysteresis(self) -> Values | None:
+        """K_т under a load that lasts, where the torque depends on whether friction rises or falls."""
+        return None
+
+    @property
     def accuracy_factor_worst_case(self) -> Values:
         """K_т with f_1 and f_2 independent."""
+        return self.accuracy_factor
 
     @property
     def accuracy_factor_peak(self) -> Values:
         """K_т by breakaway peaks."""
+        return self.accuracy_factor
 
+    @abstractmethod
     def torque_per_force(self, method: Method | None = None) -> Any:
         """T/F_п at the friction of a setting, m; by default the spec's own."""
 
+    @abstractmethod
     def torque(self, friction: Any, friction_driven: Any = None) -> Any:
-        """Sustained slip torque, N·m."""
+        """Sustained slip torque, N·m.
 
+        Args:
+            friction: f of all pairs, or f_1 of the driving pairs when ``friction_driven`` is given;
+                a float or an array of any shape.
+            friction_driven: f_2 of the driven pairs.
+
+        Returns:
+            T, N·m, in the broadcast shape of the arguments.
+
+        Raises:
+            ValueError: negative friction, or two different ones where all pairs are alike.
+        """
+
+    @abstractmethod
+    def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Normal force N on the pairs, N; arguments as ``torque``."""
+
+    @abstractmethod
+    def release_force(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Release force F_p of the control unit, N; arguments as ``torque``."""
+
+    @abstractmethod
     def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
-        """Torque that passes the balls, N·m."""
+        """Torque that passes the balls, N·m; arguments as ``torque``."""
+
+    def breakaway_torque(self, friction: Any, friction_driven: Any = None) -> Any:
+        """Upper bound P of the breakaway torque, N·m; arguments as ``torque``."""
+        return self.torque(friction, friction_driven)
+
+    def torque_returning(self, friction: Any) -> Any | None:
+        """Torque when friction falls again from f_max under load, N·m."""
+        return None
+
+    def travel(self, friction: Any, friction_driven: Any = None) -> Any | None:
+        """Axial travel of the sleeve, m; arguments as ``torque``."""
+        return None
 
     def point(self, friction: Any, friction_driven: Any = None) -> Point:
         """Torque, forces and travel at one friction."""
+        return Point(
+            torque=self.torque(friction, friction_driven),
+            normal_force=self.normal_force(friction, friction_driven),
+            release_force=self.release_force(friction, friction_driven),
+            travel=self.travel(friction, friction_driven),
+        )
 
+    @abstractmethod
+    def ball_torque_by_gain(self) -> ByGain:
+        """How the torque on the balls at f_max depends on the gain."""
+
+    @abstractmethod
     def sensitivity(self) -> dict[str, float]:
-        """Elasticities of K_т by spec path."""
+        """Elasticities ∂ln K_т/∂ln p by spec path."""
 
     def findings(self) -> list[Finding]:
-        """What a designer should know."""
+        """What a designer should know: what the law says of it, and the setting."""
+        found, nominal = self._law_findings(), self.nominal_torque
+        first, second = self.friction
+        lowest = min(self.torque(first.min, second.min), self.torque(first.max, second.max))
+        return [*found, *setting.findings(self.spec, nominal, lowest)]
+
+    @abstractmethod
+    def _law_findings(self) -> list[Finding]:
+        """What the law says of its limits."""

@@ -1,24 +1,11 @@
 """Setting of the closing spring (настройка): every law is proportional to F_п, so one rule serves all (S19)."""
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any
 
-from ..arrays import Values
 from ..equations import adjustment
-from ..findings import Finding
-from ..spec.models import Method, Range, Spec
-
-
-class Settable(Protocol):
-    """A clutch whose torque is proportional to its closing force."""
-
-    @property
-    def spec(self) -> Spec: ...  # noqa: D102
-    @property
-    def friction(self) -> tuple[Range, Range]: ...  # noqa: D102
-    @property
-    def closing_force(self) -> Values: ...  # noqa: D102
-    def torque(self, friction: Any, friction_driven: Any = None) -> Any: ...  # noqa: D102
+from ..findings import Finding, finding
+from ..spec.models import Method, Spec
 
 
 def margin(spec: Spec, method: Method | None = None) -> Any:
@@ -40,13 +27,6 @@ def closing_force(spec: Spec, torque_per_force: Callable[[], Any]) -> Any:
     return adjustment.closing_force(spec.adjustment.nominal_torque, margin(spec), torque_per_force())
 
 
-def nominal_torque(clutch: Settable) -> Values:
-    """T_н that the spring as set gives."""
-    at_setting = clutch.torque(*friction_at_setting(clutch.spec))
-    torque: Values = adjustment.nominal_torque(at_setting, margin(clutch.spec))
-    return torque
-
-
 def _material_findings(spec: Spec) -> list[Finding]:
     """Echo the values that a material of the catalogue stands for, with their source."""
     named = {"friction": spec.friction.material}
@@ -59,36 +39,26 @@ def _material_findings(spec: Spec) -> list[Finding]:
             from ..spec.materials import catalogue
 
             entry = catalogue()[name]
-            message = (
-                f"{name}: friction {entry.friction_min:g}…{entry.friction_max:g} from the catalogue ({entry.source})"
-            )
-            found.append(Finding(level="info", code="material", message=message, path=f"{path}.material"))
+            ends = {"low": entry.friction_min, "high": entry.friction_max}
+            where = f"{path}.material"
+            found.append(finding("material", "info", path=where, name=name, source=entry.source, **ends))
     return found
 
 
-def findings(clutch: Settable) -> list[Finding]:
-    """Remarks on the setting: the wished nominal torque missed, or not reached at f_min."""
-    found = _material_findings(clutch.spec)
-    first, second = clutch.friction
-    reached, wished = float(nominal_torque(clutch)), clutch.spec.adjustment.nominal_torque
-    if wished is not None and abs(reached - wished) > 1e-4 * wished:
-        message = (
-            f"closing_spring.force is given, so it decides: it gives a nominal torque of {reached:.5g} N·m, "
-            f"not the {wished:.5g} N·m of adjustment.nominal_torque"
-        )
-        found.append(
-            Finding(
-                level="warning", code="nominal-torque-missed", message=message,
-                value=reached, limit=wished, path="adjustment.nominal_torque",
-            )
-        )  # fmt: skip
-    lowest = min(clutch.torque(first.min, second.min), clutch.torque(first.max, second.max))
-    if lowest < reached * (1 - 1e-12):
-        message = f"the torque falls to {lowest:.5g} N·m in service, below the nominal torque {reached:.5g} N·m"
-        found.append(
-            Finding(
-                level="warning", code="below-nominal-torque", message=message,
-                value=lowest, limit=reached, path="adjustment.method",
-            )
-        )  # fmt: skip
+def findings(spec: Spec, nominal: Any, lowest: Any) -> list[Finding]:
+    """Remarks on the setting: the wished nominal torque missed, or not reached at an end of the range.
+
+    Args:
+        spec: the clutch.
+        nominal: T_н that the spring as set gives, N·m.
+        lowest: smaller of the torques at f_min and f_max, N·m.
+    """
+    found = _material_findings(spec)
+    wished = spec.adjustment.nominal_torque
+    if wished is not None and abs(nominal - wished) > 1e-4 * wished:
+        path = "adjustment.nominal_torque"
+        found.append(finding("nominal-torque-missed", "warning", value=nominal, limit=wished, path=path))
+    if lowest < nominal * (1 - 1e-12):
+        path = "adjustment.method"
+        found.append(finding("below-nominal-torque", "warning", value=lowest, limit=nominal, path=path))
     return found

@@ -45,6 +45,40 @@ def accuracy_factor(
     )
 
 
+def conventional_accuracy_factor(
+    bypass_pairs: Number,
+    controlled_pairs: Number,
+    friction_driving_min: Number,
+    friction_driven_min: Number,
+    friction_driving_max: Number,
+    friction_driven_max: Number,
+) -> Number:
+    """Accuracy factor of an ordinary clutch in its place, K_т at C = 0; with one material f_max/f_min.
+
+    Source: F11 (14) at C = 0.
+
+    Args:
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+        controlled_pairs: z_2, pairs whose torque passes the balls [1].
+        friction_driving_min: f_1min, smallest friction of the bypass pairs [1].
+        friction_driven_min: f_2min, smallest friction of the controlled pairs [1].
+        friction_driving_max: f_1max, largest friction of the bypass pairs [1].
+        friction_driven_max: f_2max, largest friction of the controlled pairs [1].
+
+    Returns:
+        K_т,0 [1].
+
+    Validity:
+        f_1 and f_2 move together (F11's working hypothesis).
+
+    >>> conventional_accuracy_factor(1, 7, 0.125, 0.125, 0.75, 0.75)
+    6.0
+    """
+    return (bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max) / (
+        bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min
+    )
+
+
 def accuracy_factor_by_ratios(
     bypass_pairs: Number,
     controlled_pairs: Number,

@@ -7,6 +7,9 @@ the balls. Conventional: z_2 = 0. All-driving: z_1 = 0. Every argument may be an
 
 from ._types import Number
 
+RECOMMENDED_REDUCED_GAIN = 5
+"""Largest zC of an all-driving clutch (S22, after its reference [4])."""
+
 
 def gain(mean_radius: Number, ball_circle_radius: Number, tan_wall_angle: Number) -> Number:
     """Feedback gain C = (R_cp/r)·tan α.
@@ -215,4 +218,4 @@ def gain_limit_all_driving(pairs: Number) -> Number:
     Validity:
         z_1 = 0. A recommendation, not a law.
     """
-    return 5 / pairs
+    return RECOMMENDED_REDUCED_GAIN / pairs

@@ -157,6 +157,56 @@ def travel(
     return pairs * closing_force * (friction - friction_set) * net_gain / sleeve_stiffness
 
 
+def normal_force_seated(control_force: Number, pairs: Number, net_gain: Number, friction: Number) -> Number:
+    """Normal force with the sleeve at its stop, N = F_п2/(1 + z κ f).
+
+    Source: S21 p. 2: the stop 10 belongs to the pressure disc 5, so spring 11 presses the pack through sleeve and stop;
+    N = F_п1 + S with the stop's reaction S = F_п2 − F_п1 − T κ/R (theory, section 5).
+
+    Args:
+        control_force: F_п2, control-spring force as set [N].
+        pairs: z, friction pairs [1].
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+        friction: f, coefficient of friction [1].
+
+    Returns:
+        N [N].
+
+    Validity:
+        S ≥ 0, that is N ≥ F_п1, or f ≤ f_set with the control spring set by (14); κ ≥ 0.
+    """
+    return control_force / (1 + pairs * net_gain * friction)
+
+
+def travel_as_made(
+    closing_force: Number,
+    control_force: Number,
+    pairs: Number,
+    friction: Number,
+    net_gain: Number,
+    sleeve_stiffness: Number,
+) -> Number:
+    """Axial travel of the sleeve with any two spring forces, x = [(1 + z κ f) F_п1 − F_п2]/D(f).
+
+    Source: S21 (10), in κ.
+
+    Args:
+        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
+        control_force: F_п2, control-spring force as made [N].
+        pairs: z, friction pairs [1].
+        friction: f, coefficient of friction [1].
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+        sleeve_stiffness: D, D(f) [N/m].
+
+    Returns:
+        x [m].
+
+    Validity:
+        x ≥ 0; where it would be negative the sleeve rests at its stop.
+    """
+    return ((1 + pairs * net_gain * friction) * closing_force - control_force) / sleeve_stiffness
+
+
 def normal_force_moving(
     closing_force: Number,
     closing_stiffness: Number,
@@ -212,9 +262,10 @@ def accuracy_factor(
     pairs: Number,
     net_gain: Number,
 ) -> Number:
-    """Accuracy factor K_т = f_max D(f_set)/(f_min D(f_max)).
+    """Accuracy factor K_т = f_max D(f_set) (1 + z κ f_min)/[f_min D(f_max) (1 + z κ f_set)].
 
-    Source: S21 (15), mended (M9), with f_set = f_min; theory, section 5 for f_min < f_set ≤ f_max.
+    Source: S21 (15), mended (M9), with f_set = f_min; theory, section 5 for f_min < f_set ≤ f_max, where the sleeve
+    rests at f_min.
 
     Args:
         friction_min: f_min [1].
@@ -233,7 +284,26 @@ def accuracy_factor(
     """
     at_set = sleeve_stiffness(closing_stiffness, control_stiffness, pairs, friction_set, net_gain)
     at_max = sleeve_stiffness(closing_stiffness, control_stiffness, pairs, friction_max, net_gain)
-    return friction_max * at_set / (friction_min * at_max)
+    rising = friction_max * at_set / (friction_min * at_max)
+    return rising * ((1 + pairs * net_gain * friction_min) / (1 + pairs * net_gain * friction_set))
+
+
+def accuracy_factor_hysteresis(torque_max: Number, torque_returning: Number) -> Number:
+    """Accuracy factor under a load that lasts, K_т,h = T(f_max)/T_ret(f_min).
+
+    Source: Theory, section 5 (beyond S21).
+
+    Args:
+        torque_max: T_max, slip torque at f_max, friction rising [N*m].
+        torque_returning: T_ret, slip torque at f_min, friction fallen from f_max under load [N*m].
+
+    Returns:
+        K_т,h [1].
+
+    Validity:
+        Friction falls from f_max to f_min without full unloading.
+    """
+    return torque_max / torque_returning
 
 
 def equivalent_gain(net_gain: Number, closing_stiffness: Number, control_stiffness: Number) -> Number:
@@ -290,6 +360,26 @@ def hysteresis_ratio(net_gain: Number, net_gain_returning: Number) -> Number:
         κ > 0.
     """
     return net_gain_returning / net_gain
+
+
+def seated_elasticity_in_feedback(pairs: Number, friction: Number, feedback_part: Number, net_gain: Number) -> Number:
+    """Elasticity of 1 + z κ f in a parameter to which a part of κ is proportional, z f κ_part/(1 + z κ f).
+
+    Source: Derivative of 1 + z κ f (theory, section 5, the seated sleeve).
+
+    Args:
+        pairs: z, friction pairs [1].
+        friction: f, coefficient of friction [1].
+        feedback_part: κ_p, the part of κ in question [1].
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+
+    Returns:
+        ∂ln(1 + zκf)/∂ln p [1].
+
+    Validity:
+        κ ≥ 0.
+    """
+    return pairs * friction * feedback_part / (1 + pairs * net_gain * friction)
 
 
 def stiffness_elasticity_in_closing_stiffness(

@@ -217,22 +217,40 @@ def best_accuracy_factor_all_driving(friction_min: Number, friction_max: Number,
     )  # fmt: skip
 
 
-def best_accuracy_factor_indirect(friction_min: Number, friction_set: Number) -> Number:
-    """Limit of K_т of the indirect clutch as C grows, f_set/f_min.
+def net_loop_gain_for_accuracy_factor(
+    friction_min: Number,
+    friction_set: Number,
+    friction_max: Number,
+    closing_stiffness: Number,
+    control_stiffness: Number,
+    accuracy_factor: Number,
+) -> Number:
+    """Net loop gain of the indirect clutch for a wanted K_т, zκ = a, the positive root of a quadratic.
 
-    Source: S21 (15) mended (M9), κ → ∞; below f_set the sleeve is at its stop (theory, section 5).
+    With s = c_1 + c_2: f_max (s + c_1 f_set a)(1 + f_min a) = K_т f_min (1 + f_set a)(s + c_1 f_max a).
+
+    Source: S21 (15) mended (M9) with the seated sleeve below f_set (theory, section 5), solved for zκ.
 
     Args:
         friction_min: f_min [1].
         friction_set: f_set, friction at the setting (f_min or f_cp) [1].
+        friction_max: f_max [1].
+        closing_stiffness: c_1, stiffness of the closing spring [N/m].
+        control_stiffness: c_2, stiffness of the control spring [N/m].
+        accuracy_factor: K_т wanted [1].
 
     Returns:
-        K_lim, the limit of K_т [1]: 1 when set at f_min. No finite gain reaches it.
+        zκ [1].
 
     Validity:
-        c_1 > 0.
+        1 < K_т ≤ f_max/f_min.
     """
-    return friction_set / friction_min
+    springs = closing_stiffness + control_stiffness
+    square = closing_stiffness * friction_set * friction_min * friction_max * (accuracy_factor - 1)
+    linear = friction_max * (springs * friction_min + closing_stiffness * friction_set)
+    linear = linear - accuracy_factor * friction_min * (springs * friction_set + closing_stiffness * friction_max)
+    constant = springs * (friction_max - accuracy_factor * friction_min)
+    return 2 * constant / ((linear**2 + 4 * square * constant) ** 0.5 - linear)
 
 
 def net_gain_for_accuracy_factor(
@@ -246,7 +264,7 @@ def net_gain_for_accuracy_factor(
 ) -> Number:
     """Net gain of the indirect clutch for a wanted K_т.
 
-    κ = (c_1 + c_2)(f_max − K_т f_min)/[z c_1 f_max (K_т f_min − f_set)]; C is κ + 2 R f_1/d.
+    κ = (zκ)/z with zκ by ``net_loop_gain_for_accuracy_factor``; C is κ + 2 R f_1/d.
 
     Source: S21 (15) mended (M9), solved for κ.
 
@@ -263,13 +281,12 @@ def net_gain_for_accuracy_factor(
         κ [1].
 
     Validity:
-        f_set/f_min < K_т ≤ f_max/f_min.
+        1 < K_т ≤ f_max/f_min.
     """
-    return (
-        (closing_stiffness + control_stiffness)
-        * (friction_max - accuracy_factor * friction_min)
-        / (pairs * closing_stiffness * friction_max * (accuracy_factor * friction_min - friction_set))
+    loop = net_loop_gain_for_accuracy_factor(
+        friction_min, friction_set, friction_max, closing_stiffness, control_stiffness, accuracy_factor
     )
+    return loop / pairs
 
 
 def pairs_for_accuracy_factor_indirect(
@@ -283,7 +300,7 @@ def pairs_for_accuracy_factor_indirect(
 ) -> Number:
     """Pairs of the indirect clutch for a wanted K_т.
 
-    z = (c_1 + c_2)(f_max − K_т f_min)/[κ c_1 f_max (K_т f_min − f_set)].
+    z = (zκ)/κ with zκ by ``net_loop_gain_for_accuracy_factor``.
 
     Source: S21 (15) mended (M9), solved for z.
 
@@ -300,11 +317,12 @@ def pairs_for_accuracy_factor_indirect(
         z [1], not rounded to a whole number.
 
     Validity:
-        κ > 0; f_set/f_min < K_т ≤ f_max/f_min.
+        κ > 0; 1 < K_т ≤ f_max/f_min.
     """
-    return net_gain_for_accuracy_factor(
-        friction_min, friction_set, friction_max, closing_stiffness, control_stiffness, net_gain, accuracy_factor
-    )  # fmt: skip
+    loop = net_loop_gain_for_accuracy_factor(
+        friction_min, friction_set, friction_max, closing_stiffness, control_stiffness, accuracy_factor
+    )
+    return loop / net_gain
 
 
 def stiffness_ratio_for_accuracy_factor(
@@ -317,7 +335,7 @@ def stiffness_ratio_for_accuracy_factor(
 ) -> Number:
     """Stiffness ratio of the indirect clutch for a wanted K_т, by which either spring follows from the other.
 
-    c_2/c_1 = [K_т f_min (1 + z f_max κ) − f_max (1 + z f_set κ)]/(f_max − K_т f_min).
+    With a = zκ, w = K_т f_min (1 + f_set a), v = 1 + f_min a: 1 + c_2/c_1 = f_max a (w − f_set v)/(f_max v − w).
 
     Source: S21 (15) mended (M9), solved for c_2/c_1: K_т depends on the ratio only.
 
@@ -335,7 +353,7 @@ def stiffness_ratio_for_accuracy_factor(
     Validity:
         κ > 0; K_т between its value at c_2 = 0 and f_max/f_min.
     """
-    return (
-        accuracy_factor * friction_min * (1 + pairs * friction_max * net_gain)
-        - friction_max * (1 + pairs * friction_set * net_gain)
-    ) / (friction_max - accuracy_factor * friction_min)
+    loop = pairs * net_gain
+    at_min, at_set = 1 + loop * friction_min, 1 + loop * friction_set
+    wanted = accuracy_factor * friction_min * at_set
+    return friction_max * loop * (wanted - friction_set * at_min) / (friction_max * at_min - wanted) - 1

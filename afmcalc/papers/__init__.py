@@ -1,1 +1,1 @@
-"""What the papers say: their formulas, misprints, claims and figures."""
+"""What the papers say: formulas, misprints and claims (one list each), and what recomputes claims and figures."""

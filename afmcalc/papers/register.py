@@ -1,7 +1,9 @@
 """The register: every formula of the papers, what implements or covers it, and the papers' misprints."""
 
+import tomllib
 from functools import cache
-from typing import Any, Literal
+from importlib.resources import files
+from typing import Literal
 
 from ..errors import AfmcalcError
 from ..findings import Finding
@@ -34,6 +36,7 @@ class Misprint(Result):
     correct: str = quantity("", None, "should be")
     why: str = quantity("", None, "why")
     proof: str | None = quantity("", None, "proof")
+    status: Literal["in print", "as extracted", "by the figure", "withdrawn"] = quantity("", None, "status")
 
 
 class Proved(Result):
@@ -57,20 +60,31 @@ class EquationsResult(Result):
 def register() -> list[Formula]:
     """Every entry, in the order of the papers."""
     optional = ("misprint", "function", "proof", "printed", "correct", "covered_by")
-    return [Formula(**{**dict.fromkeys(optional), **entry}) for entry in _data("register.toml")["formula"]]
+    return [Formula(**{**dict.fromkeys(optional), **entry}) for entry in data("register.toml")["formula"]]
 
 
 @cache
 def misprints() -> list[Misprint]:
-    """Every misprint, in order."""
-    return [Misprint(**{"proof": None, **entry}) for entry in _data("misprints.toml")["misprint"]]
+    """Every misprint, in order; a withdrawn one keeps its number."""
+    return [Misprint(**{"status": "in print", "proof": None, **entry}) for entry in data("misprints.toml")["misprint"]]
 
 
-def _data(name: str) -> dict[str, Any]:
-    import tomllib
-    from importlib.resources import files
-
+def data(name: str) -> dict[str, list[dict[str, str]]]:
+    """Read one of the lists of this package: kind of entry → its entries, in order."""
     return tomllib.loads(files("afmcalc.papers").joinpath(name).read_text(encoding="utf-8"))
+
+
+def check_papers(papers: list[str]) -> None:
+    """Refuse a paper that there is not.
+
+    Raises:
+        AfmcalcError: no such paper.
+    """
+    for paper in papers:
+        if paper not in PAPERS:
+            raise AfmcalcError(
+                f"--paper {paper}: no such paper{did_you_mean(paper, PAPERS)}; papers: {', '.join(PAPERS)}"
+            )
 
 
 def is_numbered(formula: Formula) -> bool:
@@ -97,11 +111,7 @@ def equations(
     Raises:
         AfmcalcError: no such paper or formula.
     """
-    for paper in papers:
-        if paper not in PAPERS:
-            raise AfmcalcError(
-                f"--paper {paper}: no such paper{did_you_mean(paper, PAPERS)}; papers: {', '.join(PAPERS)}"
-            )
+    check_papers(papers)
     chosen = [entry for entry in register() if not papers or entry.id.split()[0] in papers]
     if ids:
         known = [entry.id for entry in chosen]

@@ -7,23 +7,26 @@ that must not). SymPy is needed (extra ``explain``); it is imported only when a 
 from collections.abc import Callable, Iterator
 from functools import cache
 from importlib import import_module
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-MODULES = ("direct", "adjustment", "indirect", "overload", "parts", "inverse")
+if TYPE_CHECKING:
+    from sympy import Expr
+
+MODULES = ("direct", "adjustment", "indirect", "overload", "parts", "inverse", "numbers")
 
 
 class Identity(NamedTuple):
     """An expression that vanishes for all arguments."""
 
     statement: str
-    expression: Any
+    expression: "Expr | int"
 
 
 class Refutation(NamedTuple):
     """A printed form's difference from the right one: it must not vanish."""
 
     statement: str
-    expression: Any
+    expression: "Expr | int"
 
 
 Steps = Iterator[Identity | Refutation]
@@ -58,7 +61,7 @@ def prove(name: str) -> list[str]:
     return shown
 
 
-def is_zero(expression: Any) -> bool:
+def is_zero(expression: "Expr | int") -> bool:
     """Whether an expression vanishes identically."""
     import sympy
 

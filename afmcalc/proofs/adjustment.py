@@ -10,7 +10,6 @@ __all__ = [
     "bands_of_both_methods",
     "cycles_from_the_line",
     "equivalent_stresses",
-    "numbers_of_s19",
     "pairs_threshold_from_the_bands",
     "spring_forces_of_both_methods",
     "threshold_is_not_inverse_to_the_gain",
@@ -118,36 +117,3 @@ def equivalent_stresses() -> Steps:
     yield Identity("Серенсен–Кинасошвили", life.equivalent_stress_sensitivity(low, high, psi) - amplitude - psi * mean)
     goodman = life.equivalent_stress_goodman(low, high, ultimate)
     yield Identity("Goodman line: τ_a/τ_eq + τ_m/τ_u = 1", amplitude / goodman + mean / ultimate - 1)
-
-
-def numbers_of_s19() -> Steps:
-    """S19, numbers of the example and of fig. 2 (M7, M8, M22, M24, M25), in exact fractions."""
-    rational = sp.Rational
-
-    def threshold(gain: sp.Expr) -> sp.Expr:
-        return adjustment.pairs_threshold(1, gain, rational(15, 100), rational(33, 100), rational(5, 4))
-
-    yield Identity("P1: z > 8.197 with C = 1.6", threshold(rational(8, 5)) - rational(1082, 132))
-    yield Identity("M7: the printed 9.23 is C = 1.4", sp.Integer(round(threshold(rational(7, 5)) * 1000)) - 9225)
-    yield Refutation("M7: not C = 1.6", sp.Integer(round(threshold(rational(8, 5)) * 100)) - 923)
-
-    def cycles(low: int, high: int) -> sp.Expr:
-        mean = life.mean_stress(*(life.shear_stress(torque, rational(15, 10**6)) for torque in (low, high)))
-        return life.cycles(400 * 10**6, mean, 6, 10**7)
-
-    def band(scatter: int) -> sp.Expr:
-        return life.cycles_of_band(400 * 10**6, rational(15, 10**6), 200, scatter, 6, 10**7)
-
-    yield Identity("P2: (1500/900)^6", band(500) / band(1100) - rational(5, 3) ** 6)
-    for high, ratio in ((700, rational(13, 9)), (1300, rational(19, 15))):
-        fall = cycles(200, high) / cycles(600, high)
-        yield Identity(f"P3, M8: N falls by the 6th power of {ratio}", fall - ratio**6)
-        yield Refutation("M8: it is not the ratio of mean torques", fall - ratio)
-    stress = life.mean_stress(*(life.shear_stress(torque, rational(15, 10**6)) for torque in (200, 1300)))
-    yield Identity("M22: the stress of fig. 2 is at most 50 MPa", stress - 50 * 10**6)
-    yield Identity("M22: N/N_0 there is 8^6", cycles(200, 1300) / 10**7 - 8**6)
-    factor, first, second = sp.symbols("k dT_1 dT_2", positive=True)
-    yield Identity("M24: one factor keeps the order of the bands", factor * first / (factor * second) - first / second)
-    yield Identity(
-        "M25: equal K_т of both methods puts T_min2 at 200·627/500", rational(200 * 627, 500) - rational(2508, 10)
-    )

@@ -35,6 +35,10 @@ def torque_law_from_the_balance() -> Steps:
     yield Identity("C = (R/r)·tan α", gain - R * t / r)
     yield Identity("(11) mended solves (7) with (10)", direct.release_force(F, z2, gain, f2) - release)
     yield Identity("(3) with (11): N", direct.normal_force(F, z2, gain, f2) - normal)
+    ball = sp.Symbol("F_o", positive=True)
+    carried = direct.group_torque(normal, R, z2, f2)
+    printed_8 = direct.group_torque(normal, R, z1, f1) + ball * r
+    yield Identity("M43: (7) in (8) is (9)", printed_8.subs(ball, carried / r) - R * (z1 * f1 + z2 * f2) * normal)
     yield Identity("(12) follows from (9)", direct.torque(F, R, z1, z2, gain, f1, f2) - torque)
     yield Identity(
         "(2) + (6) is (12)",
@@ -62,6 +66,8 @@ def accuracy_factor_is_the_ratio_of_torques() -> Steps:
     torques = [direct.torque(F, R, z1, z2, C, a, b) for a, b in ((f1max, f2max), (f1min, f2min))]
     factor = accuracy.accuracy_factor(z1, z2, C, f1min, f2min, f1max, f2max)
     yield Identity("(14) = T(f_max)/T(f_min)", factor - torques[0] / torques[1])
+    ordinary = accuracy.conventional_accuracy_factor(z1, z2, f1min, f2min, f1max, f2max)
+    yield Identity("K_т,0 is (14) at C = 0", ordinary - accuracy.accuracy_factor(z1, z2, 0, f1min, f2min, f1max, f2max))
     one = accuracy.accuracy_factor(z1, z2, C, fmin, fmin, fmax, fmax)
     yield Identity(
         "one material (theory, section 3; lines 5–7 of fig. 2)",

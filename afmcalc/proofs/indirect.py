@@ -13,6 +13,7 @@ __all__ = [
     "friction_at_the_key",
     "load_capacity_against_the_base_clutch",
     "setting_of_the_control_spring",
+    "sleeve_at_its_stop",
     "signs_of_the_derivatives",
     "sleeve_returning",
     "spring_mass_argument",
@@ -71,6 +72,32 @@ def travel_and_torque_from_the_balance() -> Steps:
     yield Identity("(12): no dip, x(f_set) = 0", set_travel.subs(f, fset))
 
 
+def sleeve_at_its_stop() -> Steps:
+    """S21 p. 2: the stop belongs to the pressure disc, so below the setting both springs press (theory, section 5)."""
+    reaction, pressed = sp.symbols("S N", real=True)
+    torque = direct.group_torque(pressed, R, z, f)
+    # the sleeve: spring 11 against the balls' force less the key's friction, and the stop's reaction
+    sleeve = F2 - F - (torque * C / R - 2 * torque * fk / d) - reaction
+    disc = F + reaction - pressed
+    found = sp.solve([sleeve, disc], [reaction, pressed], dict=True)[0]
+    seated = indirect.normal_force_seated(F2, z, KAPPA, f)
+    yield Identity("N = F_п2/(1 + zκf)", seated - found[pressed])
+    yield Identity("at rest the pack carries F_п2", seated.subs(f, 0) - F2)
+    control = indirect.control_force(F, z, KAPPA, fset)
+    yield Identity("S = 0 just at the setting", found[reaction].subs({F2: control, f: fset}))
+    at_set = indirect.normal_force_seated(control, z, KAPPA, fset)
+    moving = indirect.normal_force_moving(F, c1, control, c2, _stiffness(fset))
+    yield Identity("both branches meet at f_set", at_set - moving)
+    own = direct.group_torque(seated, R, z, f)
+    yield Identity("a direct clutch with spring F_п2 and gain κ", own - direct.torque(F2, R, 0, z, KAPPA, f, f))
+    yield Identity("(10)", indirect.travel_as_made(F, F2, z, f, KAPPA, _stiffness(f)) - _travel(F2))
+    yield Refutation("not an ordinary clutch with F_п1", seated.subs(F2, control) - F)
+    parts = {C: C, fk: KAPPA - C, z: KAPPA, f: KAPPA}
+    for symbol, part in parts.items():
+        slope = sp.diff(1 + z * KAPPA * f, symbol) * symbol / (1 + z * KAPPA * f)
+        yield Identity(f"elasticity in {symbol}", indirect.seated_elasticity_in_feedback(z, f, part, KAPPA) - slope)
+
+
 def accuracy_of_the_indirect_clutch() -> Steps:
     """S21 (15) mended (M9), with f_set = f_min and above it."""
     control = indirect.control_force(F, z, KAPPA, fset)
@@ -79,8 +106,10 @@ def accuracy_of_the_indirect_clutch() -> Steps:
         return _torque(_travel(control), f).subs(f, friction)
 
     own = indirect.accuracy_factor(fmin, fset, fmax, c1, c2, z, KAPPA)
-    at_stop = direct.group_torque(F, R, z, fmin)
-    yield Identity("K_т with the stop below f_set", own - torque(fmax) / at_stop)
+    at_stop = direct.group_torque(indirect.normal_force_seated(control, z, KAPPA, fmin), R, z, fmin)
+    yield Identity("K_т with the sleeve at its stop below f_set", own - torque(fmax) / at_stop)
+    direct_clutch = accuracy.accuracy_factor(0, z, KAPPA, fmin, fmin, fmax, fmax)
+    yield Identity("f_set → f_max: a direct clutch of gain κ", own.subs(fset, fmax) - direct_clutch)
     printed_set = {fset: fmin}
     yield Identity(
         "(15) mended: f_set = f_min", own.subs(printed_set) - (torque(fmax) / torque(fmin)).subs(printed_set)
@@ -109,6 +138,10 @@ def sleeve_returning() -> Steps:
     yield Identity("T on the way back", direct.group_torque(normal, R, z, f) - back)
     rising = _torque(_travel(control), f)
     yield Identity("lower by D_κ/D_κ₊", back / rising - _stiffness(f) / _stiffness(f, kappa_back))
+    back_at_stop = indirect.normal_force_seated(control, z, kappa_back, f) - F
+    yield Identity("seated again at f_set κ/κ₊", back_at_stop.subs(f, fset * KAPPA / kappa_back))
+    hysteresis = indirect.accuracy_factor_hysteresis(rising.subs(f, fmax), back)
+    yield Identity("K_т,h = T(f_max)/T_ret", hysteresis - rising.subs(f, fmax) / back)
     start = f * KAPPA / kappa_back
     yield Identity(
         "it starts where f has fallen by κ₊/κ",

@@ -38,13 +38,29 @@ def inverses_of_the_torque() -> Steps:
 def inverses_of_indirect_accuracy() -> Steps:
     """Net gain, pairs and stiffness ratio for a wanted K_т put back into S21 (15) mended give it."""
     ends = fmin, fset, fmax
-    net = inverse.net_gain_for_accuracy_factor(*ends, c1, c2, z, K)
+    net = _exact(inverse.net_gain_for_accuracy_factor(*ends, c1, c2, z, K))
     yield Identity("K_т(κ) = K", indirect.accuracy_factor(*ends, c1, c2, z, net) - K)
-    pairs = inverse.pairs_for_accuracy_factor_indirect(*ends, c1, c2, q, K)
+    pairs = _exact(inverse.pairs_for_accuracy_factor_indirect(*ends, c1, c2, q, K))
     yield Identity("K_т(z) = K", indirect.accuracy_factor(*ends, c1, c2, pairs, q) - K)
+    loop = _exact(inverse.net_loop_gain_for_accuracy_factor(fmin, fmin, fmax, c1, c2, K))
+    printed = (c1 + c2) * (fmax - K * fmin) / (c1 * fmax * fmin * (K - 1))
+    above, below = sp.symbols("g h", positive=True)
+    difference = (loop - printed).subs(fmax, K * fmin + below).subs(K, 1 + above)
+    yield Identity("set at f_min: (15) solved for zκ, 1 < K_т < f_max/f_min", _rooted(difference))
     ratio = inverse.stiffness_ratio_for_accuracy_factor(*ends, z, q, K)
     yield Identity("K_т(c_2) = K", indirect.accuracy_factor(*ends, c1, ratio * c1, z, q) - K)
     yield Identity("K_т(c_1) = K", indirect.accuracy_factor(*ends, c2 / ratio, c2, z, q) - K)
+
+
+def _exact(root: sp.Expr) -> sp.Expr:
+    """Take the power 0.5 of an equation as a square root, so that its square is what stands under it."""
+    return sp.nsimplify(root, rational=True)
+
+
+def _rooted(expression: sp.Expr) -> sp.Expr:
+    """Draw the roots of perfect squares."""
+    half = sp.Rational(1, 2)
+    return expression.replace(lambda e: e.is_Pow and e.exp == half, lambda e: sp.sqrt(sp.factor(e.base)))
 
 
 def best_attainable_accuracy() -> Steps:
@@ -59,6 +75,4 @@ def best_attainable_accuracy() -> Steps:
     yield Identity("all-driving at zC = 5: m (1 + 5 f_min)/(1 + 5 f_max)", driving - own)
     yield Refutation("it depends on the limit", driving - inverse.best_accuracy_factor_all_driving(fmin, fmax, 4))
     factor = indirect.accuracy_factor(fmin, fset, fmax, c1, c2, z, q)
-    yield Identity(
-        "indirect: the limit for C → ∞", inverse.best_accuracy_factor_indirect(fmin, fset) - sp.limit(factor, q, sp.oo)
-    )
+    yield Identity("indirect: K_т → 1 as the gain grows, whatever the setting", sp.limit(factor, q, sp.oo) - 1)

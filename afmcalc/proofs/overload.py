@@ -15,7 +15,6 @@ __all__ = [
     "lost_formulas_of_figure_1",
     "margin_effect_changes_sign",
     "nominal_torques",
-    "numbers_of_s22",
     "potential_torque_from_the_shares",
     "potential_torque_without_margin",
     "slip_at_the_clutch_torque",
@@ -165,25 +164,3 @@ def margin_effect_changes_sign() -> Steps:
     """S22, text (M31): ∂A/∂β_н has the sign of (v − 1)(v + 1): a smaller margin raises T_ср for f < 1/(zC)."""
     slope = sp.diff(FACTOR, beta)
     yield Identity("M31", slope - fmin * (V - 1) * (V + 1) / (beta**2 * f * (1 + U)))
-
-
-def numbers_of_s22() -> Steps:
-    """S22, figs 3 and 4 (M14, M30, M35), f 0.1…0.8, β_н 1.25, in exact fractions."""
-    low, high, margin = sp.Rational(1, 10), sp.Rational(8, 10), sp.Rational(5, 4)
-
-    def factor(reduced: sp.Expr) -> sp.Expr:
-        return overload.actuation_factor(reduced * high, reduced * low, high, low, margin)
-
-    yield Identity("P9: A = 3 at zC = 5", factor(sp.Integer(5)) - 3)
-    yield Identity("M14: A = 1 for z_1 = 2", factor(sp.Rational(5, 4)) - 1)
-    for reduced, thousandths in ((sp.Rational(8, 5), 1225), (sp.Rational(5, 12), 419)):
-        yield Identity("M14: A for z_1 = 1, 3", sp.Integer(round(factor(reduced) * 1000)) - thousandths)
-    yield Refutation("M30: zC = 5 and zC = 1.6 are two lines", factor(sp.Integer(5)) - factor(sp.Rational(8, 5)))
-    expected = overload.expected_torque(1, 1, 1, high, q * high) / overload.expected_torque(1, 1, 1, low, q * low)
-    published = sp.together(factor(q) * expected)
-    yield Identity("M35: (19) alone begins at 1/β_н · f_max/f_min · f_min/f_max", published.subs(q, 0) - 1 / margin)
-    numerator = sp.Poly(sp.numer(sp.together(sp.diff(published, q))), q)
-    yield Identity(
-        "M35: and only rises: every coefficient of its slope is positive",
-        sum(1 for coefficient in numerator.all_coeffs() if coefficient < 0),
-    )

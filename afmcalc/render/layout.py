@@ -1,5 +1,6 @@
 """From document to blocks of text cells, shared by the terminal and Markdown."""
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from ..findings import Finding
@@ -19,6 +20,10 @@ class Block(NamedTuple):
     source: Table | None = None
     legend: str = ""
     """What the symbols in the header mean."""
+
+
+Curve = Callable[[Block, bool], list[str]]
+"""``curve(block, unicode)`` → lines under a table of a sweep, none under any other."""
 
 
 def title(output: Output) -> str:

@@ -1,42 +1,69 @@
 """Standard ball sizes: the list that ships, or the user's own."""
 
 import math
+import re
+import sys
+import tomllib
+from collections.abc import Sequence
+from importlib.resources import files
 from os import PathLike
 
 from ..errors import AfmcalcError, FileError
+
+HEADING = "diameter_mm"
+"""First line of a list in CSV."""
 
 
 def diameters(source: str | PathLike[str] | None = None) -> list[float]:
     """Standard ball diameters in ascending order, m.
 
+    Source: ISO 3290-1, nominal diameters, for the list that ships.
+
     Args:
-        source: TOML file with ``diameters = […]`` in mm (or strings with units); None for the list that ships.
+        source: TOML file with ``diameters = […]`` in mm (or strings with units), or CSV file (named ``….csv``) with the
+            heading ``diameter_mm`` and one diameter a line; None for the list that ships.
 
     Raises:
         FileError: the file cannot be read.
         AfmcalcError: the file is no such list.
     """
-    import tomllib
-    from importlib.resources import files
-
     if source is None:
-        text, label = files("afmcalc.spec").joinpath("balls.toml").read_text(encoding="utf-8"), "balls.toml"
+        label, text = "balls.csv", files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8")
     else:
-        label = str(source)
-        try:
-            with open(source, encoding="utf-8") as file:
-                text = file.read()
-        except OSError as error:
-            raise FileError(f"{label}: cannot be read: {error.strerror or error}") from None
-        except UnicodeDecodeError:
-            raise AfmcalcError(f"{label}: is not UTF-8 text") from None
+        label, text = str(source), _text(source)
+    listed = (_of_csv if label.lower().endswith(".csv") else _of_toml)(text, label)
+    return sorted(_diameter(item, label) for item in listed)
+
+
+def _text(source: str | PathLike[str]) -> str:
+    try:
+        with open(source, encoding="utf-8-sig") as file:
+            return file.read()
+    except OSError as error:
+        raise FileError(f"{source}: cannot be read: {error.strerror or error}") from None
+    except UnicodeDecodeError:
+        raise AfmcalcError(f"{source}: is not UTF-8 text") from None
+
+
+def _of_toml(text: str, label: str) -> Sequence[object]:
     try:
         listed = tomllib.loads(text).get("diameters")
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:
         raise AfmcalcError(f"{label}: is not valid TOML: {error}") from None
     if not isinstance(listed, list) or not listed:
         raise AfmcalcError(f"{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]")
-    return sorted(_diameter(item, label) for item in listed)
+    return listed
+
+
+def _of_csv(text: str, label: str) -> Sequence[object]:
+    lines = [line.strip() for line in text.splitlines()]
+    cells = [line for line in lines if line and not line.startswith("#")]
+    if cells[:1] != [HEADING] or not cells[1:]:
+        raise AfmcalcError(f"{label}: must begin with the heading {HEADING}, then one ball diameter in mm a line")
+    for cell in cells[1:]:
+        if not re.fullmatch(r"\d{1,300}(\.\d+)?", cell, re.ASCII):
+            raise AfmcalcError(f"{label}: line {lines.index(cell) + 1}: {cell!r} is no diameter in mm, such as 6.35")
+    return [float(cell) for cell in cells[1:]]
 
 
 def _diameter(item: object, label: str) -> float:
@@ -49,7 +76,7 @@ def _diameter(item: object, label: str) -> float:
         except ValueError as error:
             raise AfmcalcError(f"{label}: diameters: {item!r}: {error}") from None
     elif isinstance(item, int | float) and not isinstance(item, bool):
-        value = item / 1000
+        value = item / 1000 if abs(item) <= sys.float_info.max else math.inf
     else:
         raise AfmcalcError(f"{label}: diameters: {item!r} is no diameter; give numbers in mm")
     if not 0 < value < math.inf:

@@ -1,9 +1,11 @@
 """What a clutch is: the pydantic models of a spec (contract, Spec). SI inside."""
 
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, ModelWrapValidatorHandler, ValidationError, model_validator
+from pydantic_core import PydanticKnownError, core_schema
 
+from ..variants import VARIANTS, Variant
 from . import rules
 from .fields import (
     AtLeastOne,
@@ -23,7 +25,30 @@ from .fields import (
     WallAngle,
 )
 
-Variant = Literal["conventional", "differentiated", "all-driving", "indirect"]
+
+class _Registered:
+    """Type of a field that names a variant: whichever records there are when a spec is read or described."""
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
+        """Take a name there is a record of."""
+        return core_schema.no_info_plain_validator_function(_registered)
+
+    def __get_pydantic_json_schema__(self, core: Any, handler: Any) -> Any:
+        """List the names."""
+        return {"enum": list(VARIANTS), "type": "string"}
+
+
+def _registered(value: object) -> object:
+    if isinstance(value, str) and value in VARIANTS:
+        return value
+    *names, last = map(repr, VARIANTS)
+    raise PydanticKnownError("literal_error", {"expected": f"{', '.join(names)} or {last}"})
+
+
+if TYPE_CHECKING:
+    VariantName: TypeAlias = str
+else:
+    VariantName = Annotated[str, _Registered()]
 Method = Literal["min-friction", "mean-friction"]
 RadiusModel = Literal["uniform-wear", "uniform-pressure"]
 
@@ -135,6 +160,9 @@ class ControlSpring(Block):
     stiffness: StiffnessOrNone = Field(
         description="stiffness of the control spring", json_schema_extra={"symbol": "c_2"}
     )
+    force: Force | None = key_field(
+        "control-spring force as made; default so that the sleeve just rests at T_н", "F_п2"
+    )
 
 
 class Contact(Block):
@@ -231,7 +259,7 @@ class Spec(Block):
     """A clutch, as a spec file describes it."""
 
     name: Name | None = key_field("what the clutch is called")
-    variant: Variant = Field(description="how the clutch regulates")
+    variant: VariantName = Field(description="how the clutch regulates")
     friction: Friction
     friction_group: FrictionGroup
     closing_spring: ClosingSpring = ClosingSpring()
@@ -256,9 +284,16 @@ class Spec(Block):
         return spec
 
     @property
+    def kind(self) -> Variant:
+        """The record of its variant."""
+        return VARIANTS[self.variant]
+
+    @property
     def bypass_pairs(self) -> Any:
         """z_1 of the one direct law: pairs whose torque does not pass the control unit."""
-        if self.variant == "differentiated":
-            given = self.friction_group.driving_pairs
-            return 1 if given is None else given
-        return self.friction_group.pairs if self.variant == "conventional" else 0
+        return self.kind.bypass(self.friction_group.pairs, self.friction_group.driving_pairs)
+
+    @property
+    def least_pairs(self) -> Any:
+        """Smallest z with the bypass pairs it has."""
+        return self.kind.least_pairs(self.friction_group.driving_pairs)

@@ -7,16 +7,19 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, ValidationError, model_validator
 
 from ..errors import SpecError
+from ..variants import VARIANTS
 from . import rules
 from .choices import Angles, Choice, Diameters, Forces, Lengths, Pairs, Ratios, Stiffnesses, StiffnessesOrNone
 from .fields import AtLeastOne, Count, Force, Gap, Length, Name, Ratio, Stress, Torque
-from .models import Block, Friction, Method, Variant, key_field
+from .models import Block, Friction, Method, VariantName, key_field
 from .reading import apply_overrides, label_of, parse, problems_of, text_of
 
 Objective = Literal[
     "closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel",
     "control_force", "closing_deflection", "control_deflection",
 ]  # fmt: skip
+
+_GAIN_LIMITS = ", ".join(dict.fromkeys(each.gain_limit.rule for each in VARIANTS.values() if each.gain_limit))
 
 
 class Wanted(Block):
@@ -110,14 +113,14 @@ class Limits(Block):
     contact_force: Force | None = key_field("normal force on one ball")
     travel: Length | None = key_field("travel of the sleeve (indirect)")
     reduced_gain: Ratio | None = key_field("reduced gain")
-    gain_limit: bool = key_field("hold the gain limit of the variant (1/(z_1 f_1max), zC = 5)", default=True)
+    gain_limit: bool = key_field(f"hold the gain limit of the variant ({_GAIN_LIMITS})", default=True)
 
 
 class Requirements(Block):
     """What is wanted, among what to choose, and what counts."""
 
     name: Name | None = key_field("what the design is called")
-    variants: Annotated[tuple[Variant, ...], Field(min_length=1)] = Field(description="variants allowed")
+    variants: Annotated[tuple[VariantName, ...], Field(min_length=1)] = Field(description="variants allowed")
     objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = Field(
         description="what is to be small; closing_force is the force the pack must bear (F_п; indirect F_п2)"
     )
@@ -139,8 +142,9 @@ class Requirements(Block):
             _ = self.friction.groups
         except ValueError:
             return [(("friction", "min"), rules.MISSING, "required: min and max, a material, or both groups")]
-        if self.friction.unlike and set(self.variants) != {"differentiated"}:
-            return [(("friction", "driving"), rules.MISSING, "unlike materials are for variant 'differentiated' alone")]
+        if self.friction.unlike and not all(VARIANTS[name].unlike for name in self.variants):
+            able = ", ".join(repr(each.name) for each in VARIANTS.values() if each.unlike)
+            return [(("friction", "driving"), rules.MISSING, f"unlike materials are for variant {able} alone")]
         return []
 
     def _needed(self) -> list[rules.Finding]:
@@ -149,18 +153,19 @@ class Requirements(Block):
         if (search.closing_force is None) == (search.closing_forces is None):
             message = "give closing_force (a range) or closing_forces (a catalogue), one of them"
             problems.append((("search", "closing_force"), rules.MISSING, message))
-        if set(self.variants) != {"conventional"}:
+        variants = [VARIANTS[name] for name in self.variants]
+        if any(each.controlled for each in variants):
             if (search.gain is None) == (search.wall_angle is None):
                 problems.append((("search", "gain"), rules.MISSING, "give gain or wall_angle, one of them"))
             if search.ball_circle_radius is None:
                 problems.append((("search", "ball_circle_radius"), rules.MISSING, "required with a control unit"))
-        if "indirect" in self.variants:
+        for each in (each for each in variants if each.travels):
             for block, name in (
                 ("search", "closing_stiffness"), ("search", "control_stiffness"),
                 ("fixed", "hub_diameter"), ("fixed", "key_friction"),
             ):  # fmt: skip
                 if getattr(getattr(self, block), name) is None:
-                    problems.append(((block, name), rules.MISSING, "required for variant 'indirect'"))
+                    problems.append(((block, name), rules.MISSING, f"required for variant {each.name!r}"))
         if self.limits.surface_pressure is not None and self.fixed.face_width is None:
             problems.append((("fixed", "face_width"), rules.MISSING, "required beside limits.surface_pressure"))
         return problems

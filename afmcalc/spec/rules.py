@@ -6,36 +6,12 @@ from typing import Any, TypeAlias
 from pydantic import ValidationError
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
+from ..variants import VARIANTS, Path
+
 Finding: TypeAlias = tuple[tuple[str, ...], Any, str]
 """Key path, value given (``MISSING`` when there is none), what is wrong and what is allowed."""
 
 MISSING: Any = type("Missing", (), {"__repr__": lambda self: "MISSING"})()
-
-_ONLY: tuple[tuple[tuple[str, ...], tuple[str, ...]], ...] = (
-    (("friction_group", "driving_pairs"), ("differentiated",)),
-    (("friction", "driving"), ("differentiated",)),
-    (("friction", "driven"), ("differentiated",)),
-    (("closing_spring", "stiffness"), ("indirect",)),
-    (("control_spring",), ("indirect",)),
-    (("control_unit",), ("differentiated", "all-driving", "indirect")),
-    (("control_unit", "hub_diameter"), ("indirect",)),
-    (("control_unit", "key_friction"), ("indirect",)),
-)
-"""Keys that only some variants have."""
-
-_NEEDED: dict[str, tuple[tuple[str, ...], ...]] = {
-    "conventional": (),
-    "differentiated": (("control_unit",),),
-    "all-driving": (("control_unit",),),
-    "indirect": (
-        ("control_unit",),
-        ("control_unit", "hub_diameter"),
-        ("control_unit", "key_friction"),
-        ("closing_spring", "stiffness"),
-        ("control_spring",),
-    ),
-}
-"""Keys a variant cannot do without."""
 
 
 def validation_error(title: str, problems: Iterable[Finding], others: ValidationError | None = None) -> ValidationError:
@@ -166,43 +142,52 @@ def _contact(data: Mapping[str, Any]) -> Iterable[Finding]:
 def _force(data: Mapping[str, Any]) -> Iterable[Finding]:
     if not _has(data, "closing_spring", "force") and not _has(data, "adjustment", "nominal_torque"):
         yield ("closing_spring", "force"), MISSING, "required (or give adjustment.nominal_torque, which sets it)"
+    elif _has(data, "control_spring", "force") and not _has(data, "closing_spring", "force"):
+        yield ("closing_spring", "force"), MISSING, "required beside control_spring.force: both forces as made"
+
+
+def _special() -> dict[Path, tuple[str, ...]]:
+    """Keys that only some variants have → those variants."""
+    every = VARIANTS.values()
+    return {key: tuple(each.name for each in every if key in each.keys) for each in every for key in each.keys}
 
 
 def variants_of(path: str) -> tuple[str, ...]:
     """Variants that have the key at a dotted path; empty when all have."""
     parts = tuple(path.split("."))
-    found = [variants for key, variants in _ONLY if key == parts[: len(key)]]
+    found = [variants for key, variants in _special().items() if key == parts[: len(key)]]
     return min(found, key=len) if found else ()
 
 
-def foreign_keys(data: Mapping[str, Any]) -> list[tuple[str, ...]]:
+def foreign_keys(data: Mapping[str, Any]) -> list[Path]:
     """Paths of the keys present that the variant of ``data`` does not have; a block stands for its keys."""
-    variant = data["variant"]
-    found = [path for path, variants in _ONLY if variant not in variants and _has(data, *path)]
+    own = VARIANTS[data["variant"]].keys
+    found = [path for path in _special() if path not in own and _has(data, *path)]
     return [path for path in found if path[:1] not in found or len(path) == 1]
 
 
 def _variant(data: Mapping[str, Any]) -> Iterable[Finding]:
-    variant = _get(data, "variant")
-    if not isinstance(variant, str) or variant not in _NEEDED:
+    name = _get(data, "variant")
+    if not isinstance(name, str) or name not in VARIANTS:
         return
     for path in foreign_keys(data):
-        only = ", ".join(dict(_ONLY)[path])
-        yield path, _get(data, *path), f"not for variant {variant!r}; only for {only}"
-    for path in _NEEDED[variant]:
+        yield path, _get(data, *path), f"not for variant {name!r}; only for {', '.join(_special()[path])}"
+    for path in VARIANTS[name].needs:
         if not _has(data, *path) and (len(path) == 1 or _has(data, path[0]) or path[0] == "closing_spring"):
-            yield path, MISSING, f"required for variant {variant!r}"
+            yield path, MISSING, f"required for variant {name!r}"
 
 
 def _pairs(data: Mapping[str, Any]) -> Iterable[Finding]:
     pairs, driving = _get(data, "friction_group", "pairs"), _get(data, "friction_group", "driving_pairs")
-    if driving is MISSING and _get(data, "variant") == "differentiated":
-        default = 1
-        if isinstance(pairs, int | float) and pairs == default:
-            yield (
-                ("friction_group", "pairs"),
-                pairs,
-                ("a differentiated clutch needs at least 2: 1 driving pair (the default) and 1 driven"),
-            )
-    if isinstance(pairs, int | float) and isinstance(driving, int | float) and not driving < pairs:
-        yield ("friction_group", "driving_pairs"), driving, f"must be less than friction_group.pairs ({pairs})"
+    if not isinstance(pairs, int | float):
+        return
+    if isinstance(driving, int | float):
+        if not driving < pairs:
+            yield ("friction_group", "driving_pairs"), driving, f"must be less than friction_group.pairs ({pairs})"
+        return
+    variant = VARIANTS.get(str(_get(data, "variant")))
+    if driving is MISSING and variant is not None and 1 <= pairs < (least := variant.least_pairs()) > 1:
+        default = " (the default)" if variant.chooses_bypass else ""
+        bypass = f"{least - 1} driving pair{'s' if least > 2 else ''}{default}"
+        message = f"a {variant.name} clutch needs at least {least}: {bypass} and 1 driven"
+        yield ("friction_group", "pairs"), pairs, message

@@ -14,7 +14,7 @@ def resolved(spec: Spec) -> dict[str, Any]:
     """
     data = spec.model_dump(exclude_none=True)
     group = data["friction_group"]
-    if spec.variant == "differentiated":
+    if spec.kind.chooses_bypass:
         group.setdefault("driving_pairs", spec.bypass_pairs)
     if "inner_radius" in group:
         group.setdefault("radius_model", "uniform-wear")

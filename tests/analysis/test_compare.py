@@ -38,3 +38,10 @@ def test_what_is_not_possible_is_said(afmcalc):
 def test_bad_calls(afmcalc):
     assert afmcalc("compare", CONFIGS / "default.toml", CONFIGS / "indirect.toml", "--variants").code == 2
     assert afmcalc("compare", "none.toml").code == 3
+
+
+def test_findings_of_every_variant_compared_are_told(afmcalc):
+    run = afmcalc("compare", CONFIGS / "indirect.toml", "--variants", "--json").json
+    warned = {row["variant"] for row in run["result"]["clutches"] if row["warnings"]}
+    told = {f["message"].partition(":")[0] for f in run["findings"] if f["level"] == "warning"}
+    assert warned <= told

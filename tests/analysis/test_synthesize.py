@@ -63,7 +63,7 @@ def test_gain_of_least_contact_force(name):
         unit = spec.control_unit.model_copy(update={"gain": float(gain)})
         return synthesize(build(spec.model_copy(update={"control_unit": unit})))[0].contact_force
 
-    start = getattr(build(spec), "gain_threshold", 0.0)
+    start = build(spec).gain_threshold or 0.0
     scan = np.linspace(start + 1e-3, 3 * least, 600)
     forces = [force(gain) for gain in scan]
     assert scan[int(np.argmin(forces))] == pytest.approx(least, abs=2 * (scan[1] - scan[0]))
@@ -152,3 +152,10 @@ def test_the_users_own_balls(afmcalc, tmp_path):
     own.write_bytes(b"\xff")
     with pytest.raises(AfmcalcError):
         diameters(own)
+
+
+def test_balls_that_do_not_fit_are_found(afmcalc):
+    crowded = afmcalc("synthesize", "--set", "control_unit.balls=20", "--json").json
+    (finding,) = [f for f in crowded["findings"] if f["code"] == "balls-overlap"]
+    assert finding["value"] == pytest.approx(0.025)
+    assert finding["limit"] == pytest.approx(0.01564, abs=1e-5)

@@ -10,11 +10,11 @@ import pytest
 from conftest import CONFIGS
 
 from afmcalc.analysis.design.found import Found
-from afmcalc.analysis.design.kinds import Kind
 from afmcalc.analysis.design.search import search
 from afmcalc.analysis.design.space import total
 from afmcalc.analysis.design.tiles import by_tile
 from afmcalc.spec.requirements import make_requirements
+from afmcalc.variants import VARIANTS
 
 BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
 
@@ -58,7 +58,7 @@ def test_every_candidate_evaluated(report):
     need = make_requirements(wide(["closing_force", "accuracy_factor"], radii=100, gains=100))
     report(
         "evaluated one by one, ns per candidate",
-        nanoseconds(lambda: by_tile(need, Kind("differentiated"), Found(), print_nothing), total(need)),
+        nanoseconds(lambda: by_tile(need, VARIANTS["differentiated"], Found(), print_nothing), total(need)),
         500,
     )
 

@@ -75,59 +75,6 @@ def test_friction_outside_the_range_is_a_finding(afmcalc):
     assert [(f["code"], f["value"], f["limit"]) for f in findings] == [("friction-outside-range", 0.9, 0.8)]
 
 
-def test_sweep_is_the_single_calculations(afmcalc):
-    sweep = afmcalc("accuracy", "--sweep", "z=4,8,16", "--sweep", "C=0.2:1:3", "--json").json["result"]["sweep"]
-    assert [entry["parameter"] for entry in sweep] == ["z", "C"]
-    assert [entry["path"] for entry in sweep] == ["friction_group.pairs", "control_unit.gain"]
-    assert len(sweep[0]["values"]) == 9
-    for index, (z, c) in enumerate(zip(sweep[0]["values"], sweep[1]["values"], strict=True)):
-        single = ["--set", f"z={z:g}", "--set", f"C={c!r}", "--json"]
-        torque, accuracy = (afmcalc(command, *single).json["result"] for command in ("torque", "accuracy"))
-        assert sweep[0]["accuracy_factor"][index] == accuracy["accuracy_factor"]
-        assert sweep[1]["nominal_torque"][index] == torque["nominal_torque"]
-        assert sweep[1]["torque_max"][index] == torque["torque"]["max"]
-
-
-@pytest.mark.parametrize(
-    "name",
-    ["C", "z", "z1", "R", "F", "f_min", "f_max", "beta", "friction.mean", "drive.dynamic_factor", "alpha=0:0.5:5"],
-)
-def test_every_sweep_has_a_sensible_range(name, afmcalc):
-    run = afmcalc("accuracy", "--sweep", name, "--json")
-    assert run.code == 0, run.err
-    (entry,) = run.json["result"]["sweep"]
-    assert len(entry["values"]) == len(entry["accuracy_factor"]) >= 3
-    assert min(entry["accuracy_factor"]) >= 1
-
-
-def test_default_sweep_of_the_gain_ends_at_its_limit(afmcalc):
-    result = afmcalc("accuracy", "--sweep", "C", "--json").json["result"]
-    assert result["sweep"][0]["values"][0] == 0
-    assert result["sweep"][0]["values"][-1] == result["gain_limit"] == 1.25
-
-
-@pytest.mark.parametrize(
-    "sweep",
-    ["", "x", "variant", "C=", "C=1:2", "C=1:2:1", "C=1:2:x", "C=a,b", "C=-1:1:5", "z=1.5,2", "f_min=0.5:0.9:5", "F=1 J,2 J",
-     "C=nan", "z=1,0", "z1=1:9:9", "C=0:1:99999999999", "friction.driving.min"],
-)  # fmt: skip
-def test_bad_sweeps(sweep, afmcalc, tmp_path):
-    run = afmcalc("accuracy", "--sweep", sweep, "-o", tmp_path / "x")
-    assert run.code == 2, run.out
-    assert run.err.strip().splitlines()[-1].startswith("error: ")
-    assert "Traceback" not in run.err
-    assert not (tmp_path / "x").exists()
-
-
-def test_the_same_key_twice_is_refused(afmcalc):
-    assert afmcalc("accuracy", "--sweep", "C", "--sweep", "control_unit.gain").code == 2
-
-
-def test_sweep_with_units(afmcalc):
-    run = afmcalc("accuracy", "--sweep", "F=1 kN:2 kN:2", "--json")
-    assert run.json["result"]["sweep"][0]["values"] == [1000.0, 2000.0]
-
-
 @pytest.mark.parametrize("variant", VARIANTS)
 def test_init_writes_a_spec_that_is_read(variant, afmcalc, tmp_path):
     target = tmp_path / "new.toml"
@@ -141,14 +88,6 @@ def test_init_writes_a_spec_that_is_read(variant, afmcalc, tmp_path):
     assert target.read_bytes() == before
     assert afmcalc("init", target, "--force").code == 0
     assert afmcalc("init", "-", "--variant", variant).out.encode() == before
-
-
-def test_check_exit_codes(afmcalc):
-    assert afmcalc("check").code == 0
-    assert afmcalc("check", "--set", "C=2").code == 0
-    strict = afmcalc("check", "--set", "C=2", "--strict", "--json")
-    assert strict.code == 1
-    assert strict.json["result"] == {"passed": False, "errors": 0, "warnings": 1, "notes": 4}
 
 
 def test_schema_describes_what_is_printed(afmcalc):
@@ -175,21 +114,21 @@ def test_schema_describes_what_is_printed(afmcalc):
     assert afmcalc("schema", "torqe").code == 2
 
 
-NEW = {
+WITH_ARGUMENTS = {
     "solve": ["accuracy_factor=2"],
     "design": [CONFIGS / "requirements.toml"],
     "tolerance": [CONFIGS / "tolerance.toml", "--set", "tolerance.samples=2000", "--set", "tolerance.sobol_base=64"],
 }
 
 
-@pytest.mark.parametrize("command", NEW)
-def test_schema_of_the_way_back(command, afmcalc):
+@pytest.mark.parametrize("command", WITH_ARGUMENTS)
+def test_schema_of_commands_that_need_arguments(command, afmcalc):
     schema = json.loads(afmcalc("schema", command).out)
-    printed = afmcalc(command, *NEW[command], "--json").json
+    printed = afmcalc(command, *WITH_ARGUMENTS[command], "--json").json
     result = schema["$defs"][schema["properties"]["result"]["$ref"].rpartition("/")[2]]
     assert set(result["properties"]) == set(printed["result"])
     for format_ in ("table", "csv", "markdown"):
-        assert afmcalc(command, *NEW[command], "--format", format_).code == 0
+        assert afmcalc(command, *WITH_ARGUMENTS[command], "--format", format_).code == 0
 
 
 def test_schema_of_requirements_and_of_the_tolerance_block(afmcalc):
@@ -215,8 +154,8 @@ def test_a_result_beyond_the_range_of_numbers_is_an_error_for_people(afmcalc):
     assert (run.code, run.out) == (2, "")
     assert "not finite" in run.err
     tiny = afmcalc("accuracy", "--set", "friction.min=1e-320", "--set", "friction.mean=", "--json")
-    assert tiny.code in (0, 2)
-    assert "Traceback" not in tiny.err
+    assert (tiny.code, tiny.out) == (2, "")
+    assert "not finite" in tiny.err
 
 
 def test_nothing_heavy_is_loaded_for_help_and_import():

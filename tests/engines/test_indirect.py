@@ -32,7 +32,8 @@ def forces(spec):
 def solve_sleeve(spec, f: float, key_sign: float = -1.0) -> tuple[float, float]:
     """Travel and torque by bisection on the axial balance, from the forces alone.
 
-    The control spring is set so that the sleeve just stays at its stop at the setting friction.
+    The control spring is set so that the sleeve just stays at its stop at the setting friction. At the stop its
+    reaction presses the pack too: the stop belongs to the pressure disc.
     """
     z, radius, force, c1, c2, tan_angle, ball_circle, key, hub = forces(spec)
     own = spec.friction.range
@@ -49,7 +50,13 @@ def solve_sleeve(spec, f: float, key_sign: float = -1.0) -> tuple[float, float]:
         return force - c1 * x + t * tan_angle / ball_circle + key_sign * 2 * t * key / hub - control - c2 * x
 
     if surplus(0.0) <= 0:
-        return 0.0, torque(0.0, f)
+        low, high = force, control
+        for _ in range(300):
+            pressed = (low + high) / 2
+            t = z * radius * f * pressed
+            reaction = control - force - t * tan_angle / ball_circle - key_sign * 2 * t * key / hub
+            low, high = (pressed, high) if force + reaction > pressed else (low, pressed)
+        return 0.0, z * radius * f * low
     low, high = 0.0, force / c1
     for _ in range(300):
         middle = (low + high) / 2
@@ -64,9 +71,11 @@ def test_closed_form_solves_the_balance(spec, f):
     reach = spec.closing_spring.force / spec.closing_spring.stiffness
     assert clutch.travel(f) == pytest.approx(travel, rel=1e-6, abs=1e-9 * reach)
     assert clutch.torque(f) == pytest.approx(torque, rel=1e-7)
-    assert clutch.normal_force(f) == pytest.approx(
-        spec.closing_spring.force - spec.closing_spring.stiffness * clutch.travel(f), rel=1e-7
-    )
+    z, radius, *_ = forces(spec)
+    assert clutch.normal_force(f) == pytest.approx(torque / (z * radius * f), rel=1e-7)
+    if travel:
+        pressed = spec.closing_spring.force - spec.closing_spring.stiffness * clutch.travel(f)
+        assert clutch.normal_force(f) == pytest.approx(pressed, rel=1e-7)
 
 
 @given(indirect_specs(), FRICTION)
@@ -111,10 +120,9 @@ def test_returning_branch_is_a_locked_then_moving_sleeve(spec, share):
     clutch = build(spec)
     own = spec.friction.range
     f = own.max * share
-    locked = solve_sleeve(spec, own.max)[0]
-    returned = min(locked, solve_sleeve(spec, f, key_sign=+1.0)[0])
-    z, radius, force, c1, *_ = forces(spec)
-    assert clutch.torque_returning(f) == pytest.approx(z * radius * f * (force - c1 * returned), rel=1e-6)
+    locked = solve_sleeve(spec, own.max)[1] / own.max
+    returned = max(locked, solve_sleeve(spec, f, key_sign=+1.0)[1] / f)
+    assert clutch.torque_returning(f) == pytest.approx(returned * f, rel=1e-6)
     assert clutch.torque_returning(f) <= clutch.torque(f) * (1 + 1e-9)
 
 

@@ -105,5 +105,7 @@ def test_floats_and_arrays_agree(values):
             expected = equation.function(**arguments)
         except ZeroDivisionError:
             continue
+        if isinstance(expected, complex):
+            continue  # the root of a negative number: arguments beyond the validity of an inverse
         found = equation.function(**arrays)[0]
         assert found == pytest.approx(expected, rel=1e-13, nan_ok=True), equation.name

@@ -12,7 +12,9 @@ import os
 import signal
 import sys
 from collections.abc import Iterator
+from functools import cache
 from importlib import import_module, reload
+from inspect import getsource
 from pathlib import Path
 from typing import NamedTuple
 
@@ -32,8 +34,13 @@ class Mutant(NamedTuple):
     change: str
     tree: ast.Module
 
+    @property
+    def equation(self) -> str:
+        """Its name in the catalogue."""
+        return f"{self.module}.{self.function}"
+
     def __str__(self) -> str:
-        return f"{self.module}.{self.function}:{self.line} {self.change}"
+        return f"{self.equation}:{self.line} {self.change}"
 
 
 def mutants(module: str, source: str) -> Iterator[Mutant]:
@@ -80,14 +87,15 @@ def _apply(node: ast.AST) -> str:
 
 def survives(mutant: Mutant) -> bool:
     """Whether every proof and dimension check passes with the mutant in place."""
+    order = _proof_order(mutant.equation)
     child = os.fork()
     if child == 0:
         signal.alarm(SECONDS)
-        os._exit(0 if _passes(mutant) else 1)
+        os._exit(0 if _passes(mutant, order) else 1)
     return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
 
 
-def _passes(mutant: Mutant) -> bool:
+def _passes(mutant: Mutant, order: list[str]) -> bool:
     from afmcalc.proofs import prove
 
     try:
@@ -96,10 +104,10 @@ def _passes(mutant: Mutant) -> bool:
         original = vars(module)[mutant.function]
         exec(code, vars(module))
         original.__code__ = vars(module)[mutant.function].__code__
+        _check_dimensions(mutant.equation)
         _proofs_anew()
-        for name in _proof_order(mutant.module):
+        for name in order:
             prove(name)
-        _check_dimensions(f"{mutant.module}.{mutant.function}")
     except BaseException:
         return False
     return True
@@ -114,13 +122,12 @@ def _proofs_anew() -> None:
     proofs.proofs.cache_clear()
 
 
-def _proof_order(module: str) -> list[str]:
-    """Proofs by how near they are to a module: those that name it first."""
+@cache
+def _proof_order(equation: str) -> list[str]:
+    """Proofs by how near they are to an equation: those that name it first."""
     from afmcalc.proofs import proofs
 
-    nearest = {"direct": "direct", "accuracy": "direct", "adjustment": "adjustment", "life": "adjustment", "synthesis": "parts", "geometry": "parts", "reconstruction": "overload"}  # fmt: skip
-    own = f"afmcalc.proofs.{nearest.get(module, module)}"
-    return sorted(proofs(), key=lambda name: proofs()[name].__module__ != own)
+    return sorted(proofs(), key=lambda name: equation not in getsource(proofs()[name]))
 
 
 def _check_dimensions(name: str) -> None:

@@ -3,10 +3,12 @@
 import re
 
 import pytest
+from conftest import ROOT
 
 from afmcalc.equations.catalogue import equations
-from afmcalc.papers.register import is_accounted, is_numbered, misprints, register
-from afmcalc.proofs import Identity, ProofError, is_zero, proofs, prove
+from afmcalc.papers.figures import FIGURES, paper_figure
+from afmcalc.papers.register import data, is_accounted, is_numbered, misprints, register
+from afmcalc.proofs import Identity, ProofError, Refutation, is_zero, proofs, prove
 
 NUMBERED = {"F11": 22, "S19": 20, "S21": 24, "S22": 24}
 
@@ -55,13 +57,42 @@ def test_the_register_claims_nothing_that_is_not_there():
 
 
 def test_misprints_are_numbered_through_and_their_proofs_exist():
-    assert [m.id for m in misprints()] == [f"M{k}" for k in range(1, 43)]
-    without = {m.id for m in misprints() if m.proof is None}
-    assert without == {"M28", "M34", "M37", "M39", "M40", "M41", "M42"}, "slips of wording and notation only"
+    assert [m.id for m in misprints()] == [f"M{k}" for k in range(1, 49)]
+    without = {m.id for m in misprints() if m.proof is None and m.status != "withdrawn"}
+    assert without == {"M28", "M37", "M39", "M40", "M41", "M42"}, "slips of wording and notation only"
     for misprint in misprints():
         if misprint.proof:
             shown = " ".join(prove(misprint.proof))
             assert re.search(rf"\b{misprint.id}\b", shown), f"{misprint.proof} does not speak of {misprint.id}"
+
+
+def test_what_does_not_stand_in_print_says_so():
+    other = {m.id: m.status for m in misprints() if m.status != "in print"}
+    assert {name for name, status in other.items() if status == "as extracted"} == {"M39", "M41", "M45"}
+    assert {name for name, status in other.items() if status == "by the figure"} == {"M22", "M25"}
+    withdrawn = {name for name, status in other.items() if status == "withdrawn"}
+    assert withdrawn == {"M34", "M35"}
+    assert all(m.proof is None for m in misprints() if m.id in withdrawn)
+    used = {name for entry in register() for name in (entry.misprint or "").split(", ")}
+    used |= set(re.findall(r"M\d+", " ".join(text for name in FIGURES for text in paper_figure(name).corrections)))
+    claims = " ".join(text for entry in data("claims.toml")["claim"] for text in entry.values())
+    used |= set(re.findall(r"M\d+", claims))
+    assert used - {""} <= {m.id for m in misprints()}
+    assert not withdrawn & used, "nothing rests on a withdrawn one"
+
+
+def test_the_readme_counts_the_misprints():
+    """Standing, proved, and proved by a refutation that names it."""
+    standing = [m for m in misprints() if m.status != "withdrawn"]
+    proved = [m for m in standing if m.proof]
+    refuted = [m for m in proved if re.search(rf"\b{m.id}\b", _refutations(m.proof))]
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    (counts,) = re.findall(r"`--misprints` \((\d+), of them (\d+) proved, (\d+) by refuting", readme)
+    assert tuple(map(int, counts)) == (len(standing), len(proved), len(refuted))
+
+
+def _refutations(name):
+    return " ".join(step.statement for step in proofs()[name]() if isinstance(step, Refutation))
 
 
 def test_every_equation_of_the_papers_stands_in_the_register():
@@ -91,7 +122,7 @@ def test_the_command_counts_90_of_90(afmcalc):
     result = afmcalc("equations", "--id", "S21 (15)", "--prove", "--json").json["result"]
     assert result["formulas"][0]["misprint"] == "M9"
     assert "M9" in result["proved"][0]["shows"]
-    assert len(afmcalc("equations", "--misprints", "--json").json["result"]["misprints"]) == 42
+    assert len(afmcalc("equations", "--misprints", "--json").json["result"]["misprints"]) == len(misprints())
     assert afmcalc("equations", "--paper", "S20").code == 2
     missing = afmcalc("equations", "--id", "S21 (99)")
     assert missing.code == 2

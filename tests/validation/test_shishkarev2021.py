@@ -31,7 +31,7 @@ def test_p6_doubling_the_gain():
 
 def test_p7_the_base_clutch_is_more_accurate():
     assert accuracy(C=1) == pytest.approx(3.586, abs=5e-4)
-    assert accuracy(C=1, **{"adjustment.method": "mean-friction"}) == pytest.approx(4.85, abs=5e-3)
+    assert accuracy(C=1, **{"adjustment.method": "mean-friction"}) == pytest.approx(3.265, abs=5e-4)
 
 
 def test_p8_ball_and_travel_over_the_gain():

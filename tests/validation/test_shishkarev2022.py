@@ -10,6 +10,7 @@ from strategies import direct_specs
 from afmcalc.analysis.overload import overload
 from afmcalc.engines import build
 from afmcalc.equations import overload as law
+from afmcalc.equations.accuracy import accuracy_factor
 from afmcalc.spec import make_spec, read_spec, resolved
 
 
@@ -143,3 +144,17 @@ def test_sweep_of_z1(afmcalc):
 def test_mean_friction_setting_says_what_the_margin_means(afmcalc):
     run = afmcalc("overload", "--set", "adjustment.method=mean-friction", "--json")
     assert "margin-role" in [finding["code"] for finding in run.json["findings"]]
+
+
+def test_accuracy_of_the_all_driving_clutch():
+    """K_т = f_max(1 + zCf_min)/(f_min(1 + zCf_max)) at zC = 5, f 0.1…0.8: 8·1.5/5 = 2.4."""
+    clutch = build(read_spec(CONFIGS / "all-driving.toml"))
+    assert clutch.accuracy_factor == pytest.approx(2.4, rel=1e-12)
+    assert clutch.reduced_gain == pytest.approx(5.0)
+    assert clutch.gain_limit == pytest.approx(1.25)
+    assert clutch.findings() == []
+
+
+def test_base_clutch_with_all_pairs_controlled():
+    """P7's base value: z 8, C 1, f 0.1…0.8 gives 1.946."""
+    assert accuracy_factor(0, 8, 1.0, 0.1, 0.1, 0.8, 0.8) == pytest.approx(1.946, abs=5e-4)

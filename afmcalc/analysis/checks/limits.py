@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from typing import Literal, Protocol
 
-from ...engines.indirect import IndirectClutch
 from ...engines.protocol import Clutch
 from ...findings import Finding
 from ...result import Result, quantity
@@ -67,12 +66,11 @@ def checks(
 
 
 def _clutch_checks(clutch: Clutch, check: _Check) -> Iterator[Check]:
-    gain, limit = float(clutch.gain), clutch.gain_limit
-    if limit is not None and clutch.spec.variant == "all-driving":
-        yield check("reduced-gain-above-limit", "reduced gain", "zC ≤ 5", "1", float(clutch.reduced_gain), 5.0)
-    elif limit is not None:
-        yield check("gain-above-limit", "feedback gain", "C ≤ 1/(z_1 f_1max)", "1", gain, float(limit))
-    if isinstance(clutch, IndirectClutch) and clutch.gain_threshold:
+    gain, rule, limit = float(clutch.gain), clutch.spec.kind.gain_limit, clutch.gain_limit
+    if rule is not None and limit is not None:
+        value, bound = rule.stated(gain, clutch.reduced_gain, limit)
+        yield check(rule.code, rule.quantity, rule.symbol, "1", float(value), float(bound))
+    if clutch.gain_threshold:
         threshold = float(clutch.gain_threshold)
         yield check("feedback-idle", "gain against key friction", "C ≥ 2R f_1/d", "1", gain, threshold, least=True)
     first, second = clutch.friction

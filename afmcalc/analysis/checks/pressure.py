@@ -10,15 +10,16 @@ from ...spec.materials import Material, catalogue
 
 
 def pressure_findings(clutch: Clutch) -> list[Finding]:
-    """Hold the pressure under the full spring force against the allowable range of each material named.
+    """Hold the pressure of the clutch at rest against the allowable range of each material named.
 
-    The spring presses with F_п until the release force sets in, so F_п is the largest force on the pack. Needs the
-    inner and outer radius; with uniform wear the peak at the inner edge is held against the allowable too.
+    The pack is pressed most at rest, before a release force sets in: with F_п of a direct clutch, F_п2 of an indirect
+    one, whose control spring presses through sleeve and stop. Needs the inner and outer radius; with uniform wear the
+    peak at the inner edge is held against the allowable too.
     """
     group = clutch.spec.friction_group
     if group.inner_radius is None or group.outer_radius is None:
         return []
-    ring = float(clutch.closing_force), group.inner_radius, group.outer_radius, math.pi
+    ring = float(clutch.pack_force_at_rest), group.inner_radius, group.outer_radius, math.pi
     pressures = {"mean-pressure": geometry.mean_pressure(*ring)}
     if (group.radius_model or "uniform-wear") == "uniform-wear":
         pressures["peak-pressure"] = geometry.peak_pressure_uniform_wear(*ring)

@@ -3,14 +3,14 @@
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
+from typing import ClassVar
 
 import numpy as np
 
 from ...arrays import larger, smaller
-from ...engines.laws import DirectLaw, IndirectLaw
 from ...equations import adjustment, direct, geometry, synthesis
 from ...spec.requirements import Requirements
-from .kinds import Kind
+from ...variants import Variant
 from .space import Axes, Mask, Numbers, balls
 
 SAME = 1e-12
@@ -26,8 +26,11 @@ class Candidates(ABC):
     """
 
     need: Requirements
-    kind: Kind
+    variant: Variant
     at: Axes
+
+    no_clutch: ClassVar[str]
+    """Name under which candidates count that are no clutch, and under no other."""
 
     # per N of closing force, from the law
     @property
@@ -63,7 +66,7 @@ class Candidates(ABC):
     @property
     @abstractmethod
     def is_clutch(self) -> Mask:
-        """Whether it can be built and adapts at all: what is not counts under one name and breaks no other limit."""
+        """Whether it can be built and adapts at all."""
 
     @cached_property
     def frictions(self) -> tuple[tuple[float, float], ...]:
@@ -80,7 +83,8 @@ class Candidates(ABC):
     @cached_property
     def bypass_pairs(self) -> Numbers:
         """z_1."""
-        return np.asarray(self.kind.bypass(self.at.pairs, self.at.driving_pairs), float)
+        driving = self.at.driving_pairs if self.variant.chooses_bypass else None
+        return np.asarray(self.variant.bypass(self.at.pairs, driving), float)
 
     @cached_property
     def controlled_pairs(self) -> Numbers:
@@ -91,7 +95,7 @@ class Candidates(ABC):
     def gain(self) -> Numbers:
         """C."""
         found: Numbers
-        if not self.kind.controlled:
+        if not self.variant.controlled:
             found = np.zeros(1)
         elif self.need.search.gain is not None:
             found = self.at.steering
@@ -99,6 +103,14 @@ class Candidates(ABC):
             # r and α first: they are fewer than with R
             found = direct.gain(1.0, self.at.ball_circle_radius, self.tangent) * self.at.mean_radius
         return found
+
+    @property
+    def gain_limit(self) -> Numbers:
+        """Largest C at which the law describes the whole slip; infinite where it always does."""
+        limit, friction = self.variant.gain_limit, self.need.friction.groups[0].max
+        if limit is None:
+            return np.full(1, np.inf)
+        return np.asarray(limit.gain(self.bypass_pairs, self.controlled_pairs, friction))
 
     @cached_property
     def tangent(self) -> Numbers:
@@ -195,7 +207,7 @@ class Candidates(ABC):
     @cached_property
     def control_force(self) -> Numbers:
         """F_п2, N; NaN without a control spring."""
-        return self.pack_force if self.kind.travels else np.full(1, np.nan)
+        return self.pack_force if self.variant.travels else np.full(1, np.nan)
 
     @cached_property
     def closing_deflection(self) -> Numbers:
@@ -217,103 +229,9 @@ class Candidates(ABC):
     @cached_property
     def ball_diameter(self) -> Numbers:
         """Next standard ball, m; NaN at gain 0 and where there is none."""
-        if not self.kind.controlled:
+        if not self.variant.controlled:
             return np.full(1, np.nan)
         fixed, listed = self.need.fixed, np.append(balls(self.need), np.nan)
         least = 2 * synthesis.ball_radius(self.travel, fixed.face_gap, fixed.edge_clearance, self.tangent * self.cosine)
         found: Numbers = np.where(self.tangent > 0, listed[np.searchsorted(listed[:-1], least * (1 - SAME))], np.nan)
         return found
-
-
-class DirectCandidates(Candidates):
-    """The release force acts on the pack itself."""
-
-    @cached_property
-    def law(self) -> DirectLaw:
-        """The law of all candidates."""
-        return DirectLaw(self.at.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain)
-
-    @cached_property
-    def at_set(self) -> Numbers:  # noqa: D102
-        found: Numbers = self.law.torque_per_force(*self.frictions[0])
-        return found
-
-    @cached_property
-    def low(self) -> Numbers:  # noqa: D102
-        return self.at_set if self.set_low else np.asarray(self.law.torque_per_force(*self.frictions[1]))
-
-    @cached_property
-    def high(self) -> Numbers:  # noqa: D102
-        found: Numbers = self.law.torque_per_force(*self.frictions[2])
-        return found
-
-    @cached_property
-    def on_balls(self) -> Numbers:
-        """It grows with f_2, whatever the gain."""
-        found: Numbers = self.law.ball_torque(1.0, self.frictions[2][1])
-        return found
-
-    @cached_property
-    def pack(self) -> Numbers:  # noqa: D102
-        return np.ones(1)
-
-    @cached_property
-    def moved(self) -> Numbers:  # noqa: D102
-        return np.zeros(1)
-
-    @cached_property
-    def is_clutch(self) -> Mask:  # noqa: D102
-        return np.asarray(self.controlled_pairs > 0) if self.kind.controlled else np.ones(1, bool)
-
-
-class IndirectCandidates(Candidates):
-    """The release force moves a sleeve between two springs."""
-
-    @cached_property
-    def law(self) -> IndirectLaw:
-        """The law of all candidates."""
-        fixed, at = self.need.fixed, self.at
-        assert fixed.key_friction is not None
-        assert fixed.hub_diameter is not None
-        return IndirectLaw(
-            at.mean_radius, at.pairs, self.gain, at.closing_stiffness, at.control_stiffness,
-            fixed.key_friction, fixed.hub_diameter, self.frictions[0][0],
-        )  # fmt: skip
-
-    @cached_property
-    def at_set(self) -> Numbers:  # noqa: D102
-        found: Numbers = self.law.torque_per_force
-        return found
-
-    @cached_property
-    def low(self) -> Numbers:  # noqa: D102
-        return self.at_set if self.set_low else np.asarray(self.law.torque(1.0, self.frictions[1][0]))
-
-    @cached_property
-    def high(self) -> Numbers:  # noqa: D102
-        found: Numbers = self.law.torque(1.0, self.frictions[2][0])
-        return found
-
-    @cached_property
-    def on_balls(self) -> Numbers:
-        """All torque passes the balls, and it rises with friction."""
-        return self.high
-
-    @cached_property
-    def pack(self) -> Numbers:  # noqa: D102
-        found: Numbers = self.law.control_force(1.0)
-        return found
-
-    @cached_property
-    def moved(self) -> Numbers:  # noqa: D102
-        found: Numbers = self.law.travel(1.0, self.frictions[2][0])
-        return found
-
-    @cached_property
-    def is_clutch(self) -> Mask:  # noqa: D102
-        return np.asarray(self.law.net_gain > 0)
-
-
-def candidates(need: Requirements, kind: Kind, at: Axes) -> Candidates:
-    """Candidates of a variant."""
-    return (IndirectCandidates if kind.travels else DirectCandidates)(need, kind, at)

@@ -7,7 +7,7 @@ from ...findings import Finding, finding
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.requirements import Requirements
-from .candidates import candidates
+from .by_law import candidates
 from .found import Found
 from .refine import refined
 from .rows import DesignRow, as_spec, rows
@@ -65,8 +65,8 @@ def design(
 def _laid_out(need: Requirements, found: Found) -> tuple[list[DesignRow], list[DesignRow]]:
     """Lay out the front by its objectives, and the refined one in the same order."""
     both: list[tuple[list[float], DesignRow, DesignRow]] = []
-    for kind, at, values in found.members:
-        grid, fine = (rows(candidates(need, kind, each)) for each in (at, refined(need, kind, at)))
+    for variant, at, values in found.members:
+        grid, fine = (rows(candidates(need, variant, each)) for each in (at, refined(need, variant, at)))
         both += zip(values.tolist(), grid, fine, strict=True)
     both.sort(key=lambda each: each[0])
     return _numbered([row for _, row, _ in both]), _numbered([row for _, _, row in both])

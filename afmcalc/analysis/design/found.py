@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...spec.requirements import Requirements
-from .candidates import candidates
-from .kinds import Kind
+from ...variants import Variant
+from .by_law import candidates
 from .limits import objectives
 from .pareto import front
 from .space import Axes, Mask, Numbers
@@ -22,7 +22,7 @@ _SAMPLE, _KEPT = 256, 24
 class Members(NamedTuple):
     """Candidates of one variant on the front, one per element of each column, and a row of objectives each."""
 
-    kind: Kind
+    variant: Variant
     at: Axes
     values: Numbers
 
@@ -39,14 +39,14 @@ class Found:
     _sample: Numbers | None = None
     """A few rows of objectives spread over the front so far."""
 
-    def add(self, need: Requirements, kind: Kind, at: Axes) -> None:
+    def add(self, need: Requirements, variant: Variant, at: Axes) -> None:
         """Take in feasible candidates of a block: their front first, the common front when many wait."""
         if not at.pairs.size:
             return
-        values = objectives(candidates(need, kind, at))
+        values = objectives(candidates(need, variant, at))
         keep = np.flatnonzero(~self._beaten(values))
         keep = keep[front(values[keep])]
-        self.members.append(Members(kind, Axes(*(column[keep] for column in at)), values[keep]))
+        self.members.append(Members(variant, Axes(*(column[keep] for column in at)), values[keep]))
         self._waiting += keep.size
         if self._waiting > _MERGE:
             self.settle()
@@ -74,9 +74,9 @@ class Found:
         ends = np.cumsum([len(member.values) for member in self.members])
         masks = np.split(keep, ends[:-1])
         reduced = []
-        for kind in dict.fromkeys(member.kind for member in self.members):
-            own = [(member, mask) for member, mask in zip(self.members, masks, strict=True) if member.kind == kind]
-            at = Axes(*(np.concatenate([member.at[k][mask] for member, mask in own]) for k in range(len(Axes._fields))))
+        for variant in dict.fromkeys(member.variant for member in self.members):
+            own = [(each, mask) for each, mask in zip(self.members, masks, strict=True) if each.variant == variant]
+            at = Axes(*(np.concatenate([each.at[k][mask] for each, mask in own]) for k in range(len(Axes._fields))))
             if at.pairs.size:
-                reduced.append(Members(kind, at, np.concatenate([member.values[mask] for member, mask in own])))
+                reduced.append(Members(variant, at, np.concatenate([each.values[mask] for each, mask in own])))
         self.members, self._waiting = reduced, int(keep.sum())

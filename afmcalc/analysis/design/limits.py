@@ -6,8 +6,8 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from ...spec.requirements import Requirements
+from ...variants import Variant
 from .candidates import SAME, Candidates
-from .kinds import Kind
 from .space import Mask, Numbers, balls, given
 
 OVER, UNDER = 1 + SAME, 1 - SAME
@@ -25,15 +25,15 @@ class Constraint(NamedTuple):
     """
 
 
-def constraints(need: Requirements, kind: Kind) -> list[Constraint]:
+def constraints(need: Requirements, variant: Variant) -> list[Constraint]:
     """Every bound that the requirements put on a variant."""
-    return [Constraint(*each) for each in _bounds(need, kind)]
+    return [Constraint(*each) for each in _bounds(need, variant)]
 
 
 _Bound: TypeAlias = tuple[str, Callable[[Candidates], Mask], tuple[int, int]]
 
 
-def _bounds(need: Requirements, kind: Kind) -> Iterable[_Bound]:
+def _bounds(need: Requirements, variant: Variant) -> Iterable[_Bound]:
     wanted, limits, span = need.wanted, need.limits, need.search.closing_force
     if span is None:
         largest = given(need.search.closing_forces).array()[-1]
@@ -50,24 +50,24 @@ def _bounds(need: Requirements, kind: Kind) -> Iterable[_Bound]:
         yield "face_width", lambda c: c.at.mean_radius > width / 2, (1, 1)
         if (pressure := limits.surface_pressure) is not None:
             yield "surface_pressure", lambda c: c.surface_pressure <= pressure * OVER, (1, 1)
-    if kind.controlled:
-        yield from _of_the_control_unit(need, kind)
+    if variant.controlled:
+        yield from _of_the_control_unit(need, variant)
 
 
-def _of_the_control_unit(need: Requirements, kind: Kind) -> Iterable[_Bound]:
-    limits, largest, friction = need.limits, float(balls(need)[-1]) * OVER, need.friction.groups[0].max
-    if limits.gain_limit and kind.limited:
+def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[_Bound]:
+    limits, largest = need.limits, float(balls(need)[-1]) * OVER
+    if limits.gain_limit and variant.gain_limit is not None:
 
         def within(c: Candidates) -> Mask:
-            return np.asarray(c.gain <= kind.gain_limit(c.bypass_pairs, c.controlled_pairs, friction) * (1 + 1e-9))
+            return np.asarray(c.gain <= c.gain_limit * (1 + 1e-9))
 
         yield "gain_limit", within, (0, -1)
     if (reduced := limits.reduced_gain) is not None:
         yield "reduced_gain", lambda c: c.reduced_gain <= reduced * OVER, (0, -1)
     if (force := limits.contact_force) is not None:
         yield "contact_force", lambda c: c.ball_torque <= force * OVER / c.force_per_ball, (1, 1)
-    yield "standard_ball", lambda c: c.travel <= c.travel_room(largest), (-1, int(kind.travels))
-    if kind.travels and (travel := limits.travel) is not None:
+    yield "standard_ball", lambda c: c.travel <= c.travel_room(largest), (-1, int(variant.travels))
+    if variant.travels and (travel := limits.travel) is not None:
         yield "travel", lambda c: c.travel <= travel * OVER, (0, 1)
 
 
@@ -95,7 +95,7 @@ def objectives(found: Candidates) -> Numbers:
 def feasible(found: Candidates) -> Mask:
     """Candidates that hold every constraint."""
     good = found.is_clutch
-    for constraint in constraints(found.need, found.kind):
+    for constraint in constraints(found.need, found.variant):
         good = good & constraint.holds(found)
     return np.broadcast_to(good, found.at.pairs.shape)
 
@@ -105,19 +105,19 @@ def unimodal(need: Requirements) -> bool:
     return need.limits.gain_limit or not need.friction.unlike
 
 
-def never_worse(need: Requirements, kind: Kind) -> dict[str, int]:
+def never_worse(need: Requirements, variant: Variant) -> dict[str, int]:
     """Axes along which a feasible candidate is never beaten: by its larger (1) or its smaller (−1) neighbour."""
     angle, aims = need.search.gain is None, set(need.objectives)
     found = {}
-    if kind.controlled and not angle:
+    if variant.controlled and not angle:
         # a gain knows no ball circle: but for the balls all are alike
         found["ball_circle_radius"] = 1 if "ball_diameter" in aims else -1
     span = need.search.closing_force is not None
-    by_gain = span and not kind.travels and "ball_diameter" not in aims
-    by_angle = unimodal(need) and (span or not kind.travels)
-    if by_angle if angle and kind.controlled else by_gain:
+    by_gain = span and not variant.travels and "ball_diameter" not in aims
+    by_angle = unimodal(need) and (span or not variant.travels)
+    if by_angle if angle and variant.controlled else by_gain:
         found["mean_radius"] = 1
-    if kind.travels:
+    if variant.travels:
         found["closing_stiffness"] = 1
         if not aims & {"ball_diameter", "travel", "control_deflection"}:
             found["control_stiffness"] = -1

@@ -9,10 +9,11 @@ from collections.abc import Callable
 import numpy as np
 
 from ...spec.requirements import Requirements
-from .candidates import SAME, Candidates, candidates
+from ...variants import Variant
+from .by_law import candidates
+from .candidates import SAME, Candidates
 from .found import Found
 from .grid import Tile, tiles
-from .kinds import Kind
 from .limits import Constraint, constraints, unimodal
 from .space import Mask, Numbers, Places, axes, balls
 
@@ -20,21 +21,21 @@ ROWS = 16384
 """Rows of radii in a block."""
 
 
-def separable(need: Requirements, kind: Kind) -> bool:
+def separable(need: Requirements, variant: Variant) -> bool:
     """Whether the bounds of a variant are one-sided along the radius."""
     if need.search.closing_force is None:
         return False
     if need.search.gain is None:
-        return unimodal(need) or not kind.controlled
-    return not kind.travels
+        return unimodal(need) or not variant.controlled
+    return not variant.travels
 
 
 @np.errstate(all="ignore")
-def by_radius(need: Requirements, kind: Kind, found: Found, progress: Callable[[int], None]) -> None:
+def by_radius(need: Requirements, variant: Variant, found: Found, progress: Callable[[int], None]) -> None:
     """Go through every combination but the mean radius, and look up the radii it allows."""
-    laid = axes(need, kind)
+    laid = axes(need, variant)
     for tile in tiles(laid._replace(mean_radius=laid.mean_radius[-1:]), ROWS):
-        _Rows(need, kind, tile, laid.mean_radius).into(found)
+        _Rows(need, variant, tile, laid.mean_radius).into(found)
         found.candidates += tile.size * laid.mean_radius.size
         progress(found.candidates)
 
@@ -42,19 +43,19 @@ def by_radius(need: Requirements, kind: Kind, found: Found, progress: Callable[[
 class _Rows:
     """Rows of candidates that differ in the mean radius alone: a tile of everything else."""
 
-    def __init__(self, need: Requirements, kind: Kind, tile: Tile, radii: Numbers) -> None:
-        self.need, self.kind, self.tile, self.radii = need, kind, tile, radii
-        self.by_gain = need.search.gain is not None or not kind.controlled
+    def __init__(self, need: Requirements, variant: Variant, tile: Tile, radii: Numbers) -> None:
+        self.need, self.variant, self.tile, self.radii = need, variant, tile, radii
+        self.by_gain = need.search.gain is not None or not variant.controlled
 
     def into(self, found: Found) -> None:
         """Count, and hand on the best of every row."""
-        size, own = self.radii.size, candidates(self.need, self.kind, self.tile.at)
+        size, own = self.radii.size, candidates(self.need, self.variant, self.tile.at)
         built = np.broadcast_to(own.is_clutch, self.tile.shape)
         rows = int(np.count_nonzero(built))
-        found.excluded[self.kind.no_clutch] += size * (self.tile.size - rows)
+        found.excluded[own.no_clutch] += size * (self.tile.size - rows)
         begin, end, good = np.zeros(self.tile.shape, np.int64), np.full(self.tile.shape, size), built
         grouped: dict[str, list[Constraint]] = {}
-        for constraint in constraints(self.need, self.kind):
+        for constraint in constraints(self.need, self.variant):
             grouped.setdefault(constraint.name, []).append(constraint)
         for name, group in grouped.items():
             first, last, held = self._span(group, own)
@@ -63,7 +64,7 @@ class _Rows:
             begin, end, good = np.maximum(begin, first), np.minimum(end, last), good & held
         found.feasible += int(np.maximum(end - begin, 0)[good].sum())
         for row, place in self._best(begin, np.where(good, end, 0)):
-            found.add(self.need, self.kind, self.tile.points(row)._replace(mean_radius=self.radii[place]))
+            found.add(self.need, self.variant, self.tile.points(row)._replace(mean_radius=self.radii[place]))
 
     def _span(self, group: list[Constraint], own: Candidates) -> tuple[Places, Places, Mask]:
         """First place, place after the last, and which rows hold what does not depend on the radius."""
@@ -88,14 +89,14 @@ class _Rows:
         while reach:
             radius = radii[place + (reach - 1)]
             at = self.tile.at._replace(mean_radius=radius)
-            same = (holds(candidates(self.need, self.kind, at)) == before) & (radius < np.inf)
+            same = (holds(candidates(self.need, self.variant, at)) == before) & (radius < np.inf)
             place += reach * same
             reach >>= 1
         return place
 
     def _best(self, begin: Places, end: Places) -> list[tuple[Places, Places]]:
         """Rows and places of the largest radius; at a given gain one for every ball size that counts."""
-        if not self.by_gain or not self.kind.controlled:
+        if not self.by_gain or not self.variant.controlled:
             row = np.flatnonzero(end > begin)
             return [(row, end.ravel()[row] - 1)]
         found, along = [], self.tile.dimension("ball_circle_radius")

@@ -13,8 +13,9 @@ import numpy as np
 
 from ...spec.choices import Choice
 from ...spec.requirements import Requirements
-from .candidates import Candidates, candidates
-from .kinds import Kind
+from ...variants import Variant
+from .by_law import candidates
+from .candidates import Candidates
 from .limits import feasible, objectives
 from .space import Axes, Mask, Numbers, balls, searched
 
@@ -29,7 +30,7 @@ _FREE = ("mean_radius", "steering", "ball_circle_radius", "closing_stiffness", "
 
 
 @np.errstate(all="ignore")
-def refined(need: Requirements, kind: Kind, at: Axes) -> Axes:
+def refined(need: Requirements, variant: Variant, at: Axes) -> Axes:
     """Move candidates between the grid points of the parameters that were given as ranges.
 
     Each continuous objective in turn is made as small as it goes without a rise of the others. Whole numbers,
@@ -37,24 +38,24 @@ def refined(need: Requirements, kind: Kind, at: Axes) -> Axes:
 
     Args:
         need: the requirements.
-        kind: variant of the candidates.
+        variant: variant of the candidates.
         at: one candidate per element.
 
     Returns:
         Candidates of the same number, each no worse than its own in any objective.
     """
     count = at.pairs.size
-    if need.search.closing_force is None or not any(choice.between for choice in _free(need, kind).values()):
+    if need.search.closing_force is None or not any(choice.between for choice in _free(need, variant).values()):
         return at
     parts = [
-        _Rows(need, kind, Axes(*(column[start : start + ROWS] for column in at))).best()
+        _Rows(need, variant, Axes(*(column[start : start + ROWS] for column in at))).best()
         for start in range(0, count, ROWS)
     ]
     return Axes(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else at
 
 
-def _free(need: Requirements, kind: Kind) -> dict[str, Choice]:
-    return {name: choice for name, choice in searched(need, kind).items() if name in _FREE}
+def _free(need: Requirements, variant: Variant) -> dict[str, Choice]:
+    return {name: choice for name, choice in searched(need, variant).items() if name in _FREE}
 
 
 class _Span(NamedTuple):
@@ -73,12 +74,12 @@ class _Span(NamedTuple):
 class _Rows:
     """Candidates to refine, as columns; the values of u tried lie along the second axis."""
 
-    def __init__(self, need: Requirements, kind: Kind, at: Axes) -> None:
-        self.need, self.kind = need, kind
+    def __init__(self, need: Requirements, variant: Variant, at: Axes) -> None:
+        self.need, self.variant = need, variant
         self.at = Axes(*(column[:, None] for column in at))
-        free = _free(need, kind)
+        free = _free(need, variant)
         self.spans = {name: self._span(name, free.get(name)) for name in _FREE}
-        self.limit = objectives(candidates(need, kind, self.at)) * (1 + 1e-12)
+        self.limit = objectives(candidates(need, variant, self.at)) * (1 + 1e-12)
 
     def _span(self, name: str, choice: Choice | None) -> _Span:
         own = getattr(self.at, name)
@@ -92,7 +93,7 @@ class _Rows:
         for goal, name in enumerate(self.need.objectives):
             if name not in _WHOLE:
                 best = self._least(goal, best)
-                self.limit = np.minimum(self.limit, objectives(candidates(self.need, self.kind, best)) * (1 + 1e-12))
+                self.limit = np.minimum(self.limit, objectives(candidates(self.need, self.variant, best)) * (1 + 1e-12))
         return Axes(*(column[:, 0] for column in best))
 
     def _least(self, goal: int, best: Axes) -> Axes:
@@ -122,14 +123,14 @@ class _Rows:
     def _score(self, goal: int, at: Axes) -> Numbers:
         """The objective where a candidate is feasible and gives up nothing, else infinite."""
         shape = np.broadcast_shapes(*(column.shape for column in at))
-        found = candidates(self.need, self.kind, Axes(*(np.broadcast_to(column, shape) for column in at)))
+        found = candidates(self.need, self.variant, Axes(*(np.broadcast_to(column, shape) for column in at)))
         values = objectives(found)
         good = feasible(found) & (values <= self.limit).all(axis=-1)
         return np.where(good, values[..., goal], np.inf)
 
     def _steep(self, at: Axes) -> Numbers:
         """u = tan α/r = C/R."""
-        if not self.kind.controlled:
+        if not self.variant.controlled:
             return np.zeros_like(at.mean_radius)
         if self.need.search.gain is None:
             return np.tan(at.steering) / at.ball_circle_radius
@@ -138,7 +139,7 @@ class _Rows:
     def _steeps(self) -> tuple[Numbers, Numbers]:
         """Smallest and largest u."""
         steering, radius, circle = (self.spans[name] for name in ("steering", "mean_radius", "ball_circle_radius"))
-        if not self.kind.controlled:
+        if not self.variant.controlled:
             none = np.zeros_like(radius.low)
             return none, none
         if self.need.search.gain is None:
@@ -152,7 +153,7 @@ class _Rows:
         by_gain = self.need.search.gain is not None
         radius = spans["mean_radius"].high
         circle = circle_span.high
-        if self.kind.controlled:
+        if self.variant.controlled:
             highest = self._largest_gain()
             radius = np.minimum(radius, np.where(steep > 0, highest / steep, np.inf))
             if not by_gain:
@@ -160,7 +161,7 @@ class _Rows:
         radius = np.minimum(radius, self._radius_of_least_force(steep))
         steer = steep * radius if by_gain else np.arctan(steep * circle)
         within = spans["mean_radius"].holds(radius)
-        if self.kind.controlled:
+        if self.variant.controlled:
             within = within & steering.holds(steer) & circle_span.holds(circle)
         at = Axes(
             pairs=self.at.pairs,
@@ -171,17 +172,16 @@ class _Rows:
             ball_circle_radius=circle_span.clip(circle),
             mean_radius=np.where(within, spans["mean_radius"].clip(radius), np.nan),
         )
-        return self._sprung(goal, at) if self.kind.travels else at
+        return self._sprung(goal, at) if self.variant.travels else at
 
     def _largest_gain(self) -> Numbers:
         """Largest C that its range, the limit of the variant and the one on z C allow."""
-        own, limits = candidates(self.need, self.kind, self.at), self.need.limits
+        own, limits = candidates(self.need, self.variant, self.at), self.need.limits
         highest = np.full(self.at.pairs.shape, np.inf)
         if self.need.search.gain is not None:
             highest = self.spans["steering"].high
-        if limits.gain_limit and self.kind.limited:
-            friction = self.need.friction.groups[0].max
-            highest = np.minimum(highest, self.kind.gain_limit(own.bypass_pairs, own.controlled_pairs, friction))
+        if limits.gain_limit:
+            highest = np.minimum(highest, own.gain_limit)
         if limits.reduced_gain is not None:
             highest = np.minimum(highest, limits.reduced_gain / own.controlled_pairs)
         return highest
@@ -201,15 +201,15 @@ class _Rows:
             ball_circle_radius=np.ones(1),
             mean_radius=np.full(1, radius),
         )
-        return candidates(self.need, self.kind, at).pack_force
+        return candidates(self.need, self.variant, at).pack_force
 
     def _sprung(self, goal: str, at: Axes) -> Axes:
         """Choose c_2: as small as travel, ball and deflection allow, or as large as torque, K_т and balls do."""
         span = self.spans["control_stiffness"]
         if (span.low == span.high).all():
             return at
-        none = candidates(self.need, self.kind, at._replace(control_stiffness=np.zeros(1)))
-        some = candidates(self.need, self.kind, at._replace(control_stiffness=at.closing_stiffness))
+        none = candidates(self.need, self.variant, at._replace(control_stiffness=np.zeros(1)))
+        some = candidates(self.need, self.variant, at._replace(control_stiffness=at.closing_stiffness))
         # travel = x_0/(1 + m c_2), torque = (T_0 + T_∞ m c_2)/(1 + m c_2)
         per = (none.travel / some.travel - 1) / at.closing_stiffness
         if goal in ("travel", "control_deflection"):

@@ -53,11 +53,11 @@ def rows(found: Candidates) -> list[DesignRow]:
         "torque_max": found.torque_max,
         "surface_pressure": found.surface_pressure,
     }
-    if found.kind.controlled:
+    if found.variant.controlled:
         columns |= {"gain": found.gain, "ball_diameter": found.ball_diameter, "contact_force": found.contact_force}
         if need.search.wall_angle is not None:
             columns["wall_angle"] = at.steering
-    if found.kind.travels:
+    if found.variant.travels:
         columns |= {name: getattr(found, name) for name in _OF_A_SLEEVE if name != "pack_force_at_rest"}
         columns["pack_force_at_rest"] = found.pack_force
     if need.wanted.margin != 1:
@@ -65,7 +65,7 @@ def rows(found: Candidates) -> list[DesignRow]:
     names = list(columns)
     lists = zip(*(np.broadcast_to(column, at.pairs.shape).tolist() for column in columns.values()), strict=True)
     return [
-        DesignRow(number=number, variant=found.kind.name, **dict(zip(names, map(_defined, row), strict=True)))
+        DesignRow(number=number, variant=found.variant.name, **dict(zip(names, map(_defined, row), strict=True)))
         for number, row in enumerate(lists, 1)
     ]
 

@@ -3,8 +3,8 @@
 from collections.abc import Callable
 
 from ...spec.requirements import Requirements
+from ...variants import VARIANTS
 from .found import Found
-from .kinds import Kind
 from .radius import by_radius, separable
 from .tiles import by_tile
 
@@ -15,8 +15,8 @@ _MANY = 48
 def search(need: Requirements, progress: Callable[[int], None] = lambda done: None) -> Found:
     """Go through the whole space; ``progress`` is told how many candidates are behind."""
     found = Found()
-    for kind in dict.fromkeys(map(Kind, need.variants)):
-        looked_up = separable(need, kind) and need.search.mean_radius.size >= _MANY
-        (by_radius if looked_up else by_tile)(need, kind, found, progress)
+    for variant in (VARIANTS[name] for name in dict.fromkeys(need.variants)):
+        looked_up = separable(need, variant) and need.search.mean_radius.size >= _MANY
+        (by_radius if looked_up else by_tile)(need, variant, found, progress)
     found.settle()
     return found

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ...spec.balls import diameters
 from ...spec.choices import Choice
 from ...spec.requirements import Requirements
-from .kinds import Kind
+from ...variants import VARIANTS, Variant
 
 Numbers: TypeAlias = NDArray[np.float64]
 Mask: TypeAlias = NDArray[np.bool_]
@@ -36,24 +36,24 @@ def given(values: Choice | None) -> Choice:
     return values
 
 
-def searched(need: Requirements, kind: Kind) -> dict[str, Choice]:
+def searched(need: Requirements, variant: Variant) -> dict[str, Choice]:
     """Choice of every axis that a variant has."""
     search = need.search
     found = {"pairs": search.pairs, "mean_radius": search.mean_radius}
-    if kind.chooses_bypass:
+    if variant.chooses_bypass:
         found["driving_pairs"] = search.driving_pairs
-    if kind.controlled:
+    if variant.controlled:
         found["steering"] = given(search.gain or search.wall_angle)
         found["ball_circle_radius"] = given(search.ball_circle_radius)
-    if kind.travels:
+    if variant.travels:
         found["closing_stiffness"] = given(search.closing_stiffness)
         found["control_stiffness"] = given(search.control_stiffness)
     return found
 
 
-def axes(need: Requirements, kind: Kind) -> Axes:
+def axes(need: Requirements, variant: Variant) -> Axes:
     """Lay out the axes of a variant; an axis it does not have holds one NaN."""
-    had = searched(need, kind)
+    had = searched(need, variant)
     return Axes(*(had[name].array() if name in had else np.array([np.nan]) for name in Axes._fields))
 
 
@@ -64,8 +64,8 @@ def forces(need: Requirements) -> int:
 
 def total(need: Requirements) -> int:
     """Number of candidates asked for."""
-    kinds = (Kind(name) for name in need.variants)
-    return forces(need) * sum(prod(values.size for values in searched(need, kind).values()) for kind in kinds)
+    variants = (VARIANTS[name] for name in need.variants)
+    return forces(need) * sum(prod(values.size for values in searched(need, variant).values()) for variant in variants)
 
 
 @cache

@@ -4,7 +4,6 @@ from collections.abc import Callable
 from typing import Any
 
 from ...engines import build
-from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
 from ...extras import need
 from ...findings import Finding
@@ -12,7 +11,7 @@ from ...papers.register import register
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.suggest import did_you_mean
-from .trace import Call, distinct, recording
+from .trace import Call, distinct, recording, with_roles
 
 
 class Step(Result):
@@ -81,58 +80,8 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
         raise AfmcalcError(f"explain: no calculation {command!r}{hint}; explained are {', '.join(analyses)}")
     need("explain")
     with recording() as calls:
-        clutch = build(spec)
-        _, findings = analyses[command](clutch, **options)
-    names = _Names(clutch, calls)
-    steps = [_step(call, names) for call in distinct(calls) if _is_new(call)]
-    return ExplainResult(explained=command, steps=steps), findings
-
-
-def _is_new(call: Call) -> bool:
-    """Leave out the trial calls that engines make with unit spring force while the spring is being set."""
-    return 1.0 not in (call.arguments.get("closing_force"), call.arguments.get("normal_force"))
-
-
-class _Names:
-    """Symbols for values: which of the frictions a number is, which result (κ or κ₊) it came from."""
-
-    def __init__(self, clutch: Clutch, calls: list[Call]) -> None:
-        first, second = clutch.friction
-        self.unlike = clutch.spec.friction.unlike
-        self.returning = {call.value for call in calls if call.equation.name == "indirect.net_gain_returning"}
-        self.frictions: dict[str, dict[float, str]] = {"": {}, "1": {}, "2": {}}
-        for group, own in (("", first), ("1", first), ("2", second)):
-            for end, suffix in (("max", "max"), ("mean", "cp"), ("min", "min")):
-                self.frictions[group][float(getattr(own, end))] = suffix
-
-    def symbol(self, symbol: str, value: Any) -> str:
-        """Symbol of an argument; a coefficient of friction gets the end of the range it is."""
-        if symbol == "κ" and value in self.returning:
-            return "κ₊"
-        if symbol in ("f", "f_1", "f_2", "f_i"):
-            group = symbol[2:] if symbol in ("f_1", "f_2") else ""
-            suffix = self.frictions[group].get(float(value))
-            if suffix:
-                return f"f_{group}{suffix}"
-        return symbol
-
-    def at(self, call: Call) -> str | None:
-        """Which friction a call is for."""
-        pair = [
-            self.symbol(call.equation.arguments[name].symbol, call.arguments[name])
-            for name in ("friction_driving", "friction_driven")
-            if name in call.arguments
-        ]
-        if len(pair) == 2 and pair[0][3:] != pair[1][3:]:
-            return ", ".join(pair)
-        for name in ("friction", "friction_driven", "friction_driving"):
-            if name in call.arguments:
-                term = call.equation.arguments[name]
-                named = self.symbol(term.symbol, call.arguments[name])
-                if named == term.symbol:
-                    return f"{term.symbol} = {call.arguments[name]:g}"
-                return named if self.unlike else "f_" + named.lstrip("f_12")
-        return None
+        _, findings = analyses[command](build(with_roles(spec)), **options)
+    return ExplainResult(explained=command, steps=[_step(call) for call in distinct(calls)]), findings
 
 
 def _note(call: Call) -> str | None:
@@ -142,11 +91,11 @@ def _note(call: Call) -> str | None:
     return None
 
 
-def _step(call: Call, names: _Names) -> Step:
+def _step(call: Call) -> Step:
     from .formula import Formula, symbol_latex
 
     terms = call.equation.arguments
-    symbols = {name: names.symbol(terms[name].symbol, value) for name, value in call.arguments.items()}
+    symbols = {name: call.symbol(name) for name in call.arguments}
     units = {name: terms[name].unit for name in call.arguments}
     formula = Formula(call.equation.function, symbols, call.arguments, units)
     result = call.equation.result
@@ -155,10 +104,10 @@ def _step(call: Call, names: _Names) -> Step:
         symbol=result.symbol,
         symbol_latex=symbol_latex(result.symbol),
         name=call.equation.summary.partition(",")[0].rstrip("."),
-        at=names.at(call),
+        at=call.at,
         formula=formula.text(),
         substituted=formula.text_with_numbers(),
-        value=call.value,
+        value=float(call.value),
         unit=result.unit,
         source=call.equation.source,
         note=_note(call),

@@ -8,6 +8,54 @@ from inspect import signature
 from typing import Any, NamedTuple
 
 from ...equations.catalogue import Equation, equations
+from ...spec import Spec
+from ...spec.models import Friction, Range
+
+_LAWS = ("direct", "indirect")
+"""Modules of equations whose results are for the friction that their arguments are for."""
+_FRICTION = ("friction", "friction_driven", "friction_driving")
+"""Arguments that say for which friction an equation is evaluated."""
+
+
+class Marked(float):
+    """A number that knows what it is; arithmetic on it gives a plain number, which says nothing it does not know."""
+
+    at: str | None
+    """Friction it is, or is for, such as ``f_max``."""
+    end: str
+    """End of the range that a coefficient of friction is: min, cp, max."""
+    origin: str
+    """Equation it came from."""
+
+    def __new__(cls, value: float, at: str | None, *, end: str = "", origin: str = "") -> "Marked":
+        """Mark ``value``."""
+        marked = super().__new__(cls, value)
+        marked.at, marked.end, marked.origin = at, end, origin
+        return marked
+
+
+class _MarkedFriction(Friction):
+    """Friction whose coefficients know which end of which range they are."""
+
+    @property
+    def range(self) -> Range:
+        return _marked(super().range)
+
+    @property
+    def groups(self) -> tuple[Range, Range]:
+        first, second = super().groups
+        return (_marked(first, "1"), _marked(second, "2")) if self.unlike else (first, second)
+
+
+def _marked(own: Range, group: str = "") -> Range:
+    ends = zip(own, ("min", "cp", "max"), strict=True)
+    return Range(*(Marked(value, f"f_{group}{end}", end=end) for value, end in ends))
+
+
+def with_roles(spec: Spec) -> Spec:
+    """Return the spec with coefficients of friction that know what they are: engines pass them on as they are."""
+    given = {name: getattr(spec.friction, name) for name in Friction.model_fields}
+    return spec.model_copy(update={"friction": _MarkedFriction.model_construct(**given)})
 
 
 class Call(NamedTuple):
@@ -16,6 +64,39 @@ class Call(NamedTuple):
     equation: Equation
     arguments: dict[str, Any]
     value: Any
+
+    def symbol(self, name: str) -> str:
+        """Symbol of an argument; a coefficient of friction gets the end of the range it is."""
+        symbol, value = self.equation.arguments[name].symbol, self.arguments[name]
+        if not isinstance(value, Marked):
+            return symbol
+        if symbol == "κ" and value.origin == "indirect.net_gain_returning":
+            return "κ₊"
+        if value.end and symbol in ("f_1", "f_2"):
+            return symbol + value.end
+        return str(value.at) if value.end and symbol in ("f", "f_i") else symbol
+
+    @property
+    def at(self) -> str | None:
+        """Which friction the value is for."""
+        own = [name for name in _FRICTION if name in self.arguments]
+        if not own:
+            return self._inherited
+        ends = {getattr(self.arguments[name], "end", "") for name in own}
+        if len(ends) > 1:
+            return ", ".join(self.symbol(name) for name in reversed(own))
+        value = self.arguments[own[0]]
+        if isinstance(value, Marked) and value.end:
+            return value.at
+        return f"{self.equation.arguments[own[0]].symbol} = {value:g}"
+
+    @property
+    def _inherited(self) -> str | None:
+        """Of a law's values: what all its arguments are for that are for any friction, the setting's apart."""
+        if self.equation.name.partition(".")[0] not in _LAWS or any(n.startswith("friction") for n in self.arguments):
+            return None
+        found = {value.at for value in self.arguments.values() if isinstance(value, Marked) and value.at}
+        return found.pop() if len(found) == 1 else None
 
 
 @contextmanager
@@ -50,20 +131,25 @@ def _recorder(equation: Equation, calls: list[Call], depth: list[int]) -> Callab
             value = equation.function(*args, **kwargs)
         finally:
             depth[0] -= 1
-        if depth[0] == 0:
-            calls.append(Call(equation, dict(bound.bind(*args, **kwargs).arguments), value))
-        return value
+        if depth[0] > 0:
+            return value
+        call = Call(equation, dict(bound.bind(*args, **kwargs).arguments), value)
+        calls.append(call)
+        return Marked(value, call.at, origin=equation.name) if type(value) is float else value
 
     return record
 
 
 def distinct(calls: list[Call]) -> list[Call]:
-    """Return the calls of plain numbers, each once, in the order they first ran; calls of one equation together."""
-    order: dict[str, dict[tuple[str, ...], Call]] = {}
+    """Return the calls of plain numbers, each once, in the order they first ran; calls of one equation together.
+
+    Equal numbers that are for different frictions, or stand under different symbols, are different calls.
+    """
+    order: dict[str, dict[tuple[str | None, ...], Call]] = {}
     for call in calls:
         values = tuple(call.arguments.values())
         if all(isinstance(value, int | float) for value in (*values, call.value)):
             # the same number by two ways may differ in its last digits
-            same = tuple(f"{value:.12g}" for value in values)
+            same = (call.at, *map(call.symbol, call.arguments), *(f"{value:.12g}" for value in values))
             order.setdefault(call.equation.name, {}).setdefault(same, call)
     return [call for group in order.values() for call in group.values()]

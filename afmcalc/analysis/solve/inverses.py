@@ -24,14 +24,12 @@ def closed_inverse(clutch: Clutch, name: str, target: str) -> Inverse | None:
         return lambda c, wanted: float(
             adjustment.closing_force(wanted, 1.0, TARGETS[target].value(c) / float(c.closing_force))
         )
-    if isinstance(clutch, DirectClutch):
+    if not clutch.spec.kind.travels:
         return _direct(clutch, name, target)
-    if isinstance(clutch, IndirectClutch) and target == "accuracy_factor":
-        return _INDIRECT.get(name)
-    return None
+    return _INDIRECT.get(name) if target == "accuracy_factor" else None
 
 
-def _direct(clutch: DirectClutch, name: str, target: str) -> Inverse | None:
+def _direct(clutch: Clutch, name: str, target: str) -> Inverse | None:
     if target == "accuracy_factor":
         unlike = clutch.spec.friction.unlike
         return {"C": _gain, **({} if unlike else {"z": _pairs, "z1": _driving_pairs})}.get(name)
@@ -69,17 +67,17 @@ def _driving_pairs(clutch: Clutch, wanted: float) -> float:
     return float(clutch.spec.friction_group.pairs - controlled)
 
 
-_Place: TypeAlias = Callable[[DirectClutch], tuple[float, float, float]]
+_Place: TypeAlias = Callable[[Clutch], tuple[float, float, float]]
 
 
-def _at_setting(clutch: DirectClutch) -> tuple[float, float, float]:
+def _at_setting(clutch: Clutch) -> tuple[float, float, float]:
     """Return f_1, f_2 at the setting and the margin between the torque there and the nominal one."""
     at = "mean" if clutch.spec.adjustment.method == "mean-friction" else "min"
     first, second = clutch.friction
     return getattr(first, at), getattr(second, at), margin(clutch.spec)
 
 
-def _at_max(clutch: DirectClutch) -> tuple[float, float, float]:
+def _at_max(clutch: Clutch) -> tuple[float, float, float]:
     first, second = clutch.friction
     return first.max, second.max, 1.0
 
@@ -94,7 +92,7 @@ def _gain_for_torque(clutch: Clutch, wanted: float, at: _Place) -> float:
 def _pairs_for_torque(clutch: Clutch, wanted: float, at: _Place) -> float:
     assert isinstance(clutch, DirectClutch)
     first, second, factor = at(clutch)
-    if clutch.spec.variant == "conventional":
+    if not clutch.spec.kind.controlled:
         return float(factor * wanted / (clutch.closing_force * clutch.mean_radius * first))
     force, radius, z1 = clutch.closing_force, clutch.mean_radius, clutch.bypass_pairs
     found = inverse.controlled_pairs_for_torque(factor * wanted, force, radius, z1, clutch.gain, first, second)

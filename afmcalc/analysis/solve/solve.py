@@ -148,25 +148,25 @@ def _replaced(spec: Spec, path: str) -> list[Finding]:
 
 def _domain(clutch: Clutch, name: str, beyond_limit: bool) -> Domain:
     """Return where to look: up to the gain limit, whole numbers of pairs as the variant allows."""
-    spec, limit = clutch.spec, clutch.gain_limit
+    spec, limit, rule = clutch.spec, clutch.gain_limit, clutch.spec.kind.gain_limit
     if name == "C":
-        low = float(getattr(clutch, "gain_threshold", 0.0))
-        if limit is None or beyond_limit:
+        low = float(clutch.gain_threshold or 0.0)
+        if limit is None or rule is None or beyond_limit:
             return Domain(low, math.inf, "")
-        rule = "zC = 5" if spec.variant == "all-driving" else "1/(z_1 f_1max)"
-        return Domain(low, float(limit), f"the gain limit {rule}")
+        return Domain(low, float(limit), f"the gain limit {rule.rule}")
+    most = None
+    if rule is not None and clutch.gain > 0 and not beyond_limit:
+        most = math.floor(rule.most(float(clutch.gain), clutch.friction[0].max) * (1 + _SAME))
     if name == "z":
-        low = float(spec.bypass_pairs + 1 if spec.variant == "differentiated" else 1)
-        if spec.variant == "all-driving" and clutch.gain > 0 and not beyond_limit:
-            return Domain(low, max(low, math.floor(5 / float(clutch.gain) * (1 + _SAME))), "the gain limit zC = 5")
+        low = float(spec.least_pairs)
+        if most is not None and rule is not None and rule.reduced is not None:
+            return Domain(low, max(low, spec.bypass_pairs + most), f"the gain limit {rule.rule}")
         return Domain(low, math.inf, "")
     if name == "z1":
-        most = spec.friction_group.pairs - 1
-        if clutch.gain > 0 and not beyond_limit:
-            at_limit = math.floor(1 / (float(clutch.gain) * clutch.friction[0].max) * (1 + _SAME))
-            if 1 <= at_limit < most:
-                return Domain(1.0, float(at_limit), "the gain limit 1/(z_1 f_1max)")
-        return Domain(1.0, float(most), "one driven pair at least")
+        all_but_one = spec.friction_group.pairs - 1
+        if most is not None and rule is not None and rule.reduced is None and 1 <= most < all_but_one:
+            return Domain(1.0, float(most), f"the gain limit {rule.rule}")
+        return Domain(1.0, float(all_but_one), "one driven pair at least")
     return Domain(0.0, math.inf, "")
 
 

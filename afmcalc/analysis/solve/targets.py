@@ -4,7 +4,6 @@ from collections.abc import Callable
 from typing import Any, Literal, NamedTuple
 
 from ...arrays import larger, smaller
-from ...engines.indirect import IndirectClutch
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
 from ...spec.suggest import did_you_mean
@@ -37,9 +36,10 @@ def scatter(clutch: Clutch) -> Any:
 
 
 def _travel(clutch: Clutch) -> Any:
-    if not isinstance(clutch, IndirectClutch):
+    travel = clutch.travel(clutch.friction[0].max)
+    if travel is None:
         raise AfmcalcError("travel_max is only of an indirect clutch: a direct one has no sleeve")
-    return clutch.travel(clutch.friction[0].max)
+    return travel
 
 
 TARGETS: dict[str, Target] = {

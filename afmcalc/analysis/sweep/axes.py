@@ -91,14 +91,12 @@ def default_range(key: Key, spec: Spec) -> Any:
     if key.path == "control_unit.gain":
         clutch = build(spec)
         limit = clutch.gain_limit
-        start = getattr(clutch, "gain_threshold", 0.0)
+        start = float(clutch.gain_threshold or 0.0)
         return np.linspace(start, limit if limit is not None else max(2 * float(clutch.gain), start + 5.0), 26)
     if key.path == "friction_group.driving_pairs":
         return np.arange(1, max(group.pairs, 2)).astype(float)
     if key.path == "friction_group.pairs":
-        return np.arange(spec.bypass_pairs + 1 if spec.variant == "differentiated" else 1, 2 * group.pairs + 1).astype(
-            float
-        )
+        return np.arange(spec.least_pairs, 2 * group.pairs + 1).astype(float)
     if key.path == "adjustment.margin":
         return np.linspace(1.0, max(2.0, float(current or 1)), 21)
     if current is None:

@@ -79,9 +79,9 @@ def _nodes(model: Model) -> tuple[Any, Any]:
     import numpy as np
 
     kinks = [each.cdf(each.center) for each in model.inputs if each.kind == "triangular"]
-    if model.spec.variant == "indirect":
-        # the sleeve leaves its stop at f_set: a kink of the law
-        at = model.clutch([each.center for each in model.inputs]).friction_set  # type: ignore[union-attr]
+    # the sleeve leaves its stop at f_set: a kink of the law
+    at = model.clutch([each.center for each in model.inputs]).friction_set
+    if at is not None:
         kinks += [_share(each, float(at)) for each in model.inputs]
     edges = sorted({*_EDGES, *(1 - edge for edge in _EDGES), *(k for k in kinks if 0 < k < 1)})
     x, w = np.polynomial.legendre.leggauss(24)

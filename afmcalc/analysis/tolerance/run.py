@@ -4,8 +4,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ...engines.direct import DirectClutch
-from ...engines.indirect import IndirectClutch
+from ...engines.protocol import Clutch
 from ...equations import life as law
 from .sampling import CELL, REPLICATES, Model, Stream, cells, in_threads, sizes
 from .tally import Grid, Tally
@@ -77,7 +76,7 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
     return in_threads(replicate, REPLICATES, plan.threads)
 
 
-def damage_rates(clutch: DirectClutch | IndirectClutch, torque: Any) -> tuple[Any, Any]:
+def damage_rates(clutch: Clutch, torque: Any) -> tuple[Any, Any]:
     """Damage 1/N of one slip on the protected and the unprotected side (Miner), by the paper's S–N line."""
     part = clutch.spec.fatigue
     assert part is not None

@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from ...engines.direct import DirectClutch
-from ...engines.indirect import IndirectClutch
+from ...engines import build
+from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
 from ...spec import Spec
 from ...spec.edit import with_value
@@ -44,18 +44,15 @@ class Model:
             return names.index("friction.driving"), names.index("friction.driven")
         return None
 
-    def clutch(self, values: Sequence[Any]) -> DirectClutch | IndirectClutch:
+    def clutch(self, values: Sequence[Any]) -> Clutch:
         """Engine with values (numbers or arrays) in place of those of the spec."""
         spec = self.spec
         for each, value in zip(self.inputs, values, strict=True):
             if each.path not in FRICTION:
                 spec = with_value(spec, each.path.split("."), value)
-        engine: type[DirectClutch | IndirectClutch] = (
-            IndirectClutch if spec.variant == "indirect" else DirectClutch
-        )  # fmt: skip
-        return engine.from_spec(spec)
+        return build(spec)
 
-    def torque(self, values: Sequence[Any], clutch: DirectClutch | IndirectClutch | None = None) -> Any:
+    def torque(self, values: Sequence[Any], clutch: Clutch | None = None) -> Any:
         """Slip torque, N·m."""
         clutch = clutch or self.clutch(values)
         named = {each.path: value for each, value in zip(self.inputs, values, strict=True)}

@@ -1,17 +1,14 @@
 """Every printed figure and claim of the papers recomputed: what follows from the formulas, and what does not."""
 
 from collections.abc import Callable
+from functools import cache
 from importlib import import_module
-from typing import Literal
 
-from ...errors import AfmcalcError
-from ...findings import Finding
+from ...findings import Finding, finding
 from ...result import Result, quantity
-from ...spec.suggest import did_you_mean
 from ..figures import FIGURES, PaperFigure, paper_figure
-from ..register import PAPERS
-
-Verdict = Literal["reproduced", "reproduced with correction", "not reproduced"]
+from ..register import PAPERS, check_papers, data
+from .found import Found, Verdict
 
 
 class Row(Result):
@@ -58,17 +55,17 @@ class ReproduceResult(Result):
     reproduced: int = quantity("", None, "reproduced as printed")
     corrected: int = quantity("", None, "reproduced with a correction")
     not_reproduced: int = quantity("", None, "not reproduced")
+    undecided: int = quantity("", None, "left open by the paper")
     as_expected: bool = quantity("", None, "every verdict is the one on record")
     curves: list[CurveRow] | None = quantity("", None, "curves of the figures, recomputed", optional=True)
     points: list[CurvePoint] | None = quantity("", None, "points of the curves", optional=True, data=True)
 
 
-EXPECTED: dict[str, Verdict] = {
-    **dict.fromkeys(("P2", "P7", "P9", "P11", "P12", "P22"), "reproduced"),
-    **dict.fromkeys(("P1", "P3", "P5", "P6", "P8", "P10", "P13", "P19"), "reproduced with correction"),
-    **dict.fromkeys(("P4", "P14", "P15", "P16", "P17", "P18", "P20", "P21"), "not reproduced"),
-}
-"""The verdict on record for every row; a different one means the formulas have changed."""
+@cache
+def expected() -> dict[str, str]:
+    """The verdict on record for every row; a different one means the formulas have changed."""
+    return {entry["id"]: entry["verdict"] for entry in data("claims.toml")["claim"]}
+
 
 _MODULES = {"F11": "fokin2011", "S19": "shishkarev2019", "S21": "shishkarev2021", "S22": "shishkarev2022"}
 
@@ -84,33 +81,34 @@ def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[Repr
     Raises:
         AfmcalcError: no such paper or figure.
     """
-    for paper in papers:
-        if paper not in PAPERS:
-            raise AfmcalcError(
-                f"--paper {paper}: no such paper{did_you_mean(paper, PAPERS)}; papers: {', '.join(PAPERS)}"
-            )
-    rows: list[Row] = []
+    check_papers(papers)
+    checks: dict[str, Callable[[], Found]] = {}
     for paper in papers or PAPERS:
-        module = import_module(f".{_MODULES[paper]}", __name__)
-        rows += [check() for check in module.CHECKS]
-    rows.sort(key=lambda row: int(row.id[1:]))
+        checks |= import_module(f".{_MODULES[paper]}", __name__).CHECKS
+    rows = [_row(entry, checks[entry["id"]]()) for entry in data("claims.toml")["claim"] if entry["id"] in checks]
     verdicts = [row.verdict for row in rows]
-    unexpected = [row for row in rows if row.verdict != EXPECTED[row.id]]
+    unexpected = [row for row in rows if row.verdict != expected()[row.id]]
     shown = [paper_figure(name) for name in figures or FIGURES if figures or not papers or name.split("-")[0] in papers]
     result = ReproduceResult(
         rows=rows,
         reproduced=verdicts.count("reproduced"),
         corrected=verdicts.count("reproduced with correction"),
         not_reproduced=verdicts.count("not reproduced"),
+        undecided=verdicts.count("undecided"),
         as_expected=not unexpected,
         curves=[row for figure in shown for row in _curves(figure)],
         points=[point for figure in shown for point in _points(figure)] if figures else None,
     )
     findings = [
-        Finding("error", "unexpected-verdict", f"{row.id}: {row.verdict}; on record is: {EXPECTED[row.id]}")
+        finding("unexpected-verdict", "error", row=row.id, verdict=row.verdict, record=expected()[row.id])
         for row in unexpected
     ]
     return result, findings
+
+
+def _row(entry: dict[str, str], found: Found) -> Row:
+    """Join what the paper prints with what is recomputed."""
+    return Row(**{"correction": None, **entry, **found._asdict()})
 
 
 def _curves(figure: PaperFigure) -> list[CurveRow]:
@@ -139,23 +137,3 @@ def _points(figure: PaperFigure) -> list[CurvePoint]:
         for curve in panel
         for x, y in zip(curve.x, curve.y, strict=True)
     ]
-
-
-Check = Callable[[], Row]
-
-
-def verdict(as_printed: bool, corrected: bool = False) -> Verdict:
-    """Judge a row: it follows from the inputs as printed, or with the correction, or not at all."""
-    if as_printed:
-        return "reproduced"
-    return "reproduced with correction" if corrected else "not reproduced"
-
-
-def near(computed: float, printed: float, digits: float) -> bool:
-    """Whether a computed number rounds to the printed one: ``digits`` is a unit in its last place."""
-    return abs(computed - printed) <= digits
-
-
-def figures(values: list[float], digits: int = 3) -> str:
-    """List numbers for a cell."""
-    return ", ".join(f"{value:.{digits}f}" for value in values)

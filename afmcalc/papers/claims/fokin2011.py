@@ -4,71 +4,44 @@ import math
 from collections.abc import Callable
 
 from ...equations import accuracy
-from . import Row, figures, verdict
-
-_RANGES = ((0.1, 0.6), (0.14, 0.7), (0.16, 0.7), (0.16, 0.8))
-_INPUTS = "C 1.25, z_2 6; f_1 0.1…0.6, 0.14…0.7, 0.16…0.7, 0.16…0.8"
-_GAIN, _DRIVEN = 1.25, 6
+from ..figures.fokin2011 import CONTROLLED, GAIN, RANGES, factor, line
+from .found import Found, bisect, figures, verdict
 
 
-def _factor(n: float, p: float, low: float, high: float, bypass: int = 1) -> float:
-    return float(accuracy.accuracy_factor_by_ratios(bypass, _DRIVEN, _GAIN, n, p, low, high))
-
-
-def _line(low: float, high: float) -> float:
-    """Lines 5–7: one material; F11 counts only the driven pairs in z."""
-    return float(accuracy.accuracy_factor(1, _DRIVEN, _GAIN, low, low, high, high))
-
-
-def p13() -> Row:
+def p13() -> Found:
     """Curves 1–3 rise with n, line 4 is level."""
 
     def shapes(bypass: int) -> list[float]:
-        return [_factor(1.5, 1, *own, bypass) - _factor(0.5, 1, *own, bypass) for own in _RANGES]
+        return [float(factor(1.5, 1, *own, bypass) - factor(0.5, 1, *own, bypass)) for own in RANGES]
 
     def as_described(rises: list[float]) -> bool:
         return all(rise > 0 for rise in rises[:3]) and abs(rises[3]) < 1e-12
 
-    return Row(
-        id="P13",
-        source="F11 fig. 2",
-        inputs=f"{_INPUTS}; z_1 = 2 printed",
-        printed="curves 1–3 rise with n, 4 is level",
-        computed=f"K_т(n = 1.5) − K_т(0.5): {figures(shapes(2))} with z_1 = 2; {figures(shapes(1))} with z_1 = 1",
-        deviation=None,
-        verdict=verdict(as_described(shapes(2)), as_described(shapes(1))),
-        correction="M4",
-        why="with z_1 = 2 the gain 1.25 exceeds 1/(z_1 f_1max) and all four fall; z_1 = 1 mends it (or C = 0.625)",
+    return Found(
+        f"K_т(n = 1.5) − K_т(0.5): {figures(shapes(2))} with z_1 = 2; {figures(shapes(1))} with z_1 = 1",
+        verdict(as_described(shapes(2)), as_described(shapes(1))),
     )
 
 
-def p14() -> Row:
+def p14() -> Found:
     """Unlike materials beat one material for p > 1, except at n = 1.5."""
-    lines = [_line(*own) for own in _RANGES[:3]]
-    at = [_factor(1.5, 1.2, *own) for own in _RANGES[:3]]
-    worse_at_n = all(curve > line for curve, line in zip(at, lines, strict=True))
-    break_even = [_break_even(*own) for own in _RANGES[:3]]
-    return Row(
-        id="P14",
-        source="F11 fig. 2, lines 5–7",
-        inputs=_INPUTS,
-        printed="for p > 1 unlike materials are better, except at n = 1.5",
-        computed=f"lines {figures(lines)}; n 1.5, p 1.2: {figures(at)}; break-even at n 1.5: p = {figures(break_even)}",
-        deviation=None,
-        verdict=verdict(worse_at_n),
-        correction=None,
-        why="the exception at n = 1.5 holds only for p below the break-even, not for p = 1.2",
+    ranges = RANGES[:3]
+    lines = [line(*own) for own in ranges]
+    at = [float(factor(1.5, 1.2, *own)) for own in ranges]
+    worse_at_n = all(curve > level for curve, level in zip(at, lines, strict=True))
+    meet = [_break_even(1.5, *own) for own in ranges]
+    # K_т tends to a limit as n grows: above the p of that limit no n breaks even
+    last = [_break_even(1e12, *own) for own in ranges]
+    return Found(
+        f"lines {figures(lines)}; n 1.5, p 1.2: {figures(at)}; break-even at n 1.5: p = {figures(meet)}; "
+        f"at some n: p < {figures(last)}",
+        verdict(worse_at_n),
     )
 
 
-def _break_even(friction_min: float, friction_max: float) -> float:
-    """Return p between 1 and 2 where the curve at n = 1.5 meets the line, by bisection."""
-    low, high = 1.0, 2.0
-    for _ in range(100):
-        middle = (low + high) / 2
-        above = _factor(1.5, middle, friction_min, friction_max) > _line(friction_min, friction_max)
-        low, high = (middle, high) if above else (low, middle)
-    return low
+def _break_even(n: float, low: float, high: float) -> float:
+    """Return p where the curve at n meets the line of the same friction."""
+    return bisect(lambda p: float(factor(n, p, low, high)) - line(low, high), 1, 2)
 
 
 def _elasticity(function: Callable[[float], float]) -> float:
@@ -76,41 +49,28 @@ def _elasticity(function: Callable[[float], float]) -> float:
     return (math.log(function(1 + step)) - math.log(function(1 - step))) / (2 * step)
 
 
-def p15() -> Row:
+def p15() -> Found:
     """P and m matter less than n."""
-    low, high = _RANGES[0]
-    in_n = _elasticity(lambda t: _factor(t, 1, low, high))
-    in_p = _elasticity(lambda t: _factor(1, t, low, high))
-    in_m = [_elasticity(lambda t: _factor(1, 1, low, high * t)), _elasticity(lambda t: _factor(1, 1, low / t, high))]
-    return Row(
-        id="P15",
-        source="F11 text, curve 1",
-        inputs=f"{_INPUTS}; n = p = 1",
-        printed="p and m matter less than n",
-        computed=f"elasticities: n {in_n:.3f}, p {in_p:.3f}, m {in_m[0]:.3f} (by f_1max) or {in_m[1]:.3f} (by f_1min)",
-        deviation=None,
-        verdict=verdict(abs(in_n) > max(abs(in_p), *map(abs, in_m))),
-        correction=None,
-        why="n matters least",
+    low, high = RANGES[0]
+    in_n = _elasticity(lambda t: float(factor(t, 1, low, high)))
+    in_p = _elasticity(lambda t: float(factor(1, t, low, high)))
+    in_m = [
+        _elasticity(lambda t: float(factor(1, 1, low, high * t))),
+        _elasticity(lambda t: float(factor(1, 1, low / t, high))),
+    ]
+    return Found(
+        f"elasticities: n {in_n:.3f}, p {in_p:.3f}, m {in_m[0]:.3f} (by f_1max) or {in_m[1]:.3f} (by f_1min)",
+        verdict(abs(in_n) > max(abs(in_p), *map(abs, in_m))),
     )
 
 
-def p16() -> Row:
+def p16() -> Found:
     """The loss of accuracy is steepest at n = 1.2…1.5."""
-    low, high = _RANGES[0]
     at = (0.5, 1.0, 1.2, 1.5)
-    slopes = [float(accuracy.slope_in_ratio_max(1, _DRIVEN, _GAIN, n, 1, low, high)) for n in at]
-    return Row(
-        id="P16",
-        source="F11 text, curve 1",
-        inputs=f"{_INPUTS}; p = 1",
-        printed="the loss of accuracy is steepest at n = 1.2…1.5",
-        computed=f"∂K_т/∂n at n = {', '.join(map(str, at))}: {figures(slopes)}",
-        deviation=None,
-        verdict=verdict(min(slopes[2:]) >= max(slopes[:2])),
-        correction=None,
-        why="the slope falls with n throughout",
+    slopes = [float(accuracy.slope_in_ratio_max(1, CONTROLLED, GAIN, n, 1, *RANGES[0])) for n in at]
+    return Found(
+        f"∂K_т/∂n at n = {', '.join(map(str, at))}: {figures(slopes)}", verdict(min(slopes[2:]) >= max(slopes[:2]))
     )
 
 
-CHECKS = (p13, p14, p15, p16)
+CHECKS = {"P13": p13, "P14": p14, "P15": p15, "P16": p16}

@@ -1,9 +1,9 @@
 """Figures of Шишкарев 2021 (S21): indirect regulation."""
 
-from typing import Any
-
 import numpy as np
+from numpy.typing import NDArray
 
+from ...arrays import Values
 from ...equations import indirect, synthesis
 from ...equations.accuracy import accuracy_factor
 from .interface import PaperFigure, axis, curve
@@ -15,7 +15,29 @@ _INPUTS = "f = 0.1…0.8, z = 8, R_cp = 100 mm, d = 50 mm, f_1 = 0.15, c_2 = 10 
 _BALL_CIRCLE, _FORCE, _GAP = 0.05, 1000.0, 0.002
 
 
-def _gains(stop: float) -> Any:
+def factor(gain: Values, stiffness: float = _CLOSING[0]) -> Values:
+    """K_т of curves 1–3, (15) mended."""
+    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
+    found: Values = indirect.accuracy_factor(_LOW, _LOW, _HIGH, stiffness, _CONTROL, _PAIRS, net)
+    return found
+
+
+def base_factor(gain: Values) -> Values:
+    """K_т of curve 5, the base clutch with all pairs controlled."""
+    found: Values = accuracy_factor(0, _PAIRS, gain, _LOW, _LOW, _HIGH, _HIGH)
+    return found
+
+
+def ball_and_travel(gain: Values) -> tuple[Values, Values]:
+    """Radius of the ball (23) and largest travel (16), fig. 4."""
+    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
+    stiffness = indirect.sleeve_stiffness(_CLOSING[0], _CONTROL, _PAIRS, _HIGH, net)
+    travel = indirect.travel(_PAIRS, _FORCE, _HIGH, _LOW, net, stiffness)
+    sine = np.sin(np.arctan(synthesis.tan_wall_angle(gain, _BALL_CIRCLE, _RADIUS)))
+    return synthesis.ball_radius(travel, _GAP, _GAP, sine), travel
+
+
+def _gains(stop: float) -> NDArray[np.float64]:
     """Gains from the threshold of the feedback on."""
     return np.linspace(indirect.gain_threshold(_RADIUS, _KEY, _HUB), stop, 241)
 
@@ -23,17 +45,13 @@ def _gains(stop: float) -> Any:
 def figure_2() -> PaperFigure:
     """K_т of the indirect clutch over its gain, formula (15), with K_п and the base clutch."""
     gain = _gains(12.0)
-    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
     curves = [
-        curve(
-            str(number), f"K_т, c_1 = {stiffness / 1e3:g} N/mm", gain,
-            indirect.accuracy_factor(_LOW, _LOW, _HIGH, stiffness, _CONTROL, _PAIRS, net),
-        )
+        curve(str(number), f"K_т, c_1 = {stiffness / 1e3:g} N/mm", gain, factor(gain, stiffness))
         for number, stiffness in enumerate(_CLOSING, start=1)
-    ]  # fmt: skip
+    ]
     curves += [
         curve("4", "K_п, nominal torque ratio", gain, indirect.nominal_torque_ratio(_PAIRS, gain, _LOW)),
-        curve("5", "K_т of the base clutch", gain, accuracy_factor(0, _PAIRS, gain, _LOW, _LOW, _HIGH, _HIGH)),
+        curve("5", "K_т of the base clutch", gain, base_factor(gain)),
     ]
     return PaperFigure(
         name="S21 fig. 2",
@@ -45,6 +63,7 @@ def figure_2() -> PaperFigure:
         corrections=[
             "M9: (15) with 2 z R c_1 f f_1 divided by d",
             "M26: at equal gain the indirect clutch is less accurate than the base clutch (curve 5)",
+            "M27: K_п compares at equal F_п1; at equal force on the pack (F_п2 at rest) it is 1.364, not 1.8, at C = 1",
             "M38: curve 5 has all z pairs controlled; with one bypass pair it is 2.061, not 1.946, at C = 1",
         ],
         assumed="range of C from the threshold 2 R f_1/d = 0.6 to 12 (both printed averages, 1.03 and 1.18, fit 3…12).",
@@ -54,11 +73,7 @@ def figure_2() -> PaperFigure:
 def figure_4() -> PaperFigure:
     """Ball radius (23) and travel (16) over the gain."""
     gain = _gains(24.0)
-    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
-    stiffness = indirect.sleeve_stiffness(_CLOSING[0], _CONTROL, _PAIRS, _HIGH, net)
-    travel = indirect.travel(_PAIRS, _FORCE, _HIGH, _LOW, net, stiffness)
-    tangent = synthesis.tan_wall_angle(gain, _BALL_CIRCLE, _RADIUS)
-    radius = synthesis.ball_radius(travel, _GAP, _GAP, np.sin(np.arctan(tangent)))
+    radius, travel = ball_and_travel(gain)
     return PaperFigure(
         name="S21 fig. 4",
         title="ball radius and largest travel against the gain",

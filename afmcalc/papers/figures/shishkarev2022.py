@@ -1,16 +1,32 @@
 """Figures of Шишкарев 2022 (S22): overload with a torque margin."""
 
-from typing import Any
-
 import numpy as np
 
-from ...arrays import larger
+from ...arrays import Values, larger
 from ...equations import overload as law
 from ...equations.accuracy import accuracy_factor
 from ...equations.reconstruction import friction_bound
 from .interface import PaperFigure, axis, curve
 
-_MARGIN, _LOW, _HIGH = 1.25, 0.1, 0.8
+MARGIN, LOW, HIGH = 1.25, 0.1, 0.8
+
+
+def factor(reduced: Values, friction: float = HIGH, low: float = LOW) -> Values:
+    """A of (15) with a reduced gain: published over expected torque."""
+    here, at_min = law.loop_gain(reduced, 1, friction), law.loop_gain(reduced, 1, low)
+    found: Values = law.actuation_factor(here, at_min, friction, low, MARGIN)
+    return found
+
+
+def expected_factor(reduced: Values) -> Values:
+    """K_т of (18) with a reduced gain."""
+    found: Values = accuracy_factor(0, 1, reduced, LOW, LOW, HIGH, HIGH)
+    return found
+
+
+def actual_factor(reduced: Values) -> Values:
+    """K_т of (18) or (19) by case: the trip is at the larger of T_ср and T_муф."""
+    return expected_factor(reduced) * larger(factor(reduced), 1.0)
 
 
 def figure_1() -> PaperFigure:
@@ -22,9 +38,9 @@ def figure_1() -> PaperFigure:
         title="friction up to which (10) is positive, against the number of pairs",
         panels=[
             [
-                curve("", "(11), reconstructed", smooth, friction_bound(smooth, _MARGIN, 5.0)),
-                curve("", "whole numbers of pairs", pairs, friction_bound(pairs, _MARGIN, 5.0), points=True),
-                curve("", "f_max = 0.8", smooth, _HIGH),
+                curve("", "(11), reconstructed", smooth, friction_bound(smooth, MARGIN, 5.0)),
+                curve("", "whole numbers of pairs", pairs, friction_bound(pairs, MARGIN, 5.0), points=True),
+                curve("", "f_max = 0.8", smooth, HIGH),
             ]
         ],
         x=axis("number of friction pairs", "z"),
@@ -46,10 +62,10 @@ def figure_2() -> PaperFigure:
     left, right = [], []
     for number, low in (("1", 0.1), ("2", 0.2)):
         left.append(
-            curve(number, f"D, f_min = {low:g}", reduced, law.discriminant(_MARGIN, law.loop_gain(reduced, 1, low)))
+            curve(number, f"D, f_min = {low:g}", reduced, law.discriminant(MARGIN, law.loop_gain(reduced, 1, low)))
         )
     for number, low in (("3", 0.1), ("5", 0.2)):
-        root = law.interval_low(low, _MARGIN, law.loop_gain(reduced, 1, low))
+        root = law.interval_low(low, MARGIN, law.loop_gain(reduced, 1, low))
         right.append(curve(number, f"left root, f_min = {low:g}", reduced, root))
     shown = reduced[reduced >= 1]
     right.append(curve("4, 6", "right root 1/(zC), both f_min", shown, law.interval_high(shown)))
@@ -72,24 +88,21 @@ def figure_2() -> PaperFigure:
 def figure_3() -> PaperFigure:
     """Expected and actual accuracy over the reduced gain."""
     reduced = np.linspace(0, 5, 501)
-    expected = accuracy_factor(0, 1, reduced, _LOW, _LOW, _HIGH, _HIGH)
-    factor = _factor(reduced)
     return PaperFigure(
         name="S22 fig. 3",
         title="expected and actual accuracy factor against the reduced gain",
         panels=[
             [
-                curve("1", "actual (19), max(T_ср, T_муф)", reduced, expected * larger(factor, np.ones_like(factor))),
-                curve("2", "expected (18)", reduced, expected),
+                curve("1", "actual, max(T_ср, T_муф)", reduced, actual_factor(reduced)),
+                curve("2", "expected (18)", reduced, expected_factor(reduced)),
             ]
         ],
         x=axis("reduced gain", "zC"),
         y=[axis("accuracy factor", "K_т")],
-        inputs="β_н = 1.25, f = 0.1…0.8.",
+        inputs="β_н = 1.25, f = 0.1…0.8; curve 1 is (18) or (19) by case, the larger of T_ср and T_муф.",
         corrections=[
             "M11: (15) with [1 − v²] f_min divided by f",
             "M13: the best actual accuracy is at zC = 1/f_max = 1.25 (A = 1), printed ≈ 1.6, where A = 1.225",
-            "M35: (19) alone has no minimum, max(T_ср, T_муф) has",
             "M12: at equilibrium the trip is at T_муф and curve 2 holds throughout",
         ],
         assumed="",
@@ -100,15 +113,15 @@ def figure_4() -> PaperFigure:
     """A over the number of driving pairs."""
     bypass = np.array([1.0, 2.0, 3.0])
     # C = 1/(z_1 f_max) for z_1 ≥ 2; z_1 = 1 with the stated reduced gain
-    reduced = np.array([1.6, *((4 - z1) / (z1 * _HIGH) for z1 in (2.0, 3.0))])
-    found = _factor(reduced)
+    reduced = np.array([1.6, *((4 - z1) / (z1 * HIGH) for z1 in (2.0, 3.0))])
+    found = factor(reduced)
     return PaperFigure(
         name="S22 fig. 4",
         title="actuation factor A at f_max against the number of driving pairs",
         panels=[
             [
-                curve("1", "all-driving, zC = 1.6", bypass, _factor(np.full(3, 1.6))),
-                curve("1'", "all-driving, zC = 5", bypass, _factor(np.full(3, 5.0))),
+                curve("1", "all-driving, zC = 1.6", bypass, factor(np.full(3, 1.6))),
+                curve("1'", "all-driving, zC = 5", bypass, factor(np.full(3, 5.0))),
                 curve("2", "differentiated, A = T_ср/T_муф (23)", bypass, found, points=True),
                 curve("", "its reciprocal T_муф/T_ср", bypass, 1 / found, points=True),
             ]
@@ -123,9 +136,3 @@ def figure_4() -> PaperFigure:
         ],
         assumed="",
     )
-
-
-def _factor(reduced: Any) -> Any:
-    """A at f_max with a reduced gain."""
-    here, at_min = law.loop_gain(reduced, 1, _HIGH), law.loop_gain(reduced, 1, _LOW)
-    return law.actuation_factor(here, at_min, _HIGH, _LOW, _MARGIN)

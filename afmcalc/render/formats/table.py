@@ -2,14 +2,10 @@
 
 import os
 import sys
-from collections.abc import Callable
 
 from ...result import Output
 from ..document import document
-from ..layout import Block, blocks, findings_lines, step_lines, title
-
-Curve = Callable[[Block, bool], list[str]]
-"""``curve(block, unicode)`` → lines under a table of a sweep, none under any other."""
+from ..layout import Block, Curve, blocks, findings_lines, step_lines, title
 
 
 def render(output: Output, terminal: bool, curve: Curve | None = None) -> str:

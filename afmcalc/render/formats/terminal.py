@@ -8,8 +8,7 @@ from rich.table import Table
 from rich.text import Text
 
 from ...result import Output
-from ..layout import Block, findings_lines, title
-from .table import Curve
+from ..layout import Block, Curve, findings_lines, title
 
 _SHORT = 12
 """Columns up to this width are kept whole."""

@@ -26,7 +26,7 @@ def _torque(subject: Subject) -> Section:
 
 
 def _accuracy(subject: Subject) -> Section:
-    plots = [] if subject.clutch.spec.variant == "conventional" else _plots("accuracy", subject)
+    plots = [] if not subject.clutch.spec.kind.controlled else _plots("accuracy", subject)
     about = "K_т is the largest over the smallest torque in service; 1 would be perfect."
     sources = ["S21"] if _indirect(subject) else ["F11", "S22"]
     return Section("accuracy", "Accuracy", about, blocks(document(subject.dossier.accuracy)), plots, sources)
@@ -110,7 +110,7 @@ def sections(subject: Subject) -> list[Section]:
 
 
 def _indirect(subject: Subject) -> bool:
-    return subject.clutch.spec.variant == "indirect"
+    return subject.clutch.spec.kind.travels
 
 
 def _plots(kind: str, subject: Subject, model: str | None = None) -> list[Sheet]:

@@ -1,0 +1,165 @@
+"""The variants of a clutch: one record each, asked by everything that treats them differently.
+
+A further variant of a law is one more record in ``VARIANTS``, and nothing else: no other module names one.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Literal, TypeAlias
+
+from .equations import direct
+
+Law = Literal["direct", "indirect"]
+Path: TypeAlias = tuple[str, ...]
+"""Keys of a spec, from the outermost table on."""
+
+
+@dataclass(frozen=True)
+class GainLimit:
+    """Largest gain at which the direct law describes the whole slip: C times the pairs of one group is bounded."""
+
+    most: Callable[[Any, Any], Any]
+    """``(pairs that count, f_1max)`` → the largest C; a hyperbola, so of C it gives the most pairs."""
+    code: str
+    """Finding on a clutch beyond the limit."""
+    quantity: str
+    """What is bounded, in words."""
+    symbol: str
+    """The bound, in symbols."""
+    rule: str
+    """The limit itself, in symbols."""
+    reduced: float | None = None
+    """Bound of the reduced gain, where the limit is stated so: the controlled pairs count. Else the bypass pairs do."""
+
+    def gain(self, bypass: Any, controlled: Any, friction_max: Any) -> Any:
+        """Largest C for z_1, z_2 and f_1max."""
+        return self.most(bypass if self.reduced is None else controlled, friction_max)
+
+    def stated(self, gain: Any, reduced_gain: Any, limit: Any) -> tuple[Any, Any]:
+        """Value and bound as the limit is stated: C, or the reduced gain."""
+        return (gain, limit) if self.reduced is None else (reduced_gain, self.reduced)
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One way a clutch regulates."""
+
+    name: str
+    """As a spec calls it."""
+    law: Law
+    """The engine that calculates it."""
+    description: str
+    bypass: Callable[[Any, Any], Any]
+    """``(z, driving_pairs as given or None)`` → z_1, the pairs that bypass the control unit; numbers or arrays."""
+    needs: tuple[Path, ...] = ()
+    """Keys it cannot do without, beside those that every clutch needs."""
+    takes: tuple[Path, ...] = ()
+    """Further keys it may have and not every variant has."""
+    gain_limit: GainLimit | None = None
+    overload: bool = False
+    """Whether S22 treats its overload with a torque margin (of one material)."""
+    example: str | None = None
+    """The example spec to start from."""
+
+    @property
+    def keys(self) -> tuple[Path, ...]:
+        """Keys it has and not every variant has."""
+        return self.takes + self.needs
+
+    def has(self, path: str) -> bool:
+        """Whether a key that not every variant has, at a dotted path, is one of its own."""
+        return tuple(path.split(".")) in self.keys
+
+    @property
+    def controlled(self) -> bool:
+        """Whether it has a control unit."""
+        return self.has("control_unit")
+
+    @property
+    def chooses_bypass(self) -> bool:
+        """Whether the spec chooses the pairs that bypass the control unit."""
+        return self.has("friction_group.driving_pairs")
+
+    @property
+    def unlike(self) -> bool:
+        """Whether its two groups of pairs may have materials of their own."""
+        return self.has("friction.driving")
+
+    @property
+    def travels(self) -> bool:
+        """Whether a sleeve travels between two springs."""
+        return self.law == "indirect"
+
+    def least_pairs(self, driving_pairs: Any = None) -> Any:
+        """Smallest z: with a control unit one pair at least passes it."""
+        return self.bypass(1, driving_pairs) + 1 if self.controlled else 1
+
+
+# the lambdas look the equation up when it runs: an explanation puts its recorders there
+BREAKAWAY_LIMIT = GainLimit(
+    most=lambda pairs, friction_max: direct.gain_limit_differentiated(pairs, friction_max),  # noqa: PLW0108
+    code="gain-above-limit",
+    quantity="feedback gain",
+    symbol="C ≤ 1/(z_1 f_1max)",
+    rule="1/(z_1 f_1max)",
+)
+"""Above it the bypass pairs alone carry more than the regulated torque (F11 p. 4, S22 (24))."""
+
+REDUCED_LIMIT = GainLimit(
+    most=lambda pairs, friction_max: direct.gain_limit_all_driving(pairs),
+    code="reduced-gain-above-limit",
+    quantity="reduced gain",
+    symbol=f"zC ≤ {direct.RECOMMENDED_REDUCED_GAIN}",
+    rule=f"zC = {direct.RECOMMENDED_REDUCED_GAIN}",
+    reduced=direct.RECOMMENDED_REDUCED_GAIN,
+)
+"""Recommended by S22."""
+
+VARIANTS: dict[str, Variant] = {
+    each.name: each
+    for each in (
+        Variant(
+            name="conventional",
+            law="direct",
+            description="ordinary friction safety clutch, no control unit",
+            bypass=lambda pairs, driving: pairs,
+            example="conventional",
+        ),
+        Variant(
+            name="differentiated",
+            law="direct",
+            description="Werner's clutch: some pairs bypass the control unit, the others pass it",
+            bypass=lambda pairs, driving: 1 if driving is None else driving,
+            needs=(("control_unit",),),
+            takes=(("friction_group", "driving_pairs"), ("friction", "driving"), ("friction", "driven")),
+            gain_limit=BREAKAWAY_LIMIT,
+            overload=True,
+            example="default",
+        ),
+        Variant(
+            name="all-driving",
+            law="direct",
+            description="all torque passes the control unit",
+            bypass=lambda pairs, driving: 0,
+            needs=(("control_unit",),),
+            gain_limit=REDUCED_LIMIT,
+            overload=True,
+            example="all-driving",
+        ),
+        Variant(
+            name="indirect",
+            law="indirect",
+            description="the release force moves a sleeve that slackens the closing spring (S21)",
+            bypass=lambda pairs, driving: 0,
+            needs=(
+                ("control_unit",),
+                ("control_unit", "hub_diameter"),
+                ("control_unit", "key_friction"),
+                ("closing_spring", "stiffness"),
+                ("control_spring",),
+            ),
+            example="indirect",
+        ),
+    )
+}
+"""Name in a spec → its record."""

@@ -1,0 +1,364 @@
+"""design against brute force through the engines, against the closed inverses, and its error paths."""
+
+import contextlib
+import itertools
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+import tomllib
+
+import numpy as np
+import pytest
+from conftest import CONFIGS, ROOT
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from afmcalc.analysis.design.design import design, picked
+from afmcalc.analysis.design.found import Found
+from afmcalc.analysis.design.pareto import front
+from afmcalc.analysis.design.radius import by_radius, separable
+from afmcalc.analysis.design.rows import objective
+from afmcalc.analysis.design.search import search as searched
+from afmcalc.analysis.design.tiles import by_tile
+from afmcalc.analysis.synthesize import synthesize
+from afmcalc.engines import build
+from afmcalc.equations import adjustment, inverse
+from afmcalc.spec import make_spec
+from afmcalc.spec.requirements import make_requirements
+from afmcalc.variants import VARIANTS
+
+BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
+OBJECTIVES = [
+    "closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel",
+    "control_force", "closing_deflection", "control_deflection",
+]  # fmt: skip
+
+
+def changed(**tables):
+    data = json.loads(json.dumps(BASE))
+    for name, value in tables.items():
+        if isinstance(value, dict):
+            merged = {**data.get(name, {}), **value}
+            data[name] = {key: item for key, item in merged.items() if item is not None}
+        else:
+            data[name] = value
+    return data
+
+
+@st.composite
+def requirements(draw, separable=False):
+    """A small space of any variants, with limits that bite now and then."""
+    maybe = lambda low, high: draw(st.one_of(st.none(), st.none(), st.floats(low, high)))  # noqa: E731
+    some = lambda low, high, most=4: draw(st.lists(st.floats(low, high), min_size=1, max_size=most, unique=True))  # noqa: E731
+    catalogue = draw(st.booleans()) and not separable
+    angle = draw(st.booleans())
+    data = changed(
+        variants=draw(st.lists(st.sampled_from(["conventional", "differentiated", "all-driving", "indirect"]), min_size=1, unique=True)),
+        objectives=draw(st.lists(st.sampled_from(OBJECTIVES), min_size=1, unique=True)),
+        wanted={
+            "accuracy_factor": maybe(1.5, 8),
+            "torque_max": maybe(300, 1500),
+            "method": draw(st.sampled_from(["min-friction", "mean-friction"])),
+            "margin": draw(st.floats(1, 1.5)),
+        },
+        search={
+            "pairs": draw(st.lists(st.integers(1, 14), min_size=1, max_size=3, unique=True)),
+            "driving_pairs": draw(st.lists(st.integers(1, 3), min_size=1, max_size=2, unique=True)),
+            "mean_radius": some(0.03, 0.2, 6),
+            "gain": None if angle else [*some(0.05, 2), 0.0],
+            "wall_angle": some(0.1, 1.2) if angle else None,
+            "ball_circle_radius": some(0.03, 0.1, 2),
+            "closing_force": None if catalogue else {"min": draw(st.floats(100, 1000)), "max": draw(st.floats(2000, 80000))},
+            "closing_forces": some(500, 50000) if catalogue else None,
+            "closing_stiffness": some(1e3, 1e5, 2),
+            "control_stiffness": some(1e3, 1e5, 2),
+        },
+        fixed={"hub_diameter": 0.06, "key_friction": 0.02, "face_gap": 5e-4, "edge_clearance": 5e-4, "face_width": maybe(0.01, 0.08)},
+        limits={
+            "surface_pressure": None,
+            "contact_force": maybe(500, 5000),
+            "travel": maybe(1e-3, 0.1),
+            "reduced_gain": maybe(2, 10),
+            "gain_limit": draw(st.booleans()),
+        },
+    )  # fmt: skip
+    if data["fixed"].get("face_width"):
+        data["limits"]["surface_pressure"] = draw(st.floats(1e5, 3e6))
+    return make_requirements(data)
+
+
+def brute(need):
+    """Objectives of every feasible candidate, one by one through the engines."""
+    search, found = need.search, []
+    arrays = {
+        name: values.array()
+        for name in ("pairs", "mean_radius", "driving_pairs", "ball_circle_radius", "closing_stiffness", "control_stiffness")
+        if (values := getattr(search, name)) is not None
+    }  # fmt: skip
+    steer = (search.gain or search.wall_angle).array()
+    for variant in need.variants:
+        axes = [arrays["pairs"], arrays["mean_radius"]]
+        axes.append(arrays["driving_pairs"] if variant == "differentiated" else [None])
+        axes += [steer, arrays["ball_circle_radius"]] if variant != "conventional" else [[None], [None]]
+        axes += [arrays[f"{s}_stiffness"] if variant == "indirect" else [None] for s in ("closing", "control")]
+        for z, radius, z1, turn, circle, c1, c2 in itertools.product(*axes):
+            if (values := one(need, variant, z, radius, z1, turn, circle, c1, c2)) is not None:
+                found.append(values)
+    return np.array(found).reshape(-1, len(need.objectives))
+
+
+def one(need, variant, z, radius, z1, turn, circle, c1, c2):
+    """Objectives of one candidate, None where a requirement is missed."""
+    wanted, limits, fixed, over = need.wanted, need.limits, need.fixed, 1 + 1e-9
+    if z1 is not None and z1 >= z:
+        return None
+    data = {
+        "variant": variant,
+        "friction": need.friction.model_dump(exclude_none=True),
+        "friction_group": {"pairs": int(z), "mean_radius": radius},
+        "adjustment": {"method": wanted.method, "margin": wanted.margin, "nominal_torque": wanted.nominal_torque},
+    }
+    if z1 is not None:
+        data["friction_group"]["driving_pairs"] = int(z1)
+    if turn is not None:
+        data["control_unit"] = {"ball_circle_radius": circle, "balls": fixed.balls, "face_gap": fixed.face_gap,
+                                "edge_clearance": fixed.edge_clearance}  # fmt: skip
+        data["control_unit"]["gain" if need.search.gain else "wall_angle"] = turn
+    if variant == "indirect":
+        data["control_unit"] |= {"hub_diameter": fixed.hub_diameter, "key_friction": fixed.key_friction}
+        data |= {"closing_spring": {"stiffness": c1}, "control_spring": {"stiffness": c2}}
+    try:
+        clutch = build(make_spec(data))
+    except ValueError:
+        return None
+    if variant == "indirect" and clutch.net_gain <= 0:
+        return None
+    force = clutch.closing_force
+    pack = clutch.control_force if variant == "indirect" else force
+    if need.search.closing_forces is not None:
+        force = min((f for f in need.search.closing_forces.array() if f >= force / over), default=math.inf)
+    elif not need.search.closing_force.min / over <= pack <= need.search.closing_force.max * over:
+        return None
+    if force == math.inf:
+        return None
+    del data["adjustment"]["nominal_torque"]
+    clutch = build(make_spec({**data, "closing_spring": {**data.get("closing_spring", {}), "force": force}}))
+    width, ball, travel = fixed.face_width, 0.0, 0.0
+    control = clutch.control_force if variant == "indirect" else 0.0
+    pack = control or force
+    held = [
+        wanted.accuracy_factor is None or clutch.accuracy_factor <= wanted.accuracy_factor * over,
+        wanted.torque_max is None or clutch.torque_max <= wanted.torque_max * over,
+        width is None or (radius > width / 2 and pack / (2 * math.pi * radius * width) <= limits.surface_pressure * over),
+        limits.reduced_gain is None or clutch.reduced_gain <= limits.reduced_gain * over,
+        not limits.gain_limit or clutch.gain_limit is None or clutch.gain <= clutch.gain_limit * over,
+    ]  # fmt: skip
+    if turn is not None and clutch.gain > 0:
+        made, _ = synthesize(clutch)
+        held.append(made.ball_diameter_standard is not None)
+        held.append(limits.contact_force is None or made.contact_force <= limits.contact_force * over)
+        held.append(limits.travel is None or made.travel_max <= limits.travel * over)
+        ball, travel = made.ball_diameter_standard, made.travel_max
+    if turn is not None and clutch.gain == 0 and limits.contact_force is not None:
+        moment = clutch.ball_torque(need.friction.range.max)
+        held.append(moment / (fixed.balls * circle) <= limits.contact_force * over)
+    if not all(held):
+        return None
+    whole = {
+        "closing_force": pack,
+        "accuracy_factor": clutch.accuracy_factor,
+        "pairs": z,
+        "ball_diameter": ball,
+        "travel": travel,
+        "control_force": control,
+        "closing_deflection": force / c1 if c1 else 0.0,
+        "control_deflection": (control / c2 if c2 else math.inf) if variant == "indirect" else 0.0,
+    }
+    return [whole[name] for name in need.objectives]
+
+
+@settings(max_examples=60, deadline=None)
+@given(requirements())
+def test_the_front_against_brute_force(need):
+    everything = brute(need)
+    found = searched(need)
+    assert found.feasible == len(everything)
+    mine = (
+        np.concatenate([member.values for member in found.members])
+        if found.members
+        else np.empty((0, len(need.objectives)))
+    )
+    theirs = everything[front(everything)]
+    order = [np.lexsort(np.round(each, 12).T[::-1]) for each in (mine, theirs)]
+    assert mine[order[0]] == pytest.approx(theirs[order[1]], rel=1e-9, abs=1e-12)
+
+
+@settings(max_examples=60, deadline=None)
+@given(requirements(separable=True))
+def test_two_ways_through_one_space(need):
+    """Looking the radii up gives what evaluating all of them gives, exclusions included."""
+    quick, slow = Found(), Found()
+    variants = [variant for variant in (VARIANTS[name] for name in need.variants) if separable(need, variant)]
+    assume(variants)
+    for variant in variants:
+        by_radius(need, variant, quick, lambda done: None)
+        by_tile(need, variant, slow, lambda done: None)
+    assert (quick.candidates, quick.feasible) == (slow.candidates, slow.feasible)
+    assert +quick.excluded == +slow.excluded
+    for found in (quick, slow):
+        found.settle()
+    one, other = (sorted(row for member in found.members for row in member.values.tolist()) for found in (quick, slow))
+    assert np.array(one) == pytest.approx(np.array(other), rel=1e-12)
+
+
+@settings(max_examples=20, deadline=None)
+@given(requirements(), st.integers(0, 10**6), st.booleans())
+def test_what_is_picked_holds_what_was_wanted(need, place, fine):
+    result, _ = design(need)
+    assume(result.front)
+    number = place % len(result.front) + 1
+    row = (result.refined if fine else result.front)[number - 1]
+    clutch = build(picked(need, result, number, fine=fine))
+    assert clutch.nominal_torque >= need.wanted.nominal_torque * (1 - 1e-9)
+    assert clutch.accuracy_factor == pytest.approx(row.accuracy_factor)
+    assert clutch.torque_max == pytest.approx(row.torque_max)
+    for before, after in zip(result.front, result.refined, strict=True):
+        for name in need.objectives:
+            assert objective(after, name) <= objective(before, name) * (1 + 1e-9)
+
+
+def test_refinement_reaches_the_closed_inverse():
+    """All-driving, least force for K_т ≤ 2.9: C from the inverse, R at its end, F from the law."""
+    need = make_requirements(
+        changed(
+            variants=["all-driving"], objectives=["closing_force"], wanted={"accuracy_factor": 2.9, "torque_max": None},
+            search={"pairs": [8], "gain": {"start": 0.0, "stop": 0.625, "count": 12},
+                    "mean_radius": {"start": 0.1, "stop": 0.15, "count": 4}, "ball_circle_radius": [0.06]},
+            limits={"surface_pressure": None, "contact_force": None}, fixed={"face_gap": 0, "edge_clearance": 0},
+        )
+    )  # fmt: skip
+    result, _ = design(need)
+    gain = inverse.gain_for_accuracy_factor(0, 8, 2.9, 0.1, 0.1, 0.8, 0.8)
+    best = adjustment.closing_force(200, 1, 0.15 * 8 * 0.1 / (1 + 8 * gain * 0.1))
+    assert result.front[0].closing_force > best * 1.01, "the grid is beside the optimum"
+    assert result.refined[0].closing_force == pytest.approx(best, rel=1e-8)
+    assert result.refined[0].gain == pytest.approx(gain, rel=1e-6)
+
+
+def test_the_example_runs_as_it_is(afmcalc, tmp_path):
+    run = afmcalc("design", CONFIGS / "requirements.toml", "--json")
+    assert run.code == 0, run.err
+    front_ = run.json["result"]["front"]
+    assert len(front_) > 10
+    assert all(row["accuracy_factor"] <= 3 and row["torque_max"] <= 500 for row in front_)
+    target = tmp_path / "picked.toml"
+    chosen = afmcalc("design", CONFIGS / "requirements.toml", "--pick", 7, "--output", target, "--json")
+    assert chosen.json["spec"]["friction_group"]["pairs"] == front_[6]["pairs"]
+    torque = afmcalc("torque", target, "--json").json["result"]
+    assert torque["nominal_torque"] == pytest.approx(200)
+    assert torque["closing_force"] == front_[6]["closing_force"]
+    assert afmcalc("check", target).code == 0
+    assert afmcalc("check", "-", stdin=chosen.out).code == 0
+    for format_ in ("csv", "markdown", "table"):
+        assert afmcalc("design", CONFIGS / "requirements.toml", "--format", format_).code == 0
+    rows = afmcalc("design", CONFIGS / "requirements.toml", "--format", "csv").out.splitlines()
+    assert len(rows) == len(front_) + 1
+    assert afmcalc("design", CONFIGS / "requirements.toml", "--pick", 10**6).code == 2
+
+
+def test_an_empty_result_says_why(afmcalc, tmp_path):
+    target = tmp_path / "x.toml"
+    run = afmcalc("design", CONFIGS / "requirements.toml", "--set", "wanted.accuracy_factor=1.01", "--pick", "1",
+                  "--json", "-o", target)  # fmt: skip
+    assert run.code == 2
+    assert not target.exists() or json.loads(target.read_text())["result"]["front"] == []
+    shown = afmcalc("design", CONFIGS / "requirements.toml", "--set", "wanted.accuracy_factor=1.01", "--json")
+    assert shown.code == 2
+    assert shown.json["result"]["front"] == []
+    assert shown.json["result"]["excluded"]["accuracy_factor"] == shown.json["result"]["candidates"] == 132020
+    assert "none of 132,020 candidates meets every requirement: accuracy_factor excludes 132,020" in shown.err
+
+
+@pytest.mark.parametrize(
+    ("tables", "says"),
+    [
+        ({"search": {"mean_radius": {"start": 0.2, "stop": 0.1, "count": 5}}}, "the range is inverted"),
+        ({"search": {"closing_force": {"min": 5, "max": 1}}}, "must not be below min"),
+        ({"search": {"mean_radius": {"start": 0.1, "stop": 0.2}}}, "needs count, or a step"),
+        ({"search": {"mean_radius": {"start": 0.1, "stop": 0.2, "cuont": 3}}}, "unknown key 'cuont'"),
+        ({"search": {"mean_radius": []}}, "empty list"),
+        ({"search": {"mean_radius": "1 N"}}, "is a force, not a length"),
+        ({"search": {"mean_radius": -1}}, "must be greater than 0"),
+        ({"search": {"pairs": [2.5]}}, "must be a whole number"),
+        ({"search": {"pairs": True}}, "must be a whole number"),
+        ({"search": {"gain": [0.5, -0.1]}}, "search.gain = [0.5, -0.1]: must be at least 0"),
+        ({"search": {"gain": None, "wall_angle": {"start": 5, "stop": 40, "count": 8}}}, "must be less than 90 deg"),
+        ({"search": {"gain": None, "wall_angle": "-1 deg"}}, "must be at least 0"),
+        ({"search": {"gain": None, "wall_angle": math.pi / 2}}, "must be less than 90 deg"),
+        ({"search": {"ball_circle_radius": 0}}, "must be greater than 0"),
+        ({"search": {"closing_stiffness": 0}}, "must be greater than 0"),
+        ({"search": {"control_stiffness": -1}}, "must be at least 0"),
+        ({"search": {"closing_force": None, "closing_forces": [0]}}, "must be greater than 0"),
+        ({"search": {"mean_radius": {"start": 0.1, "stop": 0.2, "step": 1e-300}}}, "at most 1,000,000 here"),
+        ({"search": {"pairs": {"start": 2, "stop": 10_000_000}}}, "9,999,999 values; at most 1,000,000 here"),
+        ({"search": {"ball_diameters": {"start": 1e-3, "stop": 1, "count": 10_000_000}}}, "10,000,000 values; at most 10,000 here"),
+        ({"search": {"mean_radius": [0.1] * 10_001}}, "10,001 values; at most 10,000 here"),
+        ({"search": {"pairs": 0}}, "must be at least 1"),
+        ({"search": {"gain": None}}, "give gain or wall_angle"),
+        ({"search": {"closing_force": None}}, "a catalogue"),
+        ({"search": {"ball_circle_radius": None}}, "required with a control unit"),
+        ({"search": {"radius": 1}}, "unknown key"),
+        ({"variants": ["indirect"]}, "required for variant 'indirect'"),
+        ({"variants": ["direct"]}, "must be one of"),
+        ({"variants": []}, "at least 1"),
+        ({"objectives": ["mass"]}, "must be one of"),
+        ({"friction": {"min": None, "max": None, "mean": None}}, "a material, or both groups"),
+        ({"fixed": {"face_width": None}}, "required beside limits.surface_pressure"),
+        ({"wanted": {"nominal_torque": None}}, "wanted.nominal_torque: required"),
+        ({"wanted": {"machine_torque": 100}}, "nominal_torque of the clutch or machine_torque, one of them"),
+    ],
+)  # fmt: skip
+def test_requirements_that_are_refused(tables, says, afmcalc):
+    run = afmcalc("design", "-", stdin=json.dumps(changed(**tables)))
+    assert (run.code, run.out) == (2, "")
+    assert says in run.err
+
+
+def test_too_many_are_refused_before_any_work(afmcalc, monkeypatch):
+    monkeypatch.setattr("afmcalc.analysis.design.design.search", None)
+    wide = {"mean_radius": {"start": 0.1, "stop": 0.2, "count": 1_000_000}, "pairs": 8, "ball_circle_radius": 0.05,
+            "gain": {"start": 0, "stop": 1, "count": 1_000_000}}  # fmt: skip
+    text = json.dumps(changed(variants=["all-driving"], search=wide))
+    run = afmcalc("design", "-", stdin=text)
+    assert run.code == 2
+    assert "asks for 1,000,000,000,000 candidates" in run.err
+
+
+def test_ctrl_c_leaves_no_file(tmp_path):
+    source, target = tmp_path / "wide.json", tmp_path / "out.toml"
+    radii = {"start": 0.06, "stop": 0.14, "count": 4000}
+    source.write_text(
+        json.dumps(
+            changed(
+                search={"mean_radius": radii, "gain": None, "wall_angle": {"start": 0.1, "stop": 1.2, "count": 4000}}
+            )
+        )
+    )
+    command = [sys.executable, "-m", "afmcalc", "design", str(source), "--pick", "1", "-o", str(target)]
+    person, terminal = os.openpty()
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=terminal) as process:
+        os.close(terminal)
+        shown = b""
+        while b"searching" not in shown:  # the bar: the search is under way
+            shown += os.read(person, 1024)
+        process.send_signal(signal.SIGINT)
+        with contextlib.suppress(OSError):  # the terminal ends with the process
+            while part := os.read(person, 1024):
+                shown += part
+    os.close(person)
+    assert process.returncode == 130
+    assert b"Traceback" not in shown
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["wide.json"]

@@ -1,0 +1,202 @@
+"""Explanations: the formula shown is the code that ran."""
+
+import pytest
+import sympy
+from conftest import CONFIGS
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import direct_specs, indirect_specs
+
+from afmcalc.analysis.explain.explain import explain
+from afmcalc.analysis.explain.formula import Formula
+from afmcalc.analysis.explain.trace import distinct, recording
+from afmcalc.engines import build
+from afmcalc.equations import direct
+from afmcalc.equations.catalogue import equations
+from afmcalc.spec import make_spec, read_spec, resolved
+
+CASES = [(c, n) for c in ("torque", "accuracy", "adjust", "check") for n in ("default", "conventional", "unlike-materials", "all-driving", "indirect")]  # fmt: skip
+CASES += [("overload", "default"), ("overload", "all-driving"), ("synthesize", "indirect"), ("synthesize", "default"), ("life", "default")]  # fmt: skip
+
+
+@pytest.mark.parametrize(("command", "name"), CASES)
+def test_every_value_shown_is_the_value_calculated(command, name):
+    """Each step names an equation, and that equation on the step's own numbers gives the step's value."""
+    spec = read_spec(CONFIGS / f"{name}.toml")
+    result, _ = explain(command, spec)
+    assert result.steps
+    with recording() as calls:
+        from afmcalc.analysis.explain.explain import _analyses
+
+        _analyses()[command](build(spec))
+    values = {(call.equation.name, call.value) for call in calls if isinstance(call.value, float)}
+    for step in result.steps:
+        assert any(step.function == function and step.value == pytest.approx(value) for function, value in values)
+        assert step.source
+        assert step.unit == equations()[step.function].result.unit
+
+
+@pytest.mark.parametrize("name", sorted(n for n in equations() if n != "synthesis.least_contact_force_cubic"))
+def test_the_text_of_every_equation_evaluates_to_the_equation(name):
+    """Read the one-line text back and put the numbers in: the same value, whatever SymPy did to the order."""
+    equation = equations()[name]
+    letters = {argument: f"a{index}" for index, argument in enumerate(equation.arguments)}
+    values = {argument: 0.37 + 0.21 * index for index, argument in enumerate(equation.arguments)}
+    units = {argument: term.unit for argument, term in equation.arguments.items()}
+    text = Formula(equation.function, letters, values, units).text()
+    read = sympy.sympify(text.replace("·", "*").replace("^", "**"))
+    value = read.subs({letters[argument]: values[argument] for argument in letters})
+    assert float(value) == pytest.approx(float(equation.function(**values)), rel=1e-12), text
+
+
+def test_recording_restores_the_functions_and_lists_outermost_calls():
+    before = direct.torque
+    with recording() as calls:
+        assert direct.torque is not before
+        clutch = build(read_spec(CONFIGS / "indirect.toml"))
+        _ = clutch.accuracy_factor
+    assert direct.torque is before
+    names = [call.equation.name for call in distinct(calls)]
+    assert "indirect.accuracy_factor" in names
+    assert names.count("indirect.accuracy_factor") == 1
+
+
+def test_a_mended_formula_is_marked(afmcalc):
+    out = afmcalc("explain", "torque").out
+    assert "F_p = F_п·C·z_2·f_2min/(1 + C·z_2·f_2min)" in out
+    assert "= 2000 N·0.5·7·0.1/(1 + 0.5·7·0.1)" in out
+    assert "print differs: F11 (11) prints F_p = z_2 F_п f_2/(1 + z_2 C f_2) (M1)" in out
+
+
+def test_a_force_of_one_newton_hides_no_step(afmcalc):
+    out = afmcalc("explain", "torque", "--set", "F=1").out
+    for head in (*(f"{symbol} at f_{end}:" for symbol in ("T", "N", "F_p") for end in ("min", "cp", "max")), "T_н"):
+        assert f"\n{head}" in out, head
+    assert "= 1 N·0.1 m·(1·0.8 + 7·0.8)/(1 + 0.5·7·0.8)" in out
+
+
+def test_the_key_keeps_its_own_friction(afmcalc):
+    """Also where it is the number of f_min."""
+    indirect = CONFIGS / "indirect.toml"
+    out = afmcalc("explain", "torque", indirect, "--set", "control_unit.key_friction=0.1").out
+    assert "κ = C - 2·R_cp·f_1/d" in out
+    assert "κ₊ = C + 2·R_cp·f_1/d" in out
+    assert "f_1min" not in out
+    # without friction at the key κ and κ₊ are one number, not one quantity
+    steps = afmcalc("explain", "torque", indirect, "--set", "control_unit.key_friction=0", "--json").json["result"]
+    stiffness = {(step["at"], step["formula"]) for step in steps["steps"] if step["symbol"] == "D"}
+    assert {("f_max", "c_1 + c_2 + z·c_1·f_max·κ"), ("f_cp", "c_1 + c_2 + z·c_1·f_cp·κ₊")} <= stiffness
+
+
+def test_a_mean_that_is_the_largest_hides_neither(afmcalc):
+    out = afmcalc("explain", "torque", "--set", "friction.mean=0.8").out
+    assert "\nT at f_cp:" in out
+    assert "\nT at f_max:" in out
+    assert "z_1·f_1cp + z_2·f_2cp" in out
+    assert "z_1·f_1max + z_2·f_2max" in out
+
+
+def test_the_ordinary_clutch_in_its_place_has_a_symbol_of_its_own(afmcalc):
+    steps = afmcalc("explain", "accuracy", "--json").json["result"]["steps"]
+    values = {symbol: [step["value"] for step in steps if step["symbol"] == symbol] for symbol in ("K_т", "K_т,0")}
+    assert values == {"K_т": [pytest.approx(8 * 1.35 / 3.8)], "K_т,0": [pytest.approx(8)]}
+    markdown = afmcalc("explain", "accuracy", "--format", "markdown").out
+    assert "K_{\\text{т,0}}" in markdown
+
+
+def test_both_groups_have_their_own_ends(afmcalc):
+    """The balls carry the driven pairs' torque: their friction is f_2, whatever f_1 is."""
+    unlike = CONFIGS / "unlike-materials.toml"
+    steps = afmcalc("explain", "synthesize", unlike, "--json").json["result"]["steps"]
+    assert {step["at"] for step in steps if step["symbol"] == "T_i"} == {"f_2min", "f_2max"}
+
+
+@st.composite
+def coinciding(draw):
+    """A clutch in which numbers of different meaning are equal."""
+    data = resolved(draw(st.one_of(direct_specs(), indirect_specs())))
+    for block in [data["friction"], *(data["friction"].get(group, {}) for group in ("driving", "driven"))]:
+        if "min" in block:
+            low = draw(st.sampled_from([block["min"], 0.25, 1.0]))
+            high = low * draw(st.sampled_from([1, 2]))
+            block |= {"min": low, "max": high, "mean": draw(st.sampled_from([low, high]))}
+    data["closing_spring"]["force"] = draw(st.sampled_from([1.0, 0.25, data["closing_spring"]["force"]]))
+    if draw(st.booleans()):
+        data["friction_group"]["mean_radius"] = 1.0
+    unit = data.get("control_unit", {})
+    if "key_friction" in unit:
+        unit["key_friction"] = draw(st.sampled_from([0.0, 0.25, 1.0]))
+        unit["hub_diameter"] = 4 * data["friction_group"]["mean_radius"]
+        unit["gain"] = unit["key_friction"] / 2 + draw(st.sampled_from([0.25, 1.0]))
+    elif unit:
+        unit["gain"] = draw(st.sampled_from([0.25, 1.0]))
+    return make_spec(data)
+
+
+@given(coinciding())
+@settings(max_examples=60)
+def test_every_result_has_its_steps_whatever_numbers_coincide(spec):
+    """Torque and forces at the smallest, mean and largest friction: a step for each, with its value and symbols."""
+    steps = explain("torque", spec)[0].steps
+    clutch = build(spec)
+    group = "2" if spec.friction.unlike else ""
+    results = {"T": clutch.torque, "F_p": clutch.release_force}
+    if not spec.kind.travels:
+        results["N"] = clutch.normal_force
+    for end, name in (("min", "min"), ("mean", "cp"), ("max", "max")):
+        at = f"f_{group}{name}"
+        pair = [getattr(own, end) for own in clutch.friction]
+        for symbol, result in results.items():
+            own = [s for s in steps if s.symbol in (symbol, f"{symbol}_i") and s.at == at]
+            assert any(s.value == pytest.approx(result(*pair), rel=1e-12) for s in own), (symbol, at)
+            others = {f"f_{digit}{other}" for digit in ("", "1", "2") for other in {"min", "cp", "max"} - {name}}
+            assert not any(other in s.formula for s in own for other in others)
+    assert any(s.symbol == "T_н" for s in steps)
+    for step in steps:
+        assert ("κ₊" in step.formula) <= (step.symbol in ("D", "N", "κ₊", "κ₊/κ"))
+
+
+def test_formats(afmcalc):
+    steps = afmcalc("explain", "overload", CONFIGS / "all-driving.toml", "--json").json["result"]["steps"]
+    assert {step["symbol"] for step in steps} >= {"T_п", "T_муф", "A"}
+    markdown = afmcalc("explain", "torque", "--format", "markdown").out
+    assert "\\frac{" in markdown
+    assert markdown.count("$$") % 2 == 0
+    assert len(afmcalc("explain", "torque", "--format", "csv").out.splitlines()) > 5
+    assert "\x1b" not in afmcalc("explain", "torque").out
+
+
+def test_errors(afmcalc, monkeypatch):
+    run = afmcalc("explain", "torqe")
+    assert (run.code, "did you mean 'torque'" in run.err) == (2, True)
+    refused = afmcalc("explain", "overload", CONFIGS / "indirect.toml")
+    assert refused.code == 2
+    monkeypatch.setattr("afmcalc.extras.find_spec", lambda name: None)
+    missing = afmcalc("explain", "torque")
+    assert missing.code == 2
+    assert "pip install 'afmcalc[explain]'" in missing.err
+
+
+def test_explain_shows_the_stop_the_corners_and_the_cycles(afmcalc):
+    indirect = afmcalc(
+        "explain", "torque", CONFIGS / "indirect.toml", "--set", "adjustment.method=mean-friction", "--json"
+    )
+    assert all(step["value"] >= 0 for step in indirect.json["result"]["steps"] if step["symbol"] == "x")
+    corners = {step["at"] for step in afmcalc("explain", "accuracy", "--json").json["result"]["steps"]}
+    assert {"f_1min, f_2max", "f_1max, f_2min"} <= corners
+    life = afmcalc("explain", "life", "--json").json["result"]["steps"]
+    assert [step for step in life if step["function"] == "life.cycles"]
+    goodman = ["--model", "goodman", "--set", "fatigue.ultimate_strength=900 MPa"]
+    assert "equivalent_stress_goodman" in afmcalc("explain", "life", *goodman, "--json").out
+    assert afmcalc("explain", "torque", "--model", "goodman").code == 2
+    stress = next(step for step in life if step["function"] == "life.shear_stress")
+    assert "/((1.5·10^-5) m³)" in stress["substituted"] or "(1.5·10^-5)" in stress["substituted"]
+
+
+def test_falling_torque_is_explained(afmcalc):
+    falling = ["--set", "friction.driving.min=0.5", "--set", "friction.driven.min=0.1", "--set", "C=3"]
+    steps = afmcalc("explain", "accuracy", CONFIGS / "unlike-materials.toml", *falling, "--json").json["result"][
+        "steps"
+    ]
+    notes = [step["note"] for step in steps if step["note"]]
+    assert any("the inverse, 1.1037" in note for note in notes)

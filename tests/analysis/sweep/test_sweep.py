@@ -1,0 +1,63 @@
+"""Sweeps: each point is a single calculation; ranges that make sense without being given; what is refused."""
+
+import pytest
+from conftest import CONFIGS
+
+
+def test_sweep_is_the_single_calculations(afmcalc):
+    sweep = afmcalc("accuracy", "--sweep", "z=4,8,16", "--sweep", "C=0.2:1:3", "--json").json["result"]["sweep"]
+    assert [entry["parameter"] for entry in sweep] == ["z", "C"]
+    assert [entry["path"] for entry in sweep] == ["friction_group.pairs", "control_unit.gain"]
+    assert len(sweep[0]["values"]) == 9
+    for index, (z, c) in enumerate(zip(sweep[0]["values"], sweep[1]["values"], strict=True)):
+        single = ["--set", f"z={z:g}", "--set", f"C={c!r}", "--json"]
+        torque, accuracy = (afmcalc(command, *single).json["result"] for command in ("torque", "accuracy"))
+        assert sweep[0]["accuracy_factor"][index] == accuracy["accuracy_factor"]
+        assert sweep[1]["nominal_torque"][index] == torque["nominal_torque"]
+        assert sweep[1]["torque_max"][index] == torque["torque"]["max"]
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["C", "z", "z1", "R", "F", "f_min", "f_max", "beta", "friction.mean", "drive.dynamic_factor", "alpha=0:0.5:5"],
+)
+def test_every_sweep_has_a_sensible_range(name, afmcalc):
+    run = afmcalc("accuracy", "--sweep", name, "--json")
+    assert run.code == 0, run.err
+    (entry,) = run.json["result"]["sweep"]
+    assert len(entry["values"]) == len(entry["accuracy_factor"]) >= 3
+    assert min(entry["accuracy_factor"]) >= 1
+
+
+def test_default_sweep_of_the_gain_ends_at_its_limit(afmcalc):
+    result = afmcalc("accuracy", "--sweep", "C", "--json").json["result"]
+    assert result["sweep"][0]["values"][0] == 0
+    assert result["sweep"][0]["values"][-1] == result["gain_limit"] == 1.25
+
+
+@pytest.mark.parametrize(
+    "sweep",
+    ["", "x", "variant", "C=", "C=1:2", "C=1:2:1", "C=1:2:x", "C=a,b", "C=-1:1:5", "z=1.5,2", "f_min=0.5:0.9:5", "F=1 J,2 J",
+     "C=nan", "z=1,0", "z1=1:9:9", "C=0:1:99999999999", "friction.driving.min"],
+)  # fmt: skip
+def test_bad_sweeps(sweep, afmcalc, tmp_path):
+    run = afmcalc("accuracy", "--sweep", sweep, "-o", tmp_path / "x")
+    assert run.code == 2, run.out
+    assert run.err.strip().splitlines()[-1].startswith("error: ")
+    assert not (tmp_path / "x").exists()
+
+
+def test_the_same_key_twice_is_refused(afmcalc):
+    assert afmcalc("accuracy", "--sweep", "C", "--sweep", "control_unit.gain").code == 2
+
+
+def test_sweep_with_units(afmcalc):
+    run = afmcalc("accuracy", "--sweep", "F=1 kN:2 kN:2", "--json")
+    assert run.json["result"]["sweep"][0]["values"] == [1000.0, 2000.0]
+
+
+@pytest.mark.parametrize("name", ["R", "f1", "d", "c1", "c2", "z", "F", "C"])
+def test_default_sweeps_of_an_indirect_clutch_stay_where_it_can_be_built(name, afmcalc):
+    for command in ("accuracy", "life"):
+        run = afmcalc(command, CONFIGS / "indirect.toml", "--sweep", name, "--json")
+        assert run.code == 0, run.err

@@ -1,0 +1,35 @@
+"""Life: static strength comes first, a life without limit is said, null lives are drawn."""
+
+import pytest
+
+WEAK_SHAFT = ["--set", "F=1265.4", "--set", "adjustment.method=mean-friction", "--set", "drive.dynamic_factor=2",
+      "--set", "fatigue.endurance_limit=40 MPa", "--set", "fatigue.polar_section_modulus=4 cm^3",
+      "--set", "fatigue.ultimate_strength=150 MPa", "--set", "fatigue.mean_stress_sensitivity=0.1"]  # fmt: skip
+
+
+def test_static_strength_is_held_against_the_spring_as_set(afmcalc):
+    """T_max = 213.1 N·m, ×2/4 cm³ = 106.6 MPa < 150 MPa: no failure; at 100 MPa there is one."""
+    assert afmcalc("check", *WEAK_SHAFT).code == 0
+    life = afmcalc("life", *WEAK_SHAFT, "--json").json
+    low, high = 2 * 74.9866 / 4e-6, 2 * 213.12 / 4e-6
+    assert life["result"]["stress_unprotected"] == pytest.approx((low + high) / 2, rel=1e-4)
+    weak = afmcalc(
+        "life", *WEAK_SHAFT, "--set", "fatigue.ultimate_strength=100 MPa", "--model", "goodman", "--json"
+    ).json
+    assert weak["result"]["stress_unprotected"] is None
+    assert weak["result"]["unprotected"]["mean_friction"] == 0
+    assert "static-strength-exceeded" in [finding["code"] for finding in weak["findings"]]
+
+
+def test_a_life_without_limit_is_found_for_either_setting(afmcalc):
+    codes = [
+        f["message"] for f in afmcalc("life", *WEAK_SHAFT, "--json").json["findings"] if f["code"] == "life-not-limited"
+    ]
+    assert any("mean-friction" in message for message in codes)
+
+
+def test_sweeps_with_null_lives_are_drawn(afmcalc):
+    for sweep in ("C=0.1,0.5,1", "z=4:12:9", "dT=10,100,400"):
+        run = afmcalc("life", *WEAK_SHAFT, "--model", "amplitude", "--sweep", sweep)
+        assert run.code == 0, run.err
+    assert "no limit" in afmcalc("life", "--model", "amplitude", "--set", "fatigue.mean_stress_sensitivity=0").out

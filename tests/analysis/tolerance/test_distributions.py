@@ -1,0 +1,89 @@
+"""Distributions of what scatters: against their own moments and quantiles."""
+
+import math
+import sys
+from statistics import NormalDist
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from afmcalc.analysis.tolerance.distributions import Input, inputs_of, normal_probability, normal_score
+from afmcalc.spec import make_spec
+
+BASE = {
+    "variant": "all-driving",
+    "friction": {"min": 0.1, "mean": 0.2, "max": 0.4},
+    "friction_group": {"pairs": 4, "mean_radius": 0.1},
+    "closing_spring": {"force": 1000},
+    "control_unit": {"gain": 0.5},
+}
+KINDS = ["normal", "uniform", "triangular", "lognormal"]
+
+
+def only(path="closing_spring.force", **given):
+    return inputs_of(make_spec({**BASE, "tolerance": {"fields": {path: given}}}))[0]
+
+
+@given(st.sampled_from(KINDS), st.floats(0.01, 2), st.floats(0.001, 0.999))
+def test_quantiles_undo_the_distribution(kind, spread, p):
+    each = only(distribution=kind, spread=1000 * spread)
+    (x,) = each.quantiles(np.array([p]))
+    below, above = each.mass
+    assert (each.cdf(float(x)) - below) / (above - below) == pytest.approx(p, abs=1e-9)
+    assert x >= 0
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("spread", [0.05, 0.8])
+def test_drawn_and_mapped_samples_agree(kind, spread):
+    """Quantiles of a drawn sample against the quantile function, truncation (at 80 %) included."""
+    each = only(distribution=kind, spread=f"{100 * spread:g} %")
+    sample = np.empty(200_000)
+    each.draw(np.random.default_rng(5), sample)
+    u = np.array([0.01, 0.25, 0.5, 0.75, 0.99])
+    expected = each.quantiles(u)
+    # standard error of a quantile by the slope of the quantile function
+    slope = (each.quantiles(u + 1e-4) - each.quantiles(u - 1e-4)) / 2e-4
+    error = slope * np.sqrt(u * (1 - u) / sample.size)
+    assert np.all(np.abs(np.quantile(sample, u) - expected) < 4.5 * error)
+    assert sample.min() >= 0
+
+
+@pytest.mark.parametrize(
+    ("given", "mean", "sigma"),
+    [
+        ({"distribution": "normal", "spread": "3 %"}, 1000, 30),
+        ({"distribution": "lognormal", "spread": 300}, 1000, 300),
+        ({"distribution": "uniform", "spread": 120}, 1000, 120 / math.sqrt(3)),
+        ({"distribution": "uniform", "min": 900, "max": 1300}, 1100, 400 / math.sqrt(12)),
+        ({"distribution": "triangular", "spread": "0.12 kN"}, 1000, 120 / math.sqrt(6)),
+        # peak 1000 in 900…1300: (a + b + c)/3 and (a² + b² + c² − ab − ac − bc)/18
+        ({"distribution": "triangular", "min": 900, "max": 1300}, 3200 / 3, math.sqrt(130000 / 18)),
+    ],
+)
+def test_textbook_moments(given, mean, sigma):
+    values = only(**given).quantiles((np.arange(100_000) + 0.5) / 100_000)
+    assert values.mean() == pytest.approx(mean, rel=1e-5)
+    assert values.std() == pytest.approx(sigma, rel=2e-4)
+
+
+def test_friction_takes_the_range_of_the_spec():
+    each = only("friction", distribution="triangular")
+    assert (each.ends, each.center) == ((0.1, 0.4), 0.2)
+
+
+def test_without_scipy_the_standard_library_answers(monkeypatch):
+    u = np.array([1e-9, 0.025, 0.5, 0.999])
+    with_scipy = normal_score(u), normal_probability(u)
+    monkeypatch.setitem(sys.modules, "scipy.special", None)
+    assert normal_score(u) == pytest.approx(list(with_scipy[0]), rel=1e-12)
+    assert normal_probability(u) == pytest.approx(list(with_scipy[1]), rel=1e-12)
+    assert normal_score(np.array([0.975]))[0] == NormalDist().inv_cdf(0.975)
+
+
+def test_cdf_outside_the_support():
+    each = Input("x", "1", "triangular", 2.0, 1.0, (1.0, 3.0), (0.0, math.inf))
+    assert [each.cdf(x) for x in (0.5, 1.5, 2.0, 2.5, 9)] == [0, 0.125, 0.5, 0.875, 1]
+    assert only(distribution="lognormal", spread=1).cdf(-1.0) == 0

@@ -1,0 +1,258 @@
+"""Every picture against its stored baseline; files of every kind, the same bytes every time; the refusals."""
+
+import io
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import CONFIGS
+from PIL import Image
+
+import afmcalc as package
+from afmcalc.engines import build
+from afmcalc.papers.figures import FIGURES
+from afmcalc.render.plot import KINDS, Request, sheet_of
+from afmcalc.render.plot.figure import ENDINGS, save
+from afmcalc.render.plot.style import COLOURS, DASHES
+from afmcalc.spec import read_spec
+from afmcalc.spec.requirements import read_requirements
+
+WISHES = CONFIGS / "requirements.toml"
+BASELINE = Path(__file__).parent / "baseline"
+DPI = 64
+TOLERANCE = 4.0
+"""Root mean square of the differences, of 255: another version of the font engine stays below, a missing curve is above."""
+
+PICTURES = {
+    "torque": ("torque", ["default"], {}),
+    "torque-indirect": ("torque", ["indirect"], {}),
+    "torque-unlike": ("torque", ["unlike-materials"], {}),
+    "torque-several": ("torque", ["default", "indirect", "all-driving", "conventional"], {}),
+    "accuracy": ("accuracy", ["default"], {}),
+    "accuracy-several": ("accuracy", ["default", "indirect", "all-driving"], {}),
+    "accuracy-peaks": ("accuracy", ["default"], {"sweep": "C=0:3:101"}),
+    "accuracy-pairs": ("accuracy", ["default"], {"sweep": "z"}),
+    "overload": ("overload", ["all-driving"], {}),
+    "overload-differentiated": ("overload", ["default"], {}),
+    "life": ("life", ["default"], {}),
+    "life-several": ("life", ["default", "all-driving", "indirect"], {}),
+    "pocket": ("pocket", ["default"], {}),
+    "pocket-indirect": ("pocket", ["indirect"], {}),
+    "tolerance": ("tolerance", ["tolerance"], {}),
+    "tolerance-exact": ("tolerance", ["exact"], {}),
+    "pareto": ("pareto", ["requirements"], {}),
+    "pareto-two": ("pareto", ["closing_force,pairs"], {}),
+    "pareto-panels": ("pareto", ["closing_force,accuracy_factor,ball_diameter"], {}),
+    **{f"paper-{name}": ("paper", [name], {}) for name in FIGURES},
+}
+
+
+def sheet(name):
+    kind, subjects, options = PICTURES[name]
+    return sheet_of(kind, Request([subject_of(kind, subject) for subject in subjects], **options))
+
+
+def subject_of(kind, subject):
+    if kind == "paper":
+        return subject
+    if kind == "pareto":
+        aims = [] if subject == "requirements" else [f"objectives={json.dumps(subject.split(','))}"]
+        return read_requirements(CONFIGS / "requirements.toml", aims)
+    if subject == "exact":
+        return build(read_spec(CONFIGS / "default.toml", ['tolerance.fields={"friction" = {distribution="uniform"}}']))
+    return package.load(CONFIGS / f"{subject}.toml")
+
+
+def pixels(content):
+    return np.asarray(Image.open(io.BytesIO(content)).convert("RGB"), float)
+
+
+def difference(first, second):
+    return float(np.sqrt(np.mean((first - second) ** 2)))
+
+
+@pytest.mark.parametrize("name", PICTURES)
+def test_picture(name):
+    path = BASELINE / f"{name}.png"
+    made = save(sheet(name), "png", DPI)
+    if os.environ.get("AFMCALC_UPDATE"):
+        few = Image.open(io.BytesIO(made)).convert("RGB").quantize(128, dither=Image.Dither.NONE)
+        few.save(path, optimize=True)
+    found, stored = pixels(made), pixels(path.read_bytes())
+    assert found.shape == stored.shape
+    assert difference(found, stored) <= TOLERANCE, f"{name} differs; AFMCALC_UPDATE=1 writes it anew: look at it"
+
+
+def test_a_missing_curve_exceeds_the_tolerance():
+    whole = sheet("paper-S22-3")
+    panel = whole.panels[0]
+    made = pixels(save(whole, "png", DPI))
+    panel.lines[1] = panel.lines[1]._replace(y=[None] * len(panel.lines[1].y))
+    assert difference(made, pixels(save(whole, "png", DPI))) > TOLERANCE
+
+
+def test_every_kind_has_a_picture():
+    assert {kind for kind, _, _ in PICTURES.values()} == set(KINDS)
+
+
+def test_styles_can_be_told_apart_without_colour():
+    assert len(COLOURS) == len(set(COLOURS)) == len(set(map(str, DASHES)))
+
+
+@pytest.mark.parametrize("ending", ENDINGS)
+def test_files(ending, afmcalc, tmp_path):
+    starts = {"png": b"\x89PNG", "svg": b"<?xml", "pdf": b"%PDF"}
+    target = tmp_path / f"torque.{ending}"
+    run = afmcalc("plot", "torque", CONFIGS / "default.toml", "-o", target)
+    assert (run.code, run.out) == (0, "")
+    assert target.read_bytes().startswith(starts[ending])
+
+
+def test_same_spec_same_bytes(tmp_path):
+    """From this process and from one with another hash seed and another backend."""
+    again = f"""
+import afmcalc
+from afmcalc.render.plot import Request, sheet_of
+from afmcalc.render.plot.figure import save
+for ending in {list(ENDINGS)!r}:
+    with open("again." + ending, "wb") as file:
+        file.write(save(sheet_of("torque", Request([afmcalc.load({str(CONFIGS / "default.toml")!r})])), ending))
+"""
+    environment = {**os.environ, "PYTHONHASHSEED": "7", "MPLBACKEND": "svg"}
+    subprocess.run([sys.executable, "-c", again], check=True, env=environment, cwd=tmp_path)
+    for ending in ENDINGS:
+        made = save(sheet_of("torque", Request([package.load(CONFIGS / "default.toml")])), ending)
+        assert made == (tmp_path / f"again.{ending}").read_bytes()
+
+
+def test_a_users_settings_change_nothing(monkeypatch):
+    import matplotlib as mpl
+
+    before = save(sheet("accuracy"), "svg")
+    with mpl.rc_context({"font.size": 20, "lines.linewidth": 9, "axes.facecolor": "red"}):
+        assert save(sheet("accuracy"), "svg") == before
+
+
+def test_a_name_is_text(afmcalc, tmp_path):
+    target = tmp_path / "x.svg"
+    name = "<script>alert(1)</script> $x_1$ --> {}"
+    assert afmcalc("plot", "torque", "--set", f"name={name}", "-o", target).code == 0
+    assert "<script" not in target.read_text(encoding="utf-8")
+    other = tmp_path / "other.toml"
+    other.write_text((CONFIGS / "default.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    assert afmcalc("plot", "torque", other, CONFIGS / "indirect.toml", "--set", "name=$a$_b", "-o", target).code == 0
+
+
+@pytest.mark.parametrize("what", sorted(set(KINDS) - {"pocket"}))
+def test_without_a_file_it_is_drawn_as_text(what, afmcalc):
+    own = {"paper": "S22-3", "pareto": WISHES, "tolerance": CONFIGS / "tolerance.toml"}
+    run = afmcalc("plot", what, own.get(what, CONFIGS / "all-driving.toml"))
+    assert run.code == 0
+    assert "┤" in run.out
+    assert "\x1b" not in run.out
+    assert max(map(len, run.out.splitlines())) <= 80
+
+
+@pytest.mark.parametrize("sweep", ["C", "z", "f_max"])
+def test_plot_of_a_sweep(sweep, afmcalc):
+    plain = afmcalc("accuracy", "--sweep", sweep).out
+    drawn = afmcalc("accuracy", "--sweep", sweep, "--plot").out
+    assert "┤" in drawn
+    assert "┤" not in plain
+    assert drawn.splitlines()[:12] == plain.splitlines()[:12]
+
+
+def test_plot_of_a_grid_has_a_curve_for_each_outer_value(afmcalc):
+    out = afmcalc("accuracy", "--sweep", "z=4,8", "--sweep", "C=0:1:9", "--plot").out
+    assert "• z = 4" in out
+    assert "x z = 8" in out
+    assert afmcalc("life", "--sweep", "dT=100:300:9", "--plot").code == 0
+    assert afmcalc("overload", "--sweep", "zC=0:5:9", "--plot").code == 0
+
+
+def test_a_picture_of_a_sample_or_a_search_is_the_same_every_time(afmcalc, tmp_path):
+    for kind, source in (("tolerance", CONFIGS / "tolerance.toml"), ("pareto", WISHES)):
+        made = []
+        for name in ("a.svg", "b.svg"):
+            assert afmcalc("plot", kind, source, "-o", tmp_path / name).code == 0
+            made.append((tmp_path / name).read_bytes())
+        assert made[0] == made[1]
+
+
+def test_each_number_of_pairs_is_named_once():
+    (panel,) = sheet("pareto").panels
+    assert sorted(line.tag for line in panel.lines if line.tag) == sorted(f"z = {z}" for z in range(4, 17, 2))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["plot", "torqe"], "did you mean 'torque'"),
+        (["plot", "torque", "-o", "x.gif"], ".png, .svg or .pdf"),
+        (["plot", "torque", "--sweep", "C"], "no use for --sweep"),
+        (["plot", "pocket"], "give a file"),
+        (["plot", "pocket", "-", "-", "-o", "x.svg"], "read once"),
+        (["plot", "pocket", CONFIGS / "conventional.toml", "-o", "x.svg"], "no control unit"),
+        (["plot", "overload", CONFIGS / "indirect.toml", "-o", "x.svg"], "S22 treats"),
+        (["plot", "overload", CONFIGS / "default.toml", CONFIGS / "default.toml", "-o", "x.svg"], "takes one SPEC"),
+        (["plot", "accuracy", CONFIGS / "conventional.toml", "-o", "x.svg"], "conventional"),
+        (["plot", "life", "--sweep", "C", "-o", "x.svg"], "dT"),
+        (["plot", "paper", "-o", "x.svg"], "takes one NAME"),
+        (["plot", "tolerance", CONFIGS / "default.toml", "-o", "x.svg"], "required by tolerance"),
+        (["plot", "tolerance", CONFIGS / "tolerance.toml", "--model", "goodman", "-o", "x.svg"], "no use for --model"),
+        (["plot", "pareto", "-o", "x.svg"], "takes one REQUIREMENTS"),
+        (["plot", "pareto", WISHES, WISHES, "-o", "x.svg"], "takes one REQUIREMENTS"),
+        (["plot", "pareto", WISHES, "--sweep", "C", "-o", "x.svg"], "no use for --sweep"),
+        (["plot", "pareto", CONFIGS / "default.toml", "-o", "x.svg"], "wanted"),
+        (["plot", "pareto", WISHES, "--set", 'objectives=["pairs"]', "-o", "x.svg"], "two or more"),
+        (["plot", "pareto", WISHES, "--set", "wanted.accuracy_factor=1", "-o", "x.svg"], "accuracy_factor excludes"),
+        (["plot", "paper", "S22-9", "-o", "x.svg"], "S22-4"),
+        (["accuracy", "--plot"], "give --sweep"),
+        (["accuracy", "--sweep", "C", "--plot", "--json"], "under a table"),
+    ],
+)
+def test_refusals(arguments, said, afmcalc, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    run = afmcalc(*arguments)
+    assert (run.code, run.out) == (2, "")
+    assert said in run.err
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("arguments", "module", "extra"),
+    [
+        (["plot", "torque", "-o", "x.svg"], "matplotlib", "plot"),
+        (["plot", "torque"], "plotext", "plot"),
+        (["accuracy", "--sweep", "C", "--plot"], "plotext", "plot"),
+        (["report", "-o", "x.html"], "jinja2", "report"),
+        (["report", "-o", "x.html"], "matplotlib", "report"),
+    ],
+)
+def test_a_missing_extra_says_how_to_get_it(arguments, module, extra, afmcalc, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(sys.modules, module, None)
+    run = afmcalc(*arguments)
+    assert (run.code, run.out) == (2, "")
+    assert f"pip install 'afmcalc[{extra}]'" in run.err
+    assert module in run.err
+    assert not list(tmp_path.iterdir())
+
+
+def test_other_commands_load_none_of_it():
+    code = "import sys; sys.argv = ['afmcalc', 'accuracy', '--sweep', 'C']\n"
+    code += "import atexit\natexit.register(lambda: print(*sys.modules, file=sys.stderr))\n"
+    code += "from afmcalc.cli.entry import main\nmain()"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert not set(run.stderr.split()) & {"matplotlib", "plotext", "jinja2", "afmcalc.render.plot"}
+
+
+def test_a_spec_is_not_written_over(afmcalc, tmp_path):
+    spec = tmp_path / "clutch.svg"
+    spec.write_text((CONFIGS / "default.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    assert afmcalc("plot", "torque", spec, "-o", spec).code == 2
+    assert afmcalc("plot", "torque", "-o", tmp_path / "no" / "x.svg").code == 3

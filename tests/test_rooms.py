@@ -1,0 +1,85 @@
+"""The rooms of the package: imports go one way, those inside functions too."""
+
+import ast
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+import afmcalc
+
+PACKAGE = Path(afmcalc.__file__).parent
+
+LINE = ("equations", "ground", "variants", "proofs", "spec", "engines", "papers", "analysis", "render", "cli", "door")
+"""A room imports from itself and from rooms to its left."""
+
+GROUND = {"result", "findings", "errors", "messages", "arrays", "extras"}
+MAY_ONLY = {"equations": set(), "ground": set(), "variants": {"equations"}, "proofs": {"equations"}}
+"""Rooms that know less than what is left of them."""
+
+EXCEPTIONS: set[tuple[str, str]] = set()
+"""Arrows that go back nevertheless, each with its reason."""
+
+
+def name_of(file: Path) -> str:
+    parts = file.relative_to(PACKAGE).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+FILES = {name_of(file): file for file in sorted(PACKAGE.rglob("*.py"))}
+
+
+def room(module: str) -> str:
+    first = module.partition(".")[0]
+    return "door" if first in ("", "__main__") else "ground" if first in GROUND else first
+
+
+def imported(module: str) -> set[str]:
+    """Modules of the package that a module imports anywhere in it."""
+    found = set()
+    for node in ast.walk(ast.parse(FILES[module].read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and (node.level or (node.module or "").startswith("afmcalc")):
+            home = [*module.split(".")] if FILES[module].stem == "__init__" else module.split(".")[:-1]
+            base = home[: len(home) - node.level + 1] if node.level else []
+            path = ".".join([*base, *(node.module or "").removeprefix("afmcalc").split(".")]).strip(".")
+            for alias in node.names:
+                inner = f"{path}.{alias.name}".strip(".")
+                found.add(inner if inner in FILES else path)
+        elif isinstance(node, ast.Import):
+            found |= {alias.name.removeprefix("afmcalc.") for alias in node.names if alias.name.startswith("afmcalc")}
+    return found - {module, ""}  # of the package itself only the version is asked
+
+
+def named(module: str) -> set[str]:
+    """Modules that a module names in a string, to import them when they are asked for."""
+    tree = ast.parse(FILES[module].read_text(encoding="utf-8"))
+    texts = {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, str)}
+    return {text.strip(".").removeprefix("afmcalc.") for text in texts if "." in text} & set(FILES) - {""}
+
+
+@pytest.mark.parametrize("module", FILES)
+def test_no_arrow_goes_back(module):
+    own = room(module)
+    assert own in LINE, f"{module} stands in no room"
+    allowed = MAY_ONLY.get(own, set(LINE[: LINE.index(own)])) | {own}
+    back = {other for other in imported(module) | named(module) if room(other) not in allowed}
+    assert back <= {other for arrow, other in EXCEPTIONS if arrow == module}
+
+
+def test_no_circle():
+    try:
+        TopologicalSorter({module: imported(module) for module in FILES}).prepare()
+    except CycleError as error:
+        pytest.fail(" → ".join(error.args[1]))
+
+
+def test_the_graph_is_read():
+    """Of each kind of import one that is there: relative, from a package, inside a function, by name."""
+    assert "engines.laws" in imported("engines.indirect")
+    assert "equations.direct" in imported("engines.laws")
+    assert "proofs" in imported("papers.register")
+    assert "cli.entry" in imported("__main__")
+
+
+def test_every_exception_is_there():
+    assert all(other in imported(module) for module, other in EXCEPTIONS)
