@@ -23,6 +23,7 @@ from afmcalc.analysis.design.radius import by_radius, separable
 from afmcalc.analysis.design.rows import objective
 from afmcalc.analysis.design.search import search as searched
 from afmcalc.analysis.design.tiles import by_tile
+from afmcalc.analysis.overload import overload
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
 from afmcalc.equations import adjustment, inverse
@@ -228,6 +229,69 @@ def test_what_is_picked_holds_what_was_wanted(need, place, fine):
     for before, after in zip(result.front, result.refined, strict=True):
         for name in need.objectives:
             assert objective(after, name) <= objective(before, name) * (1 + 1e-9)
+
+
+@settings(max_examples=40, deadline=None)
+@given(requirements())
+def test_nothing_negative_leaves_the_search(need):
+    result, _ = design(need)
+    for row in (*result.front, *result.refined):
+        values = row.model_dump(exclude_none=True, exclude={"variant"})
+        may_be_zero = {"gain", "wall_angle", "travel", "contact_force", "control_stiffness"}
+        assert all(value > 0 or (value == 0 and name in may_be_zero) for name, value in values.items()), values
+        assert row.accuracy_factor >= 1
+        assert row.torque_max >= row.nominal_torque * (1 - 1e-9)
+
+
+def test_a_margin_lies_between_clutch_and_machine():
+    """Set at f_min the clutch is the margin stronger (S22); set at the mean the margin is in the spring (S19)."""
+    for method, clutch_torque in (("min-friction", 250), ("mean-friction", 200)):
+        wanted = {"nominal_torque": None, "machine_torque": 200, "margin": 1.25, "method": method, "torque_max": 700}
+        need = make_requirements(changed(wanted=wanted))
+        result, _ = design(need)
+        assert len(result.front) > 5
+        for row in result.front:
+            assert row.nominal_torque == pytest.approx(clutch_torque)
+            assert row.machine_torque == pytest.approx(200)
+        made = build(picked(need, result, 3))
+        assert made.nominal_torque == pytest.approx(clutch_torque)
+        if method == "min-friction":
+            assert overload(made)[0].machine_torque == pytest.approx(200)
+    alone, _ = design(make_requirements(changed(wanted={"nominal_torque": 250, "torque_max": 700})))
+    assert {row.machine_torque for row in alone.front} == {None}
+
+
+INDIRECT = {
+    "variants": ["indirect"], "objectives": ["closing_force", "accuracy_factor"],
+    "wanted": {"accuracy_factor": 4, "torque_max": 1000},
+    "search": {"pairs": [8], "mean_radius": 0.1, "gain": [0.2, 0.4, 1.0, 2.0], "ball_circle_radius": 0.05,
+               "closing_stiffness": 2e4, "control_stiffness": [0, 1e4], "ball_diameters": [0.05, 0.5]},
+    "fixed": {"hub_diameter": 0.05, "key_friction": 0.1}, "limits": {"contact_force": None},
+}  # fmt: skip
+
+
+def test_an_indirect_clutch_is_judged_by_what_its_pack_bears():
+    """F_п1 = 200/(8·0.1·0.1) = 2500 N; κ = C − 0.4, F_п2 = F_п1 (1 + 0.8 κ)."""
+    result, _ = design(make_requirements(changed(**INDIRECT)))
+    # C 0.2 has κ < 0, C 0.4 has κ = 0: counted as such and as nothing else
+    assert result.excluded["gain_threshold"] == 4
+    assert sum(result.excluded.values()) + result.feasible == result.candidates == 8
+    assert [row.gain for row in result.front] == [1.0, 2.0]
+    for row in result.front:
+        pack = 2500 * (1 + 0.8 * (row.gain - 0.4))
+        assert row.closing_force == pytest.approx(2500)
+        assert row.control_force == row.pack_force_at_rest == pytest.approx(pack)
+        assert row.closing_deflection == pytest.approx(2500 / 2e4)
+        assert row.surface_pressure == pytest.approx(pack / (2 * math.pi * 0.1 * 0.03))
+        # c_2 = 0 is best in K_т: a constant force, whose deflection is not defined
+        assert (row.control_stiffness, row.control_deflection) == (0, None)
+    stiff, _ = design(
+        make_requirements(changed(**INDIRECT) | {"objectives": ["control_deflection", "accuracy_factor"]})
+    )
+    assert stiff.front[0].control_deflection == pytest.approx(2500 * 1.48 / 1e4)
+    narrow = changed(**INDIRECT)
+    narrow["search"]["closing_force"] = {"min": 500, "max": 5000}
+    assert [row.gain for row in design(make_requirements(narrow))[0].front] == [1.0]
 
 
 def test_refinement_reaches_the_closed_inverse():
