@@ -11,16 +11,16 @@ from ...variants import Variant
 from .by_law import candidates
 from .limits import objectives
 from .pareto import front
-from .space import Axes, Mask, Numbers
+from .space import Axes, Numbers, Places
 
-_MERGE = 200_000
-"""Candidates kept before the front is taken again: bounds memory."""
-_SAMPLE, _KEPT = 256, 24
-"""Candidates of a block looked at first, and how many of their front the others are held against."""
+_WAITING = 32768
+"""Candidates gathered before the front is taken again: it costs little more for many than for few."""
+_SAMPLE = 64
+"""Candidates on the front that the others are held against first."""
 
 
 class Members(NamedTuple):
-    """Candidates of one variant on the front, one per element of each column, and a row of objectives each."""
+    """Candidates of one variant, one per element of each column, and a row of objectives each."""
 
     variant: Variant
     at: Axes
@@ -29,54 +29,50 @@ class Members(NamedTuple):
 
 @dataclass
 class Found:
-    """Outcome of a search."""
+    """Outcome of a search; once settled, the members are the front, one entry per variant."""
 
     candidates: int = 0
     feasible: int = 0
     excluded: Counter[str] = field(default_factory=Counter)
     members: list[Members] = field(default_factory=list)
-    _waiting: int = 0
-    _sample: Numbers | None = None
-    """A few rows of objectives spread over the front so far."""
+    _room: int = _WAITING
 
     def add(self, need: Requirements, variant: Variant, at: Axes) -> None:
-        """Take in feasible candidates of a block: their front first, the common front when many wait."""
+        """Take in feasible candidates of a block."""
         if not at.pairs.size:
             return
-        values = objectives(candidates(need, variant, at))
-        keep = np.flatnonzero(~self._beaten(values))
-        keep = keep[front(values[keep])]
-        self.members.append(Members(variant, Axes(*(column[keep] for column in at)), values[keep]))
-        self._waiting += keep.size
-        if self._waiting > _MERGE:
+        self.members.append(Members(variant, at, objectives(candidates(need, variant, at))))
+        self._room -= at.pairs.size
+        if self._room < 0:
             self.settle()
-
-    def _beaten(self, values: Numbers) -> Mask:
-        """Candidates that a sample of the front beats clearly: most, and much quicker than by the front itself."""
-        own = values[:: max(1, len(values) // _SAMPLE)]
-        known = own if self._sample is None else np.concatenate([self._sample, own])
-        known = known[front(known)]
-        self._sample = known[:: max(1, len(known) // _KEPT)]
-        beaten = np.zeros(len(values), bool)
-        for best in self._sample:
-            no_better = [column >= one for column, one in zip(values.T, best, strict=True)]
-            worse = [column > one * (1 + 1e-9) for column, one in zip(values.T, best, strict=True)]
-            beaten |= np.logical_and.reduce(no_better) & np.logical_or.reduce(worse)
-        return beaten
 
     def settle(self) -> None:
         """Reduce all members to their common front, one entry per variant."""
         if not self.members:
             return
-        values = np.concatenate([member.values for member in self.members])
+        values = np.concatenate([member.values.T for member in self.members], axis=1).T
+        left = _unbeaten(values)
         keep = np.zeros(len(values), bool)
-        keep[front(values)] = True
-        ends = np.cumsum([len(member.values) for member in self.members])
-        masks = np.split(keep, ends[:-1])
+        keep[left[front(values[left])]] = True
+        masks = np.split(keep, np.cumsum([len(member.values) for member in self.members])[:-1])
         reduced = []
         for variant in dict.fromkeys(member.variant for member in self.members):
             own = [(each, mask) for each, mask in zip(self.members, masks, strict=True) if each.variant == variant]
             at = Axes(*(np.concatenate([each.at[k][mask] for each, mask in own]) for k in range(len(Axes._fields))))
             if at.pairs.size:
                 reduced.append(Members(variant, at, np.concatenate([each.values[mask] for each, mask in own])))
-        self.members, self._waiting = reduced, int(keep.sum())
+        self.members, self._room = reduced, max(_WAITING, int(np.count_nonzero(keep)))
+
+
+def _unbeaten(values: Numbers) -> Places:
+    """Candidates that no sample of the front beats clearly: few, and found much quicker than the front itself."""
+    known = values[:: -(-len(values) // (4 * _SAMPLE))]
+    known = known[front(known)]
+    left, rest = np.arange(len(values)), np.ascontiguousarray(values.T)
+    for best in known[:: -(-len(known) // _SAMPLE)]:
+        no_better = np.logical_and.reduce([column >= one for column, one in zip(rest, best, strict=True)])
+        if np.count_nonzero(no_better) > len(left) // 16:
+            worse = [column > one * (1 + 1e-9) for column, one in zip(rest, best, strict=True)]
+            kept = np.flatnonzero(~(no_better & np.logical_or.reduce(worse)))
+            left, rest = left[kept], rest[:, kept]
+    return left
