@@ -15,7 +15,7 @@ from ...spec import Spec
 from ...spec.edit import respecified, with_value
 from ...spec.paths import is_whole
 
-_BLOCK = 1 << 15
+_BLOCK = 1 << 14
 """Points calculated at a time."""
 Output = Callable[[Clutch], Values]
 """What is asked of the clutch at every point."""
