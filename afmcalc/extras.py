@@ -8,7 +8,7 @@ from .messages import say
 MODULES = {
     "explain": ("sympy",),
     "plot": ("matplotlib",),
-    "report": ("jinja2", "matplotlib", "sympy", "latex2mathml"),
+    "report": ("jinja2", "matplotlib", "latex2mathml"),
 }
 """Extra → modules it brings."""
 

@@ -96,6 +96,7 @@ FINDINGS: Mapping[str, str] = {
     "within the printed range of the allowable, {low:g kPa…}{high:g kPa} of {name}",
     "peak-pressure": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
     "below the allowable {low:g kPa} of {name}",
+    "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
     "unexpected-verdict": "{row}: {verdict}; on record is: {record}",
@@ -117,6 +118,30 @@ FINDINGS: Mapping[str, str] = {
     ),
     "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",
     "torque-falls": "the torque falls as the friction of both groups rises: the largest torque is at f_min",
+    "as-made": (
+        "the springs are those of the nominal clutch, held in every sample (tolerance.setting = as-made); "
+        "each-adjusted sets every clutch on the bench"
+    ),
+    "each-adjusted": (
+        "every sample is set on the bench (tolerance.setting = each-adjusted): its springs follow its own dimensions; "
+        "as-made holds those of the nominal clutch"
+    ),
+    "few-samples": (
+        "{value:.0f} samples are too few for the error of the outermost quantile, which is not told in full: "
+        "at least {limit:.0f}"
+    ),
+    "friction-fixed": "friction does not scatter in [tolerance.fields]: the torque is taken at the mean friction",
+    "friction-independent": (
+        "the correlation of f_1 and f_2 is not given: they are taken as independent (F11 has them together, 1)"
+    ),
+    "miner": (
+        "life by Miner's rule: friction varies from slip to slip, the rest from clutch to clutch; each slip loads the "
+        "shaft with its torque, damage 1/N by the S-N line, extrapolated below the endurance limit as the paper does"
+    ),
+    "no-clutch": (
+        "{value:.3g} of the samples are no clutch (feedback does not overcome the friction at the key, or the faces "
+        "have no width); the figures are those of the others"
+    ),
     "solve-replaces": "{path} of the spec gives way to the {by} found",
     "solve-another-value": "{target} = {wanted} is given by {others} as well",
     "sweep-replaces": "{path} of the spec gives way to the swept {by}",

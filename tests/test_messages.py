@@ -8,14 +8,24 @@ from conftest import ROOT
 
 from afmcalc.errors import Problem, SpecError
 from afmcalc.messages import FINDINGS, SCALES, say
-from afmcalc.variants import VARIANTS
 
 ALWAYS = {"value", "limit", "path", None}
 """What a finding carries whether or not its sentence shows it; None: a dictionary of further values."""
 
-GAIN_LIMITS = [each.gain_limit.code for each in VARIANTS.values() if each.gain_limit]
-
 ERRORS = ("AfmcalcError", "FileError", "CalculationError")
+
+
+TREES = {
+    str(path.relative_to(ROOT)): ast.parse(path.read_text(encoding="utf-8"))
+    for path in sorted((ROOT / "afmcalc").rglob("*.py"))
+}
+
+CONSTANTS = {
+    node.value
+    for path, tree in TREES.items()
+    for node in ast.walk(tree)
+    if path != "afmcalc/messages.py" and isinstance(node, ast.Constant) and isinstance(node.value, str)
+}
 
 
 def _called(node: ast.Call) -> str:
@@ -24,10 +34,10 @@ def _called(node: ast.Call) -> str:
 
 def calls(*names: str) -> Iterator[tuple[str, ast.Call]]:
     """Calls of functions of some names in the package, and where each stands."""
-    for path in sorted((ROOT / "afmcalc").rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    for path, tree in TREES.items():
+        for node in ast.walk(tree):
             if isinstance(node, ast.Call) and _called(node) in names:
-                yield f"{path.relative_to(ROOT)}:{node.lineno}", node
+                yield f"{path}:{node.lineno}", node
 
 
 def fields(template: str) -> set[str]:
@@ -46,23 +56,34 @@ def test_every_template_is_a_literal_filled_with_what_it_names():
             continue
         template = literal(call.args[0])
         assert template is not None, f"{where}: a catalogue cannot find this template"
-        assert fields(template) == {each.arg for each in call.keywords}, where
+        given, named = {each.arg for each in call.keywords}, fields(template)
+        assert given - {None} <= named if None in given else given == named, where
 
 
-def codes(call: ast.Call) -> list[str]:
-    """Codes that a finding may be made with: one, one of two, or that of a variant's record."""
-    return list(filter(None, map(literal, ast.walk(call.args[0])))) or GAIN_LIMITS
+def fits(code: str, call: ast.Call) -> bool:
+    """Whether a call gives a sentence what it names, and nothing else."""
+    given, named = {each.arg for each in call.keywords}, fields(FINDINGS[code])
+    return (None in given or named <= given) and given - ALWAYS <= named
+
+
+def codes(code: ast.expr) -> set[str]:
+    """Codes that a finding may be made with; none where the code is handed over."""
+    if isinstance(code, ast.IfExp):
+        return codes(code.body) | codes(code.orelse)
+    return {text} if (text := literal(code)) else set()
 
 
 def test_every_finding_has_a_sentence_and_gives_it_what_it_names():
     raised = set()
     for where, call in calls("finding"):
-        shown = [fields(FINDINGS[code]) for code in codes(call)]
-        given = {each.arg for each in call.keywords}
-        if None not in given:
-            assert all(each <= given for each in shown), where
-        assert given - ALWAYS <= set().union(*shown), where
-        raised.update(codes(call))
+        if found := codes(call.args[0]):
+            assert found <= set(FINDINGS), f"{where}: {found}"
+            assert all(fits(code, call) for code in found), f"{where}: {found}"
+        else:
+            given = {each.arg for each in call.keywords}
+            found = {code for code in CONSTANTS & set(FINDINGS) if fields(FINDINGS[code]) <= given}
+            assert found, f"{where}: no sentence is content with {given}"
+        raised |= found
     assert set(FINDINGS) == raised, "a sentence that nothing says"
 
 

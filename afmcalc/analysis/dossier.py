@@ -4,7 +4,6 @@ from typing import Any, NamedTuple
 
 from ..engines import build
 from ..errors import CalculationError
-from ..extras import need
 from ..findings import Finding
 from ..result import Result
 from ..spec import Spec
@@ -48,7 +47,7 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     Args:
         spec: the clutch.
         model: rule for the damaging stress of the life.
-        explained: whether to say how it was calculated, of the same run; needs the extra ``explain``.
+        explained: whether to say how it was calculated, of the same run.
 
     Returns:
         Results, findings of all of them, each once, steps, and what there is to draw.
@@ -68,7 +67,6 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
 
 def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Step]]]:
     """Ask what can be explained, and note the equations that ran; each step is shown where it first occurs."""
-    need("explain")
     wanted = [each for each in ANALYSES.values() if each.section and each.explained]
     # imported before anything is recorded, so that none keeps a recording function
     assert all(each.function for each in wanted)

@@ -90,7 +90,7 @@ def design(
     """  # noqa: D301
     from ..analysis.design.design import design as analysis
     from ..analysis.design.design import picked
-    from ..analysis.design.search import total
+    from ..analysis.design.space import total
     from ..spec import resolved, to_toml
     from ..spec.requirements import read_requirements
     from .progress import Progress

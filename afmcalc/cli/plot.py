@@ -81,7 +81,7 @@ def _of_clutches(what: str, request: "Request", common: Common) -> Any:
 
 def _of_requirements(what: str, request: "Request", common: Common) -> Any:
     """Read the requirements and search, with a progress bar."""
-    from ..analysis.design.search import total
+    from ..analysis.design.space import total
     from ..analysis.figures import check_request, gathered
     from ..spec.requirements import read_requirements
     from .progress import Progress

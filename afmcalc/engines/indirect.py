@@ -205,13 +205,10 @@ class IndirectClutch(Clutch):
 
 def _refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
     """Below the threshold the sleeve leaves its stop at zero torque: no clutch at all."""
-    shortfall = -law.net_gain
-    if is_array(shortfall):
-        if not bool((shortfall > 0).any()):  # type: ignore[union-attr]
-            return
-    elif not shortfall > 0:
+    net = law.net_gain
+    if not _where_least(net, net) < 0:
         return
-    threshold, gain = _largest(law.gain_threshold), _smallest(law.gain)
+    threshold, gain = (_where_least(net, each) for each in (law.gain_threshold, law.gain))
     message = say(
         "must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
         "force, and the sleeve leaves its stop at zero torque",
@@ -239,9 +236,10 @@ def _one(friction: Any, friction_driven: Any) -> Any:
     return friction
 
 
-def _largest(value: Any) -> float:
-    return float(value.max() if is_array(value) else value)
+def _where_least(value: Values, other: Values) -> float:
+    """Where the first is least, the other, so that numbers named together belong together."""
+    if not is_array(value):
+        return float(other)
+    import numpy as np
 
-
-def _smallest(value: Any) -> float:
-    return float(value.min() if is_array(value) else value)
+    return float(np.broadcast_to(other, np.shape(value)).flat[int(np.argmin(value))])

@@ -93,6 +93,8 @@ def cycles_from_the_line() -> Steps:
     limit, stress, exponent, base, modulus, low, band = sp.symbols("tau_limb tau m_tau N_0 W_p T_min dT", positive=True)
     cycles = life.cycles(limit, stress, exponent, base)
     yield Identity("(14)", sp.expand_power_base(cycles * stress**exponent, force=True) - limit**exponent * base)
+    whole = sp.expand_power_base(life.damage(limit, stress, exponent, base) * cycles, force=True)
+    yield Identity("damage of a cycle: N of them add up to 1", whole - 1)
     stresses = [life.shear_stress(torque, modulus) for torque in (low, low + band)]
     yield Identity("(16), (17)", stresses[0] - low / modulus)
     mean = life.mean_stress(*stresses)

@@ -1,142 +1,70 @@
 """What a clutch is wanted to do, and among what it may be chosen: the file of the design command."""
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable
 from os import PathLike
-from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
+from typing import Annotated, Literal
 
-from pydantic import Field, GetCoreSchemaHandler, GetJsonSchemaHandler, model_validator
-from pydantic.json_schema import JsonSchemaValue
-from pydantic_core import CoreSchema, core_schema
+from pydantic import Field, model_validator
 
 from ..errors import Problem
 from ..messages import say
 from ..variants import VARIANTS
 from . import rules
+from .choices import Angles, Choice, Diameters, Forces, Lengths, Pairs, Ratios, Stiffnesses, StiffnessesOrNone
 from .fields import AtLeastOne, Block, Count, Force, Gap, Length, Name, Ratio, Stress, Torque, key_field
 from .models import Friction, Method, VariantName
-from .quantity import parse_quantity
 from .reading import apply_overrides, parse, text_of, validated
 
-if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
+Objective = Literal[
+    "closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel",
+    "control_force", "closing_deflection", "control_deflection",
+]  # fmt: skip
 
-Objective = Literal["closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel"]
-
-MOST_VALUES = 10_000_000
 _GAIN_LIMITS = ", ".join(dict.fromkeys(each.gain_limit.rule for each in VARIANTS.values() if each.gain_limit))
-
-
-class Choices(NamedTuple):
-    """Values of one searched parameter, SI: a list, or an even grid that is not yet laid out."""
-
-    listed: tuple[float, ...]
-    start: float = 0.0
-    stop: float = 0.0
-    length: int = 0
-
-    @property
-    def size(self) -> int:
-        """How many values."""
-        return len(self.listed) or self.length
-
-    def array(self) -> "NDArray[np.float64]":
-        """The values, ascending."""
-        import numpy as np
-
-        return np.array(self.listed) if self.listed else np.linspace(self.start, self.stop, self.length)
-
-
-@dataclass(frozen=True)
-class Searched:
-    """What a searched parameter may be: one value, a list, or a table with start, stop and count (or step)."""
-
-    unit: str
-    whole: bool = False
-    least: float = 0.0
-
-    def number(self, value: object) -> float:
-        """Read one value, SI."""
-        found = parse_quantity(value, self.unit)
-        if self.whole and found != found // 1:
-            raise ValueError(say("must be whole numbers"))
-        if self.whole or self.unit == "1":
-            if found < self.least:
-                raise ValueError(say("must be at least {least:g}", least=self.least))
-        elif not found > self.least:
-            raise ValueError(say("must be greater than {least:g}", least=self.least))
-        return found
-
-    def read(self, value: object) -> Choices:
-        """Read what stands in the file."""
-        if isinstance(value, Choices):
-            return value
-        if isinstance(value, list | tuple):
-            if not value:
-                raise ValueError(say("must not be an empty list"))
-            return Choices(tuple(sorted({self.number(item) for item in value})))
-        return self._grid(value) if isinstance(value, Mapping) else Choices((self.number(value),))
-
-    def _grid(self, value: rules.Table) -> Choices:
-        if unknown := sorted(set(value) - {"start", "stop", "count", "step"}):
-            raise ValueError(say("unknown key {key!r}; a range has start, stop and count (or step)", key=unknown[0]))
-        if "start" not in value or "stop" not in value:
-            raise ValueError(say("a range has start, stop and count (or step)"))
-        start, stop = self.number(value["start"]), self.number(value["stop"])
-        if start > stop:
-            raise ValueError(
-                say("the range is inverted: start {start:g} is above stop {stop:g}", start=start, stop=stop)
-            )
-        if "count" in value and "step" in value:
-            raise ValueError(say("give count or step, not both"))
-        count = value.get("count")
-        if "count" not in value:
-            step = self.number(value["step"]) if "step" in value else 1.0 if self.whole else 0.0
-            if not step > 0:
-                raise ValueError(say("a range needs count, or a step greater than 0"))
-            count = int((stop - start) / step * (1 + 1e-12)) + 1
-            stop = start + (count - 1) * step
-        if isinstance(count, bool) or not isinstance(count, int) or count < 1:
-            raise ValueError(say("count must be a whole number of at least 1"))
-        if count > MOST_VALUES:
-            raise ValueError(say("{count} values; at most {most} per parameter", count=count, most=MOST_VALUES))
-        if self.whole and count > 1 and (stop - start) % (count - 1):
-            raise ValueError(say("count does not give whole numbers; use step"))
-        return Choices((), start, stop, count)
-
-    def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
-        """Validate by reading."""
-        return core_schema.no_info_plain_validator_function(self.read)
-
-    def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        """Describe what may stand in the file."""
-        one: JsonSchemaValue = {"anyOf": [{"type": "number"}, {"type": "string"}]}
-        return {
-            "anyOf": [*one["anyOf"], {"type": "array", "items": one}, {"type": "object", "additionalProperties": one}]
-        }
-
-
-Pairs = Annotated[Choices, Searched("1", whole=True, least=1)]
-Lengths = Annotated[Choices, Searched("m")]
-Numbers = Annotated[Choices, Searched("1")]
-Angles = Annotated[Choices, Searched("rad")]
-Stiffnesses = Annotated[Choices, Searched("N/m")]
-Forces = Annotated[Choices, Searched("N")]
 
 
 class Wanted(Block):
     """What the clutch must do."""
 
-    nominal_torque: Torque = Field(description="nominal torque")
+    nominal_torque: Torque | None = key_field("nominal torque of the clutch", "T_н")
+    machine_torque: Torque | None = key_field(
+        "nominal torque of the machine, instead: with min-friction the clutch's is margin times it", "T_н.маш"
+    )
     accuracy_factor: AtLeastOne | None = key_field("largest K_т allowed", "K_т")
     torque_max: Torque | None = key_field("largest torque allowed", "T_max")
     method: Method = key_field("friction at which the nominal torque is set", default="min-friction")
-    margin: AtLeastOne = key_field("torque margin", "β_н", default=1.0)
+    margin: AtLeastOne = key_field(
+        "torque margin: in the spring with mean-friction (S19), between clutch and machine with min-friction (S22)",
+        "β_н",
+        default=1.0,
+    )
+
+    @model_validator(mode="after")
+    def _one_torque(self) -> "Wanted":
+        if (self.nominal_torque is None) == (self.machine_torque is None):
+            message = say("required: nominal_torque of the clutch or machine_torque, one of them")
+            raise rules.RuleError([rules.wrong("nominal_torque", message)])
+        return self
+
+    @property
+    def in_spring(self) -> float:
+        """Margin as far as it is in the spring."""
+        return self.margin if self.method == "mean-friction" else 1.0
+
+    @property
+    def over_machine(self) -> float:
+        """Nominal torque of the clutch over that of the machine."""
+        return self.margin / self.in_spring
+
+    @property
+    def clutch_torque(self) -> float:
+        """Nominal torque of the clutch, N·m."""
+        given = self.nominal_torque
+        return given if given is not None else (self.machine_torque or 0.0) * self.over_machine
 
 
 class ForceRange(Block):
-    """Spring force that can be had, any value between the ends."""
+    """Force that the pack may be pressed by at rest, any value between the ends (F_п; indirect F_п2)."""
 
     min: Force = Field(description="smallest force")
     max: Force = Field(description="largest force")
@@ -153,17 +81,19 @@ class Search(Block):
 
     pairs: Pairs = Field(description="friction pairs z")
     driving_pairs: Pairs = Field(
-        default_factory=lambda: Choices((1.0,)), description="bypass pairs z_1 (differentiated); default 1"
+        default_factory=lambda: Choice((1.0,)), description="bypass pairs z_1 (differentiated); default 1"
     )
     mean_radius: Lengths = Field(description="mean friction radius R_cp")
-    gain: Numbers | None = key_field("feedback gain C")
+    gain: Ratios | None = key_field("feedback gain C")
     wall_angle: Angles | None = key_field("wall angle instead of the gain")
     ball_circle_radius: Lengths | None = key_field("ball-circle radius r")
-    closing_force: ForceRange | None = key_field("spring force: any between min and max")
-    closing_forces: Forces | None = key_field("spring forces of a catalogue, instead of a range")
+    closing_force: ForceRange | None = key_field(
+        "force the pack must bear, any between min and max: F_п, of an indirect clutch F_п2"
+    )
+    closing_forces: Forces | None = key_field("closing-spring forces F_п of a catalogue, instead of a range")
     closing_stiffness: Stiffnesses | None = key_field("c_1 (indirect)")
-    control_stiffness: Stiffnesses | None = key_field("c_2 (indirect)")
-    ball_diameters: Lengths | None = key_field("standard balls; default the list that ships")
+    control_stiffness: StiffnessesOrNone | None = key_field("c_2 (indirect); 0: a constant force")
+    ball_diameters: Diameters | None = key_field("standard balls; default the list that ships")
 
 
 class Fixed(Block):
@@ -192,7 +122,9 @@ class Requirements(Block):
 
     name: Name | None = key_field("what the design is called")
     variants: Annotated[tuple[VariantName, ...], Field(min_length=1)] = Field(description="variants allowed")
-    objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = Field(description="what is to be small")
+    objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = Field(
+        description="what is to be small; closing_force is the force the pack must bear (F_п; indirect F_п2)"
+    )
     friction: Friction
     wanted: Wanted
     search: Search

@@ -1,9 +1,9 @@
 """The [tolerance] block: which numbers of a clutch scatter in making and service, and how."""
 
 import re
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, Field, field_validator
+from pydantic import BaseModel, BeforeValidator, Field, field_validator
 
 from ..errors import Problem
 from ..messages import say
@@ -13,6 +13,7 @@ from .quantity import parse_quantity
 from .walk import keys_below
 
 Kind = Literal["normal", "uniform", "triangular", "lognormal"]
+Setting = Literal["as-made", "each-adjusted"]
 SamplingMethod = Literal["auto", "monte-carlo", "quasi-monte-carlo"]
 
 FRICTION = ("friction", "friction.driving", "friction.driven")
@@ -21,18 +22,30 @@ FRICTION = ("friction", "friction.driving", "friction.driven")
 _PERCENT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*%\s*")
 
 
+def _no_truth(value: object) -> object:
+    if isinstance(value, bool):
+        raise ValueError(say("a boolean is not a number"))
+    return value
+
+
+Number = Annotated[float, BeforeValidator(Quantity("1").read)]
+Whole = Annotated[int, BeforeValidator(Quantity("1", whole=True).read)]
+Given = Annotated[float | str, BeforeValidator(_no_truth)]
+"""A number in SI or a text with a unit; which unit depends on what scatters."""
+
+
 class Distribution(Block):
     """How one number scatters about its value in the spec."""
 
     distribution: Kind = Field(description="kind of the distribution")
-    center: float | str | None = key_field(
+    center: Given | None = key_field(
         "mean of normal and lognormal, middle of uniform, peak of triangular; default the value in the spec"
     )
-    spread: float | str | None = key_field(
+    spread: Given | None = key_field(
         "standard deviation (normal, lognormal) or half-width (uniform, triangular); a quantity or a percentage"
     )
-    min: float | str | None = key_field("lower end; truncates a normal or lognormal distribution")
-    max: float | str | None = key_field("upper end; truncates a normal or lognormal distribution")
+    min: Given | None = key_field("lower end; truncates a normal or lognormal distribution")
+    max: Given | None = key_field("upper end; truncates a normal or lognormal distribution")
 
 
 class Tolerance(Block):
@@ -41,14 +54,22 @@ class Tolerance(Block):
     method: SamplingMethod = key_field(
         "auto: exact where only friction varies, else Monte Carlo; quasi-Monte Carlo needs SciPy", default="auto"
     )
-    samples: int = Field(default=1_000_000, ge=1000, description="size of the sample")
-    seed: int = Field(default=1, ge=0, description="seed: the same seed gives the same digits")
-    quantiles: tuple[float, ...] = key_field("probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995))
-    torque_limit: Torque | None = key_field("torque whose exceedance is asked for", "T_lim")
-    friction_correlation: float | None = Field(
-        default=None, ge=-1, le=1, description="correlation of f_1 and f_2: 1 together (F11), 0 independent (default)"
+    setting: Setting = key_field(
+        "as-made: springs set for the nominal clutch and held; each-adjusted: every clutch set on the bench",
+        default="as-made",
     )
-    sobol_base: int = Field(default=65536, ge=64, description="base sample of the Sobol indices")
+    samples: Whole = Field(default=1_000_000, ge=1000, le=10**10, description="size of the sample")
+    seed: Whole = Field(default=1, ge=0, le=2**63, description="seed: the same seed gives the same digits")
+    quantiles: tuple[Number, ...] = key_field("probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995))
+    torque_limit: Torque | None = key_field("torque whose exceedance is asked for", "T_lim")
+    friction_correlation: Number | None = Field(
+        default=None,
+        ge=-1,
+        le=1,
+        description="correlation of the normal scores of f_1 and f_2 (Gaussian copula; Pearson's of the frictions "
+        "themselves is nearer 0 unless both are normal): 1 together (F11), 0 independent (default)",
+    )
+    sobol_base: Whole = Field(default=65536, ge=64, le=2**30, description="base sample of the Sobol indices")
     fields: dict[str, Distribution] = Field(description="spec path (or friction) to its distribution", min_length=1)
 
     @field_validator("quantiles")
@@ -106,6 +127,14 @@ def _read(path: str, given: Distribution, problems: list[Problem], spec: type[Ba
         except ValueError as error:
             problems.append(rules.wrong(f"fields.{path}.{name}", str(error)))
             return given
+    for name in ("min", "max"):
+        value = read[name]
+        if value is not None and about.low is not None and value < about.low:
+            message = say("must be at least {low:g}, as {path} itself", low=about.low, path=path)
+            problems.append(rules.wrong(f"fields.{path}.{name}", message))
+        elif value is not None and about.high is not None and value > about.high:
+            message = say("must be at most {high:g}, as {path} itself", high=about.high, path=path)
+            problems.append(rules.wrong(f"fields.{path}.{name}", message))
     share = percentage(read["spread"])
     size = read["spread"] if share is None else share
     if size is not None and not size >= 0:

@@ -9,8 +9,12 @@ import tomllib
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.design.search import Found, _flat, search, total
+from afmcalc.analysis.design.found import Found
+from afmcalc.analysis.design.search import search
+from afmcalc.analysis.design.space import total
+from afmcalc.analysis.design.tiles import by_tile
 from afmcalc.spec.requirements import make_requirements
+from afmcalc.variants import VARIANTS
 
 BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
 
@@ -49,13 +53,49 @@ def test_a_hundred_million(objectives, report):
     report(f"search, {len(objectives)} objectives, ns per candidate", nanoseconds(lambda: search(need), count), 3)
 
 
+def grid(low, high, count):
+    return {"start": low, "stop": high, "count": count}
+
+
+PAIRS = {"start": 4, "stop": 16}
+DIRECT = {"pairs": PAIRS, "driving_pairs": [1], "mean_radius": grid(0.06, 0.14, 100)}
+INDIRECT = {
+    "pairs": PAIRS, "mean_radius": grid(0.06, 0.14, 60), "ball_circle_radius": grid(0.03, 0.06, 4),
+    "closing_stiffness": grid(1e4, 2e5, 10), "control_stiffness": grid(1e4, 2e5, 10),
+}  # fmt: skip
+ANGLE = {"gain": None, "ball_circle_radius": grid(0.03, 0.06, 8)}
+INSEPARABLE = {
+    "wall angle": ("differentiated", {**DIRECT, **ANGLE, "wall_angle": grid(0.05, 1.0, 100)}),
+    "indirect": ("indirect", {**INDIRECT, "gain": grid(0.3, 3, 60)}),
+    "indirect, wall angle": ("indirect", {**INDIRECT, "gain": None, "wall_angle": grid(0.1, 1.2, 60)}),
+    "catalogue": (
+        "differentiated",
+        {**DIRECT, "gain": grid(0.001, 1.25, 100), "ball_circle_radius": grid(0.03, 0.06, 8), "closing_force": None,
+         "closing_forces": grid(500, 8000, 20)},
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("space", INSEPARABLE)
+def test_spaces_that_do_not_separate(space, report):
+    variant, axes = INSEPARABLE[space]
+    data = wide(["closing_force", "accuracy_factor"])
+    data["variants"] = [variant]
+    data["search"] = {key: value for key, value in {**data["search"], **axes}.items() if value is not None}
+    if variant == "indirect":
+        data["wanted"] |= {"accuracy_factor": 4, "torque_max": 1000}
+        data["fixed"] |= {"hub_diameter": 0.05, "key_friction": 0.05, "face_gap": 1e-3, "edge_clearance": 1e-3}
+    need = make_requirements(data)
+    report(f"{space}, ns per candidate", nanoseconds(lambda: search(need), total(need)), 10)
+
+
 def test_every_candidate_evaluated(report):
-    """The way without the look-up of the radii, for what is not separable (catalogue, wall angle, indirect)."""
+    """The way without the look-up of the radii."""
     need = make_requirements(wide(["closing_force", "accuracy_factor"], radii=100, gains=100))
     report(
         "evaluated one by one, ns per candidate",
-        nanoseconds(lambda: _flat(need, "differentiated", Found(), print_nothing), total(need)),
-        500,
+        nanoseconds(lambda: by_tile(need, VARIANTS["differentiated"], Found(), print_nothing), total(need)),
+        50,
     )
 
 
@@ -66,7 +106,7 @@ def print_nothing(done):
 def test_peak_memory(report):
     code = """
 import json, sys
-from afmcalc.analysis.search import search
+from afmcalc.analysis.design.search import search
 from afmcalc.spec.requirements import make_requirements
 search(make_requirements(json.loads(sys.stdin.read())))
 print(next(line.split()[1] for line in open("/proc/self/status") if line.startswith("VmHWM")))

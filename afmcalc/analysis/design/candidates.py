@@ -1,260 +1,237 @@
-"""Candidates of a design: their laws over arrays, the constraints they must hold, the objectives they are judged by."""
+"""Candidates of a design: the laws over arrays, asked piece by piece, each piece over no more axes than it needs."""
 
-import math
-from collections.abc import Mapping
-from functools import cache
-from typing import Any, NamedTuple
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from functools import cached_property
+from typing import ClassVar
+
+import numpy as np
 
 from ...arrays import larger, smaller
-from ...engines.laws import IndirectLaw
-from ...equations import direct, geometry, synthesis
-from ...spec.requirements import Choices, Requirements
+from ...equations import adjustment, direct, geometry, synthesis
+from ...spec.requirements import Requirements
+from ...variants import Variant
+from .space import Axes, Mask, Numbers, balls
 
 SAME = 1e-12
 """Relative slack of every limit: a candidate on the limit holds it."""
 
 
-class Axes(NamedTuple):
-    """Values searched for one variant, in this order; an axis the variant does not have holds one NaN."""
+@dataclass(frozen=True)
+class Candidates(ABC):
+    """Candidates of a variant; the arrays of ``at`` broadcast, and so does every answer, in SI.
 
-    pairs: Any
-    driving_pairs: Any
-    gain: Any
-    """Gain, or wall angle where the angle is searched."""
-    closing_stiffness: Any
-    control_stiffness: Any
-    ball_circle_radius: Any
-    mean_radius: Any
-
-
-class State(NamedTuple):
-    """Candidates evaluated, SI; arrays of one shape."""
-
-    gain: Any
-    closing_force: Any
-    accuracy_factor: Any
-    nominal_torque: Any
-    torque_max: Any
-    ball_diameter: Any
-    travel: Any
-    contact_force: Any
-    surface_pressure: Any
-    excluded: dict[str, Any]
-    """Constraint → which candidates it excludes."""
-
-
-def counts(need: Requirements, variant: str) -> list[int]:
-    """Sizes of the axes of a variant, without laying them out; the number of catalogue forces last."""
-    search = need.search
-    controlled, springs = variant != "conventional", variant == "indirect"
-    gain = search.gain or search.wall_angle
-    forces = search.closing_forces
-    return [
-        search.pairs.size,
-        search.driving_pairs.size if variant == "differentiated" else 1,
-        _given(gain).size if controlled else 1,
-        _given(search.closing_stiffness).size if springs else 1,
-        _given(search.control_stiffness).size if springs else 1,
-        _given(search.ball_circle_radius).size if controlled else 1,
-        search.mean_radius.size,
-        1 if forces is None else forces.size,
-    ]
-
-
-def _given(values: Choices | None) -> Choices:
-    """Values that the rules of the requirements ask for."""
-    assert values is not None
-    return values
-
-
-def axes(need: Requirements, variant: str) -> Axes:
-    """Lay out the axes of a variant."""
-    import numpy as np
-
-    search, none = need.search, np.array([np.nan])
-    controlled, springs = variant != "conventional", variant == "indirect"
-    return Axes(
-        pairs=search.pairs.array(),
-        driving_pairs=search.driving_pairs.array() if variant == "differentiated" else none,
-        gain=_given(search.gain or search.wall_angle).array() if controlled else none,
-        closing_stiffness=_given(search.closing_stiffness).array() if springs else none,
-        control_stiffness=_given(search.control_stiffness).array() if springs else none,
-        ball_circle_radius=_given(search.ball_circle_radius).array() if controlled else none,
-        mean_radius=search.mean_radius.array(),
-    )
-
-
-@cache
-def _shipped() -> tuple[float, ...]:
-    from ...spec.balls import diameters
-
-    return tuple(diameters())
-
-
-def balls(need: Requirements) -> Any:
-    """Standard ball diameters to choose from, ascending, m."""
-    import numpy as np
-
-    given = need.search.ball_diameters
-    return np.array(_shipped()) if given is None else given.array()
-
-
-def groups(variant: str, pairs: Any, driving_pairs: Any) -> tuple[Any, Any]:
-    """z_1 and z_2 of the one direct law."""
-    if variant == "conventional":
-        return pairs, 0.0 * pairs
-    bypass = driving_pairs if variant == "differentiated" else 0.0 * pairs
-    return bypass, pairs - bypass
-
-
-def evaluate(need: Requirements, variant: str, at: Axes) -> State:
-    """Evaluate candidates, one per element of the (equally long) arrays in ``at``."""
-    import numpy as np
-
-    with np.errstate(all="ignore"):
-        return _evaluate(need, variant, at)
-
-
-def _evaluate(need: Requirements, variant: str, at: Axes) -> State:
-    import numpy as np
-
-    radius, limits, fixed = at.mean_radius, need.limits, need.fixed
-    gain, tangent = _gain(need, variant, at)
-    bypass, controlled = groups(variant, at.pairs, at.driving_pairs)
-    excluded: dict[str, Any] = {}
-    law = _indirect_law if variant == "indirect" else _direct_law
-    at_set, low, high, on_balls, travel = law(need, at, gain, bypass, controlled, excluded)
-    margin = need.wanted.margin if need.wanted.method == "mean-friction" else 1.0
-    force, missing = _force(need, need.wanted.nominal_torque * margin / at_set)
-    excluded["closing_force"] = missing
-    factor, torque_max = larger(low, high) / smaller(low, high), force * larger(low, high)
-    _exceed(excluded, "accuracy_factor", factor, need.wanted.accuracy_factor)
-    _exceed(excluded, "torque_max", torque_max, need.wanted.torque_max)
-    if limits.gain_limit and variant in ("differentiated", "all-driving"):
-        most = (
-            direct.gain_limit_differentiated(bypass, need.friction.groups[0].max)
-            if variant == "differentiated"
-            else direct.gain_limit_all_driving(at.pairs)
-        )
-        excluded["gain_limit"] = gain > most * (1 + 1e-9)
-    if variant != "conventional":
-        _exceed(excluded, "reduced_gain", controlled * gain, limits.reduced_gain)
-    pressure = np.full(radius.shape, np.nan)
-    if fixed.face_width is not None:
-        half = fixed.face_width / 2
-        pressure = geometry.mean_pressure(force, radius - half, radius + half, math.pi)
-        excluded["face_width"] = radius <= half
-        _exceed(excluded, "surface_pressure", pressure, limits.surface_pressure)
-    contact, ball, moved = np.full((3, *radius.shape), np.nan)
-    if variant != "conventional":
-        cosine = 1 / np.sqrt(1 + tangent**2)
-        contact = synthesis.contact_force(force * on_balls, fixed.balls, at.ball_circle_radius, cosine)
-        _exceed(excluded, "contact_force", contact, limits.contact_force)
-        moved = force * travel
-        radius_needed = synthesis.ball_radius(moved, fixed.face_gap, fixed.edge_clearance, tangent * cosine)
-        listed = balls(need)
-        place = np.searchsorted(listed, 2 * radius_needed * (1 - SAME))
-        # a clutch of gain 0 has no pockets to speak of
-        idle = tangent <= 0
-        ball = np.where(idle, np.nan, listed[np.minimum(place, listed.size - 1)])
-        excluded["standard_ball"] = (place >= listed.size) & ~idle
-        _exceed(excluded, "travel", moved, limits.travel)
-    return State(
-        gain=np.broadcast_to(gain, radius.shape),
-        closing_force=force,
-        accuracy_factor=factor,
-        nominal_torque=force * at_set / margin,
-        torque_max=torque_max,
-        ball_diameter=ball,
-        travel=moved,
-        contact_force=contact,
-        surface_pressure=pressure,
-        excluded={name: np.broadcast_to(mask, radius.shape) for name, mask in excluded.items()},
-    )
-
-
-def _exceed(excluded: dict[str, Any], name: str, value: Any, limit: float | None) -> None:
-    if limit is not None:
-        excluded[name] = ~(value <= limit * (1 + SAME))
-
-
-def _gain(need: Requirements, variant: str, at: Axes) -> tuple[Any, Any]:
-    """C and tan α."""
-    import numpy as np
-
-    if variant == "conventional":
-        return 0.0 * at.mean_radius, 0.0 * at.mean_radius
-    if need.search.gain is not None:
-        return at.gain, synthesis.tan_wall_angle(at.gain, at.ball_circle_radius, at.mean_radius)
-    tangent = np.tan(at.gain)
-    return direct.gain(at.mean_radius, at.ball_circle_radius, tangent), tangent
-
-
-def _force(need: Requirements, wanted: Any) -> tuple[Any, Any]:
-    """Spring force: exactly the one wanted within a range, or the next of a catalogue; and where there is none.
-
-    Every law is proportional to F_п and nothing gets better with more of it, so the least force that gives the
-    nominal torque stands for the whole interval.
+    The spring force is the least that gives the nominal torque, or the next of a catalogue: every law is
+    proportional to it and nothing gets better with more of it.
     """
-    import numpy as np
 
-    span = need.search.closing_force
-    if span is not None:
-        return wanted, ~((wanted >= span.min * (1 - SAME)) & (wanted <= span.max * (1 + SAME)))
-    listed = _given(need.search.closing_forces).array()
-    place = np.searchsorted(listed, wanted * (1 - SAME))
-    none = (place >= listed.size) | ~(wanted > 0)
-    return np.where(none, wanted, listed[np.minimum(place, listed.size - 1)]), none
+    need: Requirements
+    variant: Variant
+    at: Axes
 
+    no_clutch: ClassVar[str]
+    """Name under which candidates count that are no clutch, and under no other."""
 
-def friction_ends(need: Requirements) -> list[tuple[float, float]]:
-    """(f_1, f_2) at the setting, at the smallest and at the largest friction."""
-    first, second = need.friction.groups
-    at = "mean" if need.wanted.method == "mean-friction" else "min"
-    return [(getattr(first, name), getattr(second, name)) for name in (at, "min", "max")]
+    # per N of closing force, from the law
+    @property
+    @abstractmethod
+    def at_set(self) -> Numbers:
+        """Torque at the setting, m."""
 
+    @property
+    @abstractmethod
+    def low(self) -> Numbers:
+        """Torque at f_min, m."""
 
-def _direct_law(
-    need: Requirements, at: Axes, gain: Any, bypass: Any, controlled: Any, excluded: dict[str, Any]
-) -> tuple[Any, Any, Any, Any, Any]:
-    """Torque per force at the setting and at both ends, the largest on the balls, travel per force."""
-    ends = friction_ends(need)
-    at_set, low, high = (direct.torque(1.0, at.mean_radius, bypass, controlled, gain, *end) for end in ends)
-    on_balls = [
-        direct.group_torque(direct.normal_force(1.0, controlled, gain, end[1]), at.mean_radius, controlled, end[1])
-        for end in ends[1:]
-    ]
-    return at_set, low, high, larger(*on_balls), 0.0
+    @property
+    @abstractmethod
+    def high(self) -> Numbers:
+        """Torque at f_max, m."""
 
+    @property
+    @abstractmethod
+    def on_balls(self) -> Numbers:
+        """Largest torque that passes the balls, m."""
 
-def _indirect_law(
-    need: Requirements, at: Axes, gain: Any, bypass: Any, controlled: Any, excluded: dict[str, Any]
-) -> tuple[Any, Any, Any, Any, Any]:
-    (at_set, _), (low, _), (high, _) = friction_ends(need)
-    fixed = need.fixed
-    assert fixed.key_friction is not None
-    assert fixed.hub_diameter is not None
-    law = IndirectLaw(
-        at.mean_radius, at.pairs, gain, at.closing_stiffness, at.control_stiffness, fixed.key_friction,
-        fixed.hub_diameter, at_set,
-    )  # fmt: skip
-    excluded["gain_threshold"] = ~(law.net_gain > 0)
-    torque_high = law.torque(1.0, high)
-    return law.torque_per_force, law.torque(1.0, low), torque_high, torque_high, law.travel(1.0, high)
+    @property
+    @abstractmethod
+    def pack(self) -> Numbers:
+        """Force that presses the pack at rest."""
 
+    @property
+    @abstractmethod
+    def moved(self) -> Numbers:
+        """Travel at f_max, m/N."""
 
-def objectives(need: Requirements, state: State, pairs: Any) -> Any:
-    """One column per objective, all to be small; what a variant does not have costs nothing."""
-    import numpy as np
+    @property
+    @abstractmethod
+    def is_clutch(self) -> Mask:
+        """Whether it can be built and adapts at all."""
 
-    columns: Mapping[str, Any] = {**state._asdict(), "pairs": pairs}
-    return np.stack([np.nan_to_num(np.asarray(columns[name], float)) for name in need.objectives], axis=1)
+    @cached_property
+    def frictions(self) -> tuple[tuple[float, float], ...]:
+        """(f_1, f_2) at the setting, at the smallest and at the largest friction."""
+        first, second = self.need.friction.groups
+        at_set = "mean" if self.need.wanted.method == "mean-friction" else "min"
+        return tuple((getattr(first, name), getattr(second, name)) for name in (at_set, "min", "max"))
 
+    @property
+    def set_low(self) -> bool:
+        """Whether the spring is set at f_min."""
+        return self.frictions[0] == self.frictions[1]
 
-def feasible(state: State) -> Any:
-    """Candidates that hold every constraint."""
-    import numpy as np
+    @cached_property
+    def bypass_pairs(self) -> Numbers:
+        """z_1."""
+        driving = self.at.driving_pairs if self.variant.chooses_bypass else None
+        return np.asarray(self.variant.bypass(self.at.pairs, driving), float)
 
-    shape = state.closing_force.shape
-    bad = np.logical_or.reduce([np.zeros(shape, bool), *state.excluded.values()])
-    return ~bad & np.isfinite(state.closing_force) & np.isfinite(state.accuracy_factor)
+    @cached_property
+    def controlled_pairs(self) -> Numbers:
+        """z_2."""
+        return self.at.pairs - self.bypass_pairs
+
+    @cached_property
+    def gain(self) -> Numbers:
+        """C."""
+        found: Numbers
+        if not self.variant.controlled:
+            found = np.zeros(1)
+        elif self.need.search.gain is not None:
+            found = self.at.steering
+        else:
+            # r and α first: they are fewer than with R
+            found = direct.gain(1.0, self.at.ball_circle_radius, self.tangent) * self.at.mean_radius
+        return found
+
+    @property
+    def gain_limit(self) -> Numbers:
+        """Largest C at which the law describes the whole slip; infinite where it always does."""
+        limit, friction = self.variant.gain_limit, self.need.friction.groups[0].max
+        if limit is None:
+            return np.full(1, np.inf)
+        return np.asarray(limit.gain(self.bypass_pairs, self.controlled_pairs, friction))
+
+    @cached_property
+    def tangent(self) -> Numbers:
+        """tan α."""
+        found: Numbers
+        if self.need.search.gain is None:
+            found = np.tan(self.at.steering)
+        else:
+            found = synthesis.tan_wall_angle(self.gain, self.at.ball_circle_radius, self.at.mean_radius)
+        return found
+
+    @cached_property
+    def cosine(self) -> Numbers:
+        """cos α."""
+        found: Numbers = 1 / np.sqrt(1 + self.tangent * self.tangent)
+        return found
+
+    @cached_property
+    def wanted_force(self) -> Numbers:
+        """Closing force that gives the nominal torque, N."""
+        found: Numbers = adjustment.closing_force(
+            self.need.wanted.clutch_torque, self.need.wanted.in_spring, self.at_set
+        )
+        return found
+
+    @cached_property
+    def closing_force(self) -> Numbers:
+        """F_п as set, N; where a catalogue has none the one wanted."""
+        if self.need.search.closing_forces is None:
+            return self.wanted_force
+        listed = self.need.search.closing_forces.array()
+        place = np.searchsorted(listed, self.wanted_force * (1 - SAME))
+        return np.where(place < listed.size, listed[np.minimum(place, listed.size - 1)], self.wanted_force)
+
+    @cached_property
+    def pack_force(self) -> Numbers:
+        """Force that presses the pack at rest, N."""
+        return self.closing_force * self.pack
+
+    @cached_property
+    def nominal_torque(self) -> Numbers:
+        """T_н, N·m."""
+        found: Numbers = adjustment.nominal_torque(self.closing_force * self.at_set, self.need.wanted.in_spring)
+        return found
+
+    @cached_property
+    def torque_max(self) -> Numbers:
+        """Largest sustained torque, N·m."""
+        return self.closing_force * larger(self.low, self.high)
+
+    @cached_property
+    def accuracy_factor(self) -> Numbers:
+        """K_т."""
+        found: Numbers = np.divide(larger(self.low, self.high), smaller(self.low, self.high))
+        return found
+
+    @cached_property
+    def reduced_gain(self) -> Numbers:
+        """Controlled pairs times gain."""
+        found: Numbers = direct.reduced_gain(self.controlled_pairs, self.gain)
+        return found
+
+    @cached_property
+    def surface_pressure(self) -> Numbers:
+        """Mean surface pressure under the force at rest, Pa; NaN where no face width is given."""
+        width = self.need.fixed.face_width
+        if width is None:
+            return np.full(1, np.nan)
+        inner, outer = self.at.mean_radius - width / 2, self.at.mean_radius + width / 2
+        found: Numbers = self.pack_force * geometry.mean_pressure(1.0, inner, outer, np.pi)
+        return found
+
+    @cached_property
+    def force_per_ball(self) -> Numbers:
+        """Normal force on one ball per torque, 1/m."""
+        found: Numbers = synthesis.contact_force(1.0, self.need.fixed.balls, self.at.ball_circle_radius, self.cosine)
+        return found
+
+    @cached_property
+    def ball_torque(self) -> Numbers:
+        """Largest torque that passes the balls, N·m."""
+        return self.closing_force * self.on_balls
+
+    @cached_property
+    def contact_force(self) -> Numbers:
+        """Largest normal force on one ball, N."""
+        return self.ball_torque * self.force_per_ball
+
+    @cached_property
+    def travel(self) -> Numbers:
+        """Largest travel of the sleeve, m; 0 without one."""
+        return self.closing_force * self.moved
+
+    @cached_property
+    def control_force(self) -> Numbers:
+        """F_п2, N; NaN without a control spring."""
+        return self.pack_force if self.variant.travels else np.full(1, np.nan)
+
+    @cached_property
+    def closing_deflection(self) -> Numbers:
+        """F_п/c_1, m; NaN where the stiffness is not searched."""
+        return self.closing_force / self.at.closing_stiffness
+
+    @cached_property
+    def control_deflection(self) -> Numbers:
+        """F_п2/c_2, m: infinite for a constant force; NaN without a control spring."""
+        return self.control_force / self.at.control_stiffness
+
+    def travel_room(self, diameter: Numbers | float) -> Numbers:
+        """Travel for which a ball is large enough, m: half of it goes off the clearance; no bound at gain 0."""
+        fixed, sine = self.need.fixed, self.tangent * self.cosine
+        left = synthesis.edge_clearance(diameter / 2, 0.0, fixed.face_gap, sine) - fixed.edge_clearance
+        # gain 0 has no pockets to speak of
+        return np.where(self.tangent > 0, 2 * left, np.inf)
+
+    @cached_property
+    def ball_diameter(self) -> Numbers:
+        """Next standard ball, m; NaN at gain 0 and where there is none."""
+        if not self.variant.controlled:
+            return np.full(1, np.nan)
+        fixed, listed = self.need.fixed, np.append(balls(self.need), np.nan)
+        least = 2 * synthesis.ball_radius(self.travel, fixed.face_gap, fixed.edge_clearance, self.tangent * self.cosine)
+        found: Numbers = np.where(self.tangent > 0, listed[np.searchsorted(listed[:-1], least * (1 - SAME))], np.nan)
+        return found

@@ -16,6 +16,7 @@ def ranks(column: Any, tolerance: float = TOLERANCE) -> Any:
     """
     import numpy as np
 
+    column = np.minimum(column, np.finfo(float).max)
     order = np.argsort(column, kind="stable")
     ordered = column[order]
     steps = np.diff(ordered) > tolerance * np.abs(ordered[1:])

@@ -1,78 +1,243 @@
-"""Continuous refinement of a front: from each grid point downhill in one objective, none of the others given up."""
+"""Continuous refinement of a front: from each grid point to the best between the points, no objective given up.
 
-from typing import Any
+One variable is left to search. Let u = tan α/r: at a given u, with the spring force the least that gives the nominal
+torque, every objective and every bound but those that cap R or r from above gains from a larger R (the pack force
+per torque is a line in 1/R, C = u R), a larger r (u holds C, so only the balls see it) and a larger c_1. Torque
+and travel are fractions linear in c_2, so its ends follow from three values of the law. What is left is a search
+over u.
+"""
 
-from ...spec.requirements import Choices, Requirements
-from .candidates import Axes, evaluate, feasible, objectives
+from typing import NamedTuple
 
-_ROUNDS = 150
-_CONTINUOUS = ("closing_force", "accuracy_factor", "travel")
+import numpy as np
+
+from ...spec.choices import Choice
+from ...spec.requirements import Requirements
+from ...variants import Variant
+from .by_law import candidates
+from .candidates import Candidates
+from .limits import feasible, objectives
+from .space import Axes, Mask, Numbers, balls, searched
+
+FIRST, LATER, ROUNDS = 256, 32, 10
+"""Choice of u tried at first, and between the neighbours of the best in each later round."""
+ROWS = 256
+"""Candidates refined at once."""
+_WHOLE = ("pairs", "ball_diameter")
+_INSIDE = 1 - 5e-13
+"""What is solved for aims at the middle of the slack that limits have."""
+_FREE = ("mean_radius", "steering", "ball_circle_radius", "closing_stiffness", "control_stiffness")
 
 
-def refined(need: Requirements, variant: str, rows: Any) -> Any:
+@np.errstate(all="ignore")
+def refined(need: Requirements, variant: Variant, at: Axes) -> Axes:
     """Move candidates between the grid points of the parameters that were given as ranges.
 
-    A pattern search with a step of its own per candidate; it starts at the grid's own spacing and halves the step
-    where no neighbour is better. Whole numbers, lists and balls stay.
+    Each continuous objective in turn is made as small as it goes without a rise of the others. Whole numbers,
+    lists and balls stay; so does a spring force from a catalogue, and then all the rest.
 
     Args:
         need: the requirements.
         variant: variant of the candidates.
-        rows: one row of axis values per candidate.
+        at: one candidate per element.
 
     Returns:
-        Rows of the same shape, each no worse than its own in any objective.
+        Candidates of the same number, each no worse than its own in any objective.
     """
-    import itertools
-
-    import numpy as np
-
-    free = _free(need, variant)
-    goal = next((need.objectives.index(name) for name in _CONTINUOUS if name in need.objectives), None)
-    if not free or goal is None or len(rows) == 0:
-        return rows
-    best = rows.copy()
-    bounds, spacing = _scales(free)
-    limit = objectives(need, evaluate(need, variant, Axes(*rows.T)), rows[:, 0]) * (1 + 1e-12)
-    reached = limit[:, goal].copy()
-    step = np.ones(len(rows))
-    ways = np.array([way for way in itertools.product((-1, 0, 1), repeat=len(free)) if any(way)], float)
-    columns = [column for column, _ in free]
-    for _ in range(_ROUNDS):
-        tried = np.repeat(best[:, None, :], len(ways), axis=1)
-        moved = tried[:, :, columns] + ways * spacing * step[:, None, None]
-        tried[:, :, columns] = np.clip(moved, bounds[0], bounds[1])
-        flat = tried.reshape(-1, rows.shape[1])
-        state = evaluate(need, variant, Axes(*flat.T))
-        values = objectives(need, state, flat[:, 0]).reshape(len(rows), len(ways), -1)
-        good = feasible(state).reshape(len(rows), len(ways)) & (values <= limit[:, None, :]).all(axis=2)
-        score = np.where(good, values[:, :, goal], np.inf)
-        choice = score.argmin(axis=1)
-        each = np.arange(len(rows))
-        better = score[each, choice] < reached * (1 - 1e-13)
-        best[better] = tried[each, choice][better]
-        reached[better] = score[each, choice][better]
-        step[~better] /= 2
-        if step.max() < 1e-10:
-            break
-    return best
+    count = at.pairs.size
+    if need.search.closing_force is None or not any(choice.between for choice in _free(need, variant).values()):
+        return at
+    parts = [
+        _Rows(need, variant, Axes(*(column[start : start + ROWS] for column in at))).best()
+        for start in range(0, count, ROWS)
+    ]
+    return Axes(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else at
 
 
-def _free(need: Requirements, variant: str) -> list[tuple[int, Any]]:
-    """Columns of the axes that were given as ranges of real numbers, with their ranges."""
-    search = need.search
-    given: dict[int, Choices | None] = {6: search.mean_radius}
-    if variant != "conventional":
-        given |= {2: search.gain or search.wall_angle, 5: search.ball_circle_radius}
-    if variant == "indirect":
-        given |= {3: search.closing_stiffness, 4: search.control_stiffness}
-    return [(column, values) for column, values in given.items() if values and not values.listed and values.length > 1]
+def _free(need: Requirements, variant: Variant) -> dict[str, Choice]:
+    return {name: choice for name, choice in searched(need, variant).items() if name in _FREE}
 
 
-def _scales(free: list[tuple[int, Any]]) -> tuple[Any, Any]:
-    """Bounds and grid spacing of the free columns."""
-    import numpy as np
+class _Span(NamedTuple):
+    """Smallest and largest value of a parameter, per candidate."""
 
-    bounds = np.array([[values.start for _, values in free], [values.stop for _, values in free]])
-    spacing = np.array([(values.stop - values.start) / (values.length - 1) for _, values in free])
-    return bounds, spacing
+    low: Numbers
+    high: Numbers
+
+    def holds(self, value: Numbers) -> Mask:
+        return (value >= self.low * (1 - 1e-12)) & (value <= self.high * (1 + 1e-12))
+
+    def clip(self, value: Numbers) -> Numbers:
+        return np.clip(value, self.low, self.high)
+
+
+class _Rows:
+    """Candidates to refine, as columns; the values of u tried lie along the second axis."""
+
+    def __init__(self, need: Requirements, variant: Variant, at: Axes) -> None:
+        self.need, self.variant = need, variant
+        self.at = Axes(*(column[:, None] for column in at))
+        free = _free(need, variant)
+        self.spans = {name: self._span(name, free.get(name)) for name in _FREE}
+        self.limit = objectives(candidates(need, variant, self.at)) * (1 + 1e-12)
+
+    def _span(self, name: str, choice: Choice | None) -> _Span:
+        own = getattr(self.at, name)
+        if choice is None or not choice.between:
+            return _Span(own, own)
+        return _Span(np.full(own.shape, choice.start), np.full(own.shape, choice.stop))
+
+    def best(self) -> Axes:
+        """Make one objective after the other as small as it goes."""
+        best = self.at
+        for goal, name in enumerate(self.need.objectives):
+            if name not in _WHOLE:
+                best = self._least(goal, best)
+                self.limit = np.minimum(self.limit, objectives(candidates(self.need, self.variant, best)) * (1 + 1e-12))
+        return Axes(*(column[:, 0] for column in best))
+
+    def _least(self, goal: int, best: Axes) -> Axes:
+        low, high = self._steeps()
+        reached = self._score(goal, best)[:, 0]
+        own = self._steep(best)
+        for turn in range(ROUNDS):
+            parts = np.linspace(0.0, 1.0, FIRST if turn == 0 else LATER)
+            tried = np.concatenate([low + (high - low) * parts, own], axis=1)
+            at = self._placed(self.need.objectives[goal], tried)
+            score = self._score(goal, at)
+            choice = score.argmin(axis=1)
+            each = np.arange(len(choice))
+            better = score[each, choice] < reached
+            reached = np.where(better, score[each, choice], reached)
+            best = Axes(
+                *(
+                    np.where(better[:, None], np.broadcast_to(new, score.shape)[each, choice][:, None], old)
+                    for new, old in zip(at, best, strict=True)
+                )
+            )
+            own = np.where(better[:, None], tried[each, choice][:, None], own)
+            low = np.where(tried < own, tried, low).max(axis=1, keepdims=True)
+            high = np.where(tried > own, tried, high).min(axis=1, keepdims=True)
+        return best
+
+    def _score(self, goal: int, at: Axes) -> Numbers:
+        """The objective where a candidate is feasible and gives up nothing, else infinite."""
+        shape = np.broadcast_shapes(*(column.shape for column in at))
+        found = candidates(self.need, self.variant, Axes(*(np.broadcast_to(column, shape) for column in at)))
+        values = objectives(found)
+        good = feasible(found) & (values <= self.limit).all(axis=-1)
+        return np.where(good, values[..., goal], np.inf)
+
+    def _steep(self, at: Axes) -> Numbers:
+        """u = tan α/r = C/R."""
+        if not self.variant.controlled:
+            return np.zeros_like(at.mean_radius)
+        if self.need.search.gain is None:
+            return np.tan(at.steering) / at.ball_circle_radius
+        return at.steering / at.mean_radius
+
+    def _steeps(self) -> tuple[Numbers, Numbers]:
+        """Smallest and largest u."""
+        steering, radius, circle = (self.spans[name] for name in ("steering", "mean_radius", "ball_circle_radius"))
+        if not self.variant.controlled:
+            none = np.zeros_like(radius.low)
+            return none, none
+        if self.need.search.gain is None:
+            return np.tan(steering.low) / circle.high, np.tan(steering.high) / circle.low
+        return steering.low / radius.high, steering.high / radius.low
+
+    def _placed(self, goal: str, steep: Numbers) -> Axes:
+        """The best candidate at every u, NaN where a range does not reach there."""
+        spans = self.spans
+        steering, circle_span = spans["steering"], spans["ball_circle_radius"]
+        by_gain = self.need.search.gain is not None
+        radius = spans["mean_radius"].high
+        circle = circle_span.high
+        if self.variant.controlled:
+            highest = self._largest_gain()
+            radius = np.minimum(radius, np.where(steep > 0, highest / steep, np.inf))
+            if not by_gain:
+                circle = np.minimum(circle, np.where(steep > 0, np.tan(steering.high) / steep, np.inf))
+        radius = np.minimum(radius, self._radius_of_least_force(steep))
+        steer = steep * radius if by_gain else np.arctan(steep * circle)
+        within = spans["mean_radius"].holds(radius)
+        if self.variant.controlled:
+            within = within & steering.holds(steer) & circle_span.holds(circle)
+        at = Axes(
+            pairs=self.at.pairs,
+            driving_pairs=self.at.driving_pairs,
+            steering=steering.clip(steer),
+            closing_stiffness=spans["closing_stiffness"].high,
+            control_stiffness=self.at.control_stiffness,
+            ball_circle_radius=circle_span.clip(circle),
+            mean_radius=np.where(within, spans["mean_radius"].clip(radius), np.nan),
+        )
+        return self._sprung(goal, at) if self.variant.travels else at
+
+    def _largest_gain(self) -> Numbers:
+        """Largest C that its range, the limit of the variant and the one on z C allow."""
+        own, limits = candidates(self.need, self.variant, self.at), self.need.limits
+        highest = np.full(self.at.pairs.shape, np.inf)
+        if self.need.search.gain is not None:
+            highest = self.spans["steering"].high
+        if limits.gain_limit:
+            highest = np.minimum(highest, own.gain_limit)
+        if limits.reduced_gain is not None:
+            highest = np.minimum(highest, limits.reduced_gain / own.controlled_pairs)
+        return highest
+
+    def _radius_of_least_force(self, steep: Numbers) -> Numbers:
+        """Largest R at which the pack force is not below its range: at a given u it is a line in 1/R."""
+        span = self.need.search.closing_force
+        assert span is not None
+        at_one, at_two = (self._pack_force(steep, radius) for radius in (1.0, 2.0))
+        slope, rest = 2 * (at_one - at_two), 2 * at_two - at_one
+        return np.where(rest < span.min, slope / (span.min - rest) * _INSIDE, np.inf)
+
+    def _pack_force(self, steep: Numbers, radius: float) -> Numbers:
+        by_gain = self.need.search.gain is not None
+        at = self.at._replace(
+            steering=steep * radius if by_gain else np.arctan(steep),
+            ball_circle_radius=np.ones(1),
+            mean_radius=np.full(1, radius),
+        )
+        return candidates(self.need, self.variant, at).pack_force
+
+    def _sprung(self, goal: str, at: Axes) -> Axes:
+        """Choose c_2: as small as travel, ball and deflection allow, or as large as torque, K_т and balls do."""
+        span = self.spans["control_stiffness"]
+        if (span.low == span.high).all():
+            return at
+        none = candidates(self.need, self.variant, at._replace(control_stiffness=np.zeros(1)))
+        some = candidates(self.need, self.variant, at._replace(control_stiffness=at.closing_stiffness))
+        # travel = x_0/(1 + m c_2), torque = (T_0 + T_∞ m c_2)/(1 + m c_2)
+        per = (none.travel / some.travel - 1) / at.closing_stiffness
+        if goal in ("travel", "control_deflection"):
+            allowed, share = self._torque_allowed(none), per * at.closing_stiffness
+            ordinary = (some.torque_max * (1 + share) - none.torque_max) / share
+            most = (allowed - none.torque_max) / (per * (ordinary - allowed))
+            chosen = np.where(ordinary > allowed, most, np.inf)
+        else:
+            least = (none.travel / self._travel_allowed(none) - 1) / per
+            chosen = np.maximum(least, none.control_force / self._most("control_deflection") / _INSIDE)
+        return at._replace(control_stiffness=span.clip(np.nan_to_num(chosen, nan=0.0)))
+
+    def _most(self, name: str) -> Numbers:
+        """Largest value of an objective that gives nothing up; infinite where it is none."""
+        aims = self.need.objectives
+        return self.limit[..., aims.index(name)] if name in aims else np.full(self.at.pairs.shape, np.inf)
+
+    def _travel_allowed(self, own: Candidates) -> Numbers:
+        need = self.need
+        limit = np.inf if need.limits.travel is None else need.limits.travel
+        ball = np.minimum(self._most("ball_diameter"), balls(need)[-1])
+        allowed: Numbers = np.minimum(np.minimum(limit, self._most("travel")), own.travel_room(ball)) * _INSIDE
+        return allowed
+
+    def _torque_allowed(self, own: Candidates) -> Numbers:
+        wanted, limits = self.need.wanted, self.need.limits
+        factor = np.minimum(self._most("accuracy_factor"), wanted.accuracy_factor or np.inf)
+        allowed: Numbers = np.minimum(factor * own.closing_force * own.low, wanted.torque_max or np.inf)
+        contact = np.inf if limits.contact_force is None else limits.contact_force
+        least: Numbers = np.minimum(allowed, contact / own.force_per_ball) * _INSIDE
+        return least

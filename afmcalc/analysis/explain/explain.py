@@ -4,7 +4,6 @@ from typing import Any
 
 from ...engines import build
 from ...errors import AfmcalcError
-from ...extras import need
 from ...findings import Finding
 from ...messages import say
 from ...papers.register import register
@@ -12,6 +11,7 @@ from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.suggest import did_you_mean
 from ..registry import ANALYSES, EXPLAINED
+from .formula import Formula, symbol_latex
 from .trace import Call, distinct, recording, with_roles
 
 
@@ -53,7 +53,7 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
         The steps and the findings of the calculation itself.
 
     Raises:
-        AfmcalcError: no such calculation, or the extra ``explain`` is missing.
+        AfmcalcError: no such calculation.
     """
     if command not in EXPLAINED:
         hint = did_you_mean(command, EXPLAINED)
@@ -65,7 +65,6 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
                 analyses=", ".join(EXPLAINED),
             )
         )
-    need("explain")
     calculation = ANALYSES[command].function
     with recording() as calls:
         _, findings = calculation(build(with_roles(spec)), **options)
@@ -85,8 +84,6 @@ def _note(call: Call) -> str | None:
 
 
 def _step(call: Call) -> Step:
-    from .formula import Formula, symbol_latex
-
     terms = call.equation.arguments
     symbols = {name: call.symbol(name) for name in call.arguments}
     units = {name: terms[name].unit for name in call.arguments}

@@ -5,6 +5,7 @@ from typing import Any
 
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
+from ...messages import translate
 from ...result import Result, Triple
 from ..document import Document, document
 from ..layout import Block, blocks
@@ -59,7 +60,7 @@ def _rows(result: Result) -> list[tuple[tuple[str, str, str], str]]:
     for name, info in type(result).model_fields.items():
         about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
         unit, symbol = str(about.get("unit") or ""), str(about.get("symbol") or "")
-        value, title, shown = getattr(result, name), info.description or name, display_unit(unit)
+        value, title, shown = getattr(result, name), translate(info.description or name), display_unit(unit)
         if isinstance(value, Triple):
             found += [
                 ((symbol, f"{title} {at}", shown), display(each, unit))

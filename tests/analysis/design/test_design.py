@@ -16,17 +16,26 @@ from conftest import CONFIGS, ROOT
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from afmcalc.analysis.design import search as searching
 from afmcalc.analysis.design.design import design, picked
+from afmcalc.analysis.design.found import Found
 from afmcalc.analysis.design.pareto import front
+from afmcalc.analysis.design.radius import by_radius, separable
+from afmcalc.analysis.design.rows import objective
+from afmcalc.analysis.design.search import search as searched
+from afmcalc.analysis.design.tiles import by_tile
+from afmcalc.analysis.overload import overload
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
 from afmcalc.equations import adjustment, inverse
 from afmcalc.spec import make_spec
 from afmcalc.spec.requirements import make_requirements
+from afmcalc.variants import VARIANTS
 
 BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
-OBJECTIVES = ["closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel"]
+OBJECTIVES = [
+    "closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel",
+    "control_force", "closing_deflection", "control_deflection",
+]  # fmt: skip
 
 
 def changed(**tables):
@@ -46,7 +55,7 @@ def requirements(draw, separable=False):
     maybe = lambda low, high: draw(st.one_of(st.none(), st.none(), st.floats(low, high)))  # noqa: E731
     some = lambda low, high, most=4: draw(st.lists(st.floats(low, high), min_size=1, max_size=most, unique=True))  # noqa: E731
     catalogue = draw(st.booleans()) and not separable
-    angle = draw(st.booleans()) and not separable
+    angle = draw(st.booleans())
     data = changed(
         variants=draw(st.lists(st.sampled_from(["conventional", "differentiated", "all-driving", "indirect"]), min_size=1, unique=True)),
         objectives=draw(st.lists(st.sampled_from(OBJECTIVES), min_size=1, unique=True)),
@@ -129,19 +138,22 @@ def one(need, variant, z, radius, z1, turn, circle, c1, c2):
     if variant == "indirect" and clutch.net_gain <= 0:
         return None
     force = clutch.closing_force
+    pack = clutch.control_force if variant == "indirect" else force
     if need.search.closing_forces is not None:
         force = min((f for f in need.search.closing_forces.array() if f >= force / over), default=math.inf)
-    elif not need.search.closing_force.min / over <= force <= need.search.closing_force.max * over:
+    elif not need.search.closing_force.min / over <= pack <= need.search.closing_force.max * over:
         return None
     if force == math.inf:
         return None
     del data["adjustment"]["nominal_torque"]
     clutch = build(make_spec({**data, "closing_spring": {**data.get("closing_spring", {}), "force": force}}))
     width, ball, travel = fixed.face_width, 0.0, 0.0
+    control = clutch.control_force if variant == "indirect" else 0.0
+    pack = control or force
     held = [
         wanted.accuracy_factor is None or clutch.accuracy_factor <= wanted.accuracy_factor * over,
         wanted.torque_max is None or clutch.torque_max <= wanted.torque_max * over,
-        width is None or (radius > width / 2 and force / (2 * math.pi * radius * width) <= limits.surface_pressure * over),
+        width is None or (radius > width / 2 and pack / (2 * math.pi * radius * width) <= limits.surface_pressure * over),
         limits.reduced_gain is None or clutch.reduced_gain <= limits.reduced_gain * over,
         not limits.gain_limit or clutch.gain_limit is None or clutch.gain <= clutch.gain_limit * over,
     ]  # fmt: skip
@@ -157,11 +169,14 @@ def one(need, variant, z, radius, z1, turn, circle, c1, c2):
     if not all(held):
         return None
     whole = {
-        "closing_force": force,
+        "closing_force": pack,
         "accuracy_factor": clutch.accuracy_factor,
         "pairs": z,
         "ball_diameter": ball,
         "travel": travel,
+        "control_force": control,
+        "closing_deflection": force / c1 if c1 else 0.0,
+        "control_deflection": (control / c2 if c2 else math.inf) if variant == "indirect" else 0.0,
     }
     return [whole[name] for name in need.objectives]
 
@@ -170,10 +185,10 @@ def one(need, variant, z, radius, z1, turn, circle, c1, c2):
 @given(requirements())
 def test_the_front_against_brute_force(need):
     everything = brute(need)
-    found = searching.search(need)
+    found = searched(need)
     assert found.feasible == len(everything)
     mine = (
-        np.concatenate([values for _, _, values in found.members])
+        np.concatenate([member.values for member in found.members])
         if found.members
         else np.empty((0, len(need.objectives)))
     )
@@ -182,20 +197,22 @@ def test_the_front_against_brute_force(need):
     assert mine[order[0]] == pytest.approx(theirs[order[1]], rel=1e-9, abs=1e-12)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(requirements(separable=True))
 def test_two_ways_through_one_space(need):
     """Looking the radii up gives what evaluating all of them gives, exclusions included."""
-    quick, slow = searching.Found(), searching.Found()
-    for variant in need.variants:
-        if variant != "indirect":
-            searching._by_radius(need, variant, quick, lambda done: None)
-            searching._flat(need, variant, slow, lambda done: None)
+    quick, slow = Found(), Found()
+    variants = [variant for variant in (VARIANTS[name] for name in need.variants) if separable(need, variant)]
+    assume(variants)
+    for variant in variants:
+        by_radius(need, variant, quick, lambda done: None)
+        by_tile(need, variant, slow, lambda done: None)
     assert (quick.candidates, quick.feasible) == (slow.candidates, slow.feasible)
     assert +quick.excluded == +slow.excluded
     for found in (quick, slow):
         found.settle()
-    assert sum(len(v) for _, _, v in quick.members) == sum(len(v) for _, _, v in slow.members)
+    one, other = (sorted(row for member in found.members for row in member.values.tolist()) for found in (quick, slow))
+    assert np.array(one) == pytest.approx(np.array(other), rel=1e-12)
 
 
 @settings(max_examples=20, deadline=None)
@@ -211,7 +228,70 @@ def test_what_is_picked_holds_what_was_wanted(need, place, fine):
     assert clutch.torque_max == pytest.approx(row.torque_max)
     for before, after in zip(result.front, result.refined, strict=True):
         for name in need.objectives:
-            assert (getattr(after, name) or 0) <= (getattr(before, name) or 0) * (1 + 1e-9)
+            assert objective(after, name) <= objective(before, name) * (1 + 1e-9)
+
+
+@settings(max_examples=40, deadline=None)
+@given(requirements())
+def test_nothing_negative_leaves_the_search(need):
+    result, _ = design(need)
+    for row in (*result.front, *result.refined):
+        values = row.model_dump(exclude_none=True, exclude={"variant"})
+        may_be_zero = {"gain", "wall_angle", "travel", "contact_force", "control_stiffness"}
+        assert all(value > 0 or (value == 0 and name in may_be_zero) for name, value in values.items()), values
+        assert row.accuracy_factor >= 1
+        assert row.torque_max >= row.nominal_torque * (1 - 1e-9)
+
+
+def test_a_margin_lies_between_clutch_and_machine():
+    """Set at f_min the clutch is the margin stronger (S22); set at the mean the margin is in the spring (S19)."""
+    for method, clutch_torque in (("min-friction", 250), ("mean-friction", 200)):
+        wanted = {"nominal_torque": None, "machine_torque": 200, "margin": 1.25, "method": method, "torque_max": 700}
+        need = make_requirements(changed(wanted=wanted))
+        result, _ = design(need)
+        assert len(result.front) > 5
+        for row in result.front:
+            assert row.nominal_torque == pytest.approx(clutch_torque)
+            assert row.machine_torque == pytest.approx(200)
+        made = build(picked(need, result, 3))
+        assert made.nominal_torque == pytest.approx(clutch_torque)
+        if method == "min-friction":
+            assert overload(made)[0].machine_torque == pytest.approx(200)
+    alone, _ = design(make_requirements(changed(wanted={"nominal_torque": 250, "torque_max": 700})))
+    assert {row.machine_torque for row in alone.front} == {None}
+
+
+INDIRECT = {
+    "variants": ["indirect"], "objectives": ["closing_force", "accuracy_factor"],
+    "wanted": {"accuracy_factor": 4, "torque_max": 1000},
+    "search": {"pairs": [8], "mean_radius": 0.1, "gain": [0.2, 0.4, 1.0, 2.0], "ball_circle_radius": 0.05,
+               "closing_stiffness": 2e4, "control_stiffness": [0, 1e4], "ball_diameters": [0.05, 0.5]},
+    "fixed": {"hub_diameter": 0.05, "key_friction": 0.1}, "limits": {"contact_force": None},
+}  # fmt: skip
+
+
+def test_an_indirect_clutch_is_judged_by_what_its_pack_bears():
+    """F_п1 = 200/(8·0.1·0.1) = 2500 N; κ = C − 0.4, F_п2 = F_п1 (1 + 0.8 κ)."""
+    result, _ = design(make_requirements(changed(**INDIRECT)))
+    # C 0.2 has κ < 0, C 0.4 has κ = 0: counted as such and as nothing else
+    assert result.excluded["gain_threshold"] == 4
+    assert sum(result.excluded.values()) + result.feasible == result.candidates == 8
+    assert [row.gain for row in result.front] == [1.0, 2.0]
+    for row in result.front:
+        pack = 2500 * (1 + 0.8 * (row.gain - 0.4))
+        assert row.closing_force == pytest.approx(2500)
+        assert row.control_force == row.pack_force_at_rest == pytest.approx(pack)
+        assert row.closing_deflection == pytest.approx(2500 / 2e4)
+        assert row.surface_pressure == pytest.approx(pack / (2 * math.pi * 0.1 * 0.03))
+        # c_2 = 0 is best in K_т: a constant force, whose deflection is not defined
+        assert (row.control_stiffness, row.control_deflection) == (0, None)
+    stiff, _ = design(
+        make_requirements(changed(**INDIRECT) | {"objectives": ["control_deflection", "accuracy_factor"]})
+    )
+    assert stiff.front[0].control_deflection == pytest.approx(2500 * 1.48 / 1e4)
+    narrow = changed(**INDIRECT)
+    narrow["search"]["closing_force"] = {"min": 500, "max": 5000}
+    assert [row.gain for row in design(make_requirements(narrow))[0].front] == [1.0]
 
 
 def test_refinement_reaches_the_closed_inverse():
@@ -276,7 +356,20 @@ def test_an_empty_result_says_why(afmcalc, tmp_path):
         ({"search": {"mean_radius": []}}, "empty list"),
         ({"search": {"mean_radius": "1 N"}}, "is a force, not a length"),
         ({"search": {"mean_radius": -1}}, "must be greater than 0"),
-        ({"search": {"pairs": [2.5]}}, "whole numbers"),
+        ({"search": {"pairs": [2.5]}}, "must be a whole number"),
+        ({"search": {"pairs": True}}, "must be a whole number"),
+        ({"search": {"gain": [0.5, -0.1]}}, "search.gain = [0.5, -0.1]: must be at least 0"),
+        ({"search": {"gain": None, "wall_angle": {"start": 5, "stop": 40, "count": 8}}}, "must be less than 90 deg"),
+        ({"search": {"gain": None, "wall_angle": "-1 deg"}}, "must be at least 0"),
+        ({"search": {"gain": None, "wall_angle": math.pi / 2}}, "must be less than 90 deg"),
+        ({"search": {"ball_circle_radius": 0}}, "must be greater than 0"),
+        ({"search": {"closing_stiffness": 0}}, "must be greater than 0"),
+        ({"search": {"control_stiffness": -1}}, "must be at least 0"),
+        ({"search": {"closing_force": None, "closing_forces": [0]}}, "must be greater than 0"),
+        ({"search": {"mean_radius": {"start": 0.1, "stop": 0.2, "step": 1e-300}}}, "at most 1,000,000 here"),
+        ({"search": {"pairs": {"start": 2, "stop": 10_000_000}}}, "9,999,999 values; at most 1,000,000 here"),
+        ({"search": {"ball_diameters": {"start": 1e-3, "stop": 1, "count": 10_000_000}}}, "10,000,000 values; at most 10,000 here"),
+        ({"search": {"mean_radius": [0.1] * 10_001}}, "10,001 values; at most 10,000 here"),
         ({"search": {"pairs": 0}}, "must be at least 1"),
         ({"search": {"gain": None}}, "give gain or wall_angle"),
         ({"search": {"closing_force": None}}, "a catalogue"),
@@ -289,6 +382,7 @@ def test_an_empty_result_says_why(afmcalc, tmp_path):
         ({"friction": {"min": None, "max": None, "mean": None}}, "a material, or both groups"),
         ({"fixed": {"face_width": None}}, "required beside limits.surface_pressure"),
         ({"wanted": {"nominal_torque": None}}, "wanted.nominal_torque: required"),
+        ({"wanted": {"machine_torque": 100}}, "nominal_torque of the clutch or machine_torque, one of them"),
     ],
 )  # fmt: skip
 def test_requirements_that_are_refused(tables, says, afmcalc):

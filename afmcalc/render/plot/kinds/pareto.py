@@ -1,6 +1,7 @@
 """The Pareto front of a design: the first objective against the others, on the grid and refined between its points."""
 
-from ....analysis.design.design import DesignResult, DesignRow
+from ....analysis.design.design import DesignResult
+from ....analysis.design.rows import DesignRow, objective
 from ....analysis.figures import ParetoFigure
 from ..chart import Chart, ChartAxis, Line, Sheet, axis_of
 
@@ -10,6 +11,9 @@ _QUANTITIES = {
     "pairs": "friction pairs",
     "ball_diameter": "standard ball",
     "travel": "travel of the sleeve",
+    "control_force": "control-spring force",
+    "closing_deflection": "deflection of the closing spring",
+    "control_deflection": "deflection of the control spring",
 }
 
 
@@ -85,8 +89,7 @@ def _axis(name: str) -> ChartAxis:
 
 
 def _values(rows: list[DesignRow], name: str) -> list[float]:
-    """Values of an objective; what a variant does not have costs nothing, as in the search."""
-    return [float(getattr(row, name) or 0.0) for row in rows]
+    return [objective(row, name) for row in rows]
 
 
 def _ends(values: list[float]) -> tuple[float, float]:

@@ -3,7 +3,7 @@
 import math
 
 from ....analysis.figures import ToleranceFigure
-from ....analysis.tolerance.study import Study
+from ....analysis.tolerance.result import Study
 from ...units import display
 from ..chart import Area, Chart, ChartAxis, Level, Line, Sheet, stated
 

@@ -1,0 +1,126 @@
+"""What every candidate must hold, and what it is judged by: one list for every way through the space."""
+
+from collections.abc import Callable, Iterable
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from ...spec.requirements import Requirements
+from ...variants import Variant
+from .candidates import SAME, Candidates
+from .space import Mask, Numbers, balls, given
+
+OVER, UNDER = 1 + SAME, 1 - SAME
+
+
+class Constraint(NamedTuple):
+    """One bound; several may share a name, by which those who miss any of them are counted."""
+
+    name: str
+    holds: Callable[[Candidates], Mask]
+    along_radius: tuple[int, int] = (0, 0)
+    """As R grows, at a given gain and at a given wall angle: 1 it comes to hold, −1 it ceases to, 0 neither.
+
+    Where the spring force is a range, the gain is searched and no sleeve travels; or the angle is, and ``unimodal``.
+    """
+
+
+def constraints(need: Requirements, variant: Variant) -> list[Constraint]:
+    """Every bound that the requirements put on a variant."""
+    return [Constraint(*each) for each in _bounds(need, variant)]
+
+
+_Bound: TypeAlias = tuple[str, Callable[[Candidates], Mask], tuple[int, int]]
+
+
+def _bounds(need: Requirements, variant: Variant) -> Iterable[_Bound]:
+    wanted, limits, span = need.wanted, need.limits, need.search.closing_force
+    if span is None:
+        largest = given(need.search.closing_forces).array()[-1]
+        yield "closing_force", lambda c: c.wanted_force <= largest / UNDER, (0, 0)
+    else:
+        most, least = span.max * OVER, span.min * UNDER
+        yield "closing_force", lambda c: c.pack_force <= most, (1, 1)
+        yield "closing_force", lambda c: c.pack_force >= least, (-1, -1)
+    if (factor := wanted.accuracy_factor) is not None:
+        yield "accuracy_factor", lambda c: c.accuracy_factor <= factor * OVER, (0, 1)
+    if (torque := wanted.torque_max) is not None:
+        yield "torque_max", lambda c: c.torque_max <= torque * OVER, (0, 1)
+    if (width := need.fixed.face_width) is not None:
+        yield "face_width", lambda c: c.at.mean_radius > width / 2, (1, 1)
+        if (pressure := limits.surface_pressure) is not None:
+            yield "surface_pressure", lambda c: c.surface_pressure <= pressure * OVER, (1, 1)
+    if variant.controlled:
+        yield from _of_the_control_unit(need, variant)
+
+
+def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[_Bound]:
+    limits, largest = need.limits, float(balls(need)[-1]) * OVER
+    if limits.gain_limit and variant.gain_limit is not None:
+
+        def within(c: Candidates) -> Mask:
+            return np.asarray(c.gain <= c.gain_limit * (1 + 1e-9))
+
+        yield "gain_limit", within, (0, -1)
+    if (reduced := limits.reduced_gain) is not None:
+        yield "reduced_gain", lambda c: c.reduced_gain <= reduced * OVER, (0, -1)
+    if (force := limits.contact_force) is not None:
+        yield "contact_force", lambda c: c.ball_torque <= force * OVER / c.force_per_ball, (1, 1)
+    yield "standard_ball", lambda c: c.travel <= c.travel_room(largest), (-1, int(variant.travels))
+    if variant.travels and (travel := limits.travel) is not None:
+        yield "travel", lambda c: c.travel <= travel * OVER, (0, 1)
+
+
+OBJECTIVES: dict[str, Callable[[Candidates], Numbers]] = {
+    "closing_force": lambda c: c.pack_force,
+    "accuracy_factor": lambda c: c.accuracy_factor,
+    "pairs": lambda c: c.at.pairs,
+    "ball_diameter": lambda c: np.nan_to_num(c.ball_diameter),
+    "travel": lambda c: c.travel,
+    "control_force": lambda c: np.nan_to_num(c.control_force),
+    "closing_deflection": lambda c: np.nan_to_num(c.closing_deflection, posinf=np.inf),
+    "control_deflection": lambda c: np.nan_to_num(c.control_deflection, posinf=np.inf),
+}
+"""What is to be small; what a variant does not have costs nothing."""
+
+
+@np.errstate(all="ignore")
+def objectives(found: Candidates) -> Numbers:
+    """One row per candidate, one column per objective."""
+    columns = [OBJECTIVES[name](found) for name in found.need.objectives]
+    # columns of their own in memory, rows to look at
+    return np.moveaxis(np.stack(np.broadcast_arrays(*columns, found.at.pairs)[:-1]), 0, -1)
+
+
+def feasible(found: Candidates) -> Mask:
+    """Candidates that hold every constraint."""
+    good = found.is_clutch
+    for constraint in constraints(found.need, found.variant):
+        good = good & constraint.holds(found)
+    return np.broadcast_to(good, found.at.pairs.shape)
+
+
+def unimodal(need: Requirements) -> bool:
+    """Whether K_т falls as the gain grows, all the way: beyond its limit unlike materials may turn T(f) round."""
+    return need.limits.gain_limit or not need.friction.unlike
+
+
+def never_worse(need: Requirements, variant: Variant) -> dict[str, int]:
+    """Axes along which a feasible candidate is never beaten: by its larger (1) or its smaller (−1) neighbour."""
+    angle, aims = need.search.gain is None, set(need.objectives)
+    found = {}
+    if variant.controlled and not angle:
+        # a gain knows no ball circle: but for the balls all are alike
+        found["ball_circle_radius"] = 1 if "ball_diameter" in aims else -1
+    span = need.search.closing_force is not None
+    by_gain = span and not variant.travels and "ball_diameter" not in aims
+    by_angle = unimodal(need) and (span or not variant.travels)
+    if by_angle if angle and variant.controlled else by_gain:
+        found["mean_radius"] = 1
+    if variant.travels:
+        found["closing_stiffness"] = 1
+        if not aims & {"ball_diameter", "travel", "control_deflection"}:
+            found["control_stiffness"] = -1
+        elif "accuracy_factor" not in aims:
+            found["control_stiffness"] = 1
+    return found

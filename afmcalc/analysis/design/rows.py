@@ -1,0 +1,127 @@
+"""One clutch of a front: as a row of the result, and as a spec."""
+
+import math
+
+import numpy as np
+
+from ...result import Result, quantity
+from ...spec import Spec, make_spec
+from ...spec.requirements import Requirements
+from .candidates import Candidates
+
+
+class DesignRow(Result):
+    """One clutch of the front."""
+
+    number: int = quantity("", "N", "number, for --pick")
+    variant: str = quantity("", None, "variant")
+    pairs: int = quantity("1", "z", "friction pairs")
+    driving_pairs: int | None = quantity("1", "z_1", "bypass pairs", optional=True)
+    mean_radius: float = quantity("m", "R_cp", "mean friction radius")
+    gain: float | None = quantity("1", "C", "feedback gain", optional=True)
+    wall_angle: float | None = quantity("rad", "α", "wall angle", optional=True)
+    ball_circle_radius: float | None = quantity("m", "r", "ball-circle radius", optional=True)
+    closing_stiffness: float | None = quantity("N/m", "c_1", "stiffness of the closing spring", optional=True)
+    control_stiffness: float | None = quantity("N/m", "c_2", "stiffness of the control spring", optional=True)
+    closing_force: float = quantity("N", "F_п", "closing-spring force as set")
+    control_force: float | None = quantity("N", "F_п2", "control-spring force as set", optional=True)
+    pack_force_at_rest: float | None = quantity("N", "F_0", "force on the pack at rest", optional=True)
+    closing_deflection: float | None = quantity("m", "F_п/c_1", "deflection of the closing spring", optional=True)
+    control_deflection: float | None = quantity("m", "F_п2/c_2", "deflection of the control spring", optional=True)
+    nominal_torque: float = quantity("N*m", "T_н", "nominal torque")
+    machine_torque: float | None = quantity("N*m", "T_н.маш", "nominal torque of the machine", optional=True)
+    accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
+    torque_max: float = quantity("N*m", "T_max", "largest torque")
+    ball_diameter: float | None = quantity("m", "2 r_ш", "standard ball", optional=True)
+    travel: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
+    contact_force: float | None = quantity("N", "F_n", "largest force on one ball", optional=True)
+    surface_pressure: float | None = quantity("Pa", "p", "mean surface pressure", optional=True)
+
+
+_SEARCHED = ("pairs", "driving_pairs", "mean_radius", "ball_circle_radius", "closing_stiffness", "control_stiffness")
+_OF_A_SLEEVE = ("control_force", "pack_force_at_rest", "closing_deflection", "control_deflection", "travel")
+
+
+@np.errstate(all="ignore")
+def rows(found: Candidates) -> list[DesignRow]:
+    """Turn columns to rows, numbered in their order; what does not apply, or is not finite, is None."""
+    need, at = found.need, found.at
+    columns = {name: getattr(at, name) for name in _SEARCHED} | {
+        "closing_force": found.closing_force,
+        "nominal_torque": found.nominal_torque,
+        "accuracy_factor": found.accuracy_factor,
+        "torque_max": found.torque_max,
+        "surface_pressure": found.surface_pressure,
+    }
+    if found.variant.controlled:
+        columns |= {"gain": found.gain, "ball_diameter": found.ball_diameter, "contact_force": found.contact_force}
+        if need.search.wall_angle is not None:
+            columns["wall_angle"] = at.steering
+    if found.variant.travels:
+        columns |= {name: getattr(found, name) for name in _OF_A_SLEEVE if name != "pack_force_at_rest"}
+        columns["pack_force_at_rest"] = found.pack_force
+    if need.wanted.margin != 1:
+        columns["machine_torque"] = found.nominal_torque / need.wanted.over_machine
+    names = list(columns)
+    lists = zip(*(np.broadcast_to(column, at.pairs.shape).tolist() for column in columns.values()), strict=True)
+    return [
+        DesignRow(number=number, variant=found.variant.name, **dict(zip(names, map(_defined, row), strict=True)))
+        for number, row in enumerate(lists, 1)
+    ]
+
+
+def _defined(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def objective(row: DesignRow, name: str) -> float:
+    """Value by which a row was judged; what its variant does not have costs nothing."""
+    if name == "closing_force" and row.pack_force_at_rest is not None:
+        return row.pack_force_at_rest
+    value = getattr(row, name)
+    if value is None and name == "control_deflection" and row.control_stiffness == 0:
+        return math.inf
+    return float(value or 0.0)
+
+
+def as_spec(need: Requirements, row: DesignRow) -> Spec:
+    """Write a row as a spec."""
+    fixed, limits = need.fixed, need.limits
+    group: dict[str, int | float] = {"pairs": row.pairs}
+    if row.driving_pairs is not None:
+        group["driving_pairs"] = row.driving_pairs
+    if fixed.face_width is None:
+        group["mean_radius"] = row.mean_radius
+    else:
+        group |= {
+            "inner_radius": row.mean_radius - fixed.face_width / 2,
+            "outer_radius": row.mean_radius + fixed.face_width / 2,
+        }
+    spring = {"force": row.closing_force}
+    data: dict[str, object] = {
+        "name": f"{need.name or 'Design'}, no. {row.number}",
+        "variant": row.variant,
+        "friction": need.friction.model_dump(exclude_none=True),
+        "friction_group": group,
+        "closing_spring": spring,
+        "adjustment": {"method": need.wanted.method, "margin": need.wanted.margin},
+    }
+    if row.ball_circle_radius is not None:
+        data["control_unit"] = {
+            **({"gain": row.gain} if row.wall_angle is None else {"wall_angle": row.wall_angle}),
+            "ball_circle_radius": row.ball_circle_radius,
+            "balls": fixed.balls,
+            "face_gap": fixed.face_gap,
+            "edge_clearance": fixed.edge_clearance,
+            **({} if limits.contact_force is None else {"allowable_contact_force": limits.contact_force}),
+            **({} if row.ball_diameter is None else {"ball_diameter": row.ball_diameter}),
+            **(
+                {}
+                if row.closing_stiffness is None
+                else {"hub_diameter": fixed.hub_diameter, "key_friction": fixed.key_friction}
+            ),
+        }
+    if row.closing_stiffness is not None:
+        spring["stiffness"] = row.closing_stiffness
+        data["control_spring"] = {"stiffness": row.control_stiffness}
+    return make_spec(data)

@@ -1,0 +1,79 @@
+"""The discrete space of a design: its axes, and how many candidates they span."""
+
+from functools import cache
+from math import prod
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...spec.balls import diameters
+from ...spec.choices import Choice
+from ...spec.requirements import Requirements
+from ...variants import VARIANTS, Variant
+
+Numbers: TypeAlias = NDArray[np.float64]
+Mask: TypeAlias = NDArray[np.bool_]
+Places: TypeAlias = NDArray[np.int64]
+
+
+class Axes(NamedTuple):
+    """Choice of the searched parameters, SI: an axis each, or a column of candidates; NaN where a variant has none."""
+
+    pairs: Numbers
+    driving_pairs: Numbers
+    steering: Numbers
+    """Gain, or wall angle where the angle is searched."""
+    closing_stiffness: Numbers
+    control_stiffness: Numbers
+    ball_circle_radius: Numbers
+    mean_radius: Numbers
+
+
+def given(values: Choice | None) -> Choice:
+    """Choice that the rules of the requirements ask for."""
+    assert values is not None
+    return values
+
+
+def searched(need: Requirements, variant: Variant) -> dict[str, Choice]:
+    """Choice of every axis that a variant has."""
+    search = need.search
+    found = {"pairs": search.pairs, "mean_radius": search.mean_radius}
+    if variant.chooses_bypass:
+        found["driving_pairs"] = search.driving_pairs
+    if variant.controlled:
+        found["steering"] = given(search.gain or search.wall_angle)
+        found["ball_circle_radius"] = given(search.ball_circle_radius)
+    if variant.travels:
+        found["closing_stiffness"] = given(search.closing_stiffness)
+        found["control_stiffness"] = given(search.control_stiffness)
+    return found
+
+
+def axes(need: Requirements, variant: Variant) -> Axes:
+    """Lay out the axes of a variant; an axis it does not have holds one NaN."""
+    had = searched(need, variant)
+    return Axes(*(had[name].array() if name in had else np.array([np.nan]) for name in Axes._fields))
+
+
+def forces(need: Requirements) -> int:
+    """How many spring forces a catalogue holds."""
+    return 1 if need.search.closing_forces is None else need.search.closing_forces.size
+
+
+def total(need: Requirements) -> int:
+    """Number of candidates asked for."""
+    variants = (VARIANTS[name] for name in need.variants)
+    return forces(need) * sum(prod(values.size for values in searched(need, variant).values()) for variant in variants)
+
+
+@cache
+def _shipped() -> tuple[float, ...]:
+    return tuple(diameters())
+
+
+def balls(need: Requirements) -> Numbers:
+    """Standard ball diameters to choose from, ascending, m."""
+    listed = need.search.ball_diameters
+    return np.array(_shipped()) if listed is None else listed.array()
