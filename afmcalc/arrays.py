@@ -4,13 +4,16 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, TypeAlias
 
+from .messages import say
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    Values: TypeAlias = float | NDArray[np.float64]
+    Floats: TypeAlias = NDArray[np.float64]
+    Values: TypeAlias = float | Floats
 else:
-    Values = Any
+    Floats = Values = Any
 """One number, or an array of any shape; shapes of several arguments broadcast."""
 
 
@@ -72,9 +75,11 @@ def checked_friction(value: Any) -> Any:
         value = np.asarray(value, float)
     if is_array(value):
         if value.dtype.kind not in "fiu":
-            raise ValueError(f"friction must be numbers, not an array of {value.dtype}")
+            raise ValueError(say("friction must be numbers, not an array of {dtype}", dtype=value.dtype))
         if value.size and not value.min() >= 0:
-            raise ValueError("friction must be at least 0 everywhere")
+            raise ValueError(say("friction must be at least 0 everywhere"))
     elif isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value < math.inf:
-        raise ValueError(f"friction must be a finite number, at least 0, or an array of such; got {value!r}")
+        raise ValueError(
+            say("friction must be a finite number, at least 0, or an array of such; got {value!r}", value=value)
+        )
     return value

@@ -45,7 +45,3 @@ class SpecError(AfmcalcError, ValueError):
         self.source = source
         self.problems = problems
         super().__init__("\n".join(f"{source}: {problem}" for problem in problems))
-
-    def named(self, source: str) -> "SpecError":
-        """Return the same error as of the spec read from ``source``, where only "spec" was known."""
-        return SpecError(source, self.problems) if self.source == "spec" else self

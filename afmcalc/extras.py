@@ -3,25 +3,31 @@
 from importlib.util import find_spec
 
 from .errors import AfmcalcError
+from .messages import say
 
 MODULES = {
     "explain": ("sympy",),
-    "plot": ("matplotlib", "plotext"),
-    "report": ("jinja2", "matplotlib", "sympy", "latex2mathml"),
+    "plot": ("matplotlib",),
+    "report": ("jinja2", "matplotlib", "latex2mathml"),
 }
 """Extra → modules it brings."""
 
 
-def need(extra: str, *modules: str) -> None:
-    """Make sure that modules of an extra are installed, without importing them.
+def need(extra: str) -> None:
+    """Make sure that the modules of an extra are installed, without importing them.
 
     Args:
         extra: name of the extra, as pip knows it.
-        modules: those that are needed; all of the extra's when none is named.
 
     Raises:
         AfmcalcError: one is missing.
     """
-    missing = [name for name in modules or MODULES[extra] if find_spec(name) is None]
+    missing = [name for name in MODULES[extra] if find_spec(name) is None]
     if missing:
-        raise AfmcalcError(f"this needs {' and '.join(missing)}, not installed here: pip install 'afmcalc[{extra}]'")
+        raise AfmcalcError(
+            say(
+                "this needs {missing}, not installed here: pip install 'afmcalc[{extra}]'",
+                missing=say(" and ").join(missing),
+                extra=extra,
+            )
+        )

@@ -1,7 +1,7 @@
 """Findings: what a designer should know about a legal design."""
 
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -31,7 +31,7 @@ def finding(
     value: float | None = None,
     limit: float | None = None,
     path: str | None = None,
-    **values: Any,
+    **values: object,
 ) -> Finding:
     """Make a finding whose sentence is that of its code in ``messages.FINDINGS``.
 
@@ -44,7 +44,7 @@ def finding(
         values: what else the sentence shows, SI.
     """
     said = {"value": value, "limit": limit, "path": path, **values}
-    number, bound = (None if each is None else float(each) for each in (value, limit))
+    number, bound = (each if each is None or type(each) is int else float(each) for each in (value, limit))
     return Finding(level, code.partition("/")[0], sentence(code, said), number, bound, path)
 
 

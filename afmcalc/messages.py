@@ -1,13 +1,16 @@
-"""What is said to people: a sentence per finding, numbers set by their unit.
+"""What is said to people, in one place where another language can step in.
 
-A sentence is a template of ``str.format`` whose fields may end in a unit people use: ``{force:.5g kN}`` sets a force
-given in N. So a sentence holds no arithmetic and a value stays SI; another language is another table.
+A message is a template of ``str.format`` whose fields may end in a unit people use: ``{force:.5g kN}`` sets a force
+given in N. So a template holds no arithmetic and a value stays SI. The English template is the key of the message, as
+in gettext: an error says it where it arises, ``say("{path}: is no table", path=path)``, always a literal so that it can
+be collected; the sentences of findings stand below, by code; descriptions and labels stand beside what they describe
+and are shown through ``translate``.
 """
 
 import math
 import string
 from collections.abc import Mapping
-from typing import Any
+from typing import SupportsFloat
 
 SCALES = {
     "N": 1.0,
@@ -23,25 +26,76 @@ SCALES = {
 
 
 class _Sentence(string.Formatter):
-    """``str.format`` whose numbers may carry a unit."""
+    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once."""
 
-    def format_field(self, value: Any, format_spec: str) -> Any:
+    def format_field(self, value: object, format_spec: str) -> str:
         number, _, unit = format_spec.partition(" ")
         if not unit:
-            return super().format_field(value, number)
-        return f"{super().format_field(value * SCALES[unit], number)} {unit}"
+            return format(value, number)
+        assert isinstance(value, SupportsFloat)
+        shown = format(float(value) * SCALES[unit.removesuffix("…")], number)
+        return f"{shown}…" if unit.endswith("…") else f"{shown} {unit}"
 
 
-def say(template: str, /, **values: Any) -> str:
-    """Fill a template.
+def translate(text: str) -> str:
+    """Return a text in the language of the user; English, so far the only one, is the text itself."""
+    return text
+
+
+def say(template: str, /, **values: object) -> str:
+    """Fill a template, in the language of the user.
 
     >>> say("the force is {force:.5g kN}, {times:g} times too much", force=2000.0, times=2)
     'the force is 2 kN, 2 times too much'
     """
-    return _Sentence().vformat(template, (), values)
+    return _Sentence().vformat(translate(template), (), values)
 
 
 FINDINGS: Mapping[str, str] = {
+    "slips-averaged": "every slip swings the load from {value:.5g N·m} (fatigue.load_low) to T(f) and back; every "
+    "friction from f_min to f_max is taken as equally likely, and the life is that of the mean damage (Miner)",
+    # torque, accuracy, overload, compare
+    "friction-outside-range": "friction {value:g} is outside the range of the spec, {least:g} to {largest:g}",
+    "sweep-beyond-gain-limit": "{value} of {points} swept points lie above the gain limit 1/(z_1 f_1max): breakaway "
+    "peaks there exceed the sustained torque, K_т,p is the accuracy factor with them",
+    "published-against-equilibrium": "trust the equilibrium torque: at slip the load equals T_муф for every margin. "
+    "The published T_ср = T_п − ΔT' (S22 (14)) swaps the weights of T_п and T_н.маш against the paper's own (12) "
+    "(misprint M12); where the release force lags the load (impact), the trip lies between T_муф and T_п",
+    "margin-role": "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of "
+    "the spring as set, not as the surplus force of the mean-friction setting",
+    "variant-not-possible": "not as {variant}: {lacks}",
+    # life
+    "life-not-limited/extrapolated": "{side} side: the damaging stress, {listed}, is below the endurance limit "
+    "{limit:.4g MPa}: life is not limited by fatigue (the number extrapolates the S-N line, as the paper does)",
+    "life-not-limited/no-number": "{side} side: the damaging stress, {listed}, is below the endurance limit "
+    "{limit:.4g MPa}: life is not limited by fatigue (no number is given)",
+    "static-strength-exceeded": "the largest stress of the {side} side, {value:.4g MPa}, reaches the ultimate "
+    "strength {limit:.4g MPa}: the shaft fails at once",
+    "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
+    "band at equal mean costs nothing (M23); --model amplitude or goodman weighs it",
+    # control unit
+    "balls-overlap": "{balls} balls of {value:.5g mm} do not fit on the ball circle: their centres are "
+    "{limit:.5g mm} apart",
+    "default-clearance": "{path} is not given: {value:g mm} is taken (S21: 2…3 mm)",
+    "no-sleeve-travel": "a direct clutch has no sleeve: x_max is 0; allow for wear and disc release in the clearance",
+    "no-standard-ball": "no standard ball is as large as {value:.5g mm}: change gain, springs or list",
+    "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
+    "clearance need",
+    "balls-not-given": "the number of balls is not given: the contact force is not calculated",
+    "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
+    # surface pressure
+    "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
+    "above the allowable {low:g kPa…}{high:g kPa} of {name}",
+    "mean-pressure-in-range": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
+    "within the printed range of the allowable, {low:g kPa…}{high:g kPa} of {name}",
+    "mean-pressure": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
+    "below the allowable {low:g kPa} of {name}",
+    "peak-pressure-exceeded": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
+    "above the allowable {low:g kPa…}{high:g kPa} of {name}",
+    "peak-pressure-in-range": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
+    "within the printed range of the allowable, {low:g kPa…}{high:g kPa} of {name}",
+    "peak-pressure": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
+    "below the allowable {low:g kPa} of {name}",
     "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
@@ -64,10 +118,37 @@ FINDINGS: Mapping[str, str] = {
     ),
     "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",
     "torque-falls": "the torque falls as the friction of both groups rises: the largest torque is at f_min",
+    "as-made": (
+        "the springs are those of the nominal clutch, held in every sample (tolerance.setting = as-made); "
+        "each-adjusted sets every clutch on the bench"
+    ),
+    "each-adjusted": (
+        "every sample is set on the bench (tolerance.setting = each-adjusted): its springs follow its own dimensions; "
+        "as-made holds those of the nominal clutch"
+    ),
+    "few-samples": (
+        "{value:.0f} samples are too few for the error of the outermost quantile, which is not told in full: "
+        "at least {limit:.0f}"
+    ),
+    "friction-fixed": "friction does not scatter in [tolerance.fields]: the torque is taken at the mean friction",
+    "friction-independent": (
+        "the correlation of f_1 and f_2 is not given: they are taken as independent (F11 has them together, 1)"
+    ),
+    "miner": (
+        "life by Miner's rule: friction varies from slip to slip, the rest from clutch to clutch; each slip loads the "
+        "shaft with its torque, damage 1/N by the S-N line, extrapolated below the endurance limit as the paper does"
+    ),
+    "no-clutch": (
+        "{value:.3g} of the samples are no clutch (feedback does not overcome the friction at the key, or the faces "
+        "have no width); the figures are those of the others"
+    ),
+    "solve-replaces": "{path} of the spec gives way to the {by} found",
+    "solve-another-value": "{target} = {wanted} is given by {others} as well",
+    "sweep-replaces": "{path} of the spec gives way to the swept {by}",
 }
 """Code of a finding, with its case where it has several → its sentence."""
 
 
-def sentence(code: str, values: Mapping[str, Any]) -> str:
+def sentence(code: str, values: Mapping[str, object]) -> str:
     """Return the sentence of a finding."""
     return say(FINDINGS[code], **values)

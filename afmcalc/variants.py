@@ -14,7 +14,7 @@ Path: TypeAlias = tuple[str, ...]
 """Keys of a spec, from the outermost table on."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class GainLimit:
     """Largest gain at which the direct law describes the whole slip: C times the pairs of one group is bounded."""
 
@@ -40,7 +40,7 @@ class GainLimit:
         return (gain, limit) if self.reduced is None else (reduced_gain, self.reduced)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Variant:
     """One way a clutch regulates."""
 

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..engines.protocol import Clutch
 from ..equations import accuracy as law
-from ..findings import Finding
+from ..findings import Finding, finding
 from ..result import Result, Series, quantity
 from .sweep.grid import replaced, series
 
@@ -84,11 +84,7 @@ def _sweep_findings(swept: list[AccuracySweep] | None) -> list[Finding]:
     beyond = sum(peak > sustained * (1 + 1e-9) for sustained, peak in pairs)
     if not beyond:
         return []
-    message = (
-        f"{beyond} of {len(swept[0].values)} swept points lie above the gain limit 1/(z_1 f_1max): breakaway peaks "
-        "there exceed the sustained torque, K_т,p is the accuracy factor with them"
-    )
-    return [Finding(level="warning", code="sweep-beyond-gain-limit", message=message, value=beyond, limit=0.0)]
+    return [finding("sweep-beyond-gain-limit", "warning", value=beyond, limit=0.0, points=len(swept[0].values))]
 
 
 def conventional_accuracy_factor(clutch: Clutch) -> Any:

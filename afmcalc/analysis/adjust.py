@@ -9,6 +9,7 @@ from ..equations import adjustment
 from ..findings import Finding
 from ..result import Result, Triple, quantity
 from ..spec import Spec
+from ..spec.edit import with_nominal_torque
 from ..spec.models import Method
 from .torque import triple
 
@@ -44,14 +45,7 @@ class AdjustResult(Result):
 
 def set_by(spec: Spec, method: Method, nominal_torque: float) -> Clutch:
     """Build the clutch of ``spec`` with its spring set by ``method`` for ``nominal_torque``."""
-    return build(
-        spec.model_copy(
-            update={
-                "adjustment": spec.adjustment.model_copy(update={"method": method, "nominal_torque": nominal_torque}),
-                "closing_spring": spec.closing_spring.model_copy(update={"force": None}),
-            }
-        )
-    )
+    return build(with_nominal_torque(spec, nominal_torque, method))
 
 
 def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:

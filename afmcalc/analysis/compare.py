@@ -6,7 +6,7 @@ from dataclasses import replace
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..errors import SpecError
-from ..findings import Finding
+from ..findings import Finding, finding
 from ..result import Result, Triple, quantity
 from ..spec.edit import as_variant, with_force, with_nominal_torque
 from ..variants import VARIANTS
@@ -42,7 +42,7 @@ def compare(clutches: Sequence[Clutch]) -> tuple[CompareResult, list[Finding]]:
     """Set the main quantities of several clutches side by side."""
     rows = [_row(clutch, None) for clutch in clutches]
     findings = [
-        _named(finding, clutch.spec.name or clutch.spec.variant) for clutch in clutches for finding in clutch.findings()
+        _named(each, clutch.spec.name or clutch.spec.variant) for clutch in clutches for each in clutch.findings()
     ]
     return CompareResult(clutches=rows), findings
 
@@ -59,14 +59,14 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
             missing.append(_missing(variant, error))
             continue
         rows += [_row(by_force, "spring force"), _row(by_torque, "nominal torque")]
-        remarks += [_named(finding, variant) for each in (by_force, by_torque) for finding in each.findings()]
+        remarks += [_named(remark, variant) for each in (by_force, by_torque) for remark in each.findings()]
     rows.sort(key=lambda row: row.basis != "spring force")
     return CompareResult(clutches=rows), [*dict.fromkeys(remarks), *missing]
 
 
-def _named(finding: Finding, name: str) -> Finding:
+def _named(remark: Finding, name: str) -> Finding:
     """Say which clutch a finding is about."""
-    return replace(finding, message=f"{name}: {finding.message}")
+    return replace(remark, message=f"{name}: {remark.message}")
 
 
 def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:
@@ -85,10 +85,10 @@ def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         gain_limit=clutch.gain_limit,
         travel_max=clutch.travel(clutch.friction[0].max),
-        warnings=sum(finding.level != "info" for finding in clutch.findings()),
+        warnings=sum(each.level != "info" for each in clutch.findings()),
     )
 
 
 def _missing(variant: str, error: SpecError) -> Finding:
     lacks = "; ".join(str(problem) for problem in error.problems)
-    return Finding("info", "variant-not-possible", f"not as {variant}: {lacks}")
+    return finding("variant-not-possible", "info", variant=variant, lacks=lacks)

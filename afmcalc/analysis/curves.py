@@ -1,24 +1,42 @@
-"""Curves over friction: the torque by each setting, and the trip with a torque margin."""
+"""Curves to draw: torque and trip over friction, accuracy and life over what is swept, with what stands beside them."""
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ..engines.protocol import Clutch
-from ..errors import CalculationError
+from ..equations.overload import optimal_reduced_gain
+from ..errors import AfmcalcError, CalculationError
+from ..messages import say
 from ..result import Result, quantity
+from ..spec.models import Method
 from ..spec.paths import is_whole
-from .adjust import METHODS, set_by
-from .overload import Actuation, refuse
-from .sweep.axes import current_value, parse_axis
-from .sweep.grid import Axis
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
+from .accuracy import SWEEP_OUTPUTS as ACCURACY_OUTPUTS
+from .accuracy import AccuracySweep
+from .adjust import METHODS, AdjustResult, set_by
+from .answers import Answers
+from .life import LifeResult, LifeSweep, band_axis, life_sweep
+from .overload import SWEEP_OUTPUTS as OVERLOAD_OUTPUTS
+from .overload import Actuation, OverloadSweep, refuse
+from .registry import StressRule
+from .sweep.axes import find_key, parse_axis
+from .sweep.grid import Axis, S, series
+from .sweep.ranges import current_value
 
 POINTS = 201
 """Points of a curve: enough for a line without corners on paper."""
 
 
-class TorqueCurve(Result):
+class Curve(Result):
+    """What a curve belongs to."""
+
+    name: str | None = quantity("", None, "name of the clutch", optional=True)
+    variant: str = quantity("", None, "variant")
+
+
+class TorqueCurve(Curve):
     """Slip torque along the common path of f_1 and f_2."""
 
     friction: list[float] = quantity("1", "f", "coefficient of friction")
@@ -32,16 +50,51 @@ class TorqueCurve(Result):
     torque_returning: list[float] | None = quantity(
         "N*m", "T_ret", "slip torque, friction falling again under load", optional=True
     )
+    nominal_torque: float = quantity("N*m", "T_н", "nominal torque")
+    margin: float = quantity("1", "β_н", "torque margin")
+    method: Method = quantity("", None, "setting of the spec")
 
 
-class OverloadCurve(Result):
-    """The trip over friction (S22), set at f_min."""
+class AccuracyCurve(Curve):
+    """Accuracy over one key; where on it the clutch is, and its gain limit, as far as the key has them."""
+
+    series: AccuracySweep = quantity("", None, "accuracy over the key")
+    own: float | None = quantity("", None, "what the clutch has of the key", optional=True)
+    accuracy_factor: float = quantity("1", "K_т", "accuracy factor of the clutch as it is")
+    limit: float | None = quantity("", None, "gain limit, as the key is called", optional=True)
+
+
+class SettingLife(Result):
+    """The protected side with the spring set by one method."""
+
+    method: Method = quantity("", None, "method")
+    scatter: float = quantity("N*m", "ΔT", "torque scatter band")
+    cycles: float | None = quantity("1", "N", "cycles of the protected side", null="no limit")
+
+
+class LifeCurve(Curve):
+    """Life over the scatter band, and where both settings put the clutch."""
+
+    model: StressRule = quantity("", None, "rule for the damaging stress")
+    series: LifeSweep = quantity("", None, "life over the band")
+    base_cycles: float = quantity("1", "N_0", "base cycles of the S-N line")
+    settings: list[SettingLife] = quantity("", None, "both settings")
+
+
+class OverloadCurve(Curve):
+    """The trip over friction (S22), set at f_min, and the accuracy over the reduced gain."""
 
     friction: list[float] = quantity("1", "f", "coefficient of friction")
     expected_torque: list[float] = quantity("N*m", "T_муф", "expected slip torque")
     actuation_torque_published: list[float] = quantity("N*m", "T_ср", "actuation torque as published, S22 (14)")
     actuation_torque_equilibrium: list[float] = quantity("N*m", "T_eq", "actuation torque at equilibrium (M12)")
     potential_torque: list[float] = quantity("N*m", "T_п", "potential torque at T_н.маш, upper end of the trip bracket")
+    machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")
+    margin: float = quantity("1", "β_н", "torque margin")
+    accuracy: OverloadSweep = quantity("", None, "accuracy over the reduced gain")
+    bypass_pairs: int = quantity("1", "z_1", "pairs that bypass the control unit")
+    reduced_gain: float = quantity("1", "z_2 C", "reduced gain of the clutch")
+    optimal_reduced_gain: float = quantity("1", "(zC)_opt", "reduced gain of the best actual accuracy, 1/f_max")
 
 
 def torque_curve(clutch: Clutch) -> TorqueCurve:
@@ -51,6 +104,8 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
     by_method = [set_by(clutch.spec, method, nominal).torque(*path).tolist() for method in METHODS]
     returning = clutch.torque_returning(path[0])
     return TorqueCurve(
+        name=clutch.spec.name,
+        variant=clutch.spec.variant,
         friction=path[0].tolist(),
         friction_driving=path[0].tolist() if clutch.spec.friction.unlike else None,
         torque=clutch.torque(*path).tolist(),
@@ -58,11 +113,39 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
         torque_mean_friction=by_method[1],
         breakaway_torque=_breakaway(clutch, path),
         torque_returning=None if returning is None else returning.tolist(),
+        nominal_torque=nominal,
+        margin=clutch.spec.adjustment.margin,
+        method=clutch.spec.adjustment.method,
+    )
+
+
+def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
+    """Calculate K_т over the gain, or over the key asked for.
+
+    A range that is given is taken as it is; one of our own is refined, and reaches the clutch as it is.
+    """
+    text = sweep or "C"
+    axis = parse_axis(text, clutch.spec)
+    own = _own_value(axis, clutch)
+    if "=" not in text and not is_whole(axis.key.path):
+        ends = [float(axis.values.min()), float(axis.values.max()), *([] if own is None else [own])]
+        axis = axis._replace(values=np.linspace(min(ends), max(ends), POINTS))
+    limit = clutch.gain_limit if axis.key.path == "control_unit.gain" else None
+    found = _over(axis, AccuracySweep, clutch, ACCURACY_OUTPUTS)
+    return AccuracyCurve(
+        name=clutch.spec.name,
+        variant=clutch.spec.variant,
+        series=found,
+        own=own,
+        accuracy_factor=clutch.accuracy_factor,
+        limit=None if limit is None else limit / axis.scale,
     )
 
 
 def overload_curve(clutch: Clutch) -> OverloadCurve:
-    """Calculate the trip from f_min to f_max.
+    """Calculate the trip from f_min to f_max, and the accuracy over the reduced gain.
+
+    The gain goes from 0 to the recommended limit 5, or as far as the clutch lies beyond it.
 
     Raises:
         CalculationError: a variant S22 does not treat.
@@ -70,28 +153,68 @@ def overload_curve(clutch: Clutch) -> OverloadCurve:
     refuse(clutch)
     friction = _path(clutch)[0]
     trip = Actuation(clutch, friction)
+    own, controlled = float(clutch.reduced_gain), clutch.spec.friction_group.pairs - float(clutch.bypass_pairs)
+    gains = Axis("zC", find_key("C"), np.linspace(0.0, max(5.0, 1.2 * own), 401), 1 / controlled)
+    found = _over(gains, OverloadSweep, clutch, OVERLOAD_OUTPUTS)
     return OverloadCurve(
+        name=clutch.spec.name,
+        variant=clutch.spec.variant,
         friction=friction.tolist(),
         expected_torque=trip.expected.tolist(),
         actuation_torque_published=trip.published.tolist(),
         actuation_torque_equilibrium=trip.equilibrium.tolist(),
         potential_torque=trip.potential.tolist(),
+        machine_torque=trip.machine,
+        margin=clutch.spec.adjustment.margin,
+        accuracy=found,
+        bypass_pairs=int(clutch.bypass_pairs),
+        reduced_gain=own,
+        optimal_reduced_gain=optimal_reduced_gain(clutch.friction[0].max),
     )
 
 
-def swept(text: str, clutch: Clutch) -> tuple[Axis, float | None]:
-    """Read a sweep for a curve, and say where on it the clutch is.
+def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
+    """Calculate the life over the scatter band, from half to twice what the clutch has, or as asked for.
 
-    A range that is given is taken as it is; one of our own is refined, and reaches the clutch as it is.
+    Raises:
+        AfmcalcError: another key is asked for.
+        CalculationError: there is no band.
     """
-    import numpy as np
+    clutch, text = answers.clutch, sweep or "dT"
+    name = text.partition("=")[0].strip()
+    if name != "dT":
+        raise AfmcalcError(
+            say("plot life: its axis is the scatter band dT, not {name!r} (dT=RANGE sets its range)", name=name)
+        )
+    axis = band_axis(text, clutch)
+    if "=" not in text:
+        low, high = float(axis.values.min()), float(axis.values.max())
+        if not high > low:
+            raise CalculationError(
+                say("plot life: the friction does not wander, there is no band: give --sweep dT=RANGE")
+            )
+        axis = axis._replace(values=np.linspace(low, high, POINTS))
+    found, both = answers.of(LifeResult), answers.of(AdjustResult)
+    (over,) = life_sweep(clutch, found.model, [axis])
+    fields = {method: method.replace("-", "_") for method in METHODS}
+    return LifeCurve(
+        name=clutch.spec.name,
+        variant=clutch.spec.variant,
+        model=found.model,
+        series=over,
+        base_cycles=found.base_cycles,
+        settings=[
+            SettingLife(method=method, scatter=getattr(both, field).scatter, cycles=getattr(found.protected, field))
+            for method, field in fields.items()
+        ],
+    )
 
-    axis = parse_axis(text, clutch.spec)
-    own = _own_value(axis, clutch)
-    if "=" in text or is_whole(axis.key.path):
-        return axis, own
-    ends = [float(axis.values.min()), float(axis.values.max()), *([] if own is None else [own])]
-    return axis._replace(values=np.linspace(min(ends), max(ends), POINTS)), own
+
+def _over(axis: Axis, kind: type[S], clutch: Clutch, outputs: Mapping[str, Callable[[Clutch], Any]]) -> S:
+    """Sweep over one axis."""
+    found = series(kind, clutch, [axis], outputs)
+    assert found is not None
+    return found[0]
 
 
 def _own_value(axis: Axis, clutch: Clutch) -> float | None:
@@ -101,22 +224,19 @@ def _own_value(axis: Axis, clutch: Clutch) -> float | None:
     return None if value is None else float(value) / axis.scale
 
 
-def _path(clutch: Clutch) -> "tuple[NDArray[Any], NDArray[Any]]":
+def _path(clutch: Clutch) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """f_1 and f_2 moving together from their smallest to their largest values.
 
     Raises:
         CalculationError: they do not move.
     """
-    import numpy as np
-
     if not any(own.max > own.min for own in clutch.friction):
-        raise CalculationError("the friction does not wander (min = max): there is no curve over it")
-
+        raise CalculationError(say("the friction does not wander (min = max): there is no curve over it"))
     first, second = (np.linspace(own.min, own.max, POINTS) for own in clutch.friction)
     return first, second
 
 
-def _breakaway(clutch: Clutch, path: "tuple[NDArray[Any], NDArray[Any]]") -> list[float] | None:
+def _breakaway(clutch: Clutch, path: tuple[NDArray[np.float64], NDArray[np.float64]]) -> list[float] | None:
     """Breakaway torque where it exceeds the sustained one anywhere."""
     peak, sustained = clutch.breakaway_torque(*path), clutch.torque(*path)
     return peak.tolist() if bool((peak > sustained * (1 + 1e-9)).any()) else None

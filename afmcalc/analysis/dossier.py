@@ -1,57 +1,111 @@
-"""All that is to be said of one clutch, for a report."""
+"""All that is to be said of one clutch, gathered for a report."""
 
-from ..engines.protocol import Clutch
+from typing import Any, NamedTuple
+
+from ..engines import build
+from ..errors import CalculationError
 from ..findings import Finding
-from ..result import Result, quantity
-from .accuracy import AccuracyResult, accuracy
-from .adjust import AdjustResult, adjust
-from .checks.check import CheckResult, check
-from .checks.limits import Check, checks
-from .life import LifeResult, Model, life
-from .overload import OverloadResult, applies, overload
-from .synthesize import SynthesisResult, synthesize
-from .torque import TorqueResult, torque
+from ..result import Result
+from ..spec import Spec
+from .answers import Answers
+from .checks.check import CheckResult
+from .checks.limits import Utilisation, utilisations
+from .explain.explain import Step, steps_of
+from .explain.trace import recording, with_roles
+from .figures import Request, gathered
+from .registry import ANALYSES, Analysis, Plot, StressRule
 
 
-class Dossier(Result):
-    """The results of every analysis that applies to a clutch; null where one does not."""
+class Topic(NamedTuple):
+    """One analysis that applies, as a report shows it."""
 
-    check: CheckResult = quantity("", None, "verdict")
-    checks: list[Check] = quantity("", None, "limits and utilisations")
-    torque: TorqueResult = quantity("", None, "torque and forces")
-    accuracy: AccuracyResult = quantity("", None, "accuracy")
-    adjust: AdjustResult = quantity("", None, "both settings")
-    overload: OverloadResult | None = quantity("", None, "overload with a torque margin", optional=True)
-    synthesis: SynthesisResult | None = quantity("", None, "control unit", optional=True)
-    life: LifeResult | None = quantity("", None, "fatigue life", optional=True)
+    name: str
+    title: str
+    about: str
+    sources: tuple[str, ...]
+    result: Result
+    steps: list[Step]
+    """How it was calculated, less what topics before it show."""
+    plot: str
+    """Kind of its plot, and what is drawn; empty and None where there is no curve."""
+    figure: Any
 
 
-def dossier(clutch: Clutch, model: Model = "mean-stress") -> tuple[Dossier, list[Finding]]:
-    """Run every analysis that applies.
+class Dossier(NamedTuple):
+    """All that is to be said of one clutch."""
+
+    spec: Spec
+    check: CheckResult
+    limits: list[Utilisation]
+    findings: list[Finding]
+    topics: list[Topic]
+
+
+def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
+    """Ask everything of a clutch that applies to it, each thing once.
 
     Args:
-        clutch: the clutch.
+        spec: the clutch.
         model: rule for the damaging stress of the life.
+        explained: whether to say how it was calculated, of the same run.
 
     Returns:
-        The results, and the findings of all of them, each once.
+        Results, findings of all of them, each once, steps, and what there is to draw.
     """
-    verdict, findings = check(clutch)
-    unit, spec = clutch.spec.control_unit, clutch.spec
-    synthesized = synthesize(clutch) if unit and unit.ball_circle_radius is not None and clutch.gain > 0 else None
-    lived = life(clutch, model) if spec.fatigue is not None else None
-    overloaded = overload(clutch) if applies(clutch) else None
-    for part in (overloaded, lived):
-        findings += part[1] if part else []
-    findings = list(dict.fromkeys(findings))
-    found = Dossier(
+    answers, steps = _explained(spec, model) if explained else (Answers(build(spec), model=model), {})
+    applying = [each for each in ANALYSES.values() if each.section and each.applies(answers.clutch)]
+    verdict, findings = answers.ask("check")
+    findings = list(dict.fromkeys([*findings, *(each for own in applying for each in answers.ask(own.name)[1])]))
+    return Dossier(
+        spec=spec,
         check=verdict,
-        checks=checks(clutch, synthesized[0] if synthesized else None, lived[0] if lived else None, findings),
-        torque=torque(clutch)[0],
-        accuracy=accuracy(clutch)[0],
-        adjust=adjust(clutch)[0],
-        overload=overloaded[0] if overloaded else None,
-        synthesis=synthesized[0] if synthesized else None,
-        life=lived[0] if lived else None,
+        limits=utilisations(answers, findings),
+        findings=findings,
+        topics=[_topic(each, answers, steps.get(each.name, [])) for each in applying],
     )
-    return found, findings
+
+
+def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Step]]]:
+    """Ask what can be explained, and note the equations that ran; each step is shown where it first occurs."""
+    wanted = [each for each in ANALYSES.values() if each.section and each.explained]
+    # imported before anything is recorded, so that none keeps a recording function
+    assert all(each.function for each in wanted)
+    ends = {}
+    with recording() as calls:
+        answers = Answers(build(with_roles(spec)), model=model)
+        for each in wanted:
+            if each.applies(answers.clutch):
+                answers.ask(each.name)
+                ends[each.name] = len(calls)
+    seen: set[tuple[str, str | None, float]] = set()
+    found = {}
+    start = 0
+    for name, end in ends.items():
+        own = steps_of(calls[start:end])
+        start = end
+        found[name] = [step for step in own if (step.function, step.at, step.value) not in seen]
+        seen |= {(step.function, step.at, step.value) for step in own}
+    return answers, found
+
+
+def _topic(analysis: Analysis, answers: Answers, steps: list[Step]) -> Topic:
+    section, plot, result = analysis.section, analysis.plot, answers.ask(analysis.name)[0]
+    assert section is not None
+    return Topic(
+        name=analysis.name,
+        title=section.title,
+        about=section.about(result) if callable(section.about) else section.about,
+        sources=section.sources_indirect or section.sources if answers.clutch.spec.kind.travels else section.sources,
+        result=result,
+        steps=steps,
+        plot=plot.name if plot else "",
+        figure=_figure(plot, answers) if plot and plot.applies(answers.clutch) else None,
+    )
+
+
+def _figure(plot: Plot, answers: Answers) -> Any:
+    """What is drawn; None where there is no curve (friction that does not wander, no limit of life)."""
+    try:
+        return gathered(plot.name, Request([answers]))
+    except CalculationError:
+        return None

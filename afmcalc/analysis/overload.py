@@ -7,7 +7,8 @@ from ..arrays import larger
 from ..engines.protocol import Clutch
 from ..equations import overload as law
 from ..errors import CalculationError
-from ..findings import Finding
+from ..findings import Finding, finding
+from ..messages import say
 from ..result import Result, Series, Triple, quantity
 from .sweep.grid import series
 
@@ -135,9 +136,10 @@ def applies(clutch: Clutch) -> bool:
 def refuse(clutch: Clutch) -> None:
     """Refuse a variant S22 does not treat."""
     if not applies(clutch):
-        what = "unlike materials" if clutch.spec.friction.unlike else f"variant {clutch.spec.variant!r}"
+        unlike, variant = clutch.spec.friction.unlike, clutch.spec.variant
+        what = say("unlike materials") if unlike else say("variant {variant!r}", variant=variant)
         raise CalculationError(
-            f"overload: S22 treats all-driving and differentiated clutches of one material, not {what}"
+            say("overload: S22 treats all-driving and differentiated clutches of one material, not {what}", what=what)
         )
 
 
@@ -153,27 +155,8 @@ def _interval(clutch: Clutch) -> list[float] | None:
 
 
 def _findings(clutch: Clutch) -> list[Finding]:
-    found = [
-        Finding(
-            level="info",
-            code="published-against-equilibrium",
-            message="trust the equilibrium torque: at slip the load equals T_муф for every margin. The published "
-            "T_ср = T_п − ΔT' (S22 (14)) swaps the weights of T_п and T_н.маш against the paper's own (12) (misprint "
-            "M12); where the release force lags the load (impact), the trip lies between T_муф and T_п",
-        )
-    ]
-    if clutch.spec.adjustment.method == "mean-friction":
-        message = (
-            "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of the "
-            "spring as set, not as the surplus force of the mean-friction setting"
-        )
-        found.append(
-            Finding(
-                level="warning",
-                code="margin-role",
-                message=message,
-                value=clutch.spec.adjustment.margin,
-                path="adjustment.method",
-            )
-        )
+    found = [finding("published-against-equilibrium", "info")]
+    setting = clutch.spec.adjustment
+    if setting.method == "mean-friction":
+        found.append(finding("margin-role", "warning", value=setting.margin, path="adjustment.method"))
     return found

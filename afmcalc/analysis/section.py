@@ -2,10 +2,9 @@
 
 import math
 
-from ..engines.protocol import Clutch
 from ..equations.synthesis import pocket_depth
 from ..result import Result, quantity
-from .synthesize import SynthesisResult, synthesize
+from .synthesize import SynthesisResult
 
 
 class PocketSection(Result):
@@ -18,15 +17,11 @@ class PocketSection(Result):
     pocket_depth: float = quantity("m", "h_1", "pocket depth, to the apex")
     travel_max: float = quantity("m", "x_max", "largest travel of the sleeve")
     synthesis: SynthesisResult = quantity("", None, "the synthesis it is from")
+    name: str | None = quantity("", None, "clutch", optional=True)
 
 
-def pocket_section(clutch: Clutch) -> PocketSection:
-    """Synthesize the control unit and give the sizes of its section.
-
-    Raises:
-        SpecError: the spec lacks what synthesis needs.
-    """
-    found, _ = synthesize(clutch)
+def pocket_section(name: str | None, found: SynthesisResult) -> PocketSection:
+    """Return the sizes of the section through a control unit as synthesized."""
     chosen = found.ball_diameter_standard
     diameter = 2 * found.ball_radius if chosen is None else chosen
     return PocketSection(
@@ -37,4 +32,5 @@ def pocket_section(clutch: Clutch) -> PocketSection:
         pocket_depth=pocket_depth(diameter / 2, math.sin(found.wall_angle), found.face_gap),
         travel_max=found.travel_max,
         synthesis=found,
+        name=name,
     )

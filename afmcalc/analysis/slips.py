@@ -1,69 +1,172 @@
-"""Fatigue by slips: a slip swings the load from T_low to T(f), and friction differs from slip to slip.
+"""What the load of a clutch does to a part: one cycle over the whole band, or a slip at a time.
 
-Over the friction range every friction is taken as equally likely (theory, section 4); the life is that of the mean
-damage (Miner), and what stays below the endurance limit does none.
+The papers' rule takes T_min … T_max as one cycle. That is how slips differ from one another; a slip itself swings the
+load from T_low to T(f) and back. Rules that weigh the amplitude take that swing; friction differs from slip to slip,
+every one of its range as likely as another, and the life is that of the mean damage (Miner; theory, section 4).
 """
 
-from collections.abc import Callable, Sequence
-from typing import TypeAlias
+import math
+from collections.abc import Callable
+from typing import NamedTuple
 
-from ..arrays import Values
+from ..arrays import Values, is_array, larger, smaller
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..spec.models import Fatigue
+from .registry import StressRule
 
-Stress: TypeAlias = Callable[[Values], Values]
-"""Damaging stress of a slip at a share of the way along the friction range, Pa; monotone in it."""
-
-NODES = 32
+_NODES = 32
 """Gauss–Legendre nodes of a smooth piece of the damage."""
 _HALVINGS = 55
 
 
-def along(clutch: Clutch, *, from_mean: bool = False) -> Callable[[Values], Values]:
-    """Torque at a share (0…1) of the way from f_min, or from the mean, to f_max, N·m; f_1 and f_2 move together."""
+class Rule(NamedTuple):
+    """How a swing between two stresses does damage."""
+
+    stress: Callable[[Fatigue, Values, Values], Values]
+    """Damaging stress of a swing from the smaller to the larger stress, Pa."""
+    needs: str | None = None
+    """Key of [fatigue] it cannot do without."""
+    each_slip: bool = True
+    """Whether it judges slips one by one; else the whole band is one cycle, and the S–N line goes on below its end."""
+
+
+RULES: dict[StressRule, Rule] = {
+    "mean-stress": Rule(lambda part, low, high: law.mean_stress(low, high), each_slip=False),
+    "amplitude": Rule(
+        lambda part, low, high: law.equivalent_stress_sensitivity(low, high, part.mean_stress_sensitivity or 0.0),
+        "mean_stress_sensitivity",
+    ),
+    "goodman": Rule(
+        lambda part, low, high: law.equivalent_stress_goodman(low, high, part.ultimate_strength or math.nan),
+        "ultimate_strength",
+    ),
+}
+
+
+class Load(NamedTuple):
+    """Torque of a clutch along its friction range."""
+
+    torque: Callable[[Values], Values]
+    """Share (0…1) of the way along the range → slip torque, N·m; monotone."""
+    kinks: tuple[Values, ...] = ()
+    """Shares of the way at which it is not smooth: where the sleeve of an indirect clutch leaves its stop."""
+    factor: float = 1.0
+    """What the drive multiplies torques by on this side of the clutch; it is in ``torque``, and goes to T_low too."""
+
+    @property
+    def least(self) -> Values:
+        """Smallest torque, N·m."""
+        return smaller(self.torque(0.0), self.torque(1.0))
+
+    @property
+    def most(self) -> Values:
+        """Largest torque, N·m."""
+        return larger(self.torque(0.0), self.torque(1.0))
+
+    def times(self, factor: float) -> "Load":
+        """The load on the unprotected side."""
+        return Load(lambda share: factor * self.torque(share), self.kinks, factor * self.factor)
+
+    def stretched(self, least: Values, own: Values, band: Values) -> "Load":
+        """The same course over another scatter band above ``least``; straight where there is no band of its ``own``."""
+        if not own:
+            return Load(lambda share: least + share * band)
+        return Load(lambda share: least + (self.torque(share) - least) * (band / own), self.kinks)
+
+
+def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
+    """Return the load of a clutch from f_min, or from the mean, to f_max; f_1 and f_2 move together."""
     first, second = clutch.friction
     starts = (first.mean, second.mean) if from_mean else (first.min, second.min)
 
     def torque(share: Values) -> Values:
-        at: Values = clutch.torque(
-            *(start + share * (own.max - start) for start, own in zip(starts, (first, second), strict=True))
-        )
-        return at
+        if not is_array(share) and share in (0, 1):  # the ends as they are: no rounding of theirs
+            return at(*((first.max, second.max) if share else starts))
+        ways = zip(starts, (first, second), strict=True)
+        return at(*(start + share * (own.max - start) for start, own in ways))
 
-    return torque
+    def at(driving: Values, driven: Values) -> Values:
+        found: Values = clutch.torque(driving, driven)
+        return found
+
+    leaving = clutch.friction_set
+    if leaving is None:
+        return Load(torque)
+    way = first.max - starts[0]
+    kink: Values = (leaving - starts[0]) / larger(way, 1e-300)
+    return Load(torque, (kink,))
 
 
-def kinks(clutch: Clutch, *, from_mean: bool = False) -> list[Values]:
-    """Shares of the way at which the law changes: where the sleeve of an indirect clutch leaves its stop."""
-    leaving = getattr(clutch, "friction_set", None)
-    own = clutch.friction[0]
-    start = own.mean if from_mean else own.min
-    return [] if leaving is None or own.max == start else [(leaving - start) / (own.max - start)]
+def damaging_stress(part: Fatigue, rule: StressRule, load: Load) -> Values:
+    """Largest damaging stress, Pa: of the cycle over the band, or of the slip with the largest torque."""
+    chosen = RULES[rule]
+    low = load.factor * part.load_low if chosen.each_slip else load.least
+    return _stress(part, chosen, low, load.most)
 
 
-def cycles(part: Fatigue, stress: Stress, kinks: Sequence[Values] = ()) -> Values:
-    """Slips to failure, 1/E[1/N]: NaN where no slip comes above the endurance limit.
+def cycles(part: Fatigue, rule: StressRule, load: Load) -> Values:
+    """Cycles, or slips, to failure: NaN where fatigue sets no limit, 0 where the largest load breaks the part."""
+    chosen, broken = RULES[rule], is_static(part, load)
+    if not is_array(broken) and broken:
+        return 0.0
+    if chosen.each_slip:
+        low = load.factor * part.load_low
+        found = _slips(part, lambda share: _stress(part, chosen, low, load.torque(share)), load.kinks)
+    else:
+        found = _line(part, damaging_stress(part, rule, load))
+    if is_array(broken):
+        import numpy as np
 
-    Args:
-        part: the part, its S–N line.
-        stress: damaging stress along the range.
-        kinks: shares of the way at which it is not smooth.
+        return np.where(broken, 0.0, found)
+    return found
+
+
+def is_static(part: Fatigue, load: Load) -> bool | Values:
+    """Whether the largest load reaches the ultimate strength."""
+    if part.ultimate_strength is None:
+        return False
+    reached = law.shear_stress(load.most, part.polar_section_modulus) >= part.ultimate_strength
+    return reached if is_array(reached) else bool(reached)
+
+
+def _stress(part: Fatigue, rule: Rule, low: Values, high: Values) -> Values:
+    """Damaging stress of a swing between two torques."""
+    ends = (law.shear_stress(end, part.polar_section_modulus) for end in (smaller(low, high), larger(low, high)))
+    return rule.stress(part, *ends)
+
+
+def _line(part: Fatigue, stress: Values) -> Values:
+    """Cycles on the S–N line, extrapolated below its end as the paper does; NaN without stress."""
+    line = part.exponent, part.base_cycles
+    if not is_array(stress):
+        return float(law.cycles(part.endurance_limit, stress, *line)) if stress > 0 else math.nan
+    import numpy as np
+
+    with np.errstate(all="ignore"):
+        found: Values = np.where(np.asarray(stress) > 0, law.cycles(part.endurance_limit, stress, *line), np.nan)
+    return found
+
+
+def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Values, ...]) -> Values:
+    """Slips to failure, 1/E[1/N] over the friction range; NaN where no slip comes above the endurance limit.
+
+    The stress is monotone, so that it crosses the endurance limit once: what lies above is integrated, piece by piece.
     """
     import numpy as np
 
     limit, line = part.endurance_limit, (part.exponent, part.base_cycles)
-    least, most = (np.asarray(stress(np.asarray(end))) for end in (0.0, 1.0))
+    least, most = (np.asarray(stress(end)) for end in (0.0, 1.0))
+    least, most = np.broadcast_arrays(least, most)
     rising = most >= least
-    begin, end = np.zeros(rising.shape), np.ones(rising.shape)
-    low, high = begin, end
+    low, high = np.zeros(rising.shape), np.ones(rising.shape)
     for _ in range(_HALVINGS):
         middle = (low + high) / 2
         below = (stress(middle) > limit) == rising
         low, high = np.where(below, low, middle), np.where(below, middle, high)
-    begin, end = np.where(rising, low, begin), np.where(rising, end, high)
+    begin, end = np.where(rising, low, 0.0), np.where(rising, 1.0, high)
     edges = [begin, *(np.clip(kink, begin, end) for kink in kinks), end]
-    x, weights = np.polynomial.legendre.leggauss(NODES)
+    x, weights = np.polynomial.legendre.leggauss(_NODES)
     damage = np.zeros(rising.shape)
     with np.errstate(all="ignore"):
         for left, right in zip(edges, edges[1:], strict=False):
@@ -71,6 +174,7 @@ def cycles(part: Fatigue, stress: Stress, kinks: Sequence[Values] = ()) -> Value
             at = left + half * (1 + x.reshape(-1, *(1,) * half.ndim))
             rates = 1 / np.asarray(law.cycles(limit, stress(at), *line))
             damage = damage + half * np.tensordot(weights, np.broadcast_to(rates, at.shape), axes=1)
-        above = np.maximum(least, most) > limit
-        found: Values = np.where(above & (damage > 0), 1 / damage, np.nan)
-    return found
+        found = np.where((np.maximum(least, most) > limit) & (damage > 0), 1 / damage, np.nan)
+    if found.ndim:
+        return found
+    return math.nan if np.isnan(found) else float(law.cycles_of_mean_damage(float(damage)))

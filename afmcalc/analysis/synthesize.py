@@ -7,7 +7,8 @@ from typing import Any, Literal
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
 from ..errors import Problem, SpecError
-from ..findings import Finding
+from ..findings import Finding, finding
+from ..messages import say
 from ..result import Result, quantity
 from ..spec import Spec, resolved
 from ..spec.balls import diameters
@@ -89,12 +90,14 @@ def _unit(clutch: Clutch) -> ControlUnit:
     """Return the control unit; refuse a clutch without what synthesis needs."""
     unit = clutch.spec.control_unit
     if unit is None:
-        raise SpecError("spec", [Problem("variant", clutch.spec.variant, "has no control unit to synthesize")])
-    if unit.ball_circle_radius is None:
-        raise SpecError("spec", [Problem("control_unit.ball_circle_radius", None, "required by synthesize")])
-    if clutch.gain == 0:
-        raise SpecError("spec", [Problem("control_unit.gain", "0", "must be greater than 0 to synthesize pockets")])
-    return unit
+        problem = Problem("variant", clutch.spec.variant, say("has no control unit to synthesize"))
+    elif unit.ball_circle_radius is None:
+        problem = Problem("control_unit.ball_circle_radius", None, say("required by synthesize"))
+    elif clutch.gain == 0:
+        problem = Problem("control_unit.gain", "0", say("must be greater than 0 to synthesize pockets"))
+    else:
+        return unit
+    raise SpecError(clutch.spec.label, [problem])
 
 
 def _travel(clutch: Clutch) -> float:
@@ -178,56 +181,32 @@ def _spacing_findings(unit: ControlUnit, result: SynthesisResult) -> list[Findin
     chord = 2 * result.ball_circle_radius * math.sin(math.pi / unit.balls)
     if diameter < chord:
         return []
-    message = (
-        f"{unit.balls} balls of {1000 * diameter:.5g} mm do not fit on the ball circle: "
-        f"their centres are {1000 * chord:.5g} mm apart"
-    )
-    return [Finding("warning", "balls-overlap", message, diameter, chord, "control_unit.balls")]
+    path = "control_unit.balls"
+    return [finding("balls-overlap", "warning", value=diameter, limit=chord, path=path, balls=unit.balls)]
 
 
 def _ball_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
     found = []
     for key, given in (("face_gap", unit.face_gap), ("edge_clearance", unit.edge_clearance)):
         if given is None:
-            message = f"control_unit.{key} is not given: {DEFAULT_CLEARANCE * 1000:g} mm is taken (S21: 2…3 mm)"
-            found.append(
-                Finding(
-                    level="info", code="default-clearance", message=message,
-                    value=DEFAULT_CLEARANCE, path=f"control_unit.{key}",
-                )
-            )  # fmt: skip
+            found.append(finding("default-clearance", "info", value=DEFAULT_CLEARANCE, path=f"control_unit.{key}"))
     if not clutch.spec.kind.travels:
-        message = "a direct clutch has no sleeve: x_max is 0; allow for wear and disc release in the clearance"
-        found.append(Finding(level="info", code="no-sleeve-travel", message=message, value=0.0))
-    if result.ball_diameter_standard is None:
-        message = f"no standard ball is as large as {2000 * result.ball_radius:.5g} mm: change gain, springs or list"
-        found.append(Finding(level="warning", code="no-standard-ball", message=message, value=2 * result.ball_radius))
-    elif result.ball_diameter_standard < 2 * result.ball_radius * (1 - 1e-12):
-        message = (
-            f"the ball given, {1000 * result.ball_diameter_standard:.5g} mm, is smaller than the "
-            f"{2000 * result.ball_radius:.5g} mm that travel, gap and clearance need"
-        )
-        found.append(
-            Finding(
-                level="error", code="ball-too-small", message=message, value=result.ball_diameter_standard,
-                limit=2 * result.ball_radius, path="control_unit.ball_diameter",
-            )
-        )  # fmt: skip
+        found.append(finding("no-sleeve-travel", "info", value=0.0))
+    chosen, smallest = result.ball_diameter_standard, 2 * result.ball_radius
+    if chosen is None:
+        found.append(finding("no-standard-ball", "warning", value=smallest))
+    elif chosen < smallest * (1 - 1e-12):
+        path = "control_unit.ball_diameter"
+        found.append(finding("ball-too-small", "error", value=chosen, limit=smallest, path=path))
     return found
 
 
 def _contact_findings(unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
     found = []
     if unit.balls is None:
-        message = "the number of balls is not given: the contact force is not calculated"
-        found.append(Finding(level="info", code="balls-not-given", message=message, path="control_unit.balls"))
+        found.append(finding("balls-not-given", "info", path="control_unit.balls"))
     if result.contact_utilisation is not None and result.contact_utilisation > 1:
-        allowable = result.contact_force_allowable
-        message = f"the contact force {result.contact_force:.5g} N exceeds the allowable {allowable:.5g} N"
-        found.append(
-            Finding(
-                level="error", code="contact-force-exceeded", message=message, value=result.contact_force,
-                limit=allowable, path="control_unit.allowable_contact_force",
-            )
-        )  # fmt: skip
+        force, allowable = result.contact_force, result.contact_force_allowable
+        path = "control_unit.allowable_contact_force"
+        found.append(finding("contact-force-exceeded", "error", value=force, limit=allowable, path=path))
     return found

@@ -5,7 +5,8 @@ from typing import Any
 
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
-from ..findings import Finding
+from ..findings import Finding, finding
+from ..messages import say
 from ..result import Result, Triple, quantity
 
 
@@ -61,7 +62,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
     points = list(friction)
     if not clutch.spec.friction.unlike and any(pair[1] is not None for pair in points):
         raise CalculationError(
-            "--friction F1,F2 is for unlike materials; this clutch has one friction (a decimal point, no comma)"
+            say("--friction F1,F2 is for unlike materials; this clutch has one friction (a decimal point, no comma)")
         )
     ranges = clutch.friction
     ends = [(getattr(ranges[0], at), getattr(ranges[1], at)) for at in ("min", "mean", "max")]
@@ -128,9 +129,10 @@ def _outside(clutch: Clutch, friction: float, friction_driven: float | None) -> 
     found = []
     for value, allowed in zip(asked, clutch.friction, strict=True):
         if not allowed.min <= value <= allowed.max:
-            message = f"friction {value:g} is outside the range of the spec, {allowed.min:g} to {allowed.max:g}"
             limit = allowed.min if value < allowed.min else allowed.max
             found.append(
-                Finding(level="info", code="friction-outside-range", message=message, value=value, limit=limit)
+                finding(
+                    "friction-outside-range", "info", value=value, limit=limit, least=allowed.min, largest=allowed.max
+                )
             )
     return list(dict.fromkeys(found))

@@ -1,13 +1,15 @@
 """Commands that calculate one clutch."""
 
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
+from ..messages import say
 from .files import write
 from .options import Common, SpecArgument, with_common
-from .run import build_from, calculate, emit, guarded, read_again
+from .run import build_from, calculate, emit
 
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
@@ -25,7 +27,7 @@ SweepOption = Annotated[
 ]
 
 PlotOption = Annotated[
-    bool, typer.Option("--plot", help="Draw the sweep below the table (needs the extra plot; for files: afmcalc plot).")
+    bool, typer.Option("--plot", help="Draw the sweep large below the table (for files: afmcalc plot).")
 ]
 
 
@@ -46,10 +48,8 @@ def torque(
     afmcalc torque clutch.toml --friction 0.15 --friction 0.25 --json
     afmcalc torque clutch.toml --set control_unit.gain=0.8
     """  # noqa: D301
-    from ..analysis.torque import torque as analysis
-
     points = [_friction(text) for text in friction or ()]
-    calculate("torque", spec, common, lambda clutch: analysis(clutch, points))
+    calculate(common, spec, lambda clutch: {"friction": points})
 
 
 @with_common
@@ -67,16 +67,7 @@ def accuracy(
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
     """  # noqa: D301
-    from ..analysis.accuracy import accuracy as analysis
-    from ..analysis.sweep.axes import parse_axis
-
-    calculate(
-        "accuracy",
-        spec,
-        common,
-        lambda clutch: analysis(clutch, [parse_axis(text, clutch.spec) for text in sweep or ()]),
-        _curve(plot, sweep, common),
-    )
+    calculate(common, spec, lambda clutch: {"sweeps": _axes(sweep, clutch)}, _curve(plot, sweep, common))
 
 
 @with_common
@@ -87,9 +78,7 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
     afmcalc adjust clutch.toml
     afmcalc adjust clutch.toml --set beta=1.1 --json
     """  # noqa: D301
-    from ..analysis.adjust import adjust as analysis
-
-    calculate("adjust", spec, common, analysis)
+    calculate(common, spec)
 
 
 @with_common
@@ -101,16 +90,7 @@ def overload(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOpt
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
-    from ..analysis.overload import overload as analysis
-    from ..analysis.sweep.axes import parse_axis
-
-    calculate(
-        "overload",
-        spec,
-        common,
-        lambda clutch: analysis(clutch, [parse_axis(text, clutch.spec) for text in sweep or ()]),
-        _curve(plot, sweep, common),
-    )
+    calculate(common, spec, lambda clutch: {"sweeps": _axes(sweep, clutch)}, _curve(plot, sweep, common))
 
 
 @with_common
@@ -137,27 +117,27 @@ def synthesize(
     import json
 
     from ..analysis.synthesize import completed
-    from ..analysis.synthesize import synthesize as analysis
-    from ..spec import to_toml
+    from ..spec import make_spec, to_toml
     from ..spec.balls import diameters
 
     common.keep(spec)
     if common.output == "-":
-        raise AfmcalcError("synthesize --output writes the completed spec beside the result: name a file")
+        raise AfmcalcError(say("synthesize --output writes the completed spec beside the result: name a file"))
     sizes = diameters(balls) if balls else None
-    output = calculate("synthesize", spec, common.to_standard_output(), lambda clutch: analysis(clutch, sizes))
+    output = calculate(common.to_standard_output(), spec, lambda clutch: {"balls": sizes})
     if common.output:
-        data = completed(read_again(output), output.result)
+        assert output.spec is not None
+        data = completed(make_spec(output.spec), output.result)
         as_json = common.output.endswith(".json")
         write(json.dumps(data, indent=2, ensure_ascii=False) + "\n" if as_json else to_toml(data), common.output)
-        common.note(f"wrote the completed spec to {common.output}")
+        common.note(say("wrote the completed spec to {output}", output=common.output))
 
 
 @with_common
 def life(
     spec: SpecArgument = None,
     model: Annotated[
-        Literal["mean-stress", "amplitude", "goodman"],
+        StressRule,
         typer.Option("--model", help="Rule for the damaging stress: the paper's, Serensen-Kinasoshvili, Goodman."),
     ] = "mean-stress",
     sweep: SweepOption = None,
@@ -174,15 +154,8 @@ def life(
     afmcalc life clutch.toml --model amplitude --set fatigue.mean_stress_sensitivity=0.1
     afmcalc life clutch.toml --sweep dT=500:1100:13
     """  # noqa: D301
-    from ..analysis.life import band_axis
-    from ..analysis.life import life as analysis
-    from ..analysis.sweep.axes import parse_axis
-
-    def axes(clutch: "Clutch") -> list["Axis"]:
-        return [(band_axis if _is_band(text) else parse_axis)(text, clutch.spec) for text in sweep or ()]
-
     curve = _curve(plot, sweep, common)
-    calculate("life", spec, common, lambda clutch: analysis(clutch, model, axes(clutch)), curve)
+    calculate(common, spec, lambda clutch: {"model": model, "sweeps": _axes(sweep, clutch, band=True)}, curve)
 
 
 @with_common
@@ -203,11 +176,25 @@ def compare(
     from ..spec import resolved
 
     if variants and len(specs or ()) > 1:
-        raise AfmcalcError("compare --variants takes one SPEC")
+        raise AfmcalcError(say("compare --variants takes one SPEC"))
     sources: list[str | None] = [*specs] if specs else [None]
     clutches = [build_from(source, common) for source in sources]
-    result, findings = guarded(lambda: compare_variants(clutches[0]) if variants else analysis(clutches))
-    emit("compare", result, findings, common, resolved(clutches[0].spec))
+    result, findings = compare_variants(clutches[0]) if variants else analysis(clutches)
+    emit(common, result, findings, resolved(clutches[0].spec))
+
+
+def _axes(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":
+    """Read the axes of a sweep; ``band`` takes dT for the scatter band."""
+    from ..analysis.sweep.axes import parse_axis
+
+    def axis(text: str) -> "Axis":
+        if band and text.partition("=")[0].strip() == "dT":
+            from ..analysis.life import band_axis
+
+            return band_axis(text, clutch)
+        return parse_axis(text, clutch.spec)
+
+    return [axis(text) for text in sweep or ()]
 
 
 def _curve(plot: bool, sweep: list[str] | None, common: Common) -> "Curve | None":
@@ -215,19 +202,12 @@ def _curve(plot: bool, sweep: list[str] | None, common: Common) -> "Curve | None
     if not plot:
         return None
     if not sweep:
-        raise AfmcalcError("--plot draws a sweep: give --sweep NAME with it (afmcalc plot draws the rest)")
+        raise AfmcalcError(say("--plot draws a sweep: give --sweep NAME with it (afmcalc plot draws the rest)"))
     if common.chosen_format != "table":
-        raise AfmcalcError(f"--plot draws under a table, not with --format {common.chosen_format}")
-    from ..extras import need
-
-    need("plot", "plotext")
+        raise AfmcalcError(say("--plot draws under a table, not with --format {name}", name=common.chosen_format))
     from ..render.plot.text import swept_lines
 
     return swept_lines
-
-
-def _is_band(text: str) -> bool:
-    return text.partition("=")[0].strip() == "dT"
 
 
 def _friction(text: str) -> tuple[float, float | None]:
@@ -237,5 +217,7 @@ def _friction(text: str) -> tuple[float, float | None]:
     except ValueError:
         values = []
     if len(values) not in (1, 2) or not all(0 <= value < float("inf") for value in values):
-        raise AfmcalcError(f"--friction {text}: write a coefficient such as 0.3, or F1,F2 for unlike materials")
+        raise AfmcalcError(
+            say("--friction {text}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text)
+        )
     return values[0], values[1] if len(values) == 2 else None

@@ -5,9 +5,10 @@ from typing import Annotated
 import typer
 
 from ..errors import AfmcalcError
+from ..messages import say
 from .files import write
 from .options import Common, SpecArgument, with_common
-from .run import build_from, calculate, emit, guarded, naming
+from .run import build_from, calculate, emit
 
 
 @with_common
@@ -40,9 +41,8 @@ def solve(
     common.keep(spec)
     name, wanted = parse_target(target)
     clutch = build_from(spec, common)
-    with naming(spec):
-        result, solved, findings = guarded(lambda: analysis(clutch, parameter, name, wanted, beyond_limit=beyond_limit))
-    emit("solve", result, findings, common, resolved(solved.spec))
+    result, solved, findings = analysis(clutch, parameter, name, wanted, beyond_limit=beyond_limit)
+    emit(common, result, findings, resolved(solved.spec))
 
 
 @with_common
@@ -63,9 +63,7 @@ def tolerance(
     afmcalc tolerance clutch.toml --set tolerance.samples=10_000_000 --json
     afmcalc tolerance clutch.toml --set tolerance.method=quasi-monte-carlo
     """  # noqa: D301
-    from ..analysis.tolerance.study import tolerance as analysis
-
-    calculate("tolerance", spec, common, lambda clutch: analysis(clutch, threads=threads))
+    calculate(common, spec, lambda clutch: {"threads": threads})
 
 
 @with_common
@@ -100,14 +98,14 @@ def design(
     common.keep(requirements)
     need = read_requirements(requirements, common.set or ())
     with Progress(total(need), quiet=common.quiet) as progress:
-        result, findings = guarded(lambda: analysis(need, progress.advance))
+        result, findings = analysis(need, progress.advance)
     if pick is None or not result.front:
-        emit("design", result, findings, common, None)
+        emit(common, result, findings)
         if not result.front:
             raise AfmcalcError(findings[0].message)
         return
     chosen = resolved(picked(need, result, pick, fine=refined))
-    emit("design", result, findings, common.to_standard_output(), chosen)
+    emit(common.to_standard_output(), result, findings, chosen)
     if common.output:
         write(to_toml(chosen), common.output)
-        common.note(f"wrote number {pick} to {common.output}")
+        common.note(say("wrote number {pick} to {output}", pick=pick, output=common.output))

@@ -4,6 +4,8 @@ import os
 import sys
 from typing import NoReturn
 
+from ..messages import say
+
 
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run the program; errors for people go to standard error, never a traceback."""
@@ -17,21 +19,39 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         application(given)(given, prog_name="afmcalc")
     except AfmcalcError as error:
         for line in str(error).splitlines():
-            print(f"error: {line}", file=sys.stderr)
+            _complain(line)
         sys.exit(error.exit_code)
     except BrokenPipeError:
         _drop_output()
         sys.exit(0)
     except OSError as error:
         _drop_output()
-        print(f"error: standard output: cannot be written: {error.strerror or error}", file=sys.stderr)
+        _complain(say("standard output: cannot be written: {why}", why=error.strerror or error))
         sys.exit(3)
     except MemoryError:
-        print("error: not enough memory for what was asked", file=sys.stderr)
+        _complain(say("not enough memory for what was asked"))
         sys.exit(2)
     except KeyboardInterrupt:
         sys.exit(130)
+    except Exception as error:
+        if not _is_beyond_numbers(error):
+            raise
+        _complain(say("a result is not finite (beyond the range of numbers): check the magnitudes in the spec"))
+        sys.exit(2)
     sys.exit(0)
+
+
+def _complain(text: str) -> None:
+    print(say("error: {text}", text=text), file=sys.stderr)
+
+
+def _is_beyond_numbers(error: Exception) -> bool:
+    """Whether a calculation left the range of numbers, in its arithmetic or with its result."""
+    from pydantic import ValidationError
+
+    if isinstance(error, ValidationError):
+        return all(detail["type"] == "finite_number" for detail in error.errors())
+    return isinstance(error, OverflowError | ZeroDivisionError)
 
 
 def _tune() -> None:

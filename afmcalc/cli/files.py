@@ -3,6 +3,7 @@
 import sys
 
 from ..errors import FileError
+from ..messages import say
 
 
 def write(text: str, path: str | None) -> None:
@@ -35,7 +36,7 @@ def write_file(path: str, content: bytes) -> None:
         os.chmod(temporary, _mode(target))
         os.replace(temporary, target)
     except OSError as error:
-        raise FileError(f"{path}: cannot be written: {error.strerror or error}") from None
+        raise FileError(say("{path}: cannot be written: {why}", path=path, why=error.strerror or error)) from None
     except BaseException:
         if temporary:
             os.unlink(temporary)
@@ -48,7 +49,7 @@ def _write_through(path: str, content: bytes) -> None:
         with open(path, "wb") as file:
             file.write(content)
     except OSError as error:
-        raise FileError(f"{path}: cannot be written: {error.strerror or error}") from None
+        raise FileError(say("{path}: cannot be written: {why}", path=path, why=error.strerror or error)) from None
 
 
 def _mode(target: str) -> int:

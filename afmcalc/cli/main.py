@@ -6,24 +6,11 @@ from typing import Annotated
 import typer
 
 from .. import __version__
+from ..analysis.registry import ANALYSES
 
 COMMANDS = {
-    "torque": "clutch",
-    "accuracy": "clutch",
-    "adjust": "clutch",
-    "overload": "clutch",
-    "synthesize": "clutch",
-    "life": "clutch",
-    "compare": "clutch",
-    "solve": "design",
-    "tolerance": "design",
-    "design": "design",
-    "explain": "papers",
-    "equations": "papers",
-    "reproduce": "papers",
-    "materials": "specs",
+    **{name: analysis.group for name, analysis in ANALYSES.items()},
     "init": "specs",
-    "check": "specs",
     "plot": "plot",
     "report": "report",
     "schema": "specs",

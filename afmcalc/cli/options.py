@@ -3,13 +3,15 @@
 import inspect
 import sys
 from collections.abc import Callable
+from copy import copy
 from dataclasses import dataclass, fields, replace
 from functools import wraps
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 import typer
 
 from ..errors import AfmcalcError
+from ..messages import say
 
 SpecArgument = Annotated[
     str | None,
@@ -19,8 +21,9 @@ SpecArgument = Annotated[
 
 @dataclass(frozen=True)
 class Common:
-    """Options of every command."""
+    """Options of every command, and which command it is."""
 
+    command: str
     set: Annotated[
         list[str] | None,
         typer.Option("--set", metavar="PATH=VALUE", help="Override a spec key; repeatable. Empty VALUE removes it."),
@@ -39,7 +42,7 @@ class Common:
     def chosen_format(self) -> str:
         """The format asked for; ``--json`` is a short form."""
         if self.json and self.format not in (None, "json"):
-            raise AfmcalcError(f"--json and --format {self.format} exclude each other")
+            raise AfmcalcError(say("--json and --format {format} exclude each other", format=self.format))
         return "json" if self.json else self.format or "table"
 
     def to_standard_output(self) -> "Common":
@@ -53,34 +56,64 @@ class Common:
         if source not in (None, "-") and self.output and os.path.exists(self.output):
             assert source is not None
             if os.path.exists(source) and os.path.samefile(source, self.output):
-                raise AfmcalcError(f"--output {self.output}: is the SPEC itself; write to another file")
+                raise AfmcalcError(
+                    say("--output {output}: is the SPEC itself; write to another file", output=self.output)
+                )
 
-    def takes_no_clutch(self, name: str) -> None:
+    def takes_no_clutch(self) -> None:
         """Refuse overrides where there is no spec to override."""
         if self.set:
-            raise AfmcalcError(f"{name} takes no clutch, so --set has nothing to override")
+            raise AfmcalcError(say("{name} takes no clutch, so --set has nothing to override", name=self.command))
 
     def note(self, text: str) -> None:
         """Say something beside the result."""
         if not self.quiet:
-            print(f"note: {text}", file=sys.stderr)
+            print(say("note: {text}", text=text), file=sys.stderr)
 
 
-def with_common(function: Callable[..., None]) -> Callable[..., None]:
-    """Give a command the common options; it receives them as ``common``."""
-    own = inspect.signature(function, eval_str=True)
-    parameters = [p for p in own.parameters.values() if p.name != "common"]
-    parameters += [
-        inspect.Parameter(option.name, inspect.Parameter.KEYWORD_ONLY, default=option.default, annotation=option.type)
-        for option in fields(Common)
-    ]
+def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Give a command the common options; it receives them as ``common``.
 
-    @wraps(function)
-    def command(**arguments: Any) -> None:
-        options = {option.name: arguments.pop(option.name) for option in fields(Common)}
-        function(**arguments, common=Common(**options))
+    Args:
+        names: which of them; all where none is named.
+        helps: name → help, where that of a command is another.
+    """
+    options = [option for option in fields(Common)[1:] if option.name in names or not names]
 
-    command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
-    command.__annotations__ = {p.name: p.annotation for p in parameters}
-    del command.__wrapped__
-    return command
+    def decorate(function: Callable[..., None]) -> Callable[..., None]:
+        own = inspect.signature(function, eval_str=True)
+        parameters = [p for p in own.parameters.values() if p.name != "common"]
+        parameters += [
+            inspect.Parameter(
+                option.name,
+                inspect.Parameter.KEYWORD_ONLY,
+                default=option.default,
+                annotation=_with_help(option.type, helps.get(option.name)),
+            )
+            for option in options
+        ]
+
+        @wraps(function)
+        def command(**arguments: Any) -> None:
+            given = {option.name: arguments.pop(option.name) for option in options}
+            function(**arguments, common=Common(function.__name__, **given))
+
+        command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
+        command.__annotations__ = {p.name: p.annotation for p in parameters}
+        del command.__wrapped__
+        return command
+
+    return decorate
+
+
+with_common = common_options()
+
+
+def _with_help(annotation: Any, text: str | None) -> Any:
+    """Return an annotated option with another help."""
+    if text is None:
+        return annotation
+    kind, option = get_args(annotation)
+    option = copy(option)
+    option.help = text
+    return Annotated[kind, option]

@@ -1,12 +1,14 @@
 """Commands about the papers behind the numbers: equations, explain, reproduce."""
 
-from typing import Annotated, Literal
+from typing import Annotated
 
 import typer
 
+from ..analysis.registry import EXPLAINED, StressRule
 from ..errors import AfmcalcError
+from ..messages import say
 from .options import Common, SpecArgument, with_common
-from .run import emit, guarded, naming, read
+from .run import emit, read
 
 PaperOption = Annotated[
     list[str] | None, typer.Option("--paper", metavar="KEY", help="F11, S19, S21 or S22; repeatable.")
@@ -15,12 +17,10 @@ PaperOption = Annotated[
 
 @with_common
 def explain(
-    command: Annotated[
-        str, typer.Argument(metavar="COMMAND", help="torque, accuracy, adjust, overload, synthesize, life or check.")
-    ],
+    command: Annotated[str, typer.Argument(metavar="COMMAND", help=f"{', '.join(EXPLAINED[:-1])} or {EXPLAINED[-1]}.")],
     spec: SpecArgument = None,
     model: Annotated[
-        Literal["mean-stress", "amplitude", "goodman"] | None,
+        StressRule | None,
         typer.Option("--model", help="For life: the rule for the damaging stress."),
     ] = None,
     *,
@@ -36,11 +36,10 @@ def explain(
     from ..spec import resolved
 
     if model and command != "life":
-        raise AfmcalcError("explain: --model belongs to life")
+        raise AfmcalcError(say("explain: --model belongs to life"))
     given = read(spec, common)
-    with naming(spec):
-        result, findings = guarded(lambda: analysis(command, given, **({"model": model} if model else {})))
-    emit("explain", result, findings, common, resolved(given))
+    result, findings = analysis(command, given, **({"model": model} if model else {}))
+    emit(common, result, findings, resolved(given))
 
 
 @with_common
@@ -63,9 +62,9 @@ def equations(
     """  # noqa: D301
     from ..papers.register import equations as analysis
 
-    common.takes_no_clutch("equations")
+    common.takes_no_clutch()
     result, findings = analysis(paper or [], id_ or [], show_misprints=misprints, prove=prove)
-    emit("equations", result, findings, common, None)
+    emit(common, result, findings)
 
 
 @with_common
@@ -87,8 +86,8 @@ def reproduce(
     """  # noqa: D301
     from ..papers.claims import reproduce as analysis
 
-    common.takes_no_clutch("reproduce")
+    common.takes_no_clutch()
     result, findings = analysis(paper or [], figure)
-    emit("reproduce", result, findings, common, None)
+    emit(common, result, findings)
     if not result.as_expected:
         raise typer.Exit(1)

@@ -1,29 +1,30 @@
 """The command that draws."""
 
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError
 from ..extras import need
+from ..messages import say
 from .files import write, write_file
-from .options import Common
-from .run import build_from, guarded, naming
+from .options import Common, common_options
+from .run import build_from
 
 if TYPE_CHECKING:
-    from ..render.plot import Request
+    from ..analysis.figures import Request
     from ..render.plot.chart import Sheet
 
 _ENDINGS = ("png", "svg", "pdf")
 
 
+_KINDS = [name for name in PLOTS if name != "paper"]
+
+
+@common_options("set", "output", "quiet", output="File, .png, .svg or .pdf; without it drawn as text.")
 def plot(
-    what: Annotated[
-        str,
-        typer.Argument(
-            metavar="WHAT", help="torque, accuracy, overload, life, pocket, tolerance, pareto, or paper with a figure."
-        ),
-    ],
+    what: Annotated[str, typer.Argument(metavar="WHAT", help=f"{', '.join(_KINDS)}, or paper with a figure.")],
     subjects: Annotated[
         list[str] | None,
         typer.Argument(
@@ -34,19 +35,9 @@ def plot(
     sweep: Annotated[
         str | None, typer.Option("--sweep", metavar="NAME[=RANGE]", help="accuracy: the axis (C); life: dT=RANGE.")
     ] = None,
-    model: Annotated[
-        Literal["mean-stress", "amplitude", "goodman"] | None,
-        typer.Option("--model", help="life: rule for the damaging stress."),
-    ] = None,
-    set_: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="PATH=VALUE", help="Override a spec key in every SPEC; repeatable."),
-    ] = None,
-    output: Annotated[
-        str | None,
-        typer.Option("--output", "-o", metavar="FILE", help="File, .png, .svg or .pdf; without it drawn as text."),
-    ] = None,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False,
+    model: Annotated[StressRule | None, typer.Option("--model", help="life: rule for the damaging stress.")] = None,
+    *,
+    common: Common,
 ) -> None:
     """Plots: of clutches, of the pocket to scale, of tolerances, of a design's front, of the papers' figures.
 
@@ -58,32 +49,40 @@ def plot(
     afmcalc plot pareto requirements.toml -o front.svg
     afmcalc plot paper S22-3 -o figure.png
     """  # noqa: D301
-    from ..render.plot import Request, kind_of, sheet_of
+    from ..analysis.figures import Request, gathered, plot_of
+    from ..render.plot import sheet_of
 
-    common = Common(set=set_, output=output, quiet=quiet)
-    kind = kind_of(what)
-    ending = _ending(output)
-    need("plot", "matplotlib" if ending else "plotext")
-    given: list[Any] = list(subjects or ())
-    if kind.takes == "names":
-        sheet = sheet_of(what, Request(given, sweep, model))
-    elif kind.takes == "requirements":
-        sheet = _of_requirements(what, Request(given, sweep, model), common)
+    takes = plot_of(what).takes
+    ending = _ending(common.output)
+    if ending:
+        need("plot")
+    request = Request(subjects or (), sweep, model)
+    if takes == "names":
+        found = gathered(what, request)
     else:
-        _refuse_twice(given)
-        for source in given:
-            common.keep(source)
-        sources = given or [None]
-        with naming(sources[0]):
-            clutches = [build_from(source, common) for source in sources]
-            sheet = guarded(lambda: sheet_of(what, Request(clutches, sweep, model)))
-    _write(sheet, ending, common)
+        found = (_of_requirements if takes == "requirements" else _of_clutches)(what, request, common)
+    _write(sheet_of(what, found), ending, common)
 
 
-def _of_requirements(what: str, request: "Request", common: Common) -> "Sheet":
+def _of_clutches(what: str, request: "Request", common: Common) -> Any:
+    """Read and build the clutches, and calculate what is drawn of them."""
+    from ..analysis.answers import Answers
+    from ..analysis.figures import gathered
+
+    if request.subjects.count("-") > 1:
+        raise AfmcalcError(say("standard input (-) can be read once only"))
+    for source in request.subjects:
+        common.keep(source)
+    sources = list(request.subjects) or [None]
+    clutches = [build_from(source, common) for source in sources]
+    answers = [Answers(clutch, model=request.model or "mean-stress") for clutch in clutches]
+    return gathered(what, request._replace(subjects=answers))
+
+
+def _of_requirements(what: str, request: "Request", common: Common) -> Any:
     """Read the requirements and search, with a progress bar."""
     from ..analysis.design.space import total
-    from ..render.plot import check_request, sheet_of
+    from ..analysis.figures import check_request, gathered
     from ..spec.requirements import read_requirements
     from .progress import Progress
 
@@ -92,8 +91,7 @@ def _of_requirements(what: str, request: "Request", common: Common) -> "Sheet":
     common.keep(source)
     need = read_requirements(source, common.set or ())
     with Progress(total(need), quiet=common.quiet) as progress:
-        sheet: Sheet = guarded(lambda: sheet_of(what, request._replace(subjects=[need], progress=progress.advance)))
-    return sheet
+        return gathered(what, request._replace(subjects=[need], progress=progress.advance))
 
 
 def _ending(output: str | None) -> str | None:
@@ -103,13 +101,8 @@ def _ending(output: str | None) -> str | None:
     assert output is not None
     ending = output.rpartition(".")[2].lower() if "." in output else ""
     if ending not in _ENDINGS:
-        raise AfmcalcError(f"--output {output}: end it in .png, .svg or .pdf")
+        raise AfmcalcError(say("--output {output}: end it in .png, .svg or .pdf", output=output))
     return ending
-
-
-def _refuse_twice(sources: list[str]) -> None:
-    if sources.count("-") > 1:
-        raise AfmcalcError("standard input (-) can be read once only")
 
 
 def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
@@ -119,11 +112,11 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
         from ..render.plot.text import draw_sheet
 
         if not any(isinstance(panel, Chart) for panel in sheet.panels):
-            raise AfmcalcError("this is a drawing, no curve: give a file, -o FILE.svg (or .png, .pdf)")
+            raise AfmcalcError(say("this is a drawing, no curve: give a file, -o FILE.svg (or .png, .pdf)"))
         write(draw_sheet(sheet, unicode=is_unicode()), None)
         return
     from ..render.plot.figure import save
 
     assert common.output is not None
     write_file(common.output, save(sheet, ending))  # type: ignore[arg-type]
-    common.note(f"wrote {common.output}")
+    common.note(say("wrote {output}", output=common.output))

@@ -1,17 +1,19 @@
 """Reading the spec, running a calculation, printing its output."""
 
+import os
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from .. import __version__
-from ..errors import CalculationError, SpecError
+from ..analysis.registry import ANALYSES
+from ..messages import say
 from .files import write
 from .options import Common
 
 if TYPE_CHECKING:
     from ..engines import Clutch
+    from ..findings import Finding
     from ..render.layout import Curve
     from ..result import Output
     from ..spec import Spec
@@ -22,91 +24,63 @@ def read(source: str | None, common: Common) -> "Spec":
     from ..spec import read_spec
 
     if source is None:
-        common.note("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)")
+        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
     elif source == "-" and sys.stdin.isatty():
-        common.note("reading the spec from the terminal: end it with Ctrl-D, or give a file")
+        common.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
     return read_spec(source, common.set or ())
 
 
 def calculate(
-    name: str,
-    source: str | None,
     common: Common,
-    analysis: Callable[["Clutch"], Any],
+    source: str | None,
+    options: "Callable[[Clutch], Mapping[str, object]]" = lambda clutch: {},
     curve: "Curve | None" = None,
 ) -> "Output":
-    """Read the spec, build the clutch, run ``analysis`` on it and print what it returns."""
+    """Read the spec, build the clutch, run the analysis of the command on it and print what it returns.
+
+    Args:
+        common: the common options.
+        source: where the spec is.
+        options: arguments of the analysis beside the clutch.
+        curve: what draws under a table's sweep.
+    """
     from ..spec import resolved
 
     common.keep(source)
     clutch = build_from(source, common)
-    with naming(source):
-        result, findings = guarded(lambda: analysis(clutch))
-    return emit(name, result, findings, common, resolved(clutch.spec), curve)
+    analysis = ANALYSES[common.command].function
+    result, findings = analysis(clutch, **options(clutch))
+    return emit(common, result, findings, resolved(clutch.spec), curve)
 
 
 def build_from(source: str | None, common: Common) -> "Clutch":
     """Read a spec and build its clutch."""
     from ..engines import build
 
-    spec = read(source, common)
-    with naming(source):
-        clutch: Clutch = guarded(lambda: build(spec))
-    return clutch
-
-
-@contextmanager
-def naming(source: str | None) -> Iterator[None]:
-    """Name the file in errors that engines and analyses find in a spec."""
-    from ..spec.reading import label_of
-
-    try:
-        yield
-    except SpecError as error:
-        raise error.named(label_of(source)) from None
-
-
-def read_again(output: "Output") -> "Spec":
-    """Return the spec an output carries."""
-    from ..spec import make_spec
-
-    assert output.spec is not None
-    return make_spec(output.spec)
-
-
-def guarded(calculation: Callable[[], Any]) -> Any:
-    """Run a calculation; a result beyond the range of numbers is an error for people."""
-    from pydantic import ValidationError
-
-    try:
-        return calculation()
-    except ValidationError as error:
-        if any(detail["type"] != "finite_number" for detail in error.errors()):
-            raise
-        raise CalculationError(_NOT_FINITE) from None
-    except (OverflowError, ZeroDivisionError):
-        raise CalculationError(_NOT_FINITE) from None
-
-
-_NOT_FINITE = "a result is not finite (beyond the range of numbers): check the magnitudes in the spec"
+    return build(read(source, common))
 
 
 def emit(
-    name: str,
-    result: Any,
-    findings: Any,
     common: Common,
-    spec: dict[str, Any] | None,
+    result: Any,
+    findings: "list[Finding]",
+    spec: dict[str, Any] | None = None,
     curve: "Curve | None" = None,
 ) -> "Output":
-    """Render an output in the chosen format, to standard output or a file; ``curve`` draws under a table's sweep."""
-    from ..render import renderer
+    """Render the output of a command in the chosen format, to standard output or a file."""
     from ..result import Output
 
-    output = Output(command=name, version=__version__, spec=spec, result=result, findings=findings)
+    output = Output(command=common.command, version=__version__, spec=spec, result=result, findings=findings)
     chosen = common.chosen_format
-    terminal = common.output is None and _is_terminal()
-    text = renderer(chosen)(output, terminal) if curve is None else _with_curve(output, terminal, curve)
+    terminal = common.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
+    if curve:
+        from ..render.formats import table
+
+        text = table.render(output, terminal, curve)
+    else:
+        from ..render import renderer
+
+        text = renderer(chosen)(output, terminal)
     write(text, common.output)
     if chosen == "csv" and not result.findings_first:
         from ..render.layout import findings_lines
@@ -115,15 +89,3 @@ def emit(
             if not (common.quiet and line.startswith("info")):
                 print(line, file=sys.stderr)
     return output
-
-
-def _with_curve(output: "Output", terminal: bool, curve: "Curve") -> str:
-    from ..render.formats import table
-
-    return table.render(output, terminal, curve)
-
-
-def _is_terminal() -> bool:
-    import os
-
-    return sys.stdout.isatty() and os.environ.get("TERM") != "dumb"

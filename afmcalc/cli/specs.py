@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 import typer
 
 from ..errors import AfmcalcError
+from ..messages import say
 from ..variants import VARIANTS
 from .files import write
 from .options import Common, SpecArgument, with_common
@@ -44,13 +45,15 @@ def init(
     from ..spec.builtin import example_text
 
     if output and file:
-        raise AfmcalcError("give FILE or --output, not both")
+        raise AfmcalcError(say("give FILE or --output, not both"))
     target = output or file or "clutch.toml"
     if target != "-" and os.path.lexists(target) and not force:
-        raise AfmcalcError(f"{target}: exists already; --force overwrites it")
+        raise AfmcalcError(say("{target}: exists already; --force overwrites it", target=target))
     write(example_text(_EXAMPLES[variant] or variant), target)
     if target != "-":
-        Common(quiet=quiet).note(f"wrote {target}; calculate it with: afmcalc torque {target}")
+        Common("init", quiet=quiet).note(
+            say("wrote {target}; calculate it with: afmcalc torque {target}", target=target)
+        )
 
 
 @with_common
@@ -66,9 +69,7 @@ def check(
     afmcalc check clutch.toml && echo fine
     afmcalc check clutch.toml --strict --json
     """  # noqa: D301
-    from ..analysis.checks.check import check as analysis
-
-    output = calculate("check", spec, common, lambda clutch: analysis(clutch, strict=strict))
+    output = calculate(common, spec, lambda clutch: {"strict": strict})
     if not output.result.passed:
         raise typer.Exit(1)
 
@@ -83,9 +84,9 @@ def materials(*, common: Common) -> None:
     """  # noqa: D301
     from ..analysis.materials import materials as analysis
 
-    common.takes_no_clutch("materials")
+    common.takes_no_clutch()
     result, findings = analysis()
-    emit("materials", result, findings, common, None)
+    emit(common, result, findings)
 
 
 def schema(

@@ -4,9 +4,7 @@ from collections.abc import Mapping
 from os import PathLike
 from typing import Any
 
-from ..errors import SpecError
 from ..spec import Spec, make_spec, read_spec
-from ..spec.reading import label_of
 from ..variants import Law
 from .direct import DirectClutch
 from .indirect import IndirectClutch
@@ -35,8 +33,4 @@ def load(source: str | PathLike[str] | None = None) -> Clutch:
         SpecError: the spec is invalid.
         FileError: the file cannot be read.
     """
-    spec = read_spec(source)
-    try:
-        return build(spec)
-    except SpecError as error:
-        raise error.named(label_of(source)) from None
+    return build(read_spec(source))

@@ -1,6 +1,5 @@
 """Engine of direct regulation: one law, the variants are pair counts."""
 
-from dataclasses import dataclass
 from typing import Any
 
 from ..arrays import Values, checked_friction, is_array, larger, smaller
@@ -12,7 +11,6 @@ from .laws import DirectLaw
 from .protocol import ByGain, Clutch
 
 
-@dataclass(frozen=True)
 class DirectClutch(Clutch):
     """Clutch whose release force acts on the pack itself."""
 
@@ -127,9 +125,9 @@ class DirectClutch(Clutch):
 
     def sensitivity(self) -> dict[str, float]:
         """Elasticities ∂ln K_т/∂ln p by spec path, from the derivatives of the law."""
-        low, high = (_FrictionPair(*pair) for pair in zip(*((r.min, r.max) for r in self.friction), strict=True))
+        first, second = self.friction
         sign = 1.0 if not self.spec.friction.unlike or self._factor >= 1 else -1.0
-        slopes_low, slopes_high = self._elasticities(low), self._elasticities(high)
+        slopes_low, slopes_high = self._elasticities(first.min, second.min), self._elasticities(first.max, second.max)
         shared = {name: sign * (slopes_high[name] - slopes_low[name]) for name in ("pairs", "driving_pairs", "gain")}
         found: dict[str, float] = {}
         for end, slopes, way in (("min", slopes_low, -sign), ("max", slopes_high, sign)):
@@ -144,15 +142,15 @@ class DirectClutch(Clutch):
         found |= geometry.gain_elasticities(self.spec, shared["gain"])
         return found | geometry.force_elasticity(self.spec)
 
-    def _elasticities(self, at: "_FrictionPair") -> dict[str, float]:
+    def _elasticities(self, at_driving: float, at_driven: float) -> dict[str, float]:
         """∂ln T/∂ln p at one point."""
         z1, z2 = self.bypass_pairs, self.controlled_pairs
-        driving = accuracy.torque_elasticity_in_friction_driving(z1, z2, at.driving, at.driven)
-        driven = accuracy.torque_elasticity_in_friction_driven(z1, z2, self.gain, at.driving, at.driven)
+        driving = accuracy.torque_elasticity_in_friction_driving(z1, z2, at_driving, at_driven)
+        driven = accuracy.torque_elasticity_in_friction_driven(z1, z2, self.gain, at_driving, at_driven)
         return {
             "friction_driving": driving,
             "friction_driven": driven,
-            "gain": accuracy.torque_elasticity_in_gain(z2, self.gain, at.driven),
+            "gain": accuracy.torque_elasticity_in_gain(z2, self.gain, at_driven),
             **_pair_elasticities(z1, z2, driving, driven),
         }
 
@@ -176,14 +174,6 @@ class DirectClutch(Clutch):
         if not self.spec.friction.unlike or self._factor >= 1:
             return []
         return [finding("torque-falls", "info", value=float(self._factor), limit=1.0)]
-
-
-@dataclass(frozen=True)
-class _FrictionPair:
-    """One pair of friction coefficients."""
-
-    driving: float
-    driven: float
 
 
 def _pair(friction: Any, friction_driven: Any) -> tuple[Any, Any]:

@@ -1,12 +1,13 @@
 """Engine of indirect regulation: a thrust sleeve between two springs (S21)."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from ..arrays import Values, checked_friction, is_array
 from ..equations import indirect
 from ..errors import Problem, SpecError
 from ..findings import Finding, finding
+from ..messages import say
 from ..spec.models import Method, Spec
 from . import geometry, setting
 from .laws import IndirectLaw
@@ -14,7 +15,6 @@ from .protocol import ByGain, Clutch
 from .sensitivity import sensitivity
 
 
-@dataclass(frozen=True)
 class IndirectClutch(Clutch):
     """Clutch whose release force slackens the closing spring by way of a sleeve."""
 
@@ -173,14 +173,14 @@ class IndirectClutch(Clutch):
         return ratio
 
     def ball_torque_by_gain(self) -> ByGain:
-        """T ∝ D(f_set)/D(f_max), and D = (c_1 + c_2 − z c_1 f·threshold) + (z c_1 f)·C."""
+        """T ∝ D(f_set)/D(f_max), with F_п2 as made 1/D(f_max); D = (c_1 + c_2 − z c_1 f·threshold) + (z c_1 f)·C."""
         springs = float(self.closing_stiffness + self.control_stiffness)
         start = float(self.gain_threshold)
         slopes = [
             float(self.pairs * self.closing_stiffness) * f for f in (float(self.friction_set), self.friction[0].max)
         ]
         at_set, at_max = (((springs - slope * start) / springs, slope / springs) for slope in slopes)
-        return ByGain(at_set, at_max, start)
+        return ByGain(at_set if self.law.made_control_force is None else (1.0, 0.0), at_max, start)
 
     def sensitivity(self) -> dict[str, float]:
         """Elasticities ∂ln K_т/∂ln p by spec path."""
@@ -195,7 +195,7 @@ class IndirectClutch(Clutch):
         if self.law.key_friction == 0:
             return []
         returning, nominal = float(self.torque_returning(self.friction[0].min)), float(self.nominal_torque)
-        ratio = float(indirect.hysteresis_ratio(self.net_gain, self.net_gain_returning))
+        ratio = indirect.hysteresis_ratio(self.net_gain, self.net_gain_returning)
         key = "control_unit.key_friction"
         found = [finding("hysteresis", "info", value=ratio, limit=1.0, path=key)]
         if returning < nominal * (1 - 1e-12):
@@ -205,20 +205,18 @@ class IndirectClutch(Clutch):
 
 def _refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
     """Below the threshold the sleeve leaves its stop at zero torque: no clutch at all."""
-    shortfall = -law.net_gain
-    if is_array(shortfall):
-        if not bool((shortfall > 0).any()):  # type: ignore[union-attr]
-            return
-    elif not shortfall > 0:
+    net = law.net_gain
+    if not _where_least(net, net) < 0:
         return
-    threshold, gain = _largest(law.gain_threshold), _smallest(law.gain)
-    message = (
-        f"must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
-        "force, and the sleeve leaves its stop at zero torque"
+    threshold, gain = (_where_least(net, each) for each in (law.gain_threshold, law.gain))
+    message = say(
+        "must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
+        "force, and the sleeve leaves its stop at zero torque",
+        threshold=threshold,
     )
     path = geometry.gain_path(spec)
     given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
-    raise SpecError("spec", [Problem(path, given, message)])
+    raise SpecError(spec.label, [Problem(path, given, message)])
 
 
 def _given(value: Any) -> Any:
@@ -234,13 +232,14 @@ def _one(friction: Any, friction_driven: Any) -> Any:
         return friction
     same = friction == checked_friction(friction_driven)
     if not (bool(same.all()) if is_array(same) else same):
-        raise ValueError("an indirect clutch has one friction for all pairs")
+        raise ValueError(say("an indirect clutch has one friction for all pairs"))
     return friction
 
 
-def _largest(value: Any) -> float:
-    return float(value.max() if is_array(value) else value)
+def _where_least(value: Values, other: Values) -> float:
+    """Where the first is least, the other, so that numbers named together belong together."""
+    if not is_array(value):
+        return float(other)
+    import numpy as np
 
-
-def _smallest(value: Any) -> float:
-    return float(value.min() if is_array(value) else value)
+    return float(np.broadcast_to(other, np.shape(value)).flat[int(np.argmin(value))])

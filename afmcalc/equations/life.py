@@ -117,6 +117,43 @@ def cycles(endurance_limit: Number, stress: Number, exponent: Number, base_cycle
     return base_cycles * (endurance_limit / stress) ** exponent
 
 
+def damage(endurance_limit: Number, stress: Number, exponent: Number, base_cycles: Number) -> Number:
+    """Damage of one cycle, 1/N = (τ/τ_limb)^m_τ/N_0; a part fails when its cycles add up to 1.
+
+    Source: Miner, Cumulative damage in fatigue, J. Appl. Mech. 12 (1945), with the S-N line of S19 (14).
+
+    Args:
+        endurance_limit: τ_limb, endurance limit in shear [Pa].
+        stress: τ, the damaging stress [Pa].
+        exponent: m_τ, exponent of the S-N line [1].
+        base_cycles: N_0, base cycles of the S-N line [1].
+
+    Returns:
+        1/N [1].
+
+    Validity:
+        As ``cycles``.
+    """
+    return (stress / endurance_limit) ** exponent / base_cycles
+
+
+def cycles_of_mean_damage(mean_damage: Number) -> Number:
+    """Slips to failure from the mean damage of a slip, N = 1/D_m.
+
+    Source: Miner: D_m is the mean of 1/N(T_low, T(f)) over the friction of the slips (theory, section 4).
+
+    Args:
+        mean_damage: D_m, mean damage of a slip over f_min … f_max [1].
+
+    Returns:
+        N [1].
+
+    Validity:
+        Linear damage; slips below the endurance limit do none.
+    """
+    return 1 / mean_damage
+
+
 def cycles_of_band(
     endurance_limit: Number,
     polar_section_modulus: Number,

@@ -7,6 +7,7 @@ from typing import Literal
 
 from ..errors import AfmcalcError
 from ..findings import Finding
+from ..messages import say
 from ..result import Result, quantity
 from ..spec.suggest import did_you_mean
 
@@ -83,7 +84,12 @@ def check_papers(papers: list[str]) -> None:
     for paper in papers:
         if paper not in PAPERS:
             raise AfmcalcError(
-                f"--paper {paper}: no such paper{did_you_mean(paper, PAPERS)}; papers: {', '.join(PAPERS)}"
+                say(
+                    "--paper {paper}: no such paper{hint}; papers: {papers}",
+                    paper=paper,
+                    hint=did_you_mean(paper, PAPERS),
+                    papers=", ".join(PAPERS),
+                )
             )
 
 
@@ -117,9 +123,14 @@ def equations(
         known = [entry.id for entry in chosen]
         for name in ids:
             if name not in known:
-                where = {"M": "; equations --misprints lists misprints", "P": "; reproduce has the printed figures"}
+                where = {
+                    "M": say("; equations --misprints lists misprints"),
+                    "P": say("; reproduce has the printed figures"),
+                }
                 hint = where.get(name[:1]) if name[1:].isdecimal() else None
-                raise AfmcalcError(f"--id {name}: no such formula{hint or did_you_mean(name, known)}")
+                raise AfmcalcError(
+                    say("--id {name}: no such formula{hint}", name=name, hint=hint or did_you_mean(name, known))
+                )
         chosen = [entry for entry in chosen if entry.id in ids]
     numbered = [entry for entry in chosen if is_numbered(entry)]
     slips = [m for m in misprints() if not papers or m.where.split()[0] in papers] if show_misprints else None

@@ -93,10 +93,18 @@ def cycles_from_the_line() -> Steps:
     limit, stress, exponent, base, modulus, low, band = sp.symbols("tau_limb tau m_tau N_0 W_p T_min dT", positive=True)
     cycles = life.cycles(limit, stress, exponent, base)
     yield Identity("(14)", sp.expand_power_base(cycles * stress**exponent, force=True) - limit**exponent * base)
+    whole = sp.expand_power_base(life.damage(limit, stress, exponent, base) * cycles, force=True)
+    yield Identity("damage of a cycle: N of them add up to 1", whole - 1)
     stresses = [life.shear_stress(torque, modulus) for torque in (low, low + band)]
     yield Identity("(16), (17)", stresses[0] - low / modulus)
     mean = life.mean_stress(*stresses)
     yield Identity("(15), (18)", mean - (2 * low + band) / (2 * modulus))
+    often, rarely = sp.symbols("n_1 n_2", positive=True)
+    damage = (often / cycles + rarely / (2 * cycles)) / (often + rarely)
+    slips = life.cycles_of_mean_damage(damage)
+    yield Identity(
+        "Miner: after that many slips the damage is 1", slips * (often + rarely / 2) / cycles - (often + rarely)
+    )
     for power in (1, 2, 6):
         direct_form = life.cycles(limit, mean, power, base)
         yield Identity(

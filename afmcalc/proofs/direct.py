@@ -93,6 +93,8 @@ def slope_in_n() -> Steps:
     common = z2 * spread * (1 + z2 * C * p * f1min) / ((z1 + z2 * p) * (1 + z2 * C * n * f1max) ** 2)
     yield Refutation("M2: printed factor z_1 − C f_1max", common * (z1 - C * f1max) - slope)
     yield Identity("print and proof agree for z_1 = 1", (common * (z1 - C * f1max) - slope).subs(z1, 1))
+    printed_19 = (z1 - C * f1max) / (z2 * C * f1min * (C * f1max - z1))
+    yield Identity("(19) as printed is −1/(z_2 C f_1min)", printed_19 + 1 / (z2 * C * f1min))
     yield Identity("(19): the root in p is −1/(z_2 C f_1min), negative", slope.subs(p, -1 / (z2 * C * f1min)))
     yield Identity("at C = 1/(z_1 f_1max) K_т does not depend on n (M5, M20)", slope.subs(C, 1 / (z1 * f1max)))
     below = {C: 1 / (z1 * f1max + q)}

@@ -4,6 +4,7 @@ from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
+from ..messages import translate
 from ..result import Result, Triple
 
 
@@ -66,7 +67,7 @@ def _walk(model: BaseModel, prefix: str, heading: str, into: Document) -> None:
         if value is None and not info.is_required():
             continue
         about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
-        path, title = prefix + name, info.description or name
+        path, title = prefix + name, translate(info.description or name)
         symbol, unit = str(about.get("symbol") or ""), str(about.get("unit") or "")
         label = f"{heading}: {title}" if heading else title
         if isinstance(value, Triple):
@@ -106,7 +107,7 @@ def _records(title: str, items: list[BaseModel]) -> Table:
         if all(value is None for value in values):
             continue
         symbol, unit = str(about.get("symbol") or ""), str(about.get("unit") or "")
-        label = info.description or name
+        label = translate(info.description or name)
         if any(isinstance(value, Triple) for value in values):
             for end in ("min", "mean", "max"):
                 ends = [getattr(value, end, None) for value in values]
@@ -128,7 +129,7 @@ def _side_by_side(title: str, items: list[BaseModel]) -> Table:
             if about.get("axis"):
                 axes.append(Column(facts.path, facts.parameter, facts.path, facts.unit, value))
             elif isinstance(value, list) and item is items[0]:
-                label = info.description or name
+                label = translate(info.description or name)
                 symbol, unit, null = (str(about.get(part) or "") for part in ("symbol", "unit", "null"))
                 answers.append(Column(name, symbol, label, unit, value, null=null or "–"))
     return Table(title, [*axes, *answers], axes=len(axes))

@@ -32,3 +32,11 @@ def mathtext(text: str) -> str:
 def literal(text: str) -> str:
     """Keep matplotlib from reading anything into a text of the user's (the name of a spec)."""
     return text.replace("$", r"\$")
+
+
+def value_latex(text: str) -> str:
+    """Return a value as shown to people, such as ``1.2e+07 N·m``, in LaTeX."""
+    number, _, unit = text.partition(" ")
+    mantissa, _, exponent = number.partition("e")
+    shown = f"{mantissa} \\cdot 10^{{{int(exponent)}}}" if exponent else mantissa
+    return f"{shown}\\,\\text{{{unit}}}" if unit else shown

@@ -9,6 +9,7 @@ from importlib.resources import files
 from os import PathLike
 
 from ..errors import AfmcalcError, FileError
+from ..messages import say
 
 HEADING = "diameter_mm"
 """First line of a list in CSV."""
@@ -40,18 +41,20 @@ def _text(source: str | PathLike[str]) -> str:
         with open(source, encoding="utf-8-sig") as file:
             return file.read()
     except OSError as error:
-        raise FileError(f"{source}: cannot be read: {error.strerror or error}") from None
+        raise FileError(say("{label}: cannot be read: {why}", label=source, why=error.strerror or error)) from None
     except UnicodeDecodeError:
-        raise AfmcalcError(f"{source}: is not UTF-8 text") from None
+        raise AfmcalcError(say("{label}: is not UTF-8 text", label=source)) from None
 
 
 def _of_toml(text: str, label: str) -> Sequence[object]:
     try:
         listed = tomllib.loads(text).get("diameters")
     except (ValueError, RecursionError) as error:
-        raise AfmcalcError(f"{label}: is not valid TOML: {error}") from None
+        raise AfmcalcError(say("{label}: is not valid TOML: {why}", label=label, why=error)) from None
     if not isinstance(listed, list) or not listed:
-        raise AfmcalcError(f"{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]")
+        raise AfmcalcError(
+            say("{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]", label=label)
+        )
     return listed
 
 
@@ -59,10 +62,23 @@ def _of_csv(text: str, label: str) -> Sequence[object]:
     lines = [line.strip() for line in text.splitlines()]
     cells = [line for line in lines if line and not line.startswith("#")]
     if cells[:1] != [HEADING] or not cells[1:]:
-        raise AfmcalcError(f"{label}: must begin with the heading {HEADING}, then one ball diameter in mm a line")
+        raise AfmcalcError(
+            say(
+                "{label}: must begin with the heading {heading}, then one ball diameter in mm a line",
+                label=label,
+                heading=HEADING,
+            )
+        )
     for cell in cells[1:]:
         if not re.fullmatch(r"\d{1,300}(\.\d+)?", cell, re.ASCII):
-            raise AfmcalcError(f"{label}: line {lines.index(cell) + 1}: {cell!r} is no diameter in mm, such as 6.35")
+            raise AfmcalcError(
+                say(
+                    "{label}: line {line}: {cell!r} is no diameter in mm, such as 6.35",
+                    label=label,
+                    line=lines.index(cell) + 1,
+                    cell=cell,
+                )
+            )
     return [float(cell) for cell in cells[1:]]
 
 
@@ -74,11 +90,15 @@ def _diameter(item: object, label: str) -> float:
         try:
             value = parse_quantity(item, "m")
         except ValueError as error:
-            raise AfmcalcError(f"{label}: diameters: {item!r}: {error}") from None
+            raise AfmcalcError(say("{label}: diameters: {item!r}: {why}", label=label, item=item, why=error)) from None
     elif isinstance(item, int | float) and not isinstance(item, bool):
         value = item / 1000 if abs(item) <= sys.float_info.max else math.inf
     else:
-        raise AfmcalcError(f"{label}: diameters: {item!r} is no diameter; give numbers in mm")
+        raise AfmcalcError(
+            say("{label}: diameters: {item!r} is no diameter; give numbers in mm", label=label, item=item)
+        )
     if not 0 < value < math.inf:
-        raise AfmcalcError(f"{label}: diameters: {item!r} must be greater than 0 and finite")
+        raise AfmcalcError(
+            say("{label}: diameters: {item!r} must be greater than 0 and finite", label=label, item=item)
+        )
     return value

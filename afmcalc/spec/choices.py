@@ -1,13 +1,17 @@
 """What a searched parameter may be: one value, a list or an even grid, held to the bounds of a spec's field."""
 
-from collections.abc import Callable, Mapping
-from functools import cache
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, TypeAlias
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
-from pydantic import BeforeValidator, TypeAdapter, ValidationError
-from pydantic_core import PydanticKnownError
+from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler, TypeAdapter, ValidationError
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
+from ..messages import say
 from .fields import Count, Force, Length, Ratio, Stiffness, StiffnessOrNone, WallAngle
+from .rules import Table
 
 if TYPE_CHECKING:
     import numpy as np
@@ -44,90 +48,89 @@ class Choice(NamedTuple):
         return np.array(self.listed) if self.listed else np.linspace(self.start, self.stop, self.length)
 
 
-def _choice(kind: Any, most: int = MOST_VALUES) -> Any:
-    """Type of a searched parameter: one value, a list, or a table with start, stop and count (or step).
+@dataclass(frozen=True)
+class Searched:
+    """What a searched parameter may be: one value, a list, or a table with start, stop and count (or step)."""
 
-    Its values are held to what a spec's field of the ``kind`` is held to.
-    """
+    kind: Any
+    """Type of a spec's field; every value is held to what it is held to."""
+    most: int = MOST_VALUES
 
-    def number(value: object) -> float:
+    @cached_property
+    def _field(self) -> TypeAdapter[float]:
+        return TypeAdapter(self.kind)
+
+    def number(self, value: object) -> float:
+        """Read one value, SI."""
         try:
-            return float(_adapter(kind).validate_python(value))
+            return float(self._field.validate_python(value))
         except ValidationError as error:
             detail: Any = error.errors(include_url=False)[0]
             if detail["type"] == "value_error":
                 raise detail["ctx"]["error"] from None
             raise PydanticKnownError(detail["type"], detail.get("ctx")) from None
 
-    def read(value: object) -> Choice:
+    def read(self, value: object) -> Choice:
+        """Read what stands in the file."""
         if isinstance(value, Choice):
             return value
         if isinstance(value, list | tuple):
             if not value:
-                raise ValueError("must not be an empty list")
-            _check_count(len(value), min(most, MOST_LISTED))
-            return Choice(tuple(sorted({number(item) for item in value})))
-        if not isinstance(value, Mapping):
-            return Choice((number(value),))
-        return _grid(value, number, whole=kind is Count, most=most)
+                raise ValueError(say("must not be an empty list"))
+            _check_count(len(value), min(self.most, MOST_LISTED))
+            return Choice(tuple(sorted({self.number(item) for item in value})))
+        return self._grid(value) if isinstance(value, Mapping) else Choice((self.number(value),))
 
-    schema: Any = float | str | list[float | str] | dict[str, float | str]
-    return Annotated[Any, BeforeValidator(read, json_schema_input_type=schema)]
+    def _grid(self, value: Table) -> Choice:
+        if unknown := sorted(set(value) - {"start", "stop", "count", "step"}):
+            raise ValueError(say("unknown key {key!r}; a range has start, stop and count (or step)", key=unknown[0]))
+        if "start" not in value or "stop" not in value:
+            raise ValueError(say("a range has start, stop and count (or step)"))
+        start, stop = self.number(value["start"]), self.number(value["stop"])
+        if start > stop:
+            raise ValueError(
+                say("the range is inverted: start {start:g} is above stop {stop:g}", start=start, stop=stop)
+            )
+        if "count" in value and "step" in value:
+            raise ValueError(say("give count or step, not both"))
+        count, whole = value.get("count"), self.kind is Count
+        if "count" not in value:
+            step = self.number(value["step"]) if "step" in value else 1.0 if whole else 0.0
+            if not step > 0:
+                raise ValueError(say("a range needs count, or a step greater than 0"))
+            steps = (stop - start) / step * (1 + 1e-12)
+            _check_count(steps + 1, self.most)
+            count = int(steps) + 1
+            stop = start + (count - 1) * step
+        if isinstance(count, bool) or not isinstance(count, int) or count < 1:
+            raise ValueError(say("count must be a whole number of at least 1"))
+        _check_count(count, self.most)
+        if whole and count > 1 and (stop - start) % (count - 1):
+            raise ValueError(say("count does not give whole numbers; use step"))
+        return Choice((), start, stop, count)
 
+    def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Validate by reading."""
+        return core_schema.no_info_plain_validator_function(self.read)
 
-@cache
-def _adapter(kind: Any) -> TypeAdapter[float]:
-    return TypeAdapter(kind)
+    def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """Describe what may stand in the file."""
+        one: JsonSchemaValue = {"anyOf": [{"type": "number"}, {"type": "string"}]}
+        return {
+            "anyOf": [*one["anyOf"], {"type": "array", "items": one}, {"type": "object", "additionalProperties": one}]
+        }
 
 
 def _check_count(count: float, most: int) -> None:
     if not count <= most:
-        raise ValueError(f"{count:,.10g} values; at most {most:,} here")
+        raise ValueError(say("{count:,.10g} values; at most {most:,} here", count=count, most=most))
 
 
-def _grid(value: Mapping[str, Any], number: Callable[[object], float], *, whole: bool, most: int) -> Choice:
-    if unknown := sorted(set(value) - {"start", "stop", "count", "step"}):
-        raise ValueError(f"unknown key {unknown[0]!r}; a range has start, stop and count (or step)")
-    if "start" not in value or "stop" not in value:
-        raise ValueError("a range has start, stop and count (or step)")
-    start, stop = number(value["start"]), number(value["stop"])
-    if start > stop:
-        raise ValueError(f"the range is inverted: start {start:g} is above stop {stop:g}")
-    if "count" in value and "step" in value:
-        raise ValueError("give count or step, not both")
-    if "count" in value:
-        count = value["count"]
-        if isinstance(count, bool) or not isinstance(count, int) or count < 1:
-            raise ValueError("count must be a whole number of at least 1")
-        _check_count(count, most)
-    else:
-        step = number(value["step"]) if "step" in value else 1.0 if whole else 0.0
-        if not step > 0:
-            raise ValueError("a range needs count, or a step greater than 0")
-        steps = (stop - start) / step * (1 + 1e-12)
-        _check_count(steps + 1, most)
-        count = int(steps) + 1
-        stop = start + (count - 1) * step
-    if whole and count > 1 and (stop - start) % (count - 1):
-        raise ValueError("count does not give whole numbers; use step")
-    return Choice((), start, stop, count)
-
-
-if TYPE_CHECKING:
-    Pairs: TypeAlias = Choice
-    Lengths: TypeAlias = Choice
-    Ratios: TypeAlias = Choice
-    Angles: TypeAlias = Choice
-    Stiffnesses: TypeAlias = Choice
-    StiffnessesOrNone: TypeAlias = Choice
-    Forces: TypeAlias = Choice
-    Diameters: TypeAlias = Choice
-else:
-    Pairs = _choice(Count)
-    Lengths = _choice(Length)
-    Ratios = _choice(Ratio)
-    Angles = _choice(WallAngle)
-    Stiffnesses = _choice(Stiffness)
-    StiffnessesOrNone = _choice(StiffnessOrNone)
-    Forces = _choice(Force, MOST_LISTED)
-    Diameters = _choice(Length, MOST_LISTED)
+Pairs = Annotated[Choice, Searched(Count)]
+Lengths = Annotated[Choice, Searched(Length)]
+Ratios = Annotated[Choice, Searched(Ratio)]
+Angles = Annotated[Choice, Searched(WallAngle)]
+Stiffnesses = Annotated[Choice, Searched(Stiffness)]
+StiffnessesOrNone = Annotated[Choice, Searched(StiffnessOrNone)]
+Forces = Annotated[Choice, Searched(Force, MOST_LISTED)]
+Diameters = Annotated[Choice, Searched(Length, MOST_LISTED)]

@@ -1,14 +1,19 @@
 """A spec with one thing changed."""
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
+from typing import Any, TypeVar
 
-from .models import Spec
+from pydantic import BaseModel
+
+from ..arrays import Values
+from ..findings import Finding, finding
+from .models import Method, Spec
+from .paths import is_whole
 from .reading import make_spec
 from .rules import foreign_keys
 from .writing import resolved
 
-ALTERNATIVES = {
+_REPLACED = {
     "control_unit.gain": ("control_unit.wall_angle",),
     "control_unit.wall_angle": ("control_unit.gain",),
     "friction_group.mean_radius": (
@@ -16,12 +21,15 @@ ALTERNATIVES = {
         "friction_group.outer_radius",
         "friction_group.radius_model",
     ),
-    "adjustment.nominal_torque": ("closing_spring.force",),
+    "closing_spring.force": ("adjustment.nominal_torque",),
+    "adjustment.nominal_torque": ("closing_spring.force", "control_spring.force"),
     "friction.min": ("friction.material",),
     "friction.mean": ("friction.material",),
     "friction.max": ("friction.material",),
 }
-"""Keys that a swept key stands in for: they are taken out of the spec."""
+"""Key → keys it stands in for: where it is set, they are taken out of the spec."""
+
+M = TypeVar("M", bound=BaseModel)
 
 
 def value_at(spec: Spec, path: str) -> Any:
@@ -30,6 +38,22 @@ def value_at(spec: Spec, path: str) -> Any:
     for part in path.split("."):
         value = getattr(value, part, None)
     return value
+
+
+def replaced(spec: Spec, paths: Iterable[str]) -> dict[str, str]:
+    """Return the keys of the spec that those at ``paths`` stand in for, each with the one that does."""
+    given = set(paths)
+    return {
+        other: path
+        for path in sorted(given)
+        for other in _REPLACED.get(path, ())
+        if other not in given and value_at(spec, other) is not None
+    }
+
+
+def replaced_findings(spec: Spec, paths: Iterable[str], code: str) -> list[Finding]:
+    """Say which keys of the spec have been replaced, and by which."""
+    return [finding(code, "info", path=other, by=path) for other, path in replaced(spec, paths).items()]
 
 
 def put(data: dict[str, Any], path: str, value: Any) -> None:
@@ -43,10 +67,36 @@ def put(data: dict[str, Any], path: str, value: Any) -> None:
         data[name] = value
 
 
-def with_value(model: Any, path: Sequence[str], value: Any) -> Any:
+def with_value(model: M, path: Sequence[str], value: object) -> M:
     """Copy a spec with an unvalidated value (an array) at ``path``."""
     name, *rest = path
     return model.model_copy(update={name: with_value(getattr(model, name), rest, value) if rest else value})
+
+
+def with_key(spec: Spec, path: str, value: Values) -> Spec:
+    """Copy a spec with an unvalidated value (real, or an array) for a key, and without what the key stands in for."""
+    return with_value(_without_replaced(spec, [path]), path.split("."), value)
+
+
+def respecified(spec: Spec, values: dict[str, float]) -> Spec:
+    """Return the validated spec with other values of some keys, and without what they stand in for.
+
+    Raises:
+        SpecError: a value no spec may have.
+    """
+    data = _without_replaced(spec, values).model_dump(exclude_none=True)
+    for path, value in values.items():
+        put(data, path, int(value) if is_whole(path) else value)
+    return make_spec(data, spec.label)
+
+
+def _without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:
+    for other in replaced(spec, paths):
+        if other == "friction.material":
+            low, _, high = spec.friction.range
+            spec = spec.model_copy(update={"friction": spec.friction.model_copy(update={"min": low, "max": high})})
+        spec = with_value(spec, other.split("."), None)
+    return spec
 
 
 def as_variant(spec: Spec, variant: str) -> Spec:
@@ -58,28 +108,16 @@ def as_variant(spec: Spec, variant: str) -> Spec:
     data = resolved(spec)
     data["variant"] = variant
     for path in foreign_keys(data):
-        block = data
-        for part in path[:-1]:
-            block = block[part]
-        block.pop(path[-1])
+        put(data, ".".join(path), None)
     return make_spec(data, f"as {variant}")
 
 
 def with_force(spec: Spec, force: float) -> Spec:
     """Return the spec with its spring set to a force."""
-    return spec.model_copy(
-        update={
-            "closing_spring": spec.closing_spring.model_copy(update={"force": force}),
-            "adjustment": spec.adjustment.model_copy(update={"nominal_torque": None}),
-        }
-    )
+    return with_key(spec, "closing_spring.force", force)
 
 
-def with_nominal_torque(spec: Spec, nominal_torque: float) -> Spec:
-    """Return the spec with its spring set for a nominal torque."""
-    return spec.model_copy(
-        update={
-            "closing_spring": spec.closing_spring.model_copy(update={"force": None}),
-            "adjustment": spec.adjustment.model_copy(update={"nominal_torque": nominal_torque}),
-        }
-    )
+def with_nominal_torque(spec: Spec, nominal_torque: float, method: Method | None = None) -> Spec:
+    """Return the spec with its spring set for a nominal torque, by its own method or by another."""
+    set_by = spec if method is None else with_value(spec, ("adjustment", "method"), method)
+    return with_key(set_by, "adjustment.nominal_torque", nominal_torque)

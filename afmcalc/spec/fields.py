@@ -1,79 +1,97 @@
 """Field types of the spec: SI numbers that also take a string with a unit."""
 
-from typing import TYPE_CHECKING, Annotated, Any, TypeAlias
+from dataclasses import dataclass
+from typing import Annotated, TypeVar
 
-from pydantic import BeforeValidator, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, core_schema
 
-from .quantity import EXAMPLES, parse_quantity
+from ..messages import say
+from .quantity import parse_quantity
 
 
-def _quantity(unit: str, **bounds: float) -> Any:
-    """Return the type of a field: a number in SI within ``bounds`` (gt, ge, lt, le), or a string with a unit."""
+class Block(BaseModel):
+    """Base of every table of a spec."""
 
-    def read(value: object) -> float:
-        return parse_quantity(value, unit)
+    # only Spec is ever built on its own: building each block too would double the start-up time
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True)
 
-    bound: Any = Field(**bounds)  # type: ignore[call-overload]
-    schema: Any = Annotated[float, bound] if unit == "1" else Annotated[float, bound] | str
-    return Annotated[float, BeforeValidator(read, json_schema_input_type=schema), Unit(unit), bound]
+
+T = TypeVar("T")
+
+
+def key_field(description: str, symbol: str | None = None, default: T = None) -> T:  # type: ignore[assignment]
+    """A spec key: its default, what it is and the papers' symbol."""
+    return Field(default=default, description=description, json_schema_extra={"symbol": symbol} if symbol else None)
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What a number of a spec may be; stands in its annotation, so that tables and sweeps find its unit there."""
+
+    unit: str
+    """SI unit, a key of ``units.EXAMPLES``."""
+    gt: float | None = None
+    ge: float | None = None
+    lt: float | None = None
+    le: float | None = None
+    whole: bool = False
+
+    @property
+    def low(self) -> float | None:
+        """Lower end of what is allowed, itself in or out."""
+        return self.ge if self.gt is None else self.gt
+
+    @property
+    def high(self) -> float | None:
+        """Upper end."""
+        return self.le if self.lt is None else self.lt
+
+    def read(self, value: object) -> float:
+        """Read a number in SI, or a string with a unit."""
+        if not self.whole:
+            return parse_quantity(value, self.unit)
+        if isinstance(value, bool) or not isinstance(value, int | float) or value != value // 1:
+            raise ValueError(say("must be a whole number"))
+        return int(value)
+
+    # pydantic's own way, an annotation per step, would take three times as long at every start
+    def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Validate: read, then hold to the bounds."""
+        if self.whole:
+            number: CoreSchema = core_schema.int_schema(ge=None if self.ge is None else int(self.ge))
+        else:
+            number = core_schema.float_schema(gt=self.gt, ge=self.ge, lt=self.lt, le=self.le)
+        return core_schema.no_info_before_validator_function(self.read, number)
+
+    def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """Describe: a number, or a string where there is a unit to write."""
+        number = handler(core)
+        as_text = self.unit != "1" and handler.mode == "validation"
+        return {"anyOf": [number, {"type": "string"}]} if as_text else number
 
 
 def _name(value: object) -> object:
     """A name is one line of printable text: it goes to terminals and files as it is."""
     if isinstance(value, str) and not value.isprintable():
-        raise ValueError("must be one line of printable text, without control characters")
+        raise ValueError(say("must be one line of printable text, without control characters"))
     return value
 
 
-def _whole(value: object) -> int:
-    """A whole number; 8.0 is one (JSON and sweeps write it so), 8.5 and true are not."""
-    if isinstance(value, bool) or not isinstance(value, int | float) or value != value // 1:
-        raise ValueError("must be a whole number")
-    return int(value)
-
-
-def unit_of(metadata: list[object]) -> str | None:
-    """SI unit noted in a field's annotation, if it has one."""
-    return next((item.unit for item in metadata if isinstance(item, Unit)), None)
-
-
-class Unit:
-    """SI unit of a field, kept beside its type so that tables and sweeps can name it."""
-
-    def __init__(self, unit: str) -> None:
-        """Note ``unit``, a key of ``EXAMPLES``."""
-        if unit not in EXAMPLES:
-            raise KeyError(unit)
-        self.unit = unit
-
-
-if TYPE_CHECKING:
-    Coefficient: TypeAlias = float
-    Ratio: TypeAlias = float
-    AtLeastOne: TypeAlias = float
-    PoissonRatio: TypeAlias = float
-    Force: TypeAlias = float
-    Length: TypeAlias = float
-    Gap: TypeAlias = float
-    Torque: TypeAlias = float
-    Stiffness: TypeAlias = float
-    StiffnessOrNone: TypeAlias = float
-    WallAngle: TypeAlias = float
-    Stress: TypeAlias = float
-    SectionModulus: TypeAlias = float
-else:
-    Coefficient = _quantity("1", gt=0)
-    Ratio = _quantity("1", ge=0)
-    AtLeastOne = _quantity("1", ge=1)
-    PoissonRatio = _quantity("1", ge=0, le=0.5)
-    Force = _quantity("N", gt=0)
-    Length = _quantity("m", gt=0)
-    Gap = _quantity("m", ge=0)
-    Torque = _quantity("N*m", gt=0)
-    Stiffness = _quantity("N/m", gt=0)
-    StiffnessOrNone = _quantity("N/m", ge=0)
-    WallAngle = _quantity("rad", ge=0, lt=1.5707963267948966)
-    Stress = _quantity("Pa", gt=0)
-    SectionModulus = _quantity("m^3", gt=0)
-Count = Annotated[int, BeforeValidator(_whole), Unit("1"), Field(ge=1)]
+Coefficient = Annotated[float, Quantity("1", gt=0)]
+Ratio = Annotated[float, Quantity("1", ge=0)]
+AtLeastOne = Annotated[float, Quantity("1", ge=1)]
+PoissonRatio = Annotated[float, Quantity("1", ge=0, le=0.5)]
+Force = Annotated[float, Quantity("N", gt=0)]
+Length = Annotated[float, Quantity("m", gt=0)]
+Gap = Annotated[float, Quantity("m", ge=0)]
+Torque = Annotated[float, Quantity("N*m", gt=0)]
+Stiffness = Annotated[float, Quantity("N/m", gt=0)]
+TorqueOrNone = Annotated[float, Quantity("N*m", ge=0)]
+StiffnessOrNone = Annotated[float, Quantity("N/m", ge=0)]
+WallAngle = Annotated[float, Quantity("rad", ge=0, lt=1.5707963267948966)]
+Stress = Annotated[float, Quantity("Pa", gt=0)]
+SectionModulus = Annotated[float, Quantity("m^3", gt=0)]
+Count = Annotated[int, Quantity("1", ge=1, whole=True)]
 Name = Annotated[str, BeforeValidator(_name)]

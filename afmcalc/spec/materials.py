@@ -3,7 +3,9 @@
 from functools import cache
 from typing import NamedTuple
 
-from .rules import Finding
+from ..errors import Problem
+from ..messages import say
+from .rules import wrong
 from .suggest import did_you_mean
 
 
@@ -62,15 +64,23 @@ def friction_range(name: str) -> tuple[float, float]:
     return entry.friction_min, entry.friction_max
 
 
-def problems(name: str, given: dict[str, float | None]) -> list[Finding]:
+def problems(name: str, given: dict[str, float | None]) -> list[Problem]:
     """Problems of a friction block that names a material: unknown, or beside numbers of its own."""
     known = catalogue()
     if name not in known:
-        listed = ", ".join(known)
-        return [(("material",), name, f"unknown material{did_you_mean(name, known)}; the catalogue has {listed}")]
+        hint, listed = did_you_mean(name, known), ", ".join(known)
+        return [wrong("material", say("unknown material{hint}; the catalogue has {listed}", hint=hint, listed=listed))]
     low, high = friction_range(name)
     return [
-        ((key,), value, f"excludes material ({name!r} has {low:g}…{high:g}): give material, or min and max")
+        wrong(
+            key,
+            say(
+                "excludes material ({name!r} has {low:g}…{high:g}): give material, or min and max",
+                name=name,
+                low=low,
+                high=high,
+            ),
+        )
         for key, value in given.items()
         if value is not None
     ]

@@ -1,14 +1,28 @@
 """What a clutch is: the pydantic models of a spec (contract, Spec). SI inside."""
 
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, TypeAlias
+from dataclasses import dataclass, field
+from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import BaseModel, ConfigDict, Field, ModelWrapValidatorHandler, ValidationError, model_validator
-from pydantic_core import PydanticKnownError, core_schema
+from pydantic import (
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    ModelWrapValidatorHandler,
+    PrivateAttr,
+    ValidationError,
+    field_validator,
+    model_validator,
+)
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
+from ..errors import Problem
+from ..messages import say
 from ..variants import VARIANTS, Variant
 from . import rules
 from .fields import (
     AtLeastOne,
+    Block,
     Coefficient,
     Count,
     Force,
@@ -22,18 +36,21 @@ from .fields import (
     StiffnessOrNone,
     Stress,
     Torque,
+    TorqueOrNone,
     WallAngle,
+    key_field,
 )
+from .tolerance import Tolerance, in_si
 
 
 class _Registered:
     """Type of a field that names a variant: whichever records there are when a spec is read or described."""
 
-    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
+    def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Take a name there is a record of."""
         return core_schema.no_info_plain_validator_function(_registered)
 
-    def __get_pydantic_json_schema__(self, core: Any, handler: Any) -> Any:
+    def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         """List the names."""
         return {"enum": list(VARIANTS), "type": "string"}
 
@@ -45,10 +62,7 @@ def _registered(value: object) -> object:
     raise PydanticKnownError("literal_error", {"expected": f"{', '.join(names)} or {last}"})
 
 
-if TYPE_CHECKING:
-    VariantName: TypeAlias = str
-else:
-    VariantName = Annotated[str, _Registered()]
+VariantName = Annotated[str, _Registered()]
 Method = Literal["min-friction", "mean-friction"]
 RadiusModel = Literal["uniform-wear", "uniform-pressure"]
 
@@ -56,21 +70,9 @@ RadiusModel = Literal["uniform-wear", "uniform-pressure"]
 class Range(NamedTuple):
     """Coefficient of friction over a clutch's service: smallest, mean, largest."""
 
-    min: Any
-    mean: Any
-    max: Any
-
-
-def key_field(description: str, symbol: str | None = None, default: Any = None) -> Any:
-    """A spec key: its default, what it is and the papers' symbol."""
-    return Field(default=default, description=description, json_schema_extra={"symbol": symbol} if symbol else None)
-
-
-class Block(BaseModel):
-    """Base of every table of a spec."""
-
-    # only Spec is ever built on its own: building each block too would double the start-up time
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True)
+    min: float
+    mean: float
+    max: float
 
 
 class FrictionRange(Block):
@@ -83,12 +85,11 @@ class FrictionRange(Block):
 
     @model_validator(mode="after")
     def _check_range(self) -> "FrictionRange":
-        problems = list(self._range_problems())
-        if problems:
-            raise rules.validation_error(type(self).__name__, problems)
+        if problems := self._range_problems():
+            raise rules.RuleError(problems)
         return self
 
-    def _range_problems(self) -> list[rules.Finding]:
+    def _range_problems(self) -> list[Problem]:
         if self.material is not None:
             from . import materials
 
@@ -104,7 +105,7 @@ class FrictionRange(Block):
 
             low, high = materials.friction_range(self.material)
         if low is None or high is None:
-            raise ValueError("no range here: friction is given per group")
+            raise ValueError(say("no range here: friction is given per group"))
         return Range(low, (low + high) / 2 if mean is None else mean, high)
 
 
@@ -142,8 +143,8 @@ class FrictionGroup(Block):
     @model_validator(mode="after")
     def _check_radii(self) -> "FrictionGroup":
         if self.inner_radius is not None and self.outer_radius is not None and self.inner_radius >= self.outer_radius:
-            message = f"must be greater than friction_group.inner_radius ({self.inner_radius:g} m)"
-            raise rules.validation_error("FrictionGroup", [(("outer_radius",), self.outer_radius, message)])
+            message = say("must be greater than friction_group.inner_radius ({inner:g} m)", inner=self.inner_radius)
+            raise rules.RuleError([rules.wrong("outer_radius", message)])
         return self
 
 
@@ -222,37 +223,16 @@ class Fatigue(Block):
     mean_stress_sensitivity: Ratio | None = key_field("sensitivity to the mean stress (model amplitude)", "ψ_τ")
     ultimate_strength: Stress | None = key_field("ultimate strength in shear (model goodman)", "τ_u")
     base_cycles: Coefficient = Field(description="base cycles of the S-N line", json_schema_extra={"symbol": "N_0"})
+    load_low: TorqueOrNone = key_field(
+        "torque from which a slip swings the load and to which it falls back (amplitude, goodman)", "T_low", default=0.0
+    )
 
 
-class Deferred:
-    """A table whose model is imported only where a spec has it: few specs do, and the start-up is everybody's."""
+@dataclass(frozen=True)
+class Origin:
+    """Where a spec was read from; specs that say the same are equal wherever that was."""
 
-    def __init__(self, module: str, name: str) -> None:
-        """Note the module of this package and the class."""
-        self.module, self.name = module, name
-
-    def model(self) -> type[BaseModel]:
-        """The model of the table."""
-        from importlib import import_module
-
-        found: type[BaseModel] = getattr(import_module(f".{self.module}", __package__), self.name)
-        return found
-
-    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
-        """Validate by the model, once there is something to validate."""
-        from pydantic_core import core_schema
-
-        def read(value: Any) -> Any:
-            model = self.model()
-            return value if value is None or isinstance(value, model) else model.model_validate(value)
-
-        return core_schema.no_info_plain_validator_function(read)
-
-    def __get_pydantic_json_schema__(self, core: Any, handler: Any) -> Any:
-        """Describe the table as its model does."""
-        model = self.model()
-        model.model_rebuild()
-        return handler(model.__pydantic_core_schema__)
+    label: str = field(compare=False)
 
 
 class Spec(Block):
@@ -268,20 +248,37 @@ class Spec(Block):
     adjustment: Adjustment = Adjustment()
     drive: Drive = Drive()
     fatigue: Fatigue | None = None
-    tolerance: Annotated[Any, Deferred("tolerance", "Tolerance")] = None
+    tolerance: Tolerance | None = None
+
+    _origin: Origin = PrivateAttr(Origin("spec"))
+
+    @field_validator("tolerance")
+    @classmethod
+    def _scatter(cls, given: Tolerance | None) -> Tolerance | None:
+        return given and in_si(given, cls)
 
     @model_validator(mode="wrap")
     @classmethod
-    def _every_problem_at_once(cls, data: Any, handler: ModelWrapValidatorHandler["Spec"]) -> "Spec":
+    def _every_problem_at_once(cls, data: object, handler: ModelWrapValidatorHandler["Spec"]) -> "Spec":
         """Report what the blocks find and what the rules between them find together."""
         problems = rules.problems(data) if isinstance(data, dict) else []
         try:
             spec = handler(data)
         except ValidationError as error:
-            raise rules.validation_error("Spec", problems, error) from None
+            raise rules.RuleError(problems, error) from None
         if problems:
-            raise rules.validation_error("Spec", problems)
+            raise rules.RuleError(problems)
         return spec
+
+    def model_post_init(self, context: object) -> None:
+        """Keep where the spec was read from, if that is known."""
+        if isinstance(context, str):
+            self._origin = Origin(context)
+
+    @property
+    def label(self) -> str:
+        """What errors call the spec: the file it was read from, and the like."""
+        return self._origin.label
 
     @property
     def kind(self) -> Variant:

@@ -1,24 +1,10 @@
-"""The keys of a spec, read off the models: paths, units, symbols."""
+"""The keys of a clutch's spec, and the symbols that stand for them."""
 
-from functools import cache
-from typing import Any, NamedTuple, get_args, get_origin
+import math
 
-from pydantic import BaseModel
-from pydantic.fields import FieldInfo
-
-from .fields import unit_of
-from .models import Deferred, Spec
-
-
-class Key(NamedTuple):
-    """One key of the spec."""
-
-    path: str
-    unit: str | None
-    """SI unit of a number; None for text."""
-    symbol: str | None
-    description: str
-
+from . import tolerance
+from .models import Spec
+from .walk import Key, keys_below
 
 ALIASES = {
     "C": "control_unit.gain",
@@ -42,74 +28,29 @@ ALIASES = {
 """Symbols that stand for a path on the command line."""
 
 
-def _block(annotation: Any) -> type[BaseModel] | None:
-    """Return the model class in ``Model`` or ``Model | None``; a dictionary of models is none."""
-    if get_origin(annotation) is dict:
-        return None
-    for candidate in (annotation, *get_args(annotation)):
-        if isinstance(candidate, type) and issubclass(candidate, BaseModel):
-            return candidate
-    return None
-
-
-def _block_of(field: FieldInfo) -> type[BaseModel] | None:
-    """Return the model of a field that is a table."""
-    for item in field.metadata:
-        if isinstance(item, Deferred):
-            return item.model()
-    return _block(field.annotation)
-
-
-def field_metadata(path: str) -> list[Any]:
-    """Everything noted in the annotation of the key at a dotted path."""
-    *blocks, name = path.split(".")
-    model: type[BaseModel] = Spec
-    for block in blocks:
-        found = _block_of(model.model_fields[block])
-        assert found is not None
-        model = found
-    field = model.model_fields[name]
-    nested = [item for part in get_args(field.annotation) for item in getattr(part, "__metadata__", ())]
-    return [*field.metadata, *nested]
-
-
-def _unit(annotation: Any, metadata: list[Any]) -> str | None:
-    if found := unit_of(metadata):
-        return found
-    for candidate in get_args(annotation):
-        if found := unit_of(list(getattr(candidate, "__metadata__", ()))):
-            return found
-    return None
-
-
-@cache
-def keys(model: type[BaseModel] = Spec, prefix: str = "") -> dict[str, Key]:
-    """Every value key below ``model`` by dotted path."""
-    found: dict[str, Key] = {}
-    for name, field in model.model_fields.items():
-        path = prefix + name
-        if block := _block_of(field):
-            found |= keys(block, path + ".")
-            continue
-        extra = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}
-        symbol = extra.get("symbol")
-        unit = _unit(field.annotation, field.metadata)
-        found[path] = Key(path, unit, str(symbol) if symbol else None, field.description or "")
-    return found
-
-
-def names_in(path: tuple[str, ...], root: type[BaseModel] = Spec) -> list[str]:
-    """Return the names allowed in the block at ``path``."""
-    model = root
-    for name in path:
-        field = model.model_fields.get(name)
-        block = _block_of(field) if field else None
-        if block is None:
-            return []
-        model = block
-    return list(model.model_fields)
+def keys() -> dict[str, Key]:
+    """Every value key of a spec by dotted path."""
+    return keys_below(Spec)
 
 
 def is_whole(path: str) -> bool:
     """Whether the key counts something."""
-    return path.rpartition(".")[2] in {"pairs", "driving_pairs", "balls"}
+    found = keys().get(path)
+    return found is not None and found.about is not None and found.about.whole
+
+
+def unit_at(path: str) -> str | None:
+    """SI unit of what may scatter; None when the path is none of it."""
+    found = tolerance.scattering(path, Spec)
+    return found.unit if found else None
+
+
+def physical_limits(path: str) -> tuple[float, float]:
+    """Bounds that the spec sets to what may scatter, which no scatter passes.
+
+    >>> physical_limits("closing_spring.force"), physical_limits("friction")
+    ((0.0, inf), (0.0, inf))
+    """
+    found = tolerance.scattering(path, Spec)
+    low, high = (found.low, found.high) if found else (None, None)
+    return -math.inf if low is None else float(low), math.inf if high is None else float(high)

@@ -2,14 +2,16 @@
 
 import json
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from os import PathLike
-from typing import Any
+from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 
-from ..errors import AfmcalcError, FileError, Problem, SpecError
+from ..errors import AfmcalcError, FileError, SpecError
+from ..messages import say
 from .models import Spec
+from .rules import Table
 
 STANDARD_INPUT = "standard input"
 BUILT_IN = "built-in default"
@@ -31,23 +33,30 @@ def read_spec(source: str | PathLike[str] | None = None, overrides: Iterable[str
         FileError: the file cannot be read.
     """
     text, label = text_of(source)
-    data = apply_overrides(parse(text, label), overrides, label)
+    data = apply_overrides(parse(text, label), overrides)
     return make_spec(data, label)
 
 
-def make_spec(data: Mapping[str, Any], label: str = "spec") -> Spec:
+M = TypeVar("M", bound=BaseModel)
+
+
+def make_spec(data: Table, label: str = "spec") -> Spec:
     """Validate a spec given as nested mappings; ``label`` names it in errors."""
+    return validated(Spec, data, label)
+
+
+def validated(model: type[M], data: Table, label: str) -> M:
+    """Validate plain data, read from where ``label`` says.
+
+    Raises:
+        SpecError: every problem found.
+    """
     try:
-        return Spec.model_validate(dict(data))
+        return model.model_validate(dict(data), context=label)
     except ValidationError as error:
-        raise SpecError(label, problems_of(error, data)) from None
+        from .problems import problems_of
 
-
-def label_of(source: str | PathLike[str] | None) -> str:
-    """What to call the source of a spec in messages."""
-    if source is None:
-        return BUILT_IN
-    return STANDARD_INPUT if source == "-" else str(source)
+        raise SpecError(label, problems_of(error, data, model)) from None
 
 
 def text_of(source: str | PathLike[str] | None) -> tuple[str, str]:
@@ -59,8 +68,8 @@ def text_of(source: str | PathLike[str] | None) -> tuple[str, str]:
     if source is None:
         from .builtin import default_text
 
-        return default_text(), label_of(source)
-    label = label_of(source)
+        return default_text(), BUILT_IN
+    label = STANDARD_INPUT if source == "-" else str(source)
     try:
         if source == "-":
             raw = sys.stdin.buffer.read()
@@ -68,20 +77,20 @@ def text_of(source: str | PathLike[str] | None) -> tuple[str, str]:
             with open(source, "rb") as file:
                 raw = file.read()
     except OSError as error:
-        raise FileError(f"{label}: cannot be read: {error.strerror or error}") from None
+        raise FileError(say("{label}: cannot be read: {why}", label=label, why=error.strerror or error)) from None
     except ValueError as error:
-        raise FileError(f"{label}: cannot be read: {error}") from None
+        raise FileError(say("{label}: cannot be read: {why}", label=label, why=error)) from None
     try:
         return raw.decode("utf-8-sig"), label
     except UnicodeDecodeError as error:
-        raise AfmcalcError(f"{label}: is not UTF-8 text (byte {error.start})") from None
+        raise AfmcalcError(say("{label}: is not UTF-8 text (byte {byte})", label=label, byte=error.start)) from None
 
 
-def parse(text: str, label: str) -> dict[str, Any]:
+def parse(text: str, label: str) -> dict[str, object]:
     """Parse TOML or JSON text; JSON is what begins with a bracket or brace that TOML could not."""
     start = text.lstrip()[:1]
     if not start:
-        raise AfmcalcError(f"{label}: is empty; a clutch spec in TOML or JSON is wanted")
+        raise AfmcalcError(say("{label}: is empty; a clutch spec in TOML or JSON is wanted", label=label))
     if start == "{" or label.endswith(".json"):
         return _parse_json(text, label)
     import tomllib
@@ -89,71 +98,86 @@ def parse(text: str, label: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise AfmcalcError(f"{label}: is not valid TOML: {error}") from None
+        raise AfmcalcError(say("{label}: is not valid TOML: {why}", label=label, why=error)) from None
     except RecursionError:
-        raise AfmcalcError(f"{label}: is nested too deeply for a spec") from None
+        raise AfmcalcError(say("{label}: is nested too deeply for a spec", label=label)) from None
     except ValueError:
-        raise AfmcalcError(f"{label}: is not valid TOML: a number has too many digits") from None
+        raise AfmcalcError(say("{label}: is not valid TOML: a number has too many digits", label=label)) from None
 
 
-def _parse_json(text: str, label: str) -> dict[str, Any]:
-    def unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        seen: dict[str, Any] = {}
+def _parse_json(text: str, label: str) -> dict[str, object]:
+    def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
+        seen: dict[str, object] = {}
         for key, value in pairs:
             if key in seen:
-                raise AfmcalcError(f"{label}: is not a spec: key {key!r} stands twice in one JSON object")
+                raise AfmcalcError(
+                    say("{label}: is not a spec: key {key!r} stands twice in one JSON object", label=label, key=key)
+                )
             seen[key] = value
         return seen
 
     try:
         data = json.loads(text, object_pairs_hook=unique)
     except json.JSONDecodeError as error:
-        raise AfmcalcError(f"{label}: is not valid JSON: {error}") from None
+        raise AfmcalcError(say("{label}: is not valid JSON: {why}", label=label, why=error)) from None
     except RecursionError:
-        raise AfmcalcError(f"{label}: is nested too deeply for a spec") from None
+        raise AfmcalcError(say("{label}: is nested too deeply for a spec", label=label)) from None
     except ValueError:
-        raise AfmcalcError(f"{label}: is not valid JSON: a number has too many digits") from None
+        raise AfmcalcError(say("{label}: is not valid JSON: a number has too many digits", label=label)) from None
     if not isinstance(data, dict):
-        raise AfmcalcError(f"{label}: is not a spec: a JSON object is wanted")
+        raise AfmcalcError(say("{label}: is not a spec: a JSON object is wanted", label=label))
     if "spec" in data:
         if data["spec"] is None and "command" in data:
-            raise AfmcalcError(f"{label}: the output of {data['command']!r} carries no clutch")
+            raise AfmcalcError(
+                say("{label}: the output of {command!r} carries no clutch", label=label, command=data["command"])
+            )
         data = data["spec"]
         if not isinstance(data, dict):
-            raise AfmcalcError(f"{label}: its spec block is no object")
+            raise AfmcalcError(say("{label}: its spec block is no object", label=label))
     return data
 
 
-def apply_overrides(
-    data: dict[str, Any], overrides: Iterable[str], label: str, model: type[BaseModel] = Spec
-) -> dict[str, Any]:
+def apply_overrides(data: dict[str, object], overrides: Iterable[str], model: type[BaseModel] = Spec) -> Table:
     """Apply ``path=value`` overrides to parsed data; an empty value removes the key."""
     for override in overrides:
-        from .paths import ALIASES, names_in
-        from .suggest import did_you_mean
-
-        name, separator, text = override.partition("=")
-        path = ALIASES.get(name.strip(), name.strip()) if model is Spec else name.strip()
-        if not separator or not path:
-            raise AfmcalcError(f"--set {override}: write PATH=VALUE, for example control_unit.gain=0.5")
-        parts = path.split(".")
-        if parts[-1] not in (known := names_in(tuple(parts[:-1]), model)):
-            hint = did_you_mean(parts[-1], known) or (f"; known here: {', '.join(known)}" if known else "")
-            raise AfmcalcError(f"--set {override}: unknown key {path!r}{hint}")
+        *blocks, name = _path(override, model)
         block = data
-        for depth, part in enumerate(parts[:-1], start=1):
+        for depth, part in enumerate(blocks, start=1):
             nested = block.setdefault(part, {})
             if not isinstance(nested, dict):
-                raise AfmcalcError(f"--set {override}: {'.'.join(parts[:depth])} is no table")
+                path = ".".join(blocks[:depth])
+                raise AfmcalcError(say("--set {override}: {path} is no table", override=override, path=path))
             block = nested
-        if text.strip():
-            block[parts[-1]] = _override_value(text.strip())
+        if text := override.partition("=")[2].strip():
+            block[name] = _override_value(text)
         else:
-            block.pop(parts[-1], None)
+            block.pop(name, None)
     return data
 
 
-def _override_value(text: str) -> Any:
+def _path(override: str, model: type[BaseModel]) -> list[str]:
+    """Parts of the path an override names; a symbol stands for its path."""
+    from .paths import ALIASES
+    from .suggest import did_you_mean
+    from .walk import names_in
+
+    name, separator, _ = override.partition("=")
+    path = ALIASES.get(name.strip(), name.strip()) if model is Spec else name.strip()
+    if not separator or not path:
+        raise AfmcalcError(
+            say("--set {override}: write PATH=VALUE, for example control_unit.gain=0.5", override=override)
+        )
+    *blocks, last = path.split(".")
+    known = names_in(tuple(blocks), model)
+    if last not in known:
+        hint = did_you_mean(last, known)
+        if known and not hint:
+            hint = say("; known here: {names}", names=", ".join(known))
+        raise AfmcalcError(say("--set {override}: unknown key {path!r}{hint}", override=override, path=path, hint=hint))
+    return [*blocks, last]
+
+
+def _override_value(text: str) -> object:
     """Read a number, boolean, quoted string or inline table as TOML, anything else as plain text."""
     import tomllib
 
@@ -161,69 +185,3 @@ def _override_value(text: str) -> Any:
         return tomllib.loads(f"value = {text}")["value"]
     except (tomllib.TOMLDecodeError, KeyError):
         return text
-
-
-def problems_of(error: ValidationError, data: Mapping[str, Any], model: type[BaseModel] = Spec) -> list[Problem]:
-    """Turn pydantic's errors into ours: path, value as written, what is allowed."""
-    problems = []
-    for detail in error.errors(include_url=False):
-        location = tuple(str(part) for part in detail["loc"])
-        problems.append(Problem(".".join(location), _given(location, data), _message(detail, location, model)))
-    return list(dict.fromkeys(problems))
-
-
-def _given(location: tuple[str, ...], data: Any) -> str | None:
-    for part in location:
-        if not isinstance(data, Mapping) or part not in data:
-            return None
-        data = data[part]
-    if isinstance(data, Mapping):
-        return None if location else "…"
-    text = json.dumps(data, ensure_ascii=False, default=str)
-    return text if len(text) <= 60 else text[:57] + "..."
-
-
-def _message(detail: Any, location: tuple[str, ...], root: type[BaseModel]) -> str:
-    from .paths import names_in
-    from .suggest import did_you_mean
-
-    context = detail.get("ctx", {})
-    match detail["type"]:
-        case "missing":
-            return "required"
-        case "extra_forbidden":
-            return _unknown_key(location, root)
-        case "model_type" | "model_attributes_type" | "dict_type":
-            return f"must be a table with the keys {', '.join(names_in(location, root))}"
-        case "literal_error":
-            expected = context["expected"].replace("'", "").replace(" or ", ", ")
-            return f"must be one of {expected}{did_you_mean(str(detail['input']), expected.split(', '))}"
-        case "string_type":
-            return "must be text in quotes"
-        case "greater_than":
-            return f"must be greater than {context['gt']:g}"
-        case "greater_than_equal":
-            return f"must be at least {context['ge']:g}"
-        case "less_than_equal":
-            return f"must be at most {context['le']:g}"
-        case "less_than":
-            if location[-1:] == ("wall_angle",):
-                return "must be less than 90 deg (pi/2 rad)"
-            return f"must be less than {context['lt']:g}"
-        case _:
-            message: str = detail["msg"]
-            return message.removeprefix("Value error, ")
-
-
-def _unknown_key(location: tuple[str, ...], root: type[BaseModel]) -> str:
-    from .paths import keys, names_in
-    from .suggest import did_you_mean
-
-    *block, name = location
-    allowed = names_in(tuple(block), root)
-    if hint := did_you_mean(name, allowed):
-        return f"unknown key{hint}"
-    elsewhere = [path for path in keys(root) if path.rpartition(".")[2] == name]
-    if elsewhere:
-        return f"unknown key; did you mean {' or '.join(elsewhere)}?"
-    return f"unknown key; allowed here: {', '.join(allowed)}"

@@ -1,18 +1,19 @@
 """What a clutch is wanted to do, and among what it may be chosen: the file of the design command."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from os import PathLike
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import Field, ValidationError, model_validator
+from pydantic import Field, model_validator
 
-from ..errors import SpecError
+from ..errors import Problem
+from ..messages import say
 from ..variants import VARIANTS
 from . import rules
 from .choices import Angles, Choice, Diameters, Forces, Lengths, Pairs, Ratios, Stiffnesses, StiffnessesOrNone
-from .fields import AtLeastOne, Count, Force, Gap, Length, Name, Ratio, Stress, Torque
-from .models import Block, Friction, Method, VariantName, key_field
-from .reading import apply_overrides, label_of, parse, problems_of, text_of
+from .fields import AtLeastOne, Block, Count, Force, Gap, Length, Name, Ratio, Stress, Torque, key_field
+from .models import Friction, Method, VariantName
+from .reading import apply_overrides, parse, text_of, validated
 
 Objective = Literal[
     "closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel",
@@ -41,8 +42,8 @@ class Wanted(Block):
     @model_validator(mode="after")
     def _one_torque(self) -> "Wanted":
         if (self.nominal_torque is None) == (self.machine_torque is None):
-            message = "required: nominal_torque of the clutch or machine_torque, one of them"
-            raise rules.validation_error("Wanted", [(("nominal_torque",), rules.MISSING, message)])
+            message = say("required: nominal_torque of the clutch or machine_torque, one of them")
+            raise rules.RuleError([rules.wrong("nominal_torque", message)])
         return self
 
     @property
@@ -71,7 +72,7 @@ class ForceRange(Block):
     @model_validator(mode="after")
     def _ordered(self) -> "ForceRange":
         if self.min > self.max:
-            raise rules.validation_error("ForceRange", [(("max",), self.max, f"must not be below min ({self.min:g})")])
+            raise rules.RuleError([rules.wrong("max", say("must not be below min ({low:g})", low=self.min))])
         return self
 
 
@@ -132,43 +133,44 @@ class Requirements(Block):
 
     @model_validator(mode="after")
     def _complete(self) -> "Requirements":
-        problems = [*self._friction_problems(), *self._needed()]
-        if problems:
-            raise rules.validation_error("Requirements", problems)
+        if problems := [*self._friction_problems(), *self._needed()]:
+            raise rules.RuleError(problems)
         return self
 
-    def _friction_problems(self) -> list[rules.Finding]:
+    def _friction_problems(self) -> Iterable[Problem]:
         try:
             _ = self.friction.groups
         except ValueError:
-            return [(("friction", "min"), rules.MISSING, "required: min and max, a material, or both groups")]
-        if self.friction.unlike and not all(VARIANTS[name].unlike for name in self.variants):
-            able = ", ".join(repr(each.name) for each in VARIANTS.values() if each.unlike)
-            return [(("friction", "driving"), rules.MISSING, f"unlike materials are for variant {able} alone")]
-        return []
+            yield rules.wrong("friction.min", say("required: min and max, a material, or both groups"))
+        else:
+            if self.friction.unlike and not all(VARIANTS[name].unlike for name in self.variants):
+                able = ", ".join(repr(each.name) for each in VARIANTS.values() if each.unlike)
+                yield rules.wrong("friction.driving", say("unlike materials are for variant {able} alone", able=able))
 
-    def _needed(self) -> list[rules.Finding]:
-        search = self.search
-        problems: list[rules.Finding] = []
+    def _needed(self) -> Iterable[Problem]:
+        search, fixed = self.search, self.fixed
         if (search.closing_force is None) == (search.closing_forces is None):
-            message = "give closing_force (a range) or closing_forces (a catalogue), one of them"
-            problems.append((("search", "closing_force"), rules.MISSING, message))
+            yield rules.wrong(
+                "search.closing_force",
+                say("give closing_force (a range) or closing_forces (a catalogue), one of them"),
+            )
         variants = [VARIANTS[name] for name in self.variants]
         if any(each.controlled for each in variants):
             if (search.gain is None) == (search.wall_angle is None):
-                problems.append((("search", "gain"), rules.MISSING, "give gain or wall_angle, one of them"))
+                yield rules.wrong("search.gain", say("give gain or wall_angle, one of them"))
             if search.ball_circle_radius is None:
-                problems.append((("search", "ball_circle_radius"), rules.MISSING, "required with a control unit"))
+                yield rules.wrong("search.ball_circle_radius", say("required with a control unit"))
+        springs_and_hub = {
+            "search.closing_stiffness": search.closing_stiffness,
+            "search.control_stiffness": search.control_stiffness,
+            "fixed.hub_diameter": fixed.hub_diameter,
+            "fixed.key_friction": fixed.key_friction,
+        }
         for each in (each for each in variants if each.travels):
-            for block, name in (
-                ("search", "closing_stiffness"), ("search", "control_stiffness"),
-                ("fixed", "hub_diameter"), ("fixed", "key_friction"),
-            ):  # fmt: skip
-                if getattr(getattr(self, block), name) is None:
-                    problems.append(((block, name), rules.MISSING, f"required for variant {each.name!r}"))
-        if self.limits.surface_pressure is not None and self.fixed.face_width is None:
-            problems.append((("fixed", "face_width"), rules.MISSING, "required beside limits.surface_pressure"))
-        return problems
+            for path in (path for path, given in springs_and_hub.items() if given is None):
+                yield rules.wrong(path, say("required for variant {variant!r}", variant=each.name))
+        if self.limits.surface_pressure is not None and fixed.face_width is None:
+            yield rules.wrong("fixed.face_width", say("required beside {other}", other="limits.surface_pressure"))
 
 
 def read_requirements(source: str | PathLike[str], overrides: Iterable[str] = ()) -> Requirements:
@@ -178,14 +180,10 @@ def read_requirements(source: str | PathLike[str], overrides: Iterable[str] = ()
         SpecError: every problem found.
         FileError: the file cannot be read.
     """
-    text, _ = text_of(source)
-    label = label_of(source)
-    return make_requirements(apply_overrides(parse(text, label), overrides, label, Requirements), label)
+    text, label = text_of(source)
+    return make_requirements(apply_overrides(parse(text, label), overrides, Requirements), label)
 
 
-def make_requirements(data: Mapping[str, Any], label: str = "requirements") -> Requirements:
+def make_requirements(data: rules.Table, label: str = "requirements") -> Requirements:
     """Validate requirements given as nested mappings."""
-    try:
-        return Requirements.model_validate(dict(data))
-    except ValidationError as error:
-        raise SpecError(label, problems_of(error, data, Requirements)) from None
+    return validated(Requirements, data, label)

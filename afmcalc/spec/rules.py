@@ -1,45 +1,44 @@
 """Rules between the keys of a spec: what excludes what, what needs what, what a variant does not have."""
 
 from collections.abc import Iterable, Mapping
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from pydantic import ValidationError
-from pydantic_core import InitErrorDetails, PydanticCustomError
 
+from ..errors import Problem
+from ..messages import say
 from ..variants import VARIANTS, Path
 
-Finding: TypeAlias = tuple[tuple[str, ...], Any, str]
-"""Key path, value given (``MISSING`` when there is none), what is wrong and what is allowed."""
-
-MISSING: Any = type("Missing", (), {"__repr__": lambda self: "MISSING"})()
+Table: TypeAlias = Mapping[str, object]
+"""A table of a spec as it was written."""
 
 
-def validation_error(title: str, problems: Iterable[Finding], others: ValidationError | None = None) -> ValidationError:
-    """Build one pydantic error from problems of ours and, if given, those pydantic found."""
-    details: list[InitErrorDetails] = []
-    for error in others.errors(include_url=False) if others else []:
-        kind = PydanticCustomError(error["type"], "{message}", {**error.get("ctx", {}), "message": error["msg"]})
-        details.append({"type": kind, "loc": error["loc"], "input": error["input"]})
-    for path, value, message in problems:
-        details.append(
-            {"type": PydanticCustomError("rule", "{message}", {"message": message}), "loc": path, "input": value}
-        )
-    return ValidationError.from_exception_data(title, details)
+class RuleError(ValueError):
+    """Rules that a table breaks, raised while pydantic validates it; ``problems.problems_of`` takes it apart."""
+
+    def __init__(self, problems: Iterable[Problem], others: ValidationError | None = None) -> None:
+        """Carry problems whose paths begin at the table, and what pydantic itself found in it."""
+        self.problems, self.others = list(problems), others
+        super().__init__("; ".join(map(str, [*([others] if others else []), *self.problems])))
 
 
-def order_problems(low: float | None, mean: float | None, high: float | None) -> list[Finding]:
+def wrong(path: str, message: str) -> Problem:
+    """Report a key; what was given is looked up when the problem is told."""
+    return Problem(path, None, message)
+
+
+def order_problems(low: float | None, mean: float | None, high: float | None) -> list[Problem]:
     """Check min ≤ mean ≤ max as far as given."""
-    problems: list[Finding] = []
     if low is not None and high is not None and low > high:
-        problems.append((("max",), high, f"must not be below min ({low:g})"))
-    elif mean is not None and low is not None and mean < low:
-        problems.append((("mean",), mean, f"must not be below min ({low:g})"))
-    elif mean is not None and high is not None and mean > high:
-        problems.append((("mean",), mean, f"must not be above max ({high:g})"))
-    return problems
+        return [wrong("max", say("must not be below min ({low:g})", low=low))]
+    if mean is not None and low is not None and mean < low:
+        return [wrong("mean", say("must not be below min ({low:g})", low=low))]
+    if mean is not None and high is not None and mean > high:
+        return [wrong("mean", say("must not be above max ({high:g})", high=high))]
+    return []
 
 
-def problems(data: Mapping[str, Any]) -> list[Finding]:
+def problems(data: Table) -> list[Problem]:
     """Every rule between keys that ``data`` breaks; values themselves are the models' business."""
     return [
         *_friction(data),
@@ -52,98 +51,96 @@ def problems(data: Mapping[str, Any]) -> list[Finding]:
     ]
 
 
-def _get(data: Mapping[str, Any], *path: str) -> Any:
-    """Value at ``path``; MISSING when absent (null counts as absent) or when a block is no table."""
-    value: Any = data
+def _get(data: Table, *path: str) -> object:
+    """Value at ``path``; None when absent or when a block is no table."""
+    value: object = data
     for key in path:
-        if not isinstance(value, Mapping) or value.get(key) is None:
-            return MISSING
-        value = value[key]
+        if not isinstance(value, Mapping):
+            return None
+        value = value.get(key)
     return value
 
 
-def _has(data: Mapping[str, Any], *path: str) -> bool:
-    return _get(data, *path) is not MISSING
+def _has(data: Table, *path: str) -> bool:
+    return _get(data, *path) is not None
 
 
-def _is_table(data: Mapping[str, Any], *path: str) -> bool:
+def _is_table(data: Table, *path: str) -> bool:
     return isinstance(_get(data, *path), Mapping)
 
 
-def _friction(data: Mapping[str, Any]) -> Iterable[Finding]:
+def _friction(data: Table) -> Iterable[Problem]:
     if not _is_table(data, "friction"):
         return
     groups = [group for group in ("driving", "driven") if _has(data, "friction", group)]
     own = [key for key in ("min", "mean", "max", "material") if _has(data, "friction", key)]
     for key in own if groups else ():
-        yield (
-            ("friction", key),
-            _get(data, "friction", key),
-            ("give friction for all pairs or per group (friction.driving, friction.driven), not both"),
+        yield wrong(
+            f"friction.{key}",
+            say("give friction for all pairs or per group (friction.driving, friction.driven), not both"),
         )
     if len(groups) == 1:
         other = "driven" if groups == ["driving"] else "driving"
-        yield ("friction", other), MISSING, f"required beside friction.{groups[0]}"
+        yield _beside(f"friction.{other}", f"friction.{groups[0]}")
     blocks: list[tuple[str, ...]] = [("friction", group) for group in groups]
     for block in blocks or [("friction",)]:
         if not _is_table(data, *block) or _has(data, *block, "material"):
             continue
         for key in ("min", "max"):
             if not _has(data, *block, key):
-                yield (*block, key), MISSING, "required (or give material instead of min and max)"
+                yield wrong(".".join((*block, key)), say("required (or give material instead of min and max)"))
 
 
-def _radii(data: Mapping[str, Any]) -> Iterable[Finding]:
+def _beside(path: str, other: str) -> Problem:
+    return wrong(path, say("required beside {other}", other=other))
+
+
+def _radii(data: Table) -> Iterable[Problem]:
     block = "friction_group"
     if not _is_table(data, block):
         return
     two = [key for key in ("inner_radius", "outer_radius") if _has(data, block, key)]
     if _has(data, block, "mean_radius"):
         for key in (*two, *(["radius_model"] if _has(data, block, "radius_model") else [])):
-            yield (
-                (block, key),
-                _get(data, block, key),
-                ("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius"),
+            yield wrong(
+                f"{block}.{key}",
+                say("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius"),
             )
     elif not two:
-        yield (block, "mean_radius"), MISSING, "required (or give inner_radius and outer_radius)"
+        yield wrong(f"{block}.mean_radius", say("required (or give inner_radius and outer_radius)"))
     elif len(two) == 1:
         other = "outer_radius" if two == ["inner_radius"] else "inner_radius"
-        yield (block, other), MISSING, f"required beside friction_group.{two[0]}"
+        yield _beside(f"{block}.{other}", f"{block}.{two[0]}")
 
 
-def _gain(data: Mapping[str, Any]) -> Iterable[Finding]:
+def _gain(data: Table) -> Iterable[Problem]:
     block = "control_unit"
     if not _is_table(data, block):
         return
     gain, angle = _has(data, block, "gain"), _has(data, block, "wall_angle")
     if gain and angle:
-        yield (
-            (block, "wall_angle"),
-            _get(data, block, "wall_angle"),
-            ("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius"),
+        yield wrong(
+            f"{block}.wall_angle", say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius")
         )
     elif not gain and not angle:
-        yield (block, "gain"), MISSING, "required (or give wall_angle and ball_circle_radius)"
+        yield wrong(f"{block}.gain", say("required (or give wall_angle and ball_circle_radius)"))
     elif angle and not _has(data, block, "ball_circle_radius"):
-        yield (block, "ball_circle_radius"), MISSING, "required beside control_unit.wall_angle"
+        yield _beside(f"{block}.ball_circle_radius", f"{block}.wall_angle")
 
 
-def _contact(data: Mapping[str, Any]) -> Iterable[Finding]:
-    force, block = ("control_unit", "allowable_contact_force"), ("control_unit", "contact")
-    if _has(data, *force) and _has(data, *block):
-        yield (
-            force,
-            _get(data, *force),
-            "excludes control_unit.contact: give the allowable force, or the elastic data it follows from",
+def _contact(data: Table) -> Iterable[Problem]:
+    if _has(data, "control_unit", "allowable_contact_force") and _has(data, "control_unit", "contact"):
+        yield wrong(
+            "control_unit.allowable_contact_force",
+            say("excludes control_unit.contact: give the allowable force, or the elastic data it follows from"),
         )
 
 
-def _force(data: Mapping[str, Any]) -> Iterable[Finding]:
+def _force(data: Table) -> Iterable[Problem]:
     if not _has(data, "closing_spring", "force") and not _has(data, "adjustment", "nominal_torque"):
-        yield ("closing_spring", "force"), MISSING, "required (or give adjustment.nominal_torque, which sets it)"
+        yield wrong("closing_spring.force", say("required (or give adjustment.nominal_torque, which sets it)"))
     elif _has(data, "control_spring", "force") and not _has(data, "closing_spring", "force"):
-        yield ("closing_spring", "force"), MISSING, "required beside control_spring.force: both forces as made"
+        yield wrong("closing_spring.force", say("required beside control_spring.force: both forces as made"))
 
 
 def _special() -> dict[Path, tuple[str, ...]]:
@@ -159,35 +156,48 @@ def variants_of(path: str) -> tuple[str, ...]:
     return min(found, key=len) if found else ()
 
 
-def foreign_keys(data: Mapping[str, Any]) -> list[Path]:
+def foreign_keys(data: Table) -> list[Path]:
     """Paths of the keys present that the variant of ``data`` does not have; a block stands for its keys."""
-    own = VARIANTS[data["variant"]].keys
+    own = VARIANTS[str(data["variant"])].keys
     found = [path for path in _special() if path not in own and _has(data, *path)]
     return [path for path in found if path[:1] not in found or len(path) == 1]
 
 
-def _variant(data: Mapping[str, Any]) -> Iterable[Finding]:
+def _variant(data: Table) -> Iterable[Problem]:
     name = _get(data, "variant")
     if not isinstance(name, str) or name not in VARIANTS:
         return
     for path in foreign_keys(data):
-        yield path, _get(data, *path), f"not for variant {name!r}; only for {', '.join(_special()[path])}"
+        only = ", ".join(_special()[path])
+        yield wrong(".".join(path), say("not for variant {variant!r}; only for {only}", variant=name, only=only))
     for path in VARIANTS[name].needs:
         if not _has(data, *path) and (len(path) == 1 or _has(data, path[0]) or path[0] == "closing_spring"):
-            yield path, MISSING, f"required for variant {name!r}"
+            yield wrong(".".join(path), say("required for variant {variant!r}", variant=name))
 
 
-def _pairs(data: Mapping[str, Any]) -> Iterable[Finding]:
+def _pairs(data: Table) -> Iterable[Problem]:
     pairs, driving = _get(data, "friction_group", "pairs"), _get(data, "friction_group", "driving_pairs")
     if not isinstance(pairs, int | float):
         return
     if isinstance(driving, int | float):
         if not driving < pairs:
-            yield ("friction_group", "driving_pairs"), driving, f"must be less than friction_group.pairs ({pairs})"
+            yield wrong(
+                "friction_group.driving_pairs", say("must be less than friction_group.pairs ({pairs})", pairs=pairs)
+            )
         return
     variant = VARIANTS.get(str(_get(data, "variant")))
-    if driving is MISSING and variant is not None and 1 <= pairs < (least := variant.least_pairs()) > 1:
-        default = " (the default)" if variant.chooses_bypass else ""
-        bypass = f"{least - 1} driving pair{'s' if least > 2 else ''}{default}"
-        message = f"a {variant.name} clutch needs at least {least}: {bypass} and 1 driven"
-        yield ("friction_group", "pairs"), pairs, message
+    if driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()) > 1:
+        default = say(" (the default)") if variant.chooses_bypass else ""
+        if least == 2:
+            bypass = say("1 driving pair{default}", default=default)
+        else:
+            bypass = say("{count} driving pairs{default}", count=least - 1, default=default)
+        yield wrong(
+            "friction_group.pairs",
+            say(
+                "a {variant} clutch needs at least {least}: {bypass} and 1 driven",
+                variant=variant.name,
+                least=least,
+                bypass=bypass,
+            ),
+        )

@@ -2,6 +2,8 @@
 
 from collections.abc import Iterable
 
+from ..messages import say
+
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """Return ``"; did you mean 'x'?"`` for the nearest known word, or nothing when none is near.
@@ -16,4 +18,4 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
         return ""
     lower = {candidate.casefold(): candidate for candidate in reversed(known)}
     near = get_close_matches(word.casefold(), lower, n=1, cutoff=0.6)
-    return f"; did you mean {lower[near[0]]!r}?" if near else ""
+    return say("; did you mean {near!r}?", near=lower[near[0]]) if near else ""

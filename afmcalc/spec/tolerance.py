@@ -1,16 +1,19 @@
 """The [tolerance] block: which numbers of a clutch scatter in making and service, and how."""
 
 import re
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import BaseModel, BeforeValidator, Field, field_validator
 
+from ..errors import Problem
+from ..messages import say
 from . import rules
-from .fields import Torque
-from .models import Block, key_field
+from .fields import Block, Quantity, Torque, key_field
 from .quantity import parse_quantity
+from .walk import keys_below
 
 Kind = Literal["normal", "uniform", "triangular", "lognormal"]
+Setting = Literal["as-made", "each-adjusted"]
 SamplingMethod = Literal["auto", "monte-carlo", "quasi-monte-carlo"]
 
 FRICTION = ("friction", "friction.driving", "friction.driven")
@@ -19,18 +22,30 @@ FRICTION = ("friction", "friction.driving", "friction.driven")
 _PERCENT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*%\s*")
 
 
+def _no_truth(value: object) -> object:
+    if isinstance(value, bool):
+        raise ValueError(say("a boolean is not a number"))
+    return value
+
+
+Number = Annotated[float, BeforeValidator(Quantity("1").read)]
+Whole = Annotated[int, BeforeValidator(Quantity("1", whole=True).read)]
+Given = Annotated[float | str, BeforeValidator(_no_truth)]
+"""A number in SI or a text with a unit; which unit depends on what scatters."""
+
+
 class Distribution(Block):
     """How one number scatters about its value in the spec."""
 
     distribution: Kind = Field(description="kind of the distribution")
-    center: float | str | None = key_field(
+    center: Given | None = key_field(
         "mean of normal and lognormal, middle of uniform, peak of triangular; default the value in the spec"
     )
-    spread: float | str | None = key_field(
+    spread: Given | None = key_field(
         "standard deviation (normal, lognormal) or half-width (uniform, triangular); a quantity or a percentage"
     )
-    min: float | str | None = key_field("lower end; truncates a normal or lognormal distribution")
-    max: float | str | None = key_field("upper end; truncates a normal or lognormal distribution")
+    min: Given | None = key_field("lower end; truncates a normal or lognormal distribution")
+    max: Given | None = key_field("upper end; truncates a normal or lognormal distribution")
 
 
 class Tolerance(Block):
@@ -39,41 +54,50 @@ class Tolerance(Block):
     method: SamplingMethod = key_field(
         "auto: exact where only friction varies, else Monte Carlo; quasi-Monte Carlo needs SciPy", default="auto"
     )
-    samples: int = Field(default=1_000_000, ge=1000, description="size of the sample")
-    seed: int = Field(default=1, ge=0, description="seed: the same seed gives the same digits")
-    quantiles: tuple[float, ...] = key_field("probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995))
-    torque_limit: Torque | None = key_field("torque whose exceedance is asked for", "T_lim")
-    friction_correlation: float | None = Field(
-        default=None, ge=-1, le=1, description="correlation of f_1 and f_2: 1 together (F11), 0 independent (default)"
+    setting: Setting = key_field(
+        "as-made: springs set for the nominal clutch and held; each-adjusted: every clutch set on the bench",
+        default="as-made",
     )
-    sobol_base: int = Field(default=65536, ge=64, description="base sample of the Sobol indices")
+    samples: Whole = Field(default=1_000_000, ge=1000, le=10**10, description="size of the sample")
+    seed: Whole = Field(default=1, ge=0, le=2**63, description="seed: the same seed gives the same digits")
+    quantiles: tuple[Number, ...] = key_field("probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995))
+    torque_limit: Torque | None = key_field("torque whose exceedance is asked for", "T_lim")
+    friction_correlation: Number | None = Field(
+        default=None,
+        ge=-1,
+        le=1,
+        description="correlation of the normal scores of f_1 and f_2 (Gaussian copula; Pearson's of the frictions "
+        "themselves is nearer 0 unless both are normal): 1 together (F11), 0 independent (default)",
+    )
+    sobol_base: Whole = Field(default=65536, ge=64, le=2**30, description="base sample of the Sobol indices")
     fields: dict[str, Distribution] = Field(description="spec path (or friction) to its distribution", min_length=1)
 
     @field_validator("quantiles")
     @classmethod
     def _inside(cls, given: tuple[float, ...]) -> tuple[float, ...]:
         if not given or not all(0 < p < 1 for p in given):
-            raise ValueError("must be probabilities between 0 and 1, at least one")
+            raise ValueError(say("must be probabilities between 0 and 1, at least one"))
         return tuple(sorted(set(given)))
 
-    @model_validator(mode="after")
-    def _read_quantities(self) -> "Tolerance":
-        problems: list[rules.Finding] = []
-        fields = {path: _read(path, each, problems) for path, each in self.fields.items()}
-        if problems:
-            raise rules.validation_error("Tolerance", problems)
-        object.__setattr__(self, "fields", fields)
-        return self
+
+def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
+    """Turn what the user wrote of each field into SI, by the unit of the key of ``spec`` that scatters.
+
+    Raises:
+        RuleError: a field that does not scatter, or not so.
+    """
+    problems: list[Problem] = []
+    fields = {path: _read(path, each, problems, spec) for path, each in given.fields.items()}
+    if problems:
+        raise rules.RuleError(problems)
+    return given.model_copy(update={"fields": fields})
 
 
-def unit_at(path: str) -> str | None:
-    """SI unit of what may scatter; None when the path is none of it."""
-    from .paths import is_whole, keys
-
-    if path in FRICTION:
-        return "1"
-    found = keys().get(path)
-    return None if found is None or is_whole(path) or path.startswith("tolerance.") else found.unit
+def scattering(path: str, spec: type[BaseModel]) -> Quantity | None:
+    """What a number that scatters may be; None when nothing that may scatter is at the path."""
+    found = keys_below(spec).get("friction.min" if path in FRICTION else path)
+    about = found.about if found else None
+    return None if about is None or about.whole or path.startswith("tolerance.") else about
 
 
 def percentage(value: object) -> float | None:
@@ -86,31 +110,11 @@ def percentage(value: object) -> float | None:
     return float(matched[1]) / 100 if matched else None
 
 
-def physical_limits(path: str) -> tuple[float, float]:
-    """Bounds that the spec sets to a field, which no scatter passes.
-
-    >>> physical_limits("closing_spring.force"), physical_limits("friction")
-    ((0.0, inf), (0.0, inf))
-    """
-    import math
-
-    from .paths import field_metadata
-
-    low, high = -math.inf, math.inf
-    for item in field_metadata("friction.min" if path in FRICTION else path):
-        for bound in getattr(item, "metadata", [item]):
-            low = max(low, *(float(v) for v in (getattr(bound, n, None) for n in ("gt", "ge")) if v is not None), low)
-            high = min(
-                high, *(float(v) for v in (getattr(bound, n, None) for n in ("lt", "le")) if v is not None), high
-            )
-    return low, high
-
-
-def _read(path: str, given: Distribution, problems: list[rules.Finding]) -> Distribution:
+def _read(path: str, given: Distribution, problems: list[Problem], spec: type[BaseModel]) -> Distribution:
     """Turn quantities into SI; percentages stay, since they follow the spec."""
-    unit = unit_at(path)
-    if unit is None:
-        problems.append((("fields", path), None, _unknown(path)))
+    about = scattering(path, spec)
+    if about is None:
+        problems.append(rules.wrong(f"fields.{path}", _unknown(path, spec)))
         return given
     read: dict[str, Any] = {}
     for name in ("center", "spread", "min", "max"):
@@ -119,35 +123,45 @@ def _read(path: str, given: Distribution, problems: list[rules.Finding]) -> Dist
             read[name] = value
             continue
         try:
-            read[name] = parse_quantity(value, unit)
+            read[name] = parse_quantity(value, about.unit)
         except ValueError as error:
-            problems.append((("fields", path, name), value, str(error)))
+            problems.append(rules.wrong(f"fields.{path}.{name}", str(error)))
             return given
+    for name in ("min", "max"):
+        value = read[name]
+        if value is not None and about.low is not None and value < about.low:
+            message = say("must be at least {low:g}, as {path} itself", low=about.low, path=path)
+            problems.append(rules.wrong(f"fields.{path}.{name}", message))
+        elif value is not None and about.high is not None and value > about.high:
+            message = say("must be at most {high:g}, as {path} itself", high=about.high, path=path)
+            problems.append(rules.wrong(f"fields.{path}.{name}", message))
     share = percentage(read["spread"])
     size = read["spread"] if share is None else share
     if size is not None and not size >= 0:
-        problems.append((("fields", path, "spread"), given.spread, "must be at least 0"))
+        problems.append(rules.wrong(f"fields.{path}.spread", say("must be at least 0")))
     low, high = read["min"], read["max"]
     if low is not None and high is not None and not low < high:
-        problems.append((("fields", path, "max"), given.max, f"must be greater than min ({low:g})"))
+        problems.append(rules.wrong(f"fields.{path}.max", say("must be greater than min ({low:g})", low=low)))
     if given.distribution in ("normal", "lognormal") and size is None:
-        problems.append((("fields", path, "spread"), rules.MISSING, f"required for {given.distribution!r}"))
+        problems.append(rules.wrong(f"fields.{path}.spread", say("required for {kind!r}", kind=given.distribution)))
     if given.distribution in ("uniform", "triangular") and size is None and path not in FRICTION:
         if low is None or high is None:
-            message = f"required for {given.distribution!r} (or give min and max)"
-            problems.append((("fields", path, "spread"), rules.MISSING, message))
+            message = say("required for {kind!r} (or give min and max)", kind=given.distribution)
+            problems.append(rules.wrong(f"fields.{path}.spread", message))
     elif given.distribution in ("uniform", "triangular") and size is not None and (low is not None or high is not None):
         problems.append(
-            (("fields", path, "spread"), given.spread, "excludes min and max: give a half-width or both ends")
+            rules.wrong(f"fields.{path}.spread", say("excludes min and max: give a half-width or both ends"))
         )
     return given.model_copy(update=read)
 
 
-def _unknown(path: str) -> str:
-    from .paths import is_whole, keys
+def _unknown(path: str, spec: type[BaseModel]) -> str:
     from .suggest import did_you_mean
 
-    if path in keys():
-        return "is a whole number, which does not scatter" if is_whole(path) else "is not a number"
-    hint = did_you_mean(path, [*FRICTION, *keys()])
-    return f"unknown field{hint}" if hint else "unknown field; a spec path, or friction for the friction in service"
+    known = keys_below(spec)
+    if path in known:
+        counts = (about := known[path].about) is not None and about.whole
+        return say("is a whole number, which does not scatter") if counts else say("is not a number")
+    if hint := did_you_mean(path, [*FRICTION, *known]):
+        return say("unknown field{hint}", hint=hint)
+    return say("unknown field; a spec path, or friction for the friction in service")

@@ -53,10 +53,18 @@ def test_the_balls_of_a_direct_clutch_carry_only_t_2():
     assert carried < clutch.torque(0.8)
 
 
-@pytest.mark.parametrize("name", ["indirect", "all-driving", "default"])
-def test_gain_of_least_contact_force(name):
-    """Against a scan of F_n over the gain at equal spring force."""
-    spec = read_spec(CONFIGS / f"{name}.toml")
+@pytest.mark.parametrize(
+    ("name", "overrides"),
+    [
+        ("indirect", ()),
+        ("indirect", ["control_spring.force=2640", "control_unit.key_friction=0.01"]),
+        ("all-driving", ()),
+        ("default", ()),
+    ],
+)
+def test_gain_of_least_contact_force(name, overrides):
+    """Against a scan of F_n over the gain at equal spring force, also with both forces as made."""
+    spec = read_spec(CONFIGS / f"{name}.toml", overrides)
     least = least_contact_force_gain(build(spec))
 
     def force(gain):

@@ -25,8 +25,9 @@ UNITS = SI.replace("mean_radius = 0.1", 'mean_radius = "100 mm"').replace("force
     ("name", "text", "arguments", "limit"),
     [
         ("torque --json, SI numbers", SI, ["torque", "SPEC", "--json"], 1.1),
-        ("torque as a table, SI numbers", SI, ["torque", "SPEC"], 1.25),
-        ("torque --json, unit strings", UNITS, ["torque", "SPEC", "--json"], 2.0),
+        ("torque as a table, SI numbers", SI, ["torque", "SPEC"], 1.2),
+        ("torque --json, unit strings", UNITS, ["torque", "SPEC", "--json"], 1.15),
+        ("torque as a table, unit strings", UNITS, ["torque", "SPEC"], 1.2),
         ("--help", SI, ["--help"], 1.0),
     ],
 )

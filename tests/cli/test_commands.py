@@ -135,7 +135,7 @@ def test_schema_of_requirements_and_of_the_tolerance_block(afmcalc):
     schema = json.loads(afmcalc("schema", "requirements").out)
     assert {"wanted", "search", "limits"} <= set(schema["properties"])
     spec = json.loads(afmcalc("schema").out)
-    assert "fields" in spec["properties"]["tolerance"]["properties"]
+    assert "fields" in spec["$defs"]["Tolerance"]["properties"]
     assert "Distribution" in spec["$defs"]
 
 

@@ -1,4 +1,4 @@
-"""Indirect regulation against a numerical solution of the sleeve's balance (S21 (6)–(9))."""
+"""The engine of indirect regulation; its torque, forces and travel are held in ``validation/test_indirect_balance.py``."""
 
 import numpy as np
 import pytest
@@ -12,70 +12,6 @@ from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.edit import with_value
-
-
-def forces(spec):
-    unit = spec.control_unit
-    return (
-        spec.friction_group.pairs,
-        spec.friction_group.mean_radius,
-        spec.closing_spring.force,
-        spec.closing_spring.stiffness,
-        spec.control_spring.stiffness,
-        unit.gain * unit.ball_circle_radius / spec.friction_group.mean_radius,
-        unit.ball_circle_radius,
-        unit.key_friction,
-        unit.hub_diameter,
-    )
-
-
-def solve_sleeve(spec, f: float, key_sign: float = -1.0) -> tuple[float, float]:
-    """Travel and torque by bisection on the axial balance, from the forces alone.
-
-    The control spring is set so that the sleeve just stays at its stop at the setting friction. At the stop its
-    reaction presses the pack too: the stop belongs to the pressure disc.
-    """
-    z, radius, force, c1, c2, tan_angle, ball_circle, key, hub = forces(spec)
-    own = spec.friction.range
-    at_set = own.mean if spec.adjustment.method == "mean-friction" else own.min
-
-    def torque(x: float, friction: float) -> float:
-        return z * radius * friction * (force - c1 * x)
-
-    set_torque = torque(0.0, at_set)
-    control = force + set_torque * tan_angle / ball_circle - 2 * set_torque * key / hub
-
-    def surplus(x: float) -> float:
-        t = torque(x, f)
-        return force - c1 * x + t * tan_angle / ball_circle + key_sign * 2 * t * key / hub - control - c2 * x
-
-    if surplus(0.0) <= 0:
-        low, high = force, control
-        for _ in range(300):
-            pressed = (low + high) / 2
-            t = z * radius * f * pressed
-            reaction = control - force - t * tan_angle / ball_circle - key_sign * 2 * t * key / hub
-            low, high = (pressed, high) if force + reaction > pressed else (low, pressed)
-        return 0.0, z * radius * f * low
-    low, high = 0.0, force / c1
-    for _ in range(300):
-        middle = (low + high) / 2
-        low, high = (middle, high) if surplus(middle) > 0 else (low, middle)
-    return low, torque(low, f)
-
-
-@given(indirect_specs(), FRICTION)
-def test_closed_form_solves_the_balance(spec, f):
-    clutch = build(spec)
-    travel, torque = solve_sleeve(spec, f)
-    reach = spec.closing_spring.force / spec.closing_spring.stiffness
-    assert clutch.travel(f) == pytest.approx(travel, rel=1e-6, abs=1e-9 * reach)
-    assert clutch.torque(f) == pytest.approx(torque, rel=1e-7)
-    z, radius, *_ = forces(spec)
-    assert clutch.normal_force(f) == pytest.approx(torque / (z * radius * f), rel=1e-7)
-    if travel:
-        pressed = spec.closing_spring.force - spec.closing_spring.stiffness * clutch.travel(f)
-        assert clutch.normal_force(f) == pytest.approx(pressed, rel=1e-7)
 
 
 @given(indirect_specs(), FRICTION)
@@ -112,18 +48,6 @@ def test_it_is_the_all_driving_law_with_the_equivalent_gain(spec):
     f = np.linspace(float(clutch.friction_set), spec.friction.range.max, 7)
     raised = 1 + spec.friction_group.pairs * clutch.equivalent_gain * clutch.friction_set
     assert clutch.torque(f) == pytest.approx(twin.torque(f) * raised, rel=1e-9)
-
-
-@given(indirect_specs(), st.floats(0.01, 1))
-def test_returning_branch_is_a_locked_then_moving_sleeve(spec, share):
-    """Walk friction down from f_max: the sleeve moves back only when the reversed key friction lets it."""
-    clutch = build(spec)
-    own = spec.friction.range
-    f = own.max * share
-    locked = solve_sleeve(spec, own.max)[1] / own.max
-    returned = max(locked, solve_sleeve(spec, f, key_sign=+1.0)[1] / f)
-    assert clutch.torque_returning(f) == pytest.approx(returned * f, rel=1e-6)
-    assert clutch.torque_returning(f) <= clutch.torque(f) * (1 + 1e-9)
 
 
 def test_returning_torque_is_lower_by_the_ratio_of_the_stiffnesses():

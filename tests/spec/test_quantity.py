@@ -1,12 +1,17 @@
 """Unit strings: what is read, and what is refused rather than guessed."""
 
 import math
+import subprocess
+import sys
 
 import pytest
+from conftest import CONFIGS
 from hypothesis import given
 from hypothesis import strategies as st
 
-from afmcalc.spec.quantity import EXAMPLES, parse_quantity
+from afmcalc.spec.lookup import looked_up
+from afmcalc.spec.quantity import parse_quantity
+from afmcalc.spec.units import EXAMPLES, KNOWN
 
 
 @pytest.mark.parametrize(
@@ -98,3 +103,17 @@ def test_any_text_is_read_or_refused(text, unit):
 @given(st.floats(-1e300, 1e300), st.sampled_from(sorted(EXAMPLES)))
 def test_numbers_are_si(value, unit):
     assert parse_quantity(value, unit) == value
+
+
+@pytest.mark.parametrize("unit", KNOWN)
+def test_units_known_by_heart_are_as_pint_reads_them(unit):
+    """To the last digit, so that it makes no difference which of the two reads a unit."""
+    assert {text: looked_up(text, unit) for text in KNOWN[unit]} == KNOWN[unit]
+
+
+def test_shipped_specs_are_read_without_pint():
+    """Every unit of the examples is known by heart."""
+    code = "import sys; from afmcalc.spec import read_spec; [read_spec(path) for path in sys.argv[1:]]; print('pint' in sys.modules)"
+    shipped = [str(path) for path in CONFIGS.glob("*.toml") if path.stem != "requirements"]
+    ended = subprocess.run([sys.executable, "-c", code, *shipped], capture_output=True, text=True, check=True)
+    assert ended.stdout == "False\n"

@@ -231,6 +231,42 @@ def test_bad_input_names_file_key_value_and_what_is_allowed(case, tmp_path, afmc
     assert any(says in line and str(file) in line for line in lines), run.err
 
 
+def test_a_spec_knows_where_it_was_read_and_is_no_other_for_it():
+    here, there = make_spec(BASE, "here.toml"), make_spec(BASE, "there.toml")
+    assert (here.label, there.label, make_spec(BASE).label) == ("here.toml", "there.toml", "spec")
+    assert here == there
+    assert here.model_dump() == there.model_dump()
+    assert here.model_dump_json() == there.model_dump_json()
+    assert "here" not in repr(here)
+    assert here.model_copy(update={"name": "copy"}).label == "here.toml"
+    assert here != make_spec(changed(name="another"), "here.toml")
+
+
+@pytest.mark.parametrize(
+    ("command", "changes"),
+    [
+        (["torque"], {"control_unit__gain": 0.01}),
+        (["accuracy", "--sweep", "C=0.01:0.02:3"], {}),
+        (["solve", "--for", "C", "accuracy_factor=2"], {"control_unit__gain": 0.01}),
+        (["explain", "life"], {"fatigue": None}),
+        (["life"], {"fatigue": None}),
+        (["synthesize"], {"control_unit__ball_circle_radius": None}),
+        (["tolerance"], {}),
+    ],
+)
+def test_what_a_calculation_finds_wrong_names_the_file(command, changes, tmp_path, afmcalc):
+    file = tmp_path / "some.toml"
+    data = tomllib.loads((CONFIGS / "indirect.toml").read_text(encoding="utf-8"))
+    for path, value in changes.items():
+        *blocks, name = path.split("__")
+        block = data[blocks[0]] if blocks else data
+        block.pop(name, None) if value is None else block.update({name: value})
+    file.write_text(tomli_w.dumps(data), encoding="utf-8")
+    run = afmcalc(*command, file)
+    assert run.code == 2
+    assert run.err.startswith(f"error: {'sweep at control_unit.gain = 0.01' if '--sweep' in command else file}: ")
+
+
 def test_every_problem_is_shown_at_once():
     data = changed(friction__maxx=1, friction_group__pairs=0, closing_spring__force=None, control_unit__wall_angle=0.1)
     with pytest.raises(SpecError) as error:

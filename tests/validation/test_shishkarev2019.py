@@ -102,26 +102,62 @@ def test_fig_2_from_the_command_line(afmcalc):
 FATIGUE = {"endurance_limit": 20e6, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7}
 
 
-@pytest.mark.parametrize(
-    ("model", "key", "value", "equivalent"),
-    [
-        ("mean-stress", "exponent", 6, lambda a, m: m),
-        ("amplitude", "mean_stress_sensitivity", 0.1, lambda a, m: a + 0.1 * m),
-        ("goodman", "ultimate_strength", 100e6, lambda a, m: a / (1 - m / 100e6)),
-    ],
-)
-def test_models(model, key, value, equivalent):
-    """Each rule from its definition, both sides, both methods."""
-    data = {**resolved(read_spec()), "fatigue": {**FATIGUE, key: value, "endurance_limit": 1e6}}
-    spec = make_spec(data)
-    result, _ = life(build(spec), model)
+def rule(model):
+    """Key of [fatigue], its value, and the damaging stress of amplitude and mean."""
+    return {
+        "mean-stress": ("exponent", 6, lambda a, m: m),
+        "amplitude": ("mean_stress_sensitivity", 0.1, lambda a, m: a + 0.1 * m),
+        "goodman": ("ultimate_strength", 400e6, lambda a, m: a / (1 - m / 400e6)),
+    }[model]
+
+
+def fatigued(model, endurance, **more):
+    key, value, _ = rule(model)
+    block = {**FATIGUE, key: value, "endurance_limit": endurance, **more}
+    return make_spec({**resolved(read_spec()), "fatigue": block})
+
+
+def test_the_papers_rule_takes_the_band_as_one_cycle():
+    spec = fatigued("mean-stress", 1e6)
+    result, _ = life(build(spec), "mean-stress")
     settings, _ = adjust(build(spec))
     for side, factor in (("protected", 1.0), ("unprotected", 1.4)):
         for method in ("min_friction", "mean_friction"):
             torque = getattr(settings, method).torque
-            low, high = (factor * end / 15e-6 for end in (torque.min, torque.max))
-            stress = equivalent((high - low) / 2, (high + low) / 2)
-            assert getattr(getattr(result, side), method) == pytest.approx(1e7 * (1e6 / stress) ** 6, rel=1e-9)
+            mean = factor * (torque.min + torque.max) / 2 / 15e-6
+            assert getattr(getattr(result, side), method) == pytest.approx(1e7 * (1e6 / mean) ** 6, rel=1e-9)
+
+
+@pytest.mark.parametrize("model", ["amplitude", "goodman"])
+@pytest.mark.parametrize("endurance", [1e6, 6e6])
+@pytest.mark.parametrize("low", [0.0, 40.0])
+@pytest.mark.parametrize("source", ["default.toml", "indirect.toml", "unlike-materials.toml"])
+def test_a_slip_at_a_time(model, endurance, low, source):
+    """A slow walk through slips: each does its damage by its own swing, those below the endurance limit none."""
+    key, value, equivalent = rule(model)
+    block = {**FATIGUE, key: value, "endurance_limit": endurance, "load_low": low}
+    data = resolved(read_spec(CONFIGS / source, ["adjustment.method=mean-friction"]))
+    clutch = build(make_spec({**data, "fatigue": block}))
+    result, _ = life(clutch, model)
+    own = clutch.friction
+    for side, factor in (("protected", 1.0), ("unprotected", clutch.spec.drive.dynamic_factor)):
+        damage, slips = 0.0, 4_000
+        for number in range(slips):
+            share = (number + 0.5) / slips
+            high = factor * clutch.torque(*(r.min + share * (r.max - r.min) for r in own))
+            ends = sorted((factor * low / 15e-6, high / 15e-6))
+            stress = equivalent((ends[1] - ends[0]) / 2, (ends[1] + ends[0]) / 2)
+            if stress > endurance:
+                damage += 1 / (1e7 * (endurance / stress) ** 6)
+        found = getattr(result, side).mean_friction
+        assert found is None if damage == 0 else found == pytest.approx(slips / damage, rel=2e-3)
+
+
+@pytest.mark.parametrize(("factor", "times"), [(2.84, 7.7), (1.5, 113), (1.25, 588)])
+def test_the_better_the_clutch_the_more_its_band_flatters(factor, times):
+    """T_min … T_max as the swing of a slip to T_max overstates its life (ψ 0.1, m_τ 6)."""
+    slip, band = (fatigue.equivalent_stress_sensitivity(low, factor, 0.1) for low in (0.0, 1.0))
+    assert (slip / band) ** 6 == pytest.approx(times, rel=5e-3)
 
 
 def test_life_without_limit_is_null_with_a_finding(afmcalc):
@@ -151,6 +187,10 @@ def test_static_failure_is_an_error(afmcalc):
     run = afmcalc("life", "--model", "goodman", *weak, "--json")
     assert "static-strength-exceeded" in [finding["code"] for finding in run.json["findings"]]
     assert afmcalc("check", *weak).code == 1
+    for model in (["--model", "amplitude", "--set", "fatigue.mean_stress_sensitivity=0.1"], []):
+        broken = afmcalc("life", *model, *weak, "--set", "fatigue.ultimate_strength=15 MPa", "--json").json
+        assert broken["result"]["unprotected"] == {"min_friction": 0, "mean_friction": 0}
+        assert "static-strength-exceeded" in [finding["code"] for finding in broken["findings"]]
 
 
 def test_life_over_the_gain_is_the_single_calculations(afmcalc):

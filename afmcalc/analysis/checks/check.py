@@ -5,6 +5,9 @@ from typing import ClassVar
 from ...engines.protocol import Clutch
 from ...findings import Finding, worst
 from ...result import Result, quantity
+from ..answers import Answers
+from ..registry import ANALYSES
+from .pressure import pressure_findings
 
 
 class CheckResult(Result):
@@ -18,17 +21,18 @@ class CheckResult(Result):
     notes: int = quantity("", None, "findings worth knowing")
 
 
-def check(clutch: Clutch, *, strict: bool = False) -> tuple[CheckResult, list[Finding]]:
+def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = None) -> tuple[CheckResult, list[Finding]]:
     """Collect the findings of a design.
 
     Args:
         clutch: the clutch.
         strict: warnings fail the check too.
+        answers: what was asked of it already.
 
     Returns:
         The verdict and the findings.
     """
-    findings = all_findings(clutch)
+    findings = all_findings(answers or Answers(clutch))
     levels = [finding.level for finding in findings]
     failing = ("error", "warning") if strict else ("error",)
     result = CheckResult(
@@ -40,16 +44,9 @@ def check(clutch: Clutch, *, strict: bool = False) -> tuple[CheckResult, list[Fi
     return result, findings
 
 
-def all_findings(clutch: Clutch) -> list[Finding]:
-    """Return the findings of every analysis that applies to the clutch, each once."""
-    from ..life import life
-    from ..synthesize import synthesize
-    from .pressure import pressure_findings
-
+def all_findings(answers: Answers) -> list[Finding]:
+    """Return the findings of every analysis that a check takes in and that applies to the clutch, each once."""
+    clutch = answers.clutch
+    judged = [each.name for each in ANALYSES.values() if each.judged and each.applies(clutch)]
     found = [*clutch.findings(), *pressure_findings(clutch)]
-    unit = clutch.spec.control_unit
-    if unit is not None and unit.ball_circle_radius is not None and clutch.gain > 0:
-        found += synthesize(clutch)[1]
-    if clutch.spec.fatigue is not None:
-        found += life(clutch)[1]
-    return list(dict.fromkeys(found))
+    return list(dict.fromkeys([*found, *(each for name in judged for each in answers.ask(name)[1])]))

@@ -1,21 +1,23 @@
 """Every limit a design is held against, passed or not, with its utilisation."""
 
 from collections.abc import Iterator
-from typing import Literal, Protocol
+from typing import Literal, NamedTuple
 
 from ...engines.protocol import Clutch
-from ...findings import Finding
+from ...findings import Finding, Level
 from ...result import Result, quantity
+from ..answers import Answers
 from ..life import LifeResult
+from ..registry import ANALYSES
 from ..synthesize import SynthesisResult
 from .pressure import pressure_findings
 
-Verdict = Literal["pass", "note", "warning", "fail"]
-_VERDICTS: dict[str, Verdict] = {"info": "note", "warning": "warning", "error": "fail"}
+Grade = Literal["pass", "note", "warning", "fail"]
+_GRADES: dict[str, Grade] = {"info": "note", "warning": "warning", "error": "fail"}
 
 
-class Check(Result):
-    """One limit."""
+class Utilisation(Result):
+    """One limit, and how much of it a design uses."""
 
     name: str = quantity("", None, "what is checked")
     symbol: str = quantity("", None, "symbols of value and limit")
@@ -23,87 +25,88 @@ class Check(Result):
     value: float = quantity("", None, "what the design has")
     limit: float = quantity("", None, "what it is held against")
     utilisation: float = quantity("1", "η", "utilisation, 1 at the limit")
-    verdict: Verdict = quantity("", None, "pass, or how grave it is")
+    verdict: Grade = quantity("", None, "pass, or how grave it is")
 
 
-class _Check(Protocol):
-    def __call__(
-        self, code: str, name: str, symbol: str, unit: str, value: float, limit: float, *, least: bool = False
-    ) -> Check:
-        """Hold a value against a limit: the largest allowed, or the ``least``."""
+class _Held(NamedTuple):
+    """A value held against a limit: the largest allowed, or the ``least``."""
+
+    code: str
+    """Code of the finding that says how grave it is to be beyond."""
+    name: str
+    symbol: str
+    unit: str
+    value: float
+    limit: float
+    least: bool = False
 
 
-def checks(
-    clutch: Clutch, synthesis: SynthesisResult | None, life: LifeResult | None, findings: list[Finding]
-) -> list[Check]:
+def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]:
     """Hold a design against every limit that applies to it.
 
     Args:
-        clutch: the clutch.
-        synthesis: its control unit, if one was synthesized.
-        life: its life, if the spec has a [fatigue] block.
+        answers: what was asked of the clutch.
         findings: those of all its analyses; they decide how grave an exceeded limit is.
 
     Returns:
-        The checks, each with its utilisation.
+        The limits, each with its utilisation.
     """
+    clutch = answers.clutch
     levels = {finding.code: finding.level for finding in findings}
-
-    def check(
-        code: str, name: str, symbol: str, unit: str, value: float, limit: float, *, least: bool = False
-    ) -> Check:
-        used = limit / value if least else value / limit
-        beyond = used > 1 + 1e-9
-        verdict: Verdict = _VERDICTS[levels.get(code, "info")] if beyond else "pass"
-        return Check(name=name, symbol=symbol, unit=unit, value=value, limit=limit, utilisation=used, verdict=verdict)
-
+    synthesized, lived = (ANALYSES[name].applies(clutch) for name in ("synthesize", "life"))
     return [
-        *_clutch_checks(clutch, check),
-        *(_synthesis_checks(synthesis, check) if synthesis else ()),
+        *(_used(each, levels) for each in _of_clutch(clutch)),
+        *(_used(each, levels) for each in (_of_synthesis(answers.of(SynthesisResult)) if synthesized else ())),
         *map(_pressure, pressure_findings(clutch)),
-        *(_life_checks(life, check) if life else ()),
+        *(_used(each, levels) for each in (_of_life(answers.of(LifeResult)) if lived else ())),
     ]
 
 
-def _clutch_checks(clutch: Clutch, check: _Check) -> Iterator[Check]:
+def _used(held: _Held, levels: dict[str, Level]) -> Utilisation:
+    code, name, symbol, unit, value, limit, least = held
+    used = limit / value if least else value / limit
+    grade: Grade = _GRADES[levels.get(code, "info")] if used > 1 + 1e-9 else "pass"
+    return Utilisation(name=name, symbol=symbol, unit=unit, value=value, limit=limit, utilisation=used, verdict=grade)
+
+
+def _of_clutch(clutch: Clutch) -> Iterator[_Held]:
     gain, rule, limit = float(clutch.gain), clutch.spec.kind.gain_limit, clutch.gain_limit
     if rule is not None and limit is not None:
         value, bound = rule.stated(gain, clutch.reduced_gain, limit)
-        yield check(rule.code, rule.quantity, rule.symbol, "1", float(value), float(bound))
+        yield _Held(rule.code, rule.quantity, rule.symbol, "1", float(value), float(bound))
     if clutch.gain_threshold:
         threshold = float(clutch.gain_threshold)
-        yield check("feedback-idle", "gain against key friction", "C ≥ 2R f_1/d", "1", gain, threshold, least=True)
+        yield _Held("feedback-idle", "gain against key friction", "C ≥ 2R f_1/d", "1", gain, threshold, least=True)
     first, second = clutch.friction
-    lowest = min(clutch.torque(first.min, second.min), clutch.torque(first.max, second.max))
+    lowest = float(min(clutch.torque(first.min, second.min), clutch.torque(first.max, second.max)))
     nominal = float(clutch.nominal_torque)
     name = "least torque in service"
-    yield check("below-nominal-torque", name, "T_min ≥ T_н", "N*m", float(lowest), nominal, least=True)
+    yield _Held("below-nominal-torque", name, "T_min ≥ T_н", "N*m", lowest, nominal, least=True)
 
 
-def _synthesis_checks(found: SynthesisResult, check: _Check) -> Iterator[Check]:
+def _of_synthesis(found: SynthesisResult) -> Iterator[_Held]:
     if found.ball_diameter_standard is not None:
         chosen, needed = found.ball_diameter_standard, 2 * found.ball_radius
-        yield check("ball-too-small", "ball diameter", "d_ш ≥ 2 r_ш", "m", chosen, needed, least=True)
+        yield _Held("ball-too-small", "ball diameter", "d_ш ≥ 2 r_ш", "m", chosen, needed, least=True)
     if found.contact_force is not None and found.contact_force_allowable is not None:
         force, allowable = found.contact_force, found.contact_force_allowable
-        yield check("contact-force-exceeded", "contact force on one ball", "F_n ≤ [F_n]", "N", force, allowable)
+        yield _Held("contact-force-exceeded", "contact force on one ball", "F_n ≤ [F_n]", "N", force, allowable)
 
 
-def _life_checks(found: LifeResult, check: _Check) -> Iterator[Check]:
+def _of_life(found: LifeResult) -> Iterator[_Held]:
     sides = (("protected", "τ_eq", found.stress_protected), ("unprotected", "τ'_eq", found.stress_unprotected))
     for side, symbol, stress in sides:
-        if stress is None:
-            continue
-        name = f"damaging stress, {side} side (beyond: limited life)"
-        yield check("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
+        if stress is not None:
+            name = f"damaging stress, {side} side (beyond: limited life)"
+            yield _Held("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
 
 
-def _pressure(finding: Finding) -> Check:
+def _pressure(finding: Finding) -> Utilisation:
     assert finding.value is not None
     assert finding.limit is not None
     where = "at the inner edge" if finding.code.startswith("peak") else "in the mean"
-    verdict: Verdict = "pass" if finding.level == "info" else _VERDICTS[finding.level]
-    return Check(
+    grade: Grade = "pass" if finding.level == "info" else _GRADES[finding.level]
+    return Utilisation(
         name=f"surface pressure {where}", symbol="p ≤ [p]", unit="Pa", value=finding.value, limit=finding.limit,
-        utilisation=finding.value / finding.limit, verdict=verdict,
+        utilisation=finding.value / finding.limit, verdict=grade,
     )  # fmt: skip

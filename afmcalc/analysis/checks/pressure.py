@@ -5,7 +5,7 @@ from typing import Any
 
 from ...engines.protocol import Clutch
 from ...equations import geometry
-from ...findings import Finding
+from ...findings import Finding, finding
 from ...spec.materials import Material, catalogue
 
 
@@ -42,16 +42,18 @@ def _finding(kind: str, pressure: float, material: Material, path: str) -> Findi
     low, high = material.pressure_min, material.pressure_max
     assert low is not None
     assert high is not None
-    where = "at the inner edge" if kind == "peak-pressure" else "in the mean"
-    said = f"surface pressure {pressure / 1e3:.5g} kPa {where}, utilisation {pressure / low:.3g}"
+    peak, name, used = kind == "peak-pressure", material.name, pressure / low
     if pressure > high:
-        message = f"{said}: above the allowable {low / 1e3:g}…{high / 1e3:g} kPa of {material.name}"
-        return Finding("error", f"{kind}-exceeded", message, pressure, high, path)
+        return finding(
+            "peak-pressure-exceeded" if peak else "mean-pressure-exceeded", "error",
+            value=pressure, limit=high, path=path, used=used, low=low, high=high, name=name,
+        )  # fmt: skip
     if pressure > low:
-        message = (
-            f"{said}: within the printed range of the allowable, {low / 1e3:g}…{high / 1e3:g} kPa of {material.name}"
-        )
-        return Finding("warning", f"{kind}-in-range", message, pressure, low, path)
-    return Finding(
-        "info", kind, f"{said}: below the allowable {low / 1e3:g} kPa of {material.name}", pressure, low, path
-    )
+        return finding(
+            "peak-pressure-in-range" if peak else "mean-pressure-in-range", "warning",
+            value=pressure, limit=low, path=path, used=used, low=low, high=high, name=name,
+        )  # fmt: skip
+    return finding(
+        "peak-pressure" if peak else "mean-pressure", "info", value=pressure, limit=low, path=path,
+        used=used, low=low, name=name,
+    )  # fmt: skip

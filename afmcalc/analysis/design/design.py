@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
+from ...messages import say
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.requirements import Requirements
@@ -47,7 +48,11 @@ def design(
     count = total(need)
     if count > MOST:
         raise AfmcalcError(
-            f"the search asks for {count:,} candidates; at most {MOST:,} are searched: coarser ranges, please"
+            say(
+                "the search asks for {count:,} candidates; at most {most:,} are searched: coarser ranges, please",
+                count=count,
+                most=MOST,
+            )
         )
     found = search(need, progress)
     grid, fine = _laid_out(need, found)
@@ -80,7 +85,7 @@ def _findings(result: DesignResult) -> list[Finding]:
     if result.front:
         return []
     most = sorted(result.excluded.items(), key=lambda item: -item[1])
-    listed = ", ".join(f"{name} excludes {number:,}" for name, number in most)
+    listed = ", ".join(say("{name} excludes {number:,}", name=name, number=number) for name, number in most)
     return [finding("no-candidate", "error", value=0.0, candidates=result.candidates, listed=listed)]
 
 
@@ -92,5 +97,7 @@ def picked(need: Requirements, result: DesignResult, number: int, *, fine: bool 
     """
     front = result.refined if fine else result.front
     if not 1 <= number <= len(front):
-        raise CalculationError(f"--pick {number}: the front has the numbers 1 to {len(front)}")
+        raise CalculationError(
+            say("--pick {number}: the front has the numbers 1 to {count}", number=number, count=len(front))
+        )
     return as_spec(need, front[number - 1])

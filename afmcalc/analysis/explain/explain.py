@@ -1,16 +1,17 @@
 """A calculation as an engineer writes it: formula, numbers put in, value, source, and where the print differs."""
 
-from collections.abc import Callable
 from typing import Any
 
 from ...engines import build
 from ...errors import AfmcalcError
-from ...extras import need
 from ...findings import Finding
+from ...messages import say
 from ...papers.register import register
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.suggest import did_you_mean
+from ..registry import ANALYSES, EXPLAINED
+from .formula import Formula, symbol_latex
 from .trace import Call, distinct, recording, with_roles
 
 
@@ -40,26 +41,6 @@ class ExplainResult(Result):
     steps: list[Step] = quantity("", None, "steps of the calculation", steps=True)
 
 
-def _analyses() -> dict[str, Callable[..., Any]]:
-    from ..accuracy import accuracy
-    from ..adjust import adjust
-    from ..checks.check import check
-    from ..life import life
-    from ..overload import overload
-    from ..synthesize import synthesize
-    from ..torque import torque
-
-    return {
-        "torque": torque,
-        "accuracy": accuracy,
-        "adjust": adjust,
-        "overload": overload,
-        "synthesize": synthesize,
-        "life": life,
-        "check": check,
-    }
-
-
 def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, list[Finding]]:
     """Run a calculation and explain every equation it ran.
 
@@ -72,16 +53,27 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
         The steps and the findings of the calculation itself.
 
     Raises:
-        AfmcalcError: no such calculation, or the extra ``explain`` is missing.
+        AfmcalcError: no such calculation.
     """
-    analyses = _analyses()
-    if command not in analyses:
-        hint = did_you_mean(command, analyses)
-        raise AfmcalcError(f"explain: no calculation {command!r}{hint}; explained are {', '.join(analyses)}")
-    need("explain")
+    if command not in EXPLAINED:
+        hint = did_you_mean(command, EXPLAINED)
+        raise AfmcalcError(
+            say(
+                "explain: no calculation {command!r}{hint}; explained are {analyses}",
+                command=command,
+                hint=hint,
+                analyses=", ".join(EXPLAINED),
+            )
+        )
+    calculation = ANALYSES[command].function
     with recording() as calls:
-        _, findings = analyses[command](build(with_roles(spec)), **options)
-    return ExplainResult(explained=command, steps=[_step(call) for call in distinct(calls)]), findings
+        _, findings = calculation(build(with_roles(spec)), **options)
+    return ExplainResult(explained=command, steps=steps_of(calls)), findings
+
+
+def steps_of(calls: list[Call]) -> list[Step]:
+    """Return the steps of what was recorded."""
+    return [_step(call) for call in distinct(calls)]
 
 
 def _note(call: Call) -> str | None:
@@ -92,8 +84,6 @@ def _note(call: Call) -> str | None:
 
 
 def _step(call: Call) -> Step:
-    from .formula import Formula, symbol_latex
-
     terms = call.equation.arguments
     symbols = {name: call.symbol(name) for name in call.arguments}
     units = {name: terms[name].unit for name in call.arguments}

@@ -1,13 +1,189 @@
-"""The text of an equation function, from running it on SymPy symbols."""
+"""The text of an equation function, from running it on terms that note what is done to them."""
 
+import operator
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
-import sympy
-from sympy.printing.latex import LatexPrinter
-from sympy.printing.precedence import PRECEDENCE
-from sympy.printing.str import StrPrinter
+
+def _reflected(operation: "Callable[[Term, Term], Term]") -> "Callable[[Term, float], Term]":
+    return lambda own, other: operation(_term(other), own)
+
+
+class Term:
+    """An expression, kept as it was written; arithmetic on it gives another."""
+
+    def __add__(self, other: "Term | float") -> "Term":
+        """Join sums."""
+        return Sum((*_summands(self), *_summands(_term(other))))
+
+    def __sub__(self, other: "Term | float") -> "Term":
+        """Take off; a sum that is taken off stays in brackets."""
+        return Sum((*_summands(self), _negated(_term(other))))
+
+    def __mul__(self, other: "Term | float") -> "Term":
+        """Join products and quotients."""
+        one, two = _product(self), _product(_term(other))
+        return _joined(one.negative != two.negative, (*one.over, *two.over), (*one.under, *two.under))
+
+    def __truediv__(self, other: "Term | float") -> "Term":
+        """Put below the line; a quotient stays one."""
+        one, two = _product(self), _product(_term(other))
+        below = (two,) if two.under else two.over
+        return _joined(one.negative != two.negative, one.over, (*one.under, *below))
+
+    def __pow__(self, exponent: "Term | float") -> "Term":
+        """Raise."""
+        return Power(self, _term(exponent))
+
+    def __neg__(self) -> "Term":
+        """Change the sign."""
+        return _negated(self)
+
+    __radd__, __rsub__ = _reflected(operator.add), _reflected(operator.sub)
+    __rmul__, __rtruediv__ = _reflected(operator.mul), _reflected(operator.truediv)
+
+
+@dataclass(frozen=True)
+class Leaf(Term):
+    """A symbol, or a number."""
+
+    text: str
+    own: bool = False
+    """Whether it is a number of the equation itself."""
+
+
+@dataclass(frozen=True)
+class Power(Term):
+    """A power."""
+
+    base: Term
+    exponent: Term
+
+
+@dataclass(frozen=True)
+class Product(Term):
+    """A product, the factors it is divided by apart."""
+
+    negative: bool
+    over: tuple[Term, ...]
+    under: tuple[Term, ...] = ()
+
+
+@dataclass(frozen=True)
+class Sum(Term):
+    """A sum of two terms or more; those taken off are negative products."""
+
+    terms: tuple[Term, ...]
+
+
+_ONE = Leaf("1", own=True)
+
+
+def _term(value: Term | float) -> Term:
+    if isinstance(value, Term):
+        return value
+    own = Leaf(f"{abs(value):g}", own=True)
+    return _negated(own) if value < 0 else own
+
+
+def _product(term: Term) -> Product:
+    return term if isinstance(term, Product) else Product(False, (term,))
+
+
+def _joined(negative: bool, over: Iterable[Term], under: tuple[Term, ...]) -> Term:
+    above = tuple(factor for factor in over if factor != _ONE)
+    if not negative and not under and len(above) == 1:
+        return above[0]
+    return Product(negative, above or (_ONE,), under)
+
+
+def _summands(term: Term) -> tuple[Term, ...]:
+    return term.terms if isinstance(term, Sum) else (term,)
+
+
+def _negated(term: Term) -> Term:
+    own = _product(term)
+    return _joined(not own.negative, own.over, own.under)
+
+
+class _Text:
+    """One line, Unicode: a raised dot for products, no space around it."""
+
+    brackets = "({})"
+    minus = "-"
+
+    def show(self, term: Term) -> str:
+        """Write an expression."""
+        match term:
+            case Power(base, exponent):
+                return self._power(base, exponent)
+            case Sum(terms):
+                return self._sum(terms)
+            case Product(negative, over, under):
+                return (self.minus if negative else "") + self._quotient(over, under)
+        assert isinstance(term, Leaf)
+        return self._leaf(term.text)
+
+    def _leaf(self, text: str) -> str:
+        return text
+
+    def _in_brackets(self, term: Term, when: bool) -> str:
+        own = self.show(term)
+        return self.brackets.format(own) if when else own
+
+    def _power(self, base: Term, exponent: Term) -> str:
+        # a number with a unit is raised as a whole
+        parts = (self._in_brackets(each, not isinstance(each, Leaf) or " " in each.text) for each in (base, exponent))
+        return "^".join(parts)
+
+    def _sum(self, terms: tuple[Term, ...]) -> str:
+        text = ""
+        for term in terms:
+            minus = isinstance(term, Product) and term.negative
+            own = _negated(term) if minus else term
+            shown = self._in_brackets(own, isinstance(own, Sum))
+            text += (" - " if minus else " + ") + shown if text else (self.minus if minus else "") + shown
+        return text
+
+    def _quotient(self, over: tuple[Term, ...], under: tuple[Term, ...]) -> str:
+        above = "·".join(self._in_brackets(each, isinstance(each, Sum | Product)) for each in over)
+        below = "·".join(self._divisor(each) for each in under)
+        return f"{above}/({below})" if len(under) > 1 else f"{above}/{below}" if under else above
+
+    def _divisor(self, term: Term) -> str:
+        of_sum = isinstance(term, Power) and isinstance(term.base, Sum)
+        return self._in_brackets(term, isinstance(term, Sum | Product) or of_sum)
+
+
+class _Latex(_Text):
+    """LaTeX: quotients as fractions."""
+
+    brackets = "\\left({}\\right)"
+    minus = "- "
+
+    def __init__(self, dot: str = " ") -> None:
+        self._dot = dot
+
+    def _leaf(self, text: str) -> str:
+        return symbol_latex(text)
+
+    def _power(self, base: Term, exponent: Term) -> str:
+        whole = isinstance(base, Leaf) and "^" not in base.text
+        return f"{self._in_brackets(base, not whole)}^{{{self.show(exponent)}}}"
+
+    def _quotient(self, over: tuple[Term, ...], under: tuple[Term, ...]) -> str:
+        above = self._factors(over)
+        return f"\\frac{{{above}}}{{{self._factors(under)}}}" if under else above
+
+    def _factors(self, factors: tuple[Term, ...]) -> str:
+        text = ""
+        for factor in factors:
+            own = self._in_brackets(factor, isinstance(factor, Sum) and len(factors) > 1)
+            between = " \\cdot " if text[-1:].isdigit() and own[:1].isdigit() else self._dot
+            text += (between if text else "") + own
+        return text
 
 
 class Formula:
@@ -23,63 +199,26 @@ class Formula:
         """Run ``function`` on the symbols and on the values of its arguments."""
         plain = {name: _number(values[name], units[name], latex=False) for name in symbols}
         set_in_latex = {name: _number(values[name], units[name], latex=True) for name in symbols}
-        with sympy.evaluate(False):
-            self._symbolic, self._plain, self._latex = (
-                _flat(function(**{name: sympy.Symbol(text) for name, text in texts.items()}))
-                for texts in (symbols, plain, set_in_latex)
-            )
+        self._symbolic, self._plain, self._latex = (
+            _term(function(**{name: Leaf(text) for name, text in texts.items()}))
+            for texts in (symbols, plain, set_in_latex)
+        )
 
     def text(self) -> str:
         """Return the formula on one line, Unicode."""
-        return str(_Text({"order": "none"}).doprint(self._symbolic))
+        return _Text().show(self._symbolic)
 
     def text_with_numbers(self) -> str:
         """Return the formula with numbers and units put in, Unicode."""
-        return str(_Text({"order": "none"}).doprint(self._plain))
+        return _Text().show(self._plain)
 
     def latex(self) -> str:
         """Return the formula in LaTeX."""
-        return str(_Latex({"order": "none"}).doprint(self._symbolic))
+        return _Latex().show(self._symbolic)
 
     def latex_with_numbers(self) -> str:
         """Return the formula with numbers and units in LaTeX."""
-        return str(_Latex({"order": "none", "mul_symbol": "dot"}).doprint(self._latex))
-
-
-def _flat(expression: Any) -> Any:
-    """Join nested sums and products, in the order they are written, and pull −1 to the front of a product."""
-    if isinstance(expression, tuple):
-        return sympy.Tuple(*map(_flat, expression))
-    if not expression.args:
-        return expression
-    arguments = [_flat(argument) for argument in expression.args]
-    if isinstance(expression, sympy.Add | sympy.Mul):
-        kind = type(expression)
-        arguments = [part for each in arguments for part in (each.args if isinstance(each, kind) else (each,))]
-        if kind is sympy.Mul:
-            arguments = _signs_joined([part for part in arguments if part != 1]) or [sympy.Integer(1)]
-        if len(arguments) == 1:
-            return arguments[0]
-        return kind(*arguments, evaluate=False)
-    if isinstance(expression, sympy.Pow) and isinstance(arguments[0], sympy.Mul) and arguments[1] == -1:
-        # 1/(a·b) as a⁻¹·b⁻¹, so that it joins the product it divides
-        return sympy.Mul(*(sympy.Pow(part, -1, evaluate=False) for part in arguments[0].args), evaluate=False)
-    return expression.func(*arguments, evaluate=False)
-
-
-def _signs_joined(factors: list[Any]) -> list[Any]:
-    """Put the minus of a difference onto the number it stands before: −1·2·x is −2·x."""
-    if len(factors) > 1 and factors[0] == -1 and factors[1].is_Integer:
-        return [-factors[1], *factors[2:]]
-    return factors
-
-
-def value_latex(text: str) -> str:
-    """Return a value as shown to people, such as ``1.2e+07 N·m``, in LaTeX."""
-    number, _, unit = text.partition(" ")
-    mantissa, _, exponent = number.partition("e")
-    shown = f"{mantissa} \\cdot 10^{{{int(exponent)}}}" if exponent else mantissa
-    return f"{shown}\\,\\text{{{unit}}}" if unit else shown
+        return _Latex(" \\cdot ").show(self._latex)
 
 
 def _number(value: Any, unit: str, *, latex: bool) -> str:
@@ -94,63 +233,14 @@ def _number(value: Any, unit: str, *, latex: bool) -> str:
     return f"{text}\\,\\text{{{shown}}}" if latex else f"{text} {shown}"
 
 
-def symbol_latex(symbol: str) -> str:
+def symbol_latex(name: str) -> str:
     """Return a symbol of the papers in LaTeX."""
-    return str(_Latex().doprint(sympy.Symbol(symbol)))
-
-
-def _apart(power: Any) -> Any:
-    """Put brackets round a number with a unit that is raised to a power."""
-    base, exponent = power.args
-    if base.is_Symbol and " " in base.name and exponent != -1:
-        return sympy.Pow(sympy.Symbol(f"({base.name})"), exponent, evaluate=False)
-    return power
-
-
-def _is_negative(term: Any) -> bool:
-    """Whether a term of a sum is written with a minus."""
-    number = term.args[0] if isinstance(term, sympy.Mul) else term
-    return bool(number.is_Integer and number < 0)
-
-
-def _negated(term: Any) -> Any:
-    """Return a negative term without its minus."""
-    if not isinstance(term, sympy.Mul):
-        return -term
-    number, *rest = term.args
-    factors = rest if number == -1 else [-number, *rest]
-    return factors[0] if len(factors) == 1 else sympy.Mul(*factors, evaluate=False)
-
-
-class _Text(StrPrinter):  # type: ignore[misc]
-    """One-line Unicode: a raised dot for products, no space around it."""
-
-    def _print_Mul(self, expr: Any) -> str:  # noqa: N802
-        return str(super()._print_Mul(expr)).replace("*", "·").replace("··", "**")
-
-    def _print_Add(self, expr: Any, order: Any = None) -> str:  # noqa: N802
-        text = ""
-        for term in expr.args:
-            minus = _is_negative(term)
-            shown = self.parenthesize(_negated(term) if minus else term, PRECEDENCE["Add"])
-            text += (" - " if minus else " + ") + shown if text else ("-" if minus else "") + shown
-        return text
-
-    def _print_Pow(self, expr: Any, rational: bool = False) -> str:  # noqa: N802
-        return str(super()._print_Pow(_apart(expr), rational)).replace("**", "^")
-
-
-class _Latex(LatexPrinter):  # type: ignore[misc]
-    """LaTeX whose symbols are taken as they are: names with a unit, or the papers' own with an index."""
-
-    def _print_Symbol(self, expr: Any, style: str = "plain") -> str:  # noqa: N802
-        name = str(expr.name)
-        if "\\" in name or name[:1].isdigit() or name[:1] == "-":
-            return name
-        for letter, command in _GREEK.items():
-            name = name.replace(letter, command)
-        indexed = _INDEXED.sub(r"\1_{\\text{\2}}", name.replace("'", "^{\\prime}"))
-        return _FUNCTION.sub(r"\\\1 ", indexed)
+    if "\\" in name or name[:1].isdigit() or name[:1] == "-":
+        return name
+    for letter, command in _GREEK.items():
+        name = name.replace(letter, command)
+    indexed = _INDEXED.sub(r"\1_{\\text{\2}}", name.replace("'", "^{\\prime}"))
+    return _FUNCTION.sub(r"\\\1 ", indexed)
 
 
 _GREEK = {

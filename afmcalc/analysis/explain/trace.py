@@ -5,14 +5,16 @@ from contextlib import contextmanager
 from functools import wraps
 from importlib import import_module
 from inspect import signature
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 from ...equations.catalogue import Equation, equations
 from ...spec import Spec
 from ...spec.models import Friction, Range
+from ...variants import Law
 
-_LAWS = ("direct", "indirect")
+_LAWS = get_args(Law)
 """Modules of equations whose results are for the friction that their arguments are for."""
+_RETURNING = "indirect.net_gain_returning"
 _FRICTION = ("friction", "friction_driven", "friction_driving")
 """Arguments that say for which friction an equation is evaluated."""
 
@@ -70,7 +72,7 @@ class Call(NamedTuple):
         symbol, value = self.equation.arguments[name].symbol, self.arguments[name]
         if not isinstance(value, Marked):
             return symbol
-        if symbol == "κ" and value.origin == "indirect.net_gain_returning":
+        if symbol == "κ" and value.origin == _RETURNING:
             return "κ₊"
         if value.end and symbol in ("f_1", "f_2"):
             return symbol + value.end
@@ -78,25 +80,31 @@ class Call(NamedTuple):
 
     @property
     def at(self) -> str | None:
-        """Which friction the value is for."""
+        """Which friction the value is for; on the returning branch also that, or from which friction it returns."""
+        own = self._own
+        if self.equation.name.partition(".")[0] not in _LAWS:
+            return own
+        marked = [value for value in self.arguments.values() if isinstance(value, Marked) and not value.end]
+        if own and any(value.origin == _RETURNING for value in marked):
+            return f"{own}, returning"
+        others = {value.at for value in marked if value.at}
+        if len(others) != 1 or "friction_set" in self.arguments:
+            return own
+        (other,) = others
+        return other if own in (None, other.removesuffix(", returning")) else f"{own} after {other}"
+
+    @property
+    def _own(self) -> str | None:
+        """What the friction among the arguments says."""
         own = [name for name in _FRICTION if name in self.arguments]
         if not own:
-            return self._inherited
-        ends = {getattr(self.arguments[name], "end", "") for name in own}
-        if len(ends) > 1:
+            return None
+        if len({getattr(self.arguments[name], "end", "") for name in own}) > 1:
             return ", ".join(self.symbol(name) for name in reversed(own))
         value = self.arguments[own[0]]
         if isinstance(value, Marked) and value.end:
             return value.at
         return f"{self.equation.arguments[own[0]].symbol} = {value:g}"
-
-    @property
-    def _inherited(self) -> str | None:
-        """Of a law's values: what all its arguments are for that are for any friction, the setting's apart."""
-        if self.equation.name.partition(".")[0] not in _LAWS or any(n.startswith("friction") for n in self.arguments):
-            return None
-        found = {value.at for value in self.arguments.values() if isinstance(value, Marked) and value.at}
-        return found.pop() if len(found) == 1 else None
 
 
 @contextmanager

@@ -1,30 +1,40 @@
 """From a wanted quantity back to one parameter: closed where the law can be inverted, else a bracketed root."""
 
 import math
-from collections.abc import Callable
-from typing import Any, Literal, NamedTuple
+from typing import Literal, TypeGuard
 
+import numpy as np
+
+from ...arrays import Floats
 from ...engines import build
 from ...engines.protocol import Clutch
-from ...errors import AfmcalcError, CalculationError, SpecError
-from ...findings import Finding
+from ...errors import AfmcalcError, CalculationError
+from ...findings import Finding, finding
+from ...messages import say
 from ...result import Result, quantity
-from ...spec import Spec, make_spec, resolved
-from ...spec.edit import ALTERNATIVES, put, value_at, with_value
+from ...spec import Spec
+from ...spec.edit import replaced_findings, respecified, with_key
 from ...spec.paths import ALIASES, is_whole
 from ...spec.rules import variants_of
 from ...spec.suggest import did_you_mean
+from .domain import SAME, Domain, domain_of
 from .inverses import closed_inverse
+from .search import Curve, Function, explore, roots
 from .targets import TARGETS, scatter
 
 NAMES = ("C", "F", "z", "z1", "R", "c1", "c2")
 """Parameters that can be solved for, by symbol."""
 
 _UNITS = {"C": "1", "F": "N", "z": "1", "z1": "1", "R": "m", "c1": "N/m", "c2": "N/m"}
-_REPLACED = {**ALTERNATIVES, "closing_spring.force": ("adjustment.nominal_torque",)}
-"""Keys that a solved one takes the place of; a force solved for replaces the torque it was set for."""
-_SAME = 1e-9
-"""Relative tolerance within which a wanted value counts as reached."""
+
+
+class NotAttainableError(CalculationError):
+    """No value gives what is wanted; ``best`` is the nearest there is, ``at`` where, None where only approached."""
+
+    def __init__(self, message: str, best: float, at: float | None) -> None:
+        """Say it, and keep the numbers."""
+        super().__init__(message)
+        self.best, self.at = best, at
 
 
 class SolveResult(Result):
@@ -48,18 +58,10 @@ class SolveResult(Result):
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
 
 
-class Domain(NamedTuple):
-    """Values a parameter may take; ``why`` says what ends it above."""
-
-    low: float
-    high: float
-    why: str
-
-
 def solve(
     clutch: Clutch, name: str, target: str, wanted: float, *, beyond_limit: bool = False
 ) -> tuple[SolveResult, Clutch, list[Finding]]:
-    """Find the value of a parameter that gives a clutch a wanted quantity.
+    """Find the value of a parameter that gives a clutch a wanted quantity: the smallest, others in a finding.
 
     Args:
         clutch: the clutch to start from.
@@ -72,33 +74,48 @@ def solve(
         The result, the clutch with the value in it, and findings.
 
     Raises:
-        CalculationError: not attainable; the message gives the best and where it is reached.
-        AfmcalcError: the parameter is none of the variant's, or the target does not depend on it.
+        NotAttainableError: the message gives the best and where it is reached.
+        CalculationError: the target does not depend on the parameter.
+        AfmcalcError: the parameter is none of the variant's.
     """
     path = _path(clutch.spec, name)
-    domain = _domain(clutch, name, beyond_limit)
 
-    def value(x: float) -> float:
-        return float(TARGETS[target].value(build(with_parameter(clutch.spec, path, x))))
+    def function(at: Floats) -> Floats:
+        with np.errstate(all="ignore"):
+            value = TARGETS[target].value(build(with_key(clutch.spec, path, at)))
+        return np.broadcast_to(np.asarray(value, float), at.shape)
 
-    found, method = _exact(clutch, name, target, wanted, domain, value)
-    chosen = found
-    if is_whole(path):
-        chosen = _whole(found, wanted, target, domain, value)
-    if chosen is None:
-        raise CalculationError(_not_attainable(name, target, wanted, domain, value))
-    solved = build(solved_spec(clutch.spec, path, chosen))
+    domain = domain_of(clutch, name, beyond_limit=beyond_limit)
+    curve = explore(function, wanted, domain)
+    if len(curve.at) > 1 and np.ptp(curve.value) <= 1e-12 * abs(curve.value[0]):
+        level = _with_unit(float(curve.value[0]), TARGETS[target].unit)
+        raise CalculationError(
+            say(
+                "{target} does not depend on {name} here: it is {level} for every value",
+                target=target,
+                name=name,
+                level=level,
+            )
+        )
+    found = roots(function, wanted, curve)
+    exact = _closed(clutch, name, target, wanted, curve, function)
+    if exact is not None:
+        found = sorted([exact, *(root for root in found if not _alike(root, exact))])
+    chosen = _whole(found, wanted, target, domain, function) if is_whole(path) else found
+    if not chosen:
+        raise _not_attainable(name, target, wanted, domain, curve, function)
+    solved = build(respecified(clutch.spec, {path: chosen[0]}))
     result = SolveResult(
         parameter=name,
         path=path,
         unit=_UNITS[name],
-        value=chosen,
-        exact_value=found if is_whole(path) else None,
+        value=chosen[0],
+        exact_value=(found[0] if found else None) if is_whole(path) else None,
         target=target,
         target_unit=TARGETS[target].unit,
         wanted=wanted,
         reached=TARGETS[target].value(solved),
-        method=method,
+        method="closed-form" if found and found[0] == exact else "bracketed-root",
         gain=solved.gain,
         closing_force=solved.closing_force,
         nominal_torque=solved.nominal_torque,
@@ -106,192 +123,134 @@ def solve(
         scatter=scatter(solved),
         accuracy_factor=solved.accuracy_factor,
     )
-    return result, solved, [*solved.findings(), *_replaced(clutch.spec, path)]
+    replaced = replaced_findings(clutch.spec, [path], "solve-replaces")
+    return result, solved, [*solved.findings(), *replaced, *_others(name, path, target, wanted, chosen[1:])]
 
 
 def _path(spec: Spec, name: str) -> str:
     """Spec path of a parameter; refuse one that the variant does not have."""
     if name not in NAMES:
-        raise AfmcalcError(f"--for {name}: cannot be solved for{did_you_mean(name, NAMES)}; one of {', '.join(NAMES)}")
+        raise AfmcalcError(
+            say(
+                "--for {name}: cannot be solved for{hint}; one of {names}",
+                name=name,
+                hint=did_you_mean(name, NAMES),
+                names=", ".join(NAMES),
+            )
+        )
     path = ALIASES[name]
     if (only := variants_of(path)) and spec.variant not in only:
-        raise AfmcalcError(f"--for {name}: {path} is only for {', '.join(only)}, not {spec.variant!r}")
+        raise AfmcalcError(
+            say(
+                "--for {name}: {path} is only for {only}, not {variant!r}",
+                name=name,
+                path=path,
+                only=", ".join(only),
+                variant=spec.variant,
+            )
+        )
     return path
 
 
-def with_parameter(spec: Spec, path: str, x: float) -> Spec:
-    """Return the spec with an unvalidated (real) value at a path, its alternatives taken out."""
-    for other in _REPLACED.get(path, ()):
-        if value_at(spec, other) is not None:
-            spec = with_value(spec, other.split("."), None)
-    changed: Spec = with_value(spec, path.split("."), x)
-    return changed
-
-
-def solved_spec(spec: Spec, path: str, x: float) -> Spec:
-    """Return the validated spec with the value found."""
-    data = resolved(spec)
-    for other in _REPLACED.get(path, ()):
-        put(data, other, None)
-    put(data, path, int(x) if is_whole(path) else x)
-    return make_spec(data)
-
-
-def _replaced(spec: Spec, path: str) -> list[Finding]:
-    found = []
-    for other in _REPLACED.get(path, ()):
-        if value_at(spec, other) is not None:
-            message = f"{other} of the spec gives way to the {path} found"
-            found.append(Finding(level="info", code="solve-replaces", message=message, path=other))
-    return found
-
-
-def _domain(clutch: Clutch, name: str, beyond_limit: bool) -> Domain:
-    """Return where to look: up to the gain limit, whole numbers of pairs as the variant allows."""
-    spec, limit, rule = clutch.spec, clutch.gain_limit, clutch.spec.kind.gain_limit
-    if name == "C":
-        low = float(clutch.gain_threshold or 0.0)
-        if limit is None or rule is None or beyond_limit:
-            return Domain(low, math.inf, "")
-        return Domain(low, float(limit), f"the gain limit {rule.rule}")
-    most = None
-    if rule is not None and clutch.gain > 0 and not beyond_limit:
-        most = math.floor(rule.most(float(clutch.gain), clutch.friction[0].max) * (1 + _SAME))
-    if name == "z":
-        low = float(spec.least_pairs)
-        if most is not None and rule is not None and rule.reduced is not None:
-            return Domain(low, max(low, spec.bypass_pairs + most), f"the gain limit {rule.rule}")
-        return Domain(low, math.inf, "")
-    if name == "z1":
-        all_but_one = spec.friction_group.pairs - 1
-        if most is not None and rule is not None and rule.reduced is None and 1 <= most < all_but_one:
-            return Domain(1.0, float(most), f"the gain limit {rule.rule}")
-        return Domain(1.0, float(all_but_one), "one driven pair at least")
-    return Domain(0.0, math.inf, "")
-
-
-def _exact(
-    clutch: Clutch, name: str, target: str, wanted: float, domain: Domain, value: Callable[[float], float]
-) -> tuple[float | None, Literal["closed-form", "bracketed-root"]]:
-    """Real value that gives the wanted one, within the domain; None when there is none."""
+def _closed(clutch: Clutch, name: str, target: str, wanted: float, curve: Curve, function: Function) -> float | None:
+    """Value that the closed inverse gives; None where there is none, or it lies off the curve."""
     inverse = closed_inverse(clutch, name, target)
-    if inverse is not None:
-        try:
-            x = inverse(clutch, wanted)
-        except (ZeroDivisionError, OverflowError):
-            x = math.nan
-        within = domain.low * (1 - _SAME) <= x <= domain.high * (1 + _SAME)
-        if within and math.isfinite(x):
-            x = min(max(x, domain.low), domain.high)
-            if _close(_at(value, x), wanted):
-                return x, "closed-form"
-    return _root(value, wanted, domain), "bracketed-root"
-
-
-def _at(value: Callable[[float], float], x: float) -> float:
-    """Value at x; NaN where there is no clutch."""
-    try:
-        return value(x)
-    except (SpecError, ZeroDivisionError, OverflowError):
-        return math.nan
-
-
-def _close(a: float, b: float) -> bool:
-    return abs(a - b) <= _SAME * abs(b)
-
-
-_STEPS = 400
-
-
-def _samples(domain: Domain) -> list[float]:
-    """Values over the domain from below; logarithmic where it has no end."""
-    if math.isfinite(domain.high):
-        return [domain.low + (domain.high - domain.low) * i / _STEPS for i in range(_STEPS + 1)]
-    return [domain.low, *(domain.low + 10 ** (-9 + 24 * i / _STEPS) for i in range(_STEPS + 1))]
-
-
-def _root(value: Callable[[float], float], wanted: float, domain: Domain) -> float | None:
-    """First x at which the value is the wanted one, by bisection of a bracket; None without one."""
-    samples = _samples(domain)
-    if not math.isfinite(domain.high) and _close(_at(value, samples[-1]), wanted):
-        # the limit itself: numbers reach it by rounding, no clutch does
+    if inverse is None or not len(curve.at):
         return None
-    before: tuple[float, float] | None = None
-    for x in samples:
-        here = _at(value, x) - wanted
-        if math.isnan(here):
-            continue
-        if abs(here) <= 1e-14 * abs(wanted):
-            return x
-        if before is not None and before[1] * here < 0:
-            return _bisect(value, wanted, before, x)
-        before = x, here
-    return None
+    # a number of NumPy: what has no answer is NaN, not an exception of a kind of its own for each equation
+    with np.errstate(all="ignore"):
+        exact = inverse(np.float64(wanted))
+    low, high = float(curve.at[0]), float(curve.at[-1])
+    if not low * (1 - SAME) <= exact <= high * (1 + SAME):
+        return None
+    exact = min(max(exact, low), high)
+    return exact if abs(float(function(np.array([exact]))[0]) - wanted) <= SAME * wanted else None
 
 
-def _bisect(value: Callable[[float], float], wanted: float, start: tuple[float, float], high: float) -> float | None:
-    """Narrow a bracket to the last bit; None where the sign changes by a jump, not by a root."""
-    low, sign = start
-    for _ in range(2000):
-        middle = (low + high) / 2
-        if middle in (low, high):
-            break
-        if (_at(value, middle) - wanted) * sign > 0:
-            low = middle
-        else:
-            high = middle
-    return high if abs(_at(value, high) - wanted) <= 1e-6 * abs(wanted) else None
+def _alike(root: float, exact: float) -> bool:
+    return abs(root - exact) <= 1e-6 * abs(exact)
 
 
-def _whole(
-    found: float | None, wanted: float, target: str, domain: Domain, value: Callable[[float], float]
-) -> float | None:
-    """Whole number that meets the wanted value: next to the real one, or the end of the domain that does."""
-    meets = _meets(target, wanted, value)
-    if found is not None:
-        nearest = {float(math.floor(found * (1 + 1e-12))), float(math.ceil(found * (1 - 1e-12)))}
-        near = sorted((x for x in nearest if domain.low <= x <= domain.high), key=lambda x: abs(x - found))
-    else:
-        near = [domain.low, *([domain.high] if math.isfinite(domain.high) else [])]
-        near.sort(key=lambda x: abs(_at(value, x) - wanted))
-    return next((x for x in near if meets(x)), None)
+def _whole(found: list[float], wanted: float, target: str, domain: Domain, function: Function) -> list[float]:
+    """Whole numbers that meet the wanted value: next to each real one, else the end of the domain that does."""
+    tried = [_nearest(root, domain) for root in found]
+    ends = np.array([end for end in (domain.low, domain.high) if math.isfinite(end)])
+    tried.append(ends[np.argsort(np.abs(function(ends) - wanted), kind="stable")].tolist())
+    meeting = [[x for x in near if _meets(x, wanted, target, function)][:1] for near in tried]
+    numbers = list(dict.fromkeys(x for near in meeting[:-1] for x in near))
+    return numbers or meeting[-1]
 
 
-def _meets(target: str, wanted: float, value: Callable[[float], float]) -> Callable[[float], bool]:
-    def meets(x: float) -> bool:
-        here = _at(value, x)
-        if TARGETS[target].better == "low":
-            return here <= wanted * (1 + _SAME)
-        return here >= wanted * (1 - _SAME)
-
-    return meets
+def _nearest(root: float, domain: Domain) -> list[float]:
+    """Whole numbers beside a real one, the nearer first."""
+    beside = {float(math.floor(root * (1 + 1e-12))), float(math.ceil(root * (1 - 1e-12)))}
+    return sorted((x for x in beside if domain.low <= x <= domain.high), key=lambda x: abs(x - root))
 
 
-def _not_attainable(name: str, target: str, wanted: float, domain: Domain, value: Callable[[float], float]) -> str:
+def _meets(x: float, wanted: float, target: str, function: Function) -> bool:
+    here = float(function(np.array([x]))[0])
+    return here <= wanted * (1 + SAME) if TARGETS[target].better == "low" else here >= wanted * (1 - SAME)
+
+
+def _others(name: str, path: str, target: str, wanted: float, others: list[float]) -> list[Finding]:
+    """Name every further value that gives what is wanted."""
+    if not others:
+        return []
+    listed = ", ".join(f"{name} = {_with_unit(x, _UNITS[name])}" for x in others)
+    given = _with_unit(wanted, TARGETS[target].unit)
+    return [
+        finding("solve-another-value", "info", value=others[0], path=path, target=target, wanted=given, others=listed)
+    ]
+
+
+def _not_attainable(
+    name: str, target: str, wanted: float, domain: Domain, curve: Curve, function: Function
+) -> CalculationError:
     """Say what is nearest to the wanted value, and where."""
-    whole = is_whole(ALIASES[name])
-    tried = [float(round(x)) for x in _samples(domain)] if whole else _samples(domain)
-    states = [(x, here) for x in tried if domain.low <= x <= domain.high and not math.isnan(here := _at(value, x))]
-    if not states:
-        return f"{target} = {wanted:.6g} is not attainable by {name}: no value of {name} gives a clutch"
-    values = [here for _, here in states]
-    if max(values) - min(values) <= 1e-12 * abs(max(values)):
-        return f"{target} does not depend on {name} here: it is {values[0]:.6g} {_unit(target)}for every value".rstrip()
-    best_at, best = min(states, key=lambda state: (abs(state[1] - wanted), state[0]))
-    unit = _unit(target)
-    if not math.isfinite(domain.high) and abs(best - states[-1][1]) <= _SAME * abs(best):
-        where = f"approached as {name} grows without end"
-    elif best_at == domain.low and domain.low == 0 and name != "C":
-        where = f"approached as {name} goes to 0"
-    else:
-        at = f"{best_at:.6g} {_UNITS[name]}".removesuffix(" 1")
-        why = f" ({domain.why})" if best_at == domain.high and domain.why else ""
-        where = f"reached at {name} = {at}{why}"
-    return f"{target} = {wanted:.6g} {unit}is not attainable by {name}: the best is {best:.6g} {unit}, {where}".replace(
-        " ,", ","
+    unit = TARGETS[target].unit
+    asked = {"target": target, "wanted": _with_unit(wanted, unit), "name": name}
+    at, value = curve.at, curve.value
+    if is_whole(ALIASES[name]) and len(at):
+        at = np.unique(np.clip(np.concatenate([np.floor(at), np.ceil(at)]), domain.low, domain.high))
+        value = function(at)
+    if not len(at):
+        return CalculationError(
+            say("{target} = {wanted} is not attainable by {name}: no value of {name} gives a clutch", **asked)
+        )
+    # nothing reaches the wanted value, so all lie on one side of it
+    side = np.sign(wanted - value[0])
+    rank = side * value
+    tied = np.flatnonzero(rank >= rank.max() - 1e-13 * abs(rank.max()))
+    best = tied[-1] if at[tied[-1]] == domain.high else tied[0]
+    nearest, place = float(value[best]), float(at[best])
+
+    def nearer(limit: float | None) -> TypeGuard[float]:
+        return limit is not None and bool(side * (limit - nearest) > 1e-12 * abs(limit))
+
+    if nearer(limit := curve.limit_low):
+        message = say(
+            "{target} = {wanted} is not attainable by {name}: the best is {best}, approached as {name} goes to 0",
+            **asked,
+            best=_with_unit(limit, unit),
+        )
+        return NotAttainableError(message, limit, None)
+    if nearer(limit := curve.limit_high):
+        message = say(
+            "{target} = {wanted} is not attainable by {name}: the best is {best}, "
+            "approached as {name} grows without end",
+            **asked,
+            best=_with_unit(limit, unit),
+        )
+        return NotAttainableError(message, limit, None)
+    message = say(
+        "{target} = {wanted} is not attainable by {name}: the best is {best}, reached at {name} = {place}{why}",
+        **asked,
+        best=_with_unit(nearest, unit),
+        place=_with_unit(place, _UNITS[name]),
+        why=f" ({domain.why})" if place == domain.high and domain.why else "",
     )
+    return NotAttainableError(message, nearest, place)
 
 
-def _unit(target: str) -> str:
-    unit: Any = TARGETS[target].unit
-    return "" if unit == "1" else f"{unit.replace('*', '·')} "
+def _with_unit(value: float, unit: str) -> str:
+    return f"{value:.6g} {unit.replace('*', '·')}".removesuffix(" 1")

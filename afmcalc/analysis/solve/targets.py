@@ -1,11 +1,13 @@
 """Quantities that a design can be asked for: solve aims at them."""
 
 from collections.abc import Callable
-from typing import Any, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
-from ...arrays import larger, smaller
+from ...arrays import Values, larger, smaller
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
+from ...messages import say
+from ...spec.quantity import parse_quantity
 from ...spec.suggest import did_you_mean
 
 
@@ -14,31 +16,31 @@ class Target(NamedTuple):
 
     unit: str
     description: str
-    value: Callable[[Clutch], Any]
+    value: Callable[[Clutch], Values]
     better: Literal["low", "high"]
     """Which side of the wanted value still meets it, where only whole numbers can be chosen."""
 
 
-def _ends(clutch: Clutch) -> tuple[Any, Any]:
+def _ends(clutch: Clutch) -> tuple[Values, Values]:
     first, second = clutch.friction
     return clutch.torque(first.min, second.min), clutch.torque(first.max, second.max)
 
 
-def torque_min(clutch: Clutch) -> Any:
+def torque_min(clutch: Clutch) -> Values:
     """Smallest sustained torque along the common path, N·m."""
     return smaller(*_ends(clutch))
 
 
-def scatter(clutch: Clutch) -> Any:
+def scatter(clutch: Clutch) -> Values:
     """Width of the torque scatter band ΔT, N·m."""
     low, high = _ends(clutch)
     return larger(low, high) - smaller(low, high)
 
 
-def _travel(clutch: Clutch) -> Any:
-    travel = clutch.travel(clutch.friction[0].max)
+def _travel(clutch: Clutch) -> Values:
+    travel: Values | None = clutch.travel(clutch.friction[0].max)
     if travel is None:
-        raise AfmcalcError("travel_max is only of an indirect clutch: a direct one has no sleeve")
+        raise AfmcalcError(say("travel_max is only of an indirect clutch: a direct one has no sleeve"))
     return travel
 
 
@@ -65,21 +67,26 @@ def parse_target(text: str) -> tuple[str, float]:
     Raises:
         AfmcalcError: no such target, or no such value.
     """
-    from ...spec.quantity import parse_quantity
-
     name, separator, given = (part.strip() for part in text.partition("="))
     if name not in TARGETS:
         known = ", ".join(TARGETS)
-        raise AfmcalcError(f"{text!r} is no target{did_you_mean(name, TARGETS)}; write NAME=VALUE, NAME one of {known}")
+        raise AfmcalcError(
+            say(
+                "{text!r} is no target{hint}; write NAME=VALUE, NAME one of {known}",
+                text=text,
+                hint=did_you_mean(name, TARGETS),
+                known=known,
+            )
+        )
     if not separator or not given:
-        raise AfmcalcError(f"{text}: write {name}=VALUE")
+        raise AfmcalcError(say("{text}: write {name}=VALUE", text=text, name=name))
     unit = TARGETS[name].unit
     try:
         value = parse_quantity(_number_or_text(given), unit)
     except ValueError as error:
-        raise AfmcalcError(f"{text}: {error}") from None
+        raise AfmcalcError(say("{text}: {why}", text=text, why=error)) from None
     if not value > 0:
-        raise AfmcalcError(f"{text}: must be greater than 0")
+        raise AfmcalcError(say("{text}: must be greater than 0", text=text))
     return name, value
 
 

@@ -4,14 +4,22 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 from statistics import NormalDist
-from typing import Any, Literal
+from typing import Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ...errors import CalculationError
+from ...messages import say
 from ...spec import Spec
 from ...spec.edit import value_at
-from ...spec.tolerance import FRICTION, Distribution, percentage, physical_limits, unit_at
+from ...spec.paths import physical_limits, unit_at
+from ...spec.tolerance import FRICTION, Distribution, percentage
 
+Array: TypeAlias = NDArray[np.float64]
 _NORMAL = NormalDist()
+_NEVER = 1e-20
+"""Probability that no sample is large enough to meet."""
 _LEAST_MASS = 1e-3
 """Share of a distribution that its limits must leave for it to be drawn at all."""
 
@@ -66,10 +74,19 @@ class Input:
         """Probabilities at the limits; the part between them is what remains."""
         return self.cdf(self.limits[0]), self.cdf(self.limits[1])
 
-    def quantiles(self, u: Any) -> Any:
-        """Value at each probability of an array, truncation included."""
-        import numpy as np
+    @property
+    def kinks(self) -> list[float]:
+        """Probabilities at which the quantile function has a kink."""
+        return [self.share_below(self.center)] if self.kind == "triangular" else []
 
+    def share_below(self, x: float) -> float:
+        """Probability below x, truncation included."""
+        below, above = self.mass
+        share = (self.cdf(x) - below) / (above - below) if above > below else float(x >= self.center)
+        return min(max(share, 0.0), 1.0)
+
+    def quantiles(self, u: Array) -> Array:
+        """Value at each probability of an array, truncation included."""
         below, above = self.mass
         u = below + u * (above - below)
         if self.kind in ("normal", "lognormal"):
@@ -80,39 +97,29 @@ class Input:
             values = self._between(u)
         return np.clip(values, *self.limits)
 
-    def draw(self, stream: Any, into: Any) -> None:
-        """Fill an array from a stream of random numbers; what falls outside the limits is drawn again."""
-        import numpy as np
-
+    def draw(self, stream: np.random.Generator, into: Array) -> None:
+        """Fill an array from a stream of random numbers; of a normal one, what falls outside the limits again."""
+        if self.kind in ("uniform", "triangular"):
+            stream.random(out=into)
+            into[...] = self.quantiles(into)
+            return
         self._fill(stream, into)
         low, high = self.limits
-        while (low > -math.inf and into.min() < low) or (high < math.inf and into.max() > high):
+        while (self.mass[0] > _NEVER and into.min() < low) or (high < math.inf and into.max() > high):
             outside = np.flatnonzero((into < low) | (into > high))
             again = np.empty(outside.size)
             self._fill(stream, again)
             into[outside] = again
 
-    def from_scores(self, z: Any) -> Any:
-        """Value at each standard normal score of an array (the correlated pair)."""
-        return self.quantiles(normal_probability(z))
+    def _fill(self, stream: np.random.Generator, into: Array) -> None:
+        a, b = self.scores
+        stream.standard_normal(out=into)
+        into *= b
+        into += a
+        if self.kind == "lognormal":
+            np.exp(into, out=into)
 
-    def _fill(self, stream: Any, into: Any) -> None:
-        import numpy as np
-
-        if self.kind in ("normal", "lognormal"):
-            a, b = self.scores
-            stream.standard_normal(out=into)
-            into *= b
-            into += a
-            if self.kind == "lognormal":
-                np.exp(into, out=into)
-            return
-        stream.random(out=into)
-        into[...] = self._between(into)
-
-    def _between(self, u: Any) -> Any:
-        import numpy as np
-
+    def _between(self, u: Array) -> Array:
         low, high = self.ends
         if self.kind == "uniform" or high == low:
             return low + (high - low) * u
@@ -124,6 +131,7 @@ class Input:
 
 def inputs_of(spec: Spec) -> list[Input]:
     """Return what scatters in a spec, in the order of its [tolerance] block."""
+    assert spec.tolerance is not None
     return [_input(spec, path, given) for path, given in spec.tolerance.fields.items()]
 
 
@@ -143,7 +151,9 @@ def _input(spec: Spec, path: str, given: Distribution) -> Input:
         if value is None and low is not None and high is not None:
             value = (low + high) / 2
         if value is None:
-            raise CalculationError(f"tolerance.fields.{path}: the spec has no {path} to scatter; give center")
+            raise CalculationError(
+                say("tolerance.fields.{path}: the spec has no {path} to scatter; give center", path=path)
+            )
         center = float(value)
     share = percentage(given.spread)
     spread = abs(center) * share if share is not None else _float(given.spread)
@@ -153,44 +163,54 @@ def _input(spec: Spec, path: str, given: Distribution) -> Input:
         ends, spread = (low, high), (high - low) / 2
         if given.distribution == "triangular" and not low <= center <= high:
             raise CalculationError(
-                f"tolerance.fields.{path}: the peak {center:g} is not between min {low:g} and max {high:g}"
+                say(
+                    "tolerance.fields.{path}: the peak {center:g} is not between min {low:g} and max {high:g}",
+                    path=path,
+                    center=center,
+                    low=low,
+                    high=high,
+                )
             )
     else:
         ends = center - spread, center + spread
         limits = max(limits[0], -math.inf if low is None else low), min(limits[1], math.inf if high is None else high)
     if given.distribution == "lognormal" and not center > 0:
-        raise CalculationError(f"tolerance.fields.{path}: a lognormal center must be greater than 0")
+        raise CalculationError(say("tolerance.fields.{path}: a lognormal center must be greater than 0", path=path))
     found = Input(path, unit, given.distribution, center, spread, ends, limits)
     below, above = found.mass
     if spread > 0 and not above - below > _LEAST_MASS:
         raise CalculationError(
-            f"tolerance.fields.{path}: the limits {limits[0]:g} to {limits[1]:g} leave nothing of the distribution"
+            say(
+                "tolerance.fields.{path}: the limits {low:g} to {high:g} leave nothing of the distribution",
+                path=path,
+                low=limits[0],
+                high=limits[1],
+            )
         )
     return found
 
 
-def _float(value: Any) -> float | None:
+def _float(value: float | str | None) -> float | None:
     return None if value is None else float(value)
 
 
-def normal_score(u: Any) -> Any:
+def normal_score(u: Array) -> Array:
     """Inverse of the normal distribution over an array; SciPy's where it is installed, else the standard library's."""
-    import numpy as np
-
+    # 0 and 1 have no score; a probability so near to them is not told apart anyway
+    inside: Array = np.clip(u, 1e-300, 1 - 2**-53)
     try:
         from scipy.special import ndtri
     except ImportError:
-        tiny = np.clip(u, 1e-300, 1 - 2**-53)
-        return np.fromiter(map(_NORMAL.inv_cdf, tiny.ravel()), float, tiny.size).reshape(tiny.shape)
-    return ndtri(u)
+        return np.fromiter(map(_NORMAL.inv_cdf, inside.ravel()), float, inside.size).reshape(inside.shape)
+    found: Array = ndtri(inside)
+    return found
 
 
-def normal_probability(z: Any) -> Any:
+def normal_probability(z: Array) -> Array:
     """Normal distribution over an array."""
-    import numpy as np
-
     try:
         from scipy.special import ndtr
     except ImportError:
         return np.fromiter(map(_NORMAL.cdf, z.ravel()), float, z.size).reshape(z.shape)
-    return ndtr(z)
+    found: Array = ndtr(z)
+    return found

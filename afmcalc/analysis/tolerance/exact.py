@@ -1,12 +1,16 @@
 """The exact answer where only friction varies: torque is monotone in it, so quantiles map to quantiles."""
 
-from collections.abc import Callable, Sequence
-from typing import Any
+from collections.abc import Callable
 
-from .run import damage_rates
-from .sampling import Model
+import numpy as np
 
-_EDGES = (0.0, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.15, 0.3, 0.5)
+from ...arrays import Values
+from ...engines.laws import IndirectLaw
+from ...equations.life import cycles_of_mean_damage
+from .distributions import Array, Input
+from .model import Model
+from .quadrature import panels
+from .service import damage_of, unprotected
 
 
 class Exact:
@@ -18,29 +22,23 @@ class Exact:
         self._u, self._weights = _nodes(model)
         self._torque = self._at(self._u)
 
-    def _at(self, u: Any) -> Any:
-        return self.model.torque([each.quantiles(u) for each in self.model.inputs])
+    def _at(self, u: Array) -> Array:
+        return _torque_at(self.model, u)
 
     def quantile(self, p: float) -> float:
         """Torque not exceeded with probability p."""
-        import numpy as np
-
         return float(self._at(np.array([p if self.rising else 1 - p]))[0])
 
-    def mean_of(self, function: Callable[[Any], Any]) -> float:
+    def mean_of(self, function: Callable[[Array], Values]) -> float:
         """Expectation of a function of the torque."""
         return float((self._weights * function(self._torque)).sum())
 
     def below(self, torque: float) -> float:
         """Probability of a smaller torque."""
-        import numpy as np
-
         return float(self.all_below(np.array([torque]))[0])
 
-    def all_below(self, torques: Any) -> Any:
+    def all_below(self, torques: Array) -> Array:
         """Probability of a smaller torque, for each of an array, by bisection on the probability."""
-        import numpy as np
-
         low, high = np.zeros(torques.shape), np.ones(torques.shape)
         for _ in range(200):
             middle = (low + high) / 2
@@ -50,53 +48,46 @@ class Exact:
             low, high = np.where(smaller, middle, low), np.where(smaller, high, middle)
         return np.where(high < 1, low, 1.0)
 
-    def damages(self) -> tuple[float, float]:
-        """Expected damage of one slip on both sides."""
-        values = [each.quantiles(self._u) for each in self.model.inputs]
-        rates = damage_rates(self.model.clutch(values), self._torque)
-        first, second = (float((self._weights * rate).sum()) for rate in rates)
-        return first, second
+    def lives(self) -> tuple[float, float]:
+        """Slips to failure on both sides: all clutches are alike, and each sees the whole range of friction."""
+        clutch = self.model.clutch([each.center for each in self.model.inputs])
+        life = cycles_of_mean_damage(self.mean_of(lambda torque: damage_of(clutch, torque)))
+        return life, float(unprotected(clutch, life))
 
 
 def exact_of(model: Model) -> Exact | None:
     """Return the exact answer, or None where more than friction varies or torque is not monotone along it."""
-    import numpy as np
-
     names = {each.path for each in model.inputs}
     if not names <= {"friction", "friction.driving", "friction.driven"}:
         return None
     if len(names) > 1 and model.correlation != 1:
         return None
-    u = np.linspace(0, 1, 2001)[1:-1]
-    steps = np.diff(np.broadcast_to(model.torque([each.quantiles(u) for each in model.inputs]), u.shape))
+    steps = np.diff(_torque_at(model, np.linspace(0, 1, 2001)[1:-1]))
     if bool((steps >= 0).all()) or bool((steps <= 0).all()):
         return Exact(model, rising=bool(steps.sum() >= 0))
     return None
 
 
-def _nodes(model: Model) -> tuple[Any, Any]:
-    """Gauss–Legendre nodes on panels that are finer towards the tails and end at kinks of the distribution."""
-    import numpy as np
-
-    kinks = [each.cdf(each.center) for each in model.inputs if each.kind == "triangular"]
-    # the sleeve leaves its stop at f_set: a kink of the law
-    at = model.clutch([each.center for each in model.inputs]).friction_set
-    if at is not None:
-        kinks += [_share(each, float(at)) for each in model.inputs]
-    edges = sorted({*_EDGES, *(1 - edge for edge in _EDGES), *(k for k in kinks if 0 < k < 1)})
-    x, w = np.polynomial.legendre.leggauss(24)
-    return _panels(edges, x, w)
+def _torque_at(model: Model, u: Array) -> Array:
+    """Torque with every friction at a probability."""
+    return np.broadcast_to(model.torque([each.quantiles(u) for each in model.inputs]), u.shape)
 
 
-def _share(each: Any, x: float) -> float:
-    below, above = each.mass
-    return float((each.cdf(x) - below) / (above - below))
+def _nodes(model: Model) -> tuple[Array, Array]:
+    """Nodes of the probability, panels ending at kinks of the distribution and of the law."""
+    kinks = [kink for each in model.inputs for kink in each.kinks]
+    clutch = model.clutch([each.center for each in model.inputs])
+    law, force = clutch.law, clutch.closing_force
+    if isinstance(law, IndirectLaw):
+        kinks += [_lift(law, force, each) for each in model.inputs]
+    return panels(kinks)
 
 
-def _panels(edges: Sequence[float], x: Any, w: Any) -> tuple[Any, Any]:
-    import numpy as np
-
-    low, high = np.array(edges[:-1]), np.array(edges[1:])
-    half = (high - low) / 2
-    u = (low + half)[:, None] + half[:, None] * x
-    return u.ravel(), (half[:, None] * w).ravel()
+def _lift(law: IndirectLaw, closing_force: Values, friction: Input) -> float:
+    """Probability of a friction below which the sleeve rests at its stop: a kink of the law."""
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        middle = (low + high) / 2
+        seated = law.is_seated(closing_force, friction.quantiles(np.array([middle])))
+        low, high = (middle, high) if seated else (low, middle)
+    return low

@@ -1,56 +1,33 @@
-"""Histogram of the torque: the sample's own fine bins drawn together, or exact shares."""
+"""Histogram of the torque: bars of equal width, their probabilities by rank or exact."""
 
-from ...result import Result, quantity
+from collections.abc import Callable
+
+import numpy as np
+
+from .distributions import Array
 from .exact import Exact
-from .tally import BINS, Tally, quantiles
+from .ranked import Ranked
+from .result import Histogram
 
 CENTRAL = (0.0005, 0.9995)
 """Probabilities between whose quantiles the bars lie: a long tail would leave them no width."""
 _BARS = 60
 
 
-class Histogram(Result):
-    """Bars of equal width over the central part of the torque; none where the torque does not scatter."""
-
-    edges: list[float] = quantity("N*m", "T", "ends of the bars, one more than there are bars")
-    probabilities: list[float] = quantity("1", None, "probability of each bar")
-
-    @property
-    def densities(self) -> list[float]:
-        """Probability of each bar over its width, 1/(N·m)."""
-        ends = zip(self.edges, self.edges[1:], self.probabilities, strict=False)
-        return [probability / (high - low) for low, high, probability in ends]
-
-
-def histogram_of_sample(tally: Tally) -> Histogram:
-    """Draw the fine bins of a sample together, the fewer bars the smaller it is (2·∛n, at most 60)."""
-    import numpy as np
-
-    low, high = quantiles(tally, CENTRAL)
-    if _is_single(low, high):
-        return Histogram(edges=[], probabilities=[])
-    grid = tally.grid
-    first, last = (int(np.clip((end - grid.low) // grid.width, 0, BINS - 1)) for end in (low, high))
-    bars = min(_BARS, round(2 * tally.count ** (1 / 3)))
-    each = -(-(last + 1 - first) // bars)
-    count = -(-(last + 1 - first) // each)
-    fine = np.pad(tally.bins[first : first + count * each], (0, max(0, first + count * each - BINS)))
-    return Histogram(
-        edges=(grid.low + grid.width * (first + each * np.arange(count + 1))).tolist(),
-        probabilities=(fine.reshape(count, each).sum(axis=1) / tally.count).tolist(),
-    )
+def histogram_of_sample(torques: Ranked) -> Histogram:
+    """Histogram of a sample, the fewer bars the smaller it is (2·∛n, at most 60)."""
+    bars = min(_BARS, round(2 * torques.size ** (1 / 3)))
+    return _histogram(torques.quantile, torques.shares_below, bars)
 
 
 def histogram_of_exact(exact: Exact) -> Histogram:
     """Exact probability of each bar."""
-    import numpy as np
+    return _histogram(exact.quantile, exact.all_below, _BARS)
 
-    low, high = (exact.quantile(p) for p in CENTRAL)
-    if _is_single(low, high):
+
+def _histogram(quantile: Callable[[float], float], below: Callable[[Array], Array], bars: int) -> Histogram:
+    low, high = (quantile(p) for p in CENTRAL)
+    if high - low <= 1e-9 * abs(high):
         return Histogram(edges=[], probabilities=[])
-    edges = np.linspace(low, high, _BARS + 1)
-    return Histogram(edges=edges.tolist(), probabilities=np.diff(exact.all_below(edges)).tolist())
-
-
-def _is_single(low: float, high: float) -> bool:
-    return high - low <= 1e-9 * abs(high)
+    edges = np.linspace(low, high, bars + 1)
+    return Histogram(edges=edges.tolist(), probabilities=np.diff(below(edges)).tolist())

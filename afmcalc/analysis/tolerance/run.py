@@ -1,24 +1,33 @@
-"""The torque of a clutch over a sample of what scatters, block by block, in threads."""
+"""The sampling run: the torque of a clutch over a sample of what scatters, cell by cell, in threads."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
-from ...engines.protocol import Clutch
-from ...equations import life as law
-from .sampling import CELL, REPLICATES, Model, Stream, cells, in_threads, sizes
-from .tally import Grid, Tally
+import numpy as np
+
+from ...errors import CalculationError
+from ...messages import say
+from .bins import Grid
+from .distributions import Array
+from .model import Model
+from .service import life_of, service_of, unprotected
+from .streams import CELL, REPLICATES, Stream, cells, in_threads, sizes
+from .tally import Tally
+
+POPULATION = 200_000
+"""Clutches whose life is calculated, at most: each is asked at every node of its service."""
+_LEAST_CLUTCHES = 2
+"""In each replicate: one has no spread."""
 
 
 @dataclass(frozen=True)
 class Plan:
-    """How to sample; threads and block change the time, never a digit."""
+    """How to sample; threads change the time, never a digit."""
 
     samples: int
     seed: int
     quasi: bool = False
     threads: int = 1
-    block: int = CELL
 
 
 def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> list[Tally]:
@@ -26,70 +35,74 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
 
     Args:
         model: torque as a function of what scatters.
-        plan: size, seed, method, threads, block.
+        plan: size, seed, method, threads.
         upper: torque whose exceedance is counted, N·m; None for none.
         lower: torque below which samples are counted, N·m.
 
     Returns:
         A tally per replicate.
-    """
-    import numpy as np
 
+    Raises:
+        CalculationError: hardly any sample is a clutch.
+    """
     each = sizes(plan.samples, plan.quasi)
-    pilot_width = min(CELL, each[0])
-    pilot = [np.empty(pilot_width) for _ in model.inputs]
-    Stream(model.inputs, plan.seed, 0, quasi=plan.quasi, model=model).fill(pilot)
-    grid = Grid.of(np.broadcast_to(model.torque(pilot), pilot_width))
+    pilot = _possible(model, _pilot(model, plan, each[0]))
+    _refuse_few(pilot[0].size)
+    torques = np.broadcast_to(model.torque(pilot), pilot[0].shape)
+    grid, shift = Grid.of(torques), float(np.median(torques))
+    slips = None if model.spec.fatigue is None else service_of(model)
 
     def replicate(number: int) -> Tally:
         stream = Stream(model.inputs, plan.seed, number, quasi=plan.quasi, model=model)
-        tally = Tally(grid)
-        room = min(max(CELL, plan.block), max(each[number], 1))
+        tally = Tally(grid, shift)
+        room = min(CELL, each[number])
         columns = [np.empty(room) for _ in model.inputs]
-        torque, work, index = np.empty(room), np.empty(CELL), np.empty(CELL, np.intp)
-        damages = (np.empty(room), np.empty(room))
-        for widths in cells(each[number], plan.block):
-            end = 0
-            for width in widths:
-                stream.fill([column[end : end + width] for column in columns])
-                end += width
-            for start in range(0, end, plan.block):
-                piece = slice(start, min(start + plan.block, end))
-                values = [column[piece] for column in columns]
-                clutch = model.clutch(values)
-                torque[piece] = model.torque(values, clutch)
-                if model.spec.fatigue is not None:
-                    for damage, share in zip(damages, damage_rates(clutch, torque[piece]), strict=True):
-                        damage[piece] = share
-            start = 0
-            for width in widths:
-                cell = slice(start, start + width)
-                tally.add(torque[cell], work[:width], index[:width])
-                tally.above += 0 if upper is None else int(np.count_nonzero(torque[cell] > upper))
-                tally.below += int(np.count_nonzero(torque[cell] < lower))
-                if model.spec.fatigue is not None:
-                    tally.damage += float(damages[0][cell].sum())
-                    tally.damage_unprotected += float(damages[1][cell].sum())
-                start += width
+        work, index = np.empty(room), np.empty(room, np.uint64)
+        for width in cells(each[number]):
+            drawn = [column[:width] for column in columns]
+            stream.fill(drawn)
+            values = _possible(model, drawn)
+            size = values[0].size
+            tally.impossible += width - size
+            if not size:
+                continue
+            clutch = model.clutch(values)
+            torque = np.broadcast_to(model.torque(values, clutch), size)
+            tally.add(torque, work[:size], index[:size])
+            tally.above += 0 if upper is None else int(np.count_nonzero(torque > upper))
+            tally.below += int(np.count_nonzero(torque < lower))
+            if slips is not None and tally.clutches < POPULATION // REPLICATES:
+                few = min(size, POPULATION // REPLICATES - tally.clutches)
+                clutch = model.clutch([column[:few] for column in values])
+                life = life_of(model, clutch, slips)
+                both = (life, unprotected(clutch, life))
+                tally.lives.append(np.stack([np.broadcast_to(side, few) for side in both]))
         return tally
 
-    return in_threads(replicate, REPLICATES, plan.threads)
+    tallies = in_threads(replicate, REPLICATES, plan.threads)
+    _refuse_few(min(tally.count for tally in tallies))
+    return tallies
 
 
-def damage_rates(clutch: Clutch, torque: Any) -> tuple[Any, Any]:
-    """Damage 1/N of one slip on the protected and the unprotected side (Miner), by the paper's S–N line."""
-    part = clutch.spec.fatigue
-    assert part is not None
-
-    def rate(load: Any) -> Any:
-        stress = law.shear_stress(load, part.polar_section_modulus)
-        return 1 / law.cycles(part.endurance_limit, stress, part.exponent, part.base_cycles)
-
-    return rate(torque), rate(clutch.spec.drive.dynamic_factor * torque)
+def _refuse_few(clutches: int) -> None:
+    if clutches < _LEAST_CLUTCHES:
+        raise CalculationError(
+            say(
+                "tolerance: hardly a sample is a clutch (feedback must overcome the key's friction, faces have a width)"
+            )
+        )
 
 
-def spread_of(figure: Callable[[Tally], float], tallies: Sequence[Tally]) -> float:
-    """Standard error of a figure of the whole sample, from its spread between the replicates."""
-    from statistics import stdev
+def _pilot(model: Model, plan: Plan, size: int) -> list[Array]:
+    """Return the first cell of the first replicate."""
+    columns = [np.empty(min(CELL, size)) for _ in model.inputs]
+    Stream(model.inputs, plan.seed, 0, quasi=plan.quasi, model=model).fill(columns)
+    return columns
 
-    return float(stdev([figure(each) for each in tallies]) / len(tallies) ** 0.5)
+
+def _possible(model: Model, values: Sequence[Array]) -> Sequence[Array]:
+    """Leave out what is no clutch."""
+    if not model.may_fail:
+        return values
+    possible = model.possible(values)
+    return values if possible.all() else [column[possible] for column in values]

@@ -3,6 +3,7 @@
 from importlib import import_module
 
 from ...errors import AfmcalcError
+from ...messages import say
 from ...result import Result, quantity
 from ...spec.suggest import did_you_mean
 
@@ -75,7 +76,14 @@ def paper_figure(name: str) -> PaperFigure:
     """
     wanted = name.upper().replace(" ", "-")
     if wanted not in FIGURES:
-        raise AfmcalcError(f"no figure {name!r}{did_you_mean(wanted, FIGURES)}; there are: {', '.join(FIGURES)}")
+        raise AfmcalcError(
+            say(
+                "no figure {name!r}{hint}; there are: {figures}",
+                name=name,
+                hint=did_you_mean(wanted, FIGURES),
+                figures=", ".join(FIGURES),
+            )
+        )
     module = import_module(f".{FIGURES[wanted]}", __package__)
     made: PaperFigure = getattr(module, f"figure_{wanted.partition('-')[2]}")()
     return made

@@ -2,9 +2,11 @@
 
 from collections.abc import Sequence
 
+from ..canvas import Trace, bounds, drawn
+from ..layout import Block
 from ..units import significant
 
-HEIGHT, WIDTH = 8, 52
+SIZE = WIDTH, HEIGHT = 52, 8
 
 
 def curve(x: Sequence[float], y: Sequence[float | None], title: str, *, unicode: bool) -> list[str]:
@@ -19,34 +21,19 @@ def curve(x: Sequence[float], y: Sequence[float | None], title: str, *, unicode:
     Returns:
         The lines, without line ends.
     """
-    drawn = [(a, b) for a, b in zip(x, y, strict=True) if b is not None]
-    if not drawn:
+    trace = Trace("•" if unicode else "*", [(a, b) for a, b in zip(x, y, strict=True) if b is not None])
+    if not trace.points:
         return [f"{title}: no values to draw"]
-    xs, ys = [a for a, _ in drawn], [b for _, b in drawn]
-    low_x, high_x, low_y, high_y = min(xs), max(xs), min(ys), max(ys)
-    cells = [[" "] * WIDTH for _ in range(HEIGHT)]
-    mark = "•" if unicode else "*"
-    for a, b in drawn:
-        column = _place(a, low_x, high_x, WIDTH)
-        row = HEIGHT - 1 - _place(b, low_y, high_y, HEIGHT)
-        cells[row][column] = mark
-    top, bottom = significant(high_y), significant(low_y)
-    margin = max(len(top), len(bottom))
-    side, corner, floor = ("│", "└", "─") if unicode else ("|", "+", "-")
-    lines = [title]
-    for number, cell in enumerate(cells):
-        label = top if number == 0 else bottom if number == HEIGHT - 1 and bottom != top else ""
-        lines.append(f"{label:>{margin}} {side}{''.join(cell)}".rstrip())
-    left, right = significant(low_x), significant(high_x)
-    lines.append(" " * (margin + 1) + corner + floor * WIDTH)
-    lines.append(" " * (margin + 2) + left + right.rjust(WIDTH - len(left)))
-    return lines
+    (left, right), (bottom, top) = ([significant(end) for end in ends] for ends in bounds([trace]))
+    beside = {0: top} | ({HEIGHT - 1: bottom} if bottom != top else {})
+    return [title, *drawn([trace], SIZE, beside, {0: left, WIDTH - 1: right}, unicode=unicode)]
 
 
-def _place(value: float, low: float, high: float, cells: int) -> int:
-    """Cell of a value on an axis of that many cells."""
-    if high == low:
-        return cells // 2
-    # halved before the difference, so that ends of opposite sign near the largest float do not overflow
-    share = (value / 2 - low / 2) / (high / 2 - low / 2)
-    return min(cells - 1, round(share * (cells - 1)))
+def curve_lines(block: Block, unicode: bool) -> list[str]:
+    """Draw the first answer of a sweep along one axis; nothing for any other table."""
+    if block.source is None or block.source.axes != 1:
+        return []
+    x, y = block.source.columns[:2]
+    if len(x.values) < 3:
+        return []
+    return ["", *curve(x.values, y.values, f"{y.symbol} against {x.symbol}", unicode=unicode)]

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from ...result import Output
 from ..document import Document, document
 from ..layout import blocks, findings_lines, step_value, title
+from ..symbols import value_latex
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -29,8 +30,6 @@ def _steps(laid_out: Document) -> list[str]:
     """Steps of an explanation with their formulas in LaTeX."""
     if not laid_out.steps:
         return []
-    from ...analysis.explain.formula import value_latex
-
     lines = []
     for step in laid_out.steps:
         at = f" ({_escape(step.at)})" if step.at else ""

@@ -6,6 +6,7 @@ import sys
 from ...result import Output
 from ..document import document
 from ..layout import Block, Curve, blocks, findings_lines, step_lines, title
+from .curve import curve_lines
 
 
 def render(output: Output, terminal: bool, curve: Curve | None = None) -> str:
@@ -13,16 +14,16 @@ def render(output: Output, terminal: bool, curve: Curve | None = None) -> str:
 
     ``curve`` draws under a sweep instead of the small curve of characters.
     """
-    curve = curve or curve_lines
+    draw = curve or curve_lines
     laid_out = document(output.result)
     found, steps = blocks(laid_out), step_lines(laid_out)
     if terminal or _width():
         from .terminal import render_rich
 
         look = {"terminal": terminal, "unicode": is_unicode()}
-        text = render_rich(output, found, steps, curve, width=_width(), **look)
+        text = render_rich(output, found, steps, draw, width=_width(), **look)
     else:
-        text = _plain(output, found, steps, curve)
+        text = _plain(output, found, steps, draw)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
 
 
@@ -59,15 +60,3 @@ def _aligned(block: Block) -> list[str]:
         )
         for line in lines
     ]
-
-
-def curve_lines(block: Block, unicode: bool) -> list[str]:
-    """Draw the first answer of a sweep along one axis; nothing for any other table."""
-    if block.source is None or block.source.axes != 1:
-        return []
-    x, y = block.source.columns[:2]
-    if len(x.values) < 3:
-        return []
-    from .curve import curve
-
-    return ["", *curve(x.values, y.values, f"{y.symbol} against {x.symbol}", unicode=unicode)]

@@ -6,11 +6,12 @@ from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
+from ...messages import translate
 from ..units import display, display_unit
 
 
-class Axis(NamedTuple):
-    """An axis: quantity, symbol, SI unit."""
+class ChartAxis(NamedTuple):
+    """One axis of a chart: quantity, symbol, SI unit."""
 
     quantity: str
     symbol: str
@@ -78,8 +79,8 @@ class Area(NamedTuple):
 class Chart:
     """One pair of axes."""
 
-    x: Axis
-    y: Axis
+    x: ChartAxis
+    y: ChartAxis
     lines: list[Line]
     title: str = ""
     levels: list[Level] = field(default_factory=list)
@@ -111,11 +112,16 @@ class Sheet:
     """Name of the user's (a spec's), beside the title; set as it is."""
 
 
-def axis_of(result: type[BaseModel], name: str, *, log: bool = False, quantity: str | None = None) -> Axis:
-    """Axis of a result's field, read off its symbol, unit and description."""
+def axis_of(result: type[BaseModel], name: str, *, log: bool = False, quantity: str | None = None) -> ChartAxis:
+    """ChartAxis of a result's field, read off its symbol, unit and description."""
     info = result.model_fields[name]
     about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
-    return Axis(quantity or info.description or name, str(about.get("symbol") or ""), str(about.get("unit") or ""), log)
+    return ChartAxis(
+        quantity or translate(info.description or name),
+        str(about.get("symbol") or ""),
+        str(about.get("unit") or ""),
+        log,
+    )
 
 
 def describe(result: type[BaseModel], name: str) -> str:
@@ -136,11 +142,6 @@ def power(value: float) -> str:
 
 
 _RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-
-
-def named(clutch: Any) -> str:
-    """What to call a clutch beside others."""
-    return str(clutch.spec.name or clutch.spec.variant)
 
 
 def stated(symbol: str, value: float, unit: str) -> str:

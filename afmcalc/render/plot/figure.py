@@ -37,12 +37,14 @@ def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
 
 def inline_svg(sheet: Sheet) -> str:
     """Set a sheet for a page: without title and caption, see-through, its texts as text."""
+    from .inline import svg_of
+
     with _settings({"svg.fonttype": "none", "savefig.facecolor": "none"}):
         figure = _figure(sheet, bare=True)
         figure.patch.set_alpha(0)
         for axes in figure.axes:
             axes.patch.set_alpha(0)
-        return _bytes(figure, "svg").decode("utf-8")
+        return svg_of(figure, [_height(panel) for panel in sheet.panels])
 
 
 def _settings(more: dict[str, Any] | None = None) -> Any:
@@ -56,15 +58,17 @@ def _settings(more: dict[str, Any] | None = None) -> Any:
 
 def _figure(sheet: Sheet, *, bare: bool) -> "Figure":
     from matplotlib.figure import Figure
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
 
     heights = [_height(panel) for panel in sheet.panels]
     caption = [] if bare else _wrapped(sheet.caption)
     below = len(caption) * _LINE + (0.14 if caption else 0.02)
     above = 0.02 if bare or not sheet.title else 0.34
     total = sum(heights) + below + above
-    figure = Figure(figsize=(WIDTH, total), layout="constrained")
-    engine: Any = figure.get_layout_engine()
-    engine.set(rect=(0.005, below / total, 0.99, 1 - (below + above) / total), h_pad=0.1, w_pad=0.06)
+    figure = Figure(figsize=(WIDTH, total))
+    if not bare:
+        rect = 0.005, below / total, 0.99, 1 - (below + above) / total
+        figure.set_layout_engine(ConstrainedLayoutEngine(rect=rect, h_pad=0.1, w_pad=0.06))
     # one grid, so that the axes of all panels stand one below the other
     grid = figure.subplots(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0]
     for axes, panel in zip(grid, sheet.panels, strict=True):

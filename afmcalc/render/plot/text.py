@@ -1,18 +1,20 @@
-"""Charts drawn in the terminal, as text, by plotext."""
+"""Charts drawn in the terminal, as text."""
 
 import math
 import textwrap
 from collections.abc import Sequence
 from typing import Any
 
+from ..canvas import Ends, Trace, bounds, drawn, place, ticks
 from ..document import Table
 from ..layout import Block
-from ..units import factor
-from .chart import Axis, Chart, Line, Sheet, power
+from ..units import factor, significant
+from .chart import Chart, ChartAxis, Line, Sheet, power
 
 WIDTH, HEIGHT = 78, 20
-_MARKS = ("•", "x", "o", "+", "#", "%", "@", "*", "=", "&")
-_PLAIN = str.maketrans("┌┐└┘├┤┬┴┼│─•…·−", "+++++++++|-*.*-")
+_MARKS = "•xo+#%@*=&"
+_PLAIN = "*xo+#%@.=&"
+_SMALL = "·."
 
 
 def draw(chart: Chart, *, unicode: bool) -> list[str]:
@@ -25,33 +27,31 @@ def draw(chart: Chart, *, unicode: bool) -> list[str]:
     Returns:
         The lines, without line ends.
     """
-    import plotext
-
     wide, high = factor(chart.x.unit), factor(chart.y.unit)
-    plotext.clear_figure()
-    plotext.theme("clear")
-    plotext.plotsize(WIDTH, HEIGHT)
-    keys: dict[int, str] = {}
-    heights: list[float] = []
-    # what is drawn small goes first: here it would hide the rest
+    scale = math.log10 if chart.y.log else float
+    marks = _MARKS if unicode else _PLAIN
+    traces: dict[int, Trace] = {}
+    # what is drawn small goes first: it would hide the rest
     for number, line in sorted(enumerate(chart.lines), key=lambda item: not item[1].filled):
-        points = [(x, y) for x, y in zip(line.x, line.y, strict=True) if x is not None and y is not None]
-        if not points:
-            continue
-        mark = "·" if line.filled else _MARKS[number % len(_MARKS)]
-        put = plotext.scatter if line.points else plotext.plot
-        ys = [math.log10(y * high) if chart.y.log else y * high for _, y in points]
-        put([x * wide for x, _ in points], ys, marker=mark)
-        heights += ys
-        keys[number] = f"  {mark} {line.label}"
-    if chart.y.log and heights:
-        ticks = _decades(min(heights), max(heights))
-        plotext.yticks(ticks, [power(10**tick) for tick in ticks])
-    built = plotext.uncolorize(plotext.build())
-    plotext.clear_figure()
-    lines = [chart.y.label, *(line.rstrip() for line in built.splitlines()), chart.x.label.rjust(WIDTH)]
-    lines += [keys[number] for number in sorted(keys)] if len(keys) > 1 else []
-    return lines if unicode else [_ascii(line) for line in lines]
+        pairs = zip(line.x, line.y, strict=True)
+        points = [(x * wide, scale(y * high)) for x, y in pairs if x is not None and y is not None]
+        if points:
+            mark = _SMALL[not unicode] if line.filled else marks[number % len(marks)]
+            traces[number] = Trace(mark, points, joined=not line.points)
+    if not traces:
+        return [f"{chart.y.label}: no values to draw"]
+    x, y = bounds(list(traces.values()))
+    heights = {value: power(10**value) for value in _decades(*y)} if chart.y.log else _named(y, HEIGHT // 3)
+    beside = {HEIGHT - 1 - place(value, y, HEIGHT): text for value, text in heights.items()}
+    width = WIDTH - 2 - max(map(len, beside.values()))
+    below = {place(value, x, width): text for value, text in _named(x, width // 10).items()}
+    frame = drawn(list(traces.values()), (width, HEIGHT), beside, below, unicode=unicode, notch=True)
+    keys = [f"  {traces[number].mark} {chart.lines[number].label}" for number in sorted(traces)]
+    return [chart.y.label, *frame, chart.x.label.rjust(WIDTH), *(keys if len(keys) > 1 else [])]
+
+
+def _named(ends: Ends, most: int) -> dict[float, str]:
+    return {value: significant(value) for value in ticks(ends, most)}
 
 
 def _decades(low: float, high: float) -> list[float]:
@@ -59,10 +59,6 @@ def _decades(low: float, high: float) -> list[float]:
     whole = list(range(math.ceil(low), math.floor(high) + 1))
     step = max(1, len(whole) // 6)
     return [float(power) for power in whole[::step]] if len(whole) > 1 else [low, high]
-
-
-def _ascii(line: str) -> str:
-    return line.translate(_PLAIN)
 
 
 def draw_sheet(sheet: Sheet, *, unicode: bool) -> str:
@@ -85,7 +81,7 @@ def _chart(table: Table) -> Chart | None:
     *outer, inner, answer = table.columns[: table.axes + 1]
     if not any(value is not None for value in answer.values):
         return None
-    x, y = (Axis(column.name, column.symbol, column.unit) for column in (inner, answer))
+    x, y = (ChartAxis(column.name, column.symbol, column.unit) for column in (inner, answer))
     x = x._replace(quantity="") if inner.symbol else x
     if not outer:
         return Chart(x, y, [Line(y.symbol, inner.values, answer.values)])

@@ -7,6 +7,7 @@ import tempfile
 from pathlib import Path
 
 from ...errors import AfmcalcError
+from ...messages import say
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "microsoft-edge", "msedge")
 _SECONDS = 120
@@ -23,8 +24,11 @@ def find_browser() -> str:
     if found is None:
         looked = chosen or ", ".join(NAMES)
         raise AfmcalcError(
-            f"--pdf: no headless browser found (looked for {looked}): install Chromium, name one in AFMCALC_BROWSER, "
-            "or leave --pdf out and print the HTML file from any browser"
+            say(
+                "--pdf: no headless browser found (looked for {looked}): install Chromium, name one in "
+                "AFMCALC_BROWSER, or leave --pdf out and print the HTML file from any browser",
+                looked=looked,
+            )
         )
     return found
 
@@ -58,7 +62,9 @@ def print_pdf(browser: str, page: str) -> bytes:
         try:
             ended = subprocess.run(command, capture_output=True, timeout=_SECONDS, check=False)
         except (OSError, subprocess.TimeoutExpired) as error:
-            raise AfmcalcError(f"--pdf: {browser} did not print: {error}") from None
+            raise AfmcalcError(say("--pdf: {browser} did not print: {why}", browser=browser, why=error)) from None
         if not target.is_file():
-            raise AfmcalcError(f"--pdf: {browser} did not print (exit code {ended.returncode})")
+            raise AfmcalcError(
+                say("--pdf: {browser} did not print (exit code {code})", browser=browser, code=ended.returncode)
+            )
         return target.read_bytes()

@@ -1,12 +1,9 @@
-"""What a report is made from, and what its sections are made of."""
+"""What a report is made from, and what its chapters are made of."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 from ...analysis.dossier import Dossier
-from ...engines.protocol import Clutch
-from ...findings import Finding
 from ..layout import Block
 from ..plot.chart import Sheet
 
@@ -29,32 +26,26 @@ class ExplainedStep:
 
 @dataclass(frozen=True)
 class Subject:
-    """The clutch a report is about, and what was found of it."""
+    """What was found of a clutch, and whose report it is."""
 
-    clutch: Clutch
     dossier: Dossier
-    findings: Sequence[Finding]
     given: str
     """The spec as given, its text."""
     overrides: Sequence[str] = ()
     """``PATH=VALUE`` put over it."""
     version: str = ""
     date: str = ""
-    model: str = "mean-stress"
-    steps: Mapping[str, Sequence[ExplainedStep]] = field(default_factory=dict)
-    """Section key (``torque``, ``accuracy``, …) → its calculation, explained."""
-    results: Mapping[str, Any] = field(default_factory=dict)
-    """Results beyond the dossier, by section key (``tolerance``: a ``Study``)."""
 
 
 @dataclass(frozen=True)
-class Section:
+class Chapter:
     """One calculation of the report."""
 
     key: str
     title: str
     about: str
-    blocks: Sequence[Block] = ()
-    sheets: Sequence[Sheet] = ()
-    sources: Sequence[str] = ()
+    blocks: Sequence[Block]
+    steps: Sequence[ExplainedStep]
+    sheets: Sequence[Sheet]
+    sources: Sequence[str]
     """Keys of the references it rests on."""

@@ -7,15 +7,15 @@ from typing import Any, NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+from ...messages import translate
 from ...papers.references import REFERENCES
 from ...spec import resolved
-from ...spec.paths import keys
-from ...spec.tolerance import unit_at
+from ...spec.paths import keys, unit_at
 from ..plot.figure import inline_svg
 from ..units import display, display_unit
-from .interface import Section, Subject
+from .chapters import chapters
+from .interface import Chapter, Subject
 from .markup import cell, drawing, mathml, symbol
-from .sections import sections
 
 _LEVELS = {"error": 0, "warning": 1, "info": 2}
 
@@ -48,31 +48,30 @@ def render(subject: Subject) -> str:
         "display": display,
         "display_unit": display_unit,
     }
-    found = sections(subject)
+    found = chapters(subject.dossier)
     page: str = environment.get_template("page.html").render(
         subject=subject,
-        name=subject.clutch.spec.name or "Adaptive friction clutch",
+        name=subject.dossier.spec.name or "Adaptive friction clutch",
         digest=digest(subject),
         keys=_keys(subject),
-        sections=found,
+        chapters=found,
         drawings=_drawings(found),
-        findings=sorted(subject.findings, key=lambda finding: _LEVELS[finding.level]),
+        findings=sorted(subject.dossier.findings, key=lambda finding: _LEVELS[finding.level]),
         references=_references(found),
-        passed=subject.dossier.check.passed,
     )
     return page
 
 
 def digest(subject: Subject) -> str:
     """Return the SHA-256 of the spec as resolved: two reports of the same clutch have the same."""
-    text = json.dumps(resolved(subject.clutch.spec), sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    text = json.dumps(resolved(subject.dossier.spec), sort_keys=True, separators=(",", ":"), ensure_ascii=False)
     return hashlib.sha256(text.encode("utf-8")).hexdigest()
 
 
 def _keys(subject: Subject) -> list[_Key]:
     known = keys()
     found: list[_Key] = []
-    for path, value in _flat(resolved(subject.clutch.spec), ""):
+    for path, value in _flat(resolved(subject.dossier.spec), ""):
         if isinstance(value, dict):
             found += [_scatter(path, name, each) for name, each in value.items()]
             continue
@@ -82,7 +81,7 @@ def _keys(subject: Subject) -> list[_Key]:
             _Key(
                 path,
                 key.symbol or "",
-                key.description,
+                translate(key.description),
                 display(shown, key.unit or ""),
                 display_unit(key.unit or ""),
                 key.unit is not None,
@@ -96,7 +95,7 @@ def _scatter(path: str, name: str, given: dict[str, Any]) -> _Key:
     unit = unit_at(name) or ""
     numbers = [f"{part} {display(value, unit)}" for part, value in given.items() if part != "distribution"]
     key = keys().get(name)
-    about = f"scatter: {key.description.partition(';')[0]}" if key else "scatter of the friction in service"
+    about = f"scatter: {translate(key.description).partition(';')[0]}" if key else "scatter of the friction in service"
     value = ", ".join([given["distribution"], *numbers])
     return _Key(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, display_unit(unit), False)
 
@@ -111,18 +110,18 @@ def _flat(data: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:
     return found
 
 
-def _drawings(found: list[Section]) -> dict[str, list[Any]]:
-    """Section key → its drawings, numbered through."""
+def _drawings(found: list[Chapter]) -> dict[str, list[Any]]:
+    """Chapter key → its drawings, numbered through."""
     made: dict[str, list[Any]] = {}
     number = 0
-    for section in found:
-        made[section.key] = []
-        for sheet in section.sheets:
+    for chapter in found:
+        made[chapter.key] = []
+        for sheet in chapter.sheets:
             number += 1
-            made[section.key].append((number, sheet, drawing(inline_svg(sheet), sheet.title, number)))
+            made[chapter.key].append((number, sheet, drawing(inline_svg(sheet), sheet.title, number)))
     return made
 
 
-def _references(found: list[Section]) -> list[tuple[str, str]]:
-    cited = {source for section in found for source in section.sources}
+def _references(found: list[Chapter]) -> list[tuple[str, str]]:
+    cited = {source for chapter in found for source in chapter.sources}
     return [(key, text) for key, text in REFERENCES.items() if key in cited]

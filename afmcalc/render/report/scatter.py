@@ -1,43 +1,41 @@
 """Tables of the torque over tolerances: each value beside its standard error, inputs in the engineer's units."""
 
-from typing import Any
-
-from ...analysis.tolerance.study import IndexRow, InputRow, ToleranceResult
+from ...analysis.tolerance.result import Estimate, IndexRow, InputRow, LifeRow, ToleranceResult, error_fields
+from ...messages import translate
 from ...spec.paths import keys
-from ..document import Row, document
+from ..document import document
 from ..layout import Block
 from ..units import display, display_unit, factor, significant
-
-_ERROR = "_standard_error"
 
 
 def scatter_blocks(result: ToleranceResult) -> list[Block]:
     """Return the distribution, its quantiles, what scatters and the share of each input."""
     errors = result.method != "exact"
-    found = [_figures(result, errors), _quantiles(result, errors), _inputs(result.inputs)]
+    found = [_figures(result, errors), _quantiles(result, errors)]
+    if result.life_quantiles:
+        found.append(_lives(result.life_quantiles, errors))
+    found.append(_inputs(result.inputs))
     return [*found, _shares(result.sobol)] if errors else found
 
 
 def _figures(result: ToleranceResult, errors: bool) -> Block:
-    rows = document(result).singles
-    error_of = {row.path.removesuffix(_ERROR): row for row in rows if row.path.endswith(_ERROR)}
+    names = error_fields(type(result))
     lined = [
         [
             row.symbol,
             row.name,
-            display(row.values[0], row.unit),
-            *([_error_of(row, error_of.get(row.path))] if errors else []),
+            *(
+                _with_error(result.estimate(row.path), row.unit, errors)
+                if row.path in names
+                else [display(row.values[0], row.unit), *([""] if errors else [])]
+            ),
             display_unit(row.unit),
         ]
-        for row in rows
-        if not row.path.endswith(_ERROR)
+        for row in document(result).singles
+        if row.path not in names.values()
     ]
     header = ["Symbol", "Quantity", "Value", *(["±"] if errors else []), "Unit"]
     return Block("", header, lined, [False, False, True, *([True] if errors else []), False])
-
-
-def _error_of(row: Row, error: Row | None) -> str:
-    return "" if error is None else _rounded(error.values[0], row.unit)
 
 
 def _rounded(error: float, unit: str) -> str:
@@ -50,14 +48,31 @@ def _quantiles(result: ToleranceResult, errors: bool) -> Block:
         [
             f"T_{100 * row.probability:g}",
             f"torque not exceeded with probability {100 * row.probability:g} %",
-            display(row.torque, "N*m"),
-            *([_rounded(row.standard_error, "N*m")] if errors else []),
+            *_with_error(row.estimate("torque"), "N*m", errors),
             display_unit("N*m"),
         ]
         for row in result.quantiles
     ]
     header = ["Symbol", "Quantity", "Value", *(["±"] if errors else []), "Unit"]
     return Block("Quantiles of the torque", header, rows, [False, False, True, *([True] if errors else []), False])
+
+
+def _lives(rows: list[LifeRow], errors: bool) -> Block:
+    lined = [
+        [
+            f"{100 * row.probability:g} %",
+            *(text for side in ("protected", "unprotected") for text in _with_error(row.estimate(side), "1", errors)),
+        ]
+        for row in rows
+    ]
+    sides = (["Slips, protected side"], ["Slips, unprotected side"])
+    header = ["Clutches failed", *(name for side in sides for name in (side + ["±"] if errors else side))]
+    return Block("Life over the clutches", header, lined, [False, *[True] * (len(header) - 1)])
+
+
+def _with_error(estimate: Estimate, unit: str, errors: bool) -> list[str]:
+    value = display(estimate.value, unit)
+    return [value, _rounded(estimate.standard_error, unit)] if errors else [value]
 
 
 def _inputs(inputs: list[InputRow]) -> Block:
@@ -76,13 +91,11 @@ def _inputs(inputs: list[InputRow]) -> Block:
 
 
 def _shares(rows: list[IndexRow]) -> Block:
-    lined: list[list[Any]] = [
+    lined = [
         [
             *_named(each.path),
-            display(each.first_order, "1"),
-            _rounded(each.first_order_standard_error, "1"),
-            display(each.total, "1"),
-            _rounded(each.total_standard_error, "1"),
+            *_with_error(each.estimate("first_order"), "1", errors=True),
+            *_with_error(each.estimate("total"), "1", errors=True),
         ]
         for each in sorted(rows, key=lambda each: -each.total)
     ]
@@ -96,7 +109,7 @@ def _named(path: str) -> tuple[str, str]:
     if path in _FRICTION:
         return _FRICTION[path]
     key = keys()[path]
-    return key.symbol or "", key.description.partition(";")[0]
+    return key.symbol or "", translate(key.description).partition(";")[0]
 
 
 _FRICTION = {

@@ -1,37 +1,16 @@
 """The calculations of a report, explained: the steps of ``explain`` as MathML."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from latex2mathml.converter import convert
 
-from ...analysis.explain.explain import Step, explain
-from ...analysis.explain.formula import value_latex
-from ...spec import Spec
+from ...analysis.explain.explain import Step
 from ..layout import step_value
+from ..symbols import value_latex
 from .interface import ExplainedStep
 
 
-def explained(spec: Spec, calculations: Mapping[str, Mapping[str, str]]) -> dict[str, list[ExplainedStep]]:
-    """Explain several calculations of one clutch, each step where it first occurs.
-
-    Args:
-        spec: the clutch.
-        calculations: name of a calculation → its options.
-
-    Returns:
-        Calculation → its steps.
-    """
-    seen: set[tuple[str, str | None, float]] = set()
-    found = {}
-    for name, options in calculations.items():
-        result, _ = explain(name, spec, **options)
-        fresh = [step for step in result.steps if (step.function, step.at, step.value) not in seen]
-        seen |= {(step.function, step.at, step.value) for step in fresh}
-        found[name] = _steps(fresh)
-    return found
-
-
-def _steps(steps: Sequence[Step]) -> list[ExplainedStep]:
+def explained(steps: Sequence[Step]) -> list[ExplainedStep]:
     """Show a formula where it first stands, then only its numbers for the other frictions."""
     found = []
     before = ""

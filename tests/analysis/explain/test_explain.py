@@ -10,6 +10,7 @@ from strategies import direct_specs, indirect_specs
 from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.explain.formula import Formula
 from afmcalc.analysis.explain.trace import distinct, recording
+from afmcalc.analysis.registry import ANALYSES
 from afmcalc.engines import build
 from afmcalc.equations import direct
 from afmcalc.equations.catalogue import equations
@@ -26,9 +27,7 @@ def test_every_value_shown_is_the_value_calculated(command, name):
     result, _ = explain(command, spec)
     assert result.steps
     with recording() as calls:
-        from afmcalc.analysis.explain.explain import _analyses
-
-        _analyses()[command](build(spec))
+        ANALYSES[command].function(build(spec))
     values = {(call.equation.name, call.value) for call in calls if isinstance(call.value, float)}
     for step in result.steps:
         assert any(step.function == function and step.value == pytest.approx(value) for function, value in values)
@@ -38,7 +37,7 @@ def test_every_value_shown_is_the_value_calculated(command, name):
 
 @pytest.mark.parametrize("name", sorted(n for n in equations() if n != "synthesis.least_contact_force_cubic"))
 def test_the_text_of_every_equation_evaluates_to_the_equation(name):
-    """Read the one-line text back and put the numbers in: the same value, whatever SymPy did to the order."""
+    """Read the one-line text back and put the numbers in: the same value."""
     equation = equations()[name]
     letters = {argument: f"a{index}" for index, argument in enumerate(equation.arguments)}
     values = {argument: 0.37 + 0.21 * index for index, argument in enumerate(equation.arguments)}
@@ -85,7 +84,7 @@ def test_the_key_keeps_its_own_friction(afmcalc):
     # without friction at the key κ and κ₊ are one number, not one quantity
     steps = afmcalc("explain", "torque", indirect, "--set", "control_unit.key_friction=0", "--json").json["result"]
     stiffness = {(step["at"], step["formula"]) for step in steps["steps"] if step["symbol"] == "D"}
-    assert {("f_max", "c_1 + c_2 + z·c_1·f_max·κ"), ("f_cp", "c_1 + c_2 + z·c_1·f_cp·κ₊")} <= stiffness
+    assert {("f_max", "c_1 + c_2 + z·c_1·f_max·κ"), ("f_cp, returning", "c_1 + c_2 + z·c_1·f_cp·κ₊")} <= stiffness
 
 
 def test_a_mean_that_is_the_largest_hides_neither(afmcalc):
@@ -140,9 +139,7 @@ def test_every_result_has_its_steps_whatever_numbers_coincide(spec):
     steps = explain("torque", spec)[0].steps
     clutch = build(spec)
     group = "2" if spec.friction.unlike else ""
-    results = {"T": clutch.torque, "F_p": clutch.release_force}
-    if not spec.kind.travels:
-        results["N"] = clutch.normal_force
+    results = {"T": clutch.torque, "F_p": clutch.release_force, "N": clutch.normal_force}
     for end, name in (("min", "min"), ("mean", "cp"), ("max", "max")):
         at = f"f_{group}{name}"
         pair = [getattr(own, end) for own in clutch.friction]
@@ -151,9 +148,13 @@ def test_every_result_has_its_steps_whatever_numbers_coincide(spec):
             assert any(s.value == pytest.approx(result(*pair), rel=1e-12) for s in own), (symbol, at)
             others = {f"f_{digit}{other}" for digit in ("", "1", "2") for other in {"min", "cp", "max"} - {name}}
             assert not any(other in s.formula for s in own for other in others)
+        returning = clutch.torque_returning(pair[0])
+        back = [s.value for s in steps if s.symbol == "T_i" and (s.at or "").partition(" ")[0].rstrip(",") == at]
+        assert returning is None or any(value == pytest.approx(returning, rel=1e-12) for value in back)
     assert any(s.symbol == "T_н" for s in steps)
     for step in steps:
-        assert ("κ₊" in step.formula) <= (step.symbol in ("D", "N", "κ₊", "κ₊/κ"))
+        if step.symbol == "D":
+            assert ("κ₊" in step.formula) == (step.at or "").endswith(", returning")
 
 
 def test_formats(afmcalc):
@@ -172,7 +173,8 @@ def test_errors(afmcalc, monkeypatch):
     refused = afmcalc("explain", "overload", CONFIGS / "indirect.toml")
     assert refused.code == 2
     monkeypatch.setattr("afmcalc.extras.find_spec", lambda name: None)
-    missing = afmcalc("explain", "torque")
+    assert afmcalc("explain", "torque").code == 0
+    missing = afmcalc("equations", "--id", "S21 (15)", "--prove")
     assert missing.code == 2
     assert "pip install 'afmcalc[explain]'" in missing.err
 

@@ -1,16 +1,20 @@
 """solve: what it finds gives what was wanted; what it refuses has no answer."""
 
+import math
+
 import pytest
 from conftest import CONFIGS
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from solve_scan import run
 from strategies import direct_specs, indirect_specs
 
-from afmcalc.analysis.solve.solve import solve, solved_spec
+from afmcalc.analysis.solve.solve import NAMES, NotAttainableError, solve
 from afmcalc.analysis.solve.targets import TARGETS
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError, CalculationError
 from afmcalc.spec import read_spec
+from afmcalc.spec.edit import respecified
 
 TARGET_NAMES = ["accuracy_factor", "nominal_torque", "torque_max", "scatter"]
 
@@ -19,8 +23,8 @@ TARGET_NAMES = ["accuracy_factor", "nominal_torque", "torque_max", "scatter"]
 def test_gain_of_a_direct_clutch(spec, target, share):
     clutch = build(spec)
     goal = share * float(clutch.gain_limit)
-    wanted = float(TARGETS[target].value(build(solved_spec(spec, "control_unit.gain", goal))))
-    far = float(TARGETS[target].value(build(solved_spec(spec, "control_unit.gain", 0.0))))
+    wanted = float(TARGETS[target].value(build(respecified(spec, {"control_unit.gain": goal}))))
+    far = float(TARGETS[target].value(build(respecified(spec, {"control_unit.gain": 0.0}))))
     assume(abs(far / wanted - 1) > 1e-3 if wanted > 1e-6 else False)
     result, solved, _ = solve(clutch, "C", target, wanted)
     assert result.reached == pytest.approx(wanted, rel=1e-6)
@@ -66,7 +70,7 @@ def test_whole_pairs_are_the_fewest_that_meet_it(spec, wanted):
     assert result.reached <= wanted * (1 + 1e-9)
     fewest = spec.bypass_pairs + 1 if spec.variant == "differentiated" else 1
     if result.value > fewest:
-        fewer = build(solved_spec(spec, "friction_group.pairs", result.value - 1))
+        fewer = build(respecified(spec, {"friction_group.pairs": result.value - 1}))
         assert fewer.accuracy_factor > wanted * (1 - 1e-8)
 
 
@@ -92,6 +96,18 @@ def test_driving_pairs():
         (["--for", "z1", "accuracy_factor=2.7"], "the best is 2.84211, reached at z1 = 1"),
         (["--for", "z", "nominal_torque=1000000"], "the best is 400 N·m, approached as z grows"),
         (["--for", "F", "accuracy_factor=2"], "does not depend on F"),
+        # a kink between two samples, (z_1 f_max + z_2 f_min)/(z f_min)
+        (["--for", "C", "accuracy_factor_peak=1", "--beyond-limit"], "the best is 1.875, reached at C = 1.25\n"),
+        (["--for", "C", "accuracy_factor_peak=9", "--beyond-limit"], "the best is 8, reached at C = 0\n"),
+        # κ = 0 at R = C d/(2 f_1) = 1/6 m: T = z R f F = 8·0.8·2000/6
+        (["--for", "R", "torque_max=2200", CONFIGS / "indirect.toml"],
+         "the best is 2133.33 N·m, reached at R = 0.166667 m (the feedback ends, C = 2 R f_1/d)"),
+        (["--for", "R", "reduced_gain=8", CONFIGS / "indirect.toml"],
+         "reduced_gain does not depend on R here: it is 8 for every value"),
+        # the gain follows R: C = R tan α/r = 1.25 at R = 0.05·1.25/0.25, T = F R z f/(1 + z_2 C f)
+        (["--for", "R", "torque_max=1000", "--set", "C=", "--set", f"alpha={math.atan(0.25)} rad"],
+         "the best is 400 N·m, reached at R = 0.25 m (the gain limit 1/(z_1 f_1max))"),
+        (["--for", "z1", "accuracy_factor=2", "--set", "C=2"], "no value of z1 keeps C = 2 within the gain limit"),
         (["--for", "c1", "accuracy_factor=2"], "only for indirect"),
         (["--for", "x", "accuracy_factor=2"], "one of C, F, z, z1, R, c1, c2"),
         (["acuracy_factor=2"], "did you mean 'accuracy_factor'?"),
@@ -128,6 +144,53 @@ def test_radius_with_a_wall_angle_has_no_closed_form():
     result, _, _ = solve(build(spec), "R", "nominal_torque", 120.0)
     assert result.method == "bracketed-root"
     assert result.reached == pytest.approx(120, rel=1e-9)
+
+
+@pytest.mark.parametrize("pairs", [3, 6, 12, 13])
+def test_the_limit_itself_is_the_best(pairs, afmcalc):
+    """K_т at zC = 5 is m (1 + 5 f_min)/(1 + 5 f_max) = 8·1.5/5 for every z."""
+    run = afmcalc("solve", "accuracy_factor=1.01", CONFIGS / "all-driving.toml", "--set", f"z={pairs}")
+    assert f"the best is 2.4, reached at C = {5 / pairs:.6g} (the gain limit zC = 5)" in run.err
+    with pytest.raises(NotAttainableError) as refused:
+        solve(build(read_spec(CONFIGS / "all-driving.toml", [f"z={pairs}"])), "C", "accuracy_factor", 1.01)
+    assert refused.value.best == pytest.approx(2.4, rel=1e-12)
+    assert refused.value.at == 5 / pairs
+
+
+def test_the_radius_ends_where_the_feedback_does():
+    """R 0.1664 gives 2117 N·m, R = C d/(2 f_1) = 1/6 m is the end."""
+    spec = read_spec(CONFIGS / "indirect.toml")
+    result, _, _ = solve(build(spec), "R", "torque_max", 2110.0)
+    assert 0.166 < result.value < 0.1664
+    # S21 (11) with κ = 1 − 6 R, z = 8, f_max = 0.8, c_1 = 2 c_2, F_п2 = F (1 + z κ f_min)
+    net, radius = 1 - 6 * result.value, result.value
+    assert pytest.approx(8 * radius * 0.8 * 2000 * (1 + 2 * (1 + 0.8 * net)) / (3 + 2 * 6.4 * net)) == 2110
+
+
+@pytest.mark.parametrize("wanted", [1.9, 2.75, 8.0])
+def test_a_second_value_is_named(wanted):
+    """Peaks: K_т falls up to C = 1.25, then is z_1 f_max (1 + z_2 C f_min)/(z f_min) = 1 + 0.7 C, up to 8 at C = 10."""
+    spec = read_spec()
+    result, _, findings = solve(build(spec), "C", "accuracy_factor_peak", wanted, beyond_limit=True)
+    within, _, none = solve(build(spec), "C", "accuracy_factor_peak", wanted)
+    assert result.value == within.value < 1.25
+    (told,) = [finding for finding in findings if finding.code == "solve-another-value"]
+    assert told.value == pytest.approx((wanted - 1) / 0.7, rel=1e-12)
+    assert "solve-another-value" not in [finding.code for finding in none]
+
+
+def test_an_extreme_is_touched():
+    """The kink itself, 1.875 at C = 1.25, is one value, not two."""
+    result, _, findings = solve(build(read_spec()), "C", "accuracy_factor_peak", 1.875, beyond_limit=True)
+    assert result.value == pytest.approx(1.25, rel=1e-9)
+    assert "solve-another-value" not in [finding.code for finding in findings]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_against_a_scan(name):
+    """What is solved is, what is refused has no answer, the best is one (1,000 each: python tests/solve_scan.py 1000)."""
+    seen = run(name, 100)
+    assert seen["solved"] > 30, seen
 
 
 def test_beyond_the_limit_on_request():

@@ -1,7 +1,11 @@
 """Sweeps: each point is a single calculation; ranges that make sense without being given; what is refused."""
 
+import numpy as np
 import pytest
 from conftest import CONFIGS
+
+from afmcalc.analysis.sweep.points import evaluate
+from afmcalc.spec import read_spec
 
 
 def test_sweep_is_the_single_calculations(afmcalc):
@@ -61,3 +65,20 @@ def test_default_sweeps_of_an_indirect_clutch_stay_where_it_can_be_built(name, a
     for command in ("accuracy", "life"):
         run = afmcalc(command, CONFIGS / "indirect.toml", "--sweep", name, "--json")
         assert run.code == 0, run.err
+
+
+def test_a_long_sweep_is_calculated_in_stretches_that_join():
+    """More points than one stretch takes, against the formula F11 (14) over all of them."""
+    gain = np.linspace(0, 1.25, 100_001)
+    found = evaluate(read_spec(), {"control_unit.gain": gain}, {"factor": lambda clutch: clutch.accuracy_factor})
+    np.testing.assert_allclose(found["factor"], 8 * (1 + 0.7 * gain) / (1 + 5.6 * gain), rtol=1e-14)
+
+
+def test_arrays_of_several_shapes_broadcast():
+    gain, pairs = np.linspace(0, 1, 5), np.array([[4.0], [8.0], [16.0]])
+    outputs = {"factor": lambda clutch: clutch.accuracy_factor, "radius": lambda clutch: clutch.mean_radius}
+    found = evaluate(read_spec(), {"control_unit.gain": gain, "friction_group.pairs": pairs}, outputs)
+    controlled = pairs - 1
+    np.testing.assert_allclose(found["factor"], 8 * (1 + 0.1 * controlled * gain) / (1 + 0.8 * controlled * gain))
+    assert found["radius"].shape == (3, 5)
+    assert (found["radius"] == 0.1).all()

@@ -1,29 +1,22 @@
 """Overload: the trip over friction, and expected against actual accuracy over the reduced gain (S22 fig. 3)."""
 
-from typing import Any
-
-from ....analysis.curves import OverloadCurve, overload_curve
-from ....analysis.overload import OverloadResult, OverloadSweep, overload
-from ....analysis.sweep.axes import parse_axis
-from ..chart import Area, Axis, Chart, Level, Line, Sheet, axis_of, describe, stated
-from ..interface import Request
+from ....analysis.curves import OverloadCurve
+from ....analysis.overload import OverloadSweep
+from ..chart import Area, Chart, ChartAxis, Level, Line, Sheet, axis_of, describe, stated
 
 
-def sheet(request: Request) -> Sheet:
+def sheet(curve: OverloadCurve) -> Sheet:
     """Draw both panels for one clutch."""
-    clutch = request.subjects[0]
-    curve = overload_curve(clutch)
-    result, _ = overload(clutch, [_reduced_gain(clutch)])
     caption = (
         "Equilibrium: at slip the load equals the expected torque for every margin; the published T_ср = T_п − ΔT' "
         "(S22 (14)) swaps the weights of T_п and T_н.маш (misprint M12). Where the release force lags the load "
         "(impact), the trip lies in the shaded bracket. Curves of K_т as S22 fig. 3, its optimum at zC = 1/f_max (M13)."
     )
-    title = f"Overload with the margin {stated('β_н', result.margin, '1')}"
-    return Sheet(title, [_trip(curve, result), _accuracy(clutch, result)], caption, name=clutch.spec.name or "")
+    title = f"Overload with the margin {stated('β_н', curve.margin, '1')}"
+    return Sheet(title, [_trip(curve), _accuracy(curve)], caption, name=curve.name or "")
 
 
-def _trip(curve: OverloadCurve, result: OverloadResult) -> Chart:
+def _trip(curve: OverloadCurve) -> Chart:
     names = ("expected_torque", "actuation_torque_published")
     lines = [Line(describe(OverloadCurve, name), curve.friction, getattr(curve, name)) for name in names]
     few = slice(None, None, 20)
@@ -32,31 +25,23 @@ def _trip(curve: OverloadCurve, result: OverloadResult) -> Chart:
         Line(describe(OverloadCurve, equilibrium), curve.friction[few], getattr(curve, equilibrium)[few], points=True)
     )
     bracket = Area("trip bracket, T_муф to T_п", curve.friction, curve.expected_torque, curve.potential_torque)
-    machine = Level(stated("machine's nominal torque T_н.маш", result.machine_torque, "N*m"), result.machine_torque)
+    machine = Level(stated("machine's nominal torque T_н.маш", curve.machine_torque, "N*m"), curve.machine_torque)
     x, y = axis_of(OverloadCurve, "friction"), axis_of(OverloadCurve, "expected_torque", quantity="torque")
     return Chart(
         x, y._replace(symbol="T"), lines, title="Torque at the trip", levels=[machine], areas=[bracket], from_zero=True
     )
 
 
-def _accuracy(clutch: Any, result: OverloadResult) -> Chart:
-    assert result.sweep is not None
-    swept = result.sweep[0]
+def _accuracy(curve: OverloadCurve) -> Chart:
+    swept = curve.accuracy
     lines = [
         Line(describe(OverloadSweep, name), swept.values, getattr(swept, name))
         for name in ("accuracy_factor_expected", "accuracy_factor_actual")
     ]
-    own = float(clutch.reduced_gain)
-    best = result.optimal_reduced_gain
+    own, best = curve.reduced_gain, curve.optimal_reduced_gain
     levels = [
         Level(stated("this clutch: zC", own, "1"), own, across=False),
         Level(stated("best actual accuracy, zC", best, "1"), best, across=False),
     ]
-    x = Axis("reduced gain", "zC" if clutch.bypass_pairs == 0 else "z_2 C")
-    return Chart(x, Axis("accuracy factor", "K_т"), lines, title="Accuracy over the reduced gain", levels=levels)
-
-
-def _reduced_gain(clutch: Any) -> Any:
-    """From 0 to the recommended limit 5, or as far as the clutch lies beyond it."""
-    top = max(5.0, 1.2 * float(clutch.reduced_gain))
-    return parse_axis(f"zC=0:{top!r}:401", clutch.spec)
+    x = ChartAxis("reduced gain", "zC" if curve.bypass_pairs == 0 else "z_2 C")
+    return Chart(x, ChartAxis("accuracy factor", "K_т"), lines, title="Accuracy over the reduced gain", levels=levels)

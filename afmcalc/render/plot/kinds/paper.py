@@ -1,14 +1,11 @@
 """The papers' figures, redrawn from the formulas, their corrections named in the caption."""
 
-from ....papers.figures import PaperCurve, PaperFigure, paper_figure
-from ....papers.figures.interface import PaperAxis
-from ..chart import Axis, Chart, Line, Sheet
-from ..interface import Request
+from ....papers.figures.interface import PaperAxis, PaperCurve, PaperFigure
+from ..chart import Chart, ChartAxis, Line, Sheet
 
 
-def sheet(request: Request) -> Sheet:
+def sheet(found: PaperFigure) -> Sheet:
     """Draw one figure of the papers."""
-    found = paper_figure(request.subjects[0])
     x = _axis(found.x)
     panels = [
         Chart(x, _axis(y), [_line(curve) for curve in curves]) for y, curves in zip(found.y, found.panels, strict=True)
@@ -16,8 +13,8 @@ def sheet(request: Request) -> Sheet:
     return Sheet(f"{found.name}: {found.title}", panels, _caption(found))
 
 
-def _axis(axis: PaperAxis) -> Axis:
-    return Axis(axis.name, axis.symbol, axis.unit, axis.log)
+def _axis(axis: PaperAxis) -> ChartAxis:
+    return ChartAxis(axis.name, axis.symbol, axis.unit, axis.log)
 
 
 def _line(curve: PaperCurve) -> Line:

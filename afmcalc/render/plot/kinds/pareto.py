@@ -1,10 +1,9 @@
 """The Pareto front of a design: the first objective against the others, on the grid and refined between its points."""
 
-from ....analysis.design.design import DesignResult, design
+from ....analysis.design.design import DesignResult
 from ....analysis.design.rows import DesignRow, objective
-from ....errors import CalculationError
-from ..chart import Axis, Chart, Line, Sheet, axis_of
-from ..interface import Request
+from ....analysis.figures import ParetoFigure
+from ..chart import Chart, ChartAxis, Line, Sheet, axis_of
 
 _QUANTITIES = {
     "closing_force": "closing force",
@@ -18,22 +17,13 @@ _QUANTITIES = {
 }
 
 
-def sheet(request: Request) -> Sheet:
-    """Search what the requirements allow, and draw the front.
-
-    Raises:
-        CalculationError: there is one objective only, or nothing meets the requirements.
-    """
-    need = request.subjects[0]
-    if len(set(need.objectives)) < 2:
-        raise CalculationError("plot pareto: one objective has one best clutch and no front; give two or more")
-    result, findings = design(need, request.progress)
-    if not result.front:
-        raise CalculationError(findings[0].message)
+def sheet(found: ParetoFigure) -> Sheet:
+    """Draw the front that a search found."""
+    result = found.result
     x, *others = _axes(result.objectives)
     by_pairs = _name_points(result, x, others)
     charts = [_chart(result, x, y, by_pairs=by_pairs) for y in others if not (by_pairs and y == "pairs")]
-    return Sheet("Pareto front", charts, _caption(result), name=need.name or "")
+    return Sheet("Pareto front", charts, _caption(result), name=found.name or "")
 
 
 def _name_points(result: DesignResult, x: str, others: list[str]) -> bool:
@@ -94,7 +84,7 @@ def _tagged(lines: list[Line], pairs: list[int]) -> list[Line]:
     return named
 
 
-def _axis(name: str) -> Axis:
+def _axis(name: str) -> ChartAxis:
     return axis_of(DesignRow, name, quantity=_QUANTITIES[name])
 
 

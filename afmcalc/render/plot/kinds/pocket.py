@@ -3,11 +3,10 @@
 import math
 from typing import Any, NamedTuple
 
-from ....analysis.section import PocketSection, pocket_section
+from ....analysis.section import PocketSection
 from ...symbols import mathtext
 from ...units import display
 from ..chart import Sheet, stated
-from ..interface import Request
 from ..style import COLOURS, INK, WIDTH
 
 _MM = 1e3
@@ -24,10 +23,8 @@ class _Sizes(NamedTuple):
     travel: float
 
 
-def sheet(request: Request) -> Sheet:
+def sheet(section: PocketSection) -> Sheet:
     """Draw the ball at the stop and, where the sleeve travels, at its largest travel."""
-    clutch = request.subjects[0]
-    section = pocket_section(clutch)
     sizes = _Sizes(
         radius=section.ball_diameter / 2 * _MM,
         angle=section.wall_angle,
@@ -36,8 +33,8 @@ def sheet(request: Request) -> Sheet:
         travel=section.travel_max * _MM,
     )
     positions = {0.0: "at the stop, x = 0", sizes.travel: f"at f_max, {_stated('x_max', section.travel_max)}"}
-    panels = [Section(sizes, travel, title if sizes.travel else "") for travel, title in positions.items()]
-    return Sheet("Ball and pockets, section A–A", panels, _caption(section), name=clutch.spec.name or "")
+    panels = [Position(sizes, travel, title if sizes.travel else "") for travel, title in positions.items()]
+    return Sheet("Ball and pockets, section A–A", panels, _caption(section), name=section.name or "")
 
 
 def _stated(symbol: str, value: float) -> str:
@@ -60,7 +57,7 @@ def _caption(section: PocketSection) -> str:
     )
 
 
-class Section:
+class Position:
     """One position of the sleeve."""
 
     def __init__(self, sizes: _Sizes, travel: float, title: str) -> None:

@@ -1,48 +1,34 @@
 """The torque over tolerances: its histogram, with quantiles, the nominal torques and the limit marked."""
 
 import math
-from typing import Any
 
-from ....analysis.tolerance.histogram import CENTRAL
-from ....analysis.tolerance.study import Study, study
-from ....errors import CalculationError
+from ....analysis.figures import ToleranceFigure
+from ....analysis.tolerance.result import Study
 from ...units import display
-from ..chart import Area, Axis, Chart, Level, Line, Sheet, stated
-from ..interface import Request
+from ..chart import Area, Chart, ChartAxis, Level, Line, Sheet, stated
 
 _METHODS = {"exact": "Exact", "monte-carlo": "Monte Carlo", "quasi-monte-carlo": "Quasi-Monte Carlo"}
 
 
-def sheet(request: Request) -> Sheet:
-    """Calculate one clutch by its [tolerance] block and draw the histogram."""
-    clutch = request.subjects[0]
-    return drawn(clutch, study(clutch))
-
-
-def drawn(clutch: Any, found: Study) -> Sheet:
-    """Draw what was found of a clutch.
-
-    Raises:
-        CalculationError: the torque does not scatter.
-    """
+def sheet(figure: ToleranceFigure) -> Sheet:
+    """Draw the histogram with what is marked on it."""
+    found = figure.study
     densities = found.histogram.densities
-    if not densities:
-        raise CalculationError("plot tolerance: the torque does not scatter, there is no histogram")
     edges = found.histogram.edges
     x = [edge for edge in edges for _ in range(2)]
     y = [0.0, *(density for density in densities for _ in range(2)), 0.0]
-    levels = [*_quantiles(found), *_torques(clutch, found)]
+    levels = [*_quantiles(found), *_torques(figure)]
     ends = [*edges, *(level.value for level in levels)]
     room = 0.03 * (max(ends) - min(ends))
     chart = Chart(
-        Axis("slip torque", "T", "N*m"),
-        Axis("probability density", "p", "1/(N*m)"),
+        ChartAxis("slip torque", "T", "N*m"),
+        ChartAxis("probability density", "p", "1/(N*m)"),
         [Line("density of the slip torque", x, y)],
         levels=levels,
         areas=[Area("", x, [0.0] * len(x), y)],
         bounds=(min(ends) - room, max(ends) + room, 0.0, 1.05 * max(densities)),
     )
-    return Sheet("Slip torque over tolerances and scatter", [chart], _caption(clutch, found), clutch.spec.name or "")
+    return Sheet("Slip torque over tolerances and scatter", [chart], _caption(figure), figure.name or "")
 
 
 def _quantiles(found: Study) -> list[Level]:
@@ -55,9 +41,9 @@ def _quantiles(found: Study) -> list[Level]:
     ]
 
 
-def _torques(clutch: Any, found: Study) -> list[Level]:
+def _torques(figure: ToleranceFigure) -> list[Level]:
     """The nominal torques and the limit, where each is one of its own."""
-    result, nominal = found.result, float(clutch.nominal_torque)
+    result, nominal = figure.study.result, figure.nominal_torque
     named = [("T_н", "nominal torque", nominal)]
     if not math.isclose(result.machine_torque, nominal, rel_tol=1e-9):
         named.append(("T_н.маш", "machine's nominal torque", result.machine_torque))
@@ -69,11 +55,11 @@ def _torques(clutch: Any, found: Study) -> list[Level]:
     ]
 
 
-def _caption(clutch: Any, found: Study) -> str:
-    result, given = found.result, clutch.spec.tolerance
+def _caption(figure: ToleranceFigure) -> str:
+    result = figure.study.result
     how = _METHODS[result.method]
-    how += f", {result.samples:,} samples, seed {given.seed}" if result.samples else ": only friction scatters"
-    said = [f"{how}. The bars hold the middle {_percent(CENTRAL[1] - CENTRAL[0])}."]
+    how += f", {result.samples:,} samples, seed {figure.seed}" if result.samples else ": only friction scatters"
+    said = [f"{how}. The bars hold the middle {_percent(figure.share)}."]
     listed = ", ".join(f"{_percent(row.probability)}: {display(row.torque, 'N*m')}" for row in result.quantiles)
     said.append(f"Quantiles in N·m: {listed}.")
     said.append(f"Robust accuracy factor K_т,r = {display(result.accuracy_factor_robust, '1')}.")

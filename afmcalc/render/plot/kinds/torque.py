@@ -1,30 +1,24 @@
 """Torque against friction: both settings with their scatter bands, or several clutches as they are set."""
 
-from typing import Any
+from collections.abc import Sequence
 
-from ....analysis.curves import TorqueCurve, torque_curve
-from ..chart import Axis, Chart, Level, Line, Sheet, Span, axis_of, describe, named, stated
-from ..interface import Request
+from ....analysis.curves import TorqueCurve
+from ..chart import Chart, ChartAxis, Level, Line, Sheet, Span, axis_of, describe, stated
 
 _EXTRA = ("breakaway_torque", "torque_returning")
 
 
-def sheet(request: Request) -> Sheet:
+def sheet(curves: Sequence[TorqueCurve]) -> Sheet:
     """Draw one clutch in detail, or several as one curve each."""
-    if len(request.subjects) == 1:
-        return _one(request.subjects[0])
-    curves = [torque_curve(clutch) for clutch in request.subjects]
-    lines = [
-        Line(named(clutch), curve.friction, curve.torque)
-        for clutch, curve in zip(request.subjects, curves, strict=True)
-    ]
+    if len(curves) == 1:
+        return _one(curves[0])
+    lines = [Line(curve.name or curve.variant, curve.friction, curve.torque) for curve in curves]
     return Sheet(
         "Slip torque against friction", [Chart(_friction(curves), _torque(), lines, from_zero=True, named=True)]
     )
 
 
-def _one(clutch: Any) -> Sheet:
-    curve = torque_curve(clutch)
+def _one(curve: TorqueCurve) -> Sheet:
     methods = ("torque_min_friction", "torque_mean_friction")
     lines = [Line(describe(TorqueCurve, name), curve.friction, getattr(curve, name)) for name in methods]
     lines += [
@@ -33,15 +27,14 @@ def _one(clutch: Any) -> Sheet:
         if getattr(curve, name)
     ]
     spans = [_band(number, getattr(curve, name)) for number, name in enumerate(methods)]
-    nominal = float(clutch.nominal_torque)
-    levels = [Level(stated("nominal torque T_н", nominal, "N*m"), nominal)]
+    levels = [Level(stated("nominal torque T_н", curve.nominal_torque, "N*m"), curve.nominal_torque)]
     chart = Chart(_friction([curve]), _torque(), lines, levels=levels, spans=spans, from_zero=True)
     caption = (
-        f"Both settings for the same nominal torque; margin β_н = {clutch.spec.adjustment.margin:g} in the second. "
-        f"ΔT is the scatter band of each. The spec sets it by {clutch.spec.adjustment.method}."
-        + (" f_2 moves with f_1." if clutch.spec.friction.unlike else "")
+        f"Both settings for the same nominal torque; margin β_н = {curve.margin:g} in the second. "
+        f"ΔT is the scatter band of each. The spec sets it by {curve.method}."
+        + (" f_2 moves with f_1." if curve.friction_driving else "")
     )
-    return Sheet("Slip torque against friction", [chart], caption, name=clutch.spec.name or "")
+    return Sheet("Slip torque against friction", [chart], caption, name=curve.name or "")
 
 
 def _band(number: int, torque: list[float]) -> Span:
@@ -49,10 +42,10 @@ def _band(number: int, torque: list[float]) -> Span:
     return Span(stated(f"ΔT_{number + 1}", ends[1] - ends[0], "N*m"), ends[0], ends[1], number)
 
 
-def _friction(curves: list[TorqueCurve]) -> Axis:
+def _friction(curves: Sequence[TorqueCurve]) -> ChartAxis:
     unlike = any(curve.friction_driving for curve in curves)
     return axis_of(TorqueCurve, "friction_driving" if unlike else "friction")
 
 
-def _torque() -> Axis:
+def _torque() -> ChartAxis:
     return axis_of(TorqueCurve, "torque", quantity="slip torque")

@@ -1,0 +1,51 @@
+"""What was asked of one clutch, each answer calculated once."""
+
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from ..engines.protocol import Clutch
+from ..findings import Finding
+from ..result import Result
+from .registry import ANALYSES, Analysis, StressRule
+
+if TYPE_CHECKING:
+    from .tolerance.study import Study
+
+R = TypeVar("R", bound=Result)
+
+
+class Answers:
+    """A clutch with the answers to what was asked of it; each is calculated when first asked for, and kept."""
+
+    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress") -> None:
+        """Ask of ``clutch``, the life by the rule ``model``."""
+        self.clutch = clutch
+        self._options = {"model": model, "answers": self}
+        self._found: dict[str, tuple[Any, list[Finding]]] = {}
+
+    def ask(self, name: str) -> tuple[Any, list[Finding]]:
+        """Return result and findings of an analysis, run at most once."""
+        if name not in self._found:
+            self._found[name] = self._run(ANALYSES[name])
+        return self._found[name]
+
+    def of(self, kind: type[R]) -> R:
+        """Return the result of that class."""
+        name = next(each.name for each in ANALYSES.values() if each.result == kind.__name__)
+        found: R = self.ask(name)[0]
+        return found
+
+    @cached_property
+    def study(self) -> "Study":
+        """The tolerance study, with what only a picture needs."""
+        from .tolerance.study import study
+
+        return study(self.clutch)
+
+    def _run(self, analysis: Analysis) -> tuple[Any, list[Finding]]:
+        if analysis.name == "tolerance":
+            return self.study.result, self.study.findings
+        found: tuple[Any, list[Finding]] = analysis.function(
+            self.clutch, **{name: self._options[name] for name in analysis.options}
+        )
+        return found

@@ -1,0 +1,169 @@
+"""What there is to draw: each kind of plot as data, gathered from what was asked of a clutch."""
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ..errors import AfmcalcError, CalculationError
+from ..messages import say
+from ..spec.suggest import did_you_mean
+from .registry import PLOTS, Plot, StressRule
+
+if TYPE_CHECKING:
+    from ..papers.figures import PaperFigure
+    from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
+    from .design.design import DesignResult
+    from .section import PocketSection
+    from .tolerance.study import Study
+
+_SINGLE = {"clutch": "SPEC", "names": "NAME", "requirements": "REQUIREMENTS"}
+"""What stands alone, as the help calls it."""
+
+
+class Request(NamedTuple):
+    """What to draw."""
+
+    subjects: Sequence[Any]
+    """``Answers`` of clutches, names of the papers' figures, or requirements."""
+    sweep: str | None = None
+    model: StressRule | None = None
+    progress: Callable[[int], None] = lambda done: None
+    """Is told how many candidates of a design are behind."""
+
+
+class ToleranceFigure(NamedTuple):
+    """The torque of one clutch over its tolerances."""
+
+    name: str | None
+    nominal_torque: float
+    seed: int
+    share: float
+    """Share of the distribution that the bars of the histogram hold."""
+    study: "Study"
+
+
+class ParetoFigure(NamedTuple):
+    """The front of a design with two objectives or more."""
+
+    name: str | None
+    result: "DesignResult"
+
+
+def plot_of(name: str) -> Plot:
+    """Return the plot of a name.
+
+    Raises:
+        AfmcalcError: there is none.
+    """
+    if name not in PLOTS:
+        raise AfmcalcError(
+            say(
+                "no plot {name!r}{hint}; there are: {kinds}",
+                name=name,
+                hint=did_you_mean(name, PLOTS),
+                kinds=", ".join(PLOTS),
+            )
+        )
+    return PLOTS[name]
+
+
+def check_request(name: str, request: Request) -> None:
+    """Refuse subjects or options that are not for a plot.
+
+    Raises:
+        AfmcalcError: no such plot, or what is refused.
+    """
+    plot = plot_of(name)
+    if plot.takes in _SINGLE and len(request.subjects) != 1:
+        raise AfmcalcError(
+            say(
+                "plot {name} takes one {what}, not {count}",
+                name=name,
+                what=_SINGLE[plot.takes],
+                count=len(request.subjects),
+            )
+        )
+    for option in ("sweep", "model"):
+        if getattr(request, option) is not None and option not in plot.options:
+            raise AfmcalcError(say("plot {name} has no use for --{option}", name=name, option=option))
+
+
+def gathered(name: str, request: Request) -> Any:
+    """Calculate what a plot shows.
+
+    Raises:
+        AfmcalcError: no such plot, subjects or options that are not for it, or an analysis that does not apply.
+    """
+    check_request(name, request)
+    gather: Callable[[Request], Any] = globals()[f"_{name}"]
+    return gather(request)
+
+
+def _torque(request: Request) -> "list[TorqueCurve]":
+    from .curves import torque_curve
+
+    return [torque_curve(answers.clutch) for answers in request.subjects]
+
+
+def _accuracy(request: Request) -> "list[AccuracyCurve]":
+    from .curves import accuracy_curve
+
+    return [accuracy_curve(answers.clutch, request.sweep) for answers in request.subjects]
+
+
+def _overload(request: Request) -> "OverloadCurve":
+    from .curves import overload_curve
+
+    return overload_curve(request.subjects[0].clutch)
+
+
+def _life(request: Request) -> "list[LifeCurve]":
+    from .curves import life_curve
+
+    found = [life_curve(answers, request.sweep) for answers in request.subjects]
+    drawn = [each for curve in found for each in curve.series.protected]
+    if len(found) == 1:
+        (own,) = found
+        drawn += [*own.series.unprotected, *own.series.protected_forecast, *(each.cycles for each in own.settings)]
+    if not any(drawn):
+        raise CalculationError(
+            say("plot life: by the model {model!r} fatigue sets no limit anywhere in the range", model=found[0].model)
+        )
+    return found
+
+
+def _pocket(request: Request) -> "PocketSection":
+    from .section import pocket_section
+    from .synthesize import SynthesisResult
+
+    (answers,) = request.subjects
+    return pocket_section(answers.clutch.spec.name, answers.of(SynthesisResult))
+
+
+def _tolerance(request: Request) -> ToleranceFigure:
+    from .tolerance.histogram import CENTRAL
+
+    (answers,) = request.subjects
+    study, spec = answers.study, answers.clutch.spec
+    if not study.histogram.densities:
+        raise CalculationError(say("plot tolerance: the torque does not scatter, there is no histogram"))
+    return ToleranceFigure(
+        spec.name, float(answers.clutch.nominal_torque), spec.tolerance.seed, CENTRAL[1] - CENTRAL[0], study
+    )
+
+
+def _pareto(request: Request) -> ParetoFigure:
+    from .design.design import design
+
+    (need,) = request.subjects
+    if len(set(need.objectives)) < 2:
+        raise CalculationError(say("plot pareto: one objective has one best clutch and no front; give two or more"))
+    result, findings = design(need, request.progress)
+    if not result.front:
+        raise CalculationError(findings[0].message)
+    return ParetoFigure(need.name, result)
+
+
+def _paper(request: Request) -> "PaperFigure":
+    from ..papers.figures import paper_figure
+
+    return paper_figure(request.subjects[0])

@@ -1,0 +1,174 @@
+"""Every analysis there is, as one record: what commands, schemas, explanations, plots and reports are read off.
+
+Nothing is imported until it is asked for, so that a start-up may read the list.
+"""
+
+from collections.abc import Callable
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+if TYPE_CHECKING:
+    from ..engines import Clutch
+
+StressRule = Literal["mean-stress", "amplitude", "goodman"]
+"""Rules for the damaging stress of a life: the paper's, Серенсен–Кинасошвили's, Goodman's."""
+
+Subject = Literal["clutch", "clutches", "names", "requirements"]
+
+
+class Plot(NamedTuple):
+    """What is drawn of an analysis: ``figures.NAME`` gathers it, ``render.plot.kinds.NAME`` lays it out."""
+
+    name: str
+    about: str
+    """What it shows, for the help."""
+    takes: Subject = "clutches"
+    """What it is of: one clutch, one or more, words (the papers' figures), or requirements."""
+    options: tuple[str, ...] = ()
+    """Options it heeds; any other that is given is refused."""
+    applies: Callable[["Clutch"], bool] = lambda clutch: True
+
+
+class Section(NamedTuple):
+    """What a report says over the numbers of an analysis."""
+
+    title: str
+    about: str | Callable[[Any], str]
+    """What is calculated; or a function of the result that says it."""
+    sources: tuple[str, ...] = ()
+    """Keys of the references it rests on."""
+    sources_indirect: tuple[str, ...] = ()
+    """The same for an indirect clutch, where its law is another."""
+
+
+class Analysis(NamedTuple):
+    """One thing to ask; ``home`` is the module, from the package, that holds the function of that name."""
+
+    name: str
+    home: str
+    result: str
+    """Class of its result, in ``home``."""
+    group: str
+    """Commands that belong together: what a command takes."""
+    applies: Callable[["Clutch"], bool] = lambda clutch: True
+    """Whether a clutch can be asked."""
+    options: tuple[str, ...] = ()
+    """Its arguments beside the clutch, of those that ``Answers`` has."""
+    explained: bool = False
+    """Whether its steps can be shown."""
+    judged: bool = False
+    """Whether ``check`` takes in its findings."""
+    section: Section | None = None
+    plot: Plot | None = None
+
+    @property
+    def function(self) -> Callable[..., Any]:
+        """The function that gives result and findings."""
+        found: Callable[..., Any] = getattr(import_module(f"..{self.home}", __package__), self.name)
+        return found
+
+    @property
+    def result_class(self) -> Any:
+        """The class of its result."""
+        return getattr(import_module(f"..{self.home}", __package__), self.result)
+
+
+def _can_be_synthesized(clutch: "Clutch") -> bool:
+    unit = clutch.spec.control_unit
+    return unit is not None and unit.ball_circle_radius is not None and bool(clutch.gain > 0)
+
+
+def _said_of_tolerance(found: Any) -> str:
+    error = "the answer is exact" if found.method == "exact" else "± is the standard error of the sample"
+    return f"The slip torque as making and service scatter, by the block [tolerance]; {error}."
+
+
+ANALYSES: dict[str, Analysis] = {
+    each.name: each
+    for each in (
+        Analysis(
+            "torque", "analysis.torque", "TorqueResult", "clutch", explained=True,
+            section=Section(
+                "Torque and forces",
+                "The slipping clutch at the smallest, the mean and the largest friction, spring as set.",
+                ("F11",), ("S21",),
+            ),
+            plot=Plot("torque", "torque against friction, scatter band, both adjustment methods"),
+        ),
+        Analysis(
+            "accuracy", "analysis.accuracy", "AccuracyResult", "clutch", explained=True,
+            section=Section(
+                "Accuracy",
+                "K_т is the largest over the smallest torque in service; 1 would be perfect.",
+                ("F11", "S22"), ("S21",),
+            ),
+            plot=Plot(
+                "accuracy", "accuracy factor against any key, --sweep NAME[=RANGE]", options=("sweep",),
+                applies=lambda clutch: clutch.spec.kind.controlled,
+            ),
+        ),
+        Analysis(
+            "adjust", "analysis.adjust", "AdjustResult", "clutch", explained=True,
+            section=Section(
+                "Both settings of the spring",
+                "The same nominal torque, reached at the smallest friction or, with the margin, at the mean friction.",
+                ("S19",),
+            ),
+        ),
+        Analysis(
+            "overload", "analysis.overload", "OverloadResult", "clutch",
+            lambda clutch: clutch.spec.kind.overload and not clutch.spec.friction.unlike, explained=True,
+            section=Section(
+                "Overload",
+                "What the drive sees when the clutch, set with a margin over the machine's torque, begins to slip.",
+                ("S22",),
+            ),
+            plot=Plot("overload", "trip over friction, and accuracy over the reduced gain (S22 fig. 3)", "clutch"),
+        ),
+        Analysis(
+            "synthesize", "analysis.synthesize", "SynthesisResult", "clutch", _can_be_synthesized, explained=True,
+            judged=True,
+            section=Section(
+                "Control unit",
+                "Wall angle, ball and pocket for the gain; the contact held against what it may carry.",
+                ("S21",),
+            ),
+            plot=Plot("pocket", "section through ball and pockets, to scale", "clutch"),
+        ),
+        Analysis(
+            "life", "analysis.life", "LifeResult", "clutch", lambda clutch: clutch.spec.fatigue is not None,
+            ("model",), explained=True, judged=True,
+            section=Section(
+                "Life",
+                lambda found: f"Cycles to failure on both sides of the clutch, by the rule {found.model}.",
+                ("S19",),
+            ),
+            plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
+        ),
+        Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
+        Analysis("solve", "analysis.solve.solve", "SolveResult", "design"),
+        Analysis(
+            "tolerance", "analysis.tolerance.study", "ToleranceResult", "design",
+            lambda clutch: clutch.spec.tolerance is not None,
+            section=Section("Tolerances and scatter", _said_of_tolerance),
+            plot=Plot("tolerance", "histogram of the torque with quantiles, by the [tolerance] block", "clutch"),
+        ),
+        Analysis(
+            "design", "analysis.design.design", "DesignResult", "design",
+            plot=Plot("pareto", "Pareto front of a design, on the grid and refined", "requirements"),
+        ),
+        Analysis("explain", "analysis.explain.explain", "ExplainResult", "papers"),
+        Analysis("equations", "papers.register", "EquationsResult", "papers"),
+        Analysis(
+            "reproduce", "papers.claims", "ReproduceResult", "papers",
+            plot=Plot("paper", "a figure of the papers from the formulas: F11-2, S19-2, S21-2, …", "names"),
+        ),
+        Analysis("materials", "analysis.materials", "MaterialsResult", "specs"),
+        Analysis("check", "analysis.checks.check", "CheckResult", "specs", options=("answers",), explained=True),
+    )
+}  # fmt: skip
+"""Name → analysis, in the order of the help and of a report. A new one is its file and a row here."""
+
+PLOTS: dict[str, Plot] = {each.plot.name: each.plot for each in ANALYSES.values() if each.plot}
+
+EXPLAINED = tuple(each.name for each in ANALYSES.values() if each.explained)

@@ -1,0 +1,128 @@
+"""Values of a swept key: as given, or over a sensible range."""
+
+import numpy as np
+
+from ...arrays import Floats
+from ...engines import build
+from ...errors import AfmcalcError, SpecError
+from ...messages import say
+from ...spec import Spec
+from ...spec.edit import value_at, with_key
+from ...spec.models import FrictionRange
+from ...spec.quantity import parse_quantity
+from ...spec.walk import Key
+from .grid import MOST_POINTS
+
+
+def parse_values(text: str, given: str, unit: str) -> Floats:
+    """Read ``start:stop:count`` or ``v1,v2,…``; ``text`` is the whole option, for messages."""
+
+    def number(part: str) -> float:
+        part = part.strip()
+        try:
+            return parse_quantity(float(part), unit)
+        except ValueError:
+            pass
+        try:
+            return parse_quantity(part, unit)
+        except ValueError as error:
+            raise AfmcalcError(say("--sweep {text}: {part!r}: {why}", text=text, part=part, why=error)) from None
+
+    parts = given.split(":") if ":" in given else given.split(",")
+    listed = parts[:2] if ":" in given else parts
+    if len({_has_unit(part) for part in listed}) > 1:
+        raise AfmcalcError(say("--sweep {text}: give every value a unit, or none (SI)", text=text))
+    if ":" not in given:
+        return np.array([number(part) for part in parts])
+    if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 2:
+        raise AfmcalcError(say("--sweep {text}: write start:stop:count with a whole count of at least 2", text=text))
+    count = int(parts[2])
+    if count > MOST_POINTS:
+        raise AfmcalcError(
+            say(
+                "--sweep {text}: {count} points; at most {most_points} are swept",
+                text=text,
+                count=count,
+                most_points=MOST_POINTS,
+            )
+        )
+    return np.linspace(number(parts[0]), number(parts[1]), count)
+
+
+def _has_unit(part: str) -> bool:
+    return any(letter.isalpha() for letter in part.strip().lower().replace("e", ""))
+
+
+def default_range(key: Key, spec: Spec) -> Floats:
+    """Return a sensible range: the gain from 0 to its limit, counts one by one, else half to twice the value."""
+    current = current_value(spec, key.path)
+    group = spec.friction_group
+    if key.path == "control_unit.gain":
+        clutch = build(spec)
+        limit = clutch.gain_limit
+        start = float(clutch.gain_threshold or 0.0)
+        return np.linspace(start, limit if limit is not None else max(2 * float(clutch.gain), start + 5.0), 26)
+    if key.path == "friction_group.driving_pairs":
+        return np.arange(1, max(group.pairs, 2)).astype(float)
+    if key.path == "friction_group.pairs":
+        return np.arange(spec.least_pairs, 2 * group.pairs + 1).astype(float)
+    if key.path == "adjustment.margin":
+        return np.linspace(1.0, max(2.0, float(current or 1)), 21)
+    if current is None:
+        raise AfmcalcError(say("{path} is not in the spec: give a range, {path}=start:stop:count", path=key.path))
+    low, high = 0.5 * current, 2 * current
+    if key.path.startswith("friction."):
+        low, high = _friction_range(key.path, spec, low, high)
+    if key.path == "control_unit.wall_angle":
+        high = min(high, 1.5)
+    return np.linspace(_feasible(spec, key.path, current, low), _feasible(spec, key.path, current, high), 26)
+
+
+def _feasible(spec: Spec, path: str, current: float, end: float) -> float:
+    """Draw an end of a default range in to where the clutch can still be built (the key's threshold)."""
+
+    def builds(value: float) -> bool:
+        try:
+            build(with_key(spec, path, value))
+        except SpecError:
+            return False
+        return True
+
+    inside = current
+    if builds(end):
+        return end
+    for _ in range(60):
+        middle = (inside + end) / 2
+        inside, end = (middle, end) if builds(middle) else (inside, middle)
+    return inside
+
+
+def _friction_block(path: str, spec: Spec) -> FrictionRange | None:
+    """Return the friction that a coefficient at ``path`` belongs to: of all pairs, or of one group."""
+    group = path.rpartition(".")[0]
+    block: FrictionRange | None = value_at(spec, group)
+    return None if group == "friction" and spec.friction.unlike else block
+
+
+def _friction_range(path: str, spec: Spec, low: float, high: float) -> tuple[float, float]:
+    """Keep a default range of friction within min ≤ mean ≤ max of its group."""
+    block = _friction_block(path, spec)
+    assert block is not None
+    own, end = block.range, path.rpartition(".")[2]
+    pinned = block.mean is not None
+    if end == "min":
+        return low, own.mean if pinned else own.max
+    if end == "max":
+        return own.mean if pinned else own.min, high
+    return own.min, own.max
+
+
+def current_value(spec: Spec, path: str) -> float | None:
+    """Return the value at ``path`` as the engines see it; None when absent."""
+    value: float | None = value_at(spec, path)
+    if path.startswith("friction.") and (end := path.rpartition(".")[2]) in ("min", "mean", "max"):
+        block = _friction_block(path, spec)
+        value = None if block is None else getattr(block.range, end)
+    if path == "friction_group.mean_radius":
+        value = float(build(spec).mean_radius)
+    return value

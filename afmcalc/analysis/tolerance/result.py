@@ -1,0 +1,161 @@
+"""What a study of tolerances tells: every figure of a sample with its standard error."""
+
+from functools import cache
+from typing import Any, Literal, NamedTuple, Self
+
+from ...findings import Finding
+from ...result import Result, quantity
+from ...spec.tolerance import Setting
+
+
+class Estimate(NamedTuple):
+    """A figure of a sample and its standard error, 0 where it is exact."""
+
+    value: float
+    standard_error: float = 0.0
+
+
+class Estimated(Result):
+    """A result that holds estimates; written flat, the error in a field that says whose it is (``error_of``)."""
+
+    @classmethod
+    def of(cls, **figures: object) -> Self:
+        """Build the result from figures, an ``Estimate`` giving both of its fields."""
+        errors = error_fields(cls)
+        flat = dict(figures)
+        for name, figure in figures.items():
+            if isinstance(figure, Estimate):
+                flat[name], flat[errors[name]] = figure
+        return cls.model_validate(flat)
+
+    def estimate(self, name: str) -> Estimate:
+        """Return a figure with its error."""
+        return Estimate(getattr(self, name), getattr(self, error_fields(type(self))[name]))
+
+
+@cache
+def error_fields(result: type[Result]) -> dict[str, str]:
+    """Return the field of the error by that of the figure."""
+    about = {name: info.json_schema_extra for name, info in result.model_fields.items()}
+    return {
+        str(extra["error_of"]): name for name, extra in about.items() if isinstance(extra, dict) and "error_of" in extra
+    }
+
+
+def error(of: str, unit: str, symbol: str, description: str, *, optional: bool = False) -> Any:
+    """Declare the field of a standard error."""
+    return quantity(unit, symbol, description, optional=optional, error_of=of)
+
+
+class InputRow(Result):
+    """One number that scatters."""
+
+    path: str = quantity("", None, "field")
+    distribution: str = quantity("", None, "distribution")
+    center: float = quantity("", None, "center, SI")
+    spread: float = quantity("", None, "spread, SI")
+    unit: str = quantity("", None, "SI unit")
+
+
+class QuantileRow(Estimated):
+    """One quantile of the torque."""
+
+    probability: float = quantity("1", "p", "probability")
+    torque: float = quantity("N*m", "T_p", "torque not exceeded with this probability")
+    standard_error: float = error("torque", "N*m", "±", "standard error")
+
+
+class LifeRow(Estimated):
+    """One quantile of the life over the clutches."""
+
+    probability: float = quantity("1", "p", "share of the clutches that have failed by then")
+    protected: float = quantity("1", "N_p", "slips, protected side")
+    protected_standard_error: float = error("protected", "1", "± N_p", "standard error of N_p")
+    unprotected: float = quantity("1", "N'_p", "slips, unprotected side")
+    unprotected_standard_error: float = error("unprotected", "1", "± N'_p", "standard error of N'_p")
+
+
+class IndexRow(Estimated):
+    """Sobol indices of one input."""
+
+    path: str = quantity("", None, "field")
+    first_order: float = quantity("1", "S_1", "first-order Sobol index")
+    first_order_standard_error: float = error("first_order", "1", "± S_1", "standard error of S_1")
+    total: float = quantity("1", "S_T", "total Sobol index")
+    total_standard_error: float = error("total", "1", "± S_T", "standard error of S_T")
+
+
+class ToleranceResult(Estimated):
+    """Distribution of the slip torque; standard errors are 0 where the answer is exact."""
+
+    method: Literal["exact", "monte-carlo", "quasi-monte-carlo"] = quantity("", None, "how it was calculated")
+    setting: Setting = quantity("", None, "how the springs are set")
+    samples: int | None = quantity("", None, "sample size", optional=True)
+    probability_no_clutch: float | None = quantity(
+        "1", "P(–)", "probability of no clutch; the rest is told of the others", optional=True
+    )
+    probability_no_clutch_standard_error: float | None = error(
+        "probability_no_clutch", "1", "± P(–)", "standard error of it", optional=True
+    )
+    mean: float = quantity("N*m", "T_m", "mean torque")
+    mean_standard_error: float = error("mean", "N*m", "± T_m", "standard error of the mean")
+    standard_deviation: float = quantity("N*m", "s_T", "standard deviation of the torque")
+    standard_deviation_standard_error: float = error(
+        "standard_deviation", "N*m", "± s_T", "standard error of the standard deviation"
+    )
+    accuracy_factor_robust: float = quantity("1", "K_т,r", "robust accuracy factor q(99.5 %)/q(0.5 %)")
+    accuracy_factor_robust_standard_error: float = error(
+        "accuracy_factor_robust", "1", "± K_т,r", "standard error of K_т,r"
+    )
+    torque_limit: float | None = quantity("N*m", "T_lim", "torque whose exceedance is asked for", optional=True)
+    probability_above_limit: float | None = quantity("1", "P(T>T_lim)", "probability above the limit", optional=True)
+    probability_above_limit_standard_error: float | None = error(
+        "probability_above_limit", "1", "± P(T>T_lim)", "standard error of it", optional=True
+    )
+    machine_torque: float = quantity("N*m", "T_н.маш", "machine nominal torque, T_н/β_н")
+    probability_below_machine: float = quantity("1", "P(T<T_н.маш)", "probability below the machine's nominal torque")
+    probability_below_machine_standard_error: float = error(
+        "probability_below_machine", "1", "± P(T<T_н.маш)", "standard error of it"
+    )
+    life_protected: float | None = quantity(
+        "1",
+        "N",
+        "slips to failure at the clutches' mean damage, protected side (harmonic mean of lives)",
+        optional=True,
+    )
+    life_protected_standard_error: float | None = error(
+        "life_protected", "1", "± N", "standard error of it", optional=True
+    )
+    life_unprotected: float | None = quantity(
+        "1", "N'", "slips to failure at the clutches' mean damage, unprotected side", optional=True
+    )
+    life_unprotected_standard_error: float | None = error(
+        "life_unprotected", "1", "± N'", "standard error of it", optional=True
+    )
+    life_quantiles: list[LifeRow] | None = quantity(
+        "", None, "life over the clutches, each in the whole friction of its service", optional=True
+    )
+    inputs: list[InputRow] = quantity("", None, "what scatters")
+    sobol: list[IndexRow] = quantity("", None, "share in the variance of the torque")
+    quantiles: list[QuantileRow] = quantity("", None, "quantiles of the torque")
+
+
+class Histogram(Result):
+    """Bars of equal width over the central part of the torque; none where the torque does not scatter."""
+
+    edges: list[float] = quantity("N*m", "T", "ends of the bars, one more than there are bars")
+    probabilities: list[float] = quantity("1", None, "probability of each bar")
+
+    @property
+    def densities(self) -> list[float]:
+        """Probability of each bar over its width, 1/(N·m)."""
+        ends = zip(self.edges, self.edges[1:], self.probabilities, strict=False)
+        return [probability / (high - low) for low, high, probability in ends]
+
+
+class Study(NamedTuple):
+    """All that one sample tells."""
+
+    result: ToleranceResult
+    histogram: Histogram
+    findings: list[Finding]

@@ -1,0 +1,81 @@
+"""A figure as SVG by one renderer that measures and draws; matplotlib would take four, each reading every text anew."""
+
+import io
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from matplotlib.axes import Axes
+from matplotlib.backend_bases import FigureCanvasBase
+from matplotlib.backends.backend_svg import RendererSVG
+from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
+
+_POINTS = 72
+"""Dots per inch of an SVG."""
+_BESIDE, _BETWEEN = 4.5, 7.0
+"""Room left beside the axes with all that stands round them, and between them, in dots."""
+
+
+class _Renderer(RendererSVG):
+    """Measures a text with subscripts as it draws it, so that the parser meets it once."""
+
+    def get_text_width_height_descent(self, s: str, prop: FontProperties, ismath: Any) -> Any:
+        if ismath is not True:
+            return super().get_text_width_height_descent(s, prop, ismath)  # type: ignore[no-untyped-call]
+        return self._text2path.mathtext_parser.parse(s, _POINTS, prop)[:3]
+
+
+class _Canvas(FigureCanvasBase):
+    """Lays a figure out with the renderer that draws it."""
+
+    def __init__(self, figure: Figure, renderer: RendererSVG) -> None:
+        super().__init__(figure)
+        self._renderer = renderer
+
+    def get_renderer(self) -> RendererSVG:
+        return self._renderer
+
+
+def svg_of(figure: Figure, shares: Sequence[float]) -> str:
+    """Draw a figure whose axes share its height so; without date or version: the text depends on the figure only."""
+    figure.dpi = _POINTS
+    width, height = figure.get_size_inches() * _POINTS
+    text = io.StringIO()
+    renderer = _Renderer(width, height, text, image_dpi=_POINTS, metadata={"Date": None, "Creator": None})  # type: ignore[no-untyped-call]
+    _Canvas(figure, renderer)
+    _lay_out(figure, shares, renderer)
+    figure.draw(renderer)
+    renderer.finalize()  # type: ignore[no-untyped-call]
+    return text.getvalue()
+
+
+class _Room(NamedTuple):
+    """What stands round axes on each side, in dots."""
+
+    left: float
+    right: float
+    above: float
+    below: float
+
+
+def _room(axes: Axes, renderer: RendererSVG) -> _Room:
+    own, around = axes.bbox, axes.get_tightbbox(renderer)
+    assert around is not None
+    return _Room(own.x0 - around.x0, around.x1 - own.x1, around.y1 - own.y1, own.y0 - around.y0)
+
+
+def _lay_out(figure: Figure, shares: Sequence[float], renderer: RendererSVG) -> None:
+    """Give the axes one width, and in shares the height that what stands round them leaves; it is measured once."""
+    # measured at their widest: what is placed by a share of the width then stands no further out
+    figure.subplots_adjust(left=0, right=1)
+    width, height = figure.bbox.size
+    rooms = [_room(axes, renderer) for axes in figure.axes]
+    left = _BESIDE + max(room.left for room in rooms)
+    right = width - _BESIDE - max(room.right for room in rooms)
+    free = height - sum(room.above + room.below + 2 * _BETWEEN for room in rooms)
+    top = height
+    for axes, room, share in zip(figure.axes, rooms, shares, strict=True):
+        high = free * share / sum(shares)
+        top -= _BETWEEN + room.above + high
+        axes.set_position((left / width, top / height, (right - left) / width, high / height))
+        top -= room.below + _BETWEEN

@@ -1,0 +1,71 @@
+"""The chapters of a report: one for each topic of the dossier, its numbers, its calculation, its drawing."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from ...analysis.adjust import AdjustResult
+from ...analysis.dossier import Dossier, Topic
+from ...messages import translate
+from ...result import Result, Triple
+from ..document import Document, document
+from ..layout import Block, blocks
+from ..plot import sheet_of
+from ..units import display, display_unit
+from .interface import Chapter
+from .scatter import scatter_blocks
+from .steps import explained
+
+
+def chapters(dossier: Dossier) -> list[Chapter]:
+    """Lay out every topic."""
+    return [_chapter(topic) for topic in dossier.topics]
+
+
+def _chapter(topic: Topic) -> Chapter:
+    lay_out = _BLOCKS.get(topic.name, lambda found: blocks(document(found)))
+    return Chapter(
+        key=topic.name,
+        title=topic.title,
+        about=topic.about,
+        blocks=lay_out(topic.result),
+        steps=explained(topic.steps),
+        sheets=[] if topic.figure is None else [sheet_of(topic.plot, topic.figure)],
+        sources=topic.sources,
+    )
+
+
+def _both_settings(found: AdjustResult) -> list[Block]:
+    laid_out = document(found)
+    own = [row for row in laid_out.singles if not row.path.startswith(("min_friction.", "mean_friction."))]
+    methods = _side_by_side({"set at f_min": found.min_friction, "set at mean f": found.mean_friction})
+    return [methods, *blocks(Document(own, [], [], []))]
+
+
+_BLOCKS: Mapping[str, Callable[[Any], list[Block]]] = {"adjust": _both_settings, "tolerance": scatter_blocks}
+"""Topics whose numbers are not set as they come."""
+
+
+def _side_by_side(results: dict[str, Result]) -> Block:
+    """Set results of one type as columns; a triple takes a row for each friction."""
+    columns = [_rows(result) for result in results.values()]
+    rows = [[*about, *(column[number][1] for column in columns)] for number, (about, _) in enumerate(columns[0])]
+    lined = [[symbol, name, *values, unit] for symbol, name, unit, *values in rows]
+    header = ["Symbol", "Quantity", *results, "Unit"]
+    return Block("", header, lined, [False, False, *(True for _ in results), False])
+
+
+def _rows(result: Result) -> list[tuple[tuple[str, str, str], str]]:
+    """(symbol, name, unit) and value of every field."""
+    found = []
+    for name, info in type(result).model_fields.items():
+        about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+        unit, symbol = str(about.get("unit") or ""), str(about.get("symbol") or "")
+        value, title, shown = getattr(result, name), translate(info.description or name), display_unit(unit)
+        if isinstance(value, Triple):
+            found += [
+                ((symbol, f"{title} {at}", shown), display(each, unit))
+                for at, each in (("at f_min", value.min), ("at mean f", value.mean), ("at f_max", value.max))
+            ]
+        else:
+            found.append(((symbol, title, shown), display(value, unit)))
+    return found

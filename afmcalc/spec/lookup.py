@@ -1,0 +1,90 @@
+"""Units that are not known by heart, looked up with pint in ``units.txt``."""
+
+import re
+from decimal import Decimal
+from functools import cache
+from typing import TYPE_CHECKING
+
+import pint
+
+from ..messages import say, translate
+from .suggest import did_you_mean
+from .units import EXAMPLES, allowed
+
+if TYPE_CHECKING:
+    Registry = pint.UnitRegistry[Decimal]
+
+_UNIT_TEXT = re.compile(r"[\w\s*/^().°·⋅×µμ⁻¹²³⁴-]+")
+_WORD = re.compile(r"[^\W\d_]+(?:_[^\W\d_]+)*")
+
+_FOREIGN = {"J": "an energy", "kg": "a mass", "s": "a time", "m^2": "an area"}
+"""Dimensions that no field has, by a unit of theirs."""
+
+_SPELLINGS = {
+    "N": "N kN MN kgf lbf newton kilonewton Н кН кгс Nm kNm Nmm N*m",
+    "m": "mm cm m in ft meter metre millimeter мм см м",
+    "rad": "deg rad degree radian град рад",
+    "Pa": "MPa kPa GPa Pa bar psi ksi megapascal МПа кПа Па",
+}
+"""Spellings to suggest, by the SI units that make up a field's own."""
+
+
+@cache
+def looked_up(unit_text: str, unit: str) -> Decimal:
+    """How many SI units of the field one ``unit_text`` is; decimal, so that 15 cm^3 is exactly 15e-6 m^3.
+
+    Raises:
+        ValueError: no unit, or one of another dimension than the field's ``unit``.
+    """
+    registry = _registry()
+    no_unit = say("{text!r} is not a unit; {allowed}", text=unit_text, allowed=allowed(unit))
+    if _UNIT_TEXT.fullmatch(unit_text) is None:
+        raise ValueError(no_unit)
+    try:
+        given = registry.parse_units(re.sub("[·⋅×]", "*", unit_text))
+        wanted = registry.parse_units(unit)
+    except pint.UndefinedUnitError as error:
+        names = error.unit_names if isinstance(error.unit_names, str) else ", ".join(error.unit_names)
+        hint = _did_you_mean(unit_text, unit)
+        raise ValueError(
+            say("unknown unit {names!r}{hint}; {allowed}", names=names, hint=hint, allowed=allowed(unit))
+        ) from None
+    except Exception:
+        # pint reports malformed unit expressions by whatever its tokenizer happens to raise
+        raise ValueError(no_unit) from None
+    if given.dimensionality != wanted.dimensionality:
+        raise ValueError(
+            say(
+                "{text} is {other}, not {kind}; {allowed}",
+                text=unit_text,
+                other=_dimension_name(given),
+                kind=translate(EXAMPLES[unit][0]),
+                allowed=allowed(unit),
+            )
+        )
+    return Decimal(registry.Quantity(Decimal(1), given).to(wanted).magnitude)
+
+
+@cache
+def _registry() -> "Registry":
+    from importlib.resources import files
+
+    lines = files("afmcalc.spec").joinpath("units.txt").read_text(encoding="utf-8").splitlines()
+    return pint.UnitRegistry(lines, non_int_type=Decimal)
+
+
+def _dimension_name(unit: pint.Unit) -> str:
+    registry = _registry()
+    kinds = {si: name for si, (name, _) in EXAMPLES.items() if si != "1"} | _FOREIGN
+    names = {registry.parse_units(si).dimensionality: name for si, name in kinds.items()}
+    if name := names.get(unit.dimensionality):
+        return translate(name)
+    return say("of dimension {dimension}", dimension=unit.dimensionality)
+
+
+def _did_you_mean(unit_text: str, unit: str) -> str:
+    known = [name for base, names in _SPELLINGS.items() if base in _WORD.findall(unit) for name in names.split()]
+    if power := re.fullmatch(r"(\w*?[^\W\d])([2-4])", unit_text):
+        return say("; write {unit}^{power}", unit=power[1], power=power[2])
+    hints = (did_you_mean(word, known) for word in _WORD.findall(unit_text))
+    return next(filter(None, hints), "")

@@ -1,0 +1,89 @@
+"""What pydantic finds wrong, told for people: path, value as written, what is allowed."""
+
+import json
+from collections.abc import Mapping
+
+from pydantic import BaseModel, ValidationError
+from pydantic_core import ErrorDetails
+
+from ..errors import Problem
+from ..messages import say
+from .rules import RuleError, Table
+from .suggest import did_you_mean
+from .walk import keys_below, names_in
+
+
+def problems_of(error: ValidationError, data: Table, model: type[BaseModel]) -> list[Problem]:
+    """Every problem of ``data`` once: what pydantic found, and the rules between keys that it met broken."""
+    found = [problem._replace(given=_given(problem.path, data)) for problem in _found(error, (), model)]
+    return list(dict.fromkeys(found))
+
+
+def _found(error: ValidationError, above: tuple[str, ...], model: type[BaseModel]) -> list[Problem]:
+    """Problems of the table at the path ``above``."""
+    found = []
+    for detail in error.errors(include_url=False):
+        location = (*above, *map(str, detail["loc"]))
+        broken = detail.get("ctx", {}).get("error")
+        if not isinstance(broken, RuleError):
+            found.append(Problem(".".join(location), None, _message(detail, location, model)))
+            continue
+        found += _found(broken.others, location, model) if broken.others else []
+        found += [problem._replace(path=".".join((*location, problem.path))) for problem in broken.problems]
+    return found
+
+
+def _given(path: str, data: object) -> str | None:
+    """Value at a path as it was written; keys may have dots themselves."""
+    if not isinstance(data, Mapping):
+        return None
+    if path in data:
+        if isinstance(data[path], Mapping):
+            return None
+        text = json.dumps(data[path], ensure_ascii=False, default=str)
+        return text if len(text) <= 60 else text[:57] + "..."
+    parts = path.split(".")
+    splits = ((".".join(parts[:depth]), ".".join(parts[depth:])) for depth in range(1, len(parts)))
+    return next((_given(below, data[block]) for block, below in splits if block in data), None)
+
+
+def _message(detail: ErrorDetails, location: tuple[str, ...], root: type[BaseModel]) -> str:
+    context = detail.get("ctx", {})
+    match detail["type"]:
+        case "missing":
+            return say("required")
+        case "extra_forbidden":
+            return _unknown_key(location, root)
+        case "model_type" | "model_attributes_type" | "dict_type":
+            return say("must be a table with the keys {names}", names=", ".join(names_in(location, root)))
+        case "literal_error":
+            expected = context["expected"].replace("'", "").replace(" or ", ", ")
+            hint = did_you_mean(str(detail["input"]), expected.split(", "))
+            return say("must be one of {expected}{hint}", expected=expected, hint=hint)
+        case "string_type":
+            return say("must be text in quotes")
+        case "greater_than":
+            return say("must be greater than {bound:g}", bound=context["gt"])
+        case "greater_than_equal":
+            return say("must be at least {bound:g}", bound=context["ge"])
+        case "less_than_equal":
+            return say("must be at most {bound:g}", bound=context["le"])
+        case "less_than":
+            if location[-1:] == ("wall_angle",):
+                return say("must be less than 90 deg (pi/2 rad)")
+            return say("must be less than {bound:g}", bound=context["lt"])
+        case "value_error":
+            return str(context["error"])
+        case _:
+            return detail["msg"]
+
+
+def _unknown_key(location: tuple[str, ...], root: type[BaseModel]) -> str:
+    *block, name = location
+    allowed = names_in(tuple(block), root)
+    if hint := did_you_mean(name, allowed):
+        return say("unknown key{hint}", hint=hint)
+    elsewhere = [path for path in keys_below(root) if path.rpartition(".")[2] == name]
+    if elsewhere:
+        return say("unknown key; did you mean {paths}?", paths=say(" or ").join(elsewhere))
+    return say("unknown key; allowed here: {names}", names=", ".join(allowed))

@@ -1,0 +1,71 @@
+"""The units of fields, and those that specs are written in, known by heart: pint costs half the start-up.
+
+Factors are decimal and exactly those pint finds (a test compares every row), so that it makes no difference which of
+the two reads a unit. What is not here is pint's.
+"""
+
+from decimal import Decimal
+
+from ..messages import say, translate
+
+EXAMPLES = {
+    "N": ("a force", "2 kN"),
+    "m": ("a length", "100 mm"),
+    "N*m": ("a torque", "200 N*m"),
+    "N/m": ("a stiffness", "20 N/mm"),
+    "rad": ("an angle", "30 deg"),
+    "Pa": ("a pressure or stress", "400 MPa"),
+    "m^3": ("a section modulus", "15 cm^3"),
+    "1": ("a plain number", "0.3"),
+}
+"""SI unit of a field → what it is, and how one may be written."""
+
+SIGNS = str.maketrans({"·": "*", "⋅": "*", "×": "*", "²": "^2", "³": "^3"})
+"""Signs that people write → those of the table."""
+
+_FORCES = {"N": "1", "kN": "1e3", "MN": "1e6", "Н": "1", "кН": "1e3", "МН": "1e6"}
+_LENGTHS = {"m": "1", "cm": "1e-2", "mm": "1e-3", "м": "1", "см": "1e-2", "мм": "1e-3"}
+_PRESSURES = {"Pa": "1", "kPa": "1e3", "MPa": "1e6", "GPa": "1e9", "bar": "1e5"}
+_PRESSURES |= {"Па": "1", "кПа": "1e3", "МПа": "1e6", "ГПа": "1e9", "N/mm^2": "1e6", "Н/мм^2": "1e6"}
+_DEGREE = "0.01745329251994329576923690768"
+
+
+def _alike(first: str, second: str) -> bool:
+    """Whether two units are of one alphabet."""
+    return first.isascii() == second.isascii()
+
+
+KNOWN: dict[str, dict[str, Decimal]] = {
+    "N": {unit: Decimal(factor) for unit, factor in _FORCES.items()},
+    "m": {unit: Decimal(factor) for unit, factor in _LENGTHS.items()},
+    "N*m": {
+        force + sign + length: Decimal(newtons) * Decimal(metres)
+        for force, newtons in _FORCES.items()
+        for length, metres in _LENGTHS.items()
+        for sign in ("*", " ", "")
+        if _alike(force, length)
+    },
+    "N/m": {
+        f"{force}/{length}": Decimal(newtons) / Decimal(metres)
+        for force, newtons in _FORCES.items()
+        for length, metres in _LENGTHS.items()
+        if _alike(force, length)
+    },
+    "rad": {"rad": Decimal(1), "рад": Decimal(1)} | dict.fromkeys(("deg", "°", "degree", "град"), Decimal(_DEGREE)),
+    "Pa": {unit: Decimal(factor) for unit, factor in _PRESSURES.items()},
+    "m^3": {f"{unit}^3": Decimal(factor) ** 3 for unit, factor in _LENGTHS.items()},
+}
+"""SI unit of a field → unit as written → how many SI units it is."""
+
+
+def allowed(unit: str) -> str:
+    """Say what may stand in a field of the SI unit ``unit``."""
+    kind, example = EXAMPLES[unit]
+    if unit == "1":
+        return say("give {kind} such as {example}", kind=translate(kind), example=example)
+    return say(
+        'give {kind}: a number in SI ({unit}) or a string with a unit such as "{example}"',
+        kind=translate(kind),
+        unit=unit,
+        example=example,
+    )

@@ -1,0 +1,224 @@
+"""Who is set, what is no clutch, whose life: against single clutches, built and asked one by one."""
+
+import copy
+import math
+
+import numpy as np
+import pytest
+
+import afmcalc as api
+from afmcalc.analysis.tolerance.study import study, tolerance
+from afmcalc.engines import build
+from afmcalc.errors import CalculationError, SpecError
+from afmcalc.spec import make_spec
+from afmcalc.spec.edit import put, value_at
+
+S21 = {
+    "variant": "indirect",
+    "friction": {"min": 0.1, "mean": 0.3, "max": 0.8},
+    "friction_group": {"pairs": 8, "mean_radius": 0.1},
+    "closing_spring": {"force": 2000, "stiffness": 20e3},
+    "control_spring": {"stiffness": 10e3},
+    "control_unit": {"gain": 1.0, "hub_diameter": 0.05, "key_friction": 0.15},
+}
+"""S21 fig. 2 with a closing spring of 2 kN, as first shipped in configs/indirect.toml."""
+FATIGUE = {"endurance_limit": 400e6, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7}
+SETTINGS = ["as-made", "each-adjusted"]
+
+
+def scattering(base, fields, **options):
+    return make_spec({**copy.deepcopy(base), "tolerance": {"fields": fields, "sobol_base": 64, **options}})
+
+
+@pytest.mark.parametrize(
+    ("fields", "as_made", "re_set"),
+    [
+        (
+            {"control_unit.gain": {"distribution": "uniform", "spread": "5 %"},
+             "control_unit.key_friction": {"distribution": "uniform", "spread": "33 %"}},
+            42.2, 23.2,
+        ),
+        ({"closing_spring.force": {"distribution": "normal", "spread": "5 %"}}, 4.9, 17.8),
+    ],
+)  # fmt: skip
+def test_the_setting_decides_the_scatter(fields, as_made, re_set):
+    """The audit's figures, friction at its mean."""
+    for setting, expected in zip(SETTINGS, (as_made, re_set), strict=True):
+        result, findings = tolerance(build(scattering(S21, fields, samples=200_000, setting=setting)))
+        assert result.setting == setting
+        assert setting in [each.code for each in findings]
+        assert result.standard_deviation == pytest.approx(
+            expected, abs=0.05 + 3 * result.standard_deviation_standard_error
+        )
+
+
+CASES = {
+    "indirect": (
+        S21,
+        {"control_unit.gain": ("normal", 0.05), "control_unit.key_friction": ("uniform", 0.05),
+         "closing_spring.force": ("normal", 100.0), "closing_spring.stiffness": ("normal", 1e3),
+         "friction_group.mean_radius": ("uniform", 1e-3), "friction": ("uniform", 0.25)},
+    ),
+    "indirect, set by its torque": (
+        {**S21, "closing_spring": {"stiffness": 20e3}, "adjustment": {"nominal_torque": 160, "method": "mean-friction"}},
+        {"control_unit.gain": ("uniform", 0.1), "friction_group.mean_radius": ("normal", 1e-3), "friction": ("normal", 0.05)},
+    ),
+    "differentiated, set by its torque": (
+        {"variant": "differentiated", "friction": {"min": 0.1, "mean": 0.3, "max": 0.8},
+         "friction_group": {"pairs": 8, "inner_radius": 0.08, "outer_radius": 0.12},
+         "control_unit": {"wall_angle": 0.25, "ball_circle_radius": 0.05}, "adjustment": {"nominal_torque": 120}},
+        {"control_unit.wall_angle": ("normal", 0.02), "friction_group.outer_radius": ("uniform", 2e-3),
+         "friction": ("uniform", 0.05)},
+    ),
+}  # fmt: skip
+
+
+def single_torques(base, fields, setting, count, seed):
+    """Slip torques of clutches built one by one, and how many of them are none."""
+    rng, nominal = np.random.default_rng(seed), api.build(base)
+    torques, failed = [], 0
+    for _ in range(count):
+        data, friction = copy.deepcopy(base), 0.3
+        if setting == "as-made":
+            put(data, "closing_spring.force", float(nominal.closing_force))
+            data["adjustment"] = {**data.get("adjustment", {})}
+            put(data, "adjustment.nominal_torque", None)
+            if base["variant"] == "indirect":
+                put(data, "control_spring.force", float(nominal.control_force))
+        for path, (kind, spread) in fields.items():
+            drawn = rng.normal(0, spread) if kind == "normal" else rng.uniform(-spread, spread)
+            if path == "friction":
+                friction += drawn
+            else:
+                put(data, path, value_at(nominal.spec, path) + drawn)
+        try:
+            torques.append(float(api.build(data).torque(friction)))
+        except SpecError:
+            failed += 1
+    return np.array(torques), failed
+
+
+@pytest.mark.parametrize("setting", SETTINGS)
+@pytest.mark.parametrize("name", CASES)
+def test_against_single_clutches(name, setting):
+    base, fields = CASES[name]
+    count = 4000
+    torques, failed = single_torques(base, fields, setting, count, seed=11)
+    given = {path: {"distribution": kind, "spread": spread} for path, (kind, spread) in fields.items()}
+    found, _ = tolerance(build(scattering(base, given, samples=100_000, seed=5, setting=setting)))
+    assert (found.probability_no_clutch or 0.0) == pytest.approx(failed / count, abs=4 / math.sqrt(count))
+    deviation = torques.std(ddof=1)
+    kurtosis = ((torques - torques.mean()) ** 4).mean() / deviation**4
+    assert found.mean == pytest.approx(torques.mean(), abs=4.5 * deviation / math.sqrt(torques.size))
+    slack = 4.5 * deviation * math.sqrt((kurtosis - 1) / 4 / torques.size)
+    assert found.standard_deviation == pytest.approx(deviation, abs=slack)
+    for row in found.quantiles[1:-1]:
+        reach = 4.5 * math.sqrt(row.probability * (1 - row.probability) / torques.size)
+        assert np.mean(torques < row.torque) == pytest.approx(row.probability, abs=reach)
+
+
+def test_the_two_settings_differ():
+    """Otherwise the test before could not tell them apart."""
+    for base, fields in CASES.values():
+        first, second = (single_torques(base, fields, setting, 300, 1)[0].std() for setting in SETTINGS)
+        assert abs(first / second - 1) > 0.01
+
+
+@pytest.mark.parametrize("setting", SETTINGS)
+@pytest.mark.parametrize("method", ["monte-carlo", "quasi-monte-carlo"])
+def test_what_is_no_clutch_is_counted(method, setting):
+    """C uniform on 0.45…1.55 against 2 R f_1/d = 0.6: P(κ ≤ 0) = 0.15/1.1, and torques as of C in 0.6…1.55."""
+    options = {"samples": 100_000, "method": method, "setting": setting}
+    whole = {"control_unit.gain": {"distribution": "uniform", "spread": 0.55}}
+    some = {"control_unit.gain": {"distribution": "uniform", "min": 0.6, "max": 1.55}}
+    base = {**S21, "fatigue": FATIGUE}
+    found, findings = tolerance(build(scattering(base, whole, **options)))
+    error = found.probability_no_clutch_standard_error
+    assert found.probability_no_clutch == pytest.approx(0.15 / 1.1, abs=4.5 * error)
+    assert error < 3e-3
+    assert [each.value for each in findings if each.code == "no-clutch"] == [found.probability_no_clutch]
+    rest, _ = tolerance(build(scattering(base, some, **options)))
+    assert found.samples == rest.samples
+    for field in ("mean", "standard_deviation", "life_protected"):
+        slack = 4.5 * math.hypot(found.estimate(field).standard_error, rest.estimate(field).standard_error)
+        assert getattr(found, field) == pytest.approx(getattr(rest, field), abs=slack), field
+
+
+def test_overlapping_radii_are_no_clutch():
+    """Both uniform, 80 ± 4 and 84 ± 4 mm: P(r_i ≥ r_o) = 1/8 of the square's half, (1/2)²/2."""
+    base = {
+        **CASES["differentiated, set by its torque"][0],
+        "friction_group": {"pairs": 8, "inner_radius": 0.08, "outer_radius": 0.084},
+    }
+    fields = {
+        f"friction_group.{end}_radius": {"distribution": "uniform", "spread": "4 mm"} for end in ("inner", "outer")
+    }
+    found, _ = tolerance(build(scattering(base, fields, samples=50_000)))
+    assert found.probability_no_clutch == pytest.approx(1 / 8, abs=4.5 * found.probability_no_clutch_standard_error)
+
+
+def test_no_clutch_at_all_is_an_error():
+    fields = {"control_unit.gain": {"distribution": "uniform", "min": 0.1, "max": 0.5}}
+    with pytest.raises(CalculationError, match="hardly a sample is a clutch"):
+        tolerance(build(scattering(S21, fields, samples=1000)))
+    fields = {"control_unit.gain": {"distribution": "uniform", "min": 0.5, "max": 0.62}}
+    with pytest.raises(CalculationError, match="sobol_base"):
+        tolerance(
+            build(
+                scattering(
+                    S21,
+                    fields | {"control_unit.key_friction": {"distribution": "uniform", "min": 0.1, "max": 0.6}},
+                    samples=20_000,
+                )
+            )
+        )
+
+
+def test_indices_do_without_what_is_no_clutch():
+    fields = {"control_unit.gain": {"distribution": "normal", "spread": "20 %"},
+              "closing_spring.force": {"distribution": "normal", "spread": "5 %"}}  # fmt: skip
+    found, _ = tolerance(build(scattering(S21, fields, samples=5000).model_copy()))
+    assert all(math.isfinite(row.total) for row in found.sobol)
+    assert found.sobol[0].total > 0.9
+
+
+def test_the_pair_named_for_arrays_belongs_together():
+    """Of several clutches the one farthest below its threshold, with the threshold that is its own."""
+    spec = make_spec(S21)
+    unit = spec.control_unit.model_copy(
+        update={"gain": np.array([0.5, 0.9, 3.0]), "key_friction": np.array([0.15, 0.3, 0.45])}
+    )
+    with pytest.raises(SpecError, match=r"0\.9 given|0\.9.*1\.2|1\.2.*0\.9") as refused:
+        build(spec.model_copy(update={"control_unit": unit}))
+    assert "2 R f_1/d = 1.2:" in str(refused.value)
+    assert "1.8" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("setting", "path", "says"),
+    [
+        ("as-made", "adjustment.nominal_torque", "acts through the setting alone"),
+        ("as-made", "friction.min", "acts through the setting alone"),
+        ("each-adjusted", "control_spring.force", "follows from the setting of each clutch"),
+    ],
+)
+def test_what_could_have_no_effect_is_refused(setting, path, says):
+    fields = {path: {"distribution": "uniform", "min": 0.05, "max": 0.09}}
+    with pytest.raises(SpecError, match=says):
+        study(build(scattering({**S21, "adjustment": {"nominal_torque": 160}}, fields, setting=setting)))
+
+
+def test_control_spring_scatters_as_made():
+    """T ∝ F_п1 c_2 + F_п2 c_1 above the setting: F_п2 is S21 (14)'s unless given."""
+    nominal = build(make_spec(S21))
+    share = 0.02
+    fields = {"control_spring.force": {"distribution": "normal", "spread": f"{100 * share} %"}}
+    found, _ = tolerance(build(scattering(S21, fields, samples=50_000)))
+    first, second = 2000 * 10e3, 2640 * 20e3
+    assert float(nominal.control_force) == pytest.approx(2640)
+    expected = share * second / (first + second) * float(nominal.torque(0.3))
+    assert found.standard_deviation == pytest.approx(expected, abs=4.5 * found.standard_deviation_standard_error)
+    given = {**S21, "control_spring": {"stiffness": 10e3, "force": 2700}}
+    moved, _ = tolerance(build(scattering(given, fields, samples=50_000)))
+    at_given = (first + 2700 * 20e3) / (first + second) * float(nominal.torque(0.3))
+    assert moved.mean == pytest.approx(at_given, abs=4.5 * moved.mean_standard_error)

@@ -1,0 +1,122 @@
+"""Messages: every one a template in one place, filled with the fields it names."""
+
+import ast
+import string
+from collections.abc import Iterator
+
+from conftest import ROOT
+
+from afmcalc.errors import Problem, SpecError
+from afmcalc.messages import FINDINGS, SCALES, say
+
+ALWAYS = {"value", "limit", "path", None}
+"""What a finding carries whether or not its sentence shows it; None: a dictionary of further values."""
+
+ERRORS = ("AfmcalcError", "FileError", "CalculationError")
+
+
+TREES = {
+    str(path.relative_to(ROOT)): ast.parse(path.read_text(encoding="utf-8"))
+    for path in sorted((ROOT / "afmcalc").rglob("*.py"))
+}
+
+CONSTANTS = {
+    node.value
+    for path, tree in TREES.items()
+    for node in ast.walk(tree)
+    if path != "afmcalc/messages.py" and isinstance(node, ast.Constant) and isinstance(node.value, str)
+}
+
+
+def _called(node: ast.Call) -> str:
+    return node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+
+
+def calls(*names: str) -> Iterator[tuple[str, ast.Call]]:
+    """Calls of functions of some names in the package, and where each stands."""
+    for path, tree in TREES.items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call) and _called(node) in names:
+                yield f"{path}:{node.lineno}", node
+
+
+def fields(template: str) -> set[str]:
+    return {name for _, name, _, _ in string.Formatter().parse(template) if name is not None}
+
+
+def literal(node: ast.AST) -> str | None:
+    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
+
+
+def test_every_template_is_a_literal_filled_with_what_it_names():
+    found = list(calls("say"))
+    assert len(found) > 100
+    for where, call in found:
+        if where.startswith("afmcalc/messages.py"):
+            continue
+        template = literal(call.args[0])
+        assert template is not None, f"{where}: a catalogue cannot find this template"
+        given, named = {each.arg for each in call.keywords}, fields(template)
+        assert given - {None} <= named if None in given else given == named, where
+
+
+def fits(code: str, call: ast.Call) -> bool:
+    """Whether a call gives a sentence what it names, and nothing else."""
+    given, named = {each.arg for each in call.keywords}, fields(FINDINGS[code])
+    return (None in given or named <= given) and given - ALWAYS <= named
+
+
+def codes(code: ast.expr) -> set[str]:
+    """Codes that a finding may be made with; none where the code is handed over."""
+    if isinstance(code, ast.IfExp):
+        return codes(code.body) | codes(code.orelse)
+    return {text} if (text := literal(code)) else set()
+
+
+def test_every_finding_has_a_sentence_and_gives_it_what_it_names():
+    raised = set()
+    for where, call in calls("finding"):
+        if found := codes(call.args[0]):
+            assert found <= set(FINDINGS), f"{where}: {found}"
+            assert all(fits(code, call) for code in found), f"{where}: {found}"
+        else:
+            given = {each.arg for each in call.keywords}
+            found = {code for code in CONSTANTS & set(FINDINGS) if fields(FINDINGS[code]) <= given}
+            assert found, f"{where}: no sentence is content with {given}"
+        raised |= found
+    assert set(FINDINGS) == raised, "a sentence that nothing says"
+
+
+def test_units_of_a_sentence_are_known():
+    for sentence in FINDINGS.values():
+        for _, _, wanted, _ in string.Formatter().parse(sentence):
+            _, _, unit = (wanted or "").partition(" ")
+            assert not unit or unit.removesuffix("…") in SCALES, sentence
+
+
+def test_an_error_is_said_in_a_template():
+    """Not in a text put together on the spot, which no catalogue could hold."""
+    glued = (ast.JoinedStr, ast.BinOp, ast.Constant)
+    shown = [*calls(*ERRORS), *(each for each in calls("ValueError") if each[0].startswith("afmcalc/spec"))]
+    for where, call in shown:
+        assert not any(isinstance(each, glued) for each in call.args), f"{where}: {ast.unparse(call)}"
+    for where, call in calls("Problem"):
+        assert not isinstance(call.args[2], glued), f"{where}: {ast.unparse(call)}"
+
+
+def test_numbers_of_a_template_are_set_by_their_unit():
+    assert say("{force:.3g kN} at {angle:.0f deg}", force=1234.0, angle=0.5235987755982988) == "1.23 kN at 30 deg"
+    assert say("{{{name!r}}} {share:.1%}", name="{x}", share=0.123) == "{'{x}'} 12.3%"
+
+
+def test_a_problem_is_one_line_of_path_value_and_message():
+    problems = [
+        Problem("friction.min", "0", "too small"),
+        Problem("friction.max", None, "required"),
+        Problem("", None, "?"),
+    ]
+    assert str(SpecError("a.toml", problems)).splitlines() == [
+        "a.toml: friction.min = 0: too small",
+        "a.toml: friction.max: required",
+        "a.toml: ?",
+    ]
