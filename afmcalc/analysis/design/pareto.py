@@ -68,7 +68,7 @@ def _number(ranked: Places, heights: Places) -> Places:
 
 
 def _swept(both: Places, second: Places, rows: Places, others: int) -> Places:
-    """Rows of a level, behind so many others, that neither those nor its own dominate: a sweep over the first column."""
+    """Rows of a level, behind so many others, that neither those nor its own dominate: a sweep over one column."""
     order = np.argsort(both, kind="stable")
     ordered = second[order]
     before = np.concatenate([[np.iinfo(np.int64).max], np.minimum.accumulate(ordered)[:-1]])
