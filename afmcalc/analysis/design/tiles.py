@@ -13,7 +13,7 @@ from .grid import Tile, tiles
 from .limits import constraints, never_worse
 from .space import Mask, axes, forces
 
-SIZE = 65536
+SIZE = 131072
 """Candidates of a tile: its few arrays of full size stay in the cache."""
 
 
