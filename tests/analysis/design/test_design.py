@@ -20,7 +20,6 @@ from afmcalc.analysis.design.design import design, picked
 from afmcalc.analysis.design.found import Found
 from afmcalc.analysis.design.pareto import front
 from afmcalc.analysis.design.radius import by_radius, separable
-from afmcalc.analysis.design.rows import objective
 from afmcalc.analysis.design.search import search as searched
 from afmcalc.analysis.design.tiles import by_tile
 from afmcalc.analysis.overload import overload
@@ -228,7 +227,7 @@ def test_what_is_picked_holds_what_was_wanted(need, place, fine):
     assert clutch.torque_max == pytest.approx(row.torque_max)
     for before, after in zip(result.front, result.refined, strict=True):
         for name in need.objectives:
-            assert objective(after, name) <= objective(before, name) * (1 + 1e-9)
+            assert after.objective(name) <= before.objective(name) * (1 + 1e-9)
 
 
 @settings(max_examples=40, deadline=None)
