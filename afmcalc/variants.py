@@ -37,7 +37,7 @@ class GainLimit:
 
     def stated(self, gain: Any, reduced_gain: Any, limit: Any) -> tuple[Any, Any]:
         """Value and bound as the limit is stated: C, or the reduced gain."""
-        return (gain, limit) if self.reduced is None else (reduced_gain, self.reduced)
+        return (gain, limit) if self.reduced is None else (reduced_gain, float(self.reduced))
 
 
 @dataclass(frozen=True, eq=False)

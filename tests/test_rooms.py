@@ -83,3 +83,17 @@ def test_the_graph_is_read():
 
 def test_every_exception_is_there():
     assert all(other in imported(module) for module, other in EXCEPTIONS)
+
+
+SHARED = {"Found"}
+"""Names of two classes, of rooms that do not meet."""
+
+
+def test_a_class_name_means_one_thing():
+    """What a module keeps to itself (``_Rows``) may be called as elsewhere."""
+    homes: dict[str, set[str]] = {}
+    for module, file in FILES.items():
+        for node in ast.parse(file.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                homes.setdefault(node.name, set()).add(module)
+    assert {name for name, own in homes.items() if len(own) > 1} == SHARED

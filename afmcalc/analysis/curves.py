@@ -29,14 +29,14 @@ POINTS = 201
 """Points of a curve: enough for a line without corners on paper."""
 
 
-class Curve(Result):
+class ClutchCurve(Result):
     """What a curve belongs to."""
 
     name: str | None = quantity("", None, "name of the clutch", optional=True)
     variant: str = quantity("", None, "variant")
 
 
-class TorqueCurve(Curve):
+class TorqueCurve(ClutchCurve):
     """Slip torque along the common path of f_1 and f_2."""
 
     friction: list[float] = quantity("1", "f", "coefficient of friction")
@@ -55,7 +55,7 @@ class TorqueCurve(Curve):
     method: Method = quantity("", None, "setting of the spec")
 
 
-class AccuracyCurve(Curve):
+class AccuracyCurve(ClutchCurve):
     """Accuracy over one key; where on it the clutch is, and its gain limit, as far as the key has them."""
 
     series: AccuracySweep = quantity("", None, "accuracy over the key")
@@ -72,7 +72,7 @@ class SettingLife(Result):
     cycles: float | None = quantity("1", "N", "cycles of the protected side", null="no limit")
 
 
-class LifeCurve(Curve):
+class LifeCurve(ClutchCurve):
     """Life over the scatter band, and where both settings put the clutch."""
 
     model: StressRule = quantity("", None, "rule for the damaging stress")
@@ -81,7 +81,7 @@ class LifeCurve(Curve):
     settings: list[SettingLife] = quantity("", None, "both settings")
 
 
-class OverloadCurve(Curve):
+class OverloadCurve(ClutchCurve):
     """The trip over friction (S22), set at f_min, and the accuracy over the reduced gain."""
 
     friction: list[float] = quantity("1", "f", "coefficient of friction")

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 StressRule = Literal["mean-stress", "amplitude", "goodman"]
 """Rules for the damaging stress of a life: the paper's, Серенсен–Кинасошвили's, Goodman's."""
 
-Subject = Literal["clutch", "clutches", "names", "requirements"]
+Takes = Literal["clutch", "clutches", "names", "requirements"]
 
 
 class Plot(NamedTuple):
@@ -22,7 +22,7 @@ class Plot(NamedTuple):
     name: str
     about: str
     """What it shows, for the help."""
-    takes: Subject = "clutches"
+    takes: Takes = "clutches"
     """What it is of: one clutch, one or more, words (the papers' figures), or requirements."""
     options: tuple[str, ...] = ()
     """Options it heeds; any other that is given is refused."""

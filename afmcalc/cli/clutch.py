@@ -14,7 +14,7 @@ from .run import build_from, calculate, emit
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
     from ..engines import Clutch
-    from ..render.layout import Curve
+    from ..render.layout import SweepDrawing
 
 SweepOption = Annotated[
     list[str] | None,
@@ -197,7 +197,7 @@ def _axes(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "
     return [axis(text) for text in sweep or ()]
 
 
-def _curve(plot: bool, sweep: list[str] | None, common: Common) -> "Curve | None":
+def _curve(plot: bool, sweep: list[str] | None, common: Common) -> "SweepDrawing | None":
     """How to draw a sweep; refuse where there is none to draw, or no table to draw it under."""
     if not plot:
         return None

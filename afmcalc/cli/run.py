@@ -14,7 +14,7 @@ from .options import Common
 if TYPE_CHECKING:
     from ..engines import Clutch
     from ..findings import Finding
-    from ..render.layout import Curve
+    from ..render.layout import SweepDrawing
     from ..result import Output
     from ..spec import Spec
 
@@ -34,7 +34,7 @@ def calculate(
     common: Common,
     source: str | None,
     options: "Callable[[Clutch], Mapping[str, object]]" = lambda clutch: {},
-    curve: "Curve | None" = None,
+    curve: "SweepDrawing | None" = None,
 ) -> "Output":
     """Read the spec, build the clutch, run the analysis of the command on it and print what it returns.
 
@@ -65,7 +65,7 @@ def emit(
     result: Any,
     findings: "list[Finding]",
     spec: dict[str, Any] | None = None,
-    curve: "Curve | None" = None,
+    curve: "SweepDrawing | None" = None,
 ) -> "Output":
     """Render the output of a command in the chosen format, to standard output or a file."""
     from ..result import Output

@@ -8,7 +8,7 @@ from ..messages import translate
 from ..result import Result, Triple
 
 
-class Row(NamedTuple):
+class Entry(NamedTuple):
     """A quantity with one value, or with one per friction."""
 
     path: str
@@ -47,10 +47,10 @@ class Table(NamedTuple):
 class Document(NamedTuple):
     """A result laid out: single values, triples, tables."""
 
-    singles: list[Row]
+    singles: list[Entry]
     steps: list[Any]
     """Steps of an explanation, as the analysis made them."""
-    triples: list[Row]
+    triples: list[Entry]
     tables: list[Table]
 
 
@@ -71,7 +71,7 @@ def _walk(model: BaseModel, prefix: str, heading: str, into: Document) -> None:
         symbol, unit = str(about.get("symbol") or ""), str(about.get("unit") or "")
         label = f"{heading}: {title}" if heading else title
         if isinstance(value, Triple):
-            into.triples.append(Row(path, symbol, label, unit, (value.min, value.mean, value.max)))
+            into.triples.append(Entry(path, symbol, label, unit, (value.min, value.mean, value.max)))
         elif isinstance(value, Result):
             _walk(value, path + ".", label, into)
         elif isinstance(value, dict):
@@ -83,7 +83,7 @@ def _walk(model: BaseModel, prefix: str, heading: str, into: Document) -> None:
             laid_out = _side_by_side(label, value) if about.get("columns") else _records(label, value)
             into.tables.append(laid_out._replace(data=bool(about.get("data"))))
         else:
-            into.singles.append(Row(path, symbol, label, unit, (value,), str(about.get("null") or "–")))
+            into.singles.append(Entry(path, symbol, label, unit, (value,), str(about.get("null") or "–")))
 
 
 def _mapping(path: str, symbol: str, title: str, unit: str, value: dict[str, Any], *, ranked: bool) -> Table:

@@ -9,7 +9,7 @@ from .document import Column, Document, Table
 from .units import display, display_unit
 
 
-class Block(NamedTuple):
+class TextTable(NamedTuple):
     """One table of text cells."""
 
     title: str
@@ -22,7 +22,7 @@ class Block(NamedTuple):
     """What the symbols in the header mean."""
 
 
-Curve = Callable[[Block, bool], list[str]]
+SweepDrawing = Callable[[TextTable, bool], list[str]]
 """``curve(block, unicode)`` → lines under a table of a sweep, none under any other."""
 
 
@@ -33,7 +33,7 @@ def title(output: Output) -> str:
     return f"{output.command}: {about}" if about else output.command
 
 
-def blocks(laid_out: Document) -> list[Block]:
+def blocks(laid_out: Document) -> list[TextTable]:
     """Return single values, then triples, then tables."""
     found = []
     if laid_out.singles:
@@ -41,14 +41,14 @@ def blocks(laid_out: Document) -> list[Block]:
             [row.symbol, row.name, _shown(row.values[0], row.unit, row.null), display_unit(row.unit)]
             for row in laid_out.singles
         ]
-        found.append(Block("", ["Symbol", "Quantity", "Value", "Unit"], rows, [False, False, True, False]))
+        found.append(TextTable("", ["Symbol", "Quantity", "Value", "Unit"], rows, [False, False, True, False]))
     if laid_out.triples:
         rows = [
             [row.symbol, row.name, *(display(value, row.unit) for value in row.values), display_unit(row.unit)]
             for row in laid_out.triples
         ]
         header = ["Symbol", "Quantity", "at f_min", "at mean f", "at f_max", "Unit"]
-        found.append(Block("", header, rows, [False, False, True, True, True, False]))
+        found.append(TextTable("", header, rows, [False, False, True, True, True, False]))
     if not laid_out.steps:
         found += [_table(table) for table in laid_out.tables if not table.data]
     return found
@@ -85,7 +85,7 @@ def _shown(value: Any, unit: str, null: str) -> str:
     return null if value is None else display(value, unit)
 
 
-def _table(table: Table) -> Block:
+def _table(table: Table) -> TextTable:
     if table.columns and len(table.columns[0].values) > _LONG:
         table = table._replace(columns=[column for column in table.columns if not column.detail])
     header = [_heading(column) for column in table.columns]
@@ -95,7 +95,7 @@ def _table(table: Table) -> Block:
     legend = (
         "; ".join(f"{column.symbol}: {column.name}" for column in table.columns if column.symbol) if table.axes else ""
     )
-    return Block(table.title[:1].upper() + table.title[1:], header, rows, numeric, table, legend)
+    return TextTable(table.title[:1].upper() + table.title[1:], header, rows, numeric, table, legend)
 
 
 def _heading(column: Column) -> str:

@@ -6,7 +6,6 @@ from typing import Any, TypeVar
 from pydantic import BaseModel
 
 from ..arrays import Values
-from ..findings import Finding, finding
 from .models import Method, Spec
 from .paths import is_whole
 from .reading import make_spec
@@ -49,11 +48,6 @@ def replaced(spec: Spec, paths: Iterable[str]) -> dict[str, str]:
         for other in _REPLACED.get(path, ())
         if other not in given and value_at(spec, other) is not None
     }
-
-
-def replaced_findings(spec: Spec, paths: Iterable[str], code: str) -> list[Finding]:
-    """Say which keys of the spec have been replaced, and by which."""
-    return [finding(code, "info", path=other, by=path) for other, path in replaced(spec, paths).items()]
 
 
 def put(data: dict[str, Any], path: str, value: Any) -> None:

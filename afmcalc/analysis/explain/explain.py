@@ -11,7 +11,7 @@ from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.suggest import did_you_mean
 from ..registry import ANALYSES, EXPLAINED
-from .formula import Formula, symbol_latex
+from .formula import FormulaText, symbol_latex
 from .trace import Call, distinct, recording, with_roles
 
 
@@ -87,7 +87,7 @@ def _step(call: Call) -> Step:
     terms = call.equation.arguments
     symbols = {name: call.symbol(name) for name in call.arguments}
     units = {name: terms[name].unit for name in call.arguments}
-    formula = Formula(call.equation.function, symbols, call.arguments, units)
+    formula = FormulaText(call.equation.function, symbols, call.arguments, units)
     result = call.equation.result
     mended = [entry for entry in register() if entry.function == call.equation.name and entry.status == "mended"]
     return Step(

@@ -7,37 +7,39 @@ from dataclasses import dataclass
 from typing import Any
 
 
-def _reflected(operation: "Callable[[Term, Term], Term]") -> "Callable[[Term, float], Term]":
+def _reflected(
+    operation: "Callable[[Expression, Expression], Expression]",
+) -> "Callable[[Expression, float], Expression]":
     return lambda own, other: operation(_term(other), own)
 
 
-class Term:
+class Expression:
     """An expression, kept as it was written; arithmetic on it gives another."""
 
-    def __add__(self, other: "Term | float") -> "Term":
+    def __add__(self, other: "Expression | float") -> "Expression":
         """Join sums."""
         return Sum((*_summands(self), *_summands(_term(other))))
 
-    def __sub__(self, other: "Term | float") -> "Term":
+    def __sub__(self, other: "Expression | float") -> "Expression":
         """Take off; a sum that is taken off stays in brackets."""
         return Sum((*_summands(self), _negated(_term(other))))
 
-    def __mul__(self, other: "Term | float") -> "Term":
+    def __mul__(self, other: "Expression | float") -> "Expression":
         """Join products and quotients."""
         one, two = _product(self), _product(_term(other))
         return _joined(one.negative != two.negative, (*one.over, *two.over), (*one.under, *two.under))
 
-    def __truediv__(self, other: "Term | float") -> "Term":
+    def __truediv__(self, other: "Expression | float") -> "Expression":
         """Put below the line; a quotient stays one."""
         one, two = _product(self), _product(_term(other))
         below = (two,) if two.under else two.over
         return _joined(one.negative != two.negative, one.over, (*one.under, *below))
 
-    def __pow__(self, exponent: "Term | float") -> "Term":
+    def __pow__(self, exponent: "Expression | float") -> "Expression":
         """Raise."""
         return Power(self, _term(exponent))
 
-    def __neg__(self) -> "Term":
+    def __neg__(self) -> "Expression":
         """Change the sign."""
         return _negated(self)
 
@@ -46,7 +48,7 @@ class Term:
 
 
 @dataclass(frozen=True)
-class Leaf(Term):
+class Leaf(Expression):
     """A symbol, or a number."""
 
     text: str
@@ -55,55 +57,55 @@ class Leaf(Term):
 
 
 @dataclass(frozen=True)
-class Power(Term):
+class Power(Expression):
     """A power."""
 
-    base: Term
-    exponent: Term
+    base: Expression
+    exponent: Expression
 
 
 @dataclass(frozen=True)
-class Product(Term):
+class Product(Expression):
     """A product, the factors it is divided by apart."""
 
     negative: bool
-    over: tuple[Term, ...]
-    under: tuple[Term, ...] = ()
+    over: tuple[Expression, ...]
+    under: tuple[Expression, ...] = ()
 
 
 @dataclass(frozen=True)
-class Sum(Term):
+class Sum(Expression):
     """A sum of two terms or more; those taken off are negative products."""
 
-    terms: tuple[Term, ...]
+    terms: tuple[Expression, ...]
 
 
 _ONE = Leaf("1", own=True)
 
 
-def _term(value: Term | float) -> Term:
-    if isinstance(value, Term):
+def _term(value: Expression | float) -> Expression:
+    if isinstance(value, Expression):
         return value
     own = Leaf(f"{abs(value):g}", own=True)
     return _negated(own) if value < 0 else own
 
 
-def _product(term: Term) -> Product:
+def _product(term: Expression) -> Product:
     return term if isinstance(term, Product) else Product(False, (term,))
 
 
-def _joined(negative: bool, over: Iterable[Term], under: tuple[Term, ...]) -> Term:
+def _joined(negative: bool, over: Iterable[Expression], under: tuple[Expression, ...]) -> Expression:
     above = tuple(factor for factor in over if factor != _ONE)
     if not negative and not under and len(above) == 1:
         return above[0]
     return Product(negative, above or (_ONE,), under)
 
 
-def _summands(term: Term) -> tuple[Term, ...]:
+def _summands(term: Expression) -> tuple[Expression, ...]:
     return term.terms if isinstance(term, Sum) else (term,)
 
 
-def _negated(term: Term) -> Term:
+def _negated(term: Expression) -> Expression:
     own = _product(term)
     return _joined(not own.negative, own.over, own.under)
 
@@ -114,7 +116,7 @@ class _Text:
     brackets = "({})"
     minus = "-"
 
-    def show(self, term: Term) -> str:
+    def show(self, term: Expression) -> str:
         """Write an expression."""
         match term:
             case Power(base, exponent):
@@ -129,16 +131,16 @@ class _Text:
     def _leaf(self, text: str) -> str:
         return text
 
-    def _in_brackets(self, term: Term, when: bool) -> str:
+    def _in_brackets(self, term: Expression, when: bool) -> str:
         own = self.show(term)
         return self.brackets.format(own) if when else own
 
-    def _power(self, base: Term, exponent: Term) -> str:
+    def _power(self, base: Expression, exponent: Expression) -> str:
         # a number with a unit is raised as a whole
         parts = (self._in_brackets(each, not isinstance(each, Leaf) or " " in each.text) for each in (base, exponent))
         return "^".join(parts)
 
-    def _sum(self, terms: tuple[Term, ...]) -> str:
+    def _sum(self, terms: tuple[Expression, ...]) -> str:
         text = ""
         for term in terms:
             minus = isinstance(term, Product) and term.negative
@@ -147,12 +149,12 @@ class _Text:
             text += (" - " if minus else " + ") + shown if text else (self.minus if minus else "") + shown
         return text
 
-    def _quotient(self, over: tuple[Term, ...], under: tuple[Term, ...]) -> str:
+    def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> str:
         above = "·".join(self._in_brackets(each, isinstance(each, Sum | Product)) for each in over)
         below = "·".join(self._divisor(each) for each in under)
         return f"{above}/({below})" if len(under) > 1 else f"{above}/{below}" if under else above
 
-    def _divisor(self, term: Term) -> str:
+    def _divisor(self, term: Expression) -> str:
         of_sum = isinstance(term, Power) and isinstance(term.base, Sum)
         return self._in_brackets(term, isinstance(term, Sum | Product) or of_sum)
 
@@ -169,15 +171,15 @@ class _Latex(_Text):
     def _leaf(self, text: str) -> str:
         return symbol_latex(text)
 
-    def _power(self, base: Term, exponent: Term) -> str:
+    def _power(self, base: Expression, exponent: Expression) -> str:
         whole = isinstance(base, Leaf) and "^" not in base.text
         return f"{self._in_brackets(base, not whole)}^{{{self.show(exponent)}}}"
 
-    def _quotient(self, over: tuple[Term, ...], under: tuple[Term, ...]) -> str:
+    def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> str:
         above = self._factors(over)
         return f"\\frac{{{above}}}{{{self._factors(under)}}}" if under else above
 
-    def _factors(self, factors: tuple[Term, ...]) -> str:
+    def _factors(self, factors: tuple[Expression, ...]) -> str:
         text = ""
         for factor in factors:
             own = self._in_brackets(factor, isinstance(factor, Sum) and len(factors) > 1)
@@ -186,7 +188,7 @@ class _Latex(_Text):
         return text
 
 
-class Formula:
+class FormulaText:
     """An equation function called on symbols, and on numbers that keep their units, unevaluated."""
 
     def __init__(

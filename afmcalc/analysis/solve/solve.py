@@ -13,7 +13,7 @@ from ...findings import Finding, finding
 from ...messages import say
 from ...result import Result, quantity
 from ...spec import Spec
-from ...spec.edit import replaced_findings, respecified, with_key
+from ...spec.edit import replaced, respecified, with_key
 from ...spec.paths import ALIASES, is_whole
 from ...spec.rules import variants_of
 from ...spec.suggest import did_you_mean
@@ -123,8 +123,8 @@ def solve(
         scatter=scatter(solved),
         accuracy_factor=solved.accuracy_factor,
     )
-    replaced = replaced_findings(clutch.spec, [path], "solve-replaces")
-    return result, solved, [*solved.findings(), *replaced, *_others(name, path, target, wanted, chosen[1:])]
+    gone = [finding("solve-replaces", "info", path=other, by=path) for other in replaced(clutch.spec, [path])]
+    return result, solved, [*solved.findings(), *gone, *_others(name, path, target, wanted, chosen[1:])]
 
 
 def _path(spec: Spec, name: str) -> str:
@@ -208,15 +208,23 @@ def _not_attainable(
 ) -> CalculationError:
     """Say what is nearest to the wanted value, and where."""
     unit = TARGETS[target].unit
-    asked = {"target": target, "wanted": _with_unit(wanted, unit), "name": name}
+
+    def refusal(nearest: str) -> str:
+        given = _with_unit(wanted, unit)
+        return say(
+            "{target} = {wanted} is not attainable by {name}: {nearest}",
+            target=target,
+            wanted=given,
+            name=name,
+            nearest=nearest,
+        )
+
     at, value = curve.at, curve.value
     if is_whole(ALIASES[name]) and len(at):
         at = np.unique(np.clip(np.concatenate([np.floor(at), np.ceil(at)]), domain.low, domain.high))
         value = function(at)
     if not len(at):
-        return CalculationError(
-            say("{target} = {wanted} is not attainable by {name}: no value of {name} gives a clutch", **asked)
-        )
+        return CalculationError(refusal(say("no value of {name} gives a clutch", name=name)))
     # nothing reaches the wanted value, so all lie on one side of it
     side = np.sign(wanted - value[0])
     rank = side * value
@@ -228,28 +236,21 @@ def _not_attainable(
         return limit is not None and bool(side * (limit - nearest) > 1e-12 * abs(limit))
 
     if nearer(limit := curve.limit_low):
-        message = say(
-            "{target} = {wanted} is not attainable by {name}: the best is {best}, approached as {name} goes to 0",
-            **asked,
-            best=_with_unit(limit, unit),
-        )
-        return NotAttainableError(message, limit, None)
+        where = say("the best is {best}, approached as {name} goes to 0", best=_with_unit(limit, unit), name=name)
+        return NotAttainableError(refusal(where), limit, None)
     if nearer(limit := curve.limit_high):
-        message = say(
-            "{target} = {wanted} is not attainable by {name}: the best is {best}, "
-            "approached as {name} grows without end",
-            **asked,
-            best=_with_unit(limit, unit),
+        where = say(
+            "the best is {best}, approached as {name} grows without end", best=_with_unit(limit, unit), name=name
         )
-        return NotAttainableError(message, limit, None)
-    message = say(
-        "{target} = {wanted} is not attainable by {name}: the best is {best}, reached at {name} = {place}{why}",
-        **asked,
+        return NotAttainableError(refusal(where), limit, None)
+    where = say(
+        "the best is {best}, reached at {name} = {place}{why}",
         best=_with_unit(nearest, unit),
+        name=name,
         place=_with_unit(place, _UNITS[name]),
         why=f" ({domain.why})" if place == domain.high and domain.why else "",
     )
-    return NotAttainableError(message, nearest, place)
+    return NotAttainableError(refusal(where), nearest, place)
 
 
 def _with_unit(value: float, unit: str) -> str:

@@ -6,11 +6,10 @@ from typing import NamedTuple, TypeVar
 from ...arrays import Floats, Values
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
-from ...findings import Finding
+from ...findings import Finding, finding
 from ...messages import say
 from ...result import Series
-from ...spec import Spec
-from ...spec.edit import replaced_findings
+from ...spec import Spec, edit
 from ...spec.walk import Key
 
 MOST_POINTS = 2_000_000
@@ -30,7 +29,8 @@ class Axis(NamedTuple):
 
 def replaced(spec: Spec, axes: Sequence[Axis]) -> list[Finding]:
     """Say which keys of the spec a sweep has taken the place of."""
-    return replaced_findings(spec, [axis.key.path for axis in axes], "sweep-replaces")
+    gone = edit.replaced(spec, [axis.key.path for axis in axes])
+    return [finding("sweep-replaces", "info", path=path, by=by) for path, by in gone.items()]
 
 
 def grid(axes: Sequence[Axis]) -> list[Floats]:

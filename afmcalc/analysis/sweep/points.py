@@ -15,8 +15,8 @@ from ...spec import Spec
 from ...spec.edit import respecified, with_value
 from ...spec.paths import is_whole
 
-_BLOCK = 1 << 15
-"""Points calculated at a time."""
+_BLOCK = 1 << 16
+"""Points calculated at a time: fewer, and building a clutch for each stretch weighs more than what the cache saves."""
 Output = Callable[[Clutch], Values]
 """What is asked of the clutch at every point."""
 

@@ -5,7 +5,7 @@ import io
 from typing import Any
 
 from ...result import Output
-from ..document import Column, Document, Row, document
+from ..document import Column, Document, Entry, document
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -53,7 +53,7 @@ def _is_mapping(columns: list[Column]) -> bool:
     return columns[0].path.endswith(".key")
 
 
-def _flat(row: Row) -> list[Column]:
+def _flat(row: Entry) -> list[Column]:
     if len(row.values) == 1 and isinstance(row.values[0], list) and row.unit:
         bounds = zip((".low", ".high"), row.values[0], strict=True)
         return [Column(row.path + end, row.symbol, row.name, row.unit, [value]) for end, value in bounds]

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ..canvas import Trace, bounds, drawn
-from ..layout import Block
+from ..layout import TextTable
 from ..units import significant
 
 SIZE = WIDTH, HEIGHT = 52, 8
@@ -29,7 +29,7 @@ def curve(x: Sequence[float], y: Sequence[float | None], title: str, *, unicode:
     return [title, *drawn([trace], SIZE, beside, {0: left, WIDTH - 1: right}, unicode=unicode)]
 
 
-def curve_lines(block: Block, unicode: bool) -> list[str]:
+def curve_lines(block: TextTable, unicode: bool) -> list[str]:
     """Draw the first answer of a sweep along one axis; nothing for any other table."""
     if block.source is None or block.source.axes != 1:
         return []

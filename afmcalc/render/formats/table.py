@@ -5,11 +5,11 @@ import sys
 
 from ...result import Output
 from ..document import document
-from ..layout import Block, Curve, blocks, findings_lines, step_lines, title
+from ..layout import SweepDrawing, TextTable, blocks, findings_lines, step_lines, title
 from .curve import curve_lines
 
 
-def render(output: Output, terminal: bool, curve: Curve | None = None) -> str:
+def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) -> str:
     """Lay out tables, curves and findings; a terminal has a width, rules and colours, a pipe has none of them.
 
     ``curve`` draws under a sweep instead of the small curve of characters.
@@ -38,7 +38,7 @@ def is_unicode() -> bool:
     return (getattr(sys.stdout, "encoding", "") or "").lower().replace("-", "").startswith("utf")
 
 
-def _plain(output: Output, found: list[Block], steps: list[str], curve: Curve) -> str:
+def _plain(output: Output, found: list[TextTable], steps: list[str], curve: SweepDrawing) -> str:
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
     lines = [title(output)]
     for block in found:
@@ -50,7 +50,7 @@ def _plain(output: Output, found: list[Block], steps: list[str], curve: Curve) -
     return "\n".join(lines)
 
 
-def _aligned(block: Block) -> list[str]:
+def _aligned(block: TextTable) -> list[str]:
     lines = [block.header, *block.rows]
     widths = [max(map(len, cells)) for cells in zip(*lines, strict=True)]
     return [

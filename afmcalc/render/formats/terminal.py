@@ -8,7 +8,7 @@ from rich.table import Table
 from rich.text import Text
 
 from ...result import Output
-from ..layout import Block, Curve, findings_lines, title
+from ..layout import SweepDrawing, TextTable, findings_lines, title
 
 _SHORT = 12
 """Columns up to this width are kept whole."""
@@ -17,9 +17,9 @@ _STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
 
 def render_rich(
     output: Output,
-    found: list[Block],
+    found: list[TextTable],
     steps: list[str],
-    curve: Curve,
+    curve: SweepDrawing,
     *,
     width: int | None,
     terminal: bool,
@@ -55,14 +55,14 @@ def render_rich(
     return buffer.getvalue()
 
 
-def _least_width(block: Block) -> int:
+def _least_width(block: TextTable) -> int:
     """Width below which a table would have to cut."""
     widest = [max(map(len, cells)) for cells in zip(block.header, *block.rows, strict=True)]
     kept = [w if right else min(w, _SHORT) for w, right in zip(widest, block.numeric, strict=True)]
     return sum(kept) + 3 * (len(kept) - 1)
 
 
-def _stacked(block: Block) -> Group:
+def _stacked(block: TextTable) -> Group:
     """Set every row as a list of its own: a table that is too wide is still whole."""
     lists: list[Table | Text] = []
     for row in block.rows:
@@ -75,7 +75,7 @@ def _stacked(block: Block) -> Group:
     return Group(*lists[:-1])
 
 
-def _table(block: Block, *, ruled: bool) -> Table:
+def _table(block: TextTable, *, ruled: bool) -> Table:
     """Numbers, symbols and units are never folded, only text is."""
     table = Table(box=box.SIMPLE_HEAD if ruled else None, show_edge=False, pad_edge=False, header_style="bold")
     widest = [max(map(len, cells)) for cells in zip(block.header, *block.rows, strict=True)]

@@ -1,4 +1,4 @@
-"""What is drawn, as data in SI: a sheet of panels, each with its axes, lines, points and levels."""
+"""What is drawn, as data in SI: a sheet of panels, each with its axes, lines, points and guides."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -44,7 +44,7 @@ class Line(NamedTuple):
     """Small filled markers instead of open ones."""
 
 
-class Level(NamedTuple):
+class Guide(NamedTuple):
     """A thin straight line across, at a value of one axis."""
 
     label: str
@@ -54,10 +54,10 @@ class Level(NamedTuple):
     tag: str = ""
     """Short name set above the axes, for one that stands upright."""
     style: int | None = None
-    """Which of the level styles; by default the next one."""
+    """Which of the guide styles; by default the next one."""
 
 
-class Span(NamedTuple):
+class Dimension(NamedTuple):
     """A dimension line beside the axes, between two values of y."""
 
     label: str
@@ -83,8 +83,8 @@ class Chart:
     y: ChartAxis
     lines: list[Line]
     title: str = ""
-    levels: list[Level] = field(default_factory=list)
-    spans: list[Span] = field(default_factory=list)
+    guides: list[Guide] = field(default_factory=list)
+    spans: list[Dimension] = field(default_factory=list)
     areas: list[Area] = field(default_factory=list)
     from_zero: bool = False
     """Whether the axis of y begins at 0."""
@@ -96,7 +96,7 @@ class Chart:
     @property
     def labels(self) -> list[str]:
         """What the legend says."""
-        entries: list[Any] = [*self.areas, *self.lines, *self.levels]
+        entries: list[Any] = [*self.areas, *self.lines, *self.guides]
         return [entry.label for entry in entries if entry.label]
 
 

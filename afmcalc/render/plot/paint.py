@@ -6,7 +6,7 @@ from typing import Any
 from ..symbols import literal, mathtext
 from ..units import factor
 from .chart import Chart, Line
-from .style import COLOURS, DASHES, INK, LEVELS, MARKERS, SHADE
+from .style import COLOURS, DASHES, GUIDES, INK, MARKERS, SHADE
 
 
 def paint(axes: Any, chart: Chart) -> None:
@@ -21,16 +21,16 @@ def paint(axes: Any, chart: Chart) -> None:
         )  # fmt: skip
     for number, line in enumerate(chart.lines):
         _line(axes, line, number if line.style is None else line.style, wide, high, chart.named)
-    for number, level in enumerate(chart.levels):
-        draw = axes.axhline if level.across else axes.axvline
+    for number, guide in enumerate(chart.guides):
+        draw = axes.axhline if guide.across else axes.axvline
         draw(
-            level.value * (high if level.across else wide), color=INK, linewidth=1.0,
-            linestyle=LEVELS[(number if level.style is None else level.style) % len(LEVELS)],
-            label=mathtext(level.label), zorder=1.5, clip_on=False,
+            guide.value * (high if guide.across else wide), color=INK, linewidth=1.0,
+            linestyle=GUIDES[(number if guide.style is None else guide.style) % len(GUIDES)],
+            label=mathtext(guide.label), zorder=1.5, clip_on=False,
         )  # fmt: skip
     _limits(axes, chart, wide, high)
     _tags(axes, chart, wide, high)
-    _level_tags(axes, chart, wide)
+    _guide_tags(axes, chart, wide)
     for number, span in enumerate(chart.spans):
         _span(axes, number, span, high)
     axes.set_xlabel(mathtext(chart.x.label))
@@ -104,17 +104,17 @@ _AXES_POINTS = 190
 _AXES_WIDTH = 440
 
 
-def _level_tags(axes: Any, chart: Chart, wide: float) -> None:
-    """Name upright levels above the axes, in as many rows as keep the names apart."""
+def _guide_tags(axes: Any, chart: Chart, wide: float) -> None:
+    """Name upright guides above the axes, in as many rows as keep the names apart."""
     low, top = axes.get_xlim()
     ends: list[float] = []
-    for level in sorted((level for level in chart.levels if level.tag), key=lambda level: level.value):
-        place = (level.value * wide - low) / (top - low) * _AXES_WIDTH
-        half = 2.7 * len(level.tag) + 3
+    for guide in sorted((guide for guide in chart.guides if guide.tag), key=lambda guide: guide.value):
+        place = (guide.value * wide - low) / (top - low) * _AXES_WIDTH
+        half = 2.7 * len(guide.tag) + 3
         row = next((number for number, end in enumerate(ends) if place - half >= end), len(ends))
         ends[row : row + 1] = [place + half]
         axes.annotate(
-            mathtext(level.tag), (level.value * wide, 1), xycoords=axes.get_xaxis_transform(), xytext=(0, 4 + 11 * row),
+            mathtext(guide.tag), (guide.value * wide, 1), xycoords=axes.get_xaxis_transform(), xytext=(0, 4 + 11 * row),
             textcoords="offset points", ha="center", va="bottom", color=INK, fontsize=8, annotation_clip=False,
         )  # fmt: skip
 

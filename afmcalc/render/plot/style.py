@@ -17,7 +17,7 @@ DASHES: tuple[Any, ...] = (
     (0, (3, 1.5)),
 )
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
-LEVELS: tuple[Any, ...] = ((0, (1, 2)), (0, (4, 3)), (0, (8, 3, 1, 3)), "solid")
+GUIDES: tuple[Any, ...] = ((0, (1, 2)), (0, (4, 3)), (0, (8, 3, 1, 3)), "solid")
 
 WIDTH = 7.0
 """Inches: the text width of an A4 page."""

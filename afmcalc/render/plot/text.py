@@ -7,7 +7,7 @@ from typing import Any
 
 from ..canvas import Ends, Trace, bounds, drawn, place, ticks
 from ..document import Table
-from ..layout import Block
+from ..layout import TextTable
 from ..units import factor, significant
 from .chart import Chart, ChartAxis, Line, Sheet, power
 
@@ -71,7 +71,7 @@ def draw_sheet(sheet: Sheet, *, unicode: bool) -> str:
     return "\n\n".join("\n".join(lines) for lines in blocks) + "\n"
 
 
-def swept_lines(block: Block, unicode: bool) -> list[str]:
+def swept_lines(block: TextTable, unicode: bool) -> list[str]:
     """Draw the first answer of a sweep, a curve for each value of the outer key of a grid; nothing for other tables."""
     chart = _chart(block.source) if block.source is not None and block.source.axes in (1, 2) else None
     return ["", *draw(chart, unicode=unicode)] if chart else []

@@ -8,7 +8,7 @@ from ...analysis.dossier import Dossier, Topic
 from ...messages import translate
 from ...result import Result, Triple
 from ..document import Document, document
-from ..layout import Block, blocks
+from ..layout import TextTable, blocks
 from ..plot import sheet_of
 from ..units import display, display_unit
 from .interface import Chapter
@@ -34,24 +34,24 @@ def _chapter(topic: Topic) -> Chapter:
     )
 
 
-def _both_settings(found: AdjustResult) -> list[Block]:
+def _both_settings(found: AdjustResult) -> list[TextTable]:
     laid_out = document(found)
     own = [row for row in laid_out.singles if not row.path.startswith(("min_friction.", "mean_friction."))]
     methods = _side_by_side({"set at f_min": found.min_friction, "set at mean f": found.mean_friction})
     return [methods, *blocks(Document(own, [], [], []))]
 
 
-_BLOCKS: Mapping[str, Callable[[Any], list[Block]]] = {"adjust": _both_settings, "tolerance": scatter_blocks}
+_BLOCKS: Mapping[str, Callable[[Any], list[TextTable]]] = {"adjust": _both_settings, "tolerance": scatter_blocks}
 """Topics whose numbers are not set as they come."""
 
 
-def _side_by_side(results: dict[str, Result]) -> Block:
+def _side_by_side(results: dict[str, Result]) -> TextTable:
     """Set results of one type as columns; a triple takes a row for each friction."""
     columns = [_rows(result) for result in results.values()]
     rows = [[*about, *(column[number][1] for column in columns)] for number, (about, _) in enumerate(columns[0])]
     lined = [[symbol, name, *values, unit] for symbol, name, unit, *values in rows]
     header = ["Symbol", "Quantity", *results, "Unit"]
-    return Block("", header, lined, [False, False, *(True for _ in results), False])
+    return TextTable("", header, lined, [False, False, *(True for _ in results), False])
 
 
 def _rows(result: Result) -> list[tuple[tuple[str, str, str], str]]:

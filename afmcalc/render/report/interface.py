@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...analysis.dossier import Dossier
-from ..layout import Block
+from ..layout import TextTable
 from ..plot.chart import Sheet
 
 
@@ -44,7 +44,7 @@ class Chapter:
     key: str
     title: str
     about: str
-    blocks: Sequence[Block]
+    blocks: Sequence[TextTable]
     steps: Sequence[ExplainedStep]
     sheets: Sequence[Sheet]
     sources: Sequence[str]

@@ -20,7 +20,7 @@ from .markup import cell, drawing, mathml, symbol
 _LEVELS = {"error": 0, "warning": 1, "info": 2}
 
 
-class _Key(NamedTuple):
+class _SpecLine(NamedTuple):
     """A key of the spec as resolved."""
 
     path: str
@@ -68,9 +68,9 @@ def digest(subject: Subject) -> str:
     return hashlib.sha256(text.encode("utf-8")).hexdigest()
 
 
-def _keys(subject: Subject) -> list[_Key]:
+def _keys(subject: Subject) -> list[_SpecLine]:
     known = keys()
-    found: list[_Key] = []
+    found: list[_SpecLine] = []
     for path, value in _flat(resolved(subject.dossier.spec), ""):
         if isinstance(value, dict):
             found += [_scatter(path, name, each) for name, each in value.items()]
@@ -78,7 +78,7 @@ def _keys(subject: Subject) -> list[_Key]:
         key = known[path]
         shown = list(value) if isinstance(value, tuple) else str(value) if key.unit is None else value
         found.append(
-            _Key(
+            _SpecLine(
                 path,
                 key.symbol or "",
                 translate(key.description),
@@ -90,14 +90,14 @@ def _keys(subject: Subject) -> list[_Key]:
     return found
 
 
-def _scatter(path: str, name: str, given: dict[str, Any]) -> _Key:
+def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
     """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of what scatters."""
     unit = unit_at(name) or ""
     numbers = [f"{part} {display(value, unit)}" for part, value in given.items() if part != "distribution"]
     key = keys().get(name)
     about = f"scatter: {translate(key.description).partition(';')[0]}" if key else "scatter of the friction in service"
     value = ", ".join([given["distribution"], *numbers])
-    return _Key(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, display_unit(unit), False)
+    return _SpecLine(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, display_unit(unit), False)
 
 
 def _flat(data: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:

@@ -4,11 +4,11 @@ from ...analysis.tolerance.result import Estimate, IndexRow, InputRow, LifeRow, 
 from ...messages import translate
 from ...spec.paths import keys
 from ..document import document
-from ..layout import Block
+from ..layout import TextTable
 from ..units import display, display_unit, factor, significant
 
 
-def scatter_blocks(result: ToleranceResult) -> list[Block]:
+def scatter_blocks(result: ToleranceResult) -> list[TextTable]:
     """Return the distribution, its quantiles, what scatters and the share of each input."""
     errors = result.method != "exact"
     found = [_figures(result, errors), _quantiles(result, errors)]
@@ -18,7 +18,7 @@ def scatter_blocks(result: ToleranceResult) -> list[Block]:
     return [*found, _shares(result.sobol)] if errors else found
 
 
-def _figures(result: ToleranceResult, errors: bool) -> Block:
+def _figures(result: ToleranceResult, errors: bool) -> TextTable:
     names = error_fields(type(result))
     lined = [
         [
@@ -35,7 +35,7 @@ def _figures(result: ToleranceResult, errors: bool) -> Block:
         if row.path not in names.values()
     ]
     header = ["Symbol", "Quantity", "Value", *(["±"] if errors else []), "Unit"]
-    return Block("", header, lined, [False, False, True, *([True] if errors else []), False])
+    return TextTable("", header, lined, [False, False, True, *([True] if errors else []), False])
 
 
 def _rounded(error: float, unit: str) -> str:
@@ -43,7 +43,7 @@ def _rounded(error: float, unit: str) -> str:
     return significant(float(f"{error * factor(unit):.2g}"))
 
 
-def _quantiles(result: ToleranceResult, errors: bool) -> Block:
+def _quantiles(result: ToleranceResult, errors: bool) -> TextTable:
     rows = [
         [
             f"T_{100 * row.probability:g}",
@@ -54,10 +54,10 @@ def _quantiles(result: ToleranceResult, errors: bool) -> Block:
         for row in result.quantiles
     ]
     header = ["Symbol", "Quantity", "Value", *(["±"] if errors else []), "Unit"]
-    return Block("Quantiles of the torque", header, rows, [False, False, True, *([True] if errors else []), False])
+    return TextTable("Quantiles of the torque", header, rows, [False, False, True, *([True] if errors else []), False])
 
 
-def _lives(rows: list[LifeRow], errors: bool) -> Block:
+def _lives(rows: list[LifeRow], errors: bool) -> TextTable:
     lined = [
         [
             f"{100 * row.probability:g} %",
@@ -67,7 +67,7 @@ def _lives(rows: list[LifeRow], errors: bool) -> Block:
     ]
     sides = (["Slips, protected side"], ["Slips, unprotected side"])
     header = ["Clutches failed", *(name for side in sides for name in (side + ["±"] if errors else side))]
-    return Block("Life over the clutches", header, lined, [False, *[True] * (len(header) - 1)])
+    return TextTable("Life over the clutches", header, lined, [False, *[True] * (len(header) - 1)])
 
 
 def _with_error(estimate: Estimate, unit: str, errors: bool) -> list[str]:
@@ -75,7 +75,7 @@ def _with_error(estimate: Estimate, unit: str, errors: bool) -> list[str]:
     return [value, _rounded(estimate.standard_error, unit)] if errors else [value]
 
 
-def _inputs(inputs: list[InputRow]) -> Block:
+def _inputs(inputs: list[InputRow]) -> TextTable:
     rows = [
         [
             *_named(each.path),
@@ -87,10 +87,10 @@ def _inputs(inputs: list[InputRow]) -> Block:
         for each in inputs
     ]
     header = ["Symbol", "Quantity", "Distribution", "Center", "Spread", "Unit"]
-    return Block("What scatters", header, rows, [False, False, False, True, True, False])
+    return TextTable("What scatters", header, rows, [False, False, False, True, True, False])
 
 
-def _shares(rows: list[IndexRow]) -> Block:
+def _shares(rows: list[IndexRow]) -> TextTable:
     lined = [
         [
             *_named(each.path),
@@ -101,7 +101,7 @@ def _shares(rows: list[IndexRow]) -> Block:
     ]
     header = ["Symbol", "Quantity", "S_1, first order", "±", "S_T, total", "±"]
     title = "Share in the variance of the torque (Sobol indices)"
-    return Block(title, header, lined, [False, False, True, True, True, True])
+    return TextTable(title, header, lined, [False, False, True, True, True, True])
 
 
 def _named(path: str) -> tuple[str, str]:

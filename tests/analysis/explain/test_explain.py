@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.explain.explain import explain
-from afmcalc.analysis.explain.formula import Formula
+from afmcalc.analysis.explain.formula import FormulaText
 from afmcalc.analysis.explain.trace import distinct, recording
 from afmcalc.analysis.registry import ANALYSES
 from afmcalc.engines import build
@@ -42,7 +42,7 @@ def test_the_text_of_every_equation_evaluates_to_the_equation(name):
     letters = {argument: f"a{index}" for index, argument in enumerate(equation.arguments)}
     values = {argument: 0.37 + 0.21 * index for index, argument in enumerate(equation.arguments)}
     units = {argument: term.unit for argument, term in equation.arguments.items()}
-    text = Formula(equation.function, letters, values, units).text()
+    text = FormulaText(equation.function, letters, values, units).text()
     read = sympy.sympify(text.replace("·", "*").replace("^", "**"))
     value = read.subs({letters[argument]: values[argument] for argument in letters})
     assert float(value) == pytest.approx(float(equation.function(**values)), rel=1e-12), text

@@ -6,7 +6,7 @@ from ....analysis.accuracy import AccuracySweep
 from ....analysis.curves import AccuracyCurve
 from ....messages import translate
 from ....spec.paths import is_whole, keys
-from ..chart import Chart, ChartAxis, Level, Line, Sheet, axis_of, describe, stated
+from ..chart import Chart, ChartAxis, Guide, Line, Sheet, axis_of, describe, stated
 
 
 def sheet(curves: Sequence[AccuracyCurve]) -> Sheet:
@@ -17,7 +17,7 @@ def sheet(curves: Sequence[AccuracyCurve]) -> Sheet:
         lines = [_line(curve.name or curve.variant, curve) for curve in curves]
         return Sheet(title, [Chart(x, y, lines, named=True)])
     (curve,) = curves
-    return Sheet(title, [Chart(x, y, _lines(curve), levels=_levels(curve, x))], name=curve.name or "")
+    return Sheet(title, [Chart(x, y, _lines(curve), guides=_guides(curve, x))], name=curve.name or "")
 
 
 def _abscissa(curve: AccuracyCurve) -> ChartAxis:
@@ -40,13 +40,13 @@ def _lines(curve: AccuracyCurve) -> list[Line]:
     return lines
 
 
-def _levels(curve: AccuracyCurve, x: ChartAxis) -> list[Level]:
+def _guides(curve: AccuracyCurve, x: ChartAxis) -> list[Guide]:
     """The clutch as it is, and the limit of the gain."""
     found = []
     symbol = x.symbol or curve.series.path
     if curve.own is not None:
         label = f"this clutch: {stated(symbol, curve.own, x.unit)}, {stated('K_т', curve.accuracy_factor, '1')}"
-        found.append(Level(label, curve.own, across=False))
+        found.append(Guide(label, curve.own, across=False))
     if curve.limit is not None:
-        found.append(Level(stated(f"limit of the gain, {symbol}", curve.limit, "1"), curve.limit, across=False))
+        found.append(Guide(stated(f"limit of the gain, {symbol}", curve.limit, "1"), curve.limit, across=False))
     return found

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from ....analysis.curves import LifeCurve
 from ....analysis.life import LifeSweep
-from ..chart import Chart, ChartAxis, Level, Line, Sheet, axis_of, describe, power
+from ..chart import Chart, ChartAxis, Guide, Line, Sheet, axis_of, describe, power
 
 _SIDES = ("protected", "unprotected", "protected_forecast")
 _METHODS = {"min-friction": "set at f_min", "mean-friction": "set at mean f with margin"}
@@ -19,10 +19,10 @@ def sheet(curves: Sequence[LifeCurve]) -> Sheet:
         lines = [Line(describe(LifeSweep, side), first.series.values, getattr(first.series, side)) for side in _SIDES]
         lines += _settings(first)
         title = "Life against the scatter band"
-        levels = [Level(f"base cycles N_0 = {power(first.base_cycles)}", first.base_cycles)]
+        guides = [Guide(f"base cycles N_0 = {power(first.base_cycles)}", first.base_cycles)]
     else:
         lines = [Line(each.name or each.variant, each.series.values, each.series.protected) for each in curves]
-        title, levels = "Life of the protected side against the scatter band", []
+        title, guides = "Life of the protected side against the scatter band", []
     beyond = (
         "Above N_0 the stress is below the endurance limit: life is not limited by fatigue, the line is extrapolated "
         "as the paper does."
@@ -31,7 +31,7 @@ def sheet(curves: Sequence[LifeCurve]) -> Sheet:
     )
     caption = f"Model: {first.model}. T_min as the clutch has it, T_max = T_min + ΔT. {beyond}"
     name = first.name or "" if single else ""
-    return Sheet(title, [Chart(x, y, lines, levels=levels, named=not single)], caption, name=name)
+    return Sheet(title, [Chart(x, y, lines, guides=guides, named=not single)], caption, name=name)
 
 
 def _settings(curve: LifeCurve) -> list[Line]:

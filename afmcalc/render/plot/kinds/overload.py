@@ -2,7 +2,7 @@
 
 from ....analysis.curves import OverloadCurve
 from ....analysis.overload import OverloadSweep
-from ..chart import Area, Chart, ChartAxis, Level, Line, Sheet, axis_of, describe, stated
+from ..chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, describe, stated
 
 
 def sheet(curve: OverloadCurve) -> Sheet:
@@ -25,10 +25,10 @@ def _trip(curve: OverloadCurve) -> Chart:
         Line(describe(OverloadCurve, equilibrium), curve.friction[few], getattr(curve, equilibrium)[few], points=True)
     )
     bracket = Area("trip bracket, T_муф to T_п", curve.friction, curve.expected_torque, curve.potential_torque)
-    machine = Level(stated("machine's nominal torque T_н.маш", curve.machine_torque, "N*m"), curve.machine_torque)
+    machine = Guide(stated("machine's nominal torque T_н.маш", curve.machine_torque, "N*m"), curve.machine_torque)
     x, y = axis_of(OverloadCurve, "friction"), axis_of(OverloadCurve, "expected_torque", quantity="torque")
     return Chart(
-        x, y._replace(symbol="T"), lines, title="Torque at the trip", levels=[machine], areas=[bracket], from_zero=True
+        x, y._replace(symbol="T"), lines, title="Torque at the trip", guides=[machine], areas=[bracket], from_zero=True
     )
 
 
@@ -39,9 +39,9 @@ def _accuracy(curve: OverloadCurve) -> Chart:
         for name in ("accuracy_factor_expected", "accuracy_factor_actual")
     ]
     own, best = curve.reduced_gain, curve.optimal_reduced_gain
-    levels = [
-        Level(stated("this clutch: zC", own, "1"), own, across=False),
-        Level(stated("best actual accuracy, zC", best, "1"), best, across=False),
+    guides = [
+        Guide(stated("this clutch: zC", own, "1"), own, across=False),
+        Guide(stated("best actual accuracy, zC", best, "1"), best, across=False),
     ]
     x = ChartAxis("reduced gain", "zC" if curve.bypass_pairs == 0 else "z_2 C")
-    return Chart(x, ChartAxis("accuracy factor", "K_т"), lines, title="Accuracy over the reduced gain", levels=levels)
+    return Chart(x, ChartAxis("accuracy factor", "K_т"), lines, title="Accuracy over the reduced gain", guides=guides)

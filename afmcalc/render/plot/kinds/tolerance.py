@@ -5,7 +5,7 @@ import math
 from ....analysis.figures import ToleranceFigure
 from ....analysis.tolerance.result import Study
 from ...units import display
-from ..chart import Area, Chart, ChartAxis, Level, Line, Sheet, stated
+from ..chart import Area, Chart, ChartAxis, Guide, Line, Sheet, stated
 
 _METHODS = {"exact": "Exact", "monte-carlo": "Monte Carlo", "quasi-monte-carlo": "Quasi-Monte Carlo"}
 
@@ -17,31 +17,31 @@ def sheet(figure: ToleranceFigure) -> Sheet:
     edges = found.histogram.edges
     x = [edge for edge in edges for _ in range(2)]
     y = [0.0, *(density for density in densities for _ in range(2)), 0.0]
-    levels = [*_quantiles(found), *_torques(figure)]
-    ends = [*edges, *(level.value for level in levels)]
+    guides = [*_quantiles(found), *_torques(figure)]
+    ends = [*edges, *(guide.value for guide in guides)]
     room = 0.03 * (max(ends) - min(ends))
     chart = Chart(
         ChartAxis("slip torque", "T", "N*m"),
         ChartAxis("probability density", "p", "1/(N*m)"),
         [Line("density of the slip torque", x, y)],
-        levels=levels,
+        guides=guides,
         areas=[Area("", x, [0.0] * len(x), y)],
         bounds=(min(ends) - room, max(ends) + room, 0.0, 1.05 * max(densities)),
     )
     return Sheet("Slip torque over tolerances and scatter", [chart], _caption(figure), figure.name or "")
 
 
-def _quantiles(found: Study) -> list[Level]:
+def _quantiles(found: Study) -> list[Guide]:
     """Thin lines named by their probability; the first stands for all of them in the legend."""
     rows = found.result.quantiles
     label = "quantiles: torque not exceeded with this probability"
     return [
-        Level("" if number else label, row.torque, across=False, tag=_percent(row.probability), style=0)
+        Guide("" if number else label, row.torque, across=False, tag=_percent(row.probability), style=0)
         for number, row in enumerate(rows)
     ]
 
 
-def _torques(figure: ToleranceFigure) -> list[Level]:
+def _torques(figure: ToleranceFigure) -> list[Guide]:
     """The nominal torques and the limit, where each is one of its own."""
     result, nominal = figure.study.result, figure.nominal_torque
     named = [("T_н", "nominal torque", nominal)]
@@ -50,7 +50,7 @@ def _torques(figure: ToleranceFigure) -> list[Level]:
     if result.torque_limit is not None:
         named.append(("T_lim", "torque limit", result.torque_limit))
     return [
-        Level(stated(f"{about} {symbol}", value, "N*m"), value, across=False, tag=symbol, style=style)
+        Guide(stated(f"{about} {symbol}", value, "N*m"), value, across=False, tag=symbol, style=style)
         for style, (symbol, about, value) in enumerate(named, 1)
     ]
 

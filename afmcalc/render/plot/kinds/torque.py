@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ....analysis.curves import TorqueCurve
-from ..chart import Chart, ChartAxis, Level, Line, Sheet, Span, axis_of, describe, stated
+from ..chart import Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, describe, stated
 
 _EXTRA = ("breakaway_torque", "torque_returning")
 
@@ -27,8 +27,8 @@ def _one(curve: TorqueCurve) -> Sheet:
         if getattr(curve, name)
     ]
     spans = [_band(number, getattr(curve, name)) for number, name in enumerate(methods)]
-    levels = [Level(stated("nominal torque T_н", curve.nominal_torque, "N*m"), curve.nominal_torque)]
-    chart = Chart(_friction([curve]), _torque(), lines, levels=levels, spans=spans, from_zero=True)
+    guides = [Guide(stated("nominal torque T_н", curve.nominal_torque, "N*m"), curve.nominal_torque)]
+    chart = Chart(_friction([curve]), _torque(), lines, guides=guides, spans=spans, from_zero=True)
     caption = (
         f"Both settings for the same nominal torque; margin β_н = {curve.margin:g} in the second. "
         f"ΔT is the scatter band of each. The spec sets it by {curve.method}."
@@ -37,9 +37,9 @@ def _one(curve: TorqueCurve) -> Sheet:
     return Sheet("Slip torque against friction", [chart], caption, name=curve.name or "")
 
 
-def _band(number: int, torque: list[float]) -> Span:
+def _band(number: int, torque: list[float]) -> Dimension:
     ends = sorted((torque[0], torque[-1]))
-    return Span(stated(f"ΔT_{number + 1}", ends[1] - ends[0], "N*m"), ends[0], ends[1], number)
+    return Dimension(stated(f"ΔT_{number + 1}", ends[1] - ends[0], "N*m"), ends[0], ends[1], number)
 
 
 def _friction(curves: Sequence[TorqueCurve]) -> ChartAxis:
