@@ -13,7 +13,7 @@ from .limits import objectives
 from .pareto import front
 from .space import Axes, Numbers, Places
 
-_WAITING = 131072
+_WAITING = 65536
 """Candidates gathered before the front is taken again: it costs little more for many than for few."""
 _SAMPLE = 64
 """Candidates on the front that the others are held against first."""

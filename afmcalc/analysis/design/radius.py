@@ -74,39 +74,43 @@ class _Rows:
             if way == 0:
                 held = held & holds(own)
             elif way > 0:
-                first = np.maximum(first, self._turn(holds, holds(own).shape, before=False))
+                first = np.maximum(first, self._turn(holds, before=False))
             else:
-                last = np.minimum(last, self._turn(holds, holds(own).shape, before=True))
+                last = np.minimum(last, self._turn(holds, before=True))
         return first, last, held
 
-    def _turn(self, holds: Callable[[Candidates], Mask], shape: tuple[int, ...], *, before: bool) -> Places:
+    def _turn(self, holds: Callable[[Candidates], Mask], *, before: bool) -> Places:
         """Number of radii, from the smallest on, at which a bound holds (``before``) or does not: by halves."""
         size = self.radii.size
+        severest = self._at(self.radii[-1:] if before else self.radii[:1])
+        if (held := holds(severest)).all():
+            return np.full(1, size if before else 0)
         # what lies beyond the last radius turns out as the largest place there is
         reach = 1 << (size.bit_length() - 1)
         radii = np.append(self.radii, np.full(2 * reach - size, np.inf))
-        place = np.zeros(shape, np.int64)
+        place = np.zeros(held.shape, np.int64)
         while reach:
             radius = radii[place + (reach - 1)]
-            at = self.tile.at._replace(mean_radius=radius)
-            same = (holds(candidates(self.need, self.variant, at)) == before) & (radius < np.inf)
+            same = (holds(self._at(radius)) == before) & (radius < np.inf)
             place += reach * same
             reach >>= 1
         return place
+
+    def _at(self, radius: Numbers) -> Candidates:
+        return candidates(self.need, self.variant, self.tile.at._replace(mean_radius=radius))
 
     def _best(self, begin: Places, end: Places) -> list[tuple[Places, Places]]:
         """Rows and places of the largest radius; at a given gain one for every ball size that counts."""
         if not self.by_gain or not self.variant.controlled:
             row = np.flatnonzero(end > begin)
             return [(row, end.ravel()[row] - 1)]
-        found, along = [], self.tile.dimension("ball_circle_radius")
-        numbers = np.arange(self.tile.size).reshape(self.tile.shape)
+        found, along, rows = [], self.tile.dimension("ball_circle_radius"), self.tile.size
+        numbers = np.arange(1, rows + 1).reshape(self.tile.shape)
         for last in self._ends_by_ball(end):
             # a gain knows no ball circle: of a group the one that allows the largest radius
-            place = np.where(last > begin, last - 1, -1)
-            chosen = np.expand_dims(place.argmax(axis=along), along)
-            row, place = (np.take_along_axis(each, chosen, along).ravel() for each in (numbers, place))
-            found.append((row[place >= 0], place[place >= 0]))
+            both = np.where(last > begin, last * rows - numbers, -1).max(axis=along)
+            place, row = np.divmod(both[both >= 0], rows)
+            found.append((rows - 1 - row, place))
             begin = np.maximum(begin, last)
         return found
 
