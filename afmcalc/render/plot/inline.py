@@ -11,6 +11,8 @@ from matplotlib.backends.backend_svg import RendererSVG
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 
+from .chart import power
+
 _POINTS = 72
 """Dots per inch of an SVG."""
 _BESIDE, _BETWEEN = 4.5, 7.0
@@ -22,6 +24,8 @@ class _Renderer(RendererSVG):
 
     def get_text_width_height_descent(self, s: str, prop: FontProperties, ismath: Any) -> Any:
         measure: Callable[..., tuple[float, float, float]] = super().get_text_width_height_descent
+        if tick := _POWER.fullmatch(s):
+            return measure(_raised(tick), prop, False)
         pieces = _SUBSCRIPT.split(s)
         if ismath is not True or len(pieces) == 1:
             return measure(s, prop, ismath)
@@ -33,19 +37,25 @@ class _Renderer(RendererSVG):
 
     def draw_text(self, gc: Any, x: float, y: float, s: str, prop: FontProperties, angle: float, ismath: Any = False,
                   mtext: Any = None) -> None:  # fmt: skip
-        marked = _SUBSCRIPT.sub("\ue000\\1\ue001", s)
+        marked = _POWER.sub(_raised, _SUBSCRIPT.sub("\ue000\\1\ue001", s))
         draw: Callable[..., None] = super().draw_text
         draw(gc, x, y, marked, prop, angle, ismath if marked == s else False, mtext)
 
 
 _SUBSCRIPT = re.compile(r"\$_\{\\mathregular\{([^}]*)\}\}\$")
 """As ``mathtext`` writes one."""
+_POWER = re.compile(r"\$\\mathdefault\{10\^\{(-?\d+)\}\}\$")
+"""As matplotlib writes a tick of a logarithmic axis."""
 _SMALL, _DOWN = 0.7, 0.18
 """Size and drop of a subscript."""
 _MARKED = re.compile("\ue000([^\ue001]*)\ue001([^\ue000<]*)")
 _SPANS = (
     rf'<tspan dy="{_DOWN / _SMALL:.3g}em" font-size="{100 * _SMALL:g}%">\1</tspan><tspan dy="-{_DOWN}em">\2</tspan>'
 )
+
+
+def _raised(tick: re.Match[str]) -> str:
+    return power(10.0 ** int(tick[1]))
 
 
 class _Canvas(FigureCanvasBase):
