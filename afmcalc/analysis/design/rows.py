@@ -37,6 +37,15 @@ class DesignRow(Result):
     contact_force: float | None = quantity("N", "F_n", "largest force on one ball", optional=True)
     surface_pressure: float | None = quantity("Pa", "p", "mean surface pressure", optional=True)
 
+    def objective(self, name: str) -> float:
+        """Value by which it was judged; what its variant does not have costs nothing."""
+        if name == "closing_force" and self.pack_force_at_rest is not None:
+            return self.pack_force_at_rest
+        value = getattr(self, name)
+        if value is None and name == "control_deflection" and self.control_stiffness == 0:
+            return math.inf
+        return float(value or 0.0)
+
 
 _SEARCHED = ("pairs", "driving_pairs", "mean_radius", "ball_circle_radius", "closing_stiffness", "control_stiffness")
 _OF_A_SLEEVE = ("control_force", "pack_force_at_rest", "closing_deflection", "control_deflection", "travel")
@@ -72,16 +81,6 @@ def rows(found: Candidates) -> list[DesignRow]:
 
 def _defined(value: float) -> float | None:
     return value if math.isfinite(value) else None
-
-
-def objective(row: DesignRow, name: str) -> float:
-    """Value by which a row was judged; what its variant does not have costs nothing."""
-    if name == "closing_force" and row.pack_force_at_rest is not None:
-        return row.pack_force_at_rest
-    value = getattr(row, name)
-    if value is None and name == "control_deflection" and row.control_stiffness == 0:
-        return math.inf
-    return float(value or 0.0)
 
 
 def as_spec(need: Requirements, row: DesignRow) -> Spec:

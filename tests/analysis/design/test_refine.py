@@ -9,7 +9,6 @@ from conftest import CONFIGS
 from scipy.optimize import minimize
 
 from afmcalc.analysis.design.design import design
-from afmcalc.analysis.design.rows import objective
 from afmcalc.spec.requirements import make_requirements
 
 BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
@@ -122,7 +121,7 @@ def bounds_of(need, row):
             at_most.append(("gain", 1 / (row.driving_pairs * need.friction.max)))
         if row.variant == "all-driving":
             at_most.append(("reduced_gain", 5))
-    at_most += [(name, objective(row, name)) for name in need.objectives[1:] if name not in ("pairs", "ball_diameter")]
+    at_most += [(name, row.objective(name)) for name in need.objectives[1:] if name not in ("pairs", "ball_diameter")]
     return [(name, value) for name, value in at_most if value is not None and math.isfinite(value) and value > 0]
 
 
@@ -147,7 +146,7 @@ def restarts(need, row, starts, generator):
             left += [found["ball_room"] * ball / 2 / found["ball_need"] - 1, found["kappa"]]
         return np.nan_to_num(np.array(left), nan=-1.0, neginf=-1e3)
 
-    size, best = objective(row, goal), math.inf
+    size, best = row.objective(goal), math.inf
     own = np.array([row.mean_radius, (row.gain if search.gain else row.wall_angle) or 0.0, row.ball_circle_radius or 1.0, row.closing_stiffness or 1.0, row.control_stiffness or 0.0])  # fmt: skip
     middle = np.clip((own - ends[:, 0]) / np.where(ends[:, 1] > ends[:, 0], ends[:, 1] - ends[:, 0], 1), 0, 1)
     for number in range(starts):
@@ -174,8 +173,8 @@ def test_no_restart_finds_better(case):
     for number in generator.permutation(len(result.front))[:4]:
         grid, fine = result.front[number], result.refined[number]
         best = restarts(need, grid, 16, generator)
-        assert objective(fine, goal) <= best * (1 + 1e-6), number
-        moved += objective(fine, goal) < objective(grid, goal) * (1 - 1e-6)
-        reached += best <= objective(fine, goal) * (1 + 1e-6)
+        assert fine.objective(goal) <= best * (1 + 1e-6), number
+        moved += fine.objective(goal) < grid.objective(goal) * (1 - 1e-6)
+        reached += best <= fine.objective(goal) * (1 + 1e-6)
     assert reached, "the restarts find what was found"
     assert moved or case not in BETWEEN

@@ -1,7 +1,7 @@
 """The Pareto front of a design: the first objective against the others, on the grid and refined between its points."""
 
 from ....analysis.design.design import DesignResult
-from ....analysis.design.rows import DesignRow, objective
+from ....analysis.design.rows import DesignRow
 from ....analysis.figures import ParetoFigure
 from ..chart import Chart, ChartAxis, Line, Sheet, axis_of
 
@@ -89,7 +89,7 @@ def _axis(name: str) -> ChartAxis:
 
 
 def _values(rows: list[DesignRow], name: str) -> list[float]:
-    return [objective(row, name) for row in rows]
+    return [row.objective(name) for row in rows]
 
 
 def _ends(values: list[float]) -> tuple[float, float]:
