@@ -26,7 +26,7 @@ class Request(NamedTuple):
     """``Answers`` of clutches, names of the papers' figures, or requirements."""
     sweep: str | None = None
     model: StressRule | None = None
-    progress: Callable[[int], None] = lambda done: None
+    progress: "Callable[[str, int, int], None]" = lambda work, done, total: None
     """Is told how many candidates of a design are behind."""
 
 

@@ -90,14 +90,13 @@ def design(
     """  # noqa: D301
     from ..analysis.design.design import design as analysis
     from ..analysis.design.design import picked
-    from ..analysis.design.space import total
     from ..spec import resolved, to_toml
     from ..spec.requirements import read_requirements
     from .progress import Progress
 
     common.keep(requirements)
     need = read_requirements(requirements, common.set or ())
-    with Progress(total(need), quiet=common.quiet) as progress:
+    with Progress(quiet=common.quiet) as progress:
         result, findings = analysis(need, progress.advance)
     if pick is None or not result.front:
         emit(common, result, findings)

@@ -81,7 +81,6 @@ def _of_clutches(what: str, request: "Request", common: Common) -> Any:
 
 def _of_requirements(what: str, request: "Request", common: Common) -> Any:
     """Read the requirements and search, with a progress bar."""
-    from ..analysis.design.space import total
     from ..analysis.figures import check_request, gathered
     from ..spec.requirements import read_requirements
     from .progress import Progress
@@ -90,7 +89,7 @@ def _of_requirements(what: str, request: "Request", common: Common) -> Any:
     (source,) = request.subjects
     common.keep(source)
     need = read_requirements(source, common.set or ())
-    with Progress(total(need), quiet=common.quiet) as progress:
+    with Progress(quiet=common.quiet) as progress:
         return gathered(what, request._replace(subjects=[need], progress=progress.advance))
 
 

@@ -12,15 +12,15 @@ PATIENCE = 1.0
 class Progress:
     """Shows nothing in a pipe, when quiet, or within the first second; leaves the line clean when it ends."""
 
-    def __init__(self, total: int, *, quiet: bool = False) -> None:
-        """Prepare for ``total`` steps."""
-        self.total, self.started = total, time.monotonic()
+    def __init__(self, *, quiet: bool = False) -> None:
+        """Begin to wait."""
+        self.started = time.monotonic()
         self.wanted = not quiet and sys.stderr.isatty()
         self._bar: Any = None
-        self._task: Any = None
+        self._tasks: dict[str, Any] = {}
 
-    def advance(self, done: int) -> None:
-        """Note how many steps are behind."""
+    def advance(self, work: str, done: int, total: int) -> None:
+        """Note how much of a piece of work is behind."""
         if not self.wanted or (self._bar is None and time.monotonic() - self.started < PATIENCE):
             return
         if self._bar is None:
@@ -29,8 +29,9 @@ class Progress:
 
             self._bar = Bar(console=Console(stderr=True), transient=True)
             self._bar.start()
-            self._task = self._bar.add_task("searching", total=self.total)
-        self._bar.update(self._task, completed=done)
+        if work not in self._tasks:
+            self._tasks[work] = self._bar.add_task(work)
+        self._bar.update(self._tasks[work], completed=done, total=total)
 
     def __enter__(self) -> "Progress":
         """Start."""

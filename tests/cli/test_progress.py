@@ -25,7 +25,7 @@ class Terminal(io.StringIO):
 def test_where_the_bar_appears(stream, quiet, patience, shown, monkeypatch):
     monkeypatch.setattr(sys, "stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", patience)
-    with progress.Progress(10, quiet=quiet) as bar:
-        bar.advance(3)
-        bar.advance(10)
+    with progress.Progress(quiet=quiet) as bar:
+        bar.advance("searching", 3, 10)
+        bar.advance("searching", 10, 10)
     assert ("searching" in stream.getvalue()) == shown

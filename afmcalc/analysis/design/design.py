@@ -30,14 +30,20 @@ class DesignResult(Result):
     front: list[DesignRow] = quantity("", None, "the front on the grid")
 
 
-def design(
-    need: Requirements, progress: Callable[[int], None] = lambda done: None
-) -> tuple[DesignResult, list[Finding]]:
+Progress = Callable[[str, int, int], None]
+"""Is told what is under way, how much of it is behind, and how much there is."""
+
+
+def unwatched(work: str, done: int, total: int) -> None:
+    """Nobody is told."""
+
+
+def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignResult, list[Finding]]:
     """Search everything the requirements allow.
 
     Args:
         need: the requirements.
-        progress: is told how many candidates are behind.
+        progress: is told how far the search, then the refinement is.
 
     Returns:
         The front, empty where nothing meets the requirements, and findings.
@@ -54,8 +60,8 @@ def design(
                 most=MOST,
             )
         )
-    found = search(need, progress)
-    grid, fine = _laid_out(need, found)
+    found = search(need, lambda done: progress("searching", done, count))
+    grid, fine = _laid_out(need, found, progress)
     result = DesignResult(
         candidates=found.candidates,
         feasible=found.feasible,
@@ -67,11 +73,18 @@ def design(
     return result, _findings(result)
 
 
-def _laid_out(need: Requirements, found: Found) -> tuple[list[DesignRow], list[DesignRow]]:
+def _laid_out(need: Requirements, found: Found, progress: Progress) -> tuple[list[DesignRow], list[DesignRow]]:
     """Lay out the front by its objectives, and the refined one in the same order."""
     both: list[tuple[list[float], DesignRow, DesignRow]] = []
+    count = sum(len(values) for _, _, values in found.members)
     for variant, at, values in found.members:
-        grid, fine = (rows(candidates(need, variant, each)) for each in (at, refined(need, variant, at)))
+        behind = len(both)
+
+        def told(done: int, behind: int = behind) -> None:
+            progress("refining", behind + done, count)
+
+        best = refined(need, variant, at, told)
+        grid, fine = (rows(candidates(need, variant, each)) for each in (at, best))
         both += zip(values.tolist(), grid, fine, strict=True)
     both.sort(key=lambda each: each[0])
     return _numbered([row for _, row, _ in both]), _numbered([row for _, _, row in both])

@@ -7,6 +7,7 @@ and travel are fractions linear in c_2, so its ends follow from three values of 
 over u.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -30,7 +31,9 @@ _FREE = ("mean_radius", "steering", "ball_circle_radius", "closing_stiffness", "
 
 
 @np.errstate(all="ignore")
-def refined(need: Requirements, variant: Variant, at: Axes) -> Axes:
+def refined(
+    need: Requirements, variant: Variant, at: Axes, progress: Callable[[int], None] = lambda done: None
+) -> Axes:
     """Move candidates between the grid points of the parameters that were given as ranges.
 
     Each continuous objective in turn is made as small as it goes without a rise of the others. Whole numbers,
@@ -40,6 +43,7 @@ def refined(need: Requirements, variant: Variant, at: Axes) -> Axes:
         need: the requirements.
         variant: variant of the candidates.
         at: one candidate per element.
+        progress: is told how many of them are behind.
 
     Returns:
         Candidates of the same number, each no worse than its own in any objective.
@@ -47,10 +51,10 @@ def refined(need: Requirements, variant: Variant, at: Axes) -> Axes:
     count = at.pairs.size
     if need.search.closing_force is None or not any(choice.between for choice in _free(need, variant).values()):
         return at
-    parts = [
-        _Rows(need, variant, Axes(*(column[start : start + ROWS] for column in at))).best()
-        for start in range(0, count, ROWS)
-    ]
+    parts = []
+    for start in range(0, count, ROWS):
+        parts.append(_Rows(need, variant, Axes(*(column[start : start + ROWS] for column in at))).best())
+        progress(min(start + ROWS, count))
     return Axes(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else at
 
 

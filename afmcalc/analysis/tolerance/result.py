@@ -19,9 +19,17 @@ class Estimated(Result):
     """A result that holds estimates; written flat, the error in a field that says whose it is (``error_of``)."""
 
     @classmethod
+    @cache
+    def error_fields(cls) -> dict[str, str]:
+        """Return the field of the error by that of the figure."""
+        about = {name: info.json_schema_extra for name, info in cls.model_fields.items()}
+        extras = {name: extra for name, extra in about.items() if isinstance(extra, dict)}
+        return {str(extra["error_of"]): name for name, extra in extras.items() if "error_of" in extra}
+
+    @classmethod
     def of(cls, **figures: object) -> Self:
         """Build the result from figures, an ``Estimate`` giving both of its fields."""
-        errors = error_fields(cls)
+        errors = cls.error_fields()
         flat = dict(figures)
         for name, figure in figures.items():
             if isinstance(figure, Estimate):
@@ -30,16 +38,7 @@ class Estimated(Result):
 
     def estimate(self, name: str) -> Estimate:
         """Return a figure with its error."""
-        return Estimate(getattr(self, name), getattr(self, error_fields(type(self))[name]))
-
-
-@cache
-def error_fields(result: type[Result]) -> dict[str, str]:
-    """Return the field of the error by that of the figure."""
-    about = {name: info.json_schema_extra for name, info in result.model_fields.items()}
-    return {
-        str(extra["error_of"]): name for name, extra in about.items() if isinstance(extra, dict) and "error_of" in extra
-    }
+        return Estimate(getattr(self, name), getattr(self, self.error_fields()[name]))
 
 
 def error(of: str, unit: str, symbol: str, description: str, *, optional: bool = False) -> Any:

@@ -1,6 +1,6 @@
 """Tables of the torque over tolerances: each value beside its standard error, inputs in the engineer's units."""
 
-from ...analysis.tolerance.result import Estimate, IndexRow, InputRow, LifeRow, ToleranceResult, error_fields
+from ...analysis.tolerance.result import Estimate, IndexRow, InputRow, LifeRow, ToleranceResult
 from ...messages import translate
 from ...spec.paths import keys
 from ..document import document
@@ -19,7 +19,7 @@ def scatter_blocks(result: ToleranceResult) -> list[TextTable]:
 
 
 def _figures(result: ToleranceResult, errors: bool) -> TextTable:
-    names = error_fields(type(result))
+    names = result.error_fields()
     lined = [
         [
             row.symbol,
