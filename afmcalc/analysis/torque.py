@@ -28,7 +28,7 @@ class TorqueResult(Result):
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the setting")
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
     control_force: float | None = quantity("N", "F_п2", "control-spring force as set", optional=True)
-    pack_force_at_rest: float | None = quantity("N", "N_0", "force on the pack of the clutch at rest", optional=True)
+    pack_force_at_rest: float | None = quantity("N", "N(0)", "force on the pack of the clutch at rest", optional=True)
     gain: float = quantity("1", "C", "feedback gain")
     reduced_gain: float = quantity("1", "z_2 C", "reduced gain")
     friction: Triple | None = quantity("1", "f", "coefficient of friction", optional=True)

@@ -17,7 +17,7 @@ from .grid import Tile, tiles
 from .limits import Constraint, constraints, unimodal
 from .space import Mask, Numbers, Places, axes, balls
 
-ROWS = 32768
+ROWS = 16384
 """Rows of radii in a block."""
 
 

@@ -402,14 +402,10 @@ def test_too_many_are_refused_before_any_work(afmcalc, monkeypatch):
 
 def test_ctrl_c_leaves_no_file(tmp_path):
     source, target = tmp_path / "wide.json", tmp_path / "out.toml"
-    radii = {"start": 0.06, "stop": 0.14, "count": 4000}
-    source.write_text(
-        json.dumps(
-            changed(
-                search={"mean_radius": radii, "gain": None, "wall_angle": {"start": 0.1, "stop": 1.2, "count": 4000}}
-            )
-        )
-    )
+    grid = lambda start, stop, count: {"start": start, "stop": stop, "count": count}  # noqa: E731
+    springs = {"closing_stiffness": grid(1e4, 2e5, 20), "control_stiffness": grid(1e4, 2e5, 20)}
+    wide = {"mean_radius": grid(0.06, 0.14, 1000), "gain": grid(0.1, 3, 1000), **springs}
+    source.write_text(json.dumps(changed(variants=["indirect"], search=wide, fixed=INDIRECT["fixed"])))
     command = [sys.executable, "-m", "afmcalc", "design", str(source), "--pick", "1", "-o", str(target)]
     person, terminal = os.openpty()
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=terminal) as process:
