@@ -411,7 +411,7 @@ def test_ctrl_c_leaves_no_file(tmp_path):
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=terminal) as process:
         os.close(terminal)
         shown = b""
-        while b"refining" not in shown:  # the bar: the work is under way
+        while b"searching" not in shown:  # the bar: the work is under way
             shown += os.read(person, 1024)
         process.send_signal(signal.SIGINT)
         with contextlib.suppress(OSError):  # the terminal ends with the process
