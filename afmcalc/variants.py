@@ -5,6 +5,7 @@ A further variant of a law is one more record in ``VARIANTS``, and nothing else:
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal, TypeAlias
 
 from .arrays import Values
@@ -62,7 +63,7 @@ class Variant:
     example: str | None = None
     """The example spec to start from."""
 
-    @property
+    @cached_property
     def keys(self) -> tuple[Path, ...]:
         """Keys it has and not every variant has."""
         return self.takes + self.needs
