@@ -111,6 +111,15 @@ FINDINGS: Mapping[str, str] = {
         "the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction has "
         "fallen {value:.4g} times, and the torque then stays below the rising branch; full unloading reseats it"
     ),
+    "torque-falls-with-travel": (
+        "C_1 = {value:.4g} 1/m is above C_1* = {limit:.4g} 1/m, at which the pockets hold the torque: a load that "
+        "reaches {most:.5g N·m} makes the sleeve run off its stop, and the torque jumps, to {falls:.5g N·m} at f_max"
+    ),
+    "torque-jumps": (
+        "C_1 = {value:.4g} 1/m is above C_1* = {limit:.4g} 1/m, at which the pockets hold the torque, and above "
+        "{jumping:.4g} 1/m: the sleeve jumps off its stop even as friction rises in slip, and the torque jumps down "
+        "from {most:.5g N·m}, to {falls:.5g N·m} at f_max"
+    ),
     "material": "{name}: friction {low:g}…{high:g} from the catalogue ({source})",
     "nominal-torque-missed": (
         "closing_spring.force is given, so it decides: it gives a nominal torque of {value:.5g N·m}, "

@@ -160,6 +160,7 @@ VARIANTS: dict[str, Variant] = {
                 ("closing_spring", "stiffness"),
                 ("control_spring",),
             ),
+            takes=(("control_unit", "gain_slope"), ("control_unit", "pocket"), ("control_unit", "profiled")),
             example="indirect",
         ),
     )

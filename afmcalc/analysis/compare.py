@@ -80,7 +80,7 @@ def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:
         gain=clutch.gain,
         reduced_gain=clutch.reduced_gain,
         torque=torque,
-        scatter=abs(torque.max - torque.min),
+        scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         gain_limit=clutch.gain_limit,

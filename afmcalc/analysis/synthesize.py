@@ -145,7 +145,10 @@ def least_contact_force_gain(clutch: Clutch) -> float | None:
     unit = clutch.spec.control_unit
     assert unit is not None
     assert unit.ball_circle_radius is not None
-    (a0, a1), (b0, b1), start = clutch.ball_torque_by_gain()
+    by_gain = clutch.ball_torque_by_gain()
+    if by_gain is None:
+        return None
+    (a0, a1), (b0, b1), start = by_gain
     ratio = unit.ball_circle_radius / float(clutch.mean_radius)
     cubic = law.least_contact_force_cubic(a0, a1, b0, b1, ratio)
     roots = np.roots(np.array(cubic, float))

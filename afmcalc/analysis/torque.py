@@ -30,6 +30,7 @@ class TorqueResult(Result):
     control_force: float | None = quantity("N", "F_п2", "control-spring force as set", optional=True)
     pack_force_at_rest: float | None = quantity("N", "N(0)", "force on the pack of the clutch at rest", optional=True)
     gain: float = quantity("1", "C", "feedback gain")
+    gain_slope: float | None = quantity("1/m", "C_1", "how the gain grows with the sleeve's travel", optional=True)
     reduced_gain: float = quantity("1", "z_2 C", "reduced gain")
     friction: Triple | None = quantity("1", "f", "coefficient of friction", optional=True)
     friction_driving: Triple | None = quantity("1", "f_1", "friction of the driving pairs", optional=True)
@@ -73,6 +74,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         nominal_torque=clutch.nominal_torque,
         closing_force=clutch.closing_force,
         gain=clutch.gain,
+        gain_slope=clutch.gain_slope or None,
         reduced_gain=clutch.reduced_gain,
         **friction_triples(clutch),
         torque=_triple(torques),
@@ -82,7 +84,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         pack_force_at_rest=None if clutch.control_force is None else clutch.pack_force_at_rest,
         travel=_triple_or_none(travels),
         torque_returning=_triple_or_none([clutch.torque_returning(end[0]) for end in ends]),
-        scatter=abs(torques[2] - torques[0]),
+        scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
         points=asked or None,
     )

@@ -3,13 +3,12 @@
 from dataclasses import replace
 from typing import Any
 
-from ..arrays import Values, checked_friction, is_array
-from ..equations import indirect
-from ..errors import Problem, SpecError
-from ..findings import Finding, finding
+from ..arrays import Values, checked_friction, is_array, larger, smaller
+from ..equations import direct, indirect
+from ..findings import Finding
 from ..messages import say
 from ..spec.models import Method, Spec
-from . import geometry, setting
+from . import geometry, pockets, remarks, setting
 from .laws import IndirectLaw
 from .protocol import ByGain, Clutch
 from .sensitivity import sensitivity
@@ -41,9 +40,9 @@ class IndirectClutch(Clutch):
             friction_set=setting.friction_at_setting(spec)[0],
             made_control_force=control.force,
         )
-        _refuse_negative_net_gain(spec, law)
+        pockets.refuse_negative_net_gain(spec, law)
         force = setting.closing_force(spec, lambda: law.torque_per_force)
-        return cls(spec, law, spec.friction.groups, force)
+        return cls(spec, replace(law, gain_slope=pockets.gain_slope(spec, law, force)), spec.friction.groups, force)
 
     @property
     def pairs(self) -> Values:
@@ -76,9 +75,24 @@ class IndirectClutch(Clutch):
         return self.law.net_gain_returning
 
     @property
+    def gain_slope(self) -> Values:
+        """C_1 of the pockets, 1/m."""
+        return self.law.gain_slope
+
+    @property
+    def constant_torque_slope(self) -> Values:
+        """C_1* at which torque would not depend on friction once the sleeve is off its stop, 1/m."""
+        return self.law.constant_torque_slope(self.closing_force)
+
+    @property
     def friction_set(self) -> Values:
         """Friction at the setting."""
         return self.law.friction_set
+
+    @property
+    def leaving_friction(self) -> Values:
+        """Friction at which the sleeve leaves its stop."""
+        return self.law.leaving_friction(self.closing_force)
 
     def torque_per_force(self, method: Method | None = None) -> Any:
         """T/F_п1 at the friction of a setting, m; by default the spec's own."""
@@ -96,8 +110,10 @@ class IndirectClutch(Clutch):
         return force
 
     @property
-    def equivalent_gain(self) -> Values:
-        """Gain of the all-driving clutch with the same torque curve."""
+    def equivalent_gain(self) -> Values | None:
+        """Gain of the all-driving clutch with the same torque curve; a curved pocket has no such twin."""
+        if not self.law.straight:
+            return None
         gain: Values = indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
         return gain
 
@@ -124,7 +140,10 @@ class IndirectClutch(Clutch):
 
     def release_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Release force F_p of the balls on the sleeve, N."""
-        return indirect.release_force(self.torque(friction, friction_driven), self.gain, self.mean_radius)
+        torque = self.torque(friction, friction_driven)
+        if self.law.straight:
+            return indirect.release_force(torque, self.gain, self.mean_radius)
+        return indirect.release_force(torque, self.law.gain_at(self.travel(friction)), self.mean_radius)
 
     def travel(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Axial travel x of the sleeve, m; 0 at the stop (S21 (16))."""
@@ -139,8 +158,8 @@ class IndirectClutch(Clutch):
     def accuracy_factor(self) -> Values:
         """K_т (S21 (15), with the stop)."""
         own = self.friction[0]
-        if self.law.made_control_force is not None:
-            ratio: Values = self.torque(own.max) / self.torque(own.min)
+        if self.law.made_control_force is not None or not self.law.straight:
+            ratio: Values = self.torque_max / self.torque_min
             return ratio
         factor: Values = indirect.accuracy_factor(
             own.min,
@@ -156,15 +175,40 @@ class IndirectClutch(Clutch):
     @property
     def accuracy_factor_hysteresis(self) -> Values:
         """K_т under a load that lasts: friction falls from f_max to f_min, the key holding the sleeve back."""
-        own = self.friction[0]
-        factor: Values = indirect.accuracy_factor_hysteresis(self.torque(own.max), self.torque_returning(own.min))
+        factor: Values = indirect.accuracy_factor_hysteresis(self.torque_max, self.torque_returning_min)
         return factor
 
     @property
     def torque_max(self) -> Values:
-        """T(f_max), N·m: the torque rises with friction."""
-        torque: Values = self.torque(self.friction[0].max)
-        return torque
+        """Largest torque, friction rising, N·m: at f_max, unless a curved pocket lets it fall from where it begins."""
+        own = self.friction[0]
+        most: Values = self.torque(own.max)
+        if self.law.straight:
+            return most
+        leaving = smaller(larger(self.leaving_friction, own.min), own.max)
+        first: Values = direct.group_torque(
+            self.law.normal_force(self.closing_force, leaving), self.mean_radius, self.pairs, leaving
+        )
+        return larger(most, first)
+
+    @property
+    def torque_returning_min(self) -> Values:
+        """Smallest torque as friction falls from f_max to f_min under load, N·m.
+
+        At f_min, unless a curved pocket lets the torque rise from where the sleeve begins to return.
+        """
+        own = self.friction[0]
+        least: Values = self.torque_returning(own.min)
+        if self.law.straight:
+            return least
+        return smaller(least, self.torque_returning(larger(own.max / self.hysteresis_ratio, own.min)))
+
+    @property
+    def hysteresis_ratio(self) -> Values:
+        """How many times friction must fall from f_max before the sleeve returns, κ₊/κ where it is."""
+        there = self.law if self.law.straight else self.law.steepened(self.travel(self.friction[0].max))
+        ratio: Values = indirect.hysteresis_ratio(there.net_gain, there.net_gain_returning)
+        return ratio
 
     @property
     def nominal_torque_ratio(self) -> Values:
@@ -172,8 +216,10 @@ class IndirectClutch(Clutch):
         ratio: Values = indirect.nominal_torque_ratio(self.pairs, self.gain, self.friction_set)
         return ratio
 
-    def ball_torque_by_gain(self) -> ByGain:
+    def ball_torque_by_gain(self) -> ByGain | None:
         """T ∝ D(f_set)/D(f_max), with F_п2 as made 1/D(f_max); D = (c_1 + c_2 − z c_1 f·threshold) + (z c_1 f)·C."""
+        if not self.law.straight:
+            return None
         springs = float(self.closing_stiffness + self.control_stiffness)
         start = float(self.gain_threshold)
         slopes = [
@@ -187,36 +233,8 @@ class IndirectClutch(Clutch):
         return sensitivity(self.spec, self.law, self.closing_force)
 
     def _law_findings(self) -> list[Finding]:
-        """Idle feedback, the key's hysteresis."""
-        gain, threshold = float(self.gain), float(self.gain_threshold)
-        if self.net_gain == 0:
-            path = geometry.gain_path(self.spec)
-            return [finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)]
-        if self.law.key_friction == 0:
-            return []
-        returning, nominal = float(self.torque_returning(self.friction[0].min)), float(self.nominal_torque)
-        ratio = indirect.hysteresis_ratio(self.net_gain, self.net_gain_returning)
-        key = "control_unit.key_friction"
-        found = [finding("hysteresis", "info", value=ratio, limit=1.0, path=key)]
-        if returning < nominal * (1 - 1e-12):
-            found.append(finding("returning-below-nominal", "warning", value=returning, limit=nominal, path=key))
-        return found
-
-
-def _refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
-    """Below the threshold the sleeve leaves its stop at zero torque: no clutch at all."""
-    net = law.net_gain
-    if not _where_least(net, net) < 0:
-        return
-    threshold, gain = (_where_least(net, each) for each in (law.gain_threshold, law.gain))
-    message = say(
-        "must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
-        "force, and the sleeve leaves its stop at zero torque",
-        threshold=threshold,
-    )
-    path = geometry.gain_path(spec)
-    given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
-    raise SpecError(spec.label, [Problem(path, given, message)])
+        """Idle feedback, the key's hysteresis, a pocket that lets the torque fall."""
+        return remarks.of_the_sleeve(self)
 
 
 def _given(value: Any) -> Any:
@@ -234,12 +252,3 @@ def _one(friction: Values, friction_driven: Any) -> Any:
     if not (bool(same.all()) if is_array(same) else same):
         raise ValueError(say("an indirect clutch has one friction for all pairs"))
     return friction
-
-
-def _where_least(value: Values, other: Values) -> float:
-    """Where the first is least, the other, so that numbers named together belong together."""
-    if not is_array(value):
-        return float(other)
-    import numpy as np
-
-    return float(np.broadcast_to(other, np.shape(value)).flat[int(np.argmin(value))])

@@ -14,6 +14,11 @@ def margin(spec: Spec, method: Method | None = None) -> Any:
     return spec.adjustment.margin if (method or spec.adjustment.method) == "mean-friction" else 1.0
 
 
+def margin_over_machine(spec: Spec) -> Any:
+    """T_н of the clutch over that of the machine: the margin, unless it is in the spring already."""
+    return spec.adjustment.margin / margin(spec)
+
+
 def friction_at_setting(spec: Spec, method: Method | None = None) -> tuple[Values, Values]:
     """f_1 and f_2 at which the spring is set: the smallest, or the mean."""
     first, second = spec.friction.groups

@@ -8,6 +8,7 @@ from .walk import Key, keys_below
 
 ALIASES = {
     "C": "control_unit.gain",
+    "gain_slope": "control_unit.gain_slope",
     "z": "friction_group.pairs",
     "z1": "friction_group.driving_pairs",
     "R": "friction_group.mean_radius",

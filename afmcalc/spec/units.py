@@ -13,6 +13,7 @@ EXAMPLES = {
     "m": ("a length", "100 mm"),
     "N*m": ("a torque", "200 N*m"),
     "N/m": ("a stiffness", "20 N/mm"),
+    "1/m": ("a slope of the gain", "18.75 1/m"),
     "rad": ("an angle", "30 deg"),
     "Pa": ("a pressure or stress", "400 MPa"),
     "m^3": ("a section modulus", "15 cm^3"),
@@ -51,6 +52,7 @@ KNOWN: dict[str, dict[str, Decimal]] = {
         for length, metres in _LENGTHS.items()
         if _alike(force, length)
     },
+    "1/m": {f"1/{unit}": 1 / Decimal(factor) for unit, factor in _LENGTHS.items()},
     "rad": {"rad": Decimal(1), "рад": Decimal(1)} | dict.fromkeys(("deg", "°", "degree", "град"), Decimal(_DEGREE)),
     "Pa": {unit: Decimal(factor) for unit, factor in _PRESSURES.items()},
     "m^3": {f"{unit}^3": Decimal(factor) ** 3 for unit, factor in _LENGTHS.items()},

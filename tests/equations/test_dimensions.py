@@ -12,6 +12,11 @@ from afmcalc.equations.overload import actuation_factor
 UNITS = pint.UnitRegistry()
 
 
+OTHER_UNITS = {
+    "m": "inch", "N": "kgf", "N*m": "kgf*cm", "N/m": "kgf/cm", "Pa": "psi", "m^3": "inch**3", "1/m": "1/inch",
+}  # fmt: skip
+
+
 def quantities(equation, values=None):
     """Arguments with the units of the docstring; pure numbers stay plain (they may be exponents)."""
     found = {}
@@ -42,10 +47,9 @@ def test_numbers_do_not_depend_on_the_units(name):
     equation = equations()[name]
     si = equation.function(**quantities(equation))
     other = {
-        key: value.to({"m": "inch", "N": "kgf", "N*m": "kgf*cm", "N/m": "kgf/cm", "Pa": "psi", "m^3": "inch**3"}[equation.arguments[key].unit])
-        if isinstance(value, UNITS.Quantity) else value
+        key: value.to(OTHER_UNITS[equation.arguments[key].unit]) if isinstance(value, UNITS.Quantity) else value
         for key, value in quantities(equation).items()
-    }  # fmt: skip
+    }
     converted = equation.function(**other).to(equation.result.unit.replace("^", "**"))
     assert converted.magnitude == pytest.approx(
         si.to_base_units().to(equation.result.unit.replace("^", "**")).magnitude

@@ -77,8 +77,7 @@ def _of_clutch(clutch: Clutch) -> Iterator[_Held]:
     if clutch.gain_threshold:
         threshold = float(clutch.gain_threshold)
         yield _Held("feedback-idle", "gain against key friction", "C ≥ 2R f_1/d", "1", gain, threshold, least=True)
-    first, second = clutch.friction
-    lowest = float(min(clutch.torque(first.min, second.min), clutch.torque(first.max, second.max)))
+    lowest = float(clutch.torque_min)
     nominal = float(clutch.nominal_torque)
     name = "least torque in service"
     yield _Held("below-nominal-torque", name, "T_min ≥ T_н", "N*m", lowest, nominal, least=True)

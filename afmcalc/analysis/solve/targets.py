@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Literal, NamedTuple
 
-from ...arrays import Values, larger, smaller
+from ...arrays import Values
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
 from ...messages import say
@@ -21,22 +21,6 @@ class Target(NamedTuple):
     """Which side of the wanted value still meets it, where only whole numbers can be chosen."""
 
 
-def _ends(clutch: Clutch) -> tuple[Values, Values]:
-    first, second = clutch.friction
-    return clutch.torque(first.min, second.min), clutch.torque(first.max, second.max)
-
-
-def torque_min(clutch: Clutch) -> Values:
-    """Smallest sustained torque along the common path, N·m."""
-    return smaller(*_ends(clutch))
-
-
-def scatter(clutch: Clutch) -> Values:
-    """Width of the torque scatter band ΔT, N·m."""
-    low, high = _ends(clutch)
-    return larger(low, high) - smaller(low, high)
-
-
 def _travel(clutch: Clutch) -> Values:
     travel: Values | None = clutch.travel(clutch.friction[0].max)
     if travel is None:
@@ -51,9 +35,9 @@ TARGETS: dict[str, Target] = {
         "1", "accuracy factor, f_1 and f_2 independent", lambda c: c.accuracy_factor_worst_case, "low"
     ),
     "nominal_torque": Target("N*m", "nominal torque", lambda c: c.nominal_torque, "high"),
-    "torque_min": Target("N*m", "smallest torque", torque_min, "high"),
+    "torque_min": Target("N*m", "smallest torque", lambda c: c.torque_min, "high"),
     "torque_max": Target("N*m", "largest torque", lambda c: c.torque_max, "low"),
-    "scatter": Target("N*m", "torque scatter band", scatter, "low"),
+    "scatter": Target("N*m", "torque scatter band", lambda c: c.scatter, "low"),
     "reduced_gain": Target("1", "reduced gain", lambda c: c.reduced_gain, "low"),
     "closing_force": Target("N", "closing-spring force", lambda c: c.closing_force, "low"),
     "travel_max": Target("m", "largest travel of the sleeve", _travel, "low"),
