@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _OF_ONE_CLUTCH = ("clutch", "design", "drive", "specs")
 """Groups whose analyses are asked of a clutch."""
-_OTHERWISE = ("compare", "design", "materials")
+_OTHERWISE = ("compare", "design", "examples", "materials")
 """Those of them that take something else."""
 _NONE = object()
 
