@@ -40,6 +40,7 @@ from .fields import (
     WallAngle,
     key_field,
 )
+from .report import TitleBlock
 from .tolerance import Tolerance, in_si
 
 
@@ -249,6 +250,7 @@ class Spec(Block):
     drive: Drive = Drive()
     fatigue: Fatigue | None = None
     tolerance: Tolerance | None = None
+    report: TitleBlock | None = None
 
     _origin: Origin = PrivateAttr(Origin("spec"))
 

@@ -215,6 +215,9 @@ BAD = {
         "at most 0.5",
     ),
     "name that is a number": ({"name": 3}, "name", "3", "text"),
+    "revision that is a fraction": ({"report__revision": 1.5}, "report.revision", "1.5", "text"),
+    "truth of an author": ({"report__author": True}, "report.author", "true", "text"),
+    "title block of two lines": ({"report__project": "a\nb"}, "report.project", "", "printable"),
 }
 
 
@@ -265,6 +268,13 @@ def test_what_a_calculation_finds_wrong_names_the_file(command, changes, tmp_pat
     run = afmcalc(*command, file)
     assert run.code == 2
     assert run.err.startswith(f"error: {'sweep at control_unit.gain = 0.01' if '--sweep' in command else file}: ")
+
+
+def test_a_title_block_takes_text_and_a_revision_and_a_date_without_quotes():
+    text = 'organisation = "ООО «Муфта»"\nrevision = 2\ndate = 2026-01-31\n'
+    data = resolved(make_spec(changed(report=tomllib.loads(text))))
+    assert data["report"] == {"organisation": "ООО «Муфта»", "revision": "2", "date": "2026-01-31"}
+    assert resolved(make_spec(tomllib.loads(to_toml(data)))) == data
 
 
 def test_every_problem_is_shown_at_once():
