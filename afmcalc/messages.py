@@ -78,7 +78,12 @@ FINDINGS: Mapping[str, str] = {
     "{limit:.5g mm} apart",
     "default-clearance": "{path} is not given: {value:g mm} is taken (S21: 2…3 mm)",
     "no-sleeve-travel": "a direct clutch has no sleeve: x_max is 0; allow for wear and disc release in the clearance",
-    "no-standard-ball": "no standard ball is as large as {value:.5g mm}: change gain, springs or list",
+    "ball-reaches-axis": "a ball of radius {value:.5g mm} reaches the axis: its centre lies {limit:.5g mm} from it",
+    "pockets-overlap": "{balls} pockets cut into each other: each is {value:.5g mm} wide at the face, their centres "
+    "are {limit:.5g mm} apart",
+    "depth-beyond-sleeve": "the pockets, cut {value:.5g mm} deep, go through the sleeve of {limit:.5g mm}",
+    "no-standard-ball": "no standard ball is as large as {value:.5g mm}, the largest is {limit:.5g mm}: change gain, "
+    "springs, gap or list",
     "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
     "clearance need",
     "balls-not-given": "the number of balls is not given: the contact force is not calculated",

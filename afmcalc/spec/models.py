@@ -20,6 +20,7 @@ from ..errors import Problem
 from ..messages import say
 from ..variants import VARIANTS, Variant
 from . import rules
+from .contact import Contact
 from .fields import (
     AtLeastOne,
     Block,
@@ -29,7 +30,6 @@ from .fields import (
     Gap,
     Length,
     Name,
-    PoissonRatio,
     Ratio,
     SectionModulus,
     Stiffness,
@@ -167,20 +167,6 @@ class ControlSpring(Block):
     )
 
 
-class Contact(Block):
-    """Elastic data of ball and pocket wall, for a Hertz check where no allowable force is given."""
-
-    ball_modulus: Stress = Field(description="Young's modulus of the ball", json_schema_extra={"symbol": "E_1"})
-    ball_poisson: PoissonRatio = Field(description="Poisson's ratio of the ball", json_schema_extra={"symbol": "ν_1"})
-    wall_modulus: Stress = Field(description="Young's modulus of the pocket wall", json_schema_extra={"symbol": "E_2"})
-    wall_poisson: PoissonRatio = Field(
-        description="Poisson's ratio of the pocket wall", json_schema_extra={"symbol": "ν_2"}
-    )
-    allowable_pressure: Stress = Field(
-        description="allowable maximum contact pressure", json_schema_extra={"symbol": "[p_0]"}
-    )
-
-
 class ControlUnit(Block):
     """Balls in pockets with inclined walls."""
 
@@ -196,6 +182,7 @@ class ControlUnit(Block):
     ball_diameter: Length | None = key_field(
         "ball chosen; synthesize takes it instead of the next standard one", "2 r_ш"
     )
+    sleeve_depth: Length | None = key_field("thickness, along the axis, of the sleeve the pockets are cut into", "B")
     contact: Contact | None = None
 
 

@@ -5,7 +5,7 @@ import tomllib
 
 import pytest
 import tomli_w
-from conftest import CONFIGS
+from conftest import CONFIGS, S21
 from hypothesis import given
 from strategies import direct_specs
 
@@ -259,7 +259,7 @@ def test_a_spec_knows_where_it_was_read_and_is_no_other_for_it():
 )
 def test_what_a_calculation_finds_wrong_names_the_file(command, changes, tmp_path, afmcalc):
     file = tmp_path / "some.toml"
-    data = tomllib.loads((CONFIGS / "indirect.toml").read_text(encoding="utf-8"))
+    data = tomllib.loads((S21).read_text(encoding="utf-8"))
     for path, value in changes.items():
         *blocks, name = path.split("__")
         block = data[blocks[0]] if blocks else data
