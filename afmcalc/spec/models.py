@@ -20,6 +20,7 @@ from ..errors import Problem
 from ..messages import say
 from ..variants import VARIANTS, Variant
 from . import rules
+from .drive import Drive
 from .fields import (
     AtLeastOne,
     Block,
@@ -40,6 +41,7 @@ from .fields import (
     WallAngle,
     key_field,
 )
+from .heat import Heat
 from .tolerance import Tolerance, in_si
 
 
@@ -139,6 +141,9 @@ class FrictionGroup(Block):
     inner_radius: Length | None = key_field("inner radius of the friction surface", "r_i")
     outer_radius: Length | None = key_field("outer radius of the friction surface", "r_o")
     radius_model: RadiusModel | None = key_field("how the mean radius follows from the two; default uniform-wear")
+    spline_friction: Ratio | None = key_field("friction of the discs in their splines (effects only)", "μ_s")
+    inner_spline_radius: Length | None = key_field("radius of the inner discs' splines (effects only)", "r_si")
+    outer_spline_radius: Length | None = key_field("radius of the outer discs' splines (effects only)", "r_so")
 
     @model_validator(mode="after")
     def _check_radii(self) -> "FrictionGroup":
@@ -152,7 +157,7 @@ class ClosingSpring(Block):
     """The spring that presses the pack (13 in S21)."""
 
     force: Force | None = key_field("closing-spring force as set", "F_п")
-    stiffness: Stiffness | None = key_field("stiffness of the closing spring (indirect only)", "c_1")
+    stiffness: Stiffness | None = key_field("stiffness of the closing spring; needed by an indirect clutch", "c_1")
 
 
 class ControlSpring(Block):
@@ -195,6 +200,9 @@ class ControlUnit(Block):
     ball_diameter: Length | None = key_field(
         "ball chosen; synthesize takes it instead of the next standard one", "2 r_ш"
     )
+    wall_friction: Ratio | None = key_field(
+        "friction of cams that slide on the walls, balls do not (effects only)", "μ"
+    )
     contact: Contact | None = None
 
 
@@ -204,12 +212,6 @@ class Adjustment(Block):
     method: Method = key_field("friction at which the nominal torque is set", default="min-friction")
     margin: AtLeastOne = key_field("torque margin", "β_н", default=1.0)
     nominal_torque: Torque | None = key_field("nominal torque; gives the spring force when that is absent", "T_н")
-
-
-class Drive(Block):
-    """The drive around the clutch."""
-
-    dynamic_factor: Coefficient = key_field("dynamic factor of the unprotected side", "k_д", default=1.0)
 
 
 class Fatigue(Block):
@@ -248,6 +250,7 @@ class Spec(Block):
     adjustment: Adjustment = Adjustment()
     drive: Drive = Drive()
     fatigue: Fatigue | None = None
+    heat: Heat | None = None
     tolerance: Tolerance | None = None
 
     _origin: Origin = PrivateAttr(Origin("spec"))
