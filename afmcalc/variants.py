@@ -117,6 +117,8 @@ REDUCED_LIMIT = GainLimit(
 )
 """Recommended by S22."""
 
+_LAG = ("control_unit", "release_lag")
+
 VARIANTS: dict[str, Variant] = {
     each.name: each
     for each in (
@@ -133,7 +135,7 @@ VARIANTS: dict[str, Variant] = {
             description="Werner's clutch: some pairs bypass the control unit, the others pass it",
             bypass=lambda pairs, driving: 1 if driving is None else driving,
             needs=(("control_unit",),),
-            takes=(("friction_group", "driving_pairs"), ("friction", "driving"), ("friction", "driven")),
+            takes=(("friction_group", "driving_pairs"), ("friction", "driving"), ("friction", "driven"), _LAG),
             gain_limit=BREAKAWAY_LIMIT,
             overload=True,
             example="default",
@@ -144,6 +146,7 @@ VARIANTS: dict[str, Variant] = {
             description="all torque passes the control unit",
             bypass=lambda pairs, driving: 0,
             needs=(("control_unit",),),
+            takes=(_LAG,),
             gain_limit=REDUCED_LIMIT,
             overload=True,
             example="all-driving",
@@ -160,6 +163,7 @@ VARIANTS: dict[str, Variant] = {
                 ("closing_spring", "stiffness"),
                 ("control_spring",),
             ),
+            takes=(("control_unit", "sleeve_mass"), ("drive", "hub_inertia")),
             example="indirect",
         ),
     )

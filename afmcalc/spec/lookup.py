@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 _UNIT_TEXT = re.compile(r"[\w\s*/^().°·⋅×µμ⁻¹²³⁴-]+")
 _WORD = re.compile(r"[^\W\d_]+(?:_[^\W\d_]+)*")
 
-_FOREIGN = {"J": "an energy", "kg": "a mass", "s": "a time", "m^2": "an area"}
+_FOREIGN = {"J": "an energy", "m^2": "an area"}
 """Dimensions that no field has, by a unit of theirs."""
 
 _SPELLINGS = {
@@ -25,6 +25,8 @@ _SPELLINGS = {
     "m": "mm cm m in ft meter metre millimeter мм см м",
     "rad": "deg rad degree radian град рад",
     "Pa": "MPa kPa GPa Pa bar psi ksi megapascal МПа кПа Па",
+    "s": "s ms min rpm с мс мин",
+    "kg": "kg g кг г",
 }
 """Spellings to suggest, by the SI units that make up a field's own."""
 

@@ -19,7 +19,8 @@ from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 from ..errors import Problem
 from ..messages import say
 from ..variants import VARIANTS, Variant
-from . import rules
+from . import drive, rules
+from .drive import Drive, Mass, SlidingSpeed, TimeOrNone
 from .fields import (
     AtLeastOne,
     Block,
@@ -114,6 +115,8 @@ class Friction(FrictionRange):
 
     driving: FrictionRange | None = key_field("friction of the driving (bypass) pairs", "f_1")
     driven: FrictionRange | None = key_field("friction of the driven (controlled) pairs", "f_2")
+    static_ratio: AtLeastOne | None = key_field("static over sliding friction; default 1", "r_s")
+    stribeck_speed: SlidingSpeed | None = key_field("sliding speed in which static friction decays", "v_s")
 
     @property
     def groups(self) -> tuple[Range, Range]:
@@ -189,6 +192,8 @@ class ControlUnit(Block):
     balls: Count | None = key_field("number of balls", "n")
     hub_diameter: Length | None = key_field("hub diameter at the key (indirect only)", "d")
     key_friction: Ratio | None = key_field("friction coefficient at the key (indirect only)", "f_1")
+    sleeve_mass: Mass | None = key_field("mass of the thrust sleeve; default 0 (indirect only)", "m")
+    release_lag: TimeOrNone | None = key_field("time by which the normal force lags the load; default 0", "τ")
     face_gap: Gap | None = key_field("gap between the faces of the pockets", "s")
     edge_clearance: Gap | None = key_field("clearance of the contact from the pocket's edge", "y")
     allowable_contact_force: Force | None = key_field("allowable normal force on one ball", "[F_n]")
@@ -204,12 +209,6 @@ class Adjustment(Block):
     method: Method = key_field("friction at which the nominal torque is set", default="min-friction")
     margin: AtLeastOne = key_field("torque margin", "β_н", default=1.0)
     nominal_torque: Torque | None = key_field("nominal torque; gives the spring force when that is absent", "T_н")
-
-
-class Drive(Block):
-    """The drive around the clutch."""
-
-    dynamic_factor: Coefficient = key_field("dynamic factor of the unprotected side", "k_д", default=1.0)
 
 
 class Fatigue(Block):
@@ -261,7 +260,7 @@ class Spec(Block):
     @classmethod
     def _every_problem_at_once(cls, data: object, handler: ModelWrapValidatorHandler["Spec"]) -> "Spec":
         """Report what the blocks find and what the rules between them find together."""
-        problems = rules.problems(data) if isinstance(data, dict) else []
+        problems = [*rules.problems(data), *drive.problems(data)] if isinstance(data, dict) else []
         try:
             spec = handler(data)
         except ValidationError as error:

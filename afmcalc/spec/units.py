@@ -16,6 +16,12 @@ EXAMPLES = {
     "rad": ("an angle", "30 deg"),
     "Pa": ("a pressure or stress", "400 MPa"),
     "m^3": ("a section modulus", "15 cm^3"),
+    "rad/s": ("a speed of rotation", "1430 rpm"),
+    "m/s": ("a speed", "0.3 m/s"),
+    "s": ("a time", "10 ms"),
+    "kg": ("a mass", "2 kg"),
+    "kg*m^2": ("a moment of inertia", "8 kg*m^2"),
+    "N*m/rad": ("a torsional stiffness", "8 kN*m/rad"),
     "1": ("a plain number", "0.3"),
 }
 """SI unit of a field → what it is, and how one may be written."""
@@ -27,6 +33,8 @@ _FORCES = {"N": "1", "kN": "1e3", "MN": "1e6", "Н": "1", "кН": "1e3", "МН":
 _LENGTHS = {"m": "1", "cm": "1e-2", "mm": "1e-3", "м": "1", "см": "1e-2", "мм": "1e-3"}
 _PRESSURES = {"Pa": "1", "kPa": "1e3", "MPa": "1e6", "GPa": "1e9", "bar": "1e5"}
 _PRESSURES |= {"Па": "1", "кПа": "1e3", "МПа": "1e6", "ГПа": "1e9", "N/mm^2": "1e6", "Н/мм^2": "1e6"}
+_TIMES = {"s": "1", "ms": "1e-3", "с": "1", "мс": "1e-3"}
+_RPM = "0.1047197551196597746154214461"
 _DEGREE = "0.01745329251994329576923690768"
 
 
@@ -53,6 +61,14 @@ KNOWN: dict[str, dict[str, Decimal]] = {
     },
     "rad": {"rad": Decimal(1), "рад": Decimal(1)} | dict.fromkeys(("deg", "°", "degree", "град"), Decimal(_DEGREE)),
     "Pa": {unit: Decimal(factor) for unit, factor in _PRESSURES.items()},
+    "rad/s": {"rad/s": Decimal(1), "рад/с": Decimal(1)} | dict.fromkeys(("rpm", "об/мин"), Decimal(_RPM)),
+    "m/s": {"m/s": Decimal(1), "mm/s": Decimal("1e-3"), "м/с": Decimal(1), "мм/с": Decimal("1e-3")},
+    "s": {unit: Decimal(factor) for unit, factor in _TIMES.items()},
+    "kg": {"kg": Decimal(1), "кг": Decimal(1)},
+    "kg*m^2": {f"{mass}{sign}{length}^2": Decimal(1) for mass, length in (("kg", "m"), ("кг", "м")) for sign in "* "},
+    "N*m/rad": {
+        f"{force}{sign}m/rad": Decimal(_FORCES[force]) for force in ("N", "kN", "MN") for sign in ("*", " ", "")
+    },
     "m^3": {f"{unit}^3": Decimal(factor) ** 3 for unit, factor in _LENGTHS.items()},
 }
 """SI unit of a field → unit as written → how many SI units it is."""
