@@ -1,21 +1,21 @@
 """What a trip heats and wears: the [heat] block of a spec."""
 
+from typing import Annotated
+
 from pydantic import model_validator
 
 from ..messages import say
 from . import rules
-from .fields import (
-    Block,
-    Conductivity,
-    Cooling,
-    Density,
-    Length,
-    Mass,
-    SpecificHeat,
-    Temperature,
-    Wear,
-    key_field,
-)
+from .fields import Block, Length, Quantity, key_field
+
+DiscMass = Annotated[float, Quantity("kg", gt=0)]
+Density = Annotated[float, Quantity("kg/m^3", gt=0)]
+Temperature = Annotated[float, Quantity("K abs", ge=173.15)]
+"""A number without a unit is in kelvin; the bound tells 20 from 20 degC."""
+SpecificHeat = Annotated[float, Quantity("J/kg/K", gt=0)]
+Conductivity = Annotated[float, Quantity("W/m/K", gt=0)]
+Cooling = Annotated[float, Quantity("W/K", gt=0)]
+Wear = Annotated[float, Quantity("m^3/J", gt=0)]
 
 _LINING = ("lining_conductivity", "lining_density", "lining_specific_heat")
 
@@ -23,7 +23,7 @@ _LINING = ("lining_conductivity", "lining_density", "lining_specific_heat")
 class Heat(Block):
     """Discs that take the heat, air that takes it from them, lining that is worn."""
 
-    disc_mass: Mass | None = key_field("mass of all discs that take the heat", "m")
+    disc_mass: DiscMass | None = key_field("mass of all discs that take the heat", "m")
     specific_heat: SpecificHeat | None = key_field("specific heat of the discs", "c")
     conductivity: Conductivity | None = key_field("thermal conductivity of the discs", "k")
     density: Density | None = key_field("density of the discs", "ρ")

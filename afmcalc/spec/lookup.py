@@ -25,7 +25,7 @@ _SPELLINGS = {
     "m": "mm cm m in ft meter metre millimeter мм см м",
     "rad": "deg rad degree radian град рад",
     "Pa": "MPa kPa GPa Pa bar psi ksi megapascal МПа кПа Па",
-    "s": "s ms min h second с мс",
+    "s": "s ms min h second с мс мин",
     "rad/s": "rpm rad/s об/мин",
     "kg": "kg g kilogram кг г",
 }

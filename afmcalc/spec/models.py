@@ -19,8 +19,9 @@ from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 from ..errors import Problem
 from ..messages import say
 from ..variants import VARIANTS, Variant
-from . import rules
-from .drive import Drive
+from . import drive, rules
+from .drive import Drive, Mass, SlidingSpeed, TimeOrNone
+from .fatigue import Fatigue
 from .fields import (
     AtLeastOne,
     Block,
@@ -32,12 +33,10 @@ from .fields import (
     Name,
     PoissonRatio,
     Ratio,
-    SectionModulus,
     Stiffness,
     StiffnessOrNone,
     Stress,
     Torque,
-    TorqueOrNone,
     WallAngle,
     key_field,
 )
@@ -116,6 +115,8 @@ class Friction(FrictionRange):
 
     driving: FrictionRange | None = key_field("friction of the driving (bypass) pairs", "f_1")
     driven: FrictionRange | None = key_field("friction of the driven (controlled) pairs", "f_2")
+    static_ratio: AtLeastOne | None = key_field("static over sliding friction; default 1", "r_s")
+    stribeck_speed: SlidingSpeed | None = key_field("sliding speed in which static friction decays", "v_s")
 
     @property
     def groups(self) -> tuple[Range, Range]:
@@ -194,6 +195,8 @@ class ControlUnit(Block):
     balls: Count | None = key_field("number of balls", "n")
     hub_diameter: Length | None = key_field("hub diameter at the key (indirect only)", "d")
     key_friction: Ratio | None = key_field("friction coefficient at the key (indirect only)", "f_1")
+    sleeve_mass: Mass | None = key_field("mass of the thrust sleeve; default 0 (indirect only)", "m")
+    release_lag: TimeOrNone | None = key_field("time by which the normal force lags the load; default 0", "τ")
     face_gap: Gap | None = key_field("gap between the faces of the pockets", "s")
     edge_clearance: Gap | None = key_field("clearance of the contact from the pocket's edge", "y")
     allowable_contact_force: Force | None = key_field("allowable normal force on one ball", "[F_n]")
@@ -212,22 +215,6 @@ class Adjustment(Block):
     method: Method = key_field("friction at which the nominal torque is set", default="min-friction")
     margin: AtLeastOne = key_field("torque margin", "β_н", default=1.0)
     nominal_torque: Torque | None = key_field("nominal torque; gives the spring force when that is absent", "T_н")
-
-
-class Fatigue(Block):
-    """The part whose life is asked for."""
-
-    endurance_limit: Stress = Field(description="endurance limit in shear", json_schema_extra={"symbol": "τ_limb"})
-    polar_section_modulus: SectionModulus = Field(
-        description="polar section modulus", json_schema_extra={"symbol": "W_p"}
-    )
-    exponent: Coefficient = Field(description="exponent of the S-N line", json_schema_extra={"symbol": "m_τ"})
-    mean_stress_sensitivity: Ratio | None = key_field("sensitivity to the mean stress (model amplitude)", "ψ_τ")
-    ultimate_strength: Stress | None = key_field("ultimate strength in shear (model goodman)", "τ_u")
-    base_cycles: Coefficient = Field(description="base cycles of the S-N line", json_schema_extra={"symbol": "N_0"})
-    load_low: TorqueOrNone = key_field(
-        "torque from which a slip swings the load and to which it falls back (amplitude, goodman)", "T_low", default=0.0
-    )
 
 
 @dataclass(frozen=True)
@@ -264,7 +251,7 @@ class Spec(Block):
     @classmethod
     def _every_problem_at_once(cls, data: object, handler: ModelWrapValidatorHandler["Spec"]) -> "Spec":
         """Report what the blocks find and what the rules between them find together."""
-        problems = rules.problems(data) if isinstance(data, dict) else []
+        problems = [*rules.problems(data), *drive.problems(data)] if isinstance(data, dict) else []
         try:
             spec = handler(data)
         except ValidationError as error:

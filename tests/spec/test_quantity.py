@@ -67,7 +67,7 @@ def test_read(text, unit, value):
         ("200 J", "N", "J is an energy, not a force"),
         ("5 Nm", "N", "Nm is a torque, not a force"),
         ("5 kg", "N", "kg is a mass, not a force"),
-        ("20 degC", "s", "not a unit"),
+        ("20 degC", "s", "give a time"),
         ("20 kg", "K abs", "is no unit of a temperature"),
         ("5 W", "W/K", "a power"),
         ("5 kn", "N", "did you mean 'kN'"),
