@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from pydantic import BaseModel
 
 from ..messages import translate
-from ..result import Result, Triple
+from ..result import OpenTriple, Result, Triple
 
 
 class Entry(NamedTuple):
@@ -70,8 +70,9 @@ def _walk(model: BaseModel, prefix: str, heading: str, into: Document) -> None:
         path, title = prefix + name, translate(info.description or name)
         symbol, unit = str(about.get("symbol") or ""), str(about.get("unit") or "")
         label = f"{heading}: {title}" if heading else title
-        if isinstance(value, Triple):
-            into.triples.append(Entry(path, symbol, label, unit, (value.min, value.mean, value.max)))
+        if isinstance(value, Triple | OpenTriple):
+            null = str(about.get("null") or "–")
+            into.triples.append(Entry(path, symbol, label, unit, (value.min, value.mean, value.max), null))
         elif isinstance(value, Result):
             _walk(value, path + ".", label, into)
         elif isinstance(value, dict):
@@ -108,7 +109,7 @@ def _records(title: str, items: list[BaseModel]) -> Table:
             continue
         symbol, unit = str(about.get("symbol") or ""), str(about.get("unit") or "")
         label = translate(info.description or name)
-        if any(isinstance(value, Triple) for value in values):
+        if any(isinstance(value, Triple | OpenTriple) for value in values):
             for end in ("min", "mean", "max"):
                 ends = [getattr(value, end, None) for value in values]
                 columns.append(Column(f"{name}_{end}", f"{symbol} {end}", f"{label}, {end}", unit, ends))

@@ -44,7 +44,7 @@ def blocks(laid_out: Document) -> list[TextTable]:
         found.append(TextTable("", ["Symbol", "Quantity", "Value", "Unit"], rows, [False, False, True, False]))
     if laid_out.triples:
         rows = [
-            [row.symbol, row.name, *(display(value, row.unit) for value in row.values), display_unit(row.unit)]
+            [row.symbol, row.name, *(_shown(value, row.unit, row.null) for value in row.values), display_unit(row.unit)]
             for row in laid_out.triples
         ]
         header = ["Symbol", "Quantity", "at f_min", "at mean f", "at f_max", "Unit"]

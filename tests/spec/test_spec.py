@@ -178,12 +178,9 @@ BAD = {
         "",
         "only for indirect",
     ),
-    "stiffness on a direct clutch": (
-        {"closing_spring__stiffness": 1},
-        "closing_spring.stiffness",
-        "1",
-        "only for indirect",
-    ),
+    "temperature without a unit": ({"heat": {"ambient": 20}}, "heat.ambient", "20", "at least 173.15"),
+    "mass for a temperature": ({"heat": {"ambient": "20 kg"}}, "heat.ambient", '"20 kg"', "no unit of a temperature"),
+    "half a lining": ({"heat": {"lining_density": 2e3}}, "heat.lining_conductivity", "", "beside heat.lining_density"),
     "driving pairs all-driving": ({"variant": "all-driving"}, "friction_group.driving_pairs", "1", "only for differ"),
     "indirect lacks its keys": (
         {"variant": "indirect", "friction_group__driving_pairs": None},
