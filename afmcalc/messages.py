@@ -88,6 +88,19 @@ FINDINGS: Mapping[str, str] = {
     "clearance need",
     "balls-not-given": "the number of balls is not given: the contact force is not calculated",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
+    # unusual
+    "unusual/friction": "a coefficient of friction of {value:.4g} is unusual: {low:g}…{high:g} is usual, the materials "
+    "of the catalogue have {least:g}…{most:g}",
+    "unusual/mean-radius": "a mean friction radius of {value:.4g mm} is unusual: {low:g mm…}{high:g mm} is usual",
+    "unusual/pairs": "{value:.0f} friction pairs are unusual: {low:g}…{high:g} are usual",
+    "unusual/margin": "a torque margin of {value:.4g} is unusual: {low:g}…{high:g} is usual",
+    "unusual/pressure": "the force on the pack, {value:.4g kPa} over a full disc of the mean radius, is unusual: "
+    "{low:g kPa…}{high:g kPa} is usual",
+    "unusual/deflection": "a spring deflected by {value:.4g mm} is unusual: up to {high:.4g mm}, the clutch's width "
+    "at the mean radius, is usual",
+    "unusual/wall-angle": "a wall angle of {value:.4g deg} is unusual: {low:.4g deg…}{high:.4g deg} is usual",
+    "unusual/ball-circle": "a ball-circle radius of {value:.4g mm} is unusual: {low:.4g mm…}{high:.4g mm}, 0.2 to 2 "
+    "times the mean friction radius, is usual",
     # surface pressure
     "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
     "above the allowable {low:g kPa…}{high:g kPa} of {name}",

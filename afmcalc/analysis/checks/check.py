@@ -7,6 +7,8 @@ from ...findings import Finding, worst
 from ...result import Result, quantity
 from ..answers import Answers
 from ..registry import ANALYSES
+from .limits import Utilisation, utilisations
+from .plausible import unusual_findings
 from .pressure import pressure_findings
 
 
@@ -19,6 +21,7 @@ class CheckResult(Result):
     errors: int = quantity("", None, "findings that must be put right")
     warnings: int = quantity("", None, "findings to think about")
     notes: int = quantity("", None, "findings worth knowing")
+    limits: list[Utilisation] = quantity("", None, "every limit, and how much of it is used")
 
 
 def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = None) -> tuple[CheckResult, list[Finding]]:
@@ -32,7 +35,8 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
     Returns:
         The verdict and the findings.
     """
-    findings = all_findings(answers or Answers(clutch))
+    answers = answers or Answers(clutch)
+    findings = all_findings(answers)
     levels = [finding.level for finding in findings]
     failing = ("error", "warning") if strict else ("error",)
     result = CheckResult(
@@ -40,6 +44,7 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
         errors=levels.count("error"),
         warnings=levels.count("warning"),
         notes=levels.count("info"),
+        limits=utilisations(answers, findings),
     )
     return result, findings
 
@@ -48,5 +53,5 @@ def all_findings(answers: Answers) -> list[Finding]:
     """Return the findings of every analysis that a check takes in and that applies to the clutch, each once."""
     clutch = answers.clutch
     judged = [each.name for each in ANALYSES.values() if each.judged and each.applies(clutch)]
-    found = [*clutch.findings(), *pressure_findings(clutch)]
+    found = [*clutch.findings(), *pressure_findings(clutch), *unusual_findings(answers)]
     return list(dict.fromkeys([*found, *(each for name in judged for each in answers.ask(name)[1])]))
