@@ -21,6 +21,8 @@ SCALES = {
     "kPa": 1e-3,
     "MPa": 1e-6,
     "deg": 180 / math.pi,
+    "J/mm²": 1e-6,
+    "K": 1.0,
 }
 """Unit of a field → what a value in SI is multiplied by."""
 
@@ -88,6 +90,13 @@ FINDINGS: Mapping[str, str] = {
     "clearance need",
     "balls-not-given": "the number of balls is not given: the contact force is not calculated",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
+    # requirements
+    "requirement-missed/number": "{name}: {value:.5g}, but {bound} {limit:.5g} is required",
+    "requirement-missed/torque": "{name}: {value:.5g N·m}, but {bound} {limit:.5g N·m} is required",
+    "requirement-missed/length": "{name}: {value:.5g mm}, but {bound} {limit:.5g mm} is required",
+    "requirement-missed/work": "{name}: {value:.5g J/mm²}, but {bound} {limit:.5g J/mm²} is required",
+    "requirement-missed/temperature": "{name}: {value:.5g K}, but {bound} {limit:.5g K} is required",
+    "requirement-not-judged": "{name} not judged: needs {needs}",
     # unusual
     "unusual/friction": "a coefficient of friction of {value:.4g} is unusual: {low:g}…{high:g} is usual, the materials "
     "of the catalogue have {least:g}…{most:g}",
@@ -116,9 +125,10 @@ FINDINGS: Mapping[str, str] = {
     "below the allowable {low:g kPa} of {name}",
     "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
-    "{value:.5g N·m}, below the nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
+    "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
     "unexpected-verdict": "{row}: {verdict}; on record is: {record}",
-    "below-nominal-torque": "the torque falls to {value:.5g N·m} in service, below the nominal torque {limit:.5g N·m}",
+    "below-nominal-torque": "the torque falls to {value:.5g N·m} in service, below the clutch's nominal torque "
+    "{limit:.5g N·m}",
     "feedback-idle": "the gain is 0: the control unit gives no release force, the clutch is an ordinary one",
     "feedback-idle/key": "C equals 2 R f_1/d = {limit:.5g}: the key holds the sleeve, the clutch is an ordinary one",
     "gain-above-limit": (
@@ -131,7 +141,7 @@ FINDINGS: Mapping[str, str] = {
     ),
     "material": "{name}: friction {low:g}…{high:g} from the catalogue ({source})",
     "nominal-torque-missed": (
-        "closing_spring.force is given, so it decides: it gives a nominal torque of {value:.5g N·m}, "
+        "closing_spring.force is given, so it decides: it gives a nominal torque of {value:.5g N·m} of the clutch, "
         "not the {limit:.5g N·m} of adjustment.nominal_torque"
     ),
     "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",

@@ -10,6 +10,7 @@ from ..spec import Spec
 from .answers import Answers
 from .checks.check import CheckResult
 from .checks.limits import Utilisation
+from .checks.requirements import RequirementRow
 from .explain.explain import Step, steps_of
 from .explain.trace import recording, with_roles
 from .figures import Request, gathered
@@ -38,6 +39,11 @@ class Dossier(NamedTuple):
     check: CheckResult
     findings: list[Finding]
     topics: list[Topic]
+
+    @property
+    def requirements(self) -> list[RequirementRow]:
+        """Every requirement, and whether the clutch holds it."""
+        return self.check.requirements
 
     @property
     def limits(self) -> list[Utilisation]:

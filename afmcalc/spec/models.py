@@ -41,6 +41,7 @@ from .fields import (
 )
 from .heat import Heat
 from .report import TitleBlock
+from .required import Required
 from .tolerance import Tolerance, in_si
 
 
@@ -201,7 +202,9 @@ class Adjustment(Block):
 
     method: Method = key_field("friction at which the nominal torque is set", default="min-friction")
     margin: AtLeastOne = key_field("torque margin", "β_н", default=1.0)
-    nominal_torque: Torque | None = key_field("nominal torque; gives the spring force when that is absent", "T_н")
+    nominal_torque: Torque | None = key_field(
+        "nominal torque of the clutch; gives the spring force where absent", "T_н"
+    )
 
 
 @dataclass(frozen=True)
@@ -226,6 +229,7 @@ class Spec(Block):
     fatigue: Fatigue | None = None
     heat: Heat | None = None
     tolerance: Tolerance | None = None
+    requirements: Required | None = None
     report: TitleBlock | None = None
 
     _origin: Origin = PrivateAttr(Origin("spec"))

@@ -10,6 +10,7 @@ from ..registry import ANALYSES
 from .limits import Utilisation, utilisations
 from .plausible import unusual_findings
 from .pressure import pressure_findings
+from .requirements import RequirementRow, requirement_rows
 
 
 class CheckResult(Result):
@@ -21,6 +22,7 @@ class CheckResult(Result):
     errors: int = quantity("", None, "findings that must be put right")
     warnings: int = quantity("", None, "findings to think about")
     notes: int = quantity("", None, "findings worth knowing")
+    requirements: list[RequirementRow] = quantity("", None, "requirements")
     limits: list[Utilisation] = quantity("", None, "every limit, and how much of it is used")
 
 
@@ -37,6 +39,8 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
     """
     answers = answers or Answers(clutch)
     findings = all_findings(answers)
+    requirements, missed = requirement_rows(answers)
+    findings += missed
     levels = [finding.level for finding in findings]
     failing = ("error", "warning") if strict else ("error",)
     result = CheckResult(
@@ -44,6 +48,7 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
         errors=levels.count("error"),
         warnings=levels.count("warning"),
         notes=levels.count("info"),
+        requirements=requirements,
         limits=utilisations(answers, findings),
     )
     return result, findings
