@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from ..findings import Finding, Level, finding
-from . import geometry, setting
+from . import geometry
 
 if TYPE_CHECKING:
     from .indirect import IndirectClutch
@@ -40,7 +40,6 @@ def _of_the_key(clutch: "IndirectClutch") -> list[Finding]:
     key = "control_unit.key_friction"
     found = [finding("hysteresis", "info", value=float(clutch.hysteresis_ratio), limit=1.0, path=key)]
     if returning < nominal * (1 - 1e-12):
-        machine = nominal / setting.margin_over_machine(clutch.spec)
-        level: Level = "warning" if returning < machine * (1 - 1e-12) else "info"
+        level: Level = "warning" if returning < float(clutch.machine_torque) * (1 - 1e-12) else "info"
         found.append(finding("returning-below-nominal", level, value=returning, limit=nominal, path=key))
     return found

@@ -15,7 +15,7 @@ def margin(spec: Spec, method: Method | None = None) -> Any:
 
 
 def margin_over_machine(spec: Spec) -> Any:
-    """T_н of the clutch over that of the machine: the margin, unless it is in the spring already."""
+    """β_н as far as it lies between clutch and machine: with min-friction only (S22)."""
     return spec.adjustment.margin / margin(spec)
 
 

@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
 
 from afmcalc.analysis.adjust import adjust
 from afmcalc.analysis.explain.explain import explain
@@ -14,14 +13,30 @@ from afmcalc.analysis.tolerance.setting import with_setting
 from afmcalc.analysis.tolerance.study import tolerance
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
-from afmcalc.spec import read_spec
+from afmcalc.spec import Spec, make_spec
+from afmcalc.spec.reading import apply_overrides
 
 BEST = 18.75
-"""C_1* of configs/indirect.toml: (20 + 10) N/mm/(8·0.1·2 kN)."""
+"""C_1* of P5's clutch: (20 + 10) N/mm/(8·0.1·2 kN)."""
+
+
+def spec_of(*overrides):
+    """The clutch of P5, C = 1, F_п1 = 2 kN, with other values of some keys."""
+    base = {
+        "variant": "indirect",
+        "friction": {"min": 0.1, "mean": 0.3, "max": 0.8},
+        "friction_group": {"pairs": 8, "mean_radius": "100 mm"},
+        "closing_spring": {"force": "2 kN", "stiffness": "20 N/mm"},
+        "control_spring": {"stiffness": "10 N/mm"},
+        "control_unit": {"gain": 1.0, "ball_circle_radius": "50 mm", "hub_diameter": "50 mm", "key_friction": 0.15},
+        "adjustment": {"margin": 1.25},
+        "fatigue": {"endurance_limit": 400e6, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7},
+    }
+    return make_spec(apply_overrides(base, overrides, Spec))
 
 
 def clutch(*overrides):
-    return build(read_spec(CONFIGS / "indirect.toml", overrides))
+    return build(spec_of(*overrides))
 
 
 def codes(findings):
@@ -96,7 +111,7 @@ def test_a_pocket_is_cut_once(setting):
         "closing_spring.stiffness": {"distribution": "uniform", "spread": "10 %"},
         "control_unit.gain_slope": {"distribution": "normal", "spread": "2 %"},
     }
-    spec = read_spec(CONFIGS / "indirect.toml", ["control_unit.pocket=constant-torque"])
+    spec = spec_of("control_unit.pocket=constant-torque")
     data = {**spec.model_dump(exclude_none=True), "tolerance": {"setting": setting, "samples": 20000, "fields": fields}}
     nominal = build(data)
     made = with_setting(nominal, nominal.spec.tolerance)
@@ -110,7 +125,7 @@ def test_a_pocket_is_cut_once(setting):
 
 
 def test_only_friction_scatters():
-    spec = read_spec(CONFIGS / "indirect.toml", ["control_unit.pocket=constant-torque"])
+    spec = spec_of("control_unit.pocket=constant-torque")
     data = {**spec.model_dump(exclude_none=True), "tolerance": {"fields": {"friction": {"distribution": "uniform"}}}}
     found, _ = tolerance(build(data))
     assert found.method == "exact"
