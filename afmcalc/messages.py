@@ -88,6 +88,16 @@ FINDINGS: Mapping[str, str] = {
     "springs, gap or list",
     "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
     "clearance need",
+    "wall-undercut": "no curved wall for this ball: travel, gap and clearance need a ball of at least "
+    "{needed:.5g mm}, it is {value:.5g mm}, and from {limit:.5g mm} on the ball undercuts the wall: softer springs, a "
+    "smaller gap or clearance make it possible",
+    "wall-undercut/gain": "no curved wall for this ball: travel, gap and clearance need a ball of at least "
+    "{needed:.5g mm}, it is {value:.5g mm}, and from {limit:.5g mm} on the ball undercuts the wall: a gain of "
+    "{gain:.4g} makes it possible; so do softer springs, a smaller gap or clearance",
+    "both-sleeves-unstable": "with the curved wall in both sleeves nothing makes the ball share the travel equally: "
+    "F_o (tan α_1 − tan α_2) drives it on into the steeper wall. Give it a cage, or profile one sleeve",
+    "ball-slides-in-seat": "the ball stays seated in the sleeve with the straight walls and slides there: the gain is "
+    "that of rolling only as far as its friction is small",
     "balls-not-given": "the number of balls is not given: the contact force is not calculated",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
     # requirements
@@ -110,6 +120,8 @@ FINDINGS: Mapping[str, str] = {
     "unusual/wall-angle": "a wall angle of {value:.4g deg} is unusual: {low:.4g deg…}{high:.4g deg} is usual",
     "unusual/ball-circle": "a ball-circle radius of {value:.4g mm} is unusual: {low:.4g mm…}{high:.4g mm}, 0.2 to 2 "
     "times the mean friction radius, is usual",
+    "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g N}, more than the "
+    "allowable {limit:.5g N}: the curved wall pushes the ball across it",
     # surface pressure
     "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
     "above the allowable {low:g kPa…}{high:g kPa} of {name}",
@@ -124,6 +136,9 @@ FINDINGS: Mapping[str, str] = {
     "peak-pressure": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
     "below the allowable {low:g kPa} of {name}",
     "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
+    "returning-covered": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
+    "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m} and within its margin over the machine's "
+    "{machine:.5g N·m}: the friction at the key holds the sleeve back",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
     "unexpected-verdict": "{row}: {verdict}; on record is: {record}",

@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from ..papers.figures import PaperFigure
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
     from .design.design import DesignResult
-    from .synthesize import SynthesisResult
     from .tolerance.study import Study
+    from .unit import SynthesisResult
 
 _SINGLE = {"clutch": "SPEC", "names": "NAME", "requirements": "REQUIREMENTS"}
 """What stands alone, as the help calls it."""

@@ -5,10 +5,10 @@ from typing import Any
 
 from ..arrays import Values, checked_friction, is_array, larger, smaller
 from ..equations import direct, indirect
-from ..findings import Finding
+from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec
-from . import geometry, pockets, remarks, setting
+from . import geometry, pockets, setting
 from .laws import IndirectLaw
 from .protocol import ByGain, Clutch
 from .sensitivity import sensitivity
@@ -234,7 +234,40 @@ class IndirectClutch(Clutch):
 
     def _law_findings(self) -> list[Finding]:
         """Idle feedback, the key's hysteresis, a pocket that lets the torque fall."""
-        return remarks.of_the_sleeve(self)
+        gain, threshold = float(self.gain), float(self.gain_threshold)
+        if self.net_gain == 0:
+            path = geometry.gain_path(self.spec)
+            return [finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)]
+        return [*self._slope_findings(), *self._key_findings()]
+
+    def _slope_findings(self) -> list[Finding]:
+        """Beyond C_1* the sleeve runs off under a load that reaches T_н, and the torque falls."""
+        slope, path = float(self.gain_slope), "control_unit.gain_slope"
+        leaving = float(self.leaving_friction)
+        if slope == 0 or not 0 < leaving < self.friction[0].max:
+            return []
+        best, jumping = float(self.constant_torque_slope), float(self.law.jumping_slope(self.closing_force))
+        if slope <= best * (1 + 1e-9):
+            return []
+        falls, most = float(self.torque(self.friction[0].max)), float(self.torque_max)
+        code = "torque-jumps" if slope > jumping else "torque-falls-with-travel"
+        return [finding(code, "warning", value=slope, limit=best, path=path, most=most, falls=falls, jumping=jumping)]
+
+    def _key_findings(self) -> list[Finding]:
+        """How the key holds the sleeve back; a warning where the machine's torque is then no longer transmitted."""
+        if self.law.key_friction == 0:
+            return []
+        returning, nominal = float(self.torque_returning_min), float(self.nominal_torque)
+        key = "control_unit.key_friction"
+        found = [finding("hysteresis", "info", value=float(self.hysteresis_ratio), limit=1.0, path=key)]
+        machine = float(self.machine_torque)
+        if returning < machine * (1 - 1e-12):
+            found.append(finding("returning-below-nominal", "warning", value=returning, limit=nominal, path=key))
+        elif returning < nominal * (1 - 1e-12):
+            found.append(
+                finding("returning-covered", "info", value=returning, limit=nominal, path=key, machine=machine)
+            )
+        return found
 
 
 def _given(value: Any) -> Any:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from sympy import Expr
 
-MODULES = ("direct", "adjustment", "indirect", "pocket", "overload", "parts", "inverse", "numbers", "drive")
+MODULES = ("direct", "adjustment", "indirect", "pocket", "overload", "parts", "wall", "inverse", "numbers", "drive")
 
 
 class Identity(NamedTuple):
