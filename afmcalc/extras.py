@@ -8,6 +8,7 @@ from .messages import say
 MODULES = {
     "explain": ("sympy",),
     "plot": ("matplotlib",),
+    "cad": ("ezdxf",),
     "report": ("jinja2", "matplotlib", "latex2mathml"),
 }
 """Extra → modules it brings."""

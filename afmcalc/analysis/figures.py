@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from ..papers.figures import PaperFigure
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
     from .design.design import DesignResult
+    from .shop import ShopDrawing
     from .tolerance.study import Study
     from .unit import SynthesisResult
 
@@ -26,6 +27,12 @@ class Request(NamedTuple):
     """``Answers`` of clutches, names of the papers' figures, or requirements."""
     sweep: str | None = None
     model: StressRule | None = None
+    profile: str | None = None
+    """File for the wall of a pocket, as CSV."""
+    cutter: float | None = None
+    """Diameter of the cutter that cuts it, m."""
+    chord: float | None = None
+    """How far a chord may lie off it, m."""
     progress: "Callable[[str, int, int], None]" = lambda work, done, total: None
     """Is told how many candidates of a design are behind."""
 
@@ -90,7 +97,7 @@ def check_request(name: str, request: Request) -> None:
                 count=len(request.subjects),
             )
         )
-    for option in ("sweep", "model"):
+    for option in ("sweep", "model", "profile", "cutter", "chord"):
         if getattr(request, option) is not None and option not in plot.options:
             raise AfmcalcError(say("plot {name} has no use for --{option}", name=name, option=option))
 
@@ -144,6 +151,21 @@ def _pocket(request: Request) -> PocketSection:
     spec = answers.clutch.spec
     found, _ = answers.ask("synthesize")
     return PocketSection(spec.name, spec.control_unit.balls, found)
+
+
+def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
+    """Lay out the pockets of a clutch for the shop; ``name``: the plot that was asked.
+
+    Raises:
+        AfmcalcError: no one clutch with a control unit, or a pocket that cannot be cut.
+    """
+    from .shop import shop_drawing
+    from .wall import CHORD
+
+    check_request(name, request)
+    (answers,) = request.subjects
+    found, _ = answers.ask("synthesize")
+    return shop_drawing(answers.clutch, found, request.cutter, CHORD if request.chord is None else request.chord)
 
 
 def _tolerance(request: Request) -> ToleranceFigure:

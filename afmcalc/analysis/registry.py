@@ -133,7 +133,10 @@ ANALYSES: dict[str, Analysis] = {
                 "Wall angle, ball and pocket for the gain; the contact held against what it may carry.",
                 ("S21",),
             ),
-            plot=Plot("pocket", "section through ball and pockets, to scale", "clutch"),
+            plot=Plot(
+                "pocket", "section through ball and pockets, to scale; .dxf and .svg for the shop", "clutch",
+                ("profile", "cutter", "chord"),
+            ),
         ),
         Analysis(
             "life", "analysis.life", "LifeResult", "clutch", lambda clutch: clutch.spec.fatigue is not None,

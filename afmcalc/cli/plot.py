@@ -13,16 +13,19 @@ from .options import Common, common_options
 from .run import build_from
 
 if TYPE_CHECKING:
+    from ..analysis.answers import Answers
     from ..analysis.figures import Request
     from ..render.plot.chart import Sheet
 
-_ENDINGS = ("png", "svg", "pdf")
+_ENDINGS = ("png", "svg", "pdf", "dxf")
+_SHOP = ("dxf", "svg")
+"""Drawings of the pocket for the shop."""
 
 
 _KINDS = [name for name in PLOTS if name != "paper"]
 
 
-@common_options("set", "output", "quiet", output="File, .png, .svg or .pdf; without it drawn as text.")
+@common_options("set", "output", "quiet", output="File, .png, .svg or .pdf (pocket: .dxf); without it drawn as text.")
 def plot(
     what: Annotated[str, typer.Argument(metavar="WHAT", help=f"{', '.join(_KINDS)}, or paper with a figure.")],
     subjects: Annotated[
@@ -36,6 +39,15 @@ def plot(
         str | None, typer.Option("--sweep", metavar="NAME[=RANGE]", help="accuracy: the axis (C); life: dT=RANGE.")
     ] = None,
     model: Annotated[StressRule | None, typer.Option("--model", help="life: rule for the damaging stress.")] = None,
+    profile: Annotated[
+        str | None, typer.Option("--profile", metavar="FILE.csv", help="pocket: path, wall and cutter path, mm.")
+    ] = None,
+    cutter: Annotated[
+        str | None, typer.Option("--cutter", metavar="DIAMETER", help="pocket: cutter, such as 10mm (the ball's).")
+    ] = None,
+    chord: Annotated[
+        str | None, typer.Option("--chord", metavar="LENGTH", help="pocket: chords within this of the wall (0.001mm).")
+    ] = None,
     *,
     common: Common,
 ) -> None:
@@ -45,6 +57,7 @@ def plot(
     afmcalc plot torque clutch.toml -o torque.svg
     afmcalc plot accuracy a.toml b.toml --sweep C=0:1.25:101 -o accuracy.png
     afmcalc plot pocket clutch.toml -o pocket.pdf
+    afmcalc plot pocket clutch.toml -o pocket.dxf --profile wall.csv --cutter 10mm
     afmcalc plot tolerance clutch.toml -o tolerance.svg
     afmcalc plot pareto requirements.toml -o front.svg
     afmcalc plot paper S22-3 -o figure.png
@@ -54,9 +67,14 @@ def plot(
 
     takes = plot_of(what).takes
     ending = _ending(common.output)
+    request = Request(subjects or (), sweep, model, profile, _length("cutter", cutter), _length("chord", chord))
+    if (what == "pocket" and ending in _SHOP) or profile is not None:
+        _for_the_shop(what, request, ending, common)
+        return
+    if ending == "dxf":
+        raise AfmcalcError(say("--output {output}: only plot pocket is drawn as .dxf", output=common.output))
     if ending:
         need("plot")
-    request = Request(subjects or (), sweep, model)
     if takes == "names":
         found = gathered(what, request)
     else:
@@ -64,10 +82,53 @@ def plot(
     _write(sheet_of(what, found), ending, common)
 
 
+def _for_the_shop(what: str, request: "Request", ending: str | None, common: Common) -> None:
+    """Write the pocket in true millimetres, and the profile of its wall."""
+    from ..analysis.figures import shop_drawing_of
+    from ..render.shop.profile import profile
+
+    if ending == "dxf":
+        need("cad")
+    if ending in ("png", "pdf"):
+        raise AfmcalcError(say("--profile goes with -o FILE.dxf or FILE.svg, or stands alone"))
+    drawing = shop_drawing_of(what, request._replace(subjects=_answers(request, common)))
+    if ending is not None:
+        from importlib import import_module
+
+        assert common.output is not None
+        write_file(common.output, getattr(import_module(f"..render.shop.{ending}", __package__), ending)(drawing))
+        common.note(say("wrote {output}", output=common.output))
+    if request.profile is not None:
+        write(profile(drawing), request.profile)
+        if request.profile != "-":
+            common.note(say("wrote {output}", output=request.profile))
+
+
+def _length(name: str, text: str | None) -> float | None:
+    """Read a length with its unit."""
+    from ..spec.quantity import parse_quantity
+
+    if text is None:
+        return None
+    try:
+        value = parse_quantity(text, "m")
+    except ValueError as error:
+        raise AfmcalcError(say("--{name} {text}: {why}", name=name, text=text, why=error)) from None
+    if value <= 0:
+        raise AfmcalcError(say("--{name} {text}: must be greater than 0", name=name, text=text))
+    return value
+
+
 def _of_clutches(what: str, request: "Request", common: Common) -> Any:
     """Read and build the clutches, and calculate what is drawn of them."""
-    from ..analysis.answers import Answers
     from ..analysis.figures import gathered
+
+    return gathered(what, request._replace(subjects=_answers(request, common)))
+
+
+def _answers(request: "Request", common: Common) -> "list[Answers]":
+    """Read and build the clutches that are asked."""
+    from ..analysis.answers import Answers
 
     if request.subjects.count("-") > 1:
         raise AfmcalcError(say("standard input (-) can be read once only"))
@@ -75,8 +136,7 @@ def _of_clutches(what: str, request: "Request", common: Common) -> Any:
         common.keep(source)
     sources = list(request.subjects) or [None]
     clutches = [build_from(source, common) for source in sources]
-    answers = [Answers(clutch, model=request.model or "mean-stress") for clutch in clutches]
-    return gathered(what, request._replace(subjects=answers))
+    return [Answers(clutch, model=request.model or "mean-stress") for clutch in clutches]
 
 
 def _of_requirements(what: str, request: "Request", common: Common) -> Any:
@@ -100,7 +160,7 @@ def _ending(output: str | None) -> str | None:
     assert output is not None
     ending = output.rpartition(".")[2].lower() if "." in output else ""
     if ending not in _ENDINGS:
-        raise AfmcalcError(say("--output {output}: end it in .png, .svg or .pdf", output=output))
+        raise AfmcalcError(say("--output {output}: end it in .png, .svg or .pdf (plot pocket: or .dxf)", output=output))
     return ending
 
 
@@ -111,7 +171,7 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
         from ..render.plot.text import draw_sheet
 
         if not any(isinstance(panel, Chart) for panel in sheet.panels):
-            raise AfmcalcError(say("this is a drawing, no curve: give a file, -o FILE.svg (or .png, .pdf)"))
+            raise AfmcalcError(say("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)"))
         write(draw_sheet(sheet, unicode=is_unicode()), None)
         return
     from ..render.plot.figure import save
