@@ -1,19 +1,21 @@
 """All that is to be said of one clutch, gathered for a report."""
 
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple, Protocol
 
 from ..engines import build
 from ..errors import CalculationError
 from ..findings import Finding
+from ..messages import filled, translate
 from ..result import Result
 from ..spec import Spec
 from .answers import Answers
 from .checks.check import CheckResult
 from .checks.limits import Utilisation, utilisations
-from .explain.explain import Step, steps_of
+from .explain.derivation import Derivation, derivations
 from .explain.trace import recording, with_roles
 from .figures import Request, gathered
-from .registry import ANALYSES, Analysis, Plot, StressRule
+from .registry import ANALYSES, Analysis, Plot, StressRule, Told
 
 
 class Topic(NamedTuple):
@@ -22,13 +24,25 @@ class Topic(NamedTuple):
     name: str
     title: str
     about: str
+    conclusion: str
     sources: tuple[str, ...]
     result: Result
-    steps: list[Step]
+    derivations: list[Derivation]
     """How it was calculated, less what topics before it show."""
     plot: str
     """Kind of its plot, and what is drawn; empty and None where there is no curve."""
     figure: Any
+
+
+class Required(Protocol):
+    """One requirement of a spec, judged."""
+
+    requirement: str
+    value: float | None
+    limit: float
+    unit: str
+    utilisation: float | None
+    passed: bool | None
 
 
 class Dossier(NamedTuple):
@@ -39,6 +53,12 @@ class Dossier(NamedTuple):
     limits: list[Utilisation]
     findings: list[Finding]
     topics: list[Topic]
+
+    @property
+    def requirements(self) -> Sequence[Required]:
+        """Requirements of the spec, judged."""
+        rows: Sequence[Required] = getattr(self.check, "requirements", ())
+        return rows
 
 
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
@@ -52,7 +72,7 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     Returns:
         Results, findings of all of them, each once, steps, and what there is to draw.
     """
-    answers, steps = _explained(spec, model) if explained else (Answers(build(spec), model=model), {})
+    answers, derived = _explained(spec, model) if explained else (Answers(build(spec), model=model), {})
     applying = [each for each in ANALYSES.values() if each.section and each.applies(answers.clutch)]
     verdict, findings = answers.ask("check")
     findings = list(dict.fromkeys([*findings, *(each for own in applying for each in answers.ask(own.name)[1])]))
@@ -61,12 +81,12 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
         check=verdict,
         limits=utilisations(answers, findings),
         findings=findings,
-        topics=[_topic(each, answers, steps.get(each.name, [])) for each in applying],
+        topics=[_topic(each, answers, derived.get(each.name, [])) for each in applying],
     )
 
 
-def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Step]]]:
-    """Ask what can be explained, and note the equations that ran; each step is shown where it first occurs."""
+def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:
+    """Ask what can be explained, and note the equations that ran; each formula is shown where it first stands."""
     wanted = [each for each in ANALYSES.values() if each.section and each.explained]
     # imported before anything is recorded, so that none keeps a recording function
     assert all(each.function for each in wanted)
@@ -77,30 +97,30 @@ def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[S
             if each.applies(answers.clutch):
                 answers.ask(each.name)
                 ends[each.name] = len(calls)
-    seen: set[tuple[str, str | None, float]] = set()
-    found = {}
-    start = 0
-    for name, end in ends.items():
-        own = steps_of(calls[start:end])
-        start = end
-        found[name] = [step for step in own if (step.function, step.at, step.value) not in seen]
-        seen |= {(step.function, step.at, step.value) for step in own}
-    return answers, found
+    starts = [0, *ends.values()]
+    sections = {name: calls[start:end] for start, (name, end) in zip(starts, ends.items(), strict=False)}
+    return answers, derivations(sections)
 
 
-def _topic(analysis: Analysis, answers: Answers, steps: list[Step]) -> Topic:
+def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> Topic:
     section, plot, result = analysis.section, analysis.plot, answers.ask(analysis.name)[0]
     assert section is not None
     return Topic(
         name=analysis.name,
-        title=section.title,
-        about=section.about(result) if callable(section.about) else section.about,
+        title=translate(section.title),
+        about=_said(section.about, result),
+        conclusion=_said(section.conclusion, result),
         sources=section.sources_indirect or section.sources if answers.clutch.spec.kind.travels else section.sources,
         result=result,
-        steps=steps,
+        derivations=derived,
         plot=plot.name if plot else "",
         figure=_figure(plot, answers) if plot and plot.applies(answers.clutch) else None,
     )
+
+
+def _said(told: Told, result: Result) -> str:
+    """Fill what a section says with the fields of its result."""
+    return filled(told(result) if callable(told) else told, dict(result))
 
 
 def _figure(plot: Plot, answers: Answers) -> Any:

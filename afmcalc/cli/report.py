@@ -1,7 +1,8 @@
 """The command that writes a calculation report."""
 
+import hashlib
 import os
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -15,6 +16,11 @@ from .options import Common, SpecArgument, common_options
 
 if TYPE_CHECKING:
     from ..spec import Spec
+    from ..spec.report import TitleBlock
+
+
+def _entry(text: str) -> Any:
+    return typer.Option(metavar="TEXT", help=text)
 
 
 @common_options("set", "output", "quiet", output="HTML file; without it standard output.")
@@ -26,6 +32,14 @@ def report(
     model: Annotated[
         StressRule, typer.Option("--model", help="Rule for the damaging stress of the life.")
     ] = "mean-stress",
+    organisation: Annotated[str | None, _entry("Title block: who answers for the calculation.")] = None,
+    project: Annotated[str | None, _entry("Title block: project the clutch belongs to.")] = None,
+    drawing: Annotated[str | None, _entry("Title block: number of the drawing.")] = None,
+    revision: Annotated[str | None, _entry("Title block: revision of the calculation.")] = None,
+    author: Annotated[str | None, _entry("Title block: who calculated.")] = None,
+    checked: Annotated[str | None, _entry("Title block: who checked.")] = None,
+    approved: Annotated[str | None, _entry("Title block: who approved.")] = None,
+    date: Annotated[str | None, _entry("Title block: date of the calculation.  [default: today]")] = None,
     *,
     common: Common,
 ) -> None:
@@ -34,6 +48,9 @@ def report(
     \b
     afmcalc report clutch.toml -o report.html
     afmcalc report clutch.toml -o report.html --pdf
+    afmcalc report clutch.toml -o report.html --drawing AFM-17 --author "A. N. Other"
+
+    The block [report] of the spec says the same; an option goes before it.
     """  # noqa: D301
     need("report")
     from ..analysis.dossier import dossier
@@ -44,9 +61,22 @@ def report(
     target = _pdf_beside(output) if pdf else None
     browser = find_browser() if pdf else None
     common.keep(spec)
-    given, read = _read(spec, common)
-    found = dossier(read, model)
-    page = render(Subject(found, given, common.set or (), __version__, _date()))
+    raw, given, read = _read(spec, common)
+    options = {
+        "organisation": organisation, "project": project, "drawing": drawing, "revision": revision,
+        "author": author, "checked": checked, "approved": approved, "date": date,
+    }  # fmt: skip
+    page = render(
+        Subject(
+            dossier(read, model),
+            given,
+            _title_block(read, options),
+            hashlib.sha256(raw).hexdigest(),
+            read.label,
+            common.set or (),
+            __version__,
+        )
+    )
     write(page, output)
     if output not in (None, "-"):
         common.note(say("wrote {output}", output=output))
@@ -71,20 +101,30 @@ def _pdf_beside(output: str | None) -> str:
     return f"{stem}.pdf"
 
 
-def _read(source: str | None, common: Common) -> "tuple[str, Spec]":
-    """Read a spec once, and return its text with it; of a command's JSON the spec block."""
+def _title_block(spec: "Spec", options: dict[str, str | None]) -> "TitleBlock":
+    """The [report] block of the spec under the options, dated today where neither has a date."""
+    from ..spec.report import TitleBlock
+
+    given = {name: text for name, text in options.items() if text is not None}
+    block = {"date": None} if spec.report is None else spec.report.model_dump()
+    return TitleBlock(**{**block, "date": block["date"] or _date(), **given})
+
+
+def _read(source: str | None, common: Common) -> "tuple[bytes, str, Spec]":
+    """Read a spec once, and return file and text with it; the text of a command's JSON is that of its spec block."""
     from ..spec import make_spec
-    from ..spec.reading import apply_overrides, parse, text_of
+    from ..spec.reading import apply_overrides, bytes_of, decoded, parse
 
     if source is None:
         common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
-    text, label = text_of(source)
+    raw, label = bytes_of(source)
+    text = decoded(raw, label)
     data = parse(text, label)
     if text.lstrip().startswith("{"):
         import json
 
         text = json.dumps(data, indent=2, ensure_ascii=False)
-    return text.strip("\n"), make_spec(apply_overrides(data, common.set or ()), label)
+    return raw, text.strip("\n"), make_spec(apply_overrides(data, common.set or ()), label)
 
 
 def _date() -> str:

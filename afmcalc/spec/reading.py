@@ -65,10 +65,20 @@ def text_of(source: str | PathLike[str] | None) -> tuple[str, str]:
     Raises:
         FileError: it cannot be read.
     """
+    raw, label = bytes_of(source)
+    return decoded(raw, label), label
+
+
+def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
+    """Return what is in the file of a spec, and what to call it in messages.
+
+    Raises:
+        FileError: it cannot be read.
+    """
     if source is None:
         from .builtin import default_text
 
-        return default_text(), BUILT_IN
+        return default_text().encode(), BUILT_IN
     label = STANDARD_INPUT if source == "-" else str(source)
     try:
         if source == "-":
@@ -80,8 +90,13 @@ def text_of(source: str | PathLike[str] | None) -> tuple[str, str]:
         raise FileError(say("{label}: cannot be read: {why}", label=label, why=error.strerror or error)) from None
     except ValueError as error:
         raise FileError(say("{label}: cannot be read: {why}", label=label, why=error)) from None
+    return raw, label
+
+
+def decoded(raw: bytes, label: str) -> str:
+    """Return the text of a file."""
     try:
-        return raw.decode("utf-8-sig"), label
+        return raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise AfmcalcError(say("{label}: is not UTF-8 text (byte {byte})", label=label, byte=error.start)) from None
 
