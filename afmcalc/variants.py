@@ -5,8 +5,10 @@ A further variant of a law is one more record in ``VARIANTS``, and nothing else:
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Literal, TypeAlias
 
+from .arrays import Values
 from .equations import direct
 
 Law = Literal["direct", "indirect"]
@@ -18,7 +20,7 @@ Path: TypeAlias = tuple[str, ...]
 class GainLimit:
     """Largest gain at which the direct law describes the whole slip: C times the pairs of one group is bounded."""
 
-    most: Callable[[Any, Any], Any]
+    most: Callable[[Values, Values], Values]
     """``(pairs that count, f_1max)`` → the largest C; a hyperbola, so of C it gives the most pairs."""
     code: str
     """Finding on a clutch beyond the limit."""
@@ -31,11 +33,11 @@ class GainLimit:
     reduced: float | None = None
     """Bound of the reduced gain, where the limit is stated so: the controlled pairs count. Else the bypass pairs do."""
 
-    def gain(self, bypass: Any, controlled: Any, friction_max: Any) -> Any:
+    def gain(self, bypass: Values, controlled: Values, friction_max: Values) -> Any:
         """Largest C for z_1, z_2 and f_1max."""
         return self.most(bypass if self.reduced is None else controlled, friction_max)
 
-    def stated(self, gain: Any, reduced_gain: Any, limit: Any) -> tuple[Any, Any]:
+    def stated(self, gain: Values, reduced_gain: Values, limit: Values) -> tuple[Values, Values]:
         """Value and bound as the limit is stated: C, or the reduced gain."""
         return (gain, limit) if self.reduced is None else (reduced_gain, float(self.reduced))
 
@@ -49,10 +51,12 @@ class Variant:
     law: Law
     """The engine that calculates it."""
     description: str
-    bypass: Callable[[Any, Any], Any]
+    bypass: Callable[[Values, Values | None], Values]
     """``(z, driving_pairs as given or None)`` → z_1, the pairs that bypass the control unit; numbers or arrays."""
     needs: tuple[Path, ...] = ()
     """Keys it cannot do without, beside those that every clutch needs."""
+    requires: tuple[Path, ...] = ()
+    """Keys that every variant has and this one cannot do without."""
     takes: tuple[Path, ...] = ()
     """Further keys it may have and not every variant has."""
     gain_limit: GainLimit | None = None
@@ -61,7 +65,7 @@ class Variant:
     example: str | None = None
     """The example spec to start from."""
 
-    @property
+    @cached_property
     def keys(self) -> tuple[Path, ...]:
         """Keys it has and not every variant has."""
         return self.takes + self.needs
@@ -90,7 +94,7 @@ class Variant:
         """Whether a sleeve travels between two springs."""
         return self.law == "indirect"
 
-    def least_pairs(self, driving_pairs: Any = None) -> Any:
+    def least_pairs(self, driving_pairs: Values | None = None) -> Any:
         """Smallest z: with a control unit one pair at least passes it."""
         return self.bypass(1, driving_pairs) + 1 if self.controlled else 1
 
@@ -115,6 +119,8 @@ REDUCED_LIMIT = GainLimit(
 )
 """Recommended by S22."""
 
+_LAG = ("control_unit", "release_lag")
+
 VARIANTS: dict[str, Variant] = {
     each.name: each
     for each in (
@@ -131,7 +137,7 @@ VARIANTS: dict[str, Variant] = {
             description="Werner's clutch: some pairs bypass the control unit, the others pass it",
             bypass=lambda pairs, driving: 1 if driving is None else driving,
             needs=(("control_unit",),),
-            takes=(("friction_group", "driving_pairs"), ("friction", "driving"), ("friction", "driven")),
+            takes=(("friction_group", "driving_pairs"), ("friction", "driving"), ("friction", "driven"), _LAG),
             gain_limit=BREAKAWAY_LIMIT,
             overload=True,
             example="default",
@@ -142,6 +148,7 @@ VARIANTS: dict[str, Variant] = {
             description="all torque passes the control unit",
             bypass=lambda pairs, driving: 0,
             needs=(("control_unit",),),
+            takes=(_LAG,),
             gain_limit=REDUCED_LIMIT,
             overload=True,
             example="all-driving",
@@ -155,9 +162,10 @@ VARIANTS: dict[str, Variant] = {
                 ("control_unit",),
                 ("control_unit", "hub_diameter"),
                 ("control_unit", "key_friction"),
-                ("closing_spring", "stiffness"),
                 ("control_spring",),
             ),
+            requires=(("closing_spring", "stiffness"),),
+            takes=(("control_unit", "sleeve_mass"), ("drive", "hub_inertia")),
             example="indirect",
         ),
     )

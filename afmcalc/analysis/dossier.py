@@ -1,7 +1,6 @@
 """All that is to be said of one clutch, gathered for a report."""
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 from ..engines import build
 from ..errors import CalculationError
@@ -11,7 +10,8 @@ from ..result import Result
 from ..spec import Spec
 from .answers import Answers
 from .checks.check import CheckResult
-from .checks.limits import Utilisation, utilisations
+from .checks.limits import Utilisation
+from .checks.requirements import RequirementRow
 from .explain.derivation import Derivation, derivations
 from .explain.trace import recording, with_roles
 from .figures import Request, gathered
@@ -34,31 +34,23 @@ class Topic(NamedTuple):
     figure: Any
 
 
-class Required(Protocol):
-    """One requirement of a spec, judged."""
-
-    requirement: str
-    value: float | None
-    limit: float
-    unit: str
-    utilisation: float | None
-    passed: bool | None
-
-
 class Dossier(NamedTuple):
     """All that is to be said of one clutch."""
 
     spec: Spec
     check: CheckResult
-    limits: list[Utilisation]
     findings: list[Finding]
     topics: list[Topic]
 
     @property
-    def requirements(self) -> Sequence[Required]:
-        """Requirements of the spec, judged."""
-        rows: Sequence[Required] = getattr(self.check, "requirements", ())
-        return rows
+    def requirements(self) -> list[RequirementRow]:
+        """Every requirement, and whether the clutch holds it."""
+        return self.check.requirements
+
+    @property
+    def limits(self) -> list[Utilisation]:
+        """Every limit, and how much of it is used."""
+        return self.check.limits
 
 
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
@@ -79,7 +71,6 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     return Dossier(
         spec=spec,
         check=verdict,
-        limits=utilisations(answers, findings),
         findings=findings,
         topics=[_topic(each, answers, derived.get(each.name, [])) for each in applying],
     )

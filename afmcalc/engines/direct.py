@@ -39,27 +39,27 @@ class DirectClutch(Clutch):
         """T/F_п at the friction of a setting, m; by default the spec's own."""
         return self.law.torque_per_force(*setting.friction_at_setting(self.spec, method))
 
-    def torque(self, friction: Any, friction_driven: Any = None) -> Any:
+    def torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Sustained slip torque T, N·m (F11 (12))."""
         first, second = _pair(friction, friction_driven)
         return self.law.torque(self.closing_force, first, second)
 
-    def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
+    def normal_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Normal force N on the pairs, N; arguments as ``torque``."""
         _, second = _pair(friction, friction_driven)
         return self.law.normal_force(self.closing_force, second)
 
-    def release_force(self, friction: Any, friction_driven: Any = None) -> Any:
+    def release_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Release force F_p of the control unit, N; arguments as ``torque``."""
         _, second = _pair(friction, friction_driven)
         return self.law.release_force(self.closing_force, second)
 
-    def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
+    def ball_torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Torque T_2 that passes the balls, N·m; arguments as ``torque``."""
         _, second = _pair(friction, friction_driven)
         return self.law.ball_torque(self.closing_force, second)
 
-    def breakaway_torque(self, friction: Any, friction_driven: Any = None) -> Any:
+    def breakaway_torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Upper bound P of the breakaway torque, N·m (theory, section 3); arguments as ``torque``."""
         first, second = _pair(friction, friction_driven)
         if _is_zero(self.bypass_pairs):
@@ -153,7 +153,7 @@ class DirectClutch(Clutch):
             "friction_driving": driving,
             "friction_driven": driven,
             "gain": accuracy.torque_elasticity_in_gain(z2, self.gain, at_driven),
-            **_pair_elasticities(z1, z2, driving, driven),
+            **_pair_elasticities(float(z1), float(z2), driving, driven),
         }
 
     def _law_findings(self) -> list[Finding]:
@@ -167,7 +167,7 @@ class DirectClutch(Clutch):
         rule, limit = self.spec.kind.gain_limit, self.gain_limit
         if rule is None or limit is None or self.gain <= limit * (1 + 1e-9):
             return []
-        value, bound = rule.stated(self.gain, self.reduced_gain, limit)
+        value, bound = map(float, rule.stated(self.gain, self.reduced_gain, limit))
         first, second = (own.max for own in self.friction)
         peak, sustained = self.breakaway_torque(first, second), self.torque(first, second)
         return [finding(rule.code, "warning", value=value, limit=bound, path=path, peak=peak, sustained=sustained)]
@@ -178,16 +178,16 @@ class DirectClutch(Clutch):
         return [finding("torque-falls", "info", value=float(self._factor), limit=1.0)]
 
 
-def _pair(friction: Any, friction_driven: Any) -> tuple[Any, Any]:
+def _pair(friction: Values, friction_driven: Values | None) -> tuple[Values, Values]:
     first = checked_friction(friction)
     return first, first if friction_driven is None else checked_friction(friction_driven)
 
 
-def _is_zero(pairs: Any) -> bool:
+def _is_zero(pairs: Values) -> bool:
     return not is_array(pairs) and pairs == 0
 
 
-def _pair_elasticities(bypass: Any, controlled: Any, driving: float, driven: float) -> dict[str, float]:
+def _pair_elasticities(bypass: float, controlled: float, driving: float, driven: float) -> dict[str, float]:
     """Elasticities in z (z_1 kept) and z_1 (z kept) from those in f_1 and f_2, which equal those in z_1 and z_2."""
     if bypass == 0:
         return {"pairs": driven, "driving_pairs": 0.0}

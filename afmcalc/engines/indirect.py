@@ -101,7 +101,7 @@ class IndirectClutch(Clutch):
         gain: Values = indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
         return gain
 
-    def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
+    def normal_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Normal force N on the pairs, N: from F_п2 at rest down to F_п1 at the setting, then by S21 (9)."""
         return self.law.normal_force(self.closing_force, _one(friction, friction_driven))
 
@@ -110,11 +110,11 @@ class IndirectClutch(Clutch):
         """Force on the pack of the clutch at rest, N: what the control spring presses through sleeve and stop."""
         return self.law.normal_force(self.closing_force, 0.0)
 
-    def torque(self, friction: Any, friction_driven: Any = None) -> Any:
+    def torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Slip torque T, N·m, friction rising (S21 (11); at the stop a direct clutch of gain κ)."""
         return self.law.torque(self.closing_force, _one(friction, friction_driven))
 
-    def torque_returning(self, friction: Any) -> Any:
+    def torque_returning(self, friction: Values) -> Any:
         """Torque when friction falls again from f_max under load, N·m (theory, section 5).
 
         The key's friction holds the sleeve where f_max put it until f has fallen by κ₊/κ; then it moves back.
@@ -122,16 +122,16 @@ class IndirectClutch(Clutch):
         friction = checked_friction(friction)
         return self.law.torque_returning(self.closing_force, friction, self.friction[0].max)
 
-    def release_force(self, friction: Any, friction_driven: Any = None) -> Any:
+    def release_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Release force F_p of the balls on the sleeve, N."""
         return indirect.release_force(self.torque(friction, friction_driven), self.gain, self.mean_radius)
 
-    def travel(self, friction: Any, friction_driven: Any = None) -> Any:
+    def travel(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Axial travel x of the sleeve, m; 0 at the stop (S21 (16))."""
         friction = _one(friction, friction_driven)
         return self.law.travel(self.closing_force, friction)
 
-    def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
+    def ball_torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Torque that passes the balls, N·m: all of it."""
         return self.torque(friction, friction_driven)
 
@@ -225,7 +225,7 @@ def _given(value: Any) -> Any:
     return value
 
 
-def _one(friction: Any, friction_driven: Any) -> Any:
+def _one(friction: Values, friction_driven: Any) -> Any:
     """Return the one friction of all pairs."""
     friction = checked_friction(friction)
     if friction_driven is None or friction_driven is friction:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from ..arrays import Values
-from ..equations import adjustment
+from ..equations import adjustment, overload
 from ..findings import Finding
 from ..spec.models import Method, Range, Spec
 from . import setting
@@ -104,9 +104,15 @@ class Clutch(ABC):
 
     @property
     def nominal_torque(self) -> Values:
-        """T_н that the setting gives, N·m."""
+        """T_н of the clutch that the setting gives, N·m."""
         at_setting = self.torque(*setting.friction_at_setting(self.spec))
         torque: Values = adjustment.nominal_torque(at_setting, setting.margin(self.spec))
+        return torque
+
+    @property
+    def machine_torque(self) -> Values:
+        """T_н.маш of the machine, N·m: T_н over the margin, unless that is in the spring already (mean-friction)."""
+        torque: Values = overload.machine_torque(self.nominal_torque, setting.margin_over_machine(self.spec))
         return torque
 
     @property
@@ -139,7 +145,7 @@ class Clutch(ABC):
         """T/F_п at the friction of a setting, m; by default the spec's own."""
 
     @abstractmethod
-    def torque(self, friction: Any, friction_driven: Any = None) -> Any:
+    def torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Sustained slip torque, N·m.
 
         Args:
@@ -155,30 +161,30 @@ class Clutch(ABC):
         """
 
     @abstractmethod
-    def normal_force(self, friction: Any, friction_driven: Any = None) -> Any:
+    def normal_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Normal force N on the pairs, N; arguments as ``torque``."""
 
     @abstractmethod
-    def release_force(self, friction: Any, friction_driven: Any = None) -> Any:
+    def release_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Release force F_p of the control unit, N; arguments as ``torque``."""
 
     @abstractmethod
-    def ball_torque(self, friction: Any, friction_driven: Any = None) -> Any:
+    def ball_torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Torque that passes the balls, N·m; arguments as ``torque``."""
 
-    def breakaway_torque(self, friction: Any, friction_driven: Any = None) -> Any:
+    def breakaway_torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Upper bound P of the breakaway torque, N·m; arguments as ``torque``."""
         return self.torque(friction, friction_driven)
 
-    def torque_returning(self, friction: Any) -> Any | None:
+    def torque_returning(self, friction: Values) -> Any | None:
         """Torque when friction falls again from f_max under load, N·m."""
         return None
 
-    def travel(self, friction: Any, friction_driven: Any = None) -> Any | None:
+    def travel(self, friction: Values, friction_driven: Values | None = None) -> Any | None:
         """Axial travel of the sleeve, m; arguments as ``torque``."""
         return None
 
-    def point(self, friction: Any, friction_driven: Any = None) -> Point:
+    def point(self, friction: Values, friction_driven: Values | None = None) -> Point:
         """Torque, forces and travel at one friction."""
         return Point(
             torque=self.torque(friction, friction_driven),
@@ -197,9 +203,9 @@ class Clutch(ABC):
 
     def findings(self) -> list[Finding]:
         """What a designer should know: what the law says of it, and the setting."""
-        found, nominal = self._law_findings(), self.nominal_torque
+        found, nominal = self._law_findings(), float(self.nominal_torque)
         first, second = self.friction
-        lowest = min(self.torque(first.min, second.min), self.torque(first.max, second.max))
+        lowest = min(float(self.torque(first.min, second.min)), float(self.torque(first.max, second.max)))
         return [*found, *setting.findings(self.spec, nominal, lowest)]
 
     @abstractmethod

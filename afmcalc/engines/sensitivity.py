@@ -19,11 +19,11 @@ def sensitivity(spec: Spec, law: IndirectLaw, closing_force: Values) -> dict[str
     own = spec.friction.groups[0]
     leaving, follows = _leaving(spec, law, closing_force)
 
-    def moving(part: Values, f: Any) -> Any:
+    def moving(part: Values, f: Values) -> Any:
         stiffness = law.stiffness(f, law.net_gain)
         return indirect.stiffness_elasticity_in_feedback(law.closing_stiffness, law.pairs, f, part, stiffness)
 
-    def seated(part: Values, f: Any) -> Any:
+    def seated(part: Values, f: Values) -> Any:
         return indirect.seated_elasticity_in_feedback(law.pairs, f, part, law.net_gain)
 
     def at_leaving(part: Values) -> Any:
@@ -32,12 +32,12 @@ def sensitivity(spec: Spec, law: IndirectLaw, closing_force: Values) -> dict[str
     def in_feedback(part: Values) -> Any:
         return seated(part, own.min) + at_leaving(part) - moving(part, own.max)
 
-    def in_closing_stiffness(f: Any) -> Any:
+    def in_closing_stiffness(f: Values) -> Any:
         return indirect.stiffness_elasticity_in_closing_stiffness(
             law.closing_stiffness, law.pairs, f, law.net_gain, law.stiffness(f, law.net_gain)
         )
 
-    def in_control_stiffness(f: Any) -> Any:
+    def in_control_stiffness(f: Values) -> Any:
         return indirect.stiffness_elasticity_in_control_stiffness(law.control_stiffness, law.stiffness(f, law.net_gain))
 
     found = {

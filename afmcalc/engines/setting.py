@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
+from ..arrays import Values
 from ..equations import adjustment
 from ..findings import Finding, finding
 from ..spec.models import Method, Spec
@@ -13,7 +14,12 @@ def margin(spec: Spec, method: Method | None = None) -> Any:
     return spec.adjustment.margin if (method or spec.adjustment.method) == "mean-friction" else 1.0
 
 
-def friction_at_setting(spec: Spec, method: Method | None = None) -> tuple[Any, Any]:
+def margin_over_machine(spec: Spec) -> Any:
+    """β_н as far as it lies between clutch and machine: with min-friction only (S22)."""
+    return spec.adjustment.margin / margin(spec)
+
+
+def friction_at_setting(spec: Spec, method: Method | None = None) -> tuple[Values, Values]:
     """f_1 and f_2 at which the spring is set: the smallest, or the mean."""
     first, second = spec.friction.groups
     mean = (method or spec.adjustment.method) == "mean-friction"
@@ -45,7 +51,7 @@ def _material_findings(spec: Spec) -> list[Finding]:
     return found
 
 
-def findings(spec: Spec, nominal: Any, lowest: Any) -> list[Finding]:
+def findings(spec: Spec, nominal: float, lowest: float) -> list[Finding]:
     """Remarks on the setting: the wished nominal torque missed, or not reached at an end of the range.
 
     Args:

@@ -59,6 +59,7 @@ def render(subject: Subject) -> str:
         "display": display,
         "display_unit": display_unit,
         "css": css_string,
+        "translate": translate,
     }
     dossier = subject.dossier
     found = chapters(dossier)

@@ -30,6 +30,6 @@ def _required(dossier: Dossier) -> Literal["none", "met", "open", "missed"]:
 
 
 def _checked(dossier: Dossier) -> Literal["passed", "warned", "failed"]:
-    if not dossier.check.passed:
-        return "failed"
-    return "warned" if dossier.check.warnings else "passed"
+    """What became of everything but the requirements."""
+    levels = {each.level for each in dossier.findings if not each.code.startswith("requirement-")}
+    return "failed" if "error" in levels else "warned" if "warning" in levels else "passed"

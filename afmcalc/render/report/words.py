@@ -81,6 +81,7 @@ REPORT: Mapping[str, str] = {
     # tables
     "verdict": "Verdict",
     "requirement": "Requirement",
+    "bound": "Is to be",
     "check": "Check",
     "condition": "Condition",
     "limit": "Limit",
