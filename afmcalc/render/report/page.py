@@ -87,7 +87,7 @@ def _entries(subject: Subject) -> list[tuple[str, str]]:
     program = f"afmcalc {subject.version}"
     own = {name: getattr(title, name) for name in ("organisation", "project", "drawing", "revision", "date")}
     own |= {"variant": spec.variant, "author": title.author, "checked": title.checked, "approved": title.approved}
-    own |= {"program": program, "file": subject.source}
+    own["program"] = program
     return [(name, value) for name, value in own.items() if value or name in _SIGNED]
 
 

@@ -78,10 +78,10 @@ def lines_of(page_text):
 
 def used(file):
     """How far down each page is filled, of the room between header and footer."""
-    run = subprocess.run(["pdftoppm", "-gray", "-r", "20", file], capture_output=True, check=True)
+    run = subprocess.run(["pdftoppm", "-gray", "-r", "30", file], capture_output=True, check=True)
     for size, data in re.findall(rb"P5\n(\d+ \d+)\n255\n(.*?)(?=P5\n|\Z)", run.stdout, re.DOTALL):
         width, height = map(int, size.split())
-        rows = [min(data[row * width : (row + 1) * width]) < 200 for row in range(height)]
+        rows = [min(data[row * width : (row + 1) * width]) < 245 for row in range(height)]
         top, bottom = round(17 / 297 * height), round((297 - 15) / 297 * height)
         yield (max(row for row in range(top, bottom) if rows[row]) - top) / (bottom - top)
 
@@ -101,7 +101,7 @@ def test_on_paper(opened, report, tmp_path):
     ]
     source = report(name)
     plain = re.compile("<[^>]*>")
-    listed = [plain.sub("", each) for each in re.findall(r'<li><a href="#[a-z]+">(.*?)</a>', source)]
+    listed = [plain.sub("", each) for each in re.findall(r'<li>[\d.]+ <a href="#[a-z]+">(.*?)</a>', source)]
     assert "Contents" in pages[0]
     assert all(any(title in line for line in pages[0]) for title in listed)
     headings = [plain.sub("", each).split(None, 1)[-1] for each in re.findall(r"<h[234]>(.*?)</h[234]>", source)]

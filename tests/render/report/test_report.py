@@ -10,7 +10,7 @@ import sys
 import zipfile
 
 import pytest
-from conftest import CONFIGS, ROOT
+from conftest import CONFIGS, ROOT, S21
 
 from afmcalc.render.report.markup import mathml
 
@@ -163,10 +163,12 @@ def test_a_formula_stands_once_and_every_link_finds_one(name, report, parsed):
     assert all(text_of(each) not in (text_of(each[0]), text_of(each[0]) + ";") for each in spans), "a bare symbol"
 
 
-def test_each_case_says_what_it_is(report, parsed):
+def test_each_case_says_what_it_is(undrawn, parsed):
     """Friction, branch, setting and side in words, and the numbers of explain."""
     found = {
-        (number, symbol): lines for number, symbol, _, _, lines in derivations(parsed(report("indirect"))) if lines
+        (number, symbol): lines
+        for number, symbol, _, _, lines in derivations(parsed(undrawn(S21)))
+        if lines
     }
     stiffness = next(lines for (_, symbol), lines in found.items() if symbol == "D")
     assert [line[:2] for line in stiffness[1:]] == [
@@ -244,7 +246,7 @@ def test_a_life_is_by_the_rule_that_was_asked_for(undrawn, report):
 
 @pytest.mark.skipif(PANDOC is None, reason="no pandoc on the path: no page is made a document of Word")
 def test_equations_of_a_word_document_can_be_edited(undrawn, tmp_path):
-    page = undrawn(CONFIGS / "indirect.toml")
+    page = undrawn(S21)
     source, target = tmp_path / "report.html", tmp_path / "report.docx"
     source.write_text(page, encoding="utf-8")
     run = subprocess.run([PANDOC, source, "-o", target], capture_output=True, check=True)
