@@ -18,7 +18,7 @@ from .limits import Constraint, constraints, unimodal
 from .room import never_meet
 from .space import SAME, Mask, Numbers, Places, axes, balls
 
-ROWS = 16384
+ROWS = 32768
 """Rows of radii in a block."""
 
 
