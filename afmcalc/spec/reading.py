@@ -84,7 +84,7 @@ def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
     if label.startswith("example:"):
         from .builtin import PREFIX, example_text
 
-        return example_text(label.removeprefix(PREFIX)), label
+        return example_text(label.removeprefix(PREFIX)).encode(), label
     try:
         if source == "-":
             raw = sys.stdin.buffer.read()

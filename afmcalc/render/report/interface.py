@@ -7,7 +7,7 @@ from ...analysis.dossier import Dossier
 from ...spec.report import TitleBlock
 from ..layout import TextTable
 from ..plot.chart import Sheet
-from .steps import Formula
+from .steps import Derived
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Chapter:
     title: str
     about: str
     tables: Sequence[TextTable]
-    blocks: Sequence[Formula]
+    blocks: Sequence[Derived]
     sheets: Sequence[Sheet]
     sources: Sequence[str]
     """Keys of the references it rests on."""

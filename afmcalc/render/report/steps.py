@@ -33,7 +33,7 @@ class CaseLine(NamedTuple):
     value: str
 
 
-class Formula(NamedTuple):
+class Derived(NamedTuple):
     """One quantity as an engineer writes it."""
 
     number: int
@@ -55,7 +55,7 @@ _SHORT = 64
 """Signs that formula and numbers may have together to stand in one line."""
 
 
-def blocks_of(derivations: Sequence[Derivation], method: str) -> list[Formula]:
+def blocks_of(derivations: Sequence[Derivation], method: str) -> list[Derived]:
     """Lay out derivations.
 
     Args:
@@ -65,7 +65,7 @@ def blocks_of(derivations: Sequence[Derivation], method: str) -> list[Formula]:
     return [_block(each, method) for each in derivations]
 
 
-def _block(own: Derivation, method: str) -> Formula:
+def _block(own: Derivation, method: str) -> Derived:
     columns = [_labels(own.rows, name, method) for name in ("friction", "branch", "setting", "side")]
     named = [(name, labels) for name, labels in columns if any(labels)]
     symbol, numbers = own.symbol_latex, own.rows[0].numbers
@@ -81,7 +81,7 @@ def _block(own: Derivation, method: str) -> Formula:
     notes = [told("differs", printed=own.differs)] if own.differs else []
     if own.below_one is not None:
         notes.append(told("inverse", value=own.below_one))
-    return Formula(
+    return Derived(
         number=own.number,
         first=bool(own.formula),
         symbol=own.symbol,

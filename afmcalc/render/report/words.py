@@ -94,6 +94,8 @@ REPORT: Mapping[str, str] = {
     "grade/note": "note",
     "grade/warning": "warning",
     "grade/fail": "fail",
+    "grade/held": "held",
+    "grade/missed": "missed",
     "grade/open": "not judged",
     "level/info": "note",
     "level/warning": "warning",

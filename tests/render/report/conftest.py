@@ -1,6 +1,7 @@
 """Reports, each page made once; drawn only where a drawing is looked at."""
 
 import functools
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -45,11 +46,12 @@ def undrawn(afmcalc, _a_day) -> Callable[..., str]:
 
 
 @pytest.fixture(scope="session")
-def parsed() -> Callable[[str], Any]:
-    """The tree of a page, which is read once; a page that is not valid HTML is refused."""
+def parsed() -> Callable[..., Any]:
+    """The tree of a page, which is read once, without its drawings; a page that is not valid HTML is refused."""
 
     @functools.cache
-    def tree(page: str) -> Any:
-        return html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse(page)
+    def tree(page: str, *, drawn: bool = False) -> Any:
+        text = page if drawn else re.sub("<svg.*?</svg>", "<svg></svg>", page, flags=re.DOTALL)
+        return html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse(text)
 
     return tree

@@ -2,17 +2,25 @@
 
 import hashlib
 import html
+import itertools
 import os
 import re
 import shutil
 import subprocess
 import sys
 import zipfile
+from pathlib import Path
 
 import pytest
 from conftest import CONFIGS, ROOT, S21
 
+from afmcalc.analysis.dossier import dossier
+from afmcalc.findings import Finding
+from afmcalc.render.report import words
 from afmcalc.render.report.markup import mathml
+from afmcalc.render.report.verdict import verdict
+from afmcalc.render.report.words import REPORT
+from afmcalc.spec import read_spec
 
 EVIL = "<script>alert(1)</script>"
 MATH = "{http://www.w3.org/1998/Math/MathML}math"
@@ -27,7 +35,8 @@ def text_of(element):
 @pytest.mark.parametrize("name", VARIANTS)
 def test_valid_and_self_contained(name, report, parsed):
     page = report(name)
-    tree = parsed(page)
+    # these two have a drawing of every kind
+    tree = parsed(page, drawn=name in ("indirect", "tolerance"))
     for element in ("script", "link", "img"):
         assert not tree.findall(f".//{element}")
     ids = re.findall(r'\bid="([^"]+)"', page)
@@ -59,18 +68,10 @@ def test_sections_that_do_not_apply_are_left_out(name, absent, report):
 
 def test_same_spec_same_bytes(report):
     run = subprocess.run(
-        [sys.executable, "-m", "afmcalc", "report", str(CONFIGS / "default.toml")],
+        [sys.executable, "-m", "afmcalc", "report", str(CONFIGS / "conventional.toml")],
         capture_output=True, check=True, cwd=ROOT, env={**os.environ, "PYTHONHASHSEED": "5", "TZ": "Asia/Tokyo"},
     )  # fmt: skip
-    assert run.stdout.decode() == report("default")
-
-
-def test_the_hash_is_that_of_the_file_as_given(report, undrawn, tmp_path):
-    raw = (CONFIGS / "default.toml").read_bytes()
-    assert hashlib.sha256(raw).hexdigest() in report("default")
-    marked = tmp_path / "marked.toml"
-    marked.write_bytes(b"\xef\xbb\xbf" + raw.replace(b"\n", b"\r\n"))
-    assert hashlib.sha256(marked.read_bytes()).hexdigest() in undrawn(marked)
+    assert run.stdout.decode() == report("conventional")
 
 
 def test_a_spec_named_script_stays_text(undrawn, tmp_path, parsed):
@@ -165,11 +166,7 @@ def test_a_formula_stands_once_and_every_link_finds_one(name, report, parsed):
 
 def test_each_case_says_what_it_is(undrawn, parsed):
     """Friction, branch, setting and side in words, and the numbers of explain."""
-    found = {
-        (number, symbol): lines
-        for number, symbol, _, _, lines in derivations(parsed(undrawn(S21)))
-        if lines
-    }
+    found = {(number, symbol): lines for number, symbol, _, _, lines in derivations(parsed(undrawn(S21))) if lines}
     stiffness = next(lines for (_, symbol), lines in found.items() if symbol == "D")
     assert [line[:2] for line in stiffness[1:]] == [
         [f"f{end}", branch] for branch in ("rising", "falling, the sleeve moves back") for end in ("min", "cp", "max")
@@ -193,17 +190,20 @@ def test_factors_of_accuracy_have_names_of_their_own(report, parsed):
     assert len(set(named.values())) == len(named)
 
 
-def test_title_block(undrawn, tmp_path, parsed):
-    """From the spec, under the options; who signs has a place in any case."""
+def test_title_block(undrawn, parsed, tmp_path):
+    """From the spec, under the options; who signs has a place in any case; the hash is that of the file."""
     spec = tmp_path / "titled.toml"
     text = (CONFIGS / "default.toml").read_text(encoding="utf-8")
-    spec.write_text(f'{text}\n[report]\ndrawing = "AFM-17"\nrevision = 2\nauthor = "Ш."\ndate = 2026-02-03\n', "utf-8")
+    block = '[report]\ndrawing = "AFM-17"\nrevision = 2\nauthor = "Ш."\ndate = 2026-02-03\n'
+    raw = "\ufeff" + f"{text}\n{block}".replace("\n", "\r\n")
+    spec.write_bytes(raw.encode())
     page = parsed(undrawn(spec, "--author", "Ф.", "--project", "Mill"))
     entries = {text_of(each[0]): text_of(each[1]) for each in page.findall(".//header/dl/div")}
     shown = {"Drawing no.": "AFM-17", "Revision": "2", "Date": "2026-02-03", "Calculated by": "Ф.", "Project": "Mill"}
     assert shown.items() <= entries.items()
     assert entries["Checked by"] == entries["Approved by"] == ""
     assert "Organisation" not in entries
+    assert entries["SHA-256 of the spec as given"] == hashlib.sha256(spec.read_bytes()).hexdigest()
 
 
 @pytest.mark.parametrize(
@@ -254,3 +254,35 @@ def test_equations_of_a_word_document_can_be_edited(undrawn, tmp_path):
     text = zipfile.ZipFile(target).read("word/document.xml").decode()
     assert text.count("<m:oMath>") == page.count("<math") > 40
     assert text.count("<m:f>") == page.count("<mfrac>") > 20
+
+
+def test_a_verdict_is_a_sentence_for_each_outcome():
+    """Requirements alone never fail the checks, checks alone no requirement."""
+    told = dossier(read_spec(None, ["requirements.nominal_torque=50"]), explained=False)
+    (row,) = told.requirements
+    outcomes = {"none": [], "met": [True], "open": [True, None], "missed": [False, None]}
+    levels = {"passed": ["info"], "warned": ["info", "warning"], "failed": ["warning", "error"]}
+    said = set()
+    for required, checked in itertools.product(outcomes, levels):
+        rows = [row.model_copy(update={"passed": passed}) for passed in outcomes[required]]
+        own = told._replace(
+            check=told.check.model_copy(update={"requirements": rows}),
+            findings=[Finding("error", "requirement-missed", ""), *(Finding(own, "x", "") for own in levels[checked])],
+        )
+        found = verdict(own)
+        assert found.sentence == REPORT[f"verdict/{required}/{checked}"]
+        bad, doubtful = "missed" in required or checked == "failed", required == "open" or checked == "warned"
+        assert found.grade == ("fail" if bad else "warning" if doubtful else "pass")
+        said.add(found.sentence)
+    assert len(said) == 12
+
+
+def test_every_text_of_a_page_stands_in_the_table():
+    """And no other: what a page says of its own is found by a catalogue."""
+    folder = Path(words.__file__).parent
+    files = [path.read_text(encoding="utf-8") for path in folder.iterdir() if path.suffix in (".html", ".py")]
+    asked = {key for text in files for key in re.findall(r'told\("([^"]+)"[,)]', text)}
+    assert asked <= set(REPORT)
+    template = (folder / "page.html").read_text(encoding="utf-8")
+    shown = re.sub(r"<style>.*?</style>|{%.*?%}|{{.*?}}|<[^>]*>|&\w+;", " ", template, flags=re.DOTALL)
+    assert not re.findall(r"[A-Za-z]{2,}", shown)
