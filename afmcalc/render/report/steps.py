@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from functools import cache
 from typing import NamedTuple
 
 from latex2mathml.converter import convert
@@ -129,6 +130,7 @@ def _size(latex: str) -> int:
     return len(re.sub(r"\\(?:text|left|right|frac|cdot)|[{}\\_^ ]", "", latex))
 
 
+@cache
 def _math(latex: str) -> str:
     # a prime is raised already, and MathML leaves no room round the name of a function
     latex = _PRIME.sub(r"\\text{′}", _FUNCTION.sub(r"\\,\\\1\\,", latex))

@@ -32,11 +32,14 @@ def text_of(element):
     return "".join(element.itertext())
 
 
+DRAWN = ("indirect", "tolerance")
+"""Specs whose pages have a drawing of every kind between them."""
+
+
 @pytest.mark.parametrize("name", VARIANTS)
 def test_valid_and_self_contained(name, report, parsed):
     page = report(name)
-    # these two have a drawing of every kind
-    tree = parsed(page, drawn=name in ("indirect", "tolerance"))
+    tree = parsed(page, drawn=name in DRAWN)
     for element in ("script", "link", "img"):
         assert not tree.findall(f".//{element}")
     ids = re.findall(r'\bid="([^"]+)"', page)
@@ -119,7 +122,7 @@ def table_rows(tree, section):
 
 def test_tolerance_values_have_their_errors_and_inputs_the_engineers_units(report, afmcalc, parsed):
     result = afmcalc("tolerance", CONFIGS / "tolerance.toml", "--json").json["result"]
-    tree = parsed(report("tolerance"))
+    tree = parsed(report("tolerance"), drawn=True)
     listed = table_rows(tree, "tolerance")
     rows = {row[0]: row[1:] for row in listed if len(row) < 6 or row[-1] in ("–", "kN", "mm", "MPa")}
     assert rows["Tm"] == ["mean torque", f"{result['mean']:.5g}", f"{result['mean_standard_error']:.2g}", "N·m"]
@@ -156,11 +159,11 @@ def derivations(tree):
 
 @pytest.mark.parametrize("name", VARIANTS)
 def test_a_formula_stands_once_and_every_link_finds_one(name, report, parsed):
-    page = report(name)
-    numbers = [number for number, *_ in derivations(parsed(page)) if number]
+    tree = parsed(report(name), drawn=name in DRAWN)
+    numbers = [number for number, *_ in derivations(tree) if number]
     assert numbers == [str(count + 1) for count in range(len(numbers))]
     assert len(numbers) > 10
-    spans = parsed(page).findall(".//p[@class='where']/span")
+    spans = tree.findall(".//p[@class='where']/span")
     assert all(text_of(each) not in (text_of(each[0]), text_of(each[0]) + ";") for each in spans), "a bare symbol"
 
 
@@ -231,8 +234,9 @@ def test_only_mathml_is_taken_as_markup(bad):
         ["name=", "friction.mean=", "control_unit.ball_circle_radius="],
     ],
 )
-def test_edges_leave_out_what_has_no_curve(overrides, undrawn, parsed):
-    parsed(undrawn(CONFIGS / "default.toml", *(part for text in overrides for part in ("--set", text))))
+def test_edges_leave_out_what_has_no_curve(overrides, undrawn):
+    page = undrawn(CONFIGS / "default.toml", *(part for text in overrides for part in ("--set", text)))
+    assert page.count("<figure ") == page.count('class="soft" href="#figure-') < 6
 
 
 def test_a_life_is_by_the_rule_that_was_asked_for(undrawn, report):
