@@ -73,18 +73,18 @@ def _pdf_beside(output: str | None) -> str:
 
 def _read(source: str | None, common: Common) -> "tuple[str, Spec]":
     """Read a spec once, and return its text with it; of a command's JSON the spec block."""
-    from ..spec import make_spec
-    from ..spec.reading import apply_overrides, parse, text_of
+    from ..spec.parsing import parse, text_of
+    from ..spec.reading import spec_of
 
     if source is None:
         common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
     text, label = text_of(source)
-    data = parse(text, label)
+    spec = spec_of(text, label, common.set or ())
     if text.lstrip().startswith("{"):
         import json
 
-        text = json.dumps(data, indent=2, ensure_ascii=False)
-    return text.strip("\n"), make_spec(apply_overrides(data, common.set or ()), label)
+        text = json.dumps(parse(text, label), indent=2, ensure_ascii=False)
+    return text.strip("\n"), spec
 
 
 def _date() -> str:

@@ -13,7 +13,9 @@ from . import rules
 from .choices import Angles, Choice, Diameters, Forces, Lengths, Pairs, Ratios, Stiffnesses, StiffnessesOrNone
 from .fields import AtLeastOne, Block, Count, Force, Gap, Length, Name, Ratio, Stress, Torque, key_field
 from .models import Friction, Method, VariantName
-from .reading import apply_overrides, parse, text_of, validated
+from .overrides import apply_overrides, overridden
+from .parsing import parse, text_of
+from .reading import validated
 
 Objective = Literal[
     "closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel",
@@ -181,7 +183,9 @@ def read_requirements(source: str | PathLike[str], overrides: Iterable[str] = ()
         FileError: the file cannot be read.
     """
     text, label = text_of(source)
-    return make_requirements(apply_overrides(parse(text, label), overrides, Requirements), label)
+    overrides = list(overrides)
+    data = apply_overrides(parse(text, label), overrides, Requirements)
+    return make_requirements(data, label.but(overridden(overrides, Requirements)))
 
 
 def make_requirements(data: rules.Table, label: str = "requirements") -> Requirements:
