@@ -37,6 +37,11 @@ def _called(model: type[BaseModel]) -> dict[str, str]:
     return found | (ALIASES if model is Spec else {}) | {path: path for path in known}
 
 
+def names(model: type[BaseModel] = Spec) -> list[str]:
+    """Every name that ``path_of`` takes."""
+    return list(_called(model))
+
+
 def elsewhere(name: str, model: type[BaseModel] = Spec) -> str:
     """Return ``"; did you mean a.x or b.x?"`` for a key that has the name in other tables, or nothing."""
     paths = [path for path in keys_below(model) if _last(path) == name]

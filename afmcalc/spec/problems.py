@@ -24,9 +24,8 @@ def problems_of(error: ValidationError, data: Table, model: type[BaseModel]) -> 
     What pydantic found, and the rules between keys that it met broken.
     """
     found = list(_found(error, ()))
-    told = [_told(each, model) for each in found[:_MOST_TOLD]]
-    known = [problem._replace(given=_given(problem.path, data)) for problem in told]
-    return list(dict.fromkeys(known)), len(found[_MOST_TOLD:])
+    told = [_told(each, data, model) for each in found[:_MOST_TOLD]]
+    return list(dict.fromkeys(told)), len(found[_MOST_TOLD:])
 
 
 def mistaken(data: Table, model: type[BaseModel]) -> Problem | None:
@@ -57,11 +56,13 @@ def _found(error: ValidationError, above: tuple[str, ...]) -> Iterator[Problem |
             yield problem._replace(path=".".join((*location, problem.path)))
 
 
-def _told(found: Problem | tuple[ErrorDetails, tuple[str, ...]], model: type[BaseModel]) -> Problem:
+def _told(found: Problem | tuple[ErrorDetails, tuple[str, ...]], data: Table, model: type[BaseModel]) -> Problem:
     if isinstance(found, Problem):
-        return found
+        return found._replace(given=_given(found.path, data))
     detail, location = found
-    return Problem(".".join(location), None, _message(detail, location, model), detail["type"] == "extra_forbidden")
+    path = ".".join(location)
+    given = _given(path, data)
+    return Problem(path, given, _message(detail, location, given, model), detail["type"] == "extra_forbidden")
 
 
 def _given(path: str, data: object) -> str | None:
@@ -78,7 +79,7 @@ def _given(path: str, data: object) -> str | None:
     return next((_given(below, data[block]) for block, below in splits if block in data), None)
 
 
-def _message(detail: ErrorDetails, location: tuple[str, ...], root: type[BaseModel]) -> str:
+def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None, root: type[BaseModel]) -> str:
     context = detail.get("ctx", {})
     match detail["type"]:
         case "missing":
@@ -101,12 +102,19 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], root: type[BaseMod
             return say("must be at most {bound:g}", bound=context["le"])
         case "less_than":
             if location[-1:] == ("wall_angle",):
-                return say("must be less than 90 deg (pi/2 rad)")
+                return _too_steep(given)
             return say("must be less than {bound:g}", bound=context["lt"])
         case "value_error":
             return str(context["error"])
         case _:
             return detail["msg"]
+
+
+def _too_steep(given: str | None) -> str:
+    """Refuse a wall angle; what is no angle in rad may be one in deg."""
+    if given and given[0] != '"' and float(given) < 90:
+        return say('a plain number is in rad, and must be less than pi/2: write "{given} deg"', given=given)
+    return say("must be less than 90 deg (pi/2 rad)")
 
 
 def _unknown_key(location: tuple[str, ...], root: type[BaseModel]) -> str:

@@ -8,8 +8,9 @@ from typing import NamedTuple
 from ..errors import Problem
 from ..messages import say
 from ..source import Place, place_at
+from .names import elsewhere
 from .quantity import unread_number
-from .suggest import in_latin
+from .suggest import in_latin, plain
 
 _POSITION = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
@@ -76,7 +77,8 @@ def _of_key(line: str, why: str) -> _Cure | None:
     if why.endswith("twice"):
         return _Cure(say("the table [{key}] stands twice", key=key), start, end)
     if not key.isascii() and any(letter.isalpha() for letter in key):
-        return _Cure(say("keys are written in Latin letters{hint}", hint=in_latin(key)), start, end)
+        hint = elsewhere(plain(key)) or in_latin(key)
+        return _Cure(say("keys are written in Latin letters{hint}", hint=hint), start, end)
     if not found[1].strip() and line[end:].lstrip().startswith(":"):
         return _Cure(say("write = between key and value, not a colon"), start, end + 1)
     return None
