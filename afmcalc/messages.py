@@ -26,10 +26,16 @@ SCALES = {
 
 
 class _Sentence(string.Formatter):
-    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once."""
+    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once.
+
+    What is cut off a text, ``{name:.80}``, is marked.
+    """
 
     def format_field(self, value: object, format_spec: str) -> str:
         number, _, unit = format_spec.partition(" ")
+        if isinstance(value, str):
+            shown = format(value, number)
+            return shown if len(shown) >= len(value) else f"{shown}…"
         if not unit:
             return format(value, number)
         assert isinstance(value, SupportsFloat)

@@ -87,6 +87,10 @@ def _read(source: str | None, common: Common) -> "tuple[str, Spec]":
     return text.strip("\n"), spec
 
 
+_DIGITS = 11
+"""Of seconds since 1970: those of the year 5000."""
+
+
 def _date() -> str:
     """Today, or the day of SOURCE_DATE_EPOCH where a build must be repeatable."""
     from datetime import UTC, datetime
@@ -94,6 +98,6 @@ def _date() -> str:
     epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
     if not epoch:
         return datetime.now().date().isoformat()
-    if not epoch.isdecimal():
-        raise AfmcalcError(say("SOURCE_DATE_EPOCH = {epoch!r}: seconds since 1970 are wanted", epoch=epoch))
+    if not epoch.isdecimal() or len(epoch) > _DIGITS:
+        raise AfmcalcError(say("SOURCE_DATE_EPOCH = {epoch!r:.40}: seconds since 1970 are wanted", epoch=epoch))
     return datetime.fromtimestamp(int(epoch), UTC).date().isoformat()

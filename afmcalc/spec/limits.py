@@ -5,8 +5,12 @@ import re
 from ..errors import Problem, SpecError
 from ..messages import say
 
-LONGEST = 16 << 20
-"""Bytes of a file."""
+LONGEST = 64 << 20
+"""Bytes of a file; the JSON of a long sweep is a spec too."""
+MOST_COMMAS = 5_000_000
+"""Values in a JSON text, all its parts counted."""
+MOST_BRACKETS = 500_000
+"""Tables and lists in it."""
 LONGEST_TOML = 1 << 20
 """Characters of a TOML text, which takes longer to read than JSON."""
 LONGEST_TEXT = 1_000
@@ -30,6 +34,16 @@ def check_key_lengths(text: str, label: str) -> None:
     part = r"""(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*"""
     if re.search(rf"(?m)(?:^|[\[{{,])[ \t]*(?:{part}\.[ \t]*){{{DEEPEST}}}", text):
         raise _refused(label, "", say("a key has more than {most} parts, the most there may be", most=DEEPEST))
+
+
+def check_counts(text: str, label: str) -> None:
+    """Refuse JSON of so many values that reading it would take gigabytes.
+
+    Raises:
+        SpecError: it is such.
+    """
+    if text.count(",") > MOST_COMMAS or text.count("{") + text.count("[") > MOST_BRACKETS:
+        raise _refused(label, "", say("holds more than {most:,} values, the most that are read", most=MOST_COMMAS))
 
 
 def check_size(data: object, label: str) -> None:

@@ -20,7 +20,7 @@ def apply_overrides(data: dict[str, object], overrides: Iterable[str], model: ty
             nested = block.setdefault(part, {})
             if not isinstance(nested, dict):
                 path = ".".join(blocks[:depth])
-                raise AfmcalcError(say("--set {override}: {path} is no table", override=override, path=path))
+                raise AfmcalcError(say("--set {override:.80}: {path} is no table", override=override, path=path))
             block = nested
         if text := override.partition("=")[2].strip():
             block[name] = _value(text, override)
@@ -44,7 +44,7 @@ def _path(override: str, model: type[BaseModel]) -> list[str]:
     path = path_of(given, model) or given.strip()
     if not separator or not path:
         raise AfmcalcError(
-            say("--set {override}: write PATH=VALUE, for example control_unit.gain=0.5", override=override)
+            say("--set {override:.80}: write PATH=VALUE, for example control_unit.gain=0.5", override=override)
         )
     *blocks, last = path.split(".")
     known = names_in(tuple(blocks), model)
@@ -52,7 +52,9 @@ def _path(override: str, model: type[BaseModel]) -> list[str]:
         hint = did_you_mean(last, known) or elsewhere(last, model)
         if known and not hint:
             hint = say("; known here: {names}", names=", ".join(known))
-        raise AfmcalcError(say("--set {override}: unknown key {path!r}{hint}", override=override, path=path, hint=hint))
+        raise AfmcalcError(
+            say("--set {override:.80}: unknown key {path!r:.80}{hint}", override=override, path=path, hint=hint)
+        )
     return [*blocks, last]
 
 
@@ -65,10 +67,10 @@ def _value(text: str, override: str) -> object:
     except tomllib.TOMLDecodeError:
         return text
     except RecursionError:
-        raise AfmcalcError(say("--set {override}: {why}", override=override, why=too_deep())) from None
+        raise AfmcalcError(say("--set {override:.80}: {why}", override=override, why=too_deep())) from None
     except ValueError:
-        raise AfmcalcError(say("--set {override}: a number has too many digits", override=override)) from None
+        raise AfmcalcError(say("--set {override:.80}: a number has too many digits", override=override)) from None
     if set(read) != {"value"}:  # further lines are part of the text
         return text
-    check_size(read["value"], f"--set {override}")
+    check_size(read["value"], say("--set {override:.80}", override=override))
     return read["value"]

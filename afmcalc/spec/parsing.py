@@ -7,7 +7,7 @@ from os import PathLike
 from ..errors import AfmcalcError, FileError, Problem, SpecError
 from ..messages import say
 from ..source import Source
-from .limits import LONGEST, LONGEST_TOML, check_key_lengths, check_size, too_deep
+from .limits import LONGEST, LONGEST_TOML, check_counts, check_key_lengths, check_size, too_deep
 
 STANDARD_INPUT = "standard input"
 BUILT_IN = "built-in default"
@@ -109,6 +109,7 @@ def _json_of(text: str, label: str) -> dict[str, object]:
             seen[key] = value
         return seen
 
+    check_counts(text, label)
     try:
         data = json.loads(text, object_pairs_hook=unique)
     except json.JSONDecodeError as error:

@@ -127,7 +127,7 @@ def _read(path: str, given: Distribution, problems: list[Problem], spec: type[Ba
         except ValueError as error:
             problems.append(rules.wrong(f"fields.{path}.{name}", str(error)))
             return given
-    for name in ("min", "max"):
+    for name in ("center", "min", "max"):
         value = read[name]
         if value is not None and about.low is not None and value < about.low:
             message = say("must be at least {low:g}, as {path} itself", low=about.low, path=path)

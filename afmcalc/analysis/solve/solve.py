@@ -138,7 +138,7 @@ def _symbol(name: str) -> str:
     named = [ALIASES[symbol] for symbol in NAMES]
     raise AfmcalcError(
         say(
-            "--for {name}: cannot be solved for{hint}; one of {names}",
+            "--for {name:.80}: cannot be solved for{hint}; one of {names}",
             name=name,
             hint="" if path else did_you_mean(name, [*NAMES, *named, *(path.rpartition(".")[2] for path in named)]),
             names=", ".join(f"{symbol} ({ALIASES[symbol]})" for symbol in NAMES),

@@ -99,20 +99,20 @@ def parse_target(text: str) -> tuple[str, float]:
     if name is None:
         raise AfmcalcError(
             say(
-                "{text!r} is no target{hint}; write NAME=VALUE, NAME one of {known}",
+                "{text!r:.80} is no target{hint}; write NAME=VALUE, NAME one of {known}",
                 text=text,
                 hint=did_you_mean(given, [*TARGETS, *(symbol for each in TARGETS.values() for symbol in each.symbols)]),
                 known=", ".join(f"{name} ({each.symbols[0]})" for name, each in TARGETS.items()),
             )
         )
     if not separator or not value:
-        raise AfmcalcError(say("{text}: write {name}=VALUE", text=text, name=given))
+        raise AfmcalcError(say("{text:.80}: write {name}=VALUE", text=text, name=given))
     try:
         wanted = parse_quantity(_number_or_text(value), TARGETS[name].unit)
     except ValueError as error:
-        raise AfmcalcError(say("{text}: {why}", text=text, why=error)) from None
+        raise AfmcalcError(say("{text:.80}: {why}", text=text, why=error)) from None
     if not wanted > 0:
-        raise AfmcalcError(say("{text}: must be greater than 0", text=text))
+        raise AfmcalcError(say("{text:.80}: must be greater than 0", text=text))
     return name, wanted
 
 

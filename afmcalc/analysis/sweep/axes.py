@@ -23,7 +23,7 @@ def find_key(name: str) -> Key:
         hint = elsewhere(name) or did_you_mean(name, [*ALIASES, *names()])
         raise AfmcalcError(
             say(
-                "{name!r} is no key or symbol{hint}; symbols: {symbols}; keys: by name or path, as in the spec",
+                "{name!r:.80} is no key or symbol{hint}; symbols: {symbols}; keys: by name or path, as in the spec",
                 name=name,
                 hint=hint,
                 symbols=symbols,
@@ -46,7 +46,7 @@ def parse_axis(text: str, spec: Spec) -> Axis:
     if (only := variants_of(key.path)) and spec.variant not in only:
         raise AfmcalcError(
             say(
-                "--sweep {text}: {path} is only for {only}, not {variant!r}",
+                "--sweep {text:.80}: {path} is only for {only}, not {variant!r}",
                 text=text,
                 path=key.path,
                 only=", ".join(only),
