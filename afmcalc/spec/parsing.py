@@ -26,6 +26,11 @@ def text_of(source: str | PathLike[str] | None) -> tuple[str, Source]:
         text = default_text()
         return text, Source(BUILT_IN, text)
     label = STANDARD_INPUT if source == "-" else str(source)
+    if label.startswith("example:"):
+        from .builtin import PREFIX, example_text
+
+        text = example_text(label.removeprefix(PREFIX))
+        return text, Source(label, text)
     try:
         if source == "-":
             raw = sys.stdin.buffer.read(LONGEST + 1)

@@ -18,7 +18,8 @@ def read_spec(source: str | PathLike[str] | None = None, overrides: Iterable[str
     """Read a clutch spec.
 
     Args:
-        source: path of a TOML or JSON file, ``"-"`` for standard input, None for the built-in base clutch.
+        source: path of a TOML or JSON file, ``"-"`` for standard input, ``"example:NAME"`` for a file that ships,
+            None for the built-in base clutch.
             JSON printed by any command counts: its ``spec`` block is taken.
         overrides: ``"path=value"`` strings applied before validation; an empty value removes the key.
 
