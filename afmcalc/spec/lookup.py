@@ -89,9 +89,10 @@ _CYRILLIC = str.maketrans("ABEKMHOPCTXacekmop", "АВЕКМНОРСТХасек�
 
 def _mixed(unit_text: str, unit: str) -> str:
     """Hint for a unit of the field that is typed with letters of two alphabets, or of the wrong one; else nothing."""
-    meant = unit_text.translate(SIGNS).translate(_CYRILLIC)
+    written = unit_text.translate(SIGNS)
+    meant = written.translate(_CYRILLIC)
     factor = KNOWN[unit].get(meant)
-    if factor is None or meant == unit_text.translate(SIGNS):
+    if factor is None or written in KNOWN[unit]:
         return ""
     latin = next(text for text, each in KNOWN[unit].items() if each == factor and text.isascii())
     return say("; write {latin!r}, or {meant!r} in Cyrillic letters alone", latin=latin, meant=meant)

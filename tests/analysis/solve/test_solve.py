@@ -109,7 +109,7 @@ def test_driving_pairs():
          "the best is 400 N·m, reached at R = 0.25 m (the gain limit 1/(z_1 f_1max))"),
         (["--for", "z1", "accuracy_factor=2", "--set", "C=2"], "no value of z1 keeps C = 2 within the gain limit"),
         (["--for", "c1", "accuracy_factor=2"], "only for indirect"),
-        (["--for", "x", "accuracy_factor=2"], "one of C, F, z, z1, R, c1, c2"),
+        (["--for", "x", "accuracy_factor=2"], "one of C (control_unit.gain), F (closing_spring.force)"),
         (["acuracy_factor=2"], "did you mean 'accuracy_factor'?"),
         (["accuracy_factor"], "write accuracy_factor=VALUE"),
         (["nominal_torque=2 J"], "nominal_torque=2 J: "),
