@@ -7,8 +7,8 @@ from .source import Place, Source
 
 MOST_SHOWN = 20
 """Problems of a spec that are shown; of the others the number."""
-LONGEST_LINE = 400
-"""Characters of a line of an error."""
+LONGEST_LINE = 390
+"""Characters of a line of an error; with what is put before it, below 400."""
 
 
 class AfmcalcError(Exception):
@@ -53,10 +53,13 @@ class Problem(NamedTuple):
             where = f"{where} = {self.given}" if where else self.given
         return f"{where}: {self.message}" if where else self.message
 
+    def where(self, source: str) -> str:
+        """File, line and column, as far as they are known."""
+        return f"{source}:{self.place}" if self.place else source
+
     def lines(self, source: str) -> list[str]:
         """What is said of it: with the place, and the line of the text."""
-        where, shown = (f"{source}:{self.place}", self.place.shown()) if self.place else (source, ())
-        return [f"{where}: {self}", *shown]
+        return [f"{self.where(source)}: {self}", *(self.place.shown() if self.place else ())]
 
 
 class SpecError(AfmcalcError, ValueError):
@@ -64,7 +67,7 @@ class SpecError(AfmcalcError, ValueError):
 
     def __init__(self, source: str, problems: list[Problem], more: int = 0) -> None:
         """Collect ``problems`` of the spec read from ``source``; ``more`` are there that nobody looked into."""
-        self.source = source
+        self.source, self.more = source, more
         self.problems = [_placed(problem, source) for problem in problems]
         shown = [line for problem in self.problems[:MOST_SHOWN] for line in problem.lines(source)]
         hidden = len(problems[MOST_SHOWN:]) + more

@@ -113,6 +113,6 @@ class _Reader:
 
 def _unquoted(text: str) -> str:
     try:
-        return str(json.loads(text))
+        return str(json.loads(text, strict=False))
     except ValueError:
         return text[1:-1]

@@ -36,7 +36,7 @@ def overridden(overrides: Iterable[str], model: type[BaseModel] = Spec) -> list[
 
 def _path(override: str, model: type[BaseModel]) -> list[str]:
     """Parts of the path an override names; a name or symbol stands for its path."""
-    from .names import elsewhere, path_of
+    from .names import elsewhere, names, path_of
     from .suggest import did_you_mean
     from .walk import names_in
 
@@ -49,7 +49,7 @@ def _path(override: str, model: type[BaseModel]) -> list[str]:
     *blocks, last = path.split(".")
     known = names_in(tuple(blocks), model)
     if last not in known:
-        hint = did_you_mean(last, known) or elsewhere(last, model)
+        hint = did_you_mean(last, known) or elsewhere(last, model) or did_you_mean(last, names(model))
         if known and not hint:
             hint = say("; known here: {names}", names=", ".join(known))
         raise AfmcalcError(

@@ -1,6 +1,7 @@
 """What pydantic finds wrong, told for people: path, value as written, what is allowed."""
 
 import json
+import math
 from collections.abc import Iterator, Mapping
 
 from pydantic import BaseModel, ValidationError
@@ -87,13 +88,20 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None,
         case "extra_forbidden":
             return _unknown_key(location, root)
         case "model_type" | "model_attributes_type" | "dict_type":
-            return say("must be a table with the keys {names}", names=", ".join(names_in(location, root)))
+            names = ", ".join(names_in(location, root))
+            return say("must be a table with the keys {names}", names=names) if names else say("must be a table")
         case "literal_error":
             expected = context["expected"].replace("'", "").replace(" or ", ", ")
             hint = did_you_mean(str(detail["input"]), expected.split(", "))
             return say("must be one of {expected}{hint}", expected=expected, hint=hint)
         case "string_type":
             return say("must be text in quotes")
+        case "bool_type" | "bool_parsing":
+            return say("must be true or false, without quotes")
+        case "tuple_type":
+            return say("must be a list in brackets")
+        case "too_short":
+            return say("must not be empty")
         case "greater_than":
             return say("must be greater than {bound:g}", bound=context["gt"])
         case "greater_than_equal":
@@ -112,7 +120,7 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None,
 
 def _too_steep(given: str | None) -> str:
     """Refuse a wall angle; what is no angle in rad may be one in deg."""
-    if given and given[0] != '"' and float(given) < 90:
+    if given and given[0] != '"' and math.pi < float(given) < 90:
         return say('a plain number is in rad, and must be less than pi/2: write "{given} deg"', given=given)
     return say("must be less than 90 deg (pi/2 rad)")
 

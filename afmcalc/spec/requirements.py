@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from os import PathLike
 from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, StrictBool, model_validator
 
 from ..errors import Problem
 from ..messages import say
@@ -116,7 +116,7 @@ class Limits(Block):
     contact_force: Force | None = key_field("normal force on one ball")
     travel: Length | None = key_field("travel of the sleeve (indirect)")
     reduced_gain: Ratio | None = key_field("reduced gain")
-    gain_limit: bool = key_field(f"hold the gain limit of the variant ({_GAIN_LIMITS})", default=True)
+    gain_limit: StrictBool = key_field(f"hold the gain limit of the variant ({_GAIN_LIMITS})", default=True)
 
 
 class Requirements(Block):

@@ -14,7 +14,7 @@ from .suggest import in_latin, plain
 
 _POSITION = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
-_UNIT = r"""[ \t]*(?:[^\W\d_][^],}#"'\n]*|[°%])"""
+_UNIT = r"""[ \t]*(?:[^\W\d_](?:[^],}#"'\n]*[^],}#"'\s])?|[°%])"""
 _END = r"""(?=[ \t]*(?:[],}#]|$))"""
 _KEY = re.compile(r"""[ \t]*(\[*[ \t]*)([^]=:\s#"']+)""")
 _TRUTH = {"true": "true", "yes": "true", "on": "true", "false": "false", "no": "false", "off": "false"}

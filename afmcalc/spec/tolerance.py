@@ -1,6 +1,7 @@
 """The [tolerance] block: which numbers of a clutch scatter in making and service, and how."""
 
 import re
+import sys
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, Field, field_validator
@@ -22,15 +23,19 @@ FRICTION = ("friction", "friction.driving", "friction.driven")
 _PERCENT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*%\s*")
 
 
-def _no_truth(value: object) -> object:
+def _number_or_text(value: object) -> object:
     if isinstance(value, bool):
         raise ValueError(say("a boolean is not a number"))
+    if not isinstance(value, int | float | str):
+        raise ValueError(say("must be a number, or a text with a unit"))
+    if not isinstance(value, str) and not abs(value) <= sys.float_info.max:
+        raise ValueError(say("must be finite"))
     return value
 
 
 Number = Annotated[float, BeforeValidator(Quantity("1").read)]
 Whole = Annotated[int, BeforeValidator(Quantity("1", whole=True).read)]
-Given = Annotated[float | str, BeforeValidator(_no_truth)]
+Given = Annotated[float | str, BeforeValidator(_number_or_text)]
 """A number in SI or a text with a unit; which unit depends on what scatters."""
 
 

@@ -3,7 +3,8 @@
 from typing import ClassVar
 
 from ...engines.protocol import Clutch
-from ...findings import Finding, worst
+from ...errors import SpecError
+from ...findings import Finding, finding, worst
 from ...result import Result, quantity
 from ..answers import Answers
 from ..registry import ANALYSES
@@ -42,6 +43,15 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
         notes=levels.count("info"),
     )
     return result, findings
+
+
+def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
+    """Verdict on what is no spec, each of its problems a finding."""
+    found = [
+        finding("bad-spec", "error", path=problem.path or None, where=problem.where(error.source), problem=str(problem))
+        for problem in error.problems
+    ]
+    return CheckResult(passed=False, errors=len(found) + error.more, warnings=0, notes=0), found
 
 
 def all_findings(answers: Answers) -> list[Finding]:
