@@ -11,7 +11,7 @@ MOST_COMMAS = 5_000_000
 """Values in a JSON text, all its parts counted."""
 MOST_BRACKETS = 500_000
 """Tables and lists in it."""
-LONGEST_TOML = 1 << 20
+LONGEST_TOML = 1 << 18
 """Characters of a TOML text, which takes longer to read than JSON."""
 LONGEST_TEXT = 1_000
 """Characters of a key or a text."""

@@ -93,7 +93,7 @@ def toml_of(text: str, label: str) -> dict[str, object]:
     import tomllib
 
     if len(text) > LONGEST_TOML:
-        raise _refused(label, say("is larger than {most} MiB, the most for TOML", most=LONGEST_TOML >> 20))
+        raise _refused(label, say("is larger than {most} KiB, the most for TOML", most=LONGEST_TOML >> 10))
     check_key_lengths(text, label)
     try:
         return tomllib.loads(text)

@@ -17,6 +17,8 @@ _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _UNIT = r"""[ \t]*(?:[^\W\d_](?:[^],}#"'\n]*[^],}#"'\s])?|[°%])"""
 _END = r"""(?=[ \t]*(?:[],}#]|$))"""
 _KEY = re.compile(r"""[ \t]*(\[*[ \t]*)([^]=:\s#"']+)""")
+_LONG = 60
+"""Characters of a number that nobody wrote by mistake."""
 _TRUTH = {"true": "true", "yes": "true", "on": "true", "false": "false", "no": "false", "off": "false"}
 
 
@@ -99,7 +101,7 @@ def _of_value(line: str, column: int) -> _Cure | None:
 
 
 def _unread(found: re.Match[str]) -> str | None:
-    return unread_number(found[0], quoted=True)
+    return unread_number(found[0], quoted=True) if len(found[0]) < _LONG else None
 
 
 def _unquoted(found: re.Match[str]) -> str:

@@ -4,7 +4,7 @@ import re
 import sys
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, Field, field_validator
+from pydantic import BaseModel, BeforeValidator, FailFast, Field, field_validator
 
 from ..errors import Problem
 from ..messages import say
@@ -65,7 +65,9 @@ class Tolerance(Block):
     )
     samples: Whole = Field(default=1_000_000, ge=1000, le=10**10, description="size of the sample")
     seed: Whole = Field(default=1, ge=0, le=2**63, description="seed: the same seed gives the same digits")
-    quantiles: tuple[Number, ...] = key_field("probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995))
+    quantiles: Annotated[tuple[Number, ...], FailFast()] = key_field(
+        "probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995)
+    )
     torque_limit: Torque | None = key_field("torque whose exceedance is asked for", "T_lim")
     friction_correlation: Number | None = Field(
         default=None,

@@ -26,7 +26,7 @@ NINES = "9" * 5000
         ("a = " + "[" * 1500 + "]" * 1500, "is nested more than 32 levels deep"),
         ("a = " + "[" * 40 + "]" * 40, "is nested more than 32 levels deep"),
         ('{"a": ' * 1500 + "1" + "}" * 1500, "is nested more than 32 levels deep"),
-        ("#" * (LONGEST_TOML + 1), "is larger than 1 MiB, the most for TOML"),
+        ("#" * (LONGEST_TOML + 1), "is larger than 256 KiB, the most for TOML"),
         ('{"result": [' + "0," * 5_000_001 + "0]}", "holds more than 5,000,000 values, the most that are read"),
         (KEYS, "has more than 2,000 keys"),
         (json.dumps({"a": [0] * (MOST_ITEMS + 1)}), "has more than 100,000 items in its lists"),
