@@ -5,7 +5,7 @@ import re
 from decimal import Decimal
 
 from ..messages import say, translate
-from .units import EXAMPLES, KNOWN, SIGNS, allowed
+from .units import EXAMPLES, KNOWN, SCALES, SIGNS, allowed
 
 _LONGEST = 100
 """Characters of a quantity that is worth reading."""
@@ -63,9 +63,10 @@ def _parse_text(text: str, unit: str) -> float:
         raise ValueError(say("has no unit; {allowed}", allowed=allowed(unit)))
     if unit == "1":
         raise ValueError(say("is dimensionless and takes no unit; {allowed}", allowed=allowed(unit)))
-    factor = _factor(unit_text, unit)
+    zero = _zero(unit_text, unit) if unit in SCALES else Decimal(0)
+    factor = Decimal(1) if unit in SCALES else _factor(unit_text, unit)
     try:
-        return float(Decimal(number) * factor)
+        return float(Decimal(number) * factor + zero)
     except ArithmeticError:  # an exponent beyond those of Decimal; that of 0 counts too
         return float(number)
 
@@ -96,6 +97,15 @@ def unread_number(text: str, *, quoted: bool = False) -> str | None:
         grouped = written(number.replace(",", ""))
         return say("a comma is not read: write {grouped} or {point}, whichever is meant", grouped=grouped, point=point)
     return say("a decimal comma is not read: write {point}", point=point)
+
+
+def _zero(unit_text: str, unit: str) -> Decimal:
+    """Where the scale ``unit_text`` begins, in SI units of the field."""
+    if unit_text not in SCALES[unit]:
+        raise ValueError(
+            say("{text!r} is no unit of {kind}; {allowed}", text=unit_text, kind=_kind(unit), allowed=allowed(unit))
+        )
+    return SCALES[unit][unit_text]
 
 
 def _factor(unit_text: str, unit: str) -> Decimal:

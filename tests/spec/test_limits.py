@@ -21,8 +21,8 @@ NINES = "9" * 5000
     ("text", "says"),
     [
         ("a" + ".a" * 100_000 + " = 1", "a key has more than 32 parts, the most there may be"),
-        ("[" + "a . " * 100_000 + "a]", "a key has more than 32 parts, the most there may be"),
-        ("a = {" + "'b'." * 100_000 + "c = 1}", "a key has more than 32 parts, the most there may be"),
+        ("[" + "a . " * 50_000 + "a]", "a key has more than 32 parts, the most there may be"),
+        ("a = {" + "'b'." * 50_000 + "c = 1}", "a key has more than 32 parts, the most there may be"),
         ("a = " + "[" * 1500 + "]" * 1500, "is nested more than 32 levels deep"),
         ("a = " + "[" * 40 + "]" * 40, "is nested more than 32 levels deep"),
         ('{"a": ' * 1500 + "1" + "}" * 1500, "is nested more than 32 levels deep"),

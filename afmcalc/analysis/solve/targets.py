@@ -51,11 +51,8 @@ TARGETS: dict[str, Target] = {
     "accuracy_factor_peak": Target(
         "1", "accuracy factor by breakaway peaks", lambda c: c.accuracy_factor_peak, "low", ("K_т,p",)
     ),
-    "accuracy_factor_worst_case": Target(
-        "1", "accuracy factor, f_1 and f_2 independent", lambda c: c.accuracy_factor_worst_case, "low", ("K_т,w",)
-    ),
     "nominal_torque": Target(
-        "N*m", "nominal torque", lambda c: c.nominal_torque, "high", ("T_н", "adjustment.nominal_torque")
+        "N*m", "nominal torque of the clutch", lambda c: c.nominal_torque, "high", ("T_н", "adjustment.nominal_torque")
     ),
     "torque_min": Target("N*m", "smallest torque", torque_min, "high", ("T_min",)),
     "torque_max": Target("N*m", "largest torque", lambda c: c.torque_max, "low", ("T_max",)),
