@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 from collections.abc import Iterator, Mapping
 
 from pydantic import BaseModel, ValidationError
@@ -120,7 +121,7 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None,
 
 def _too_steep(given: str | None) -> str:
     """Refuse a wall angle; what is no angle in rad may be one in deg."""
-    if given and given[0] != '"' and math.pi < float(given) < 90:
+    if given and re.fullmatch(r"[\d.]+", given) and math.pi < float(given) < 90:
         return say('a plain number is in rad, and must be less than pi/2: write "{given} deg"', given=given)
     return say("must be less than 90 deg (pi/2 rad)")
 

@@ -359,6 +359,8 @@ def test_an_empty_result_says_why(afmcalc, tmp_path):
         ({"search": {"pairs": True}}, "must be a whole number"),
         ({"search": {"gain": [0.5, -0.1]}}, "search.gain = [0.5, -0.1]: must be at least 0"),
         ({"search": {"gain": None, "wall_angle": {"start": 5, "stop": 40, "count": 8}}}, "must be less than 90 deg"),
+        ({"search": {"gain": None, "wall_angle": [5, 10]}}, "wall_angle = [5, 10]: must be less than 90 deg"),
+        ({"search": {"gain": None, "wall_angle": 5}}, 'and must be less than pi/2: write "5 deg"'),
         ({"search": {"gain": None, "wall_angle": "-1 deg"}}, "must be at least 0"),
         ({"search": {"gain": None, "wall_angle": math.pi / 2}}, "must be less than 90 deg"),
         ({"search": {"ball_circle_radius": 0}}, "must be greater than 0"),
