@@ -81,4 +81,5 @@ def place_at(text: str, start: int, end: int) -> Place:
     begin = text.rfind("\n", 0, start) + 1
     over = text.find("\n", start)
     line = text[begin : over if over >= 0 else len(text)].removesuffix("\r")
-    return Place(text.count("\n", 0, start) + 1, start - begin + 1, min(end - start, begin + len(line) - start), line)
+    column = min(start - begin, len(line))
+    return Place(text.count("\n", 0, start) + 1, column + 1, min(end - start, len(line) - column), line)
