@@ -8,11 +8,15 @@ from copy import deepcopy
 
 import pytest
 from conftest import CONFIGS
+from hypothesis import given
+from hypothesis import strategies as st
 from jsonschema import validate
 
 from afmcalc.errors import SpecError
+from afmcalc.source import Source
 from afmcalc.spec import Spec, make_spec
 from afmcalc.spec.edit import put
+from afmcalc.spec.reading import spec_of
 from afmcalc.spec.requirements import Requirements, make_requirements
 from afmcalc.spec.walk import keys_below
 
@@ -268,3 +272,26 @@ def test_check_of_a_bad_spec_prints_json_with_the_errors(wrong, afmcalc):
     assert {(each["level"], each["code"]) for each in run.json["findings"]} == {("error", "bad-spec")}
     assert run.json["result"] | {"passed": False, "errors": len(said)} == run.json["result"]
     validate(run.json, afmcalc("schema", "check").json)
+
+
+@given(
+    st.sampled_from(sorted(CONFIGS.glob("*.toml"))),
+    st.booleans(),
+    st.lists(
+        st.tuples(st.floats(0, 1), st.integers(0, 3), st.sampled_from("0.,=[]{}\"'# \nкН°:-\\\r\0“")),
+        min_size=1,
+        max_size=4,
+    ),
+)
+def test_a_mistyped_file_is_a_spec_or_an_error_at_a_place_that_there_is(file, as_json, mistakes):
+    text = file.read_text(encoding="utf-8")
+    text = json.dumps(tomllib.loads(text), indent=1, ensure_ascii=False) if as_json else text
+    for share, gone, typed in mistakes:
+        at = int(share * len(text))
+        text = text[:at] + typed + text[at + gone :]
+    try:
+        spec_of(text, Source("x", text))
+    except SpecError as error:
+        for place in (problem.place for problem in error.problems if problem.place):
+            assert text.split("\n")[place.line - 1].removesuffix("\r") == place.text
+            assert 1 <= place.column <= len(place.text) + 1
