@@ -28,10 +28,16 @@ SCALES = {
 
 
 class _Sentence(string.Formatter):
-    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once."""
+    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once.
+
+    What is cut off a text, ``{name:.80}``, is marked.
+    """
 
     def format_field(self, value: object, format_spec: str) -> str:
         number, _, unit = format_spec.partition(" ")
+        if isinstance(value, str):
+            shown = format(value, number)
+            return shown if len(shown) >= len(value) else f"{shown}…"
         if not unit:
             return format(value, number)
         assert isinstance(value, SupportsFloat)
@@ -56,6 +62,7 @@ def say(template: str, /, **values: object) -> str:
 FINDINGS: Mapping[str, str] = {
     "slips-averaged": "every slip swings the load from {value:.5g N·m} (fatigue.load_low) to T(f) and back; every "
     "friction from f_min to f_max is taken as equally likely, and the life is that of the mean damage (Miner)",
+    "bad-spec": "{where}: {problem}",
     # torque, accuracy, overload, compare
     "friction-outside-range": "friction {value:g} is outside the range of the spec, {least:g} to {largest:g}",
     "sweep-beyond-gain-limit": "{value} of {points} swept points lie above the gain limit 1/(z_1 f_1max): breakaway "

@@ -42,7 +42,8 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 
 
 def _complain(text: str) -> None:
-    print(say("error: {text}", text=text), file=sys.stderr)
+    """Say what is wrong; a line of a text that is shown belongs to what was said before."""
+    print(text if text.startswith(" ") else say("error: {text}", text=text), file=sys.stderr)
 
 
 def _is_beyond_numbers(error: Exception) -> bool:

@@ -3,6 +3,7 @@
 from typing import ClassVar
 
 from ...engines.protocol import Clutch
+from ...errors import SpecError
 from ...findings import Finding, finding, worst
 from ...result import Result, quantity
 from ..answers import Answers
@@ -52,6 +53,16 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
         limits=utilisations(answers, findings),
     )
     return result, findings
+
+
+def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
+    """Verdict on what is no spec, each of its problems a finding."""
+    found = [
+        finding("bad-spec", "error", path=problem.path or None, where=problem.where(error.source), problem=str(problem))
+        for problem in error.problems
+    ]
+    errors = len(found) + error.more
+    return CheckResult(passed=False, errors=errors, warnings=0, notes=0, requirements=[], limits=[]), found
 
 
 def all_findings(answers: Answers) -> list[Finding]:
