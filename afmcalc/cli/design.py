@@ -6,9 +6,9 @@ import typer
 
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import write
+from .files import SPEC
 from .options import Common, SpecArgument, with_common
-from .run import build_from, calculate, emit
+from .run import build_from, calculate, emit, write_spec
 
 
 @with_common
@@ -90,11 +90,11 @@ def design(
     """  # noqa: D301
     from ..analysis.design.design import design as analysis
     from ..analysis.design.design import picked
-    from ..spec import resolved, to_toml
+    from ..spec import resolved
     from ..spec.requirements import read_requirements
     from .progress import Progress
 
-    common.keep(requirements)
+    common.keep(requirements, kind=None if pick is None else SPEC)
     need = read_requirements(requirements, common.set or ())
     with Progress(quiet=common.quiet) as progress:
         result, findings = analysis(need, progress.advance)
@@ -106,5 +106,5 @@ def design(
     chosen = resolved(picked(need, result, pick, fine=refined))
     emit(common.to_standard_output(), result, findings, chosen)
     if common.output:
-        write(to_toml(chosen), common.output)
+        write_spec(chosen, common)
         common.note(say("wrote number {pick} to {output}", pick=pick, output=common.output))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..messages import say
-from .files import write
+from .files import SPEC, format_of_spec, result_kind
 from .options import Common
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def emit(
         from ..render import renderer
 
         text = renderer(chosen)(output, terminal)
-    write(text, common.output)
+    common.write(text, result_kind(common.command, chosen, text))
     if chosen == "csv" and not result.findings_first:
         from ..render.layout import findings_lines
 
@@ -89,3 +89,17 @@ def emit(
             if not (common.quiet and line.startswith("info")):
                 print(line, file=sys.stderr)
     return output
+
+
+def write_spec(data: dict[str, Any], common: Common) -> None:
+    """Write a spec to the file of a command that gives one beside its result."""
+    assert common.output is not None
+    if format_of_spec(common.output) == "json":
+        import json
+
+        text = json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+    else:
+        from ..spec import to_toml
+
+        text = to_toml(data)
+    common.write(text, SPEC)

@@ -1,6 +1,5 @@
 """Commands about the spec itself: init, check, schema."""
 
-import os
 from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
 import typer
@@ -8,7 +7,7 @@ import typer
 from ..errors import AfmcalcError
 from ..messages import say
 from ..variants import VARIANTS
-from .files import write
+from .files import SCHEMA, SPEC, write
 from .options import Common, SpecArgument, with_common
 from .run import calculate, emit
 
@@ -33,7 +32,7 @@ def init(
         typer.Option("--variant", help="Clutch to start from."),
     ] = _DEFAULT,
     output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="The same as FILE.")] = None,
-    force: Annotated[bool, typer.Option("--force", help="Overwrite an existing file.")] = False,
+    force: Annotated[bool, typer.Option("--force", help="Replace an existing file.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False,
 ) -> None:
     """Write an annotated spec to start from.
@@ -47,9 +46,7 @@ def init(
     if output and file:
         raise AfmcalcError(say("give FILE or --output, not both"))
     target = output or file or "clutch.toml"
-    if target != "-" and os.path.lexists(target) and not force:
-        raise AfmcalcError(say("{target}: exists already; --force overwrites it", target=target))
-    write(example_text(_EXAMPLES[variant] or variant), target)
+    write(example_text(_EXAMPLES[variant] or variant), target, SPEC, force=force)
     if target != "-":
         Common("init", quiet=quiet).note(
             say("wrote {target}; calculate it with: afmcalc torque {target}", target=target)
@@ -96,6 +93,7 @@ def schema(
     output: Annotated[
         str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
     ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace FILE, whatever it is.")] = False,
 ) -> None:
     """JSON Schema of the spec, or of a command's JSON output.
 
@@ -107,4 +105,4 @@ def schema(
 
     from ..analysis.schema import schema as describe
 
-    write(json.dumps(describe(command), indent=2, ensure_ascii=False) + "\n", output)
+    write(json.dumps(describe(command), indent=2, ensure_ascii=False) + "\n", output, SCHEMA, force=force)

@@ -114,11 +114,15 @@ def _wrapped(caption: str) -> list[str]:
     return [line for part in caption.splitlines() for line in textwrap.wrap(part, 118)]
 
 
+_CREATOR = "afmcalc plot"
+"""By which a file is known to be replaceable; without version: it depends on the sheet only."""
+
+
 def _bytes(figure: "Figure", ending: Ending) -> bytes:
     metadata: dict[str, dict[str, Any]] = {
-        "png": {"Software": None},
-        "svg": {"Date": None, "Creator": None},
-        "pdf": {"CreationDate": None, "ModDate": None, "Creator": None, "Producer": None},
+        "png": {"Software": _CREATOR},
+        "svg": {"Date": None, "Creator": _CREATOR},
+        "pdf": {"CreationDate": None, "ModDate": None, "Creator": _CREATOR, "Producer": None},
     }
     content = io.BytesIO()
     figure.savefig(content, format=ending, metadata=metadata[ending])
