@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+from .messages import say
+
 
 class AfmcalcError(Exception):
     """Anything the user can put right; ``exit_code`` is the code the command line ends with."""
@@ -13,6 +15,18 @@ class FileError(AfmcalcError):
     """A file cannot be read or written."""
 
     exit_code = 3
+
+
+def reason(error: OSError) -> str:
+    """Why a file could not be read or written; where the working directory is gone, which one it was."""
+    import os
+
+    if isinstance(error, FileNotFoundError) and not os.path.isabs(str(error.filename or "")):
+        try:
+            os.getcwd()
+        except FileNotFoundError:
+            return say("the working directory {path} does not exist any more", path=os.environ.get("PWD", "."))
+    return error.strerror or str(error)
 
 
 class CalculationError(AfmcalcError, ValueError):

@@ -126,7 +126,7 @@ def synthesize(
     if common.output:
         assert output.spec is not None
         write_spec(completed(make_spec(output.spec), output.result), common)
-        common.note(say("wrote the completed spec to {output}", output=common.output))
+        common.wrote(say("wrote the completed spec to {output}", output=common.output))
 
 
 @with_common

@@ -107,4 +107,4 @@ def design(
     emit(common.to_standard_output(), result, findings, chosen)
     if common.output:
         write_spec(chosen, common)
-        common.note(say("wrote number {pick} to {output}", pick=pick, output=common.output))
+        common.wrote(say("wrote number {pick} to {output}", pick=pick, output=common.output))

@@ -1,7 +1,6 @@
 """The options every command shares."""
 
 import inspect
-import sys
 from collections.abc import Callable
 from copy import copy
 from dataclasses import dataclass, fields, replace
@@ -13,6 +12,8 @@ import typer
 from ..errors import AfmcalcError
 from ..messages import say
 from .files import SPEC, Kind, format_of, format_of_spec, refuse, result_kind, write
+from .signals import unreported
+from .streams import tell
 
 SpecArgument = Annotated[
     str | None,
@@ -70,7 +71,12 @@ class Common:
     def note(self, text: str) -> None:
         """Say something beside the result."""
         if not self.quiet:
-            print(say("note: {text}", text=text), file=sys.stderr)
+            tell(say("note: {text}", text=text))
+
+    def wrote(self, text: str) -> None:
+        """Report what was written."""
+        self.note(text)
+        unreported.clear()
 
 
 def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]], Callable[..., None]]:

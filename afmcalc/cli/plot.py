@@ -6,11 +6,10 @@ import typer
 
 from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError
-from ..extras import need
 from ..messages import say
 from .files import PLOT, write, write_file
 from .options import Common, common_options
-from .run import build_from
+from .run import build_from, need_drawing
 
 if TYPE_CHECKING:
     from ..analysis.figures import Request
@@ -55,7 +54,7 @@ def plot(
     takes = plot_of(what).takes
     ending = _ending(common.output)
     if ending:
-        need("plot")
+        need_drawing("plot")
     request = Request(subjects or (), sweep, model)
     if takes == "names":
         found = gathered(what, request)
@@ -117,4 +116,4 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
 
     assert common.output is not None
     write_file(common.output, save(sheet, ending), PLOT, force=common.force)  # type: ignore[arg-type]
-    common.note(say("wrote {output}", output=common.output))
+    common.wrote(say("wrote {output}", output=common.output))

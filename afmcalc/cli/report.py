@@ -8,10 +8,10 @@ import typer
 from .. import __version__
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
-from ..extras import need
 from ..messages import say
 from .files import REPORT, REPORT_PDF, html_only, refuse, write_file
 from .options import Common, SpecArgument, common_options
+from .run import need_drawing
 
 if TYPE_CHECKING:
     from ..spec import Spec
@@ -35,7 +35,7 @@ def report(
     afmcalc report clutch.toml -o report.html
     afmcalc report clutch.toml -o report.html --pdf
     """  # noqa: D301
-    need("report")
+    need_drawing("report")
     from ..analysis.dossier import dossier
     from ..render.report import Subject, render
     from ..render.report.browser import find_browser, print_pdf
@@ -49,12 +49,14 @@ def report(
     given, read = _read(spec, common)
     found = dossier(read, model)
     page = render(Subject(found, given, common.set or (), __version__, _date()))
+    # both, or neither where the browser fails
+    printed = print_pdf(browser, page) + REPORT_PDF.holds if browser else b""
     common.write(page, REPORT)
     if output not in (None, "-"):
-        common.note(say("wrote {output}", output=output))
-    if target and browser:
-        write_file(target, print_pdf(browser, page) + REPORT_PDF.holds, REPORT_PDF, force=common.force)
-        common.note(say("wrote {target}", target=target))
+        common.wrote(say("wrote {output}", output=output))
+    if target:
+        write_file(target, printed, REPORT_PDF, force=common.force)
+        common.wrote(say("wrote {target}", target=target))
 
 
 def _pdf_beside(output: str | None) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
+from ..extras import need
 from ..messages import say
 from .files import SPEC, format_of_spec, result_kind
 from .options import Common
@@ -51,6 +52,14 @@ def calculate(
     analysis = ANALYSES[common.command].function
     result, findings = analysis(clutch, **options(clutch))
     return emit(common, result, findings, resolved(clutch.spec), curve)
+
+
+def need_drawing(extra: str) -> None:
+    """Make sure that the modules of an extra that draws are installed; what they log is not for our readers."""
+    import logging
+
+    need(extra)
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
 
 
 def build_from(source: str | None, common: Common) -> "Clutch":

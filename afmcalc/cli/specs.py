@@ -48,7 +48,7 @@ def init(
     target = output or file or "clutch.toml"
     write(example_text(_EXAMPLES[variant] or variant), target, SPEC, force=force)
     if target != "-":
-        Common("init", quiet=quiet).note(
+        Common("init", quiet=quiet).wrote(
             say("wrote {target}; calculate it with: afmcalc torque {target}", target=target)
         )
 

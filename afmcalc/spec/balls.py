@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from importlib.resources import files
 from os import PathLike
 
-from ..errors import AfmcalcError, FileError
+from ..errors import AfmcalcError, FileError, reason
 from ..messages import say
 
 HEADING = "diameter_mm"
@@ -41,7 +41,7 @@ def _text(source: str | PathLike[str]) -> str:
         with open(source, encoding="utf-8-sig") as file:
             return file.read()
     except OSError as error:
-        raise FileError(say("{label}: cannot be read: {why}", label=source, why=error.strerror or error)) from None
+        raise FileError(say("{label}: cannot be read: {why}", label=source, why=reason(error))) from None
     except UnicodeDecodeError:
         raise AfmcalcError(say("{label}: is not UTF-8 text", label=source)) from None
 
