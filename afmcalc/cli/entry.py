@@ -2,6 +2,7 @@
 
 import os
 import sys
+import warnings
 from typing import NoReturn
 
 from ..messages import say
@@ -38,6 +39,8 @@ def _run(given: list[str]) -> int:
     from ..errors import AfmcalcError
     from .main import application
 
+    # arrays leave the range of numbers with a warning, where floats raise an error
+    warnings.simplefilter("error", RuntimeWarning)
     try:
         code = application(given)(given, prog_name="afmcalc", standalone_mode=False)
     except AfmcalcError as error:
@@ -106,7 +109,7 @@ def _is_beyond_numbers(error: Exception) -> bool:
 
     if isinstance(error, ValidationError):
         return all(detail["type"] == "finite_number" for detail in error.errors())
-    return isinstance(error, OverflowError | ZeroDivisionError)
+    return isinstance(error, ArithmeticError | RuntimeWarning)
 
 
 def _tune() -> None:

@@ -59,8 +59,8 @@ def _settings(more: dict[str, Any] | None = None) -> Iterator[None]:
     # a copy: the defaults carry the backend, which is not ours to set
     own: Any = {key: value for key, value in mpl.rcParamsDefault.items() if not key.startswith(("backend", "toolbar"))}
     with warnings.catch_warnings(), mpl.rc_context(own | PARAMETERS | (more or {})):
-        # a sign of a name that the font lacks is drawn as a box, which says it well enough
-        warnings.filterwarnings("ignore", "Glyph")
+        # what the font lacks is drawn as a box, what has no room (a torque of 1e-18 N·m) beside it: that is seen
+        warnings.filterwarnings("ignore", "Glyph|constrained_layout not applied")
         yield
 
 
