@@ -11,13 +11,14 @@ from ..errors import AfmcalcError
 from ..messages import say
 from .files import REPORT, REPORT_PDF, html_only, refuse, write_file
 from .options import Common, SpecArgument, common_options
+from .progress import Bar
 from .run import need_drawing
 
 if TYPE_CHECKING:
     from ..spec import Spec
 
 
-@common_options("set", "output", "force", "quiet", output="HTML file; without it standard output.")
+@common_options("set", "output", "force", "yes", "quiet", output="HTML file; without it standard output.")
 def report(
     spec: SpecArgument = None,
     pdf: Annotated[
@@ -47,10 +48,14 @@ def report(
     common.keep(spec, kind=REPORT)
     refuse(target, REPORT_PDF, force=common.force, inputs=[spec])
     given, read = _read(spec, common)
-    found = dossier(read, model)
-    page = render(Subject(found, given, common.set or (), __version__, _date()))
-    # both, or neither where the browser fails
-    printed = print_pdf(browser, page) + REPORT_PDF.holds if browser else b""
+    steps = 3 if browser else 2
+    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
+        found = dossier(read, model, progress=bar.advance)
+        bar.advance("report", 1, steps)
+        page = render(Subject(found, given, common.set or (), __version__, _date()))
+        bar.advance("report", 2, steps)
+        # both, or neither where the browser fails
+        printed = print_pdf(browser, page) + REPORT_PDF.holds if browser else b""
     common.write(page, REPORT)
     if output not in (None, "-"):
         common.wrote(say("wrote {output}", output=output))

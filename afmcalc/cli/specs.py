@@ -10,7 +10,7 @@ from ..errors import AfmcalcError
 from ..messages import say
 from ..variants import VARIANTS
 from .files import SCHEMA, SPEC, refuse, write
-from .options import Common, SpecArgument, with_common
+from .options import Common, SpecArgument, with_common, with_long
 from .run import calculate, emit
 
 _EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.example} | dict.fromkeys(
@@ -102,7 +102,7 @@ def examples(*, common: Common) -> None:
     emit(common, result, findings)
 
 
-@with_common
+@with_long
 def check(
     spec: SpecArgument = None,
     strict: Annotated[bool, typer.Option("--strict", help="Warnings fail the check too.")] = False,
@@ -115,7 +115,7 @@ def check(
     afmcalc check clutch.toml && echo fine
     afmcalc check clutch.toml --strict --json
     """  # noqa: D301
-    output = calculate(common, spec, lambda clutch: {"strict": strict})
+    output = calculate(common, spec, lambda clutch: {"strict": strict}, watched=True)
     if not output.result.passed:
         raise typer.Exit(1)
 
