@@ -28,6 +28,18 @@ class FileError(AfmcalcError):
     exit_code = 3
 
 
+def reason(error: OSError) -> str:
+    """Why a file could not be read or written; where the working directory is gone, which one it was."""
+    import os
+
+    if isinstance(error, FileNotFoundError) and not os.path.isabs(str(error.filename or "")):
+        try:
+            os.getcwd()
+        except FileNotFoundError:
+            return say("the working directory {path} does not exist any more", path=os.environ.get("PWD", "."))
+    return error.strerror or str(error)
+
+
 class CalculationError(AfmcalcError, ValueError):
     """The input is well formed but the calculation asked for has no answer."""
 

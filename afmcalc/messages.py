@@ -8,6 +8,7 @@ and are shown through ``translate``.
 """
 
 import math
+import re
 import string
 from collections.abc import Mapping
 from typing import SupportsFloat
@@ -57,6 +58,35 @@ def say(template: str, /, **values: object) -> str:
     'the force is 2 kN, 2 times too much'
     """
     return _Sentence().vformat(translate(template), (), values)
+
+
+_HIDDEN = re.compile(
+    "[\x00-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb"
+    "\ud800-\udfff\U000e0000-\U000e007f]"
+)
+"""Characters that act on a terminal, turn the direction of writing, are not seen, or are none (undecodable bytes)."""
+
+
+def printable(text: str, *, lines: bool = False) -> str:
+    r"""Return a text that may hold anything (names, keys, arguments) such that it shows what it is, and only that.
+
+    The escapes are those of JSON: a JSON text so treated says the same as before.
+
+    Args:
+        text: any text.
+        lines: whether ends of lines are meant as such.
+
+    >>> print(printable("a\x1b[31m \u202eb\n"))
+    a\u001b[31m \u202eb\n
+    """
+    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else _escaped(sign[0]), text)
+
+
+def _escaped(sign: str) -> str:
+    if sign in "\n\r\t":
+        return repr(sign)[1:-1]
+    words = sign.encode("utf-16-be", "surrogatepass").hex()
+    return "".join(f"\\u{words[at : at + 4]}" for at in range(0, len(words), 4))
 
 
 FINDINGS: Mapping[str, str] = {

@@ -38,7 +38,7 @@ def text_of(source: str | PathLike[str] | None) -> tuple[str, Source]:
             with open(source, "rb") as file:
                 raw = file.read(LONGEST + 1)
     except OSError as error:
-        raise FileError(say("{label}: cannot be read: {why}", label=label, why=error.strerror or error)) from None
+        raise FileError(say("{label}: cannot be read: {why}", label=label, why=reason(error))) from None
     except ValueError as error:
         raise FileError(say("{label}: cannot be read: {why}", label=label, why=error)) from None
     if len(raw) > LONGEST:

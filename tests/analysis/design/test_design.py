@@ -438,7 +438,7 @@ def test_ctrl_c_leaves_no_file(tmp_path):
     springs = {"closing_stiffness": grid(1e4, 2e5, 20), "control_stiffness": grid(1e4, 2e5, 20)}
     wide = {"mean_radius": grid(0.06, 0.14, 1000), "gain": grid(0.1, 3, 1000), **springs}
     source.write_text(json.dumps(changed(variants=["indirect"], search=wide, fixed=INDIRECT["fixed"])))
-    command = [sys.executable, "-m", "afmcalc", "design", str(source), "--pick", "1", "-o", str(target)]
+    command = [sys.executable, "-m", "afmcalc", "design", str(source), "--pick", "1", "-o", str(target), "--yes"]
     person, terminal = os.openpty()
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=terminal) as process:
         os.close(terminal)
