@@ -4,7 +4,7 @@ import json
 import sys
 from os import PathLike
 
-from ..errors import AfmcalcError, FileError, Problem, SpecError
+from ..errors import AfmcalcError, FileError, Problem, SpecError, reason
 from ..messages import say
 from ..source import Source
 from .limits import LONGEST, LONGEST_TOML, check_counts, check_key_lengths, check_size, too_deep
