@@ -29,10 +29,16 @@ SCALES = {
 
 
 class _Sentence(string.Formatter):
-    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once."""
+    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once.
+
+    What is cut off a text, ``{name:.80}``, is marked.
+    """
 
     def format_field(self, value: object, format_spec: str) -> str:
         number, _, unit = format_spec.partition(" ")
+        if isinstance(value, str):
+            shown = format(value, number)
+            return shown if len(shown) >= len(value) else f"{shown}…"
         if not unit:
             return format(value, number)
         assert isinstance(value, SupportsFloat)
@@ -86,6 +92,7 @@ def _escaped(sign: str) -> str:
 FINDINGS: Mapping[str, str] = {
     "slips-averaged": "every slip swings the load from {value:.5g N·m} (fatigue.load_low) to T(f) and back; every "
     "friction from f_min to f_max is taken as equally likely, and the life is that of the mean damage (Miner)",
+    "bad-spec": "{where}: {problem}",
     # torque, accuracy, overload, compare
     "friction-outside-range": "friction {value:g} is outside the range of the spec, {least:g} to {largest:g}",
     "sweep-beyond-gain-limit": "{value} of {points} swept points lie above the gain limit 1/(z_1 f_1max): breakaway "
@@ -118,7 +125,8 @@ FINDINGS: Mapping[str, str] = {
     "springs, gap or list",
     "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
     "clearance need",
-    "balls-not-given": "the number of balls is not given: the contact force is not calculated",
+    "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
+    "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
     # requirements
     "requirement-missed/number": "{name}: {value:.5g}, but {bound} {limit:.5g} is required",

@@ -19,7 +19,7 @@ def solve(
     ],
     spec: SpecArgument = None,
     parameter: Annotated[
-        str, typer.Option("--for", metavar="NAME", help="Parameter to solve for: C, F, z, z1, R, c1 or c2.")
+        str, typer.Option("--for", metavar="NAME", help="Parameter to solve for: C, F, z, z1, R, c1, c2, or its key.")
     ] = "C",
     beyond_limit: Annotated[
         bool, typer.Option("--beyond-limit", help="Go past the gain limit of the variant.")
@@ -35,9 +35,10 @@ def solve(
     afmcalc solve --for z torque_max=300 clutch.toml
     """  # noqa: D301
     from ..analysis.solve.solve import solve as analysis
-    from ..analysis.solve.targets import parse_target
+    from ..analysis.solve.targets import in_order, parse_target
     from ..spec import resolved
 
+    target, spec = in_order(target, spec)
     common.keep(spec)
     name, wanted = parse_target(target)
     clutch = build_from(spec, common)

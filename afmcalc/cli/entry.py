@@ -69,7 +69,8 @@ def _misused(error: Exception, given: list[str]) -> int:
 
 
 def _complain(text: str) -> None:
-    tell(say("error: {text}", text=text))
+    """Say what is wrong; a line of a text that is shown belongs to what was said before."""
+    tell(text if text.startswith(" ") else say("error: {text}", text=text))
 
 
 def _unexpected(error: Exception) -> int:

@@ -73,18 +73,22 @@ def _pdf_beside(output: str | None) -> str:
 
 def _read(source: str | None, common: Common) -> "tuple[str, Spec]":
     """Read a spec once, and return its text with it; of a command's JSON the spec block."""
-    from ..spec import make_spec
-    from ..spec.reading import apply_overrides, parse, text_of
+    from ..spec.parsing import parse, text_of
+    from ..spec.reading import spec_of
 
     if source is None:
         common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
     text, label = text_of(source)
-    data = parse(text, label)
+    spec = spec_of(text, label, common.set or ())
     if text.lstrip().startswith("{"):
         import json
 
-        text = json.dumps(data, indent=2, ensure_ascii=False)
-    return text.strip("\n"), make_spec(apply_overrides(data, common.set or ()), label)
+        text = json.dumps(parse(text, label), indent=2, ensure_ascii=False)
+    return text.strip("\n"), spec
+
+
+_DIGITS = 11
+"""Of seconds since 1970: those of the year 5000."""
 
 
 def _date() -> str:
@@ -94,6 +98,6 @@ def _date() -> str:
     epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
     if not epoch:
         return datetime.now().date().isoformat()
-    if not epoch.isdecimal():
-        raise AfmcalcError(say("SOURCE_DATE_EPOCH = {epoch!r}: seconds since 1970 are wanted", epoch=epoch))
+    if not epoch.isdecimal() or len(epoch) > _DIGITS:
+        raise AfmcalcError(say("SOURCE_DATE_EPOCH = {epoch!r:.40}: seconds since 1970 are wanted", epoch=epoch))
     return datetime.fromtimestamp(int(epoch), UTC).date().isoformat()

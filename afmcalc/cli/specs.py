@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
 import typer
 
-from ..errors import AfmcalcError
+from ..errors import AfmcalcError, SpecError
 from ..messages import say
 from ..variants import VARIANTS
 from .files import SCHEMA, SPEC, refuse, write
@@ -115,7 +115,14 @@ def check(
     afmcalc check clutch.toml && echo fine
     afmcalc check clutch.toml --strict --json
     """  # noqa: D301
-    output = calculate(common, spec, lambda clutch: {"strict": strict}, watched=True)
+    try:
+        output = calculate(common, spec, lambda clutch: {"strict": strict}, watched=True)
+    except SpecError as error:
+        if common.chosen_format == "json":
+            from ..analysis.checks.check import refused
+
+            emit(common, *refused(error))
+        raise
     if not output.result.passed:
         raise typer.Exit(1)
 
