@@ -12,6 +12,13 @@ from afmcalc.equations.overload import actuation_factor
 UNITS = pint.UnitRegistry()
 
 
+OTHER_UNITS = {
+    "m": "inch", "N": "kgf", "N*m": "kgf*cm", "N/m": "kgf/cm", "Pa": "psi", "m^3": "inch**3", "s": "hour", "kg": "lb",
+    "rad": "deg", "rad/s": "rpm", "kg*m^2": "lb*inch**2", "m/s": "km/hour", "N*m/rad": "kgf*cm/deg", "J": "calorie",
+    "N*m*s/rad": "kgf*cm*hour/deg",
+}  # fmt: skip
+
+
 def quantities(equation, values=None):
     """Arguments with the units of the docstring; pure numbers stay plain (they may be exponents)."""
     found = {}
@@ -42,8 +49,7 @@ def test_numbers_do_not_depend_on_the_units(name):
     equation = equations()[name]
     si = equation.function(**quantities(equation))
     other = {
-        key: value.to({"m": "inch", "N": "kgf", "N*m": "kgf*cm", "N/m": "kgf/cm", "Pa": "psi", "m^3": "inch**3"}[equation.arguments[key].unit])
-        if isinstance(value, UNITS.Quantity) else value
+        key: value.to(OTHER_UNITS[equation.arguments[key].unit]) if isinstance(value, UNITS.Quantity) else value
         for key, value in quantities(equation).items()
     }  # fmt: skip
     converted = equation.function(**other).to(equation.result.unit.replace("^", "**"))
