@@ -1,13 +1,13 @@
 """A direct clutch in its drive: one element that sticks or slips, its normal force at once or late."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import exp
 
 from ...equations import direct
 from ...equations import drive as law
-from .plant import Mode, Plant, State, Tool, Torques, sign
+from .plant import DECAYED, Mode, Plant, Sliding, State, Tool, Torques, sign
 from .train import Train
 
 
@@ -30,12 +30,12 @@ class DirectPack:
     lag: float = 0.0
     """τ, s."""
 
-    @property
+    @cached_property
     def friction_pairs(self) -> float:
         """Σ z f."""
         return self.bypass_pairs * self.driving + self.controlled_pairs * self.driven
 
-    @property
+    @cached_property
     def ball_share(self) -> float:
         """Share of the torque that passes the balls, z_2 f_2/Σ z f; below slip too (S22 for one material)."""
         return self.controlled_pairs * self.driven / self.friction_pairs
@@ -85,8 +85,8 @@ class DirectPlant(Plant):
         """T(f)."""
         return self.pack.torque(1.0)
 
-    @property
-    def breakaway(self) -> float:
+    @cached_property
+    def breakaway(self) -> float:  # type: ignore[override]
         """T(r_s f)."""
         return self.pack.torque(self.pack.static_ratio)
 
@@ -127,7 +127,7 @@ class DirectPlant(Plant):
         own = self.pack
         if own.static_ratio == 1:
             return 1.0
-        ratio: float = law.stribeck_ratio(own.static_ratio, exp(-own.decay_rate * abs(slip)))
+        ratio: float = law.stribeck_ratio(own.static_ratio, math.exp(-own.decay_rate * abs(slip)))
         return ratio
 
     def capacity(self, y: Sequence[float], slip: float) -> float:
@@ -173,6 +173,14 @@ class DirectPlant(Plant):
             self.tool.power(t, mode, shaft, tool),
             0.0,
         ]
+
+    def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:
+        """Sliding friction alone, and a normal force that has come to its balance."""
+        own, late = self.pack, self.rates(t, y, mode)[self.NORMAL]
+        if abs(late) * own.lag > 1e-10 * y[self.NORMAL]:
+            return None
+        slip = DECAYED / own.decay_rate if own.static_ratio > 1 else 0.0
+        return Sliding(mode.pack * self.sliding, self.train.driven_inertia, math.inf, slip)
 
     def guards(self, t: float, y: Sequence[float], mode: Mode) -> list[float]:
         """Pack, tool."""
