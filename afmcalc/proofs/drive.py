@@ -89,17 +89,17 @@ def run_down() -> Steps:
 def lag_between_expected_and_potential() -> Steps:
     """The lag's two ends: τ → 0 the law itself, τ → ∞ the potential torque of S22."""
     pairs = z1 * f1 + z2 * f2
-    late = drive.normal_force_rate(F, C, R * N * z2 * f2, R, N, tau)
-    yield Identity("at rest N is that of the direct law", solved(late, N) - direct.normal_force(F, z2, C, f2))
-    yield Identity("it follows with the time τ", sp.diff(drive.normal_force_rate(F, C, L, R, N, tau), N) + 1 / tau)
+    late = drive.normal_force_rate(N, drive.normal_force_under_load(F, C, R * N * z2 * f2, R), tau)
+    yield Identity("slipping steadily N is that of the direct law", solved(late, N) - direct.normal_force(F, z2, C, f2))
+    yield Identity("it follows with the time τ", sp.diff(drive.normal_force_rate(N, L, tau), N) + 1 / tau)
+    yield Identity("until it is in balance", drive.normal_force_rate(L, L, tau))
     machine = overload.machine_torque(direct.torque(F, R, z1, z - z1, C, fmin, fmin), beta)
-    held = drive.held_torque(F, C, machine * (z - z1) / z, R, z * f)
+    held = direct.group_torque(drive.normal_force_under_load(F, C, machine * (z - z1) / z, R), R, z, f)
     at_min = overload.loop_gain(z - z1, C, fmin)
     yield Identity("τ → ∞: T_п of S22 (22)", held - overload.potential_torque(z, F, R, f, beta, at_min))
     own = direct.torque(F, R, z1, z2, C, f1, f2)
-    yield Identity(
-        "held at its own torque it slips there", drive.held_torque(F, C, own * z2 * f2 / pairs, R, pairs) - own
-    )
+    under = drive.normal_force_under_load(F, C, own * z2 * f2 / pairs, R)
+    yield Identity("under its own torque it slips there", direct.group_torque(under, R, 1, pairs) - own)
 
 
 def judder() -> Steps:

@@ -50,7 +50,10 @@ def switched(plant: "IndirectPlant", t: float, y: State, mode: Mode, hit: int | 
     torn = hit == Guard.TOOL and not mode.tool
     tool = plant.tool.settled(t, mode, plant.shaft(y), y[plant.TOOL], torn=torn)
     y[plant.HELD] = before.normal
-    candidates = [own._replace(tool=tool) for own in _candidates(plant, y, before)]
+    # what a guard has ended does not go on: where nearly nothing moves, rounding would have it so for ever
+    candidates = [
+        own._replace(tool=tool) for own in _candidates(plant, y, before) if own != mode or hit in (None, Guard.TOOL)
+    ]
     return y, min(candidates, key=lambda own: _contradiction(plant, t, y, own))
 
 

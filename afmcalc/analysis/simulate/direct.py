@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from ...arrays import V
 from ...equations import direct
 from ...equations import drive as law
 from .plant import DECAYED, Mode, Plant, Sliding, State, Tool, Torques, sign
@@ -40,9 +41,9 @@ class DirectPack:
         """Share of the torque that passes the balls, z_2 f_2/Σ z f; below slip too (S22 for one material)."""
         return self.controlled_pairs * self.driven / self.friction_pairs
 
-    def torque(self, ratio: float) -> float:
+    def torque(self, ratio: V) -> V:
         """Slip torque with friction times ``ratio``, no lag."""
-        torque: float = direct.torque(
+        torque: V = direct.torque(
             self.closing_force,
             self.mean_radius,
             self.bypass_pairs,
@@ -53,16 +54,17 @@ class DirectPack:
         )
         return torque
 
-    def held(self, torque: float) -> float:
-        """Normal force at a torque that lasts, without slip."""
-        return self.closing_force - self.gain * self.ball_share * torque / self.mean_radius
-
-    def potential(self, torque: float, ratio: float) -> float:
-        """T_п: torque at which it slips with the release force of ``torque``, friction times ``ratio``."""
-        potential: float = law.held_torque(
-            self.closing_force, self.gain, self.ball_share * torque, self.mean_radius, ratio * self.friction_pairs
+    def under(self, torque: V) -> V:
+        """Normal force in balance with a torque either way, without slip."""
+        force: V = law.normal_force_under_load(
+            self.closing_force, self.gain, self.ball_share * torque, self.mean_radius
         )
-        return potential
+        return force
+
+    def carried(self, normal_force: V, ratio: V) -> V:
+        """Torque at which a normal force slips, friction times ``ratio``."""
+        torque: V = direct.group_torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
+        return torque
 
 
 @dataclass(frozen=True)
@@ -110,7 +112,7 @@ class DirectPlant(Plant):
         train = self.train
         locked = train.kind == "stop" and not train.time
         tool = 0.0 if locked else train.speed
-        return [0.0, train.speed, float(train.load / train.stiffness), tool, self.pack.held(train.load)]
+        return [0.0, train.speed, float(train.load / train.stiffness), tool, self.pack.under(train.load)]
 
     def scales(self) -> State:
         """Size of every state."""
@@ -135,7 +137,7 @@ class DirectPlant(Plant):
         own, ratio = self.pack, self._ratio(slip)
         if not own.lag:
             return own.torque(ratio)
-        return y[self.NORMAL] * own.mean_radius * ratio * own.friction_pairs
+        return own.carried(y[self.NORMAL], ratio)
 
     def sticking(self, motor: float, shaft: float) -> float:
         """Torque of the pack that keeps both halves together."""
@@ -152,15 +154,11 @@ class DirectPlant(Plant):
     def rates(self, t: float, y: Sequence[float], mode: Mode) -> State:
         """Newton, the lag, and the work of motor, pack, shaft and tool."""
         train, own = self.train, self.pack
-        motor, clutch, balls, shaft = self.torques(t, y, mode)
+        motor, clutch, _, shaft = self.torques(t, y, mode)
         slip, driven, _, tool, normal = y[: self.size]
         twisting = driven - tool
         slipping = law.slip_acceleration(motor, train.motor_inertia, clutch, shaft, train.driven_inertia)
-        late = (
-            law.normal_force_rate(own.closing_force, own.gain, abs(balls), own.mean_radius, normal, own.lag)
-            if own.lag
-            else 0.0
-        )
+        late = law.normal_force_rate(normal, own.under(abs(clutch)), own.lag) if own.lag else 0.0
         return [
             slipping if mode.pack else 0.0,
             (clutch - shaft) / train.driven_inertia,

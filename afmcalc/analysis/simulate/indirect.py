@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import exp
 
+from ...arrays import V
 from ...equations import direct, sleeve
 from ...equations import drive as law
 from .consistent import switched
@@ -35,26 +36,26 @@ class Sleeve:
     static_ratio: float = 1.0
     decay_rate: float = 0.0
 
-    def moment(self, travel: float) -> float:
+    def moment(self, travel: V) -> V:
         """S(x), N·m."""
         springs = self.closing_force, self.control_force, self.closing_stiffness, self.control_stiffness
-        moment: float = sleeve.spring_moment(self.mean_radius, *springs, travel)
+        moment: V = sleeve.spring_moment(self.mean_radius, *springs, travel)
         return moment
 
-    def work(self, travel: float) -> float:
+    def work(self, travel: V) -> V:
         """Work stored in both springs, J."""
         springs = self.closing_force, self.control_force, self.closing_stiffness, self.control_stiffness
-        work: float = sleeve.spring_work(*springs, travel)
+        work: V = sleeve.spring_work(*springs, travel)
         return work
 
-    def travel(self, turn: float) -> float:
+    def travel(self, turn: V) -> V:
         """Travel for a turn either way, m."""
-        travel: float = sleeve.travel(abs(turn), self.mean_radius, self.gain)
+        travel: V = sleeve.travel(abs(turn), self.mean_radius, self.gain)
         return travel
 
-    def pressed_at_stop(self, ball_torque: float, net_gain: float) -> float:
+    def pressed_at_stop(self, ball_torque: V, net_gain: float) -> V:
         """N at the stop for a gain κ or κ₊, N."""
-        force: float = sleeve.normal_force_at_stop(self.control_force, net_gain, abs(ball_torque), self.mean_radius)
+        force: V = sleeve.normal_force_at_stop(self.control_force, net_gain, abs(ball_torque), self.mean_radius)
         return force
 
     @cached_property

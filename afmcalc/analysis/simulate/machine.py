@@ -14,11 +14,13 @@ from ...messages import say
 from .coast import stride
 from .plant import Mode, Plant, State
 
-TOLERANCE = 1e-8
+TOLERANCE = 1e-9
 MOST_SWITCHES = 20_000
 _STEPS_A_PERIOD = 4
 _WORKS = 5
 """Energies that are summed along with the states: of motor, pack, shaft, tool, key."""
+_LOOKED_AT = (0.0, *(2.0**-power for power in range(30, 0, -3)))
+"""Places in a step at which a guard that begins at 0 is looked for above it."""
 _LOOK = 3.0
 """Swings of the driven half after which a slip may be taken in one stride: its peak has come."""
 _UNSEEN = 1e-3
@@ -160,7 +162,7 @@ class _Run:
         staged = mode._replace(over=stage <= end or mode.over, powered=mode.powered and end < off)
         y, new = plant.switched(end, y, staged, hit)
         self._note(end, y, new)
-        if bool(new.pack) != bool(mode.pack):
+        if (bool(new.pack), _still(new)) != (bool(mode.pack), _still(mode)):
             self._slips(end, y, new)
         return end, y, new
 
@@ -174,8 +176,8 @@ class _Run:
         return found.time, found.y
 
     def _slips(self, t: float, y: State, mode: Mode) -> None:
-        """Take down that slip begins or ends."""
-        self.stuck_since = None if mode.pack else t
+        """Take down that slip, or anything that moves, begins or ends."""
+        self.stuck_since = t if _still(mode) else None
         self.look = t + self.swings if mode.pack else math.inf
         if mode.pack and self.trip_torque is None:
             self.trip_torque = abs(self.plant.torques(t, y, mode).clutch)
@@ -257,6 +259,11 @@ class _Run:
         return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in grown]
 
 
+def _still(mode: Mode) -> bool:
+    """Whether the drive before the shaft turns as one."""
+    return not mode.pack and mode.balls in ("seat", "lock")
+
+
 def _root(function: Callable[[float], float], start: float, end: float) -> float:
     """Return where a function changes sign."""
     first = function(start)
@@ -265,6 +272,6 @@ def _root(function: Callable[[float], float], start: float, end: float) -> float
 
 def _crossing(guard: Callable[[float], float], start: float, end: float) -> float:
     """Return where a guard that begins at 0 or above and ends below last falls to 0."""
-    ends = [start + share * (end - start) for share in (0.0, 1 / 64, 1 / 8, 1 / 2)]
+    ends = [start + share * (end - start) for share in _LOOKED_AT]
     above = [each for each in ends if guard(each) > 0]
     return float(brentq(guard, above[-1], end, xtol=1e-14, rtol=1e-14)) if above else start
