@@ -55,6 +55,8 @@ class Variant:
     """``(z, driving_pairs as given or None)`` → z_1, the pairs that bypass the control unit; numbers or arrays."""
     needs: tuple[Path, ...] = ()
     """Keys it cannot do without, beside those that every clutch needs."""
+    requires: tuple[Path, ...] = ()
+    """Keys that every variant has and this one cannot do without."""
     takes: tuple[Path, ...] = ()
     """Further keys it may have and not every variant has."""
     gain_limit: GainLimit | None = None
@@ -160,9 +162,9 @@ VARIANTS: dict[str, Variant] = {
                 ("control_unit",),
                 ("control_unit", "hub_diameter"),
                 ("control_unit", "key_friction"),
-                ("closing_spring", "stiffness"),
                 ("control_spring",),
             ),
+            requires=(("closing_spring", "stiffness"),),
             takes=(("control_unit", "sleeve_mass"), ("drive", "hub_inertia")),
             example="indirect",
         ),

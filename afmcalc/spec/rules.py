@@ -179,7 +179,7 @@ def _variant(data: Table) -> Iterable[Problem]:
     for path in foreign_keys(data):
         only = ", ".join(_special()[path])
         yield wrong(".".join(path), say("not for variant {variant!r}; only for {only}", variant=name, only=only))
-    for path in VARIANTS[name].needs:
+    for path in VARIANTS[name].needs + VARIANTS[name].requires:
         if not has(data, *path) and (len(path) == 1 or has(data, path[0]) or path[0] == "closing_spring"):
             yield wrong(".".join(path), say("required for variant {variant!r}", variant=name))
 

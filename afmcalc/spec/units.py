@@ -22,6 +22,13 @@ EXAMPLES = {
     "kg": ("a mass", "2 kg"),
     "kg*m^2": ("a moment of inertia", "8 kg*m^2"),
     "N*m/rad": ("a torsional stiffness", "8 kN*m/rad"),
+    "kg/m^3": ("a density", "7850 kg/m^3"),
+    "K abs": ("a temperature", "20 degC"),
+    "J/kg/K": ("a specific heat", "480 J/kg/K"),
+    "W/m/K": ("a thermal conductivity", "50 W/m/K"),
+    "W/K": ("a cooling per kelvin", "2.5 W/K"),
+    "J/m^2": ("a work per area", "1 J/mm^2"),
+    "m^3/J": ("a wear per energy", "2e-5 mm^3/J"),
     "1": ("a plain number", "0.3"),
 }
 """SI unit of a field → what it is, and how one may be written."""
@@ -64,14 +71,30 @@ KNOWN: dict[str, dict[str, Decimal]] = {
     "rad/s": {"rad/s": Decimal(1), "рад/с": Decimal(1)} | dict.fromkeys(("rpm", "об/мин"), Decimal(_RPM)),
     "m/s": {"m/s": Decimal(1), "mm/s": Decimal("1e-3"), "м/с": Decimal(1), "мм/с": Decimal("1e-3")},
     "s": {unit: Decimal(factor) for unit, factor in _TIMES.items()},
-    "kg": {"kg": Decimal(1), "кг": Decimal(1)},
+    "kg": {"kg": Decimal(1), "g": Decimal("1e-3"), "кг": Decimal(1), "г": Decimal("1e-3")},
     "kg*m^2": {f"{mass}{sign}{length}^2": Decimal(1) for mass, length in (("kg", "m"), ("кг", "м")) for sign in "* "},
     "N*m/rad": {
         f"{force}{sign}m/rad": Decimal(_FORCES[force]) for force in ("N", "kN", "MN") for sign in ("*", " ", "")
     },
     "m^3": {f"{unit}^3": Decimal(factor) ** 3 for unit, factor in _LENGTHS.items()},
+    "kg/m^3": {"kg/m^3": Decimal(1), "кг/м^3": Decimal(1), "g/cm^3": Decimal(1000)},
+    "J/kg/K": {"J/kg/K": Decimal(1), "J/(kg*K)": Decimal(1), "Дж/(кг*К)": Decimal(1)},
+    "W/m/K": {"W/m/K": Decimal(1), "W/(m*K)": Decimal(1), "Вт/(м*К)": Decimal(1)},
+    "W/K": {"W/K": Decimal(1), "Вт/К": Decimal(1)},
+    "J/m^2": {"J/m^2": Decimal(1), "kJ/m^2": Decimal(1000)}
+    | dict.fromkeys(("J/mm^2", "Дж/мм^2"), Decimal("1e6"))
+    | dict.fromkeys(("J/cm^2", "Дж/см^2"), Decimal("1e4")),
+    "m^3/J": {"m^3/J": Decimal(1), "mm^3/J": Decimal("1e-9"), "мм^3/Дж": Decimal("1e-9")},
 }
 """SI unit of a field → unit as written → how many SI units it is."""
+
+FREEZING = Decimal("273.15")
+"""0 °C in kelvin."""
+
+SCALES: dict[str, dict[str, Decimal]] = {
+    "K abs": {"K": Decimal(0), "К": Decimal(0)} | dict.fromkeys(("degC", "°C", "°С"), FREEZING),
+}
+"""Unit of a field that counts from a zero of its own → scale as written → its zero, in SI."""
 
 
 def allowed(unit: str) -> str:

@@ -9,7 +9,7 @@ from ...engines import setting
 from ...engines.laws import DirectLaw
 from ...engines.protocol import Clutch
 from ...equations import adjustment
-from ...equations import drive as law
+from ...equations.heat import run_down_time
 from ...errors import CalculationError
 from ...extras import need
 from ...messages import say
@@ -185,10 +185,10 @@ def _duration(train: Train, sliding: float) -> float | None:
     """Time within which the slip ends, s; None where it need not."""
     drive, speed = train.engine.torque, train.speed
     if sliding > drive:
-        slip = law.run_down_time(train.motor_inertia, speed, sliding, drive)
+        slip = run_down_time(train.motor_inertia, speed, sliding, drive)
     elif train.cut_off is not None:
         gained = speed + (drive - sliding) * train.cut_off / train.motor_inertia
-        slip = train.cut_off + law.run_down_time(train.motor_inertia, gained, sliding, 0.0)
+        slip = train.cut_off + run_down_time(train.motor_inertia, gained, sliding, 0.0)
     else:
         return None
     if train.kind == "load":
