@@ -14,8 +14,9 @@ from ...errors import CalculationError
 from ...extras import need
 from ...messages import say
 from .direct import DirectPack, DirectPlant
-from .indirect import IndirectPlant, Sleeve
+from .indirect import IndirectPlant
 from .plant import Plant
+from .sleeve import Sleeve
 from .train import Train, train_of
 
 if TYPE_CHECKING:

@@ -4,21 +4,44 @@ Pack and balls share the hub, so that one cannot be decided without the other: o
 one is taken in which nothing contradicts – no torque beyond what sticks, no acceleration against the slip.
 """
 
-from collections.abc import Iterator
+from abc import abstractmethod
+from collections.abc import Iterator, Sequence
 from enum import IntEnum
 from itertools import product
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from ...equations import drive as law
-from .plant import Balls, Mode, State, sign
-
-if TYPE_CHECKING:
-    from .indirect import IndirectPlant
+from .plant import Balls, Mode, Plant, State, sign
+from .sleeve import Sleeve
 
 _ROUNDING = 1e-9
 """Relative contradiction that is none."""
 _NOTHING = 1e-10
 """Share of the energy in the drive that a last swing of the balls at their stop may lose unseen."""
+
+
+class SleevePlant(Plant):
+    """What is asked here of an indirect clutch in its drive; its states go on with the following."""
+
+    RATE, TURN, HELD = 4, 5, 6
+    """w = ω_h − ω_2, the turn φ of the balls, the N that the key holds at the stop."""
+    sleeve: Sleeve
+
+    @abstractmethod
+    def normal(self, y: Sequence[float], mode: Mode, balls: float) -> float:
+        """Normal force on the pairs; a pack that the springs leave has none."""
+
+    @abstractmethod
+    def capacity(self, y: Sequence[float], mode: Mode, balls: float) -> float:
+        """Largest torque of the pack at rest."""
+
+    @abstractmethod
+    def limits(self, y: Sequence[float]) -> tuple[float, float]:
+        """Torques between which the key holds the sleeve off its stop."""
+
+    @abstractmethod
+    def bounds(self, balls: float) -> tuple[float, float]:
+        """Normal forces between which the key holds the sleeve at its stop."""
 
 
 class Guard(IntEnum):
@@ -42,7 +65,7 @@ class _Before(NamedTuple):
     normal: float
 
 
-def switched(plant: "IndirectPlant", t: float, y: State, mode: Mode, hit: int | None) -> tuple[State, Mode]:
+def switched(plant: SleevePlant, t: float, y: State, mode: Mode, hit: int | None) -> tuple[State, Mode]:
     """Bring to rest what has come to rest, then find the mode that follows."""
     torques = plant.torques(t, y, mode)
     before = _Before(mode, hit, torques.clutch, torques.balls, plant.normal(y, mode, torques.balls))
@@ -57,7 +80,7 @@ def switched(plant: "IndirectPlant", t: float, y: State, mode: Mode, hit: int | 
     return y, min(candidates, key=lambda own: _contradiction(plant, t, y, own))
 
 
-def _come_to_rest(plant: "IndirectPlant", y: State, before: _Before) -> None:
+def _come_to_rest(plant: SleevePlant, y: State, before: _Before) -> None:
     mode = before.mode
     if before.hit == Guard.PACK:
         y[plant.V] = 0.0
@@ -71,7 +94,7 @@ def _come_to_rest(plant: "IndirectPlant", y: State, before: _Before) -> None:
         _seat(plant, y, mode)
 
 
-def _seat(plant: "IndirectPlant", y: State, mode: Mode) -> None:
+def _seat(plant: SleevePlant, y: State, mode: Mode) -> None:
     """Join hub and driven half where the energy of their swing is nothing; the key takes it."""
     train, stored = plant.train, plant.stored(y)
     hub = train.hub_inertia if mode.pack else train.motor_inertia + train.hub_inertia
@@ -85,7 +108,7 @@ def _seat(plant: "IndirectPlant", y: State, mode: Mode) -> None:
     y[-1] += stored - plant.stored(y)
 
 
-def _candidates(plant: "IndirectPlant", y: State, before: _Before) -> Iterator[Mode]:
+def _candidates(plant: SleevePlant, y: State, before: _Before) -> Iterator[Mode]:
     """Modes that the states allow, those first in which more sticks; what was torn loose does not stick."""
     if y[plant.V]:
         packs = [sign(y[plant.V])]
@@ -97,7 +120,7 @@ def _candidates(plant: "IndirectPlant", y: State, before: _Before) -> Iterator[M
         yield before.mode._replace(pack=pack, balls=balls, side=side, hold=hold)
 
 
-def _balls(plant: "IndirectPlant", y: State, before: _Before) -> list[tuple[Balls, int, int]]:
+def _balls(plant: SleevePlant, y: State, before: _Before) -> list[tuple[Balls, int, int]]:
     """What the balls may do, on which side, and how the key holds."""
     mode, hit, rate, turn = before.mode, before.hit, y[plant.RATE], y[plant.TURN]
     torn = hit == Guard.BALLS and mode.balls in ("seat", "lock")
@@ -121,13 +144,13 @@ def _balls(plant: "IndirectPlant", y: State, before: _Before) -> list[tuple[Ball
     return [*at_stop, *(("out", side, 1) for side in sides)]
 
 
-def _reached(plant: "IndirectPlant", before: _Before) -> int:
+def _reached(plant: SleevePlant, before: _Before) -> int:
     """Which of its bounds a held normal force has reached."""
     low, high = plant.bounds(before.balls)
     return 1 if high - before.normal < before.normal - low else -1
 
 
-def _contradiction(plant: "IndirectPlant", t: float, y: State, mode: Mode) -> float:
+def _contradiction(plant: SleevePlant, t: float, y: State, mode: Mode) -> float:
     """By how much a mode contradicts itself, relative to what sticks."""
     train, own = plant.train, plant.sleeve
     torques = plant.torques(t, y, mode)
@@ -156,7 +179,7 @@ def _contradiction(plant: "IndirectPlant", t: float, y: State, mode: Mode) -> fl
     return worst if worst > _ROUNDING else 0.0
 
 
-def _hold(plant: "IndirectPlant", y: State, mode: Mode, along: float) -> float:
+def _hold(plant: SleevePlant, y: State, mode: Mode, along: float) -> float:
     """Against the play of N: it falls only along κ, rises only along κ₊, and is held between, as a torque."""
     own, held = plant.sleeve, y[plant.HELD]
     if own.net_gain == own.net_gain_returning:

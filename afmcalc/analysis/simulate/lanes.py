@@ -8,7 +8,7 @@ from ...arrays import Floats, Values
 from ...equations import drive as law
 from ...equations import sleeve as unit
 from .direct import DirectPack
-from .indirect import Sleeve
+from .sleeve import Sleeve
 from .train import Train
 
 

@@ -11,8 +11,8 @@ import numpy as np
 
 from ...arrays import Floats
 from .direct import DirectPack
-from .indirect import Sleeve
 from .lanes import DirectLanes, Halves, SleeveLanes
+from .sleeve import Sleeve
 from .train import Train
 
 _LANES = 4096
