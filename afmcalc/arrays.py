@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from .messages import say
 
@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 else:
     Floats = Values = Any
 """One number, or an array of any shape; shapes of several arguments broadcast."""
+
+V = TypeVar("V", bound=Values)
+"""What a function takes and gives alike: numbers or arrays."""
 
 
 def is_array(value: object) -> bool:
@@ -80,6 +83,28 @@ def square_root(value: Values) -> Values:
 def tangent(angle: Any) -> Any:
     """Tangent, the same to the last bit for floats and arrays."""
     return through_math(math.tan, angle)
+
+
+def finite(value: Any) -> Any:
+    """Return a number, or an array in which NaN may stand for no value.
+
+    Raises:
+        OverflowError: it is beyond the range of numbers.
+    """
+    if is_array(value):
+        import numpy as np
+
+        within = not np.isinf(value).any()
+    else:
+        within = math.isfinite(value)
+    if not within:
+        raise OverflowError
+    return value
+
+
+def all_nonzero(value: Any) -> bool:
+    """Whether a number, or every one of an array, is other than 0."""
+    return bool(value.all() if is_array(value) else value)
 
 
 def checked_friction(value: Any) -> Any:

@@ -8,6 +8,7 @@ and are shown through ``translate``.
 """
 
 import math
+import re
 import string
 from collections.abc import Mapping
 from typing import SupportsFloat
@@ -21,6 +22,10 @@ SCALES = {
     "kPa": 1e-3,
     "MPa": 1e-6,
     "deg": 180 / math.pi,
+    "kJ": 1e-3,
+    "s": 1.0,
+    "ms": 1e3,
+    "N·m·s": 1.0,
     "J/mm²": 1e-6,
     "K": 1.0,
 }
@@ -28,10 +33,16 @@ SCALES = {
 
 
 class _Sentence(string.Formatter):
-    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once."""
+    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once.
+
+    What is cut off a text, ``{name:.80}``, is marked.
+    """
 
     def format_field(self, value: object, format_spec: str) -> str:
         number, _, unit = format_spec.partition(" ")
+        if isinstance(value, str):
+            shown = format(value, number)
+            return shown if len(shown) >= len(value) else f"{shown}…"
         if not unit:
             return format(value, number)
         assert isinstance(value, SupportsFloat)
@@ -44,18 +55,53 @@ def translate(text: str) -> str:
     return text
 
 
+def filled(template: str, values: Mapping[str, object]) -> str:
+    """Fill a template that stands in a table, in the language of the user."""
+    return _Sentence().vformat(translate(template), (), values)
+
+
 def say(template: str, /, **values: object) -> str:
     """Fill a template, in the language of the user.
 
     >>> say("the force is {force:.5g kN}, {times:g} times too much", force=2000.0, times=2)
     'the force is 2 kN, 2 times too much'
     """
-    return _Sentence().vformat(translate(template), (), values)
+    return filled(template, values)
+
+
+_HIDDEN = re.compile(
+    "[\x00-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb"
+    "\ud800-\udfff\U000e0000-\U000e007f]"
+)
+"""Characters that act on a terminal, turn the direction of writing, are not seen, or are none (undecodable bytes)."""
+
+
+def printable(text: str, *, lines: bool = False) -> str:
+    r"""Return a text that may hold anything (names, keys, arguments) such that it shows what it is, and only that.
+
+    The escapes are those of JSON: a JSON text so treated says the same as before.
+
+    Args:
+        text: any text.
+        lines: whether ends of lines are meant as such.
+
+    >>> print(printable("a\x1b[31m \u202eb\n"))
+    a\u001b[31m \u202eb\n
+    """
+    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else _escaped(sign[0]), text)
+
+
+def _escaped(sign: str) -> str:
+    if sign in "\n\r\t":
+        return repr(sign)[1:-1]
+    words = sign.encode("utf-16-be", "surrogatepass").hex()
+    return "".join(f"\\u{words[at : at + 4]}" for at in range(0, len(words), 4))
 
 
 FINDINGS: Mapping[str, str] = {
     "slips-averaged": "every slip swings the load from {value:.5g N·m} (fatigue.load_low) to T(f) and back; every "
     "friction from f_min to f_max is taken as equally likely, and the life is that of the mean damage (Miner)",
+    "bad-spec": "{where}: {problem}",
     # torque, accuracy, overload, compare
     "friction-outside-range": "friction {value:g} is outside the range of the spec, {least:g} to {largest:g}",
     "sweep-beyond-gain-limit": "{value} of {points} swept points lie above the gain limit 1/(z_1 f_1max): breakaway "
@@ -75,6 +121,22 @@ FINDINGS: Mapping[str, str] = {
     "strength {limit:.4g MPa}: the shaft fails at once",
     "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
     "band at equal mean costs nothing (M23); --model amplitude or goodman weighs it",
+    # simulate
+    "inertia-torque": "the driven half alone twists the shaft of a locked tool with ω_0 √(k J_2) = {value:.4g N·m}: "
+    "beyond the sliding torque ({limit:.4g N·m} at f_max) no clutch removes it, only a softer shaft or less inertia",
+    "slips-before-event": "at {at} the clutch carries {value:.5g N·m}, less than the load of {limit:.5g N·m} before "
+    "the event: it slips all the time",
+    "drive-not-in-balance": "before the event the motor gives {value:.5g N·m} against a load of {limit:.5g N·m}: "
+    "the drive does not run steadily",
+    "motor-never-stops": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch ({value:.5g N·m}): "
+    "the slip does not end; give a cut-off (drive.cut_off)",
+    "motor-stops-at-cut-off": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
+    "({value:.5g N·m}): the slip lasts until the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
+    "slip-outlasts-duration": "at {at} the slip has not ended within the {value:.4g s} that are simulated",
+    "dynamic-factor-exceeded": "the event loads the shaft with {value:.4g} times the sliding torque; the life of the "
+    "unprotected side assumes {limit:g} (simulate --output writes the factor into a spec)",
+    "judder": "slow slip is not steady: friction that falls with speed takes {value:.3g N·m·s} from the damping of "
+    "{limit:.3g N·m·s} (an ordinary clutch of equal T_н: {ordinary:.3g N·m·s}); it may judder as the slip ends",
     # control unit
     "balls-overlap": "{balls} balls of {value:.5g mm} do not fit on the ball circle: their centres are "
     "{limit:.5g mm} apart",
@@ -98,7 +160,8 @@ FINDINGS: Mapping[str, str] = {
     "F_o (tan α_1 − tan α_2) drives it on into the steeper wall. Give it a cage, or profile one sleeve",
     "ball-slides-in-seat": "the ball stays seated in the sleeve with the straight walls and slides there: the gain is "
     "that of rolling only as far as its friction is small",
-    "balls-not-given": "the number of balls is not given: the contact force is not calculated",
+    "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
+    "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
     # requirements
     "requirement-missed/number": "{name}: {value:.5g}, but {bound} {limit:.5g} is required",
@@ -203,4 +266,4 @@ FINDINGS: Mapping[str, str] = {
 
 def sentence(code: str, values: Mapping[str, object]) -> str:
     """Return the sentence of a finding."""
-    return say(FINDINGS[code], **values)
+    return filled(FINDINGS[code], values)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import AfmcalcError, CalculationError
 from ..messages import say
 from ..spec.suggest import did_you_mean
+from ..watch import Progress, unwatched
 from .registry import PLOTS, Plot, StressRule
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ class Request(NamedTuple):
     """Diameter of the cutter that cuts it, m."""
     chord: float | None = None
     """How far a chord may lie off it, m."""
-    progress: "Callable[[str, int, int], None]" = lambda work, done, total: None
+    progress: Progress = unwatched
     """Is told how many candidates of a design are behind."""
 
 

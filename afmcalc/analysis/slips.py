@@ -10,7 +10,7 @@ from collections.abc import Callable
 from functools import reduce
 from typing import NamedTuple
 
-from ..arrays import Values, is_array, larger, smaller
+from ..arrays import Values, all_nonzero, finite, is_array, larger, smaller
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..spec.fatigue import Fatigue
@@ -52,8 +52,8 @@ class Load(NamedTuple):
     """Share (0…1) of the way along the range → slip torque, N·m; monotone between its kinks."""
     kinks: tuple[Values, ...] = ()
     """Shares of the way at which it is not smooth: where the sleeve of an indirect clutch leaves its stop."""
-    factor: float = 1.0
-    """What the drive multiplies torques by on this side of the clutch; it is in ``torque``, and goes to T_low too."""
+    factor: Values | None = None
+    """What the drive multiplies torques by on the unprotected side; it is in ``torque``, and goes to T_low too."""
 
     @property
     def least(self) -> Values:
@@ -66,9 +66,15 @@ class Load(NamedTuple):
         ends = larger(self.torque(0.0), self.torque(1.0))
         return reduce(larger, (self.torque(_within(kink)) for kink in self.kinks), ends)
 
-    def times(self, factor: float) -> "Load":
-        """The load on the unprotected side."""
-        return Load(lambda share: factor * self.torque(share), self.kinks, factor * self.factor)
+    def low(self, torque: Values) -> Values:
+        """Torque T_low from which a slip swings the load, on this side, N·m."""
+        return torque if self.factor is None else law.torque_unprotected(self.factor, torque)
+
+    def times(self, factor: Values | None) -> "Load":
+        """The load on the unprotected side; without a factor the side is protected."""
+        if factor is None:
+            return self
+        return Load(lambda share: law.torque_unprotected(factor, self.torque(share)), self.kinks, factor)
 
     def stretched(self, least: Values, own: Values, band: Values) -> "Load":
         """The same course over another scatter band above ``least``; straight where there is no band of its ``own``."""
@@ -103,20 +109,26 @@ def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
 def damaging_stress(part: Fatigue, rule: StressRule, load: Load) -> Values:
     """Largest damaging stress, Pa: of the cycle over the band, or of the slip with the largest torque."""
     chosen = RULES[rule]
-    low = load.factor * part.load_low if chosen.each_slip else load.least
+    low = load.low(part.load_low) if chosen.each_slip else load.least
     return _stress(part, chosen, low, load.most)
 
 
 def cycles(part: Fatigue, rule: StressRule, load: Load) -> Values:
-    """Cycles, or slips, to failure: NaN where fatigue sets no limit, 0 where the largest load breaks the part."""
+    """Cycles, or slips, to failure: NaN where fatigue sets no limit, 0 where the largest load breaks the part.
+
+    Raises:
+        OverflowError: they are too few, or the stress too large, for the range of numbers: no 0 but that of a break.
+    """
     chosen, broken = RULES[rule], is_static(part, load)
     if not is_array(broken) and broken:
         return 0.0
     if chosen.each_slip:
-        low = load.factor * part.load_low
+        low = load.low(part.load_low)
         found = _slips(part, lambda share: _stress(part, chosen, low, load.torque(share)), load.kinks)
     else:
         found = _line(part, damaging_stress(part, rule, load))
+    if not all_nonzero(found):
+        raise OverflowError
     if is_array(broken):
         import numpy as np
 
@@ -128,14 +140,15 @@ def is_static(part: Fatigue, load: Load) -> bool | Values:
     """Whether the largest load reaches the ultimate strength."""
     if part.ultimate_strength is None:
         return False
-    reached = law.shear_stress(load.most, part.polar_section_modulus) >= part.ultimate_strength
+    reached = finite(law.shear_stress(load.most, part.polar_section_modulus)) >= part.ultimate_strength
     return reached if is_array(reached) else bool(reached)
 
 
 def _stress(part: Fatigue, rule: Rule, low: Values, high: Values) -> Values:
     """Damaging stress of a swing between two torques."""
     ends = (law.shear_stress(end, part.polar_section_modulus) for end in (smaller(low, high), larger(low, high)))
-    return rule.stress(part, *ends)
+    stress: Values = finite(rule.stress(part, *ends))
+    return stress
 
 
 def _line(part: Fatigue, stress: Values) -> Values:

@@ -7,9 +7,9 @@ import typer
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import write
+from .files import SPEC
 from .options import Common, SpecArgument, with_common
-from .run import build_from, calculate, emit
+from .run import build_from, calculate, emit, write_spec
 
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
@@ -31,13 +31,16 @@ PlotOption = Annotated[
 ]
 
 
+FrictionOption = Annotated[
+    list[str] | None,
+    typer.Option("--friction", metavar="F", help="Also at this friction (unlike materials: F1,F2); repeatable."),
+]
+
+
 @with_common
 def torque(
     spec: SpecArgument = None,
-    friction: Annotated[
-        list[str] | None,
-        typer.Option("--friction", metavar="F", help="Also at this friction (unlike materials: F1,F2); repeatable."),
-    ] = None,
+    friction: FrictionOption = None,
     *,
     common: Common,
 ) -> None:
@@ -48,7 +51,7 @@ def torque(
     afmcalc torque clutch.toml --friction 0.15 --friction 0.25 --json
     afmcalc torque clutch.toml --set control_unit.gain=0.8
     """  # noqa: D301
-    points = [_friction(text) for text in friction or ()]
+    points = [friction_of(text) for text in friction or ()]
     calculate(common, spec, lambda clutch: {"friction": points})
 
 
@@ -67,7 +70,7 @@ def accuracy(
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"sweeps": _axes(sweep, clutch)}, _curve(plot, sweep, common))
+    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, _curve(plot, sweep, common))
 
 
 @with_common
@@ -90,7 +93,7 @@ def overload(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOpt
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"sweeps": _axes(sweep, clutch)}, _curve(plot, sweep, common))
+    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, _curve(plot, sweep, common))
 
 
 @with_common
@@ -114,23 +117,19 @@ def synthesize(
     afmcalc synthesize clutch.toml --output completed.toml
     afmcalc synthesize clutch.toml --json | afmcalc torque -
     """  # noqa: D301
-    import json
-
     from ..analysis.synthesize import completed
-    from ..spec import make_spec, to_toml
+    from ..spec import make_spec
     from ..spec.balls import diameters
 
-    common.keep(spec)
+    common.keep(spec, balls, kind=SPEC)
     if common.output == "-":
         raise AfmcalcError(say("synthesize --output writes the completed spec beside the result: name a file"))
     sizes = diameters(balls) if balls else None
     output = calculate(common.to_standard_output(), spec, lambda clutch: {"balls": sizes})
     if common.output:
         assert output.spec is not None
-        data = completed(make_spec(output.spec), output.result)
-        as_json = common.output.endswith(".json")
-        write(json.dumps(data, indent=2, ensure_ascii=False) + "\n" if as_json else to_toml(data), common.output)
-        common.note(say("wrote the completed spec to {output}", output=common.output))
+        write_spec(completed(make_spec(output.spec), output.result), common)
+        common.wrote(say("wrote the completed spec to {output}", output=common.output))
 
 
 @with_common
@@ -155,7 +154,7 @@ def life(
     afmcalc life clutch.toml --sweep dT=500:1100:13
     """  # noqa: D301
     curve = _curve(plot, sweep, common)
-    calculate(common, spec, lambda clutch: {"model": model, "sweeps": _axes(sweep, clutch, band=True)}, curve)
+    calculate(common, spec, lambda clutch: {"model": model, "sweeps": axes_of(sweep, clutch, band=True)}, curve)
 
 
 @with_common
@@ -178,12 +177,13 @@ def compare(
     if variants and len(specs or ()) > 1:
         raise AfmcalcError(say("compare --variants takes one SPEC"))
     sources: list[str | None] = [*specs] if specs else [None]
+    common.keep(*sources)
     clutches = [build_from(source, common) for source in sources]
     result, findings = compare_variants(clutches[0]) if variants else analysis(clutches)
     emit(common, result, findings, resolved(clutches[0].spec))
 
 
-def _axes(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":
+def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":
     """Read the axes of a sweep; ``band`` takes dT for the scatter band."""
     from ..analysis.sweep.axes import parse_axis
 
@@ -210,7 +210,7 @@ def _curve(plot: bool, sweep: list[str] | None, common: Common) -> "SweepDrawing
     return swept_lines
 
 
-def _friction(text: str) -> tuple[float, float | None]:
+def friction_of(text: str) -> tuple[float, float | None]:
     """Read ``F`` or ``F1,F2``."""
     try:
         values = [float(part) for part in text.split(",")]
@@ -218,6 +218,6 @@ def _friction(text: str) -> tuple[float, float | None]:
         values = []
     if len(values) not in (1, 2) or not all(0 <= value < float("inf") for value in values):
         raise AfmcalcError(
-            say("--friction {text}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text)
+            say("--friction {text:.80}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text)
         )
     return values[0], values[1] if len(values) == 2 else None

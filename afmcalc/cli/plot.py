@@ -6,14 +6,14 @@ import typer
 
 from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError
-from ..extras import need
 from ..messages import say
-from .files import write, write_file
+from .files import PLOT, write, write_file
 from .options import Common, common_options
-from .run import build_from
+from .progress import Bar
+from .run import need_drawing
+from .shop import answers_of, for_the_shop, length
 
 if TYPE_CHECKING:
-    from ..analysis.answers import Answers
     from ..analysis.figures import Request
     from ..render.plot.chart import Sheet
 
@@ -25,7 +25,14 @@ _SHOP = ("dxf", "svg")
 _KINDS = [name for name in PLOTS if name != "paper"]
 
 
-@common_options("set", "output", "quiet", output="File, .png, .svg or .pdf (pocket: .dxf); without it drawn as text.")
+@common_options(
+    "set",
+    "output",
+    "force",
+    "yes",
+    "quiet",
+    output="File, .png, .svg, .pdf (pocket: .dxf); without it drawn as text.",
+)
 def plot(
     what: Annotated[str, typer.Argument(metavar="WHAT", help=f"{', '.join(_KINDS)}, or paper with a figure.")],
     subjects: Annotated[
@@ -67,14 +74,14 @@ def plot(
 
     takes = plot_of(what).takes
     ending = _ending(common.output)
-    request = Request(subjects or (), sweep, model, profile, _length("cutter", cutter), _length("chord", chord))
+    request = Request(subjects or (), sweep, model, profile, length("cutter", cutter), length("chord", chord))
     if (what == "pocket" and ending in _SHOP) or profile is not None:
-        _for_the_shop(what, request, ending, common)
+        for_the_shop(what, request, ending, common)
         return
     if ending == "dxf":
         raise AfmcalcError(say("--output {output}: only plot pocket is drawn as .dxf", output=common.output))
     if ending:
-        need("plot")
+        need_drawing("plot")
     if takes == "names":
         found = gathered(what, request)
     else:
@@ -82,75 +89,25 @@ def plot(
     _write(sheet_of(what, found), ending, common)
 
 
-def _for_the_shop(what: str, request: "Request", ending: str | None, common: Common) -> None:
-    """Write the pocket in true millimetres, and the profile of its wall."""
-    from ..analysis.figures import shop_drawing_of
-    from ..render.shop.profile import profile
-
-    if ending == "dxf":
-        need("cad")
-    if ending in ("png", "pdf"):
-        raise AfmcalcError(say("--profile goes with -o FILE.dxf or FILE.svg, or stands alone"))
-    drawing = shop_drawing_of(what, request._replace(subjects=_answers(request, common)))
-    if ending is not None:
-        from importlib import import_module
-
-        assert common.output is not None
-        write_file(common.output, getattr(import_module(f"..render.shop.{ending}", __package__), ending)(drawing))
-        common.note(say("wrote {output}", output=common.output))
-    if request.profile is not None:
-        write(profile(drawing), request.profile)
-        if request.profile != "-":
-            common.note(say("wrote {output}", output=request.profile))
-
-
-def _length(name: str, text: str | None) -> float | None:
-    """Read a length with its unit."""
-    from ..spec.quantity import parse_quantity
-
-    if text is None:
-        return None
-    try:
-        value = parse_quantity(text, "m")
-    except ValueError as error:
-        raise AfmcalcError(say("--{name} {text}: {why}", name=name, text=text, why=error)) from None
-    if value <= 0:
-        raise AfmcalcError(say("--{name} {text}: must be greater than 0", name=name, text=text))
-    return value
-
-
 def _of_clutches(what: str, request: "Request", common: Common) -> Any:
     """Read and build the clutches, and calculate what is drawn of them."""
     from ..analysis.figures import gathered
 
-    return gathered(what, request._replace(subjects=_answers(request, common)))
-
-
-def _answers(request: "Request", common: Common) -> "list[Answers]":
-    """Read and build the clutches that are asked."""
-    from ..analysis.answers import Answers
-
-    if request.subjects.count("-") > 1:
-        raise AfmcalcError(say("standard input (-) can be read once only"))
-    for source in request.subjects:
-        common.keep(source)
-    sources = list(request.subjects) or [None]
-    clutches = [build_from(source, common) for source in sources]
-    return [Answers(clutch, model=request.model or "mean-stress") for clutch in clutches]
+    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
+        return gathered(what, request._replace(subjects=answers_of(request, common, bar)))
 
 
 def _of_requirements(what: str, request: "Request", common: Common) -> Any:
     """Read the requirements and search, with a progress bar."""
     from ..analysis.figures import check_request, gathered
     from ..spec.requirements import read_requirements
-    from .progress import Progress
 
     check_request(what, request)
     (source,) = request.subjects
-    common.keep(source)
+    common.keep(source, kind=PLOT)
     need = read_requirements(source, common.set or ())
-    with Progress(quiet=common.quiet) as progress:
-        return gathered(what, request._replace(subjects=[need], progress=progress.advance))
+    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
+        return gathered(what, request._replace(subjects=[need], progress=bar.advance))
 
 
 def _ending(output: str | None) -> str | None:
@@ -172,10 +129,10 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
 
         if not any(isinstance(panel, Chart) for panel in sheet.panels):
             raise AfmcalcError(say("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)"))
-        write(draw_sheet(sheet, unicode=is_unicode()), None)
+        write(draw_sheet(sheet, unicode=is_unicode()), None, PLOT)
         return
     from ..render.plot.figure import save
 
     assert common.output is not None
-    write_file(common.output, save(sheet, ending))  # type: ignore[arg-type]
-    common.note(say("wrote {output}", output=common.output))
+    write_file(common.output, save(sheet, ending), PLOT, force=common.force)  # type: ignore[arg-type]
+    common.wrote(say("wrote {output}", output=common.output))

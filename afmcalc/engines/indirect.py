@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Any
 
 from ..arrays import Values, checked_friction, is_array, larger, smaller
-from ..equations import direct, indirect
+from ..equations import indirect
 from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec
@@ -186,7 +186,7 @@ class IndirectClutch(Clutch):
         if self.law.straight:
             return most
         leaving = smaller(larger(self.leaving_friction, own.min), own.max)
-        first: Values = direct.group_torque(
+        first: Values = indirect.torque(
             self.law.normal_force(self.closing_force, leaving), self.mean_radius, self.pairs, leaving
         )
         return larger(most, first)

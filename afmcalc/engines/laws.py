@@ -204,12 +204,13 @@ class IndirectLaw:
     def is_seated(self, closing_force: Values, friction: Values) -> Any:
         """Whether, friction rising, the stop carries: the control spring has more than closing spring and balls."""
         if self.made_control_force is None:
-            return friction <= self.friction_set
+            # just at the setting both branches meet, unless a steep wall lets the sleeve jump off from there
+            return friction < self.friction_set if self.straight else friction <= self.friction_set
         return self._holds(closing_force, friction, self.net_gain)
 
     def _holds(self, closing_force: Values, friction: Values, net_gain: Values) -> Any:
         """Whether the control spring holds a sleeve that is at its stop."""
-        return self.control_force(closing_force) >= closing_force * (1 + self.pairs * net_gain * friction)
+        return self.control_force(closing_force) > closing_force * (1 + self.pairs * net_gain * friction)
 
     def _is_reseated(self, closing_force: Values, friction: Values, locked: Values) -> Any:
         """Whether, friction falling, the sleeve is back at its stop; ``locked``: the normal force it returns from.
@@ -247,7 +248,7 @@ class IndirectLaw:
     def torque(self, closing_force: Values, friction: Values) -> Values:
         """Slip torque T, N·m, friction rising (S21 (11); theory, section 5)."""
         pressed = self.normal_force(closing_force, friction)
-        torque: Values = direct.group_torque(pressed, self.mean_radius, self.pairs, friction)
+        torque: Values = indirect.torque(pressed, self.mean_radius, self.pairs, friction)
         return torque
 
     def torque_returning(self, closing_force: Values, friction: Values, friction_max: Values) -> Values:
@@ -258,7 +259,7 @@ class IndirectLaw:
         locked = self.normal_force(closing_force, friction_max)
         seated = self._is_reseated(closing_force, friction, locked)
         moving = self._pressed(closing_force, friction, self.net_gain_returning, seated)
-        torque: Values = direct.group_torque(larger(locked, moving), self.mean_radius, self.pairs, friction)
+        torque: Values = indirect.torque(larger(locked, moving), self.mean_radius, self.pairs, friction)
         return torque
 
     def travel(self, closing_force: Values, friction: Values) -> Values:

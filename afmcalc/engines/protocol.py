@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from ..arrays import Values, smaller
-from ..equations import adjustment, overload
+from ..equations import accuracy, adjustment, overload
 from ..findings import Finding
 from ..spec.models import Method, Range, Spec
 from . import setting
@@ -149,7 +149,8 @@ class Clutch(ABC):
     @property
     def scatter(self) -> Values:
         """Width of the torque scatter band ΔT, N·m."""
-        return self.torque_max - self.torque_min
+        band: Values = accuracy.scatter_band(self.torque_max, self.torque_min)
+        return band
 
     @property
     @abstractmethod

@@ -95,10 +95,9 @@ def _by_path(spec: Spec, law: IndirectLaw, high: _Torque, low: _Torque, closing_
 
 def _at(law: IndirectLaw, closing_force: Values, friction: Values, end: str) -> _Torque:
     """Elasticities of the torque at one end of the range."""
-    seated_at = law.is_seated(closing_force, friction)
-    if end == "max" and friction == law.leaving_friction(closing_force):
-        seated_at = False  # at the bend itself: a larger f_max moves the sleeve
-    if seated_at:
+    # at the bend itself the range lies on one side: what f_min moves along is below it, what f_max does above
+    leaving = law.leaving_friction(closing_force)
+    if friction <= leaving if end == "min" else friction < leaving:
 
         def seated(part: Values) -> float:
             return -float(indirect.seated_elasticity_in_feedback(law.pairs, friction, part, law.net_gain))

@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from sympy import Expr
 
-MODULES = ("direct", "adjustment", "indirect", "pocket", "overload", "parts", "wall", "inverse", "numbers", "drive")
+MODULES = (
+    "direct", "adjustment", "indirect", "pocket", "overload", "parts", "wall", "inverse", "numbers", "drive", "motion",
+)  # fmt: skip
 
 
 class Identity(NamedTuple):

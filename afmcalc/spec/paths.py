@@ -8,7 +8,6 @@ from .walk import Key, keys_below
 
 ALIASES = {
     "C": "control_unit.gain",
-    "gain_slope": "control_unit.gain_slope",
     "z": "friction_group.pairs",
     "z1": "friction_group.driving_pairs",
     "R": "friction_group.mean_radius",
@@ -25,6 +24,7 @@ ALIASES = {
     "alpha": "control_unit.wall_angle",
     "f1": "control_unit.key_friction",
     "d": "control_unit.hub_diameter",
+    "gain_slope": "control_unit.gain_slope",
 }
 """Symbols that stand for a path on the command line."""
 

@@ -61,12 +61,12 @@ def test_the_wall_is_a_ball_s_radius_from_the_path(wall):
             assert abs(along[0] * off[1] - along[1] * off[0]) <= CHORD * (1 + 1e-3)
 
 
-@given(walls(), st.floats(1.001, 3))
+@given(walls(), st.floats(1.01, 3))
 def test_a_larger_ball_undercuts(wall, times):
     """The wall of a ball beyond ρ_0 runs back on itself, and the contact sinks as the ball rises."""
     large = wall._replace(ball_radius=wall.undercut_radius * times)
     assert not large.can_be_cut
-    step = 1e-6
+    step = 1e-7
     assert large.at(step).wall_axial < large.at(0.0).wall_axial
     assert wall.at(step).wall_axial > wall.at(0.0).wall_axial
 

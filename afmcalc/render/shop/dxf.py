@@ -9,7 +9,7 @@ from ezdxf.layouts.layout import Modelspace
 
 from ...analysis.shop import ShopDrawing
 from .described import described
-from .layers import LAYERS, MM
+from .layers import CREATOR, LAYERS, MM
 
 _STYLE = {
     "dimlfac": 1, "dimtxt": 1.2, "dimasz": 1.0, "dimexo": 0.4, "dimexe": 0.6, "dimdec": 3, "dimgap": 0.4, "dimtad": 1,
@@ -33,6 +33,7 @@ def dxf(drawing: ShopDrawing) -> bytes:
         radius = drawing.synthesis.ball_diameter / 2 * MM
         space.add_circle((0, 0), radius, dxfattribs={"layer": "BALL"})
         _dimensions(space, drawing, radius)
+        document.header.custom_vars.append("Creator", CREATOR)
         # else in the order of a set, which changes from run to run
         for kind in sorted({entity.dxftype() for entity in document.entitydb.values()}):
             document.classes.add_class(kind)

@@ -12,4 +12,6 @@ LAYERS = {
 }
 """Layer → what it shows, its number among AutoCAD's colours, its colour."""
 
+CREATOR = "afmcalc plot"
+"""By which a drawing is known as ours, to be replaced."""
 MM = 1e3

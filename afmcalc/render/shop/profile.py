@@ -7,16 +7,14 @@ import math
 from ...analysis.shop import CutterPoint, ShopDrawing
 from .layers import MM
 
+HEADING = ",".join(f"{name} [{'deg' if name == 'wall_angle' else 'mm'}]" for name in CutterPoint.model_fields) + "\n"
+
 
 def profile(drawing: ShopDrawing) -> str:
     """Write the wall of the profiled sleeve from floor to face; places below the stop have a travel below 0."""
-    stream = io.StringIO()
+    stream = io.StringIO(HEADING)
+    stream.seek(0, io.SEEK_END)
     rows = csv.writer(stream, lineterminator="\n")
-    names = list(CutterPoint.model_fields)
-    rows.writerow(f"{name} [{'deg' if name == 'wall_angle' else 'mm'}]" for name in names)
     for point in drawing.profile:
-        rows.writerow(
-            repr(math.degrees(value) if name == "wall_angle" else value * MM)
-            for name, value in ((name, getattr(point, name)) for name in names)
-        )
+        rows.writerow(repr(math.degrees(value) if name == "wall_angle" else value * MM) for name, value in point)
     return stream.getvalue()

@@ -4,7 +4,7 @@ from xml.sax.saxutils import escape
 
 from ...analysis.shop import Contour, ShopDrawing
 from .described import described
-from .layers import LAYERS, MM
+from .layers import CREATOR, LAYERS, MM
 
 _MARGIN, _LINE, _TEXT = 8.0, 4.2, 2.8
 
@@ -23,6 +23,7 @@ def svg(drawing: ShopDrawing) -> bytes:
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_mm(wide)}mm" height="{_mm(high)}mm" '
         f'viewBox="{_mm(left)} {_mm(top)} {_mm(wide)} {_mm(high)}">',
         f"<title>{escape(drawing.name)}</title>",
+        f"<desc>{CREATOR}</desc>",
         '<g fill="none" stroke-width="0.18" stroke-linejoin="round">',
         *map(_path, drawing.contours),
         f'<circle id="BALL" r="{_mm(found.ball_diameter / 2 * MM)}" stroke="{LAYERS["BALL"][2]}"/>',
