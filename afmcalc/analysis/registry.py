@@ -151,7 +151,7 @@ ANALYSES: dict[str, Analysis] = {
             "tolerance", "analysis.tolerance.study", "ToleranceResult", "design",
             lambda clutch: clutch.spec.tolerance is not None,
             section=Section("Tolerances and scatter", _said_of_tolerance),
-            plot=Plot("tolerance", "histogram of the torque with quantiles, by the [tolerance] block", "clutch"),
+            plot=Plot("tolerance", "histogram of the torque with quantiles, by the block tolerance", "clutch"),
         ),
         Analysis(
             "design", "analysis.design.design", "DesignResult", "design",
