@@ -83,6 +83,20 @@ FINDINGS: Mapping[str, str] = {
     "clearance need",
     "balls-not-given": "the number of balls is not given: the contact force is not calculated",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
+    # heat
+    "slip-without-end": "the motor carries the slip torque {value:.5g N·m} and never stops: the slip does not end. "
+    "Give drive.cut_off, the time until the motor is switched off",
+    "slip-until-cut-off": "the motor carries the slip torque {value:.5g N·m} and never stops by itself: the slip lasts "
+    "{limit:.4g} s until cut-off, Q = T ω t, and the run-down after it",
+    "temperature-exceeded": "the discs reach {celsius:.4g} °C after one trip: above the {low:g}…{high:g} °C that "
+    "{name} allows",
+    "temperature-in-range": "the discs reach {celsius:.4g} °C after one trip: within the printed range of what "
+    "{name} allows, {low:g}…{high:g} °C",
+    "discs-take-all": "no lining_conductivity, lining_density and lining_specific_heat: the discs take all the heat of "
+    "the faces, an upper bound of their surface temperature",
+    "discs-thick": "no disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature",
+    "heat-not-told": "not told, as these are not given: {listed}",
+    "heat-not-judged": "no limit to hold the heat against: name a material of the catalogue that has a temperature",
     # surface pressure
     "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
     "above the allowable {low:g kPa…}{high:g kPa} of {name}",

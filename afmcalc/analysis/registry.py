@@ -78,6 +78,12 @@ def _can_be_synthesized(clutch: "Clutch") -> bool:
     return unit is not None and unit.ball_circle_radius is not None and bool(clutch.gain > 0)
 
 
+def _heat_is_known(clutch: "Clutch") -> bool:
+    from ..spec.heat import missing_of
+
+    return not missing_of(clutch.spec.drive)
+
+
 def _said_of_tolerance(found: Any) -> str:
     error = "the answer is exact" if found.method == "exact" else "± is the standard error of the sample"
     return f"The slip torque as making and service scatter, by the block [tolerance]; {error}."
@@ -144,6 +150,15 @@ ANALYSES: dict[str, Analysis] = {
                 ("S19",),
             ),
             plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
+        ),
+        Analysis(
+            "heat", "analysis.heat.heat", "HeatResult", "parts", _heat_is_known, ("answers",), explained=True,
+            judged=True,
+            section=Section(
+                "Heat and wear",
+                "What one trip turns into heat, what it warms the discs by, and how often it may be.",
+                ("CJ",),
+            ),
         ),
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
         Analysis("solve", "analysis.solve.solve", "SolveResult", "design"),

@@ -56,6 +56,11 @@ class IndirectClutch(Clutch):
         return self.law.closing_stiffness
 
     @property
+    def following_stiffness(self) -> Values:
+        """c_2, N/m: the stop is the pressure disc's, which takes sleeve and closing spring along as the pack wears."""
+        return self.law.control_stiffness
+
+    @property
     def control_stiffness(self) -> Values:
         """c_2, N/m."""
         return self.law.control_stiffness

@@ -53,6 +53,11 @@ class Clutch(ABC):
         return self.closing_force
 
     @property
+    def following_stiffness(self) -> Values | None:
+        """Stiffness of the spring that follows a pack as it wears, N/m; None where the spec does not give it."""
+        return self.spec.closing_spring.stiffness
+
+    @property
     def mean_radius(self) -> Values:
         """R_cp, m."""
         return self.law.mean_radius

@@ -130,6 +130,12 @@ class Friction(FrictionRange):
         """Whether the two groups have materials of their own."""
         return self.driving is not None
 
+    @property
+    def materials(self) -> dict[str, str]:
+        """Names of the materials by the paths of their keys."""
+        blocks = {"friction": self, "friction.driving": self.driving, "friction.driven": self.driven}
+        return {f"{path}.material": own.material for path, own in blocks.items() if own and own.material}
+
 
 class FrictionGroup(Block):
     """The pack of friction discs."""
