@@ -97,6 +97,26 @@ FINDINGS: Mapping[str, str] = {
     "discs-thick": "no disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature",
     "heat-not-told": "not told, as these are not given: {listed}",
     "heat-not-judged": "no limit to hold the heat against: name a material of the catalogue that has a temperature",
+    # effects
+    "splines-lock": "μ_s f R/r_s reaches {value:.3g}: from {limit:g} on a disc locks in its spline, and the pack no "
+    "longer follows spring and balls",
+    "cams-lock": "the friction of the walls leaves a gain of {value:.3g}, no more than {limit:.3g}: the cams are not "
+    "driven up, the clutch is an ordinary one",
+    "cams-stay": "the friction of the walls, {value:.3g}, is not below cot α = {limit:.3g}: no cam slides back",
+    "force-used-up": "{path} takes {value:.5g kN} from the {limit:.5g kN} that press the pack: nothing is left of it",
+    "effect-on-accuracy/spline-friction": "discs held in their splines: K_т lies between {low:.4g} and {high:.4g}, "
+    "the law says {limit:.4g}",
+    "effect-on-accuracy/sliding-cams": "cams that slide on their walls: K_т lies between {low:.4g} and {high:.4g}, "
+    "the law says {limit:.4g}",
+    "effect-on-accuracy/centrifugal": "balls thrown against conical pockets: K_т lies between {low:.4g} and "
+    "{high:.4g}, the law says {limit:.4g}",
+    "effect-on-accuracy/wear": "wear of the lining: K_т lies between {low:.4g} and {high:.4g}, the law says "
+    "{limit:.4g}",
+    "effect-on-torque/spline-friction": "discs held in their splines change the torque by up to {value:+.1%}",
+    "effect-on-torque/sliding-cams": "cams that slide on their walls change the torque by up to {value:+.1%}",
+    "effect-on-torque/centrifugal": "balls thrown against conical pockets change the torque by up to {value:+.1%}",
+    "effect-on-torque/wear": "wear of the lining changes the torque by up to {value:+.1%}",
+    "effect-not-told": "{name} is not told: it needs {listed}",
     # surface pressure
     "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
     "above the allowable {low:g kPa…}{high:g kPa} of {name}",

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from ..papers.figures import PaperFigure
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
     from .design.design import DesignResult
+    from .effects.curve import EffectsCurve
     from .section import PocketSection
     from .tolerance.study import Study
 
@@ -137,6 +138,12 @@ def _pocket(request: Request) -> "PocketSection":
 
     (answers,) = request.subjects
     return pocket_section(answers.clutch.spec.name, answers.of(SynthesisResult))
+
+
+def _effects(request: Request) -> "EffectsCurve":
+    from .effects.curve import effects_curve
+
+    return effects_curve(request.subjects[0].clutch)
 
 
 def _tolerance(request: Request) -> ToleranceFigure:

@@ -84,6 +84,12 @@ def _heat_is_known(clutch: "Clutch") -> bool:
     return not missing_of(clutch.spec.drive)
 
 
+def _any_effect(clutch: "Clutch") -> bool:
+    from .effects.brackets import SOURCES
+
+    return any(not source.missing(clutch) for source in SOURCES.values())
+
+
 def _said_of_tolerance(found: Any) -> str:
     error = "the answer is exact" if found.method == "exact" else "± is the standard error of the sample"
     return f"The slip torque as making and service scatter, by the block [tolerance]; {error}."
@@ -159,6 +165,16 @@ ANALYSES: dict[str, Analysis] = {
                 "What one trip turns into heat, what it warms the discs by, and how often it may be.",
                 ("CJ",),
             ),
+        ),
+        Analysis(
+            "effects", "analysis.effects.effects", "EffectsResult", "parts", _any_effect, judged=True,
+            section=Section(
+                "What the law neglects",
+                "Each effect as what the torque and K_т lie between, springs as set; the bypass pairs are farthest "
+                "from the spring, an inner disc is behind the first pair.",
+                ("Fi68", "F11"), ("Fi68", "S21"),
+            ),
+            plot=Plot("effects", "torque with each effect that the law neglects", "clutch", applies=_any_effect),
         ),
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
         Analysis("solve", "analysis.solve.solve", "SolveResult", "design"),

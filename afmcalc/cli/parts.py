@@ -14,3 +14,15 @@ def heat(spec: SpecArgument = None, *, common: Common) -> None:
     afmcalc heat clutch.toml --json
     """  # noqa: D301
     calculate(common, spec)
+
+
+@with_common
+def effects(spec: SpecArgument = None, *, common: Common) -> None:
+    """What the torque law neglects, in numbers: splines, sliding cams, centrifugal force, wear.
+
+    \b
+    afmcalc effects clutch.toml
+    afmcalc effects --set control_unit.wall_friction=0.1
+    afmcalc effects clutch.toml --set friction_group.spline_friction=0.15 --json
+    """  # noqa: D301
+    calculate(common, spec)
