@@ -158,6 +158,14 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
         ),
         Analysis(
+            "simulate", "analysis.simulate.simulate", "SimulateResult", "drive",
+            lambda clutch: clutch.spec.drive.event is not None,
+            section=Section(
+                "Drive",
+                "The event of the block [drive] in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",
+            ),
+        ),
+        Analysis(
             "heat", "analysis.heat.heat", "HeatResult", "parts", _heat_is_known, ("answers",), explained=True,
             judged=True,
             section=Section(

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from ..arrays import Values
-from ..equations import adjustment
+from ..equations import adjustment, overload
 from ..findings import Finding
 from ..spec.models import Method, Range, Spec
 from . import setting
@@ -112,6 +112,13 @@ class Clutch(ABC):
         """T_н that the setting gives, N·m."""
         at_setting = self.torque(*setting.friction_at_setting(self.spec))
         torque: Values = adjustment.nominal_torque(at_setting, setting.margin(self.spec))
+        return torque
+
+    @property
+    def machine_torque(self) -> Values:
+        """T_н.маш that the setting leaves the machine, N·m; with mean-friction the margin is in the spring already."""
+        method, margin = self.spec.adjustment.method, self.spec.adjustment.margin
+        torque: Values = overload.machine_torque(self.nominal_torque, margin if method == "min-friction" else 1.0)
         return torque
 
     @property

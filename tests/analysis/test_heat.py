@@ -68,10 +68,10 @@ def test_a_motor_that_carries_the_slip_torque_goes_on_until_cut_off(afmcalc, tmp
     result, found = heat(clutch(337, own, friction={"min": 0.3, "max": 0.6}))
     assert (result.energy.min, result.slip_time.min) == (None, None)
     assert result.energy.max == pytest.approx(8 * 100**2 / 2 * 674 / 274)
-    assert codes(found)["slip-without-end"].level == "error"
+    assert codes(found)["motor-never-stops"].level == "error"
     result, found = heat(clutch(337, {**own, "cut_off": 2}))
     assert result.energy.min == pytest.approx(337 * 100 * 2 + 8 * 100**2 / 2)
-    assert codes(found)["slip-until-cut-off"].level == "warning"
+    assert codes(found)["motor-stops-at-cut-off"].level == "warning"
     # and the motor's torque is the machine's where nothing else is said
     at_rest = clutch(337, {"motor_inertia": 8, "speed": 100}, adjustment={"nominal_torque": 337, "margin": 1.25})
     assert heat(at_rest)[0].slip_time.min == pytest.approx(800 / (337 * 0.2))

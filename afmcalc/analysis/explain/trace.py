@@ -12,7 +12,7 @@ from ...spec import Spec
 from ...spec.models import Friction, Range
 from ...variants import Law
 
-_LAWS = (*get_args(Law), "heat")
+_LAWS = (*get_args(Law), "drive", "heat")
 """Modules of equations whose results are for the friction that their arguments are for."""
 _RETURNING = "indirect.net_gain_returning"
 _FRICTION = ("friction", "friction_driven", "friction_driving")

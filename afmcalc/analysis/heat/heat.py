@@ -15,7 +15,7 @@ from ...spec.heat import Heat
 from .limit import FREEZING, Limit, limit_of
 from .remarks import remarks
 from .result import HeatResult
-from .trip import ENDS, Trip, trips
+from .trip import ENDS, Slip, Slips, trips
 
 if TYPE_CHECKING:
     from ..answers import Answers
@@ -40,7 +40,8 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
         SpecError: the [drive] block does not tell the heat of a trip.
         CalculationError: the surroundings are hotter than what the material allows.
     """
-    source, found = trips(clutch, answers)
+    slips = trips(clutch, answers)
+    found = slips.at
     own, limit, area = clutch.spec.heat or Heat(), limit_of(clutch), _area(clutch)
     if limit is not None and own.ambient is not None and own.ambient >= limit.low:
         raise CalculationError(
@@ -54,25 +55,30 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
     work = None if area is None else _each(found, lambda trip: law.specific_work(trip.energy, _pairs(clutch), area))
     rises = _rises(own, found)
     result = HeatResult(
-        energy_source=source,
+        energy_source=slips.source,
         slip_time=OpenTriple(**{end: found[end].time for end in ENDS}),
         energy=OpenTriple(**{end: found[end].energy for end in ENDS}),
         specific_work=work,
-        power_density=_power(clutch, found, area),
+        power_density=_power(clutch, slips, area),
         temperature_rise=rises,
         temperature=_temperatures(own, rises),
-        surface_temperature_rise=_surface(clutch, own, found, area, _body(clutch, own, area)),
+        surface_temperature_rise=_surface(clutch, own, slips, area),
         temperature_limit=limit.low if limit and own.ambient is not None else None,
         **_trips(own, found, limit, rises),
         trips_to_wear_out=_worn_out(clutch, own, found, area),
         **_setting(clutch, own),
     )
-    return result, [*clutch.findings(), *remarks(clutch, own, result, found, limit)]
+    return result, [*clutch.findings(), *remarks(clutch, own, result, slips, limit)]
 
 
-def _each(found: Mapping[str, Trip], of: Callable[[Trip], Values]) -> OpenTriple:
+def _each(found: Mapping[str, Slip], of: Callable[[Slip], Values]) -> OpenTriple:
     """Of every trip that ends."""
     return OpenTriple(**{end: None if found[end].energy is None else of(found[end]) for end in ENDS})
+
+
+def _how_many(found: Mapping[str, Slip], of: Callable[[Slip], Values]) -> OpenTriple:
+    """Of every trip that ends and gives heat: without it there may be any number."""
+    return OpenTriple(**{end: of(found[end]) if found[end].energy else None for end in ENDS})
 
 
 def _pairs(clutch: Clutch) -> Values:
@@ -87,14 +93,18 @@ def _area(clutch: Clutch) -> float | None:
     return area
 
 
-def _power(clutch: Clutch, found: Mapping[str, Trip], area: float | None) -> Triple | None:
-    speed = clutch.spec.drive.speed
-    if area is None or speed is None:
+def _power(clutch: Clutch, slips: Slips, area: float | None) -> Triple | None:
+    if area is None:
         return None
-    return Triple(**{end: law.power_density(found[end].torque, speed, _pairs(clutch), area) for end in ENDS})
+    return Triple(**{end: _flux(clutch, slips, trip, area) for end, trip in slips.at.items()})
 
 
-def _rises(own: Heat, found: Mapping[str, Trip]) -> OpenTriple | None:
+def _flux(clutch: Clutch, slips: Slips, trip: Slip, area: float) -> Values:
+    flux: Values = law.power_density(trip.torque, slips.speed, _pairs(clutch), area)
+    return flux
+
+
+def _rises(own: Heat, found: Mapping[str, Slip]) -> OpenTriple | None:
     if own.disc_mass is None or own.specific_heat is None:
         return None
     return _each(found, lambda trip: law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat))
@@ -118,24 +128,24 @@ def _body(clutch: Clutch, own: Heat, area: float | None) -> "Body | None":
     return Body(own.conductivity, own.density, own.specific_heat, depth)
 
 
-def _surface(
-    clutch: Clutch, own: Heat, found: Mapping[str, Trip], area: float | None, body: "Body | None"
-) -> OpenTriple | None:
+def _surface(clutch: Clutch, own: Heat, slips: Slips, area: float | None) -> OpenTriple | None:
     """Largest rise of the faces; the flux falls evenly from that of the speed before the trip, and gives its heat."""
-    speed = clutch.spec.drive.speed
-    if body is None or area is None or speed is None:
+    body = _body(clutch, own, area)
+    if body is None or area is None:
         return None
     from .surface import largest_rise
 
-    def rise(trip: Trip) -> Values:
+    def rise(trip: Slip) -> Values:
         assert trip.time is not None
+        if not trip.time:
+            return 0.0
         share = _share(own, body, trip.time)
         mean = share * law.specific_work(trip.energy, _pairs(clutch), area) / trip.time
         # heat of less than half its first power: the slip began slower than the motor turns
-        start = min(share * law.power_density(trip.torque, speed, _pairs(clutch), area), 2 * mean)
+        start = min(share * _flux(clutch, slips, trip, area), 2 * mean)
         return largest_rise(body, float(start), float(mean), float(trip.time))
 
-    return _each(found, rise)
+    return _each(slips.at, rise)
 
 
 def _share(own: Heat, body: "Body", time: Values) -> float:
@@ -147,42 +157,42 @@ def _share(own: Heat, body: "Body", time: Values) -> float:
 
 
 def _trips(
-    own: Heat, found: Mapping[str, Trip], limit: Limit | None, rises: OpenTriple | None
+    own: Heat, found: Mapping[str, Slip], limit: Limit | None, rises: OpenTriple | None
 ) -> dict[str, OpenTriple | None]:
     """How many trips the limit allows, one upon the other and per hour."""
     if limit is None or own.ambient is None:
         return {}
     room, ambient, told = limit.low - own.ambient, own.ambient, {}
     if rises is not None:
-        told["trips_without_cooling"] = _each(
+        told["trips_without_cooling"] = _how_many(
             found, lambda trip: law.trips_without_cooling(limit.low, ambient, _rise_of(own, trip))
         )
     if own.cooling is not None:
-        told["trips_per_hour"] = _each(
+        told["trips_per_hour"] = _how_many(
             found, lambda trip: HOUR * law.trips_per_time(own.cooling, limit.low, ambient, trip.energy)
         )
         if rises is not None:
-            told["trips_per_hour_peak"] = _each(found, lambda trip: _rate(own, float(_rise_of(own, trip) / room)))
+            told["trips_per_hour_peak"] = _how_many(found, lambda trip: _rate(own, float(_rise_of(own, trip) / room)))
     return dict(told)
 
 
-def _rise_of(own: Heat, trip: Trip) -> Values:
+def _rise_of(own: Heat, trip: Slip) -> Values:
     rise: Values = law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat)
     return rise
 
 
 def _rate(own: Heat, used: float) -> float:
-    """Trips per hour, each of which uses a share of the room up to the limit."""
+    """Slips per hour, each of which uses a share of the room up to the limit."""
     if used >= 1:
         return 0.0
     logarithm = math.log1p(-used)
     return HOUR / float(law.time_between_trips(own.disc_mass, own.specific_heat, own.cooling, logarithm))
 
 
-def _worn_out(clutch: Clutch, own: Heat, found: Mapping[str, Trip], area: float | None) -> OpenTriple | None:
+def _worn_out(clutch: Clutch, own: Heat, found: Mapping[str, Slip], area: float | None) -> OpenTriple | None:
     if own.wear is None or own.lining is None or area is None:
         return None
-    return _each(found, lambda trip: law.trips_to_wear_out(_pairs(clutch), area, own.lining, own.wear, trip.energy))
+    return _how_many(found, lambda trip: law.trips_to_wear_out(_pairs(clutch), area, own.lining, own.wear, trip.energy))
 
 
 def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:

@@ -1,40 +1,38 @@
 """Findings on heat and wear of a trip."""
 
-from collections.abc import Mapping
-
 from ...engines.protocol import Clutch
 from ...findings import Finding, finding
 from ...spec.heat import Heat
 from .limit import FREEZING, Limit
 from .result import HeatResult
-from .trip import Trip
+from .trip import Slips, motor_torque
+
+_NAMES = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
 
 
-def remarks(
-    clutch: Clutch, own: Heat, result: HeatResult, found: Mapping[str, Trip], limit: Limit | None
-) -> list[Finding]:
+def remarks(clutch: Clutch, own: Heat, result: HeatResult, slips: Slips, limit: Limit | None) -> list[Finding]:
     """What a designer should know of the trip, its temperature, and what was not told."""
     return [
-        *_end_findings(clutch, found),
+        *_end_findings(clutch, slips),
         *_temperature_findings(result, limit),
         *_surface_findings(own, result),
         *_missing_findings(clutch, own, limit),
     ]
 
 
-def _end_findings(clutch: Clutch, found: Mapping[str, Trip]) -> list[Finding]:
+def _end_findings(clutch: Clutch, slips: Slips) -> list[Finding]:
     """Say where the motor carries the slip torque."""
-    drive = clutch.spec.drive
-    carried = [trip.torque for trip in found.values() if trip.carried]
-    if not carried or drive.motor_inertia is None:
-        return []
-    least = float(min(carried))
+    off = clutch.spec.drive.cut_off
+    carried = {end: trip for end, trip in slips.at.items() if trip.carried}
+    if not carried:
+        return [*slips.found]
+    at, path = ", ".join(_NAMES[end] for end in carried), "drive.cut_off"
+    least, motor = float(min(trip.torque for trip in carried.values())), float(motor_torque(clutch))
+    if off is None:
+        return [finding("motor-never-stops", "error", value=least, limit=motor, path=path, at=at)]
+    heat = max(float(trip.energy or 0.0) for trip in carried.values())
     return [
-        finding("slip-without-end", "error", value=least, path="drive.cut_off")
-        if drive.cut_off is None
-        else finding(
-            "slip-until-cut-off", "warning", value=float(min(carried)), limit=drive.cut_off, path="drive.cut_off"
-        )
+        finding("motor-stops-at-cut-off", "warning", value=least, limit=motor, path=path, at=at, heat=heat, off=off)
     ]
 
 

@@ -27,17 +27,15 @@ class HeatResult(Result):
         "K abs", "Θ_max", "temperature the discs are held against", optional=True
     )
     trips_without_cooling: OpenTriple | None = quantity(
-        "1", "n", "trips one upon the other until the limit", optional=True, null=ENDLESS
+        "1", "n", "trips one upon the other until the limit", optional=True
     )
     trips_per_hour: OpenTriple | None = quantity(
-        "1/h", "ν", "trips per hour, mean temperature at the limit", optional=True, null=ENDLESS
+        "1/h", "ν", "trips per hour, mean temperature at the limit", optional=True
     )
     trips_per_hour_peak: OpenTriple | None = quantity(
-        "1/h", "ν_p", "trips per hour, temperature after each trip at the limit", optional=True, null=ENDLESS
+        "1/h", "ν_p", "trips per hour, temperature after each trip at the limit", optional=True
     )
-    trips_to_wear_out: OpenTriple | None = quantity(
-        "1", "n_w", "trips until the lining is gone", optional=True, null=ENDLESS
-    )
+    trips_to_wear_out: OpenTriple | None = quantity("1", "n_w", "trips until the lining is gone", optional=True)
     setting_loss_per_wear: float | None = quantity(
         "1/m", "ΔF/(F δ)", "share of the force on the pack lost per wear of a pair", optional=True
     )
