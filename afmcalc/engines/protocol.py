@@ -109,16 +109,15 @@ class Clutch(ABC):
 
     @property
     def nominal_torque(self) -> Values:
-        """T_н that the setting gives, N·m."""
+        """T_н of the clutch that the setting gives, N·m."""
         at_setting = self.torque(*setting.friction_at_setting(self.spec))
         torque: Values = adjustment.nominal_torque(at_setting, setting.margin(self.spec))
         return torque
 
     @property
     def machine_torque(self) -> Values:
-        """T_н.маш that the setting leaves the machine, N·m; with mean-friction the margin is in the spring already."""
-        method, margin = self.spec.adjustment.method, self.spec.adjustment.margin
-        torque: Values = overload.machine_torque(self.nominal_torque, margin if method == "min-friction" else 1.0)
+        """T_н.маш of the machine, N·m: T_н over the margin, unless that is in the spring already (mean-friction)."""
+        torque: Values = overload.machine_torque(self.nominal_torque, setting.margin_over_machine(self.spec))
         return torque
 
     @property

@@ -32,6 +32,10 @@ class Column(NamedTuple):
     detail: bool = False
     """Left out of tables for people when the table is long."""
     null: str = "–"
+    units: list[str] | None = None
+    """SI units of values that have theirs in a field of its own."""
+    is_unit: bool = False
+    """Whether the values are units."""
 
 
 class Table(NamedTuple):
@@ -83,7 +87,7 @@ def _walk(model: BaseModel, prefix: str, heading: str, into: Document) -> None:
         elif isinstance(value, list) and value and isinstance(value[0], BaseModel):
             laid_out = _side_by_side(label, value) if about.get("columns") else _records(label, value)
             into.tables.append(laid_out._replace(data=bool(about.get("data"))))
-        else:
+        elif value != []:
             into.singles.append(Entry(path, symbol, label, unit, (value,), str(about.get("null") or "–")))
 
 
@@ -114,7 +118,9 @@ def _records(title: str, items: list[BaseModel]) -> Table:
                 ends = [getattr(value, end, None) for value in values]
                 columns.append(Column(f"{name}_{end}", f"{symbol} {end}", f"{label}, {end}", unit, ends))
         else:
-            columns.append(Column(name, symbol, label, unit, values, bool(about.get("detail"))))
+            own = [str(getattr(item, str(about["unit_in"]))) for item in items] if "unit_in" in about else None
+            detail, is_unit = bool(about.get("detail")), bool(about.get("is_unit"))
+            columns.append(Column(name, symbol, label, unit, values, detail, units=own, is_unit=is_unit))
     return Table(title, columns)
 
 

@@ -89,13 +89,20 @@ def _table(table: Table) -> TextTable:
     if table.columns and len(table.columns[0].values) > _LONG:
         table = table._replace(columns=[column for column in table.columns if not column.detail])
     header = [_heading(column) for column in table.columns]
-    cells = [[_shown(value, column.unit, column.null) for value in column.values] for column in table.columns]
+    cells = [_cells(column) for column in table.columns]
     numeric = [_is_numeric(column) for column in table.columns]
     rows = [list(row) for row in zip(*cells, strict=True)]
     legend = (
         "; ".join(f"{column.symbol}: {column.name}" for column in table.columns if column.symbol) if table.axes else ""
     )
     return TextTable(table.title[:1].upper() + table.title[1:], header, rows, numeric, table, legend)
+
+
+def _cells(column: Column) -> list[str]:
+    if column.is_unit:
+        return [display_unit(value) for value in column.values]
+    units = column.units or [column.unit] * len(column.values)
+    return [_shown(value, unit, column.null) for value, unit in zip(column.values, units, strict=True)]
 
 
 def _heading(column: Column) -> str:

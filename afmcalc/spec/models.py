@@ -20,6 +20,7 @@ from ..errors import Problem
 from ..messages import say
 from ..variants import VARIANTS, Variant
 from . import drive, rules
+from .contact import Contact
 from .drive import Drive, Mass, SlidingSpeed, TimeOrNone
 from .fatigue import Fatigue
 from .fields import (
@@ -31,16 +32,16 @@ from .fields import (
     Gap,
     Length,
     Name,
-    PoissonRatio,
     Ratio,
     Stiffness,
     StiffnessOrNone,
-    Stress,
     Torque,
     WallAngle,
     key_field,
 )
 from .heat import Heat
+from .report import TitleBlock
+from .required import Required
 from .tolerance import Tolerance, in_si
 
 
@@ -178,20 +179,6 @@ class ControlSpring(Block):
     )
 
 
-class Contact(Block):
-    """Elastic data of ball and pocket wall, for a Hertz check where no allowable force is given."""
-
-    ball_modulus: Stress = Field(description="Young's modulus of the ball", json_schema_extra={"symbol": "E_1"})
-    ball_poisson: PoissonRatio = Field(description="Poisson's ratio of the ball", json_schema_extra={"symbol": "ν_1"})
-    wall_modulus: Stress = Field(description="Young's modulus of the pocket wall", json_schema_extra={"symbol": "E_2"})
-    wall_poisson: PoissonRatio = Field(
-        description="Poisson's ratio of the pocket wall", json_schema_extra={"symbol": "ν_2"}
-    )
-    allowable_pressure: Stress = Field(
-        description="allowable maximum contact pressure", json_schema_extra={"symbol": "[p_0]"}
-    )
-
-
 class ControlUnit(Block):
     """Balls in pockets with inclined walls."""
 
@@ -209,6 +196,7 @@ class ControlUnit(Block):
     ball_diameter: Length | None = key_field(
         "ball chosen; synthesize takes it instead of the next standard one", "2 r_ш"
     )
+    sleeve_depth: Length | None = key_field("thickness, along the axis, of the sleeve the pockets are cut into", "B")
     wall_friction: Ratio | None = key_field(
         "friction of cams that slide on the walls, balls do not (effects only)", "μ"
     )
@@ -220,7 +208,9 @@ class Adjustment(Block):
 
     method: Method = key_field("friction at which the nominal torque is set", default="min-friction")
     margin: AtLeastOne = key_field("torque margin", "β_н", default=1.0)
-    nominal_torque: Torque | None = key_field("nominal torque; gives the spring force when that is absent", "T_н")
+    nominal_torque: Torque | None = key_field(
+        "nominal torque of the clutch; gives the spring force where absent", "T_н"
+    )
 
 
 @dataclass(frozen=True)
@@ -245,6 +235,8 @@ class Spec(Block):
     fatigue: Fatigue | None = None
     heat: Heat | None = None
     tolerance: Tolerance | None = None
+    requirements: Required | None = None
+    report: TitleBlock | None = None
 
     _origin: Origin = PrivateAttr(Origin("spec"))
 

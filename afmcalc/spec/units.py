@@ -27,6 +27,7 @@ EXAMPLES = {
     "J/kg/K": ("a specific heat", "480 J/kg/K"),
     "W/m/K": ("a thermal conductivity", "50 W/m/K"),
     "W/K": ("a cooling per kelvin", "2.5 W/K"),
+    "J/m^2": ("a work per area", "1 J/mm^2"),
     "m^3/J": ("a wear per energy", "2e-5 mm^3/J"),
     "1": ("a plain number", "0.3"),
 }
@@ -80,6 +81,9 @@ KNOWN: dict[str, dict[str, Decimal]] = {
     "J/kg/K": {"J/kg/K": Decimal(1), "J/(kg*K)": Decimal(1), "Дж/(кг*К)": Decimal(1)},
     "W/m/K": {"W/m/K": Decimal(1), "W/(m*K)": Decimal(1), "Вт/(м*К)": Decimal(1)},
     "W/K": {"W/K": Decimal(1), "Вт/К": Decimal(1)},
+    "J/m^2": {"J/m^2": Decimal(1), "kJ/m^2": Decimal(1000)}
+    | dict.fromkeys(("J/mm^2", "Дж/мм^2"), Decimal("1e6"))
+    | dict.fromkeys(("J/cm^2", "Дж/см^2"), Decimal("1e4")),
     "m^3/J": {"m^3/J": Decimal(1), "mm^3/J": Decimal("1e-9"), "мм^3/Дж": Decimal("1e-9")},
 }
 """SI unit of a field → unit as written → how many SI units it is."""

@@ -7,6 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.checks.requirements import requirement_rows
 from afmcalc.analysis.heat.heat import heat
 from afmcalc.analysis.heat.surface import Body, largest_rise
 from afmcalc.engines import build
@@ -152,7 +154,7 @@ def test_the_material_bears_a_temperature(mass, code, level):
     assert codes(found)[code].value == pytest.approx(293.15 + rise)
     assert result.trips_per_hour_peak.max == 0
     discs["ambient"] = "210 degC"
-    with pytest.raises(ValueError, match="is no cooler than the 204 °C that moulded-dry allows"):
+    with pytest.raises(ValueError, match="is no cooler than the 204 °C that friction.material allows"):
         heat(clutch(friction={"material": "moulded-dry"}, discs=discs))
 
 
@@ -165,3 +167,34 @@ def test_wear_of_the_lining_and_of_the_setting():
         assert result.setting_loss_worn == pytest.approx(loss)
         assert result.setting_loss_per_wear * 1e-4 == pytest.approx(loss)
         assert result.trips_to_wear_out.min * result.energy.min * 2e-14 == pytest.approx(8 * AREA * 1e-4)
+
+
+def test_requirements_of_heat_are_judged(afmcalc, tmp_path):
+    """The worst of the friction range is held against what is required; the limit is that of the trips too."""
+    discs = {"disc_mass": 2, "specific_heat": 480, "ambient": "20 degC", "cooling": 2.5}
+    required = {"work": "0.2 J/mm^2", "temperature": "60 degC"}
+    own = clutch(discs=discs, friction={"material": "moulded-dry"}, requirements=required)
+    result, found = heat(own)
+    assert result.temperature_limit == pytest.approx(333.15)
+    assert "temperature-exceeded" not in codes(found)
+    rows, _ = requirement_rows(Answers(own))
+    assert [(row.requirement, row.passed) for row in rows] == [("work", False), ("temperature", False)]
+    assert [row.value for row in rows] == [result.specific_work.max, result.temperature.max]
+    endless = clutch(400, {"speed": 100, "motor_inertia": 1, "motor_torque": 500}, requirements={"work": 1e6})
+    rows, said = requirement_rows(Answers(endless))
+    assert (rows[0].passed, codes(said)["requirement-not-judged"].level) == (None, "warning")
+
+
+def test_an_event_is_simulated():
+    pytest.importorskip("scipy")
+    drive = {
+        "speed": 15, "motor_inertia": 8, "driven_inertia": 0.05, "shaft_stiffness": 8000, "damping_ratio": 0.03,
+        "motor_torque": 150, "event": {"kind": "stop", "stop_time": 0.01},
+    }  # fmt: skip
+    answers = Answers(clutch(200, {**drive, "load_torque": 150}))
+    result, found = heat(answers.clutch, answers)
+    simulated, _ = answers.ask("simulate")
+    assert (result.energy_source, result.energy.min) == ("simulate", simulated.slip_energy.min)
+    assert result.energy.min == pytest.approx(8 * 15**2 / 2 * 200 / 50, rel=0.05), "V1: the tool all but blocked"
+    assert result.power_density.min == pytest.approx(200 * 15 / (8 * AREA))
+    assert "motor-never-stops" in codes(heat(clutch(140, {**drive, "load_torque": 100}))[1])

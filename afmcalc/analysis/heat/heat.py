@@ -15,7 +15,7 @@ from ...spec.heat import Heat
 from .limit import FREEZING, Limit, limit_of
 from .remarks import remarks
 from .result import HeatResult
-from .trip import ENDS, Slip, Slips, trips
+from .trip import ENDS, HeatedSlip, HeatedSlips, trips
 
 if TYPE_CHECKING:
     from ..answers import Answers
@@ -46,10 +46,10 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
     if limit is not None and own.ambient is not None and own.ambient >= limit.low:
         raise CalculationError(
             say(
-                "heat: heat.ambient, {ambient:.4g} °C, is no cooler than the {limit:.4g} °C that {name} allows",
+                "heat: heat.ambient, {ambient:.4g} °C, is no cooler than the {limit:.4g} °C that {path} allows",
                 ambient=own.ambient - FREEZING,
                 limit=limit.low - FREEZING,
-                name=limit.name,
+                path=limit.path,
             )
         )
     work = None if area is None else _each(found, lambda trip: law.specific_work(trip.energy, _pairs(clutch), area))
@@ -71,12 +71,12 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
     return result, [*clutch.findings(), *remarks(clutch, own, result, slips, limit)]
 
 
-def _each(found: Mapping[str, Slip], of: Callable[[Slip], Values]) -> OpenTriple:
+def _each(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values]) -> OpenTriple:
     """Of every trip that ends."""
     return OpenTriple(**{end: None if found[end].energy is None else of(found[end]) for end in ENDS})
 
 
-def _how_many(found: Mapping[str, Slip], of: Callable[[Slip], Values]) -> OpenTriple:
+def _how_many(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values]) -> OpenTriple:
     """Of every trip that ends and gives heat: without it there may be any number."""
     return OpenTriple(**{end: of(found[end]) if found[end].energy else None for end in ENDS})
 
@@ -93,18 +93,18 @@ def _area(clutch: Clutch) -> float | None:
     return area
 
 
-def _power(clutch: Clutch, slips: Slips, area: float | None) -> Triple | None:
+def _power(clutch: Clutch, slips: HeatedSlips, area: float | None) -> Triple | None:
     if area is None:
         return None
     return Triple(**{end: _flux(clutch, slips, trip, area) for end, trip in slips.at.items()})
 
 
-def _flux(clutch: Clutch, slips: Slips, trip: Slip, area: float) -> Values:
+def _flux(clutch: Clutch, slips: HeatedSlips, trip: HeatedSlip, area: float) -> Values:
     flux: Values = law.power_density(trip.torque, slips.speed, _pairs(clutch), area)
     return flux
 
 
-def _rises(own: Heat, found: Mapping[str, Slip]) -> OpenTriple | None:
+def _rises(own: Heat, found: Mapping[str, HeatedSlip]) -> OpenTriple | None:
     if own.disc_mass is None or own.specific_heat is None:
         return None
     return _each(found, lambda trip: law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat))
@@ -128,14 +128,14 @@ def _body(clutch: Clutch, own: Heat, area: float | None) -> "Body | None":
     return Body(own.conductivity, own.density, own.specific_heat, depth)
 
 
-def _surface(clutch: Clutch, own: Heat, slips: Slips, area: float | None) -> OpenTriple | None:
+def _surface(clutch: Clutch, own: Heat, slips: HeatedSlips, area: float | None) -> OpenTriple | None:
     """Largest rise of the faces; the flux falls evenly from that of the speed before the trip, and gives its heat."""
     body = _body(clutch, own, area)
     if body is None or area is None:
         return None
     from .surface import largest_rise
 
-    def rise(trip: Slip) -> Values:
+    def rise(trip: HeatedSlip) -> Values:
         assert trip.time is not None
         if not trip.time:
             return 0.0
@@ -157,7 +157,7 @@ def _share(own: Heat, body: "Body", time: Values) -> float:
 
 
 def _trips(
-    own: Heat, found: Mapping[str, Slip], limit: Limit | None, rises: OpenTriple | None
+    own: Heat, found: Mapping[str, HeatedSlip], limit: Limit | None, rises: OpenTriple | None
 ) -> dict[str, OpenTriple | None]:
     """How many trips the limit allows, one upon the other and per hour."""
     if limit is None or own.ambient is None:
@@ -176,20 +176,20 @@ def _trips(
     return dict(told)
 
 
-def _rise_of(own: Heat, trip: Slip) -> Values:
+def _rise_of(own: Heat, trip: HeatedSlip) -> Values:
     rise: Values = law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat)
     return rise
 
 
 def _rate(own: Heat, used: float) -> float:
-    """Slips per hour, each of which uses a share of the room up to the limit."""
+    """Trips per hour, each of which uses a share of the room up to the limit."""
     if used >= 1:
         return 0.0
     logarithm = math.log1p(-used)
     return HOUR / float(law.time_between_trips(own.disc_mass, own.specific_heat, own.cooling, logarithm))
 
 
-def _worn_out(clutch: Clutch, own: Heat, found: Mapping[str, Slip], area: float | None) -> OpenTriple | None:
+def _worn_out(clutch: Clutch, own: Heat, found: Mapping[str, HeatedSlip], area: float | None) -> OpenTriple | None:
     if own.wear is None or own.lining is None or area is None:
         return None
     return _how_many(found, lambda trip: law.trips_to_wear_out(_pairs(clutch), area, own.lining, own.wear, trip.energy))

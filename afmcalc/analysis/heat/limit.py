@@ -10,16 +10,20 @@ FREEZING = 273.15
 
 
 class Limit(NamedTuple):
-    """Temperature that the discs are held against, K: the printed range of what a material allows."""
+    """Temperature that the discs are held against, K: what is required, or the range that a material allows."""
 
     low: float
     high: float
     path: str
-    name: str
+    name: str | None
+    """Of the material; None where it is the spec that requires."""
 
 
 def limit_of(clutch: Clutch) -> Limit | None:
-    """The lowest of what the materials named allow."""
+    """What the spec requires, else the lowest of what the materials named allow."""
+    required = clutch.spec.requirements
+    if required is not None and required.temperature is not None:
+        return Limit(required.temperature, required.temperature, "requirements.temperature", None)
     listed = [(path, catalogue()[name]) for path, name in clutch.spec.friction.materials.items()]
     allowing = [(path, material) for path, material in listed if material.temperature_min is not None]
     if not allowing:

@@ -5,12 +5,12 @@ from ...findings import Finding, finding
 from ...spec.heat import Heat
 from .limit import FREEZING, Limit
 from .result import HeatResult
-from .trip import Slips, motor_torque
+from .trip import HeatedSlips, motor_torque
 
 _NAMES = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
 
 
-def remarks(clutch: Clutch, own: Heat, result: HeatResult, slips: Slips, limit: Limit | None) -> list[Finding]:
+def remarks(clutch: Clutch, own: Heat, result: HeatResult, slips: HeatedSlips, limit: Limit | None) -> list[Finding]:
     """What a designer should know of the trip, its temperature, and what was not told."""
     return [
         *_end_findings(clutch, slips),
@@ -20,7 +20,7 @@ def remarks(clutch: Clutch, own: Heat, result: HeatResult, slips: Slips, limit: 
     ]
 
 
-def _end_findings(clutch: Clutch, slips: Slips) -> list[Finding]:
+def _end_findings(clutch: Clutch, slips: HeatedSlips) -> list[Finding]:
     """Say where the motor carries the slip torque."""
     off = clutch.spec.drive.cut_off
     carried = {end: trip for end, trip in slips.at.items() if trip.carried}
@@ -37,7 +37,7 @@ def _end_findings(clutch: Clutch, slips: Slips) -> list[Finding]:
 
 
 def _temperature_findings(result: HeatResult, limit: Limit | None) -> list[Finding]:
-    if result.temperature is None or limit is None:
+    if result.temperature is None or limit is None or limit.name is None:
         return []
     after = [each for each in vars(result.temperature).values() if each is not None]
     hottest = max(after, default=0.0)

@@ -21,7 +21,7 @@ EnergySource = Literal["simulate", "run-down", "constant-speed"]
 ENDS = ("min", "mean", "max")
 
 
-class Slip(NamedTuple):
+class HeatedSlip(NamedTuple):
     """A slip at one friction; a time and an energy of None: it does not end."""
 
     torque: Values
@@ -31,18 +31,18 @@ class Slip(NamedTuple):
     """Whether the motor can carry the slip torque, so that only a cut-off ends it."""
 
 
-class Slips(NamedTuple):
+class HeatedSlips(NamedTuple):
     """The trip at f_min, mean and f_max, and where its heat is from."""
 
     source: EnergySource
     speed: Values
     """Of the motor side before it, rad/s."""
-    at: Mapping[str, Slip]
+    at: Mapping[str, HeatedSlip]
     found: tuple[Finding, ...] = ()
     """What the simulation says of the end of the slip."""
 
 
-def trips(clutch: Clutch, answers: "Answers | None" = None) -> Slips:
+def trips(clutch: Clutch, answers: "Answers | None" = None) -> HeatedSlips:
     """Heat and time of a trip at f_min, mean and f_max.
 
     An event of the [drive] block is simulated, where SciPy is installed; else the tool is blocked (V1).
@@ -63,7 +63,7 @@ def trips(clutch: Clutch, answers: "Answers | None" = None) -> Slips:
     assert drive.speed is not None
     source: EnergySource = "constant-speed" if drive.motor_inertia is None else "run-down"
     motor = motor_torque(clutch)
-    return Slips(source, drive.speed, {end: _run_down(drive, _torque(clutch, end), motor) for end in ENDS})
+    return HeatedSlips(source, drive.speed, {end: _run_down(drive, _torque(clutch, end), motor) for end in ENDS})
 
 
 def motor_torque(clutch: Clutch) -> Values:
@@ -73,17 +73,15 @@ def motor_torque(clutch: Clutch) -> Values:
     return clutch.machine_torque if given is None else given
 
 
-def _simulated(clutch: Clutch, answers: "Answers | None") -> Slips:
+def _simulated(clutch: Clutch, answers: "Answers | None") -> HeatedSlips:
     from ..simulate.simulate import simulate
     from ..simulate.train import train_of
 
     found, said = simulate(clutch) if answers is None else answers.ask("simulate")
-    at = {
-        end: Slip(getattr(found.sliding_torque, end), getattr(found.slip_time, end), getattr(found.slip_energy, end))
-        for end in ENDS
-    }
+    told = found.sliding_torque, found.slip_time, found.slip_energy
+    at = {end: HeatedSlip(*(getattr(each, end) for each in told)) for end in ENDS}
     ends = tuple(each for each in said if each.path in ("drive.cut_off", "drive.event.duration"))
-    return Slips("simulate", train_of(clutch).speed, at, ends)
+    return HeatedSlips("simulate", train_of(clutch).speed, at, ends)
 
 
 def _torque(clutch: Clutch, end: str) -> Values:
@@ -91,22 +89,22 @@ def _torque(clutch: Clutch, end: str) -> Values:
     return torque
 
 
-def _run_down(drive: Drive, torque: Values, motor: Values) -> Slip:
+def _run_down(drive: Drive, torque: Values, motor: Values) -> HeatedSlip:
     """V1 until the motor side stands or is switched off; switched off it runs down against the clutch alone."""
     speed, inertia, off = drive.speed, drive.motor_inertia, drive.cut_off
     assert speed is not None
     if inertia is None:
         assert off is not None
-        return Slip(torque, off, law.slip_energy(torque, speed, speed, off))
+        return HeatedSlip(torque, off, law.slip_energy(torque, speed, speed, off))
     carried = bool(torque <= motor)
     if not carried:
         time = drive_law.run_down_time(inertia, speed, torque, motor)
         if off is None or time <= off:
-            return Slip(torque, time, drive_law.run_down_heat(inertia, speed, torque, motor))
+            return HeatedSlip(torque, time, drive_law.run_down_heat(inertia, speed, torque, motor))
     if off is None:
-        return Slip(torque, None, None, carried)
+        return HeatedSlip(torque, None, None, carried)
     # a motor that can carry the slip torque goes on at its speed
     end = speed if carried else law.speed_after(speed, inertia, torque, motor, off)
     until = law.slip_energy(torque, speed, end, off)
     after = drive_law.run_down_heat(inertia, end, torque, 0.0)
-    return Slip(torque, off + drive_law.run_down_time(inertia, end, torque, 0.0), until + after, carried)
+    return HeatedSlip(torque, off + drive_law.run_down_time(inertia, end, torque, 0.0), until + after, carried)

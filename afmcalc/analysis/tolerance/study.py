@@ -83,6 +83,8 @@ def _block(spec: Spec) -> Tolerance:
             raise SpecError(
                 spec.label, [Problem(f"tolerance.fields.{path}", None, say("this clutch has {use} instead", use=use))]
             )
+    if given.torque_limit is None and spec.requirements is not None:
+        return given.model_copy(update={"torque_limit": spec.requirements.torque_max})
     return given
 
 
