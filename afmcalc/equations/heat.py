@@ -369,7 +369,7 @@ def setting_loss_per_wear(stiffness: Number, pairs: Number, force: Number) -> Nu
 
 
 def time_between_trips(mass: Number, specific_heat: Number, cooling: Number, logarithm: Number) -> Number:
-    """Time between trips after each of which the discs just reach a limit, −m c/(α A_c) ln(1 − ΔΘ/(Θ_max − Θ_0)).
+    """Time between trips after each of which the discs just reach a limit, m c λ/(α A_c).
 
     Source: Theory of the drive, section 10: one body that cools between trips, when every trip is as the last.
 
@@ -377,7 +377,7 @@ def time_between_trips(mass: Number, specific_heat: Number, cooling: Number, log
         mass: m, of the discs that take the heat [kg].
         specific_heat: c, of the discs [J/kg/K].
         cooling: α A_c, heat given off per kelvin [W/K].
-        logarithm: ln(1 − ΔΘ/(Θ_max − Θ_0)), of the share of the limit that a trip leaves [1].
+        logarithm: λ, −ln(1 − ΔΘ/(Θ_max − Θ_0)), of the share of the limit that a trip leaves [1].
 
     Returns:
         t_p [s].
@@ -385,4 +385,4 @@ def time_between_trips(mass: Number, specific_heat: Number, cooling: Number, log
     Validity:
         ΔΘ < Θ_max − Θ_0; the trip is short against the time between.
     """
-    return -mass * specific_heat * logarithm / cooling
+    return mass * specific_heat * logarithm / cooling

@@ -56,7 +56,7 @@ def temperature_of_the_discs() -> Steps:
     rate = heat.trips_per_time(k, limit, ambient, energy)
     yield Identity("heat in = heat out", rate * energy - k * (limit - ambient))
     headroom = sp.Symbol("H", positive=True)
-    between = heat.time_between_trips(m, c, k, sp.log(1 - rise / headroom))
+    between = heat.time_between_trips(m, c, k, -sp.log(1 - rise / headroom))
     # what cooling leaves of the headroom, and the next trip's rise, make it up again
     left = headroom * sp.exp(-between * k / (m * c))
     yield Identity("the limit again after every trip", left + rise - headroom)

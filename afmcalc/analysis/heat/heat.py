@@ -185,7 +185,7 @@ def _rate(own: Heat, used: float) -> float:
     """Trips per hour, each of which uses a share of the room up to the limit."""
     if used >= 1:
         return 0.0
-    logarithm = math.log1p(-used)
+    logarithm = -math.log1p(-used)
     return HOUR / float(law.time_between_trips(own.disc_mass, own.specific_heat, own.cooling, logarithm))
 
 
