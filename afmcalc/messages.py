@@ -161,6 +161,14 @@ FINDINGS: Mapping[str, str] = {
     "unusual/wall-angle": "a wall angle of {value:.4g deg} is unusual: {low:.4g deg…}{high:.4g deg} is usual",
     "unusual/ball-circle": "a ball-circle radius of {value:.4g mm} is unusual: {low:.4g mm…}{high:.4g mm}, 0.2 to 2 "
     "times the mean friction radius, is usual",
+    # springs
+    "curved-springs": "{path}: torque, accuracy, tolerance, heat and effects follow its true characteristic; "
+    "sensitivities and a simulation take a straight spring of the stiffness given",
+    "spring-too-weak": "{path}: pressed flat it gives {value:.5g kN}, less than the {limit:.5g kN} as set",
+    "spring-beyond-range": "{path}: used from {low:.3g} to {high:.3g} of its cone height; 0.15 to 0.75 is usual",
+    "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
+    "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
+    "any-stiffness": "{path} is not given: any stiffness will do",
     # surface pressure
     "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
     "above the allowable {low:g kPa…}{high:g kPa} of {name}",

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
     from .design.design import DesignResult
     from .effects.curve import EffectsCurve
+    from .springs.curve import SpringsCurve
     from .synthesize import SynthesisResult
     from .tolerance.study import Study
 
@@ -151,6 +152,12 @@ def _effects(request: Request) -> "EffectsCurve":
     from .effects.curve import effects_curve
 
     return effects_curve(request.subjects[0].clutch)
+
+
+def _springs(request: Request) -> "SpringsCurve":
+    from .springs.curve import springs_curve
+
+    return springs_curve(request.subjects[0].clutch)
 
 
 def _tolerance(request: Request) -> ToleranceFigure:

@@ -13,6 +13,10 @@ if TYPE_CHECKING:
 StressRule = Literal["mean-stress", "amplitude", "goodman"]
 """Rules for the damaging stress of a life: the paper's, Серенсен–Кинасошвили's, Goodman's."""
 
+SpringOrder = Literal["length", "wear", "mass"]
+"""What is small in the springs told first."""
+SpringKind = Literal["any", "disc", "coil"]
+
 Takes = Literal["clutch", "clutches", "names", "requirements"]
 
 
@@ -183,6 +187,10 @@ ANALYSES: dict[str, Analysis] = {
                 ("Fi68", "F11"), ("Fi68", "S21"),
             ),
             plot=Plot("effects", "torque with each effect that the law neglects", "clutch", applies=_any_effect),
+        ),
+        Analysis(
+            "springs", "analysis.springs.springs", "SpringsResult", "parts",
+            plot=Plot("springs", "force of the springs over their deflection, with what service takes", "clutch"),
         ),
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
         Analysis("solve", "analysis.solve.solve", "SolveResult", "design"),

@@ -7,7 +7,7 @@ import typer
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import write
+from .files import spec_text, write
 from .options import Common, SpecArgument, with_common
 from .run import build_from, calculate, emit
 
@@ -117,10 +117,8 @@ def synthesize(
     afmcalc synthesize clutch.toml --output completed.toml
     afmcalc synthesize clutch.toml --json | afmcalc torque -
     """  # noqa: D301
-    import json
-
     from ..analysis.synthesize import completed
-    from ..spec import make_spec, to_toml
+    from ..spec import make_spec
     from ..spec.balls import diameters
 
     common.keep(spec)
@@ -131,8 +129,7 @@ def synthesize(
     if common.output:
         assert output.spec is not None
         data = completed(make_spec(output.spec), output.result)
-        as_json = common.output.endswith(".json")
-        write(json.dumps(data, indent=2, ensure_ascii=False) + "\n" if as_json else to_toml(data), common.output)
+        write(spec_text(data, common.output), common.output)
         common.note(say("wrote the completed spec to {output}", output=common.output))
 
 

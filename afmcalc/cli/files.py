@@ -1,6 +1,7 @@
 """Writing to standard output, or to a file that is either whole or untouched."""
 
 import sys
+from typing import Any
 
 from ..errors import FileError
 from ..messages import say
@@ -62,3 +63,14 @@ def _mode(target: str) -> int:
         mask = os.umask(0)
         os.umask(mask)
         return 0o666 & ~mask
+
+
+def spec_text(data: dict[str, Any], path: str) -> str:
+    """Plain data of a spec as JSON, where the name of its file says so, else as TOML."""
+    if path.endswith(".json"):
+        import json
+
+        return json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+    from ..spec import to_toml
+
+    return to_toml(data)

@@ -98,9 +98,8 @@ def _wear(clutch: Clutch) -> Bracket:
     """The pack new, and with its lining gone."""
     own = clutch.spec.heat
     assert own is not None
-    pairs = clutch.spec.friction_group.pairs
-    lost = float(law.force_lost_by_wear(clutch.following_stiffness, pairs, own.lining))
-    return _weaker(clutch, lost, "heat.lining")
+    assert own.lining is not None
+    return _weaker(clutch, float(clutch.lost_by_wear(own.lining)), "heat.lining")
 
 
 def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:

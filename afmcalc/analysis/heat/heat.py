@@ -201,5 +201,6 @@ def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
     if stiffness is None:
         return {}
     loss = law.setting_loss_per_wear(stiffness, _pairs(clutch), clutch.pack_force_at_rest)
-    worn = {} if own.lining is None else {"setting_loss_worn": loss * own.lining}
+    rest = clutch.pack_force_at_rest
+    worn = {} if own.lining is None else {"setting_loss_worn": clutch.lost_by_wear(own.lining) / rest}
     return {"setting_loss_per_wear": loss, **worn}

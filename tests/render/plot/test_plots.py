@@ -47,6 +47,7 @@ PICTURES = {
     "pocket": ("pocket", ["default"], {}),
     "pocket-indirect": ("pocket", ["indirect"], {}),
     "effects": ("effects", ["effects"], {}),
+    "springs": ("springs", ["springs"], {}),
     "tolerance": ("tolerance", ["tolerance"], {}),
     "tolerance-exact": ("tolerance", ["exact"], {}),
     "pareto": ("pareto", ["requirements"], {}),
@@ -70,6 +71,9 @@ def subject_of(kind, subject):
     if subject == "exact":
         only = ['tolerance.fields={"friction" = {distribution="uniform"}}']
         return Answers(build(read_spec(CONFIGS / "default.toml", only)))
+    if subject == "springs":
+        shape = "outer_diameter=0.04, inner_diameter=0.0204, thickness=1.5e-3, free_height=2.65e-3, series=6"
+        return Answers(build(read_spec(CONFIGS / "indirect.toml", [f"closing_spring.disc={{{shape}}}"])))
     if subject == "effects":
         splines = ["spline_friction=0.1", "inner_spline_radius=0.075", "outer_spline_radius=0.125"]
         neglected = [*(f"friction_group.{each}" for each in splines), "control_unit.wall_friction=0.1"]
