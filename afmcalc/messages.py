@@ -108,7 +108,8 @@ FINDINGS: Mapping[str, str] = {
     "springs, gap or list",
     "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
     "clearance need",
-    "balls-not-given": "the number of balls is not given: the contact force is not calculated",
+    "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
+    "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
     # heat
     "temperature-exceeded": "the discs reach {celsius:.4g} °C after one trip: above the {low:g}…{high:g} °C that "

@@ -3,7 +3,7 @@
 from typing import ClassVar
 
 from ...engines.protocol import Clutch
-from ...findings import Finding, worst
+from ...findings import Finding, finding, worst
 from ...result import Result, quantity
 from ..answers import Answers
 from ..registry import ANALYSES
@@ -41,7 +41,7 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
     findings = all_findings(answers)
     requirements, missed = requirement_rows(answers)
     findings += missed
-    levels = [finding.level for finding in findings]
+    levels = [each.level for each in findings]
     failing = ("error", "warning") if strict else ("error",)
     result = CheckResult(
         passed=worst(findings) not in failing,
@@ -59,4 +59,7 @@ def all_findings(answers: Answers) -> list[Finding]:
     clutch = answers.clutch
     judged = [each.name for each in ANALYSES.values() if each.judged and each.applies(clutch)]
     found = [*clutch.findings(), *pressure_findings(clutch), *unusual_findings(answers)]
+    unit = clutch.spec.control_unit
+    if unit is not None and unit.ball_circle_radius is None:
+        found.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
     return list(dict.fromkeys([*found, *(each for name in judged for each in answers.ask(name)[1])]))

@@ -7,8 +7,8 @@ import numpy as np
 
 from ...spec.requirements import Requirements
 from ...variants import Variant
-from .candidates import SAME, Candidates
-from .space import Mask, Numbers, balls, given
+from .candidates import Candidates
+from .space import SAME, Mask, Numbers, given
 
 OVER, UNDER = 1 + SAME, 1 - SAME
 
@@ -55,7 +55,7 @@ def _bounds(need: Requirements, variant: Variant) -> Iterable[_Bound]:
 
 
 def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[_Bound]:
-    limits, largest = need.limits, float(balls(need)[-1]) * OVER
+    limits = need.limits
     if limits.gain_limit and variant.gain_limit is not None:
 
         def within(c: Candidates) -> Mask:
@@ -66,7 +66,7 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[_Boun
         yield "reduced_gain", lambda c: c.reduced_gain <= reduced * OVER, (0, -1)
     if (force := limits.contact_force) is not None:
         yield "contact_force", lambda c: c.ball_torque <= force * OVER / c.force_per_ball, (1, 1)
-    yield "standard_ball", lambda c: c.travel <= c.travel_room(largest), (-1, int(variant.travels))
+    yield "standard_ball", lambda c: c.travel <= c.travel_room(c.largest_ball * OVER), (-1, int(variant.travels))
     if variant.travels and (travel := limits.travel) is not None:
         yield "travel", lambda c: c.travel <= travel * OVER, (0, 1)
 
