@@ -7,9 +7,9 @@ import typer
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import spec_text, write
+from .files import SPEC
 from .options import Common, SpecArgument, with_common
-from .run import build_from, calculate, emit
+from .run import build_from, calculate, emit, write_spec
 
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
@@ -121,16 +121,15 @@ def synthesize(
     from ..spec import make_spec
     from ..spec.balls import diameters
 
-    common.keep(spec)
+    common.keep(spec, balls, kind=SPEC)
     if common.output == "-":
         raise AfmcalcError(say("synthesize --output writes the completed spec beside the result: name a file"))
     sizes = diameters(balls) if balls else None
     output = calculate(common.to_standard_output(), spec, lambda clutch: {"balls": sizes})
     if common.output:
         assert output.spec is not None
-        data = completed(make_spec(output.spec), output.result)
-        write(spec_text(data, common.output), common.output)
-        common.note(say("wrote the completed spec to {output}", output=common.output))
+        write_spec(completed(make_spec(output.spec), output.result), common)
+        common.wrote(say("wrote the completed spec to {output}", output=common.output))
 
 
 @with_common
@@ -178,6 +177,7 @@ def compare(
     if variants and len(specs or ()) > 1:
         raise AfmcalcError(say("compare --variants takes one SPEC"))
     sources: list[str | None] = [*specs] if specs else [None]
+    common.keep(*sources)
     clutches = [build_from(source, common) for source in sources]
     result, findings = compare_variants(clutches[0]) if variants else analysis(clutches)
     emit(common, result, findings, resolved(clutches[0].spec))
@@ -218,6 +218,6 @@ def friction_of(text: str) -> tuple[float, float | None]:
         values = []
     if len(values) not in (1, 2) or not all(0 <= value < float("inf") for value in values):
         raise AfmcalcError(
-            say("--friction {text}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text)
+            say("--friction {text:.80}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text)
         )
     return values[0], values[1] if len(values) == 2 else None

@@ -1,7 +1,6 @@
 """The options every command shares."""
 
 import inspect
-import sys
 from collections.abc import Callable
 from copy import copy
 from dataclasses import dataclass, fields, replace
@@ -12,6 +11,9 @@ import typer
 
 from ..errors import AfmcalcError
 from ..messages import say
+from .files import SPEC, Kind, format_of, format_of_spec, refuse, result_kind, write
+from .signals import unreported
+from .streams import tell
 
 SpecArgument = Annotated[
     str | None,
@@ -36,29 +38,31 @@ class Common:
     output: Annotated[
         str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
     ] = None
+    force: Annotated[bool, typer.Option("--force", help="Replace FILE, whatever it is.")] = False
+    yes: Annotated[bool, typer.Option("--yes", help="Go on with what takes longer than a minute.")] = False
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False
 
     @property
     def chosen_format(self) -> str:
-        """The format asked for; ``--json`` is a short form."""
+        """The format asked for, or that of the file; ``--json`` is a short form."""
         if self.json and self.format not in (None, "json"):
             raise AfmcalcError(say("--json and --format {format} exclude each other", format=self.format))
-        return "json" if self.json else self.format or "table"
+        return format_of(self.output, "json" if self.json else self.format)
 
     def to_standard_output(self) -> "Common":
         """The same options with the result on standard output, for a command whose FILE is something else."""
         return replace(self, output=None)
 
-    def keep(self, source: str | None) -> None:
-        """Refuse to write over the spec that is read."""
-        import os
+    def keep(self, *sources: str | None, kind: Kind | None = None) -> None:
+        """Refuse to write over what is read or what is not to be replaced; before anything is calculated."""
+        if kind is SPEC and self.output:
+            format_of_spec(self.output)
+        found = kind or result_kind(self.command, self.chosen_format)
+        refuse(self.output, found, force=self.force, inputs=sources)
 
-        if source not in (None, "-") and self.output and os.path.exists(self.output):
-            assert source is not None
-            if os.path.exists(source) and os.path.samefile(source, self.output):
-                raise AfmcalcError(
-                    say("--output {output}: is the SPEC itself; write to another file", output=self.output)
-                )
+    def write(self, text: str, kind: Kind) -> None:
+        """Write to the file, or to standard output."""
+        write(text, self.output, kind, force=self.force)
 
     def takes_no_clutch(self) -> None:
         """Refuse overrides where there is no spec to override."""
@@ -68,17 +72,26 @@ class Common:
     def note(self, text: str) -> None:
         """Say something beside the result."""
         if not self.quiet:
-            print(say("note: {text}", text=text), file=sys.stderr)
+            tell(say("note: {text}", text=text))
+
+    def wrote(self, text: str) -> None:
+        """Report what was written."""
+        self.note(text)
+        unreported.clear()
+
+
+_EVERYWHERE = tuple(option.name for option in fields(Common)[1:] if option.name != "yes")
 
 
 def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command the common options; it receives them as ``common``.
 
     Args:
-        names: which of them; all where none is named.
+        names: which of them; all that every command has where none is named.
         helps: name → help, where that of a command is another.
     """
-    options = [option for option in fields(Common)[1:] if option.name in names or not names]
+    chosen = names or _EVERYWHERE
+    options = [option for option in fields(Common)[1:] if option.name in chosen]
 
     def decorate(function: Callable[..., None]) -> Callable[..., None]:
         own = inspect.signature(function, eval_str=True)
@@ -107,6 +120,8 @@ def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]],
 
 
 with_common = common_options()
+with_long = common_options(*_EVERYWHERE, "yes")
+"""For what may take long."""
 
 
 def _with_help(annotation: Any, text: str | None) -> Any:

@@ -7,9 +7,9 @@ import typer
 from ..analysis.registry import SpringKind, SpringOrder
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import spec_text, write
+from .files import SPEC
 from .options import Common, SpecArgument, with_common
-from .run import calculate
+from .run import build_from, calculate, emit, write_spec
 
 
 @with_common
@@ -69,13 +69,13 @@ def springs(
         calculate(common, spec, lambda clutch: options)
         return
     from ..analysis.springs.springs import picked
-    from ..engines import build
-    from ..spec import make_spec
+    from ..analysis.springs.springs import springs as found
+    from ..spec import resolved
 
-    common.keep(spec)
-    output = calculate(common.to_standard_output(), spec, lambda clutch: options)
-    assert output.spec is not None
-    assert common.output is not None
-    clutch = build(make_spec(output.spec))
-    write(spec_text(picked(clutch, output.result, pick), common.output), common.output)
-    common.note(say("wrote the spec with its spring to {output}", output=common.output))
+    common.keep(spec, kind=SPEC)
+    clutch = build_from(spec, common)
+    result, findings = found(clutch, sort, top, kind, tolerance)
+    data = picked(clutch, result, pick)
+    emit(common.to_standard_output(), result, findings, resolved(clutch.spec))
+    write_spec(data, common)
+    common.wrote(say("wrote the spec with its spring to {output}", output=common.output))

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
 import typer
 
-from ..errors import AfmcalcError
+from ..errors import AfmcalcError, SpecError
 from ..messages import say
 from ..variants import VARIANTS
-from .files import write
-from .options import Common, SpecArgument, with_common
+from .files import SCHEMA, SPEC, refuse, write
+from .options import Common, SpecArgument, with_common, with_long
 from .run import calculate, emit
 
 _EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.example} | dict.fromkeys(
@@ -42,7 +42,7 @@ def init(
         bool, typer.Option("--schema", help="Write the JSON Schema beside FILE too, for completion in an editor.")
     ] = False,
     output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="The same as FILE.")] = None,
-    force: Annotated[bool, typer.Option("--force", help="Overwrite an existing file.")] = False,
+    force: Annotated[bool, typer.Option("--force", help="Replace an existing file.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False,
 ) -> None:
     """Write an annotated spec to start from.
@@ -61,17 +61,17 @@ def init(
     target = output or file or ("requirements.toml" if kind == "requirements" else "clutch.toml")
     if schema and target == "-":
         raise AfmcalcError(say("--schema writes a file beside FILE: name one"))
-    written = {target: example_text(_EXAMPLES[variant or _DEFAULT] or str(variant) if kind == "clutch" else kind)}
+    text = example_text(_EXAMPLES[variant or _DEFAULT] or str(variant) if kind == "clutch" else kind)
+    written = {target: (text, SPEC)}
     if schema:
         beside, described = _schema_beside(target, kind)
-        written = {target: f"#:schema ./{os.path.basename(beside)}\n{written[target]}", beside: described}
-    for path in written:
-        if path != "-" and os.path.lexists(path) and not force:
-            raise AfmcalcError(say("{target}: exists already; --force overwrites it", target=path))
-    for path, text in written.items():
-        write(text, path)
+        written = {target: (f"#:schema ./{os.path.basename(beside)}\n{text}", SPEC), beside: (described, SCHEMA)}
+    for path, (_, own) in written.items():
+        refuse(path, own, force=force)
+    for path, (text, own) in written.items():
+        write(text, path, own, force=force)
     if target != "-":
-        Common("init", quiet=quiet).note(
+        Common("init", quiet=quiet).wrote(
             say("wrote {written}; calculate it with: afmcalc {command} {target}",
                 written=", ".join(written), command=_KINDS[kind], target=target)
         )  # fmt: skip
@@ -102,7 +102,7 @@ def examples(*, common: Common) -> None:
     emit(common, result, findings)
 
 
-@with_common
+@with_long
 def check(
     spec: SpecArgument = None,
     strict: Annotated[bool, typer.Option("--strict", help="Warnings fail the check too.")] = False,
@@ -115,7 +115,14 @@ def check(
     afmcalc check clutch.toml && echo fine
     afmcalc check clutch.toml --strict --json
     """  # noqa: D301
-    output = calculate(common, spec, lambda clutch: {"strict": strict})
+    try:
+        output = calculate(common, spec, lambda clutch: {"strict": strict}, watched=True)
+    except SpecError as error:
+        if common.chosen_format == "json":
+            from ..analysis.checks.check import refused
+
+            emit(common, *refused(error))
+        raise
     if not output.result.passed:
         raise typer.Exit(1)
 
@@ -142,6 +149,7 @@ def schema(
     output: Annotated[
         str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
     ] = None,
+    force: Annotated[bool, typer.Option("--force", help="Replace FILE, whatever it is.")] = False,
 ) -> None:
     """JSON Schema of the spec, or of a command's JSON output.
 
@@ -151,4 +159,4 @@ def schema(
     """  # noqa: D301
     from ..analysis.schema import schema as describe
 
-    write(json.dumps(describe(command), indent=2, ensure_ascii=False) + "\n", output)
+    write(json.dumps(describe(command), indent=2, ensure_ascii=False) + "\n", output, SCHEMA, force=force)

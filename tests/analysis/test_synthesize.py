@@ -145,7 +145,7 @@ def test_output_writes_the_completed_spec(afmcalc, tmp_path):
     assert again["wall_angle"] == pytest.approx(result["wall_angle"])
     own = afmcalc("synthesize", target, "--output", target)
     assert own.code == 2
-    assert "is the SPEC itself" in own.err
+    assert "is read itself" in own.err
 
 
 def test_the_users_own_balls(afmcalc, tmp_path):

@@ -1,13 +1,12 @@
 """Which clutch is needed: the Pareto front of everything that meets the requirements."""
 
-from collections.abc import Callable
-
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
 from ...messages import say
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.requirements import Requirements
+from ...watch import Progress, unwatched
 from .by_law import candidates
 from .found import Found
 from .refine import refined
@@ -28,14 +27,6 @@ class DesignResult(Result):
     excluded: dict[str, int] = quantity("", None, "candidates excluded by each constraint", ranked=True)
     refined: list[DesignRow] = quantity("", None, "the front refined between the grid points, same numbers")
     front: list[DesignRow] = quantity("", None, "the front on the grid")
-
-
-Progress = Callable[[str, int, int], None]
-"""Is told what is under way, how much of it is behind, and how much there is."""
-
-
-def unwatched(work: str, done: int, total: int) -> None:
-    """Nobody is told."""
 
 
 def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignResult, list[Finding]]:

@@ -28,7 +28,7 @@ class Bracket(NamedTuple):
     found: tuple[Finding, ...] = ()
 
 
-class Source(NamedTuple):
+class EffectSource(NamedTuple):
     """Where an effect comes from: the keys it needs, the first of them its own, and its bracket."""
 
     needs: tuple[str, ...]
@@ -109,8 +109,8 @@ def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
     return Bracket((weakened(clutch, loss).torque, clutch.torque))
 
 
-SOURCES: Mapping[EffectName, Source] = {
-    "spline-friction": Source(
+SOURCES: Mapping[EffectName, EffectSource] = {
+    "spline-friction": EffectSource(
         (
             "friction_group.spline_friction",
             "friction_group.inner_spline_radius",
@@ -120,18 +120,18 @@ SOURCES: Mapping[EffectName, Source] = {
         "effect-on-accuracy/spline-friction",
         "effect-on-torque/spline-friction",
     ),
-    "sliding-cams": Source(
+    "sliding-cams": EffectSource(
         ("control_unit.wall_friction", "control_unit.ball_circle_radius"),
         _cams,
         "effect-on-accuracy/sliding-cams",
         "effect-on-torque/sliding-cams",
     ),
-    "centrifugal": Source(
+    "centrifugal": EffectSource(
         ("drive.speed", "control_unit.balls", "control_unit.ball_diameter", "control_unit.ball_circle_radius"),
         _centrifugal,
         "effect-on-accuracy/centrifugal",
         "effect-on-torque/centrifugal",
     ),
-    "wear": Source(("heat.lining", STIFFNESS), _wear, "effect-on-accuracy/wear", "effect-on-torque/wear"),
+    "wear": EffectSource(("heat.lining", STIFFNESS), _wear, "effect-on-accuracy/wear", "effect-on-torque/wear"),
 }
 """Effect → where it comes from, in the order they are told."""

@@ -388,6 +388,8 @@ def test_an_empty_result_says_why(afmcalc, tmp_path):
         ({"search": {"pairs": True}}, "must be a whole number"),
         ({"search": {"gain": [0.5, -0.1]}}, "search.gain = [0.5, -0.1]: must be at least 0"),
         ({"search": {"gain": None, "wall_angle": {"start": 5, "stop": 40, "count": 8}}}, "must be less than 90 deg"),
+        ({"search": {"gain": None, "wall_angle": [5, 10]}}, "wall_angle = [5, 10]: must be less than 90 deg"),
+        ({"search": {"gain": None, "wall_angle": 5}}, 'and must be less than pi/2: write "5 deg"'),
         ({"search": {"gain": None, "wall_angle": "-1 deg"}}, "must be at least 0"),
         ({"search": {"gain": None, "wall_angle": math.pi / 2}}, "must be less than 90 deg"),
         ({"search": {"ball_circle_radius": 0}}, "must be greater than 0"),
@@ -405,7 +407,8 @@ def test_an_empty_result_says_why(afmcalc, tmp_path):
         ({"search": {"radius": 1}}, "unknown key"),
         ({"variants": ["indirect"]}, "required for variant 'indirect'"),
         ({"variants": ["direct"]}, "must be one of"),
-        ({"variants": []}, "at least 1"),
+        ({"variants": []}, "must not be empty"),
+        ({"limits": {"gain_limit": "off"}}, "must be true or false"),
         ({"objectives": ["mass"]}, "must be one of"),
         ({"friction": {"min": None, "max": None, "mean": None}}, "a material, or both groups"),
         ({"fixed": {"face_width": None}}, "required beside limits.surface_pressure"),
@@ -435,7 +438,7 @@ def test_ctrl_c_leaves_no_file(tmp_path):
     springs = {"closing_stiffness": grid(1e4, 2e5, 20), "control_stiffness": grid(1e4, 2e5, 20)}
     wide = {"mean_radius": grid(0.06, 0.14, 1000), "gain": grid(0.1, 3, 1000), **springs}
     source.write_text(json.dumps(changed(variants=["indirect"], search=wide, fixed=INDIRECT["fixed"])))
-    command = [sys.executable, "-m", "afmcalc", "design", str(source), "--pick", "1", "-o", str(target)]
+    command = [sys.executable, "-m", "afmcalc", "design", str(source), "--pick", "1", "-o", str(target), "--yes"]
     person, terminal = os.openpty()
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=terminal) as process:
         os.close(terminal)

@@ -110,7 +110,7 @@ def test_driving_pairs():
         (["--for", "z1", "accuracy_factor=2", "--set", "C=2"], "no value of z1 keeps C = 2 within the gain limit"),
         (["--for", "c1", "accuracy_factor=2"], "accuracy_factor does not depend on c1 here"),
         (["--for", "c2", "accuracy_factor=2"], "only for indirect"),
-        (["--for", "x", "accuracy_factor=2"], "one of C, F, z, z1, R, c1, c2"),
+        (["--for", "x", "accuracy_factor=2"], "one of C (control_unit.gain), F (closing_spring.force)"),
         (["acuracy_factor=2"], "did you mean 'accuracy_factor'?"),
         (["accuracy_factor"], "write accuracy_factor=VALUE"),
         (["nominal_torque=2 J"], "nominal_torque=2 J: "),
