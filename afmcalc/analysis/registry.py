@@ -13,6 +13,10 @@ if TYPE_CHECKING:
 StressRule = Literal["mean-stress", "amplitude", "goodman"]
 """Rules for the damaging stress of a life: the paper's, Серенсен–Кинасошвили's, Goodman's."""
 
+SpringOrder = Literal["length", "wear", "mass"]
+"""What is small in the springs told first."""
+SpringKind = Literal["any", "disc", "coil"]
+
 Takes = Literal["clutch", "clutches", "names", "requirements"]
 
 
@@ -105,6 +109,17 @@ def _ball(found: Any) -> str:
     return "The wall angle is {wall_angle:.4g deg}, the diameter of the ball {ball_diameter_standard:.5g mm}."
 
 
+def _heat(found: Any) -> str:
+    if found.energy.max is None:
+        return "At the largest friction the slip does not end: the heat has no bound without a cut-off of the motor."
+    if found.temperature is None or found.temperature.max is None:
+        return "A trip turns {energy.max:.4g kJ} into heat at the largest friction."
+    return (
+        "A trip turns {energy.max:.4g kJ} into heat at the largest friction and warms the discs by "
+        "{temperature_rise.max:.4g K}."
+    )
+
+
 def _lasting(found: Any) -> str:
     stresses = found.stress_protected, found.stress_unprotected
     if None in stresses:
@@ -112,6 +127,18 @@ def _lasting(found: Any) -> str:
     if max(stresses) <= found.endurance_limit:
         return "Fatigue does not limit the life of the shaft: the damaging stress stays below the endurance limit."
     return "Fatigue limits the life of the shaft: the damaging stress is above the endurance limit."
+
+
+def _heat_is_known(clutch: "Clutch") -> bool:
+    from ..spec.heat import missing_of
+
+    return not missing_of(clutch.spec.drive)
+
+
+def _any_effect(clutch: "Clutch") -> bool:
+    from .effects.brackets import SOURCES
+
+    return any(not source.missing(clutch) for source in SOURCES.values())
 
 
 ANALYSES: dict[str, Analysis] = {
@@ -192,7 +219,34 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Drive",
                 "The event of the block [drive] in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",
+                "At the largest friction the shaft is loaded with up to {peak_torque.max:.5g N·m}; with an ordinary "
+                "clutch of equal nominal torque it would be {peak_torque_conventional.max:.5g N·m}.",
             ),
+        ),
+        Analysis(
+            "heat", "analysis.heat.heat", "HeatResult", "parts", _heat_is_known, ("answers",), explained=True,
+            judged=True,
+            section=Section(
+                "Heat and wear",
+                "What one trip turns into heat, what it warms the discs by, and how often it may be.",
+                _heat,
+                ("CJ",),
+            ),
+        ),
+        Analysis(
+            "effects", "analysis.effects.effects", "EffectsResult", "parts", _any_effect, judged=True,
+            section=Section(
+                "What the law neglects",
+                "Each effect as what the torque and K_т lie between, springs as set; the bypass pairs are farthest "
+                "from the spring, an inner disc is behind the first pair.",
+                "By the law the accuracy factor is K_т = {accuracy_factor:.4g}; the effects say how far it may be off.",
+                ("Fi68", "F11"), ("Fi68", "S21"),
+            ),
+            plot=Plot("effects", "torque with each effect that the law neglects", "clutch", applies=_any_effect),
+        ),
+        Analysis(
+            "springs", "analysis.springs.springs", "SpringsResult", "parts",
+            plot=Plot("springs", "force of the springs over their deflection, with what service takes", "clutch"),
         ),
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
         Analysis("solve", "analysis.solve.solve", "SolveResult", "design"),
