@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from .messages import say
 
@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 else:
     Floats = Values = Any
 """One number, or an array of any shape; shapes of several arguments broadcast."""
+
+V = TypeVar("V", bound=Values)
+"""What a function takes and gives alike: numbers or arrays."""
 
 
 def is_array(value: object) -> bool:
@@ -38,6 +41,15 @@ def smaller(first: Values, second: Values) -> Values:
 
         return np.minimum(first, second)
     return first if first <= second else second
+
+
+def greatest(value: Values) -> float:
+    """Largest of the numbers, as one."""
+    if is_array(value):
+        import numpy as np
+
+        return float(np.max(value))
+    return float(value)
 
 
 def chosen(condition: Any, yes: Callable[[], Values], no: Callable[[], Values]) -> Values:
