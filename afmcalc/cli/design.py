@@ -98,13 +98,14 @@ def design(
     need = read_requirements(requirements, common.set or ())
     with Progress(quiet=common.quiet) as progress:
         result, findings = analysis(need, progress.advance)
-    if pick is None or not result.front:
+    if not result.front:
+        emit(common if pick is None else common.to_standard_output(), result, findings)
+        raise AfmcalcError(findings[0].message)
+    if pick is None:
         emit(common, result, findings)
-        if not result.front:
-            raise AfmcalcError(findings[0].message)
         return
     chosen = resolved(picked(need, result, pick, fine=refined))
     emit(common.to_standard_output(), result, findings, chosen)
     if common.output:
-        write_spec(chosen, common)
+        write_spec(chosen, common, say("Number {pick} of the front of afmcalc design.", pick=pick))
         common.note(say("wrote number {pick} to {output}", pick=pick, output=common.output))

@@ -6,6 +6,7 @@ import numpy as np
 
 from ...result import Result, quantity
 from ...spec import Spec, make_spec
+from ...spec.edit import as_written
 from ...spec.requirements import Requirements
 from .candidates import Candidates
 
@@ -84,7 +85,7 @@ def _defined(value: float) -> float | None:
 
 
 def as_spec(need: Requirements, row: DesignRow) -> Spec:
-    """Write a row as a spec."""
+    """Write a row as a spec, with as many digits as a file of it has."""
     fixed, limits = need.fixed, need.limits
     group: dict[str, int | float] = {"pairs": row.pairs}
     if row.driving_pairs is not None:
@@ -123,4 +124,4 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
     if row.closing_stiffness is not None:
         spring["stiffness"] = row.closing_stiffness
         data["control_spring"] = {"stiffness": row.control_stiffness}
-    return make_spec(data)
+    return as_written(make_spec(data))
