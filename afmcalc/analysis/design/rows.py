@@ -14,7 +14,7 @@ from .candidates import Candidates
 class DesignRow(Result):
     """One clutch of the front."""
 
-    number: int = quantity("", "N", "number, for --pick")
+    number: int = quantity("", "no.", "number, for --pick")
     variant: str = quantity("", None, "variant")
     pairs: int = quantity("1", "z", "friction pairs")
     driving_pairs: int | None = quantity("1", "z_1", "bypass pairs", optional=True)
@@ -26,14 +26,14 @@ class DesignRow(Result):
     control_stiffness: float | None = quantity("N/m", "c_2", "stiffness of the control spring", optional=True)
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
     control_force: float | None = quantity("N", "F_п2", "control-spring force as set", optional=True)
-    pack_force_at_rest: float | None = quantity("N", "F_0", "force on the pack at rest", optional=True)
+    pack_force_at_rest: float | None = quantity("N", "N(0)", "force on the pack at rest", optional=True)
     closing_deflection: float | None = quantity("m", "F_п/c_1", "deflection of the closing spring", optional=True)
     control_deflection: float | None = quantity("m", "F_п2/c_2", "deflection of the control spring", optional=True)
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque")
     machine_torque: float | None = quantity("N*m", "T_н.маш", "nominal torque of the machine", optional=True)
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
     torque_max: float = quantity("N*m", "T_max", "largest torque")
-    ball_diameter: float | None = quantity("m", "2 r_ш", "standard ball", optional=True)
+    ball_diameter: float | None = quantity("m", "d_ш", "standard ball", optional=True)
     travel: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     contact_force: float | None = quantity("N", "F_n", "largest force on one ball", optional=True)
     surface_pressure: float | None = quantity("Pa", "p", "mean surface pressure", optional=True)
