@@ -155,7 +155,7 @@ ANALYSES: dict[str, Analysis] = {
         ),
         Analysis(
             "design", "analysis.design.design", "DesignResult", "design",
-            plot=Plot("pareto", "Pareto front of a design, on the grid and refined", "requirements"),
+            plot=Plot("pareto", "Pareto front of a design, every clutch with its number", "requirements"),
         ),
         Analysis("explain", "analysis.explain.explain", "ExplainResult", "papers"),
         Analysis("equations", "papers.register", "EquationsResult", "papers"),

@@ -126,7 +126,7 @@ def _walk(model: BaseModel, prefix: str, heading: str, index: str, into: Documen
             into.tables.append(laid_out._replace(data=bool(extra.get("data")), across=across, by=by, path=path))
         else:
             null, shown_unit = str(extra.get("null") or "–"), str(getattr(model, str(extra.get("unit_in")), ""))
-            error_of, told = str(extra.get("error_of") or ""), bool(extra.get("told"))
+            error_of, told = str(extra.get("error_of") or ""), bool(extra.get("told")) or value == []
             said = model.words(name) if isinstance(model, Result) else None
             into.singles.append(
                 Entry(

@@ -1,6 +1,7 @@
 """One clutch of a front: as a row of the result, and as a spec."""
 
 import math
+from typing import Literal
 
 import numpy as np
 
@@ -15,10 +16,13 @@ class DesignRow(Result):
     """One clutch of the front."""
 
     number: int = quantity("", "no.", "number, for --pick")
+    mark: Literal["knee"] | None = quantity("", None, "mark", optional=True, null="")
     variant: str = quantity("", None, "variant")
     pairs: int = quantity("1", "z", "friction pairs")
     driving_pairs: int | None = quantity("1", "z_1", "bypass pairs", optional=True)
     mean_radius: float = quantity("m", "R_cp", "mean friction radius")
+    inner_radius: float | None = quantity("m", "r_i", "inner radius of the friction faces", optional=True, detail=True)
+    outer_diameter: float | None = quantity("m", "2 r_o", "outer diameter of the friction faces", optional=True)
     gain: float | None = quantity("1", "C", "feedback gain", optional=True)
     wall_angle: float | None = quantity("rad", "α", "wall angle", optional=True)
     ball_circle_radius: float | None = quantity("m", "r", "ball-circle radius", optional=True)
@@ -62,6 +66,8 @@ def rows(found: Candidates) -> list[DesignRow]:
         "accuracy_factor": found.accuracy_factor,
         "torque_max": found.torque_max,
         "surface_pressure": found.surface_pressure,
+        "inner_radius": at.mean_radius - found.face_width / 2,
+        "outer_diameter": found.outer_diameter,
     }
     if found.variant.controlled:
         columns |= {"gain": found.gain, "ball_diameter": found.ball_diameter, "contact_force": found.contact_force}
@@ -90,13 +96,10 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
     group: dict[str, int | float] = {"pairs": row.pairs}
     if row.driving_pairs is not None:
         group["driving_pairs"] = row.driving_pairs
-    if fixed.face_width is None:
+    if row.inner_radius is None or row.outer_diameter is None:
         group["mean_radius"] = row.mean_radius
     else:
-        group |= {
-            "inner_radius": row.mean_radius - fixed.face_width / 2,
-            "outer_radius": row.mean_radius + fixed.face_width / 2,
-        }
+        group |= {"inner_radius": row.inner_radius, "outer_radius": row.outer_diameter / 2}
     spring = {"force": row.closing_force}
     data: dict[str, object] = {
         "name": f"{need.name or 'Design'}, no. {row.number}",

@@ -177,3 +177,18 @@ def test_clutches_of_one_name_are_called_by_their_files(afmcalc, tmp_path):
     assert names[2].startswith("Indirect clutch")
     head = next(line for line in afmcalc("compare", *files).out.splitlines() if line.startswith("Symbol"))
     assert head.index("a.toml") < head.index("b.toml") < head.index("Indirect clutch")
+
+
+@pytest.mark.parametrize("width", [40, 60, 80, 100, 200])
+def test_records_that_do_not_fit_are_columns(width, afmcalc, monkeypatch):
+    monkeypatch.setenv("COLUMNS", str(width))
+    few = ["--set", "search.pairs=[8, 10]", "--set", "search.gain=[0.4, 0.5, 0.6]"]
+    run = afmcalc("design", CONFIGS / "requirements.toml", *few)
+    lines = run.out.splitlines()
+    assert max(map(len, lines)) <= width
+    rows = [line.split() for line in lines if line.startswith("K_т ")]
+    data = afmcalc("design", CONFIGS / "requirements.toml", *few, "--json").json["result"]["front"]
+    if width < 200:
+        assert [cell for row in rows for cell in row[1:]] == [display(row["accuracy_factor"], "1") for row in data]
+    else:
+        assert not rows
