@@ -9,17 +9,31 @@
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .engines import Clutch, build, load
+    from .engines import Clutch
     from .errors import AfmcalcError, FileError, SpecError
+    from .python import build, compare, design, load
     from .spec import Spec, read_spec
 
 __version__ = "0.1.0"
-__all__ = ["AfmcalcError", "Clutch", "FileError", "Spec", "SpecError", "build", "load", "read_spec"]
+__all__ = [
+    "AfmcalcError",
+    "Clutch",
+    "FileError",
+    "Spec",
+    "SpecError",
+    "build",
+    "compare",
+    "design",
+    "load",
+    "read_spec",
+]
 
 _HOMES = {
     "Clutch": "engines",
-    "build": "engines",
-    "load": "engines",
+    "build": "python",
+    "compare": "python",
+    "design": "python",
+    "load": "python",
     "AfmcalcError": "errors",
     "FileError": "errors",
     "SpecError": "errors",

@@ -2,7 +2,7 @@
 
 import re
 
-from conftest import ROOT
+from conftest import CONFIGS, ROOT
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -29,5 +29,6 @@ def test_the_spec_and_every_command_are_there(afmcalc, tmp_path):
 def test_python_example(tmp_path, monkeypatch, afmcalc):
     monkeypatch.chdir(tmp_path)
     afmcalc("init", "clutch.toml")
+    (tmp_path / "requirements.toml").write_bytes((CONFIGS / "requirements.toml").read_bytes())
     (code,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     exec(code, {})

@@ -31,7 +31,7 @@ FILES = {name_of(file): file for file in sorted(PACKAGE.rglob("*.py"))}
 
 def room(module: str) -> str:
     first = module.partition(".")[0]
-    return "door" if first in ("", "__main__") else "ground" if first in GROUND else first
+    return "door" if first in ("", "__main__", "python") else "ground" if first in GROUND else first
 
 
 def imported(module: str) -> set[str]:

@@ -163,6 +163,7 @@ ANALYSES: dict[str, Analysis] = {
             "reproduce", "papers.claims", "ReproduceResult", "papers",
             plot=Plot("paper", "a figure of the papers from the formulas: F11-2, S19-2, S21-2, …", "names"),
         ),
+        Analysis("examples", "analysis.examples", "ExamplesResult", "specs"),
         Analysis("materials", "analysis.materials", "MaterialsResult", "specs"),
         Analysis("check", "analysis.checks.check", "CheckResult", "specs", options=("answers",), explained=True),
     )

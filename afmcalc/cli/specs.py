@@ -1,5 +1,7 @@
 """Commands about the spec itself: init, check, schema."""
 
+import json
+import os
 from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
 import typer
@@ -7,30 +9,38 @@ import typer
 from ..errors import AfmcalcError
 from ..messages import say
 from ..variants import VARIANTS
-from .files import SCHEMA, SPEC, write
+from .files import SCHEMA, SPEC, refuse, write
 from .options import Common, SpecArgument, with_common
 from .run import calculate, emit
 
 _EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.example} | dict.fromkeys(
     ["unlike-materials"]
 )
-"""What to start from → its example, where the names differ."""
+"""Clutch to start from → its example, where the names differ."""
+_DEFAULT = next(name for name, example in _EXAMPLES.items() if example == "default")
+_KINDS = {"clutch": "torque", "requirements": "design", "tolerance": "tolerance"}
+"""What a file is for → the command that calculates it; all but a clutch are the example of that name."""
 
 if TYPE_CHECKING:
     Example: TypeAlias = str
+    Kind: TypeAlias = str
 else:
     Example = Literal[tuple(_EXAMPLES)]
-_DEFAULT = next(name for name, example in _EXAMPLES.items() if example == "default")
+    Kind = Literal[tuple(_KINDS)]
 
 
 def init(
     file: Annotated[
         str | None, typer.Argument(metavar="FILE", help="File to write (clutch.toml); - for standard output.")
     ] = None,
-    variant: Annotated[
-        Example,
-        typer.Option("--variant", help="Clutch to start from."),
-    ] = _DEFAULT,
+    kind: Annotated[
+        Kind,
+        typer.Option("--kind", help="A clutch, one with a drive or with tolerances, or requirements for a design."),
+    ] = "clutch",
+    variant: Annotated[Example | None, typer.Option("--variant", help="Clutch to start from.")] = None,
+    schema: Annotated[
+        bool, typer.Option("--schema", help="Write the JSON Schema beside FILE too, for completion in an editor.")
+    ] = False,
     output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="The same as FILE.")] = None,
     force: Annotated[bool, typer.Option("--force", help="Replace an existing file.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False,
@@ -40,17 +50,56 @@ def init(
     \b
     afmcalc init clutch.toml
     afmcalc init indirect.toml --variant indirect
+    afmcalc init wanted.toml --kind requirements --schema
     """  # noqa: D301
     from ..spec.builtin import example_text
 
     if output and file:
         raise AfmcalcError(say("give FILE or --output, not both"))
-    target = output or file or "clutch.toml"
-    write(example_text(_EXAMPLES[variant] or variant), target, SPEC, force=force)
+    if variant and kind != "clutch":
+        raise AfmcalcError(say("--variant belongs to --kind clutch"))
+    target = output or file or ("requirements.toml" if kind == "requirements" else "clutch.toml")
+    if schema and target == "-":
+        raise AfmcalcError(say("--schema writes a file beside FILE: name one"))
+    text = example_text(_EXAMPLES[variant or _DEFAULT] or str(variant) if kind == "clutch" else kind)
+    written = {target: (text, SPEC)}
+    if schema:
+        beside, described = _schema_beside(target, kind)
+        written = {target: (f"#:schema ./{os.path.basename(beside)}\n{text}", SPEC), beside: (described, SCHEMA)}
+    for path, (_, what) in written.items():
+        refuse(path, what, force=force)
+    for path, (text, what) in written.items():
+        write(text, path, what, force=force)
     if target != "-":
         Common("init", quiet=quiet).note(
-            say("wrote {target}; calculate it with: afmcalc torque {target}", target=target)
-        )
+            say("wrote {written}; calculate it with: afmcalc {command} {target}",
+                written=", ".join(written), command=_KINDS[kind], target=target)
+        )  # fmt: skip
+
+
+def _schema_beside(target: str, kind: str) -> tuple[str, str]:
+    """Path and text of the schema of a kind of file."""
+    from ..analysis.schema import schema as describe
+
+    of = "requirements" if kind == "requirements" else None
+    name = f"afmcalc.{of}.schema.json" if of else "afmcalc.schema.json"
+    text = json.dumps(describe(of), indent=2, ensure_ascii=False) + "\n"
+    return os.path.join(os.path.dirname(target), name), text
+
+
+@with_common
+def examples(*, common: Common) -> None:
+    """Files that ship: SPEC may be example:NAME.
+
+    \b
+    afmcalc examples
+    afmcalc torque example:indirect
+    """  # noqa: D301
+    from ..analysis.examples import examples as analysis
+
+    common.takes_no_clutch()
+    result, findings = analysis()
+    emit(common, result, findings)
 
 
 @with_common
@@ -101,8 +150,6 @@ def schema(
     afmcalc schema > clutch.schema.json
     afmcalc schema torque
     """  # noqa: D301
-    import json
-
     from ..analysis.schema import schema as describe
 
     write(json.dumps(describe(command), indent=2, ensure_ascii=False) + "\n", output, SCHEMA, force=force)

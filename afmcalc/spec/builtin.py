@@ -2,7 +2,12 @@
 
 from pathlib import Path
 
+from ..errors import AfmcalcError
+from ..messages import say
+
 DEFAULT = "default"
+PREFIX = "example:"
+"""What makes the name of an example a source."""
 
 
 def folder() -> Path:
@@ -11,11 +16,25 @@ def folder() -> Path:
     return packaged if packaged.is_dir() else Path(__file__).parents[2] / "configs"
 
 
+def names() -> list[str]:
+    """Names of the examples, files of ``configs/`` without their ending."""
+    return sorted(path.stem for path in folder().glob("*.toml"))
+
+
 def default_text() -> str:
     """Text of the built-in base clutch."""
     return example_text(DEFAULT)
 
 
 def example_text(name: str) -> str:
-    """Text of the example ``name`` (a file of ``configs/`` without its ending)."""
+    """Text of an example.
+
+    Raises:
+        AfmcalcError: there is none of that name.
+    """
+    if name not in (known := names()):
+        from .suggest import did_you_mean
+
+        hint = did_you_mean(name, known) or say("; there are: {names}", names=", ".join(known))
+        raise AfmcalcError(say("{prefix}{name}: no such example{hint}", prefix=PREFIX, name=name, hint=hint))
     return (folder() / f"{name}.toml").read_text(encoding="utf-8")

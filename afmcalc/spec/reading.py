@@ -21,7 +21,8 @@ def read_spec(source: str | PathLike[str] | None = None, overrides: Iterable[str
     """Read a clutch spec.
 
     Args:
-        source: path of a TOML or JSON file, ``"-"`` for standard input, None for the built-in base clutch.
+        source: path of a TOML or JSON file, ``"-"`` for standard input, ``"example:NAME"`` for a file that ships,
+            None for the built-in base clutch.
             JSON printed by any command counts: its ``spec`` block is taken.
         overrides: ``"path=value"`` strings applied before validation; an empty value removes the key.
 
@@ -70,6 +71,10 @@ def text_of(source: str | PathLike[str] | None) -> tuple[str, str]:
 
         return default_text(), BUILT_IN
     label = STANDARD_INPUT if source == "-" else str(source)
+    if label.startswith("example:"):
+        from .builtin import PREFIX, example_text
+
+        return example_text(label.removeprefix(PREFIX)), label
     try:
         if source == "-":
             raw = sys.stdin.buffer.read()

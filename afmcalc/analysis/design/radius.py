@@ -17,7 +17,7 @@ from .grid import Tile, tiles
 from .limits import Constraint, constraints, unimodal
 from .space import Mask, Numbers, Places, balls, grids
 
-ROWS = 16384
+ROWS = 32768
 """Rows of radii in a block."""
 
 

@@ -13,8 +13,8 @@ from .grid import Tile, tiles
 from .limits import constraints, never_worse
 from .space import Mask, forces, grids
 
-SIZE = 131072
-"""Candidates of a tile: its few arrays of full size stay in the cache."""
+SIZE = 524288
+"""Candidates of a tile: with fewer, setting a tile up weighs more than what the cache saves."""
 
 
 @np.errstate(all="ignore")

@@ -1,0 +1,32 @@
+"""The specs that ship, as a result."""
+
+import tomllib
+
+from ..findings import Finding
+from ..result import Result, quantity
+from ..spec import builtin
+
+
+class ExampleRow(Result):
+    """One file: any SPEC argument takes ``example:`` with its name."""
+
+    name: str = quantity("", None, "name after example:")
+    variant: str | None = quantity("", None, "variant of the clutch", optional=True)
+    about: str = quantity("", None, "what it is")
+
+
+class ExamplesResult(Result):
+    """The examples."""
+
+    examples: list[ExampleRow] = quantity("", None, "examples that ship")
+
+
+def examples() -> tuple[ExamplesResult, list[Finding]]:
+    """List the examples."""
+    return ExamplesResult(examples=[_row(name) for name in builtin.names()]), []
+
+
+def _row(name: str) -> ExampleRow:
+    text = builtin.example_text(name)
+    about = text.partition("\n")[0].removeprefix("# ")
+    return ExampleRow(name=name, variant=tomllib.loads(text).get("variant"), about=about)
