@@ -21,6 +21,8 @@ SCALES = {
     "kPa": 1e-3,
     "MPa": 1e-6,
     "deg": 180 / math.pi,
+    "J/mm²": 1e-6,
+    "K": 1.0,
 }
 """Unit of a field → what a value in SI is multiplied by."""
 
@@ -78,11 +80,36 @@ FINDINGS: Mapping[str, str] = {
     "{limit:.5g mm} apart",
     "default-clearance": "{path} is not given: {value:g mm} is taken (S21: 2…3 mm)",
     "no-sleeve-travel": "a direct clutch has no sleeve: x_max is 0; allow for wear and disc release in the clearance",
-    "no-standard-ball": "no standard ball is as large as {value:.5g mm}: change gain, springs or list",
+    "ball-reaches-axis": "a ball of radius {value:.5g mm} reaches the axis: its centre lies {limit:.5g mm} from it",
+    "pockets-overlap": "{balls} pockets cut into each other: each is {value:.5g mm} wide at the face, their centres "
+    "are {limit:.5g mm} apart",
+    "depth-beyond-sleeve": "the pockets, cut {value:.5g mm} deep, go through the sleeve of {limit:.5g mm}",
+    "no-standard-ball": "no standard ball is as large as {value:.5g mm}, the largest is {limit:.5g mm}: change gain, "
+    "springs, gap or list",
     "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
     "clearance need",
     "balls-not-given": "the number of balls is not given: the contact force is not calculated",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
+    # requirements
+    "requirement-missed/number": "{name}: {value:.5g}, but {bound} {limit:.5g} is required",
+    "requirement-missed/torque": "{name}: {value:.5g N·m}, but {bound} {limit:.5g N·m} is required",
+    "requirement-missed/length": "{name}: {value:.5g mm}, but {bound} {limit:.5g mm} is required",
+    "requirement-missed/work": "{name}: {value:.5g J/mm²}, but {bound} {limit:.5g J/mm²} is required",
+    "requirement-missed/temperature": "{name}: {value:.5g K}, but {bound} {limit:.5g K} is required",
+    "requirement-not-judged": "{name} not judged: needs {needs}",
+    # unusual
+    "unusual/friction": "a coefficient of friction of {value:.4g} is unusual: {low:g}…{high:g} is usual, the materials "
+    "of the catalogue have {least:g}…{most:g}",
+    "unusual/mean-radius": "a mean friction radius of {value:.4g mm} is unusual: {low:g mm…}{high:g mm} is usual",
+    "unusual/pairs": "{value:.0f} friction pairs are unusual: {low:g}…{high:g} are usual",
+    "unusual/margin": "a torque margin of {value:.4g} is unusual: {low:g}…{high:g} is usual",
+    "unusual/pressure": "the force on the pack, {value:.4g kPa} over a full disc of the mean radius, is unusual: "
+    "{low:g kPa…}{high:g kPa} is usual",
+    "unusual/deflection": "a spring deflected by {value:.4g mm} is unusual: up to {high:.4g mm}, the clutch's width "
+    "at the mean radius, is usual",
+    "unusual/wall-angle": "a wall angle of {value:.4g deg} is unusual: {low:.4g deg…}{high:.4g deg} is usual",
+    "unusual/ball-circle": "a ball-circle radius of {value:.4g mm} is unusual: {low:.4g mm…}{high:.4g mm}, 0.2 to 2 "
+    "times the mean friction radius, is usual",
     # surface pressure
     "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
     "above the allowable {low:g kPa…}{high:g kPa} of {name}",
@@ -99,9 +126,10 @@ FINDINGS: Mapping[str, str] = {
     "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
     "no-candidate/attainable": "none of {candidates:,} candidates meets every requirement: {listed}; give up {names}",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
-    "{value:.5g N·m}, below the nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
+    "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
     "unexpected-verdict": "{row}: {verdict}; on record is: {record}",
-    "below-nominal-torque": "the torque falls to {value:.5g N·m} in service, below the nominal torque {limit:.5g N·m}",
+    "below-nominal-torque": "the torque falls to {value:.5g N·m} in service, below the clutch's nominal torque "
+    "{limit:.5g N·m}",
     "feedback-idle": "the gain is 0: the control unit gives no release force, the clutch is an ordinary one",
     "feedback-idle/key": "C equals 2 R f_1/d = {limit:.5g}: the key holds the sleeve, the clutch is an ordinary one",
     "gain-above-limit": (
@@ -114,7 +142,7 @@ FINDINGS: Mapping[str, str] = {
     ),
     "material": "{name}: friction {low:g}…{high:g} from the catalogue ({source})",
     "nominal-torque-missed": (
-        "closing_spring.force is given, so it decides: it gives a nominal torque of {value:.5g N·m}, "
+        "closing_spring.force is given, so it decides: it gives a nominal torque of {value:.5g N·m} of the clutch, "
         "not the {limit:.5g N·m} of adjustment.nominal_torque"
     ),
     "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",

@@ -44,6 +44,14 @@ class Triple(Result):
     max: float = Field(description="at f_max")
 
 
+class OpenTriple(Result):
+    """The same of a quantity that need not be: null where there is none."""
+
+    min: float | None = Field(description="at f_min")
+    mean: float | None = Field(description="at the mean friction")
+    max: float | None = Field(description="at f_max")
+
+
 class Series(Result):
     """One swept key: its coordinate at every point of the grid; subclasses add the answers there."""
 

@@ -55,6 +55,8 @@ class Variant:
     """``(z, driving_pairs as given or None)`` → z_1, the pairs that bypass the control unit; numbers or arrays."""
     needs: tuple[Path, ...] = ()
     """Keys it cannot do without, beside those that every clutch needs."""
+    requires: tuple[Path, ...] = ()
+    """Keys that every variant has and this one cannot do without."""
     takes: tuple[Path, ...] = ()
     """Further keys it may have and not every variant has."""
     gain_limit: GainLimit | None = None
@@ -117,6 +119,8 @@ REDUCED_LIMIT = GainLimit(
 )
 """Recommended by S22."""
 
+_LAG = ("control_unit", "release_lag")
+
 VARIANTS: dict[str, Variant] = {
     each.name: each
     for each in (
@@ -133,7 +137,7 @@ VARIANTS: dict[str, Variant] = {
             description="Werner's clutch: some pairs bypass the control unit, the others pass it",
             bypass=lambda pairs, driving: 1 if driving is None else driving,
             needs=(("control_unit",),),
-            takes=(("friction_group", "driving_pairs"), ("friction", "driving"), ("friction", "driven")),
+            takes=(("friction_group", "driving_pairs"), ("friction", "driving"), ("friction", "driven"), _LAG),
             gain_limit=BREAKAWAY_LIMIT,
             overload=True,
             example="default",
@@ -144,6 +148,7 @@ VARIANTS: dict[str, Variant] = {
             description="all torque passes the control unit",
             bypass=lambda pairs, driving: 0,
             needs=(("control_unit",),),
+            takes=(_LAG,),
             gain_limit=REDUCED_LIMIT,
             overload=True,
             example="all-driving",
@@ -157,9 +162,10 @@ VARIANTS: dict[str, Variant] = {
                 ("control_unit",),
                 ("control_unit", "hub_diameter"),
                 ("control_unit", "key_friction"),
-                ("closing_spring", "stiffness"),
                 ("control_spring",),
             ),
+            requires=(("closing_spring", "stiffness"),),
+            takes=(("control_unit", "sleeve_mass"), ("drive", "hub_inertia")),
             example="indirect",
         ),
     )

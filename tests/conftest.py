@@ -21,6 +21,8 @@ os.environ.pop("COLUMNS", None)  # tables are as wide as they need to be, whoeve
 
 ROOT = Path(__file__).parents[1]
 CONFIGS = ROOT / "configs"
+S21 = Path(__file__).parent / "data" / "s21-fig2.toml"
+"""The clutch of S21 fig. 2 with a closing spring of 2 kN, whose figures are the paper's or worked out by hand."""
 
 
 @dataclass(frozen=True)

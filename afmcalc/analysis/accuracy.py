@@ -18,7 +18,7 @@ class AccuracySweep(Series):
 
     accuracy_factor: list[float] = quantity("1", "K_т", "accuracy factor")
     accuracy_factor_peak: list[float] = quantity("1", "K_т,p", "accuracy factor by breakaway peaks")
-    nominal_torque: list[float] = quantity("N*m", "T_н", "nominal torque")
+    nominal_torque: list[float] = quantity("N*m", "T_н", "nominal torque of the clutch")
     torque_max: list[float] = quantity("N*m", "T_max", "largest torque")
 
 
@@ -40,7 +40,7 @@ class AccuracyResult(Result):
     nominal_torque_ratio: float | None = quantity(
         "1",
         "K_п",
-        "nominal torque against the base clutch of equal spring and gain, all pairs controlled",
+        "nominal torque of the clutch against the base clutch of equal spring and gain, all pairs controlled",
         optional=True,
     )
     sensitivity: dict[str, float] = quantity("1", "∂ln K_т/∂ln p", "elasticity of K_т", ranked=True)

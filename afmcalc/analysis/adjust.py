@@ -28,7 +28,7 @@ class MethodResult(Result):
 class AdjustResult(Result):
     """Both methods for one nominal torque."""
 
-    nominal_torque: float = quantity("N*m", "T_н", "nominal torque both methods are set for")
+    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch, which both methods are set for")
     margin: float = quantity("1", "β_н", "torque margin of the mean-friction method")
     min_friction: MethodResult = quantity("", "1", "set at f_min")
     mean_friction: MethodResult = quantity("", "2", "set at the mean friction, with margin")

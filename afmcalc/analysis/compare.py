@@ -23,7 +23,7 @@ class ComparedClutch(Result):
     variant: str = quantity("", None, "variant")
     basis: str | None = quantity("", None, "kept equal", optional=True)
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
-    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the setting")
+    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")
     gain: float = quantity("1", "C", "feedback gain")
     reduced_gain: float = quantity("1", "z_2 C", "reduced gain")
     torque: Triple = quantity("N*m", "T", "slip torque")

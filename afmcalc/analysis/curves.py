@@ -50,7 +50,7 @@ class TorqueCurve(ClutchCurve):
     torque_returning: list[float] | None = quantity(
         "N*m", "T_ret", "slip torque, friction falling again under load", optional=True
     )
-    nominal_torque: float = quantity("N*m", "T_н", "nominal torque")
+    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")
     margin: float = quantity("1", "β_н", "torque margin")
     method: Method = quantity("", None, "setting of the spec")
 

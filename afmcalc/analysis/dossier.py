@@ -9,7 +9,8 @@ from ..result import Result
 from ..spec import Spec
 from .answers import Answers
 from .checks.check import CheckResult
-from .checks.limits import Utilisation, utilisations
+from .checks.limits import Utilisation
+from .checks.requirements import RequirementRow
 from .explain.explain import Step, steps_of
 from .explain.trace import recording, with_roles
 from .figures import Request, gathered
@@ -36,9 +37,18 @@ class Dossier(NamedTuple):
 
     spec: Spec
     check: CheckResult
-    limits: list[Utilisation]
     findings: list[Finding]
     topics: list[Topic]
+
+    @property
+    def requirements(self) -> list[RequirementRow]:
+        """Every requirement, and whether the clutch holds it."""
+        return self.check.requirements
+
+    @property
+    def limits(self) -> list[Utilisation]:
+        """Every limit, and how much of it is used."""
+        return self.check.limits
 
 
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
@@ -59,7 +69,6 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     return Dossier(
         spec=spec,
         check=verdict,
-        limits=utilisations(answers, findings),
         findings=findings,
         topics=[_topic(each, answers, steps.get(each.name, [])) for each in applying],
     )

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from ..papers.figures import PaperFigure
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
     from .design.design import DesignResult
-    from .section import PocketSection
+    from .synthesize import SynthesisResult
     from .tolerance.study import Study
 
 _SINGLE = {"clutch": "SPEC", "names": "NAME", "requirements": "REQUIREMENTS"}
@@ -28,6 +28,14 @@ class Request(NamedTuple):
     model: StressRule | None = None
     progress: "Callable[[str, int, int], None]" = lambda work, done, total: None
     """Is told how many candidates of a design are behind."""
+
+
+class PocketSection(NamedTuple):
+    """The section through one ball and its pockets."""
+
+    name: str | None
+    balls: int | None
+    synthesis: "SynthesisResult"
 
 
 class ToleranceFigure(NamedTuple):
@@ -131,12 +139,11 @@ def _life(request: Request) -> "list[LifeCurve]":
     return found
 
 
-def _pocket(request: Request) -> "PocketSection":
-    from .section import pocket_section
-    from .synthesize import SynthesisResult
-
+def _pocket(request: Request) -> PocketSection:
     (answers,) = request.subjects
-    return pocket_section(answers.clutch.spec.name, answers.of(SynthesisResult))
+    spec = answers.clutch.spec
+    found, _ = answers.ask("synthesize")
+    return PocketSection(spec.name, spec.control_unit.balls, found)
 
 
 def _tolerance(request: Request) -> ToleranceFigure:

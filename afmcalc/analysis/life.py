@@ -9,7 +9,8 @@ from ..errors import AfmcalcError, Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say
 from ..result import Result, Series, quantity
-from ..spec.models import Fatigue, Method
+from ..spec.fatigue import Fatigue
+from ..spec.models import Method
 from .adjust import METHODS, set_by
 from .registry import StressRule
 from .slips import RULES, Load, cycles, damaging_stress, is_static, load_of

@@ -31,7 +31,7 @@ class OverloadResult(Result):
     """Overload of a clutch set at f_min with a margin over the machine's torque."""
 
     nominal_torque: float = quantity("N*m", "T_н.муф", "nominal torque of the clutch, at f_min")
-    machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine, T_н.муф/β_н")
+    machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")
     margin: float = quantity("1", "β_н", "torque margin")
     potential_torque: Triple = quantity("N*m", "T_п", "potential torque at T_н.маш; upper end of the trip bracket")
     expected_torque: Triple = quantity("N*m", "T_муф", "expected slip torque; lower end of the trip bracket")

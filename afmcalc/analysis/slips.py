@@ -12,7 +12,7 @@ from typing import NamedTuple
 from ..arrays import Values, is_array, larger, smaller
 from ..engines.protocol import Clutch
 from ..equations import life as law
-from ..spec.models import Fatigue
+from ..spec.fatigue import Fatigue
 from .registry import StressRule
 
 _NODES = 32

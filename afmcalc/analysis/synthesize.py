@@ -12,7 +12,8 @@ from ..messages import say
 from ..result import Result, quantity
 from ..spec import Spec, resolved
 from ..spec.balls import diameters
-from ..spec.models import Contact, ControlUnit
+from ..spec.contact import Contact
+from ..spec.models import ControlUnit
 
 DEFAULT_CLEARANCE = 0.002
 """s and y where the spec gives none, m: S21 takes 2…3 mm."""
@@ -29,7 +30,13 @@ class SynthesisResult(Result):
     ball_radius: float = quantity("m", "r_ш", "smallest ball radius")
     ball_diameter_standard: float | None = quantity("m", "d_ш", "ball chosen: given, or the next standard one")
     edge_clearance_standard: float | None = quantity("m", "y_st", "clearance with the ball chosen")
-    pocket_depth: float = quantity("m", "h_1", "pocket depth for the ball chosen (the smallest where none is)")
+    pocket_depth: float = quantity(
+        "m", "h_1", "pocket depth to the virtual apex, for the ball chosen (the smallest where none is)"
+    )
+    pocket_depth_cut: float = quantity("m", "h_c", "pocket depth to cut: the ball's lowest point, where the walls end")
+    pocket_width: float = quantity("m", "b", "width of the pocket's mouth at the face")
+    ball_pitch: float | None = quantity("m", "t_ш", "distance between the centres of neighbouring balls")
+    web: float | None = quantity("m", "e", "web between neighbouring pockets at the face")
     contact_force: float | None = quantity("N", "F_n", "largest normal force on one ball")
     contact_force_allowable: float | None = quantity("N", "[F_n]", "allowable normal force on one ball")
     contact_basis: Literal["given", "hertz-ball-on-flat"] | None = quantity(
@@ -39,6 +46,11 @@ class SynthesisResult(Result):
     gain_at_least_contact_force: float | None = quantity(
         "1", "C_Fn", "gain of the least contact force at equal spring force; beyond it F_n grows", optional=True
     )
+
+    @property
+    def ball_diameter(self) -> float:
+        """The ball chosen, or the smallest where none is."""
+        return 2 * self.ball_radius if self.ball_diameter_standard is None else self.ball_diameter_standard
 
 
 def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
@@ -63,8 +75,13 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
     travel = _travel(clutch)
     gap, clearance = (DEFAULT_CLEARANCE if given is None else given for given in (unit.face_gap, unit.edge_clearance))
     smallest = law.ball_radius(travel, gap, clearance, sine)
-    chosen = unit.ball_diameter or _next(balls or diameters(), 2 * smallest)
+    sizes = balls or diameters()
+    chosen = unit.ball_diameter or _next(sizes, 2 * smallest)
     own = None if chosen is None else chosen / 2
+    fitting = smallest if own is None else own
+    depth = law.pocket_depth(fitting, sine, gap)
+    width = law.pocket_width(depth, tangent)
+    pitch = _pitch(unit)
     force = _contact_force(clutch, unit, cosine)
     allowable, basis = _allowable(unit, own)
     result = SynthesisResult(
@@ -76,14 +93,18 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         ball_radius=smallest,
         ball_diameter_standard=chosen,
         edge_clearance_standard=None if own is None else law.edge_clearance(own, travel, gap, sine),
-        pocket_depth=law.pocket_depth(smallest if own is None else own, sine, gap),
+        pocket_depth=depth,
+        pocket_depth_cut=law.pocket_depth_cut(fitting, gap),
+        pocket_width=width,
+        ball_pitch=pitch,
+        web=None if pitch is None else law.web(pitch, width),
         contact_force=force,
         contact_force_allowable=allowable,
         contact_basis=basis,
         contact_utilisation=None if force is None or allowable is None else force / allowable,
         gain_at_least_contact_force=least_contact_force_gain(clutch),
     )
-    return result, [*clutch.findings(), *_findings(clutch, unit, result)]
+    return result, [*clutch.findings(), *_findings(clutch, unit, result, sizes[-1])]
 
 
 def _unit(clutch: Clutch) -> ControlUnit:
@@ -108,6 +129,13 @@ def _travel(clutch: Clutch) -> float:
 def _next(sizes: Sequence[float], wanted: float) -> float | None:
     """Smallest standard size not below the wanted one; None when the list ends before it."""
     return next((size for size in sizes if size >= wanted * (1 - 1e-12)), None)
+
+
+def _pitch(unit: ControlUnit) -> float | None:
+    """Distance between neighbouring balls; None of a single one, or when their number is not given."""
+    if unit.balls is None or unit.balls < 2:
+        return None
+    return float(law.ball_pitch(unit.ball_circle_radius, math.sin(math.pi / unit.balls)))
 
 
 def _contact_force(clutch: Clutch, unit: ControlUnit, cosine: float) -> float | None:
@@ -169,23 +197,15 @@ def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
     return data
 
 
-def _findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
-    return [*_ball_findings(clutch, unit, result), *_spacing_findings(unit, result), *_contact_findings(unit, result)]
+def _findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult, largest: float) -> list[Finding]:
+    return [
+        *_ball_findings(clutch, unit, result, largest),
+        *_room_findings(unit, result),
+        *_contact_findings(unit, result),
+    ]
 
 
-def _spacing_findings(unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
-    """Say when the balls do not fit side by side on their circle."""
-    diameter = result.ball_diameter_standard or 2 * result.ball_radius
-    if unit.balls is None or unit.balls < 2:
-        return []
-    chord = 2 * result.ball_circle_radius * math.sin(math.pi / unit.balls)
-    if diameter < chord:
-        return []
-    path = "control_unit.balls"
-    return [finding("balls-overlap", "warning", value=diameter, limit=chord, path=path, balls=unit.balls)]
-
-
-def _ball_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
+def _ball_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult, largest: float) -> list[Finding]:
     found = []
     for key, given in (("face_gap", unit.face_gap), ("edge_clearance", unit.edge_clearance)):
         if given is None:
@@ -194,10 +214,32 @@ def _ball_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -
         found.append(finding("no-sleeve-travel", "info", value=0.0))
     chosen, smallest = result.ball_diameter_standard, 2 * result.ball_radius
     if chosen is None:
-        found.append(finding("no-standard-ball", "warning", value=smallest))
+        found.append(finding("no-standard-ball", "error", value=smallest, limit=largest))
     elif chosen < smallest * (1 - 1e-12):
         path = "control_unit.ball_diameter"
         found.append(finding("ball-too-small", "error", value=chosen, limit=smallest, path=path))
+    return found
+
+
+def _room_findings(unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
+    """Say what is in the way of what: balls of balls or the axis, pockets of pockets or the back of the sleeve."""
+    diameter, pitch, path = result.ball_diameter, result.ball_pitch, "control_unit.balls"
+    found = []
+    if pitch is None:
+        if diameter >= 2 * result.ball_circle_radius:
+            path = "control_unit.ball_circle_radius"
+            found.append(
+                finding("ball-reaches-axis", "error", value=diameter / 2, limit=result.ball_circle_radius, path=path)
+            )
+    else:
+        if diameter >= pitch:
+            found.append(finding("balls-overlap", "error", value=diameter, limit=pitch, path=path, balls=unit.balls))
+        if result.pocket_width >= pitch:
+            width = result.pocket_width
+            found.append(finding("pockets-overlap", "error", value=width, limit=pitch, path=path, balls=unit.balls))
+    if unit.sleeve_depth is not None and result.pocket_depth_cut >= unit.sleeve_depth:
+        depth, path = result.pocket_depth_cut, "control_unit.sleeve_depth"
+        found.append(finding("depth-beyond-sleeve", "error", value=depth, limit=unit.sleeve_depth, path=path))
     return found
 
 

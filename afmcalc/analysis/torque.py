@@ -25,7 +25,8 @@ class FrictionPoint(Result):
 class TorqueResult(Result):
     """Torque, forces and accuracy over the friction range."""
 
-    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the setting")
+    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")
+    machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
     control_force: float | None = quantity("N", "F_п2", "control-spring force as set", optional=True)
     pack_force_at_rest: float | None = quantity("N", "N(0)", "force on the pack of the clutch at rest", optional=True)
@@ -71,6 +72,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
     asked = [_point(clutch, *pair) for pair in points]
     result = TorqueResult(
         nominal_torque=clutch.nominal_torque,
+        machine_torque=clutch.machine_torque,
         closing_force=clutch.closing_force,
         gain=clutch.gain,
         reduced_gain=clutch.reduced_gain,

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from ..arrays import Values
-from ..equations import adjustment
+from ..equations import adjustment, overload
 from ..findings import Finding
 from ..spec.models import Method, Range, Spec
 from . import setting
@@ -104,9 +104,15 @@ class Clutch(ABC):
 
     @property
     def nominal_torque(self) -> Values:
-        """T_н that the setting gives, N·m."""
+        """T_н of the clutch that the setting gives, N·m."""
         at_setting = self.torque(*setting.friction_at_setting(self.spec))
         torque: Values = adjustment.nominal_torque(at_setting, setting.margin(self.spec))
+        return torque
+
+    @property
+    def machine_torque(self) -> Values:
+        """T_н.маш of the machine, N·m: T_н over the margin, unless that is in the spring already (mean-friction)."""
+        torque: Values = overload.machine_torque(self.nominal_torque, setting.margin_over_machine(self.spec))
         return torque
 
     @property

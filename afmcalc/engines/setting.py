@@ -14,6 +14,11 @@ def margin(spec: Spec, method: Method | None = None) -> Any:
     return spec.adjustment.margin if (method or spec.adjustment.method) == "mean-friction" else 1.0
 
 
+def margin_over_machine(spec: Spec) -> Any:
+    """β_н as far as it lies between clutch and machine: with min-friction only (S22)."""
+    return spec.adjustment.margin / margin(spec)
+
+
 def friction_at_setting(spec: Spec, method: Method | None = None) -> tuple[Values, Values]:
     """f_1 and f_2 at which the spring is set: the smallest, or the mean."""
     first, second = spec.friction.groups

@@ -63,7 +63,7 @@ def edge_clearance(ball_radius: Number, travel: Number, face_gap: Number, sin_wa
 
 
 def pocket_depth(ball_radius: Number, sin_wall_angle: Number, face_gap: Number) -> Number:
-    """Pocket depth, h_1 = r_ш/sin α − s/2.
+    """Pocket depth to the virtual apex, where the walls would meet, h_1 = r_ш/sin α − s/2.
 
     Source: S21 (20).
 
@@ -102,6 +102,78 @@ def pocket_depth_from_travel(
         α > 0.
     """
     return ball_radius * cos_wall_angle * cos_wall_angle / sin_wall_angle + travel / 2 + edge_clearance
+
+
+def pocket_depth_cut(ball_radius: Number, face_gap: Number) -> Number:
+    """Depth to cut a pocket to, h_c = r_ш − s/2: the lowest point of the ball below the face.
+
+    Source: Geometry of S21 (20): the ball's centre lies s/2 above the face.
+
+    Args:
+        ball_radius: r_ш, ball radius [m].
+        face_gap: s, gap between the faces [m].
+
+    Returns:
+        h_c [m].
+
+    Validity:
+        The walls end under the ball, h_c ≤ h_1.
+    """
+    return ball_radius - face_gap / 2
+
+
+def pocket_width(pocket_depth: Number, tan_wall_angle: Number) -> Number:
+    """Width of the pocket's mouth at the face, b = 2 h_1 tan α.
+
+    Source: Geometry of S21 (20): the walls meet at the virtual apex.
+
+    Args:
+        pocket_depth: h_1, pocket depth to the virtual apex [m].
+        tan_wall_angle: tan α [1].
+
+    Returns:
+        b [m].
+
+    Validity:
+        Straight walls.
+    """
+    return 2 * pocket_depth * tan_wall_angle
+
+
+def ball_pitch(ball_circle_radius: Number, sin_half_pitch: Number) -> Number:
+    """Distance between the centres of neighbouring balls, t_ш = 2 r sin(π/n).
+
+    Source: Geometry: chord of the ball circle.
+
+    Args:
+        ball_circle_radius: r, radius of the ball circle [m].
+        sin_half_pitch: sin(π/n), n balls [1].
+
+    Returns:
+        t_ш [m].
+
+    Validity:
+        n ≥ 2.
+    """
+    return 2 * ball_circle_radius * sin_half_pitch
+
+
+def web(ball_pitch: Number, pocket_width: Number) -> Number:
+    """Web that is left between neighbouring pockets at the face, e = t_ш − b.
+
+    Source: Geometry: chord of the ball circle.
+
+    Args:
+        ball_pitch: t_ш, distance between the centres of neighbouring balls [m].
+        pocket_width: b, width of the pocket's mouth [m].
+
+    Returns:
+        e [m].
+
+    Validity:
+        Not above 0 the pockets cut into each other.
+    """
+    return ball_pitch - pocket_width
 
 
 def contact_force(torque: Number, balls: Number, ball_circle_radius: Number, cos_wall_angle: Number) -> Number:

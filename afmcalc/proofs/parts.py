@@ -9,6 +9,7 @@ from .symbols import C, F, R, c1, c2, d, fk, fmax, fmin, n, p, q, r, x, z
 __all__ = [
     "ball_and_pocket",
     "contact_force_of_the_balls",
+    "cut_of_the_pockets",
     "hertz_ball_on_flat",
     "least_contact_force",
     "mean_radii",
@@ -38,6 +39,20 @@ def ball_and_pocket() -> Steps:
         synthesis.pocket_depth(ball, sine, GAP) - synthesis.pocket_depth_from_travel(ball, sine, cosine, x, EDGE),
     )
     yield Identity("y for a given ball inverts (23)", synthesis.edge_clearance(ball, x, GAP, sine) - EDGE)
+
+
+def cut_of_the_pockets() -> Steps:
+    """Depth, mouth and web from where ball, wall and face lie: the ball's centre at 0, the face at s/2."""
+    sine, cosine = sp.sin(ALPHA), sp.cos(ALPHA)
+    deepest = sp.solve(sp.diff(BALL * sp.sin(x), x), x)[0]
+    lowest = (BALL * sp.sin(x)).subs(x, deepest)
+    yield Identity("h_c: lowest point of the ball", synthesis.pocket_depth_cut(BALL, GAP) - (lowest - GAP / 2))
+    width = synthesis.pocket_width(synthesis.pocket_depth(BALL, sine, GAP), sp.tan(ALPHA))
+    yield Identity("the wall from the mouth touches the ball", GAP / 2 * sine + width / 2 * cosine - BALL)
+    step = sp.Matrix([sp.cos(2 * ALPHA) - 1, sp.sin(2 * ALPHA)]) * r
+    pitch = synthesis.ball_pitch(r, sine)
+    yield Identity("chord between balls 2π/n apart", pitch**2 - step.dot(step))
+    yield Identity("pitch less a half mouth on either side", synthesis.web(pitch, width) - (pitch - 2 * (width / 2)))
 
 
 def contact_force_of_the_balls() -> Steps:

@@ -6,7 +6,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from ..messages import translate
-from ..result import Result, Triple
+from ..result import OpenTriple, Result, Triple
 
 
 class Entry(NamedTuple):
@@ -110,8 +110,9 @@ def _walk(model: BaseModel, prefix: str, heading: str, index: str, into: Documen
         path, title = prefix + name, translate(info.description or name)
         symbol, unit = indexed(str(extra.get("symbol") or ""), index), str(extra.get("unit") or "")
         label = f"{heading}: {title}" if heading else title
-        if isinstance(value, Triple):
-            into.triples.append(Entry(path, symbol, label, unit, (value.min, value.mean, value.max)))
+        if isinstance(value, Triple | OpenTriple):
+            null = str(extra.get("null") or "–")
+            into.triples.append(Entry(path, symbol, label, unit, (value.min, value.mean, value.max), null))
         elif isinstance(value, Result):
             _walk(value, path + ".", label, str(extra.get("symbol") or ""), into)
         elif isinstance(value, dict):
@@ -124,9 +125,9 @@ def _walk(model: BaseModel, prefix: str, heading: str, index: str, into: Documen
             laid_out = _side_by_side(label, value) if extra.get("columns") else _records(label, value)
             across, by = bool(extra.get("across")), str(extra.get("by") or "")
             into.tables.append(laid_out._replace(data=bool(extra.get("data")), across=across, by=by, path=path))
-        else:
+        elif value != []:
             null, shown_unit = str(extra.get("null") or "–"), str(getattr(model, str(extra.get("unit_in")), ""))
-            error_of, told = str(extra.get("error_of") or ""), bool(extra.get("told")) or value == []
+            error_of, told = str(extra.get("error_of") or ""), bool(extra.get("told"))
             said = model.words(name) if isinstance(model, Result) else None
             into.singles.append(
                 Entry(
@@ -158,15 +159,15 @@ def _records(title: str, items: list[BaseModel]) -> Table:
             continue
         symbol, unit = str(extra.get("symbol") or ""), str(extra.get("unit") or "")
         label = translate(info.description or name)
-        if any(isinstance(value, Triple) for value in values):
+        if any(isinstance(value, Triple | OpenTriple) for value in values):
             for end in ("min", "mean", "max"):
                 ends = [getattr(value, end, None) for value in values]
                 columns.append(Column(f"{name}_{end}", f"{symbol} {end}", f"{label}, {end}", unit, ends))
         else:
+            own = [str(getattr(item, str(extra["unit_in"]))) for item in items] if "unit_in" in extra else None
             columns.append(
                 Column(
-                    name, symbol, label, unit, values, bool(extra.get("detail")), str(extra.get("null", "–")),
-                    [str(getattr(item, str(extra["unit_in"]))) for item in items] if "unit_in" in extra else None,
+                    name, symbol, label, unit, values, bool(extra.get("detail")), str(extra.get("null", "–")), own,
                     str(extra.get("error_of") or ""), bool(extra.get("is_unit")),
                 )
             )  # fmt: skip

@@ -48,7 +48,7 @@ def blocks(laid_out: Document) -> list[TextTable]:
         found.append(TextTable("", ["Symbol", "Quantity", "Value", "Unit"], rows, [False, False, True, False]))
     if laid_out.triples:
         rows = [
-            [row.symbol, row.name, *(display(value, row.unit) for value in row.values), display_unit(row.unit)]
+            [row.symbol, row.name, *(_shown(value, row.unit, row.null) for value in row.values), display_unit(row.unit)]
             for row in laid_out.triples
         ]
         header = ["Symbol", "Quantity", "at f_min", "at mean f", "at f_max", "Unit"]
@@ -112,9 +112,11 @@ def _cells(column: Column, errors: list[float] | None) -> list[str]:
     units = column.units or [column.unit] * len(column.values)
     if errors:
         return [estimate(*each) for each in zip(column.values, errors, units, strict=True)]
-    return [
-        column.null if value is None else display(value, unit) for value, unit in zip(column.values, units, strict=True)
-    ]
+    return [_shown(value, unit, column.null) for value, unit in zip(column.values, units, strict=True)]
+
+
+def _shown(value: Any, unit: str, null: str) -> str:
+    return null if value is None else display(value, unit)
 
 
 def _table(table: Table) -> TextTable:

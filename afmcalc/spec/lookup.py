@@ -9,7 +9,7 @@ import pint
 
 from ..messages import say, translate
 from .suggest import did_you_mean
-from .units import EXAMPLES, allowed
+from .units import EXAMPLES, SCALES, allowed
 
 if TYPE_CHECKING:
     Registry = pint.UnitRegistry[Decimal]
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 _UNIT_TEXT = re.compile(r"[\w\s*/^().°·⋅×µμ⁻¹²³⁴-]+")
 _WORD = re.compile(r"[^\W\d_]+(?:_[^\W\d_]+)*")
 
-_FOREIGN = {"J": "an energy", "kg": "a mass", "s": "a time", "m^2": "an area"}
+_FOREIGN = {"J": "an energy", "m^2": "an area", "K": "a temperature difference", "W": "a power"}
 """Dimensions that no field has, by a unit of theirs."""
 
 _SPELLINGS = {
@@ -25,6 +25,9 @@ _SPELLINGS = {
     "m": "mm cm m in ft meter metre millimeter мм см м",
     "rad": "deg rad degree radian град рад",
     "Pa": "MPa kPa GPa Pa bar psi ksi megapascal МПа кПа Па",
+    "s": "s ms min h second с мс мин",
+    "rad/s": "rpm rad/s об/мин",
+    "kg": "kg g kilogram кг г",
 }
 """Spellings to suggest, by the SI units that make up a field's own."""
 
@@ -75,7 +78,7 @@ def _registry() -> "Registry":
 
 def _dimension_name(unit: pint.Unit) -> str:
     registry = _registry()
-    kinds = {si: name for si, (name, _) in EXAMPLES.items() if si != "1"} | _FOREIGN
+    kinds = {si: name for si, (name, _) in EXAMPLES.items() if si != "1" and si not in SCALES} | _FOREIGN
     names = {registry.parse_units(si).dimensionality: name for si, name in kinds.items()}
     if name := names.get(unit.dimensionality):
         return translate(name)

@@ -19,7 +19,10 @@ from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 from ..errors import Problem
 from ..messages import say
 from ..variants import VARIANTS, Variant
-from . import rules
+from . import drive, rules
+from .contact import Contact
+from .drive import Drive, Mass, SlidingSpeed, TimeOrNone
+from .fatigue import Fatigue
 from .fields import (
     AtLeastOne,
     Block,
@@ -29,17 +32,16 @@ from .fields import (
     Gap,
     Length,
     Name,
-    PoissonRatio,
     Ratio,
-    SectionModulus,
     Stiffness,
     StiffnessOrNone,
-    Stress,
     Torque,
-    TorqueOrNone,
     WallAngle,
     key_field,
 )
+from .heat import Heat
+from .report import TitleBlock
+from .required import Required
 from .tolerance import Tolerance, in_si
 
 
@@ -114,6 +116,8 @@ class Friction(FrictionRange):
 
     driving: FrictionRange | None = key_field("friction of the driving (bypass) pairs", "f_1")
     driven: FrictionRange | None = key_field("friction of the driven (controlled) pairs", "f_2")
+    static_ratio: AtLeastOne | None = key_field("static over sliding friction; default 1", "r_s")
+    stribeck_speed: SlidingSpeed | None = key_field("sliding speed in which static friction decays", "v_s")
 
     @property
     def groups(self) -> tuple[Range, Range]:
@@ -139,6 +143,9 @@ class FrictionGroup(Block):
     inner_radius: Length | None = key_field("inner radius of the friction surface", "r_i")
     outer_radius: Length | None = key_field("outer radius of the friction surface", "r_o")
     radius_model: RadiusModel | None = key_field("how the mean radius follows from the two; default uniform-wear")
+    spline_friction: Ratio | None = key_field("friction of the discs in their splines (effects only)", "μ_s")
+    inner_spline_radius: Length | None = key_field("radius of the inner discs' splines (effects only)", "r_si")
+    outer_spline_radius: Length | None = key_field("radius of the outer discs' splines (effects only)", "r_so")
 
     @model_validator(mode="after")
     def _check_radii(self) -> "FrictionGroup":
@@ -152,7 +159,7 @@ class ClosingSpring(Block):
     """The spring that presses the pack (13 in S21)."""
 
     force: Force | None = key_field("closing-spring force as set", "F_п")
-    stiffness: Stiffness | None = key_field("stiffness of the closing spring (indirect only)", "c_1")
+    stiffness: Stiffness | None = key_field("stiffness of the closing spring; needed by an indirect clutch", "c_1")
 
 
 class ControlSpring(Block):
@@ -166,20 +173,6 @@ class ControlSpring(Block):
     )
 
 
-class Contact(Block):
-    """Elastic data of ball and pocket wall, for a Hertz check where no allowable force is given."""
-
-    ball_modulus: Stress = Field(description="Young's modulus of the ball", json_schema_extra={"symbol": "E_1"})
-    ball_poisson: PoissonRatio = Field(description="Poisson's ratio of the ball", json_schema_extra={"symbol": "ν_1"})
-    wall_modulus: Stress = Field(description="Young's modulus of the pocket wall", json_schema_extra={"symbol": "E_2"})
-    wall_poisson: PoissonRatio = Field(
-        description="Poisson's ratio of the pocket wall", json_schema_extra={"symbol": "ν_2"}
-    )
-    allowable_pressure: Stress = Field(
-        description="allowable maximum contact pressure", json_schema_extra={"symbol": "[p_0]"}
-    )
-
-
 class ControlUnit(Block):
     """Balls in pockets with inclined walls."""
 
@@ -189,10 +182,16 @@ class ControlUnit(Block):
     balls: Count | None = key_field("number of balls", "n")
     hub_diameter: Length | None = key_field("hub diameter at the key (indirect only)", "d")
     key_friction: Ratio | None = key_field("friction coefficient at the key (indirect only)", "f_1")
+    sleeve_mass: Mass | None = key_field("mass of the thrust sleeve; default 0 (indirect only)", "m")
+    release_lag: TimeOrNone | None = key_field("time by which the normal force lags the load; default 0", "τ")
     face_gap: Gap | None = key_field("gap between the faces of the pockets", "s")
     edge_clearance: Gap | None = key_field("clearance of the contact from the pocket's edge", "y")
     allowable_contact_force: Force | None = key_field("allowable normal force on one ball", "[F_n]")
     ball_diameter: Length | None = key_field("ball chosen; synthesize takes it instead of the next standard one", "d_ш")
+    sleeve_depth: Length | None = key_field("thickness, along the axis, of the sleeve the pockets are cut into", "B")
+    wall_friction: Ratio | None = key_field(
+        "friction of cams that slide on the walls, balls do not (effects only)", "μ"
+    )
     contact: Contact | None = None
 
 
@@ -201,28 +200,8 @@ class Adjustment(Block):
 
     method: Method = key_field("friction at which the nominal torque is set", default="min-friction")
     margin: AtLeastOne = key_field("torque margin", "β_н", default=1.0)
-    nominal_torque: Torque | None = key_field("nominal torque; gives the spring force when that is absent", "T_н")
-
-
-class Drive(Block):
-    """The drive around the clutch."""
-
-    dynamic_factor: Coefficient = key_field("dynamic factor of the unprotected side", "k_д", default=1.0)
-
-
-class Fatigue(Block):
-    """The part whose life is asked for."""
-
-    endurance_limit: Stress = Field(description="endurance limit in shear", json_schema_extra={"symbol": "τ_limb"})
-    polar_section_modulus: SectionModulus = Field(
-        description="polar section modulus", json_schema_extra={"symbol": "W_p"}
-    )
-    exponent: Coefficient = Field(description="exponent of the S-N line", json_schema_extra={"symbol": "m_τ"})
-    mean_stress_sensitivity: Ratio | None = key_field("sensitivity to the mean stress (model amplitude)", "ψ_τ")
-    ultimate_strength: Stress | None = key_field("ultimate strength in shear (model goodman)", "τ_u")
-    base_cycles: Coefficient = Field(description="base cycles of the S-N line", json_schema_extra={"symbol": "N_0"})
-    load_low: TorqueOrNone = key_field(
-        "torque from which a slip swings the load and to which it falls back (amplitude, goodman)", "T_low", default=0.0
+    nominal_torque: Torque | None = key_field(
+        "nominal torque of the clutch; gives the spring force where absent", "T_н"
     )
 
 
@@ -246,7 +225,10 @@ class Spec(Block):
     adjustment: Adjustment = Adjustment()
     drive: Drive = Drive()
     fatigue: Fatigue | None = None
+    heat: Heat | None = None
     tolerance: Tolerance | None = None
+    requirements: Required | None = None
+    report: TitleBlock | None = None
 
     _origin: Origin = PrivateAttr(Origin("spec"))
 
@@ -259,7 +241,7 @@ class Spec(Block):
     @classmethod
     def _every_problem_at_once(cls, data: object, handler: ModelWrapValidatorHandler["Spec"]) -> "Spec":
         """Report what the blocks find and what the rules between them find together."""
-        problems = rules.problems(data) if isinstance(data, dict) else []
+        problems = [*rules.problems(data), *drive.problems(data)] if isinstance(data, dict) else []
         try:
             spec = handler(data)
         except ValidationError as error:

@@ -5,7 +5,7 @@ import re
 from decimal import Decimal
 
 from ..messages import say, translate
-from .units import EXAMPLES, KNOWN, SIGNS, allowed
+from .units import EXAMPLES, KNOWN, SCALES, SIGNS, allowed
 
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)
 
@@ -61,7 +61,18 @@ def _parse_text(text: str, unit: str) -> float:
         raise ValueError(say("has no unit; {allowed}", allowed=allowed(unit)))
     if unit == "1":
         raise ValueError(say("is dimensionless and takes no unit; {allowed}", allowed=allowed(unit)))
+    if unit in SCALES:
+        return float(Decimal(number) + _zero(unit_text, unit))
     return float(Decimal(number) * _factor(unit_text, unit))
+
+
+def _zero(unit_text: str, unit: str) -> Decimal:
+    """Where the scale ``unit_text`` begins, in SI units of the field."""
+    if unit_text not in SCALES[unit]:
+        raise ValueError(
+            say("{text!r} is no unit of {kind}; {allowed}", text=unit_text, kind=_kind(unit), allowed=allowed(unit))
+        )
+    return SCALES[unit][unit_text]
 
 
 def _factor(unit_text: str, unit: str) -> Decimal:

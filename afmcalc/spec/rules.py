@@ -51,8 +51,8 @@ def problems(data: Table) -> list[Problem]:
     ]
 
 
-def _get(data: Table, *path: str) -> object:
-    """Value at ``path``; None when absent or when a block is no table."""
+def get(data: Table, *path: str) -> object:
+    """Return the value at ``path``; None when absent or when a block is no table."""
     value: object = data
     for key in path:
         if not isinstance(value, Mapping):
@@ -61,19 +61,21 @@ def _get(data: Table, *path: str) -> object:
     return value
 
 
-def _has(data: Table, *path: str) -> bool:
-    return _get(data, *path) is not None
+def has(data: Table, *path: str) -> bool:
+    """Whether a key is present."""
+    return get(data, *path) is not None
 
 
-def _is_table(data: Table, *path: str) -> bool:
-    return isinstance(_get(data, *path), Mapping)
+def is_table(data: Table, *path: str) -> bool:
+    """Whether a block is present, and a table."""
+    return isinstance(get(data, *path), Mapping)
 
 
 def _friction(data: Table) -> Iterable[Problem]:
-    if not _is_table(data, "friction"):
+    if not is_table(data, "friction"):
         return
-    groups = [group for group in ("driving", "driven") if _has(data, "friction", group)]
-    own = [key for key in ("min", "mean", "max", "material") if _has(data, "friction", key)]
+    groups = [group for group in ("driving", "driven") if has(data, "friction", group)]
+    own = [key for key in ("min", "mean", "max", "material") if has(data, "friction", key)]
     for key in own if groups else ():
         yield wrong(
             f"friction.{key}",
@@ -81,27 +83,34 @@ def _friction(data: Table) -> Iterable[Problem]:
         )
     if len(groups) == 1:
         other = "driven" if groups == ["driving"] else "driving"
-        yield _beside(f"friction.{other}", f"friction.{groups[0]}")
+        yield beside(f"friction.{other}", f"friction.{groups[0]}")
+    if _number(get(data, "friction", "static_ratio")) > 1 and not has(data, "friction", "stribeck_speed"):
+        yield beside("friction.stribeck_speed", "friction.static_ratio")
     blocks: list[tuple[str, ...]] = [("friction", group) for group in groups]
     for block in blocks or [("friction",)]:
-        if not _is_table(data, *block) or _has(data, *block, "material"):
+        if not is_table(data, *block) or has(data, *block, "material"):
             continue
         for key in ("min", "max"):
-            if not _has(data, *block, key):
+            if not has(data, *block, key):
                 yield wrong(".".join((*block, key)), say("required (or give material instead of min and max)"))
 
 
-def _beside(path: str, other: str) -> Problem:
+def _number(value: object) -> float:
+    return float(value) if isinstance(value, int | float) else 0.0
+
+
+def beside(path: str, other: str) -> Problem:
+    """Report a key that another needs."""
     return wrong(path, say("required beside {other}", other=other))
 
 
 def _radii(data: Table) -> Iterable[Problem]:
     block = "friction_group"
-    if not _is_table(data, block):
+    if not is_table(data, block):
         return
-    two = [key for key in ("inner_radius", "outer_radius") if _has(data, block, key)]
-    if _has(data, block, "mean_radius"):
-        for key in (*two, *(["radius_model"] if _has(data, block, "radius_model") else [])):
+    two = [key for key in ("inner_radius", "outer_radius") if has(data, block, key)]
+    if has(data, block, "mean_radius"):
+        for key in (*two, *(["radius_model"] if has(data, block, "radius_model") else [])):
             yield wrong(
                 f"{block}.{key}",
                 say("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius"),
@@ -110,26 +119,26 @@ def _radii(data: Table) -> Iterable[Problem]:
         yield wrong(f"{block}.mean_radius", say("required (or give inner_radius and outer_radius)"))
     elif len(two) == 1:
         other = "outer_radius" if two == ["inner_radius"] else "inner_radius"
-        yield _beside(f"{block}.{other}", f"{block}.{two[0]}")
+        yield beside(f"{block}.{other}", f"{block}.{two[0]}")
 
 
 def _gain(data: Table) -> Iterable[Problem]:
     block = "control_unit"
-    if not _is_table(data, block):
+    if not is_table(data, block):
         return
-    gain, angle = _has(data, block, "gain"), _has(data, block, "wall_angle")
+    gain, angle = has(data, block, "gain"), has(data, block, "wall_angle")
     if gain and angle:
         yield wrong(
             f"{block}.wall_angle", say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius")
         )
     elif not gain and not angle:
         yield wrong(f"{block}.gain", say("required (or give wall_angle and ball_circle_radius)"))
-    elif angle and not _has(data, block, "ball_circle_radius"):
-        yield _beside(f"{block}.ball_circle_radius", f"{block}.wall_angle")
+    elif angle and not has(data, block, "ball_circle_radius"):
+        yield beside(f"{block}.ball_circle_radius", f"{block}.wall_angle")
 
 
 def _contact(data: Table) -> Iterable[Problem]:
-    if _has(data, "control_unit", "allowable_contact_force") and _has(data, "control_unit", "contact"):
+    if has(data, "control_unit", "allowable_contact_force") and has(data, "control_unit", "contact"):
         yield wrong(
             "control_unit.allowable_contact_force",
             say("excludes control_unit.contact: give the allowable force, or the elastic data it follows from"),
@@ -137,9 +146,9 @@ def _contact(data: Table) -> Iterable[Problem]:
 
 
 def _force(data: Table) -> Iterable[Problem]:
-    if not _has(data, "closing_spring", "force") and not _has(data, "adjustment", "nominal_torque"):
+    if not has(data, "closing_spring", "force") and not has(data, "adjustment", "nominal_torque"):
         yield wrong("closing_spring.force", say("required (or give adjustment.nominal_torque, which sets it)"))
-    elif _has(data, "control_spring", "force") and not _has(data, "closing_spring", "force"):
+    elif has(data, "control_spring", "force") and not has(data, "closing_spring", "force"):
         yield wrong("closing_spring.force", say("required beside control_spring.force: both forces as made"))
 
 
@@ -159,24 +168,24 @@ def variants_of(path: str) -> tuple[str, ...]:
 def foreign_keys(data: Table) -> list[Path]:
     """Paths of the keys present that the variant of ``data`` does not have; a block stands for its keys."""
     own = VARIANTS[str(data["variant"])].keys
-    found = [path for path in _special() if path not in own and _has(data, *path)]
+    found = [path for path in _special() if path not in own and has(data, *path)]
     return [path for path in found if path[:1] not in found or len(path) == 1]
 
 
 def _variant(data: Table) -> Iterable[Problem]:
-    name = _get(data, "variant")
+    name = get(data, "variant")
     if not isinstance(name, str) or name not in VARIANTS:
         return
     for path in foreign_keys(data):
         only = ", ".join(_special()[path])
         yield wrong(".".join(path), say("not for variant {variant!r}; only for {only}", variant=name, only=only))
-    for path in VARIANTS[name].needs:
-        if not _has(data, *path) and (len(path) == 1 or _has(data, path[0]) or path[0] == "closing_spring"):
+    for path in VARIANTS[name].needs + VARIANTS[name].requires:
+        if not has(data, *path) and (len(path) == 1 or has(data, path[0]) or path[0] == "closing_spring"):
             yield wrong(".".join(path), say("required for variant {variant!r}", variant=name))
 
 
 def _pairs(data: Table) -> Iterable[Problem]:
-    pairs, driving = _get(data, "friction_group", "pairs"), _get(data, "friction_group", "driving_pairs")
+    pairs, driving = get(data, "friction_group", "pairs"), get(data, "friction_group", "driving_pairs")
     if not isinstance(pairs, int | float):
         return
     if isinstance(driving, int | float):
@@ -185,7 +194,7 @@ def _pairs(data: Table) -> Iterable[Problem]:
                 "friction_group.driving_pairs", say("must be less than friction_group.pairs ({pairs})", pairs=pairs)
             )
         return
-    variant = VARIANTS.get(str(_get(data, "variant")))
+    variant = VARIANTS.get(str(get(data, "variant")))
     if driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()) > 1:
         default = say(" (the default)") if variant.chooses_bypass else ""
         if least == 2:

@@ -19,6 +19,8 @@ SamplingMethod = Literal["auto", "monte-carlo", "quasi-monte-carlo"]
 FRICTION = ("friction", "friction.driving", "friction.driven")
 """Names of the friction in service, which is no single key of the spec but the range it wanders in."""
 
+_NOT_OF_THE_CLUTCH = ("tolerance.", "requirements.")
+
 _PERCENT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*%\s*")
 
 
@@ -97,7 +99,7 @@ def scattering(path: str, spec: type[BaseModel]) -> Quantity | None:
     """What a number that scatters may be; None when nothing that may scatter is at the path."""
     found = keys_below(spec).get("friction.min" if path in FRICTION else path)
     about = found.about if found else None
-    return None if about is None or about.whole or path.startswith("tolerance.") else about
+    return None if about is None or about.whole or path.startswith(_NOT_OF_THE_CLUTCH) else about
 
 
 def percentage(value: object) -> float | None:

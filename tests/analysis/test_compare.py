@@ -1,7 +1,7 @@
 """Clutches side by side."""
 
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, S21
 
 from afmcalc.engines import build
 from afmcalc.spec import read_spec
@@ -17,9 +17,9 @@ def test_specs_side_by_side(afmcalc):
 
 
 def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
-    rows = afmcalc("compare", CONFIGS / "indirect.toml", "--variants", "--json").json["result"]["clutches"]
+    rows = afmcalc("compare", S21, "--variants", "--json").json["result"]["clutches"]
     assert [row["variant"] for row in rows] == ["conventional", "differentiated", "all-driving", "indirect"] * 2
-    clutch = build(read_spec(CONFIGS / "indirect.toml"))
+    clutch = build(read_spec(S21))
     assert {row["closing_force"] for row in rows[:4]} == {2000.0}
     assert [row["nominal_torque"] for row in rows[4:]] == pytest.approx([clutch.nominal_torque] * 4)
     assert rows[3]["accuracy_factor"] == pytest.approx(rows[7]["accuracy_factor"])
@@ -36,12 +36,12 @@ def test_what_is_not_possible_is_said(afmcalc):
 
 
 def test_bad_calls(afmcalc):
-    assert afmcalc("compare", CONFIGS / "default.toml", CONFIGS / "indirect.toml", "--variants").code == 2
+    assert afmcalc("compare", CONFIGS / "default.toml", S21, "--variants").code == 2
     assert afmcalc("compare", "none.toml").code == 3
 
 
 def test_findings_of_every_variant_compared_are_told(afmcalc):
-    run = afmcalc("compare", CONFIGS / "indirect.toml", "--variants", "--json").json
+    run = afmcalc("compare", S21, "--variants", "--json").json
     warned = {row["variant"] for row in run["result"]["clutches"] if row["warnings"]}
     told = {f["message"].partition(":")[0] for f in run["findings"] if f["level"] == "warning"}
     assert warned <= told

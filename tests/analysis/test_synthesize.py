@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, S21
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import indirect_specs
@@ -33,7 +33,8 @@ def test_the_next_standard_ball_not_smaller(spec, gap, clearance):
     wanted = 2 * result.ball_radius
     if result.ball_diameter_standard is None:
         assert wanted > max(sizes)
-        assert codes(findings)["no-standard-ball"].level == "warning"
+        assert codes(findings)["no-standard-ball"].level == "error"
+        assert codes(findings)["no-standard-ball"].limit == max(sizes)
         return
     assert result.ball_diameter_standard >= wanted * (1 - 1e-9)
     assert not any(wanted * (1 + 1e-9) <= size < result.ball_diameter_standard for size in sizes)
@@ -130,12 +131,12 @@ def test_what_cannot_be_synthesized(afmcalc):
 
 def test_output_writes_the_completed_spec(afmcalc, tmp_path):
     target = tmp_path / "completed.toml"
-    run = afmcalc("synthesize", CONFIGS / "indirect.toml", "--json", "--output", target)
+    run = afmcalc("synthesize", S21, "--json", "--output", target)
     result = run.json["result"]
     unit = read_spec(target).control_unit
     assert unit.wall_angle == pytest.approx(result["wall_angle"], rel=1e-11)
     assert unit.gain is None
-    before, after = (afmcalc("torque", path, "--json").json["result"] for path in (CONFIGS / "indirect.toml", target))
+    before, after = (afmcalc("torque", path, "--json").json["result"] for path in (S21, target))
     for key, value in before.items():
         assert after[key] == pytest.approx(value) or value is None
     again = afmcalc("synthesize", target, "--json").json["result"]
@@ -161,8 +162,25 @@ def test_the_users_own_balls(afmcalc, tmp_path):
         diameters(own)
 
 
-def test_balls_that_do_not_fit_are_found(afmcalc):
-    crowded = afmcalc("synthesize", "--set", "control_unit.balls=20", "--json").json
-    (finding,) = [f for f in crowded["findings"] if f["code"] == "balls-overlap"]
-    assert finding["value"] == pytest.approx(0.025)
-    assert finding["limit"] == pytest.approx(0.01564, abs=1e-5)
+@given(indirect_specs(), st.floats(0, 0.01), st.floats(0, 0.01))
+def test_the_pocket_is_as_it_was_laid_out(spec, gap, clearance):
+    """Ball at the origin, faces at ±s/2: the wall from mouth to apex touches the ball, the floor lies under it."""
+    unit = spec.control_unit.model_copy(update={"face_gap": gap, "edge_clearance": clearance})
+    found, _ = synthesize(build(spec.model_copy(update={"control_unit": unit})))
+    mouth, apex = np.array([gap / 2, found.pocket_width / 2]), np.array([gap / 2 + found.pocket_depth, 0.0])
+    wall = (apex - mouth) / np.linalg.norm(apex - mouth)
+    touching = mouth - wall * (mouth @ wall)
+    assert np.linalg.norm(touching) == pytest.approx(found.ball_diameter / 2, rel=1e-9)
+    assert found.pocket_depth_cut + gap / 2 == pytest.approx(found.ball_diameter / 2, rel=1e-9)
+    around = [found.ball_circle_radius * np.exp(2j * np.pi * k / unit.balls) for k in (0, 1)]
+    assert found.ball_pitch == pytest.approx(abs(around[0] - around[1]), rel=1e-9)
+    assert found.web == pytest.approx(found.ball_pitch - found.pocket_width, abs=1e-12)
+    if found.ball_diameter_standard is not None:
+        # the contact stays y below the face when the sleeve has gone all its way
+        assert touching[0] - (gap + found.travel_max) / 2 == pytest.approx(found.edge_clearance_standard, abs=1e-9)
+
+
+def test_a_single_ball_has_no_neighbour(afmcalc):
+    for balls in ("1", ""):
+        found = afmcalc("synthesize", "--set", f"control_unit.balls={balls}", "--json").json["result"]
+        assert (found["ball_pitch"], found["web"]) == (None, None)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
+from conftest import S21
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import FRICTION, indirect_specs
@@ -52,7 +52,7 @@ def test_it_is_the_all_driving_law_with_the_equivalent_gain(spec):
 
 def test_returning_torque_is_lower_by_the_ratio_of_the_stiffnesses():
     """Theory, section 5: once friction has fallen by κ₊/κ the torque is lower by D_κ/D_κ₊."""
-    clutch = afmcalc.load(CONFIGS / "indirect.toml")
+    clutch = afmcalc.load(S21)
     ratio = clutch.net_gain_returning / clutch.net_gain
     assert ratio == pytest.approx(4)
     f = 0.8 / ratio * 0.9
@@ -97,7 +97,7 @@ def test_sensitivities_are_the_derivatives_of_the_accuracy(spec):
 
 @pytest.mark.parametrize("method", ["min-friction", "mean-friction"])
 def test_a_mean_that_is_not_given_moves_with_the_range(method):
-    base = read_spec(CONFIGS / "indirect.toml", ["friction.mean=", f"adjustment.method={method}"])
+    base = read_spec(S21, ["friction.mean=", f"adjustment.method={method}"])
     sensitivity = build(base).sensitivity()
     step = 1e-6
     for end in ("min", "max"):
@@ -118,29 +118,27 @@ def test_arrays_and_floats_agree_bit_for_bit(spec, friction):
 
 
 def test_below_the_threshold_is_refused_with_the_threshold(afmcalc):
-    run = afmcalc("torque", CONFIGS / "indirect.toml", "--set", "C=0.5")
+    run = afmcalc("torque", S21, "--set", "C=0.5")
     assert (run.code, run.out) == (2, "")
-    assert "indirect.toml: control_unit.gain = 0.5: must be at least 2 R f_1/d = 0.6" in run.err
-    swept = afmcalc("accuracy", CONFIGS / "indirect.toml", "--sweep", "C=0.1:2:5")
+    assert "s21-fig2.toml: control_unit.gain = 0.5: must be at least 2 R f_1/d = 0.6" in run.err
+    swept = afmcalc("accuracy", S21, "--sweep", "C=0.1:2:5")
     assert swept.code == 2
     assert "control_unit.gain" in swept.err
     assert "0.6" in swept.err
     with pytest.raises(SpecError, match=r"2 R f_1/d"):
-        build(read_spec(CONFIGS / "indirect.toml", ["C=0.59"]))
+        build(read_spec(S21, ["C=0.59"]))
 
 
 def test_at_the_threshold_it_is_an_ordinary_clutch():
-    clutch = build(read_spec(CONFIGS / "indirect.toml", ["control_unit.gain=0.6"]))
+    clutch = build(read_spec(S21, ["control_unit.gain=0.6"]))
     assert clutch.accuracy_factor == pytest.approx(8.0)
     assert [finding.code for finding in clutch.findings()] == ["feedback-idle"]
     assert clutch.travel(0.8) == pytest.approx(0, abs=1e-15)
 
 
 def test_wall_angle_in_place_of_the_gain():
-    given_gain = read_spec(CONFIGS / "indirect.toml")
-    angled = read_spec(
-        CONFIGS / "indirect.toml", ["control_unit.gain=", f"control_unit.wall_angle={float(np.arctan(0.5))!r}"]
-    )
+    given_gain = read_spec(S21)
+    angled = read_spec(S21, ["control_unit.gain=", f"control_unit.wall_angle={float(np.arctan(0.5))!r}"])
     assert build(angled).torque(0.5) == pytest.approx(build(given_gain).torque(0.5))
     sensitivity = build(angled).sensitivity()
     assert sensitivity["friction_group.mean_radius"] == pytest.approx(
@@ -150,7 +148,7 @@ def test_wall_angle_in_place_of_the_gain():
 
 
 def test_two_frictions_are_refused():
-    clutch = afmcalc.load(CONFIGS / "indirect.toml")
+    clutch = afmcalc.load(S21)
     assert clutch.torque(0.3, 0.3) == clutch.torque(0.3)
     with pytest.raises(ValueError, match="one friction"):
         clutch.torque(0.3, 0.4)

@@ -5,7 +5,7 @@ import tomllib
 
 import pytest
 import tomli_w
-from conftest import CONFIGS
+from conftest import CONFIGS, S21
 from hypothesis import given
 from strategies import direct_specs
 
@@ -178,12 +178,9 @@ BAD = {
         "",
         "only for indirect",
     ),
-    "stiffness on a direct clutch": (
-        {"closing_spring__stiffness": 1},
-        "closing_spring.stiffness",
-        "1",
-        "only for indirect",
-    ),
+    "temperature without a unit": ({"heat": {"ambient": 20}}, "heat.ambient", "20", "at least 173.15"),
+    "mass for a temperature": ({"heat": {"ambient": "20 kg"}}, "heat.ambient", '"20 kg"', "no unit of a temperature"),
+    "half a lining": ({"heat": {"lining_density": 2e3}}, "heat.lining_conductivity", "", "beside heat.lining_density"),
     "driving pairs all-driving": ({"variant": "all-driving"}, "friction_group.driving_pairs", "1", "only for differ"),
     "indirect lacks its keys": (
         {"variant": "indirect", "friction_group__driving_pairs": None},
@@ -215,6 +212,9 @@ BAD = {
         "at most 0.5",
     ),
     "name that is a number": ({"name": 3}, "name", "3", "text"),
+    "revision that is a fraction": ({"report__revision": 1.5}, "report.revision", "1.5", "text"),
+    "truth of an author": ({"report__author": True}, "report.author", "true", "text"),
+    "title block of two lines": ({"report__project": "a\nb"}, "report.project", "", "printable"),
 }
 
 
@@ -256,7 +256,7 @@ def test_a_spec_knows_where_it_was_read_and_is_no_other_for_it():
 )
 def test_what_a_calculation_finds_wrong_names_the_file(command, changes, tmp_path, afmcalc):
     file = tmp_path / "some.toml"
-    data = tomllib.loads((CONFIGS / "indirect.toml").read_text(encoding="utf-8"))
+    data = tomllib.loads((S21).read_text(encoding="utf-8"))
     for path, value in changes.items():
         *blocks, name = path.split("__")
         block = data[blocks[0]] if blocks else data
@@ -265,6 +265,13 @@ def test_what_a_calculation_finds_wrong_names_the_file(command, changes, tmp_pat
     run = afmcalc(*command, file)
     assert run.code == 2
     assert run.err.startswith(f"error: {'sweep at control_unit.gain = 0.01' if '--sweep' in command else file}: ")
+
+
+def test_a_title_block_takes_text_and_a_revision_and_a_date_without_quotes():
+    text = 'organisation = "ООО «Муфта»"\nrevision = 2\ndate = 2026-01-31\n'
+    data = resolved(make_spec(changed(report=tomllib.loads(text))))
+    assert data["report"] == {"organisation": "ООО «Муфта»", "revision": "2", "date": "2026-01-31"}
+    assert resolved(make_spec(tomllib.loads(to_toml(data)))) == data
 
 
 def test_every_problem_is_shown_at_once():

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
+from conftest import S21
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -16,7 +16,7 @@ from afmcalc.spec import read_spec
 
 def accuracy(**changes):
     overrides = [f"{key}={value}" for key, value in changes.items()]
-    return build(read_spec(CONFIGS / "indirect.toml", overrides)).accuracy_factor
+    return build(read_spec(S21, overrides)).accuracy_factor
 
 
 def test_p5_doubling_the_closing_stiffness():
@@ -38,7 +38,7 @@ def test_p8_ball_and_travel_over_the_gain():
     """x_max grows throughout; r_ш rises just above the threshold, then falls."""
     radii, travels = [], []
     for gain in np.linspace(0.62, 4, 40):
-        result, _ = synthesize(build(read_spec(CONFIGS / "indirect.toml", [f"C={float(gain)!r}"])))
+        result, _ = synthesize(build(read_spec(S21, [f"C={float(gain)!r}"])))
         radii.append(result.ball_radius)
         travels.append(result.travel_max)
     assert np.all(np.diff(travels) > 0)

@@ -7,7 +7,10 @@ from ...findings import Finding, worst
 from ...result import Result, quantity
 from ..answers import Answers
 from ..registry import ANALYSES
+from .limits import Utilisation, utilisations
+from .plausible import unusual_findings
 from .pressure import pressure_findings
+from .requirements import RequirementRow, requirement_rows
 
 
 class CheckResult(Result):
@@ -19,6 +22,8 @@ class CheckResult(Result):
     errors: int = quantity("", None, "findings that must be put right")
     warnings: int = quantity("", None, "findings to think about")
     notes: int = quantity("", None, "findings worth knowing")
+    requirements: list[RequirementRow] = quantity("", None, "requirements")
+    limits: list[Utilisation] = quantity("", None, "every limit, and how much of it is used")
 
 
 def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = None) -> tuple[CheckResult, list[Finding]]:
@@ -32,7 +37,10 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
     Returns:
         The verdict and the findings.
     """
-    findings = all_findings(answers or Answers(clutch))
+    answers = answers or Answers(clutch)
+    findings = all_findings(answers)
+    requirements, missed = requirement_rows(answers)
+    findings += missed
     levels = [finding.level for finding in findings]
     failing = ("error", "warning") if strict else ("error",)
     result = CheckResult(
@@ -40,6 +48,8 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
         errors=levels.count("error"),
         warnings=levels.count("warning"),
         notes=levels.count("info"),
+        requirements=requirements,
+        limits=utilisations(answers, findings),
     )
     return result, findings
 
@@ -48,5 +58,5 @@ def all_findings(answers: Answers) -> list[Finding]:
     """Return the findings of every analysis that a check takes in and that applies to the clutch, each once."""
     clutch = answers.clutch
     judged = [each.name for each in ANALYSES.values() if each.judged and each.applies(clutch)]
-    found = [*clutch.findings(), *pressure_findings(clutch)]
+    found = [*clutch.findings(), *pressure_findings(clutch), *unusual_findings(answers)]
     return list(dict.fromkeys([*found, *(each for name in judged for each in answers.ask(name)[1])]))

@@ -6,6 +6,8 @@ from typing import Literal, NamedTuple
 from ...engines.protocol import Clutch
 from ...findings import Finding, Level
 from ...result import Result, quantity
+from ...spec.balls import diameters
+from ...spec.edit import value_at
 from ..answers import Answers
 from ..life import LifeResult
 from ..registry import ANALYSES
@@ -19,13 +21,13 @@ _GRADES: dict[str, Grade] = {"info": "note", "warning": "warning", "error": "fai
 class Utilisation(Result):
     """One limit, and how much of it a design uses."""
 
-    name: str = quantity("", None, "what is checked")
-    symbol: str = quantity("", None, "symbols of value and limit")
-    unit: str = quantity("", None, "SI unit of both")
-    value: float = quantity("", None, "what the design has")
-    limit: float = quantity("", None, "what it is held against")
+    name: str = quantity("", None, "check")
+    symbol: str = quantity("", None, "condition")
+    value: float = quantity("", None, "value", unit_in="unit")
+    limit: float = quantity("", None, "limit", unit_in="unit")
+    unit: str = quantity("", None, "unit", is_unit=True)
     utilisation: float = quantity("1", "η", "utilisation, 1 at the limit")
-    verdict: Grade = quantity("", None, "pass, or how grave it is")
+    verdict: Grade = quantity("", None, "verdict")
 
 
 class _Held(NamedTuple):
@@ -56,7 +58,7 @@ def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]
     synthesized, lived = (ANALYSES[name].applies(clutch) for name in ("synthesize", "life"))
     return [
         *(_used(each, levels) for each in _of_clutch(clutch)),
-        *(_used(each, levels) for each in (_of_synthesis(answers.of(SynthesisResult)) if synthesized else ())),
+        *(_used(each, levels) for each in (_of_synthesis(answers) if synthesized else ())),
         *map(_pressure, pressure_findings(clutch)),
         *(_used(each, levels) for each in (_of_life(answers.of(LifeResult)) if lived else ())),
     ]
@@ -65,7 +67,7 @@ def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]
 def _used(held: _Held, levels: dict[str, Level]) -> Utilisation:
     code, name, symbol, unit, value, limit, least = held
     used = limit / value if least else value / limit
-    grade: Grade = _GRADES[levels.get(code, "info")] if used > 1 + 1e-9 else "pass"
+    grade: Grade = _GRADES[levels[code]] if code in levels else "note" if used > 1 + 1e-9 else "pass"
     return Utilisation(name=name, symbol=symbol, unit=unit, value=value, limit=limit, utilisation=used, verdict=grade)
 
 
@@ -79,15 +81,31 @@ def _of_clutch(clutch: Clutch) -> Iterator[_Held]:
         yield _Held("feedback-idle", "gain against key friction", "C ≥ 2R f_1/d", "1", gain, threshold, least=True)
     first, second = clutch.friction
     lowest = float(min(clutch.torque(first.min, second.min), clutch.torque(first.max, second.max)))
-    nominal = float(clutch.nominal_torque)
-    name = "least torque in service"
+    nominal, name = float(clutch.nominal_torque), "least torque in service"
     yield _Held("below-nominal-torque", name, "T_min ≥ T_н", "N*m", lowest, nominal, least=True)
+    if (returned := clutch.torque_returning(first.min)) is not None:
+        name = "least torque, friction falling under load"
+        yield _Held("returning-below-nominal", name, "T_ret ≥ T_н", "N*m", float(returned), nominal, least=True)
 
 
-def _of_synthesis(found: SynthesisResult) -> Iterator[_Held]:
-    if found.ball_diameter_standard is not None:
-        chosen, needed = found.ball_diameter_standard, 2 * found.ball_radius
-        yield _Held("ball-too-small", "ball diameter", "d_ш ≥ 2 r_ш", "m", chosen, needed, least=True)
+def _of_synthesis(answers: Answers) -> Iterator[_Held]:
+    found = answers.of(SynthesisResult)
+    diameter, needed = found.ball_diameter, 2 * found.ball_radius
+    if found.ball_diameter_standard is None:
+        largest = max(diameters())
+        yield _Held("no-standard-ball", "ball needed", "2 r_ш ≤ largest of the list", "m", needed, largest)
+    else:
+        yield _Held("ball-too-small", "ball diameter", "d_ш ≥ 2 r_ш", "m", diameter, needed, least=True)
+    if found.ball_pitch is None:
+        yield _Held(
+            "ball-reaches-axis", "ball clear of the axis", "r_ш ≤ r", "m", diameter / 2, found.ball_circle_radius
+        )
+    else:
+        yield _Held("balls-overlap", "balls side by side", "d_ш ≤ t_ш", "m", diameter, found.ball_pitch)
+        yield _Held("pockets-overlap", "pockets side by side", "b ≤ t_ш", "m", found.pocket_width, found.ball_pitch)
+    if (sleeve := value_at(answers.clutch.spec, "control_unit.sleeve_depth")) is not None:
+        depth = found.pocket_depth_cut
+        yield _Held("depth-beyond-sleeve", "pocket within the sleeve", "h_c ≤ B", "m", depth, sleeve)
     if found.contact_force is not None and found.contact_force_allowable is not None:
         force, allowable = found.contact_force, found.contact_force_allowable
         yield _Held("contact-force-exceeded", "contact force on one ball", "F_n ≤ [F_n]", "N", force, allowable)

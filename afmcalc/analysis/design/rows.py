@@ -33,7 +33,7 @@ class DesignRow(Result):
     pack_force_at_rest: float | None = quantity("N", "N(0)", "force on the pack at rest", optional=True)
     closing_deflection: float | None = quantity("m", "F_п/c_1", "deflection of the closing spring", optional=True)
     control_deflection: float | None = quantity("m", "F_п2/c_2", "deflection of the control spring", optional=True)
-    nominal_torque: float = quantity("N*m", "T_н", "nominal torque")
+    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")
     machine_torque: float | None = quantity("N*m", "T_н.маш", "nominal torque of the machine", optional=True)
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
     torque_max: float = quantity("N*m", "T_max", "largest torque")
@@ -108,6 +108,7 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         "friction_group": group,
         "closing_spring": spring,
         "adjustment": {"method": need.wanted.method, "margin": need.wanted.margin},
+        "requirements": need.wanted.model_dump(exclude_none=True, exclude={"method", "margin"}),
     }
     if row.ball_circle_radius is not None:
         data["control_unit"] = {

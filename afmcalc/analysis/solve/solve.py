@@ -54,7 +54,7 @@ class SolveResult(Result):
     method: Literal["closed-form", "bracketed-root"] = quantity("", None, "how it was found")
     gain: float = quantity("1", "C", "feedback gain")
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
-    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the setting")
+    nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")
     torque_max: float = quantity("N*m", "T_max", "largest torque")
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor")

@@ -50,7 +50,7 @@ TARGETS: dict[str, Target] = {
     "accuracy_factor_worst_case": Target(
         "1", "accuracy factor, f_1 and f_2 independent", lambda c: c.accuracy_factor_worst_case, "low"
     ),
-    "nominal_torque": Target("N*m", "nominal torque", lambda c: c.nominal_torque, "high"),
+    "nominal_torque": Target("N*m", "nominal torque of the clutch", lambda c: c.nominal_torque, "high"),
     "torque_min": Target("N*m", "smallest torque", torque_min, "high"),
     "torque_max": Target("N*m", "largest torque", lambda c: c.torque_max, "low"),
     "scatter": Target("N*m", "torque scatter band", scatter, "low"),

@@ -115,7 +115,7 @@ class ToleranceResult(Estimated):
     probability_above_limit_standard_error: float | None = error(
         "probability_above_limit", "1", "± P(T>T_lim)", "standard error of it", optional=True
     )
-    machine_torque: float = quantity("N*m", "T_н.маш", "machine nominal torque, T_н/β_н")
+    machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")
     probability_below_machine: float = quantity("1", "P(T<T_н.маш)", "probability below the machine's nominal torque")
     probability_below_machine_standard_error: float = error(
         "probability_below_machine", "1", "± P(T<T_н.маш)", "standard error of it"

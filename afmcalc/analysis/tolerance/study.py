@@ -4,7 +4,6 @@ import os
 from collections.abc import Sequence
 
 from ...engines.protocol import Clutch
-from ...equations.overload import machine_torque
 from ...errors import AfmcalcError, Problem, SpecError
 from ...findings import Finding
 from ...messages import say
@@ -43,7 +42,7 @@ def study(clutch: Clutch, *, threads: int | None = None) -> Study:
     given = _block(clutch.spec)
     spec = with_setting(clutch, given)
     model = Model(spec, inputs_of(spec), given.friction_correlation or 0.0)
-    machine = _machine_torque(clutch)
+    machine = float(clutch.machine_torque)
     figures = _figures(model, given, machine, _threads(threads))
     findings = [*clutch.findings(), *findings_of(model, given, figures)]
     return Study(_result(figures, model.inputs, given, machine), figures.histogram, findings)
@@ -84,14 +83,9 @@ def _block(spec: Spec) -> Tolerance:
             raise SpecError(
                 spec.label, [Problem(f"tolerance.fields.{path}", None, say("this clutch has {use} instead", use=use))]
             )
+    if given.torque_limit is None and spec.requirements is not None:
+        return given.model_copy(update={"torque_limit": spec.requirements.torque_max})
     return given
-
-
-def _machine_torque(clutch: Clutch) -> float:
-    """T_н.маш; with mean-friction the margin is in the spring already."""
-    setting = clutch.spec.adjustment
-    margin = setting.margin if setting.method == "min-friction" else 1.0
-    return float(machine_torque(clutch.nominal_torque, margin))
 
 
 def _result(figures: Figures, inputs: Sequence[Input], given: Tolerance, machine: float) -> ToleranceResult:

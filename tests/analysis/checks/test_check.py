@@ -1,9 +1,107 @@
-"""Findings only, and the exit code they end in."""
+"""What is wrong with a clutch, how grave it is, and the exit code it ends in."""
+
+import math
+
+import pytest
+from conftest import CONFIGS, S21
+
+from afmcalc.analysis.answers import Answers
+from afmcalc.engines import build
+from afmcalc.spec import make_spec, read_spec, resolved
+
+SHIPPED = sorted(path for path in CONFIGS.glob("*.toml") if path.stem != "requirements")
 
 
-def test_check_exit_codes(afmcalc):
-    assert afmcalc("check").code == 0
+def overridden(changes):
+    return [part for change in changes for part in ("--set", change)]
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda path: path.stem)
+def test_what_ships_can_be_made(path, afmcalc):
+    run = afmcalc("check", path, "--strict", "--json")
+    assert run.code == 0, run.out
+    assert {row["verdict"] for row in run.json["result"]["limits"]} == {"pass"}
+
+
+def test_a_warning_fails_a_strict_check(afmcalc):
     assert afmcalc("check", "--set", "C=2").code == 0
-    strict = afmcalc("check", "--set", "C=2", "--strict", "--json")
-    assert strict.code == 1
-    assert strict.json["result"] == {"passed": False, "errors": 0, "warnings": 1, "notes": 4}
+    run = afmcalc("check", "--set", "C=2", "--strict", "--json")
+    assert run.code == 1
+    result = run.json["result"]
+    assert (result["passed"], result["errors"], result["warnings"]) == (False, 0, 1)
+    (beyond,) = [row for row in result["limits"] if row["verdict"] == "warning"]
+    assert (beyond["value"], beyond["limit"]) == (2, pytest.approx(1.25))
+
+
+IMPOSSIBLE = {
+    "balls overlap": ("balls-overlap", ["control_unit.balls=13"], 0.025, 0.1 * math.sin(math.pi / 13)),
+    "a ball fills the ball circle": ("ball-reaches-axis", ["control_unit.balls=", "r=10 mm"], None, 0.01),
+    # C 5: tan α 2.5, balls of 6.5 mm have room, mouths 6.5/cos α − s tan α have not
+    "pockets cut into each other": (
+        "pockets-overlap", ["C=5", "control_unit.balls=26"], 0.0065 * math.hypot(1, 2.5) - 0.005, 0.1 * math.sin(math.pi / 26),
+    ),
+    "no ball in the list": ("no-standard-ball", ["C=0.1"], None, 0.104775),
+    "deeper than the sleeve": ("depth-beyond-sleeve", ["control_unit.sleeve_depth=11 mm"], 0.0115, 0.011),
+    "a ball too small": ("ball-too-small", ["control_unit.ball_diameter=20 mm"], 0.02, 0.006 / math.sin(math.atan(0.25))),
+}  # fmt: skip
+"""Kind → its code, what makes the base clutch (r 50 mm, s = y = 2 mm) so, value and limit worked out by hand."""
+
+
+@pytest.mark.parametrize("kind", IMPOSSIBLE)
+def test_the_impossible_is_an_error(kind, afmcalc):
+    code, changes, value, limit = IMPOSSIBLE[kind]
+    run = afmcalc("check", *overridden(changes), "--json")
+    assert run.code == 1
+    (found,) = [each for each in run.json["findings"] if each["code"] == code]
+    assert found["level"] == "error"
+    assert found["limit"] == pytest.approx(limit)
+    assert value is None or found["value"] == pytest.approx(value)
+    failed = [row for row in run.json["result"]["limits"] if row["verdict"] == "fail"]
+    assert any((row["value"], row["limit"]) == (found["value"], found["limit"]) for row in failed)
+    assert all(row["utilisation"] > 1 for row in failed)
+
+
+def test_the_clutch_of_s21_cannot_be_assembled(afmcalc):
+    run = afmcalc("check", S21, "--json")
+    assert run.code == 1
+    codes = {each["code"]: each for each in run.json["findings"] if each["level"] == "error"}
+    assert set(codes) == {"no-standard-ball", "balls-overlap", "pockets-overlap"}
+    assert codes["balls-overlap"]["value"] == pytest.approx(0.1368, abs=1e-4)
+    assert codes["balls-overlap"]["limit"] == pytest.approx(0.05)
+    table = afmcalc("check", S21).out
+    assert "pockets side by side" in table
+    assert "fail" in table
+
+
+UNUSUAL = {
+    "friction.max": (["friction.max=8"], 8, 1),
+    "friction.min": (["friction.min=0.001"], 0.001, 0.02),
+    "friction_group.mean_radius": (["R=0.1 mm"], 1e-4, 0.01),
+    "friction_group.pairs": (["z=50"], 50, 40),
+    "adjustment.margin": (["beta=12.5"], 12.5, 3),
+    "closing_spring.force": (["F=2 MN"], 2e6 / (math.pi * 0.01), 5e6),
+    "control_unit.wall_angle": (["C=", "alpha=80 deg"], math.radians(80), math.radians(60)),
+    "control_unit.gain": (["C=0.1"], math.atan(0.05), math.radians(5)),
+    "control_unit.ball_circle_radius": (["r=5 mm"], 0.005, 0.02),
+}
+"""Key → what makes the base clutch strange, the figure, and the end of the usual range it is beyond."""
+
+
+@pytest.mark.parametrize("path", UNUSUAL)
+def test_the_implausible_is_a_warning_that_names_the_usual(path, afmcalc):
+    changes, value, limit = UNUSUAL[path]
+    found = [
+        each for each in afmcalc("check", *overridden(changes), "--json").json["findings"] if each["code"] == "unusual"
+    ]
+    (own,) = [each for each in found if each["path"] == path]
+    assert (own["level"], own["value"], own["limit"]) == ("warning", pytest.approx(value), pytest.approx(limit))
+    assert "unusual" in own["message"]
+    assert "usual" in own["message"].replace("unusual", "")
+
+
+def test_a_spring_as_long_as_the_clutch_is_wide_is_unusual():
+    found = Answers(build(read_spec(S21))).ask("check")[1]
+    (soft,) = [each for each in found if each.code == "unusual"]
+    assert (soft.path, soft.value, soft.limit) == ("control_spring.stiffness", pytest.approx(0.264), pytest.approx(0.2))
+    constant = resolved(read_spec(S21, ["control_spring.stiffness=0"]))
+    assert not [each for each in Answers(build(make_spec(constant))).ask("check")[1] if each.code == "unusual"]

@@ -2,7 +2,7 @@
 
 import pytest
 import sympy
-from conftest import CONFIGS
+from conftest import CONFIGS, S21
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
@@ -52,7 +52,7 @@ def test_recording_restores_the_functions_and_lists_outermost_calls():
     before = direct.torque
     with recording() as calls:
         assert direct.torque is not before
-        clutch = build(read_spec(CONFIGS / "indirect.toml"))
+        clutch = build(read_spec(S21))
         _ = clutch.accuracy_factor
     assert direct.torque is before
     names = [call.equation.name for call in distinct(calls)]
@@ -76,7 +76,7 @@ def test_a_force_of_one_newton_hides_no_step(afmcalc):
 
 def test_the_key_keeps_its_own_friction(afmcalc):
     """Also where it is the number of f_min."""
-    indirect = CONFIGS / "indirect.toml"
+    indirect = S21
     out = afmcalc("explain", "torque", indirect, "--set", "control_unit.key_friction=0.1").out
     assert "κ = C - 2·R_cp·f_1/d" in out
     assert "κ₊ = C + 2·R_cp·f_1/d" in out
@@ -170,7 +170,7 @@ def test_formats(afmcalc):
 def test_errors(afmcalc, monkeypatch):
     run = afmcalc("explain", "torqe")
     assert (run.code, "did you mean 'torque'" in run.err) == (2, True)
-    refused = afmcalc("explain", "overload", CONFIGS / "indirect.toml")
+    refused = afmcalc("explain", "overload", S21)
     assert refused.code == 2
     monkeypatch.setattr("afmcalc.extras.find_spec", lambda name: None)
     assert afmcalc("explain", "torque").code == 0
@@ -180,9 +180,7 @@ def test_errors(afmcalc, monkeypatch):
 
 
 def test_explain_shows_the_stop_the_corners_and_the_cycles(afmcalc):
-    indirect = afmcalc(
-        "explain", "torque", CONFIGS / "indirect.toml", "--set", "adjustment.method=mean-friction", "--json"
-    )
+    indirect = afmcalc("explain", "torque", S21, "--set", "adjustment.method=mean-friction", "--json")
     assert all(step["value"] >= 0 for step in indirect.json["result"]["steps"] if step["symbol"] == "x")
     corners = {step["at"] for step in afmcalc("explain", "accuracy", "--json").json["result"]["steps"]}
     assert {"f_1min, f_2max", "f_1max, f_2min"} <= corners

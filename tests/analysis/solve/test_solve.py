@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, S21
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from solve_scan import run
@@ -91,7 +91,7 @@ def test_driving_pairs():
         (["--for", "C", "accuracy_factor=1.5"], "the best is 1.875, reached at C = 1.25 (the gain limit 1/(z_1 f_1max))"),
         (["--for", "C", "accuracy_factor=2", CONFIGS / "all-driving.toml", "--set", "f_min=0.1", "--set", "f_max=0.8"],
          "the best is 2.4, reached at C = "),
-        (["--for", "C", "accuracy_factor=1", CONFIGS / "indirect.toml"], "the best is 1, approached as C grows"),
+        (["--for", "C", "accuracy_factor=1", S21], "the best is 1, approached as C grows"),
         (["--for", "C", "accuracy_factor=9"], "the best is 8, reached at C = 0"),
         (["--for", "z1", "accuracy_factor=2.7"], "the best is 2.84211, reached at z1 = 1"),
         (["--for", "z", "nominal_torque=1000000"], "the best is 400 N·m, approached as z grows"),
@@ -100,9 +100,9 @@ def test_driving_pairs():
         (["--for", "C", "accuracy_factor_peak=1", "--beyond-limit"], "the best is 1.875, reached at C = 1.25\n"),
         (["--for", "C", "accuracy_factor_peak=9", "--beyond-limit"], "the best is 8, reached at C = 0\n"),
         # κ = 0 at R = C d/(2 f_1) = 1/6 m: T = z R f F = 8·0.8·2000/6
-        (["--for", "R", "torque_max=2200", CONFIGS / "indirect.toml"],
+        (["--for", "R", "torque_max=2200", S21],
          "the best is 2133.33 N·m, reached at R = 0.166667 m (the feedback ends, C = 2 R f_1/d)"),
-        (["--for", "R", "reduced_gain=8", CONFIGS / "indirect.toml"],
+        (["--for", "R", "reduced_gain=8", S21],
          "reduced_gain does not depend on R here: it is 8 for every value"),
         # the gain follows R: C = R tan α/r = 1.25 at R = 0.05·1.25/0.25, T = F R z f/(1 + z_2 C f)
         (["--for", "R", "torque_max=1000", "--set", "C=", "--set", f"alpha={math.atan(0.25)} rad"],
@@ -159,7 +159,7 @@ def test_the_limit_itself_is_the_best(pairs, afmcalc):
 
 def test_the_radius_ends_where_the_feedback_does():
     """R 0.1664 gives 2117 N·m, R = C d/(2 f_1) = 1/6 m is the end."""
-    spec = read_spec(CONFIGS / "indirect.toml")
+    spec = read_spec(S21)
     result, _, _ = solve(build(spec), "R", "torque_max", 2110.0)
     assert 0.166 < result.value < 0.1664
     # S21 (11) with κ = 1 − 6 R, z = 8, f_max = 0.8, c_1 = 2 c_2, F_п2 = F (1 + z κ f_min)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
+from conftest import S21
 
 from afmcalc.analysis.sweep.points import evaluate
 from afmcalc.spec import read_spec
@@ -63,7 +63,7 @@ def test_sweep_with_units(afmcalc):
 @pytest.mark.parametrize("name", ["R", "f1", "d", "c1", "c2", "z", "F", "C"])
 def test_default_sweeps_of_an_indirect_clutch_stay_where_it_can_be_built(name, afmcalc):
     for command in ("accuracy", "life"):
-        run = afmcalc(command, CONFIGS / "indirect.toml", "--sweep", name, "--json")
+        run = afmcalc(command, S21, "--sweep", name, "--json")
         assert run.code == 0, run.err
 
 

@@ -21,7 +21,7 @@ S21 = {
     "control_spring": {"stiffness": 10e3},
     "control_unit": {"gain": 1.0, "hub_diameter": 0.05, "key_friction": 0.15},
 }
-"""S21 fig. 2 with a closing spring of 2 kN, as first shipped in configs/indirect.toml."""
+"""S21 fig. 2 with a closing spring of 2 kN, the clutch of tests/data/s21-fig2.toml."""
 FATIGUE = {"endurance_limit": 400e6, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7}
 SETTINGS = ["as-made", "each-adjusted"]
 

@@ -5,7 +5,7 @@ import sys
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, S21
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
@@ -40,9 +40,13 @@ FRICTIONS = [
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("friction", FRICTIONS)
-@pytest.mark.parametrize("name", ["default", "all-driving", "conventional", "indirect"])
-def test_the_sampler_against_the_exact_answer(name, friction, method):
-    base = read_spec(CONFIGS / f"{name}.toml")
+@pytest.mark.parametrize(
+    "source",
+    [CONFIGS / "default.toml", CONFIGS / "all-driving.toml", CONFIGS / "conventional.toml", S21],
+    ids=lambda path: path.stem,
+)
+def test_the_sampler_against_the_exact_answer(source, friction, method):
+    base = read_spec(source)
     limit = float(build(base).torque(base.friction.range.mean * 1.1))
     settings_ = {"samples": 50_000, "seed": 3, "torque_limit": limit, "sobol_base": 64}
     exact = run(with_tolerance(base, {"friction": friction}, **settings_))

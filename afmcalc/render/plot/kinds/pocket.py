@@ -3,7 +3,7 @@
 import math
 from typing import Any, NamedTuple
 
-from ....analysis.section import PocketSection
+from ....analysis.figures import PocketSection
 from ...symbols import mathtext
 from ...units import display
 from ..chart import Sheet, stated
@@ -20,19 +20,25 @@ class _Sizes(NamedTuple):
     angle: float
     gap: float
     depth: float
+    """To the virtual apex."""
+    cut: float
+    width: float
     travel: float
 
 
 def sheet(section: PocketSection) -> Sheet:
     """Draw the ball at the stop and, where the sleeve travels, at its largest travel."""
+    found = section.synthesis
     sizes = _Sizes(
-        radius=section.ball_diameter / 2 * _MM,
-        angle=section.wall_angle,
-        gap=section.face_gap * _MM,
-        depth=section.pocket_depth * _MM,
-        travel=section.travel_max * _MM,
+        radius=found.ball_diameter / 2 * _MM,
+        angle=found.wall_angle,
+        gap=found.face_gap * _MM,
+        depth=found.pocket_depth * _MM,
+        cut=found.pocket_depth_cut * _MM,
+        width=found.pocket_width * _MM,
+        travel=found.travel_max * _MM,
     )
-    positions = {0.0: "at the stop, x = 0", sizes.travel: f"at f_max, {_stated('x_max', section.travel_max)}"}
+    positions = {0.0: "at the stop, x = 0", sizes.travel: f"at f_max, {_stated('x_max', found.travel_max)}"}
     panels = [Position(sizes, travel, title if sizes.travel else "") for travel, title in positions.items()]
     return Sheet("Ball and pockets, section A–A", panels, _caption(section), name=section.name or "")
 
@@ -44,16 +50,24 @@ def _stated(symbol: str, value: float) -> str:
 def _caption(section: PocketSection) -> str:
     found = section.synthesis
     smallest = f"smallest ball {_stated('r_ш', found.ball_radius)}"
-    ball = f"drawn with {_stated('d_ш', section.ball_diameter)}"
-    if not section.standard:
+    ball = f"drawn with {_stated('d_ш', found.ball_diameter)}"
+    if found.ball_diameter_standard is None:
         ball += ", for no standard ball is that large"
     elif found.edge_clearance_standard is not None:
         ball += f", which leaves {_stated('y', found.edge_clearance_standard)} to the edge"
     force = "" if found.contact_force is None else f", {stated('F_n', found.contact_force, 'N')} on one ball"
     circle = _stated("r", found.ball_circle_radius)
+    web = ""
+    if found.web is not None:
+        web = (
+            f" {section.balls} pockets leave a web {_stated('e', found.web)}."
+            if found.web > 0
+            else f" {section.balls} pockets cut into each other."
+        )
     return (
         f"To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch horizontal, "
-        f"dots: contact{force}. S21 (20), (23), (24): {smallest}; {ball}. Pockets run to the apex that h_1 counts to."
+        f"dots: contact{force}. S21 (20), (23), (24): {smallest}; {ball}. Cut to h_c, where the ball ends; h_1 is to "
+        f"the virtual apex of the walls.{web}"
     )
 
 
@@ -67,7 +81,8 @@ class Position:
         self.title = title
         self.half_gap = (sizes.gap + travel) / 2
         self.apex = self.half_gap + sizes.depth
-        self.mouth = sizes.depth * math.tan(sizes.angle)
+        self.mouth = sizes.width / 2
+        self.floor = self.mouth * (1 - sizes.cut / sizes.depth)
         # moved apart by x, the pockets turn against each other until the ball bears on one wall of each again
         self.shift = travel / 2 * math.tan(sizes.angle)
         # the same frame for every position, so that they are drawn to one scale
@@ -83,7 +98,7 @@ class Position:
         return min(5.0, (WIDTH - 0.3) * high / wide) + 0.25
 
     def _extent(self) -> tuple[float, float]:
-        return 2 * (self.back + 3.2 * self.step), 2 * (self.side + 2 * self.step)
+        return 2 * (self.back + 3.2 * self.step), 2 * self.side + 5.6 * self.step
 
     def paint(self, axes: Any) -> None:
         """Draw into matplotlib's axes."""
@@ -93,7 +108,7 @@ class Position:
         axes.set_aspect("equal")
         wide, high = self._extent()
         axes.set_xlim(-wide / 2, wide / 2)
-        axes.set_ylim(-high / 2, high / 2)
+        axes.set_ylim(self.side + 3.6 * self.step - high, self.side + 3.6 * self.step)
         if self.title:
             axes.set_title(mathtext(self.title), fontsize=9.5)
         for hand, hatch in zip((-1, 1), _HATCH, strict=True):
@@ -108,12 +123,13 @@ class Position:
 
     def _half(self, hand: int) -> list[tuple[float, float]]:
         """Outline of one half: the face with its pocket, the back cut off."""
-        face, apex, middle = hand * self.half_gap, hand * self.apex, hand * self.shift
+        face, floor, middle = hand * self.half_gap, hand * (self.half_gap + self.sizes.cut), hand * self.shift
         return [
             (hand * self.back, self.side),
             (face, self.side),
             (face, middle + self.mouth),
-            (apex, middle),
+            (floor, middle + self.floor),
+            (floor, middle - self.floor),
             (face, middle - self.mouth),
             (face, -self.side),
             (hand * self.back, -self.side),
@@ -132,14 +148,31 @@ class Position:
         reach = self.sizes.radius * 1.18
         axes.plot([-self.apex, self.apex], [0, 0], **style)
         axes.plot([0, 0], [-reach, reach], **style)
+        for hand in (-1, 1):
+            floor, middle = hand * (self.half_gap + self.sizes.cut), hand * self.shift
+            walls = [middle + self.floor, middle, middle - self.floor]
+            axes.plot([floor, hand * self.apex, floor], walls, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
 
     def _dimensions(self, axes: Any) -> None:
-        sizes, top = self.sizes, self.side
-        self._measure(axes, self.half_gap, self.apex, top + self.step, f"h_1 = {_mm(sizes.depth)}", self.shift)
+        sizes, top, floor = self.sizes, self.side, self.half_gap + self.sizes.cut
+        corner = self.shift + self.floor
+        self._measure(axes, self.half_gap, floor, top + self.step, f"h_c = {_mm(sizes.cut)}", corner)
+        self._measure(axes, self.half_gap, self.apex, top + 2.6 * self.step, f"h_1 = {_mm(sizes.depth)}", self.shift)
         gap = "s + x" if self.travel else "s"
         self._measure(axes, -self.half_gap, self.half_gap, -top - self.step, f"{gap} = {_mm(2 * self.half_gap)}", -top)
+        self._mouth(axes)
         self._diameter(axes)
         self._angle(axes)
+
+    def _mouth(self, axes: Any) -> None:
+        """Width of the right pocket's mouth, beside the section."""
+        x, low, high = self.back + self.step, self.shift - self.mouth, self.shift + self.mouth
+        for y in (low, high):
+            axes.plot([self.half_gap, x + 0.25 * self.step], [y, y], color=INK, linewidth=0.6)
+        arrow = {"color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
+        axes.annotate("", (x, low), (x, high), arrowprops={"arrowstyle": "<|-|>", **arrow})
+        text = mathtext(f"b = {_mm(self.sizes.width)}")
+        axes.text(x + 0.3 * self.step, self.shift, text, ha="left", va="center")
 
     def _diameter(self, axes: Any) -> None:
         """Leader from the ball to its diameter."""
@@ -178,8 +211,11 @@ class Position:
             axes.text(right + 1.4 * self.step, y, mathtext(text), ha="left", va="center")
         else:
             axes.annotate("", (left, y), (right, y), arrowprops={"arrowstyle": "<|-|>", **arrow})
-            above = "bottom" if y > 0 else "top"
-            axes.text((left + right) / 2, y + beyond, mathtext(text), ha="center", va=above)
+            if right - left < 3.2 * self.step:
+                axes.text(right + 0.4 * self.step, y, mathtext(text), ha="left", va="center")
+            else:
+                above = "bottom" if y > 0 else "top"
+                axes.text((left + right) / 2, y + beyond, mathtext(text), ha="center", va=above)
 
 
 def _mm(value: float) -> str:

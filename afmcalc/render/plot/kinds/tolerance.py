@@ -44,7 +44,7 @@ def _quantiles(found: Study) -> list[Guide]:
 def _torques(figure: ToleranceFigure) -> list[Guide]:
     """The nominal torques and the limit, where each is one of its own."""
     result, nominal = figure.study.result, figure.nominal_torque
-    named = [("T_н", "nominal torque", nominal)]
+    named = [("T_н", "clutch's nominal torque", nominal)]
     if not math.isclose(result.machine_torque, nominal, rel_tol=1e-9):
         named.append(("T_н.маш", "machine's nominal torque", result.machine_torque))
     if result.torque_limit is not None:

@@ -27,7 +27,7 @@ def _one(curve: TorqueCurve) -> Sheet:
         if getattr(curve, name)
     ]
     spans = [_band(number, getattr(curve, name)) for number, name in enumerate(methods)]
-    guides = [Guide(stated("nominal torque T_н", curve.nominal_torque, "N*m"), curve.nominal_torque)]
+    guides = [Guide(stated("clutch's nominal torque T_н", curve.nominal_torque, "N*m"), curve.nominal_torque)]
     chart = Chart(_friction([curve]), _torque(), lines, guides=guides, spans=spans, from_zero=True)
     caption = (
         f"Both settings for the same nominal torque; margin β_н = {curve.margin:g} in the second. "

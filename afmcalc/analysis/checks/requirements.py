@@ -1,0 +1,132 @@
+"""What a clutch is to hold, each judged by the analysis that answers it."""
+
+import math
+from collections.abc import Callable
+from typing import Any, Literal, NamedTuple
+
+from ...engines.protocol import Clutch
+from ...findings import Finding, finding
+from ...messages import translate
+from ...result import Result, quantity
+from ...spec.paths import keys
+from ..answers import Answers
+from ..registry import ANALYSES
+
+
+class RequirementRow(Result):
+    """One requirement, and whether the clutch holds it."""
+
+    requirement: str = quantity("", None, "requirement")
+    name: str = quantity("", None, "quantity")
+    symbol: str = quantity("", None, "symbol")
+    value: float | None = quantity("", None, "value", unit_in="unit")
+    bound: Literal["at least", "at most"] = quantity("", None, "is to be")
+    limit: float = quantity("", None, "limit", unit_in="unit")
+    unit: str = quantity("", None, "unit", is_unit=True)
+    utilisation: float | None = quantity("1", "η", "utilisation, 1 at the limit")
+    passed: bool | None = quantity("", None, "passed")
+
+
+class Judged(NamedTuple):
+    """How a requirement is judged."""
+
+    analysis: str
+    """The analysis that answers it."""
+    outcome: Callable[[Clutch, Any], float | None] | None = None
+    """``(clutch, result)`` → what the clutch has, infinite where nothing limits it; None where that is not known."""
+    least: bool = False
+    """Whether it must reach the limit, instead of keeping below it."""
+    needs: str = ""
+    """What a spec lacks where there is no outcome; by default the analysis itself."""
+
+
+def _exceedance(clutch: Clutch, found: Any) -> float | None:
+    required = clutch.spec.requirements
+    assert required is not None
+    asked: float | None = found.probability_above_limit
+    return asked if found.torque_limit == required.torque_max else None
+
+
+def _outer_diameter(clutch: Clutch, found: Any) -> float | None:
+    outer = clutch.spec.friction_group.outer_radius
+    return None if outer is None else 2 * outer
+
+
+def _cycles(clutch: Clutch, found: Any) -> float:
+    """Life as set, of the side that fails first."""
+    method = clutch.spec.adjustment.method.replace("-", "_")
+    lives = (getattr(side, method) for side in (found.protected, found.unprotected))
+    return min(math.inf if life is None else float(life) for life in lives)
+
+
+JUDGED: dict[str, Judged] = {
+    "nominal_torque": Judged("torque", lambda clutch, found: found.nominal_torque, least=True),
+    "machine_torque": Judged("torque", lambda clutch, found: found.machine_torque, least=True),
+    "accuracy_factor": Judged("accuracy", lambda clutch, found: found.accuracy_factor),
+    "torque_max": Judged("torque", lambda clutch, found: max(found.torque.min, found.torque.max)),
+    "outer_diameter": Judged("torque", _outer_diameter, needs="friction_group.outer_radius"),
+    "peak_torque": Judged("simulate"),
+    "exceedance": Judged("tolerance", _exceedance, needs="[tolerance], its torque_limit absent or that torque_max"),
+    "work": Judged("heat"),
+    "temperature": Judged("heat"),
+    "cycles": Judged("life", _cycles, least=True, needs="[fatigue]"),
+}
+"""Key of [requirements] → how it is judged; its unit is that of the key. What has no outcome yet is not judged."""
+
+_MISSED = {
+    "1": "requirement-missed/number",
+    "N*m": "requirement-missed/torque",
+    "m": "requirement-missed/length",
+    "J/m^2": "requirement-missed/work",
+    "K": "requirement-missed/temperature",
+}
+"""SI unit → sentence that shows it."""
+
+
+def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Finding]]:
+    """Hold a clutch against every requirement of its spec.
+
+    Args:
+        answers: what was asked of it.
+
+    Returns:
+        A row for each, in the order of the spec's keys, and a finding for each that is missed or not judged.
+    """
+    required = answers.clutch.spec.requirements
+    given = {} if required is None else required.model_dump(exclude_none=True)
+    rows, found = [], []
+    for name, limit in given.items():
+        row = _row(name, float(limit), _outcome(JUDGED[name], answers))
+        rows.append(row)
+        path = f"requirements.{name}"
+        if row.passed is None:
+            needs = JUDGED[name].needs or f"`{JUDGED[name].analysis}`"
+            own = {"limit": limit, "path": path, "name": row.name}
+            found.append(finding("requirement-not-judged", "warning", needs=needs, **own))
+        elif not row.passed:
+            own = {"value": row.value, "limit": limit, "path": path}
+            found.append(finding(_MISSED[row.unit], "error", name=row.name, bound=translate(row.bound), **own))
+    return rows, found
+
+
+def _outcome(judged: Judged, answers: Answers) -> float | None:
+    analysis = ANALYSES.get(judged.analysis)
+    if judged.outcome is None or analysis is None or not analysis.applies(answers.clutch):
+        return None
+    return judged.outcome(answers.clutch, answers.ask(analysis.name)[0])
+
+
+def _row(name: str, limit: float, value: float | None) -> RequirementRow:
+    key, least = keys()[f"requirements.{name}"], JUDGED[name].least
+    over, under = (limit, value) if least else (value, limit)
+    return RequirementRow(
+        requirement=name,
+        name=translate(key.description).partition(",")[0],
+        symbol=key.symbol or "",
+        value=None if value is None or math.isinf(value) else value,
+        bound="at least" if least else "at most",
+        limit=limit,
+        unit=(key.unit or "").removesuffix(" abs"),
+        utilisation=over / under if over is not None and under else None,
+        passed=None if over is None or under is None else over <= under * (1 + 1e-9),
+    )

@@ -1,0 +1,1 @@
+"""The drive in time: what happens when the clutch trips."""

@@ -1,0 +1,59 @@
+"""What a simulation of the drive tells."""
+
+from ...result import OpenTriple, Result, Series, Triple, quantity
+
+ENDLESS = "does not end"
+
+
+class SimulatePoint(Result):
+    """The event at one chosen friction."""
+
+    friction: float | None = quantity("1", "f", "coefficient of friction of all pairs", optional=True)
+    friction_driving: float | None = quantity("1", "f_1", "friction of the driving pairs", optional=True)
+    friction_driven: float | None = quantity("1", "f_2", "friction of the driven pairs", optional=True)
+    sliding_torque: float = quantity("N*m", "T", "sliding torque")
+    peak_torque: float = quantity("N*m", "T_max", "peak torque in the shaft")
+    peak_torque_clutch: float = quantity("N*m", "T_c,max", "peak torque at the clutch")
+    dynamic_factor: float = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
+    slip_time: float | None = quantity("s", "t_s", "time of slip", null=ENDLESS)
+    slip_energy: float | None = quantity("J", "Q", "heat in the pack", null=ENDLESS)
+    travel_max: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
+    peak_torque_conventional: float = quantity("N*m", "T_max,0", "peak torque with an ordinary clutch of equal T_н")
+
+
+class SimulateSweep(Series):
+    """Peaks over a swept key."""
+
+    peak_torque_min: list[float] = quantity("N*m", "T_max(f_min)", "peak torque in the shaft at f_min")
+    peak_torque_mean: list[float] = quantity("N*m", "T_max(f_cp)", "peak torque in the shaft at the mean friction")
+    peak_torque_max: list[float] = quantity("N*m", "T_max(f_max)", "peak torque in the shaft at f_max")
+    peak_torque_clutch: list[float] = quantity("N*m", "T_c,max", "peak torque at the clutch at f_max")
+    dynamic_factor: list[float] = quantity("1", "k_д", "peak torque in the shaft over sliding torque at f_max")
+    inertia_torque: list[float] = quantity("N*m", "T_J", "inertia torque ω_0 √(k J_2)")
+
+
+class SimulateResult(Result):
+    """The event in the drive at f_min, mean friction and f_max; friction is constant during one event."""
+
+    sliding_torque: Triple = quantity("N*m", "T", "sliding torque")
+    peak_torque: Triple = quantity("N*m", "T_max", "peak torque in the shaft")
+    peak_torque_clutch: Triple = quantity("N*m", "T_c,max", "peak torque at the clutch")
+    dynamic_factor: Triple = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
+    peak_over_machine: Triple | None = quantity("1", "T_max/T_0", "peak torque over the load before it", optional=True)
+    slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=ENDLESS)
+    slip_energy: OpenTriple = quantity("J", "Q", "heat in the pack", null=ENDLESS)
+    travel_max: Triple | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
+    peak_torque_conventional: Triple = quantity(
+        "N*m", "T_max,0", "peak torque in the shaft with an ordinary clutch of equal T_н"
+    )
+    trip_torque: OpenTriple | None = quantity(
+        "N*m", "T_trip", "torque at which the clutch begins to slip", optional=True, null="no slip"
+    )
+    trip_position: OpenTriple | None = quantity(
+        "1", "λ", "where the trip lies: 0 at T_муф (no lag), 1 at T_п (no release)", optional=True, null="no slip"
+    )
+    inertia_torque: float = quantity("N*m", "T_J", "inertia torque ω_0 √(k J_2), which no clutch removes")
+    load_torque: float = quantity("N*m", "T_0", "load before the event")
+    energy_residual: float = quantity("1", "ε", "largest relative error of the energy balance")
+    points: list[SimulatePoint] | None = quantity("", None, "at the friction asked for", optional=True)
+    sweep: list[SimulateSweep] | None = quantity("", None, "peaks over the swept values", optional=True, columns=True)

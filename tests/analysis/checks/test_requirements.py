@@ -1,0 +1,160 @@
+"""Requirements of a spec: which analysis judges each, and what a miss, or one that cannot be judged, amounts to."""
+
+import math
+import re
+
+import pytest
+from conftest import CONFIGS
+from hypothesis import given
+from hypothesis import strategies as st
+
+from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.checks.requirements import JUDGED
+from afmcalc.analysis.design.design import design, picked
+from afmcalc.analysis.dossier import dossier
+from afmcalc.engines import build
+from afmcalc.errors import SpecError
+from afmcalc.findings import Finding
+from afmcalc.render.report import Subject, render
+from afmcalc.spec import make_spec, read_spec, resolved
+from afmcalc.spec.required import Required
+from afmcalc.spec.requirements import read_requirements
+
+# the base clutch by hand: T(f) = F R f (z_1 + z_2)/(1 + z_2 C f), F 2 kN, R 100 mm, z 8, z_1 1, C 0.5
+TORQUE = {f: 2000 * 0.1 * 8 * f / (1 + 3.5 * f) for f in (0.1, 0.8)}
+RADII = ["friction_group.mean_radius=", "friction_group.inner_radius=80 mm", "friction_group.outer_radius=120 mm"]
+HELD = {
+    "nominal_torque": (TORQUE[0.1], "at least"),
+    "machine_torque": (TORQUE[0.1] / 1.25, "at least"),
+    "accuracy_factor": (TORQUE[0.8] / TORQUE[0.1], "at most"),
+    "torque_max": (TORQUE[0.8], "at most"),
+    "outer_diameter": (0.24, "at most"),
+    # the mean-stress rule on the unprotected side, where the dynamic factor raises the load
+    "cycles": (1e7 * (2 * 4e8 * 15e-6 / 1.4 / (TORQUE[0.1] + TORQUE[0.8])) ** 6, "at least"),
+}
+"""Key → what the base clutch has, and the side its limit is on."""
+
+
+def rows_of(spec):
+    result, findings = Answers(build(spec)).ask("check")
+    return result.passed, {row.requirement: row for row in result.requirements}, findings
+
+
+def test_every_key_of_the_block_is_judged_by_something():
+    assert set(JUDGED) == set(Required.model_fields)
+
+
+@pytest.mark.parametrize("name", HELD)
+@given(share=st.floats(0.5, 2).filter(lambda share: abs(share - 1) > 1e-6))
+def test_a_requirement_is_held_up_to_its_limit(name, share):
+    value, bound = HELD[name]
+    limit = value * share
+    if name == "accuracy_factor" and limit < 1:
+        return
+    passed, rows, findings = rows_of(read_spec(None, [*RADII, f"requirements.{name}={limit!r}"]))
+    holds = share < 1 if bound == "at least" else share > 1
+    row = rows[name]
+    assert (row.value, row.limit) == (pytest.approx(value), limit)
+    assert (row.bound, row.passed) == (bound, holds)
+    assert row.utilisation == pytest.approx(share if bound == "at least" else 1 / share)
+    missed = [each for each in findings if each.code == "requirement-missed"]
+    assert passed == holds == (not missed)
+    assert all((each.level, each.path) == ("error", f"requirements.{name}") for each in missed)
+
+
+def test_at_the_limit_it_is_held():
+    _, rows, _ = rows_of(read_spec(None, [f"requirements.nominal_torque={TORQUE[0.1]!r}"]))
+    assert rows["nominal_torque"].passed
+
+
+def test_a_margin_in_the_spring_is_not_taken_off_again():
+    """S19: set at the mean friction T_н is what is left of the spring's force less its margin."""
+    for method, over in (("min-friction", 1.25), ("mean-friction", 1)):
+        clutch = build(read_spec(None, [f"adjustment.method={method}"]))
+        assert clutch.machine_torque == pytest.approx(clutch.nominal_torque / over)
+
+
+@pytest.mark.parametrize(
+    ("name", "limit", "needs"),
+    [
+        ("outer_diameter", 0.2, "friction_group.outer_radius"),
+        ("exceedance", 0.01, "[tolerance]"),
+        ("cycles", 1e6, "[fatigue]"),
+    ],
+)
+def test_what_cannot_be_judged_is_no_pass(name, limit, needs, afmcalc):
+    spec = ["--set", f"requirements.{name}={limit}", "--set", "requirements.torque_max=400", "--set", "fatigue="]
+    run = afmcalc("check", *spec, "--json")
+    assert run.code == 0
+    (row,) = [row for row in run.json["result"]["requirements"] if row["requirement"] == name]
+    assert (row["value"], row["utilisation"], row["passed"]) == (None, None, None)
+    (found,) = [each for each in run.json["findings"] if each["code"] == "requirement-not-judged"]
+    assert found["level"] == "warning"
+    assert "not judged: needs " + needs in found["message"]
+    assert afmcalc("check", *spec, "--strict").code == 1
+
+
+def test_life_without_a_limit_is_held():
+    """Amplitude and Goodman give no number below the endurance limit: the requirement is held, with no value."""
+    spec = read_spec(None, ["requirements.cycles=1e30", "fatigue.mean_stress_sensitivity=0.1"])
+    result, _ = Answers(build(spec), model="amplitude").ask("check")
+    (row,) = result.requirements
+    assert (row.value, row.utilisation, row.passed) == (None, 0, True)
+
+
+def test_exceedance_is_of_the_torque_required():
+    """P(T > T_max) of friction that is uniform over 0.1…0.8, by the friction at which T is that."""
+    limit = 300.0
+    beyond = limit / (1600 - 3.5 * limit)
+    blocks = {"fields": {"friction": {"distribution": "uniform"}}}
+    data = resolved(read_spec(CONFIGS / "default.toml"))
+    data |= {"tolerance": blocks, "requirements": {"torque_max": limit, "exceedance": 0.5}}
+    _, rows, _ = rows_of(make_spec(data))
+    assert rows["exceedance"].value == pytest.approx((0.8 - beyond) / 0.7, rel=1e-6)
+    data["tolerance"] = {**blocks, "torque_limit": 250.0}
+    assert rows_of(make_spec(data))[1]["exceedance"].passed is None
+    del data["requirements"]["torque_max"]
+    with pytest.raises(SpecError, match=r"requirements\.torque_max.*required beside requirements\.exceedance"):
+        make_spec(data)
+
+
+@pytest.mark.parametrize("wanted", [{}, {"nominal_torque": "", "machine_torque": "200 N*m", "margin": "1.25"}])
+def test_what_design_picks_holds_what_was_wanted(wanted):
+    need = read_requirements(CONFIGS / "requirements.toml", [f"wanted.{key}={value}" for key, value in wanted.items()])
+    need = need.model_copy(update={"wanted": need.wanted.model_copy(update={"torque_max": 700.0})})
+    result, _ = design(need)
+    for fine in (False, True):
+        spec = picked(need, result, 1 + len(result.front) // 2, fine=fine)
+        assert set(resolved(spec)["requirements"]) >= {"accuracy_factor", "torque_max"}
+        passed, rows, findings = rows_of(spec)
+        assert passed, [each for each in findings if each.level == "error"]
+        assert all(row.passed for row in rows.values())
+        first = rows["machine_torque" if wanted else "nominal_torque"]
+        assert (first.value, first.limit) == (pytest.approx(200), 200)
+
+
+def test_the_dossier_carries_them():
+    spec = read_spec(None, ["requirements.nominal_torque=100", "requirements.accuracy_factor=2"])
+    told = dossier(spec, explained=False)
+    assert [(row.requirement, row.passed) for row in told.requirements] == [
+        ("nominal_torque", True),
+        ("accuracy_factor", False),
+    ]
+    assert any(isinstance(each, Finding) and each.code == "requirement-missed" for each in told.findings)
+
+
+def test_no_requirement_no_row(afmcalc):
+    assert afmcalc("check", "--json").json["result"]["requirements"] == []
+    assert "Requirements" not in afmcalc("check").out
+    assert math.isfinite(afmcalc("torque", "--json").json["result"]["machine_torque"])
+
+
+def test_a_report_shows_them():
+    spec = read_spec(None, ["requirements.nominal_torque=100", "requirements.torque_max=300", "requirements.work=1e6"])
+    page = render(Subject(dossier(spec, explained=False), ""))
+    verdicts = re.findall(r'<span class="verdict \w+">(held|missed|not judged)</span></td><td>([^<]+)', page)
+    assert verdicts == [
+        ("held", "nominal torque of the clutch"),
+        ("missed", "largest sustained torque"),
+        ("not judged", "specific work of a trip"),
+    ]
