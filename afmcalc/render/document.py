@@ -47,6 +47,8 @@ class Column(NamedTuple):
     """Path of the column whose standard errors these are."""
     is_unit: bool = False
     """Whether the values are units."""
+    said: list[str | None] | None = None
+    """What people are told instead of some of the values."""
 
 
 class Table(NamedTuple):
@@ -155,7 +157,8 @@ def _records(title: str, items: list[BaseModel]) -> Table:
     for name, info in type(items[0]).model_fields.items():
         extra = about(info)
         values = [getattr(item, name) for item in items]
-        if all(value is None for value in values):
+        said = [item.words(name) if isinstance(item, Result) else None for item in items]
+        if all(value is None for value in values) and not any(said):
             continue
         symbol, unit = str(extra.get("symbol") or ""), str(extra.get("unit") or "")
         label = translate(info.description or name)
@@ -169,6 +172,7 @@ def _records(title: str, items: list[BaseModel]) -> Table:
                 Column(
                     name, symbol, label, unit, values, bool(extra.get("detail")), str(extra.get("null", "–")), own,
                     str(extra.get("error_of") or ""), bool(extra.get("is_unit")),
+                    said,
                 )
             )  # fmt: skip
     return Table(title, columns)

@@ -76,7 +76,8 @@ def _parts(table: Table) -> list[Table]:
 
 def _only(column: Column, mask: list[bool]) -> Column:
     units = column.units and [*compress(column.units, mask)]
-    return column._replace(values=[*compress(column.values, mask)], units=units)
+    said = column.said and [*compress(column.said, mask)]
+    return column._replace(values=[*compress(column.values, mask)], units=units, said=said)
 
 
 _LONG = 3
@@ -112,7 +113,10 @@ def _cells(column: Column, errors: list[float] | None) -> list[str]:
     units = column.units or [column.unit] * len(column.values)
     if errors:
         return [estimate(*each) for each in zip(column.values, errors, units, strict=True)]
-    return [_shown(value, unit, column.null) for value, unit in zip(column.values, units, strict=True)]
+    said = column.said or [None] * len(column.values)
+    return [
+        told or _shown(value, unit, column.null) for value, unit, told in zip(column.values, units, said, strict=True)
+    ]
 
 
 def _shown(value: Any, unit: str, null: str) -> str:

@@ -25,7 +25,7 @@ class Heat(Block):
 
     disc_mass: DiscMass | None = key_field("mass of all discs that take the heat", "m")
     specific_heat: SpecificHeat | None = key_field("specific heat of the discs", "c")
-    conductivity: Conductivity | None = key_field("thermal conductivity of the discs", "k")
+    conductivity: Conductivity | None = key_field("thermal conductivity of the discs", "k_t")
     density: Density | None = key_field("density of the discs", "ρ")
     lining_conductivity: Conductivity | None = key_field(
         "thermal conductivity of the lining; absent: the discs take all the heat", "k_l"

@@ -108,7 +108,8 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         "friction_group": group,
         "closing_spring": spring,
         "adjustment": {"method": need.wanted.method, "margin": need.wanted.margin},
-        "requirements": need.wanted.model_dump(exclude_none=True, exclude={"method", "margin"}),
+        "requirements": need.wanted.model_dump(exclude_none=True, exclude={"method", "margin"})
+        | ({} if limits.outer_diameter is None else {"outer_diameter": limits.outer_diameter}),
     }
     if row.ball_circle_radius is not None:
         data["control_unit"] = {

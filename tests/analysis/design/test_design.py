@@ -72,8 +72,8 @@ def requirements(draw, separable=False):
             "pairs": draw(st.lists(st.integers(1, 14), min_size=1, max_size=3, unique=True)),
             "driving_pairs": draw(st.lists(st.integers(1, 3), min_size=1, max_size=2, unique=True)),
             "mean_radius": None if both else some(0.03, 0.2, 6),
-            "inner_radius": [0.02, *some(0.03, 0.1, 2)] if both else None,
-            "outer_radius": [*some(0.04, 0.25, 6), 0.25] if both else None,
+            "inner_radius": [0.02, *some(0.03, 0.1, 1)] if both else None,
+            "outer_radius": [*some(0.04, 0.25, 3), 0.25] if both else None,
             "gain": None if angle else [*some(0.05, 2), 0.0],
             "wall_angle": some(0.1, 1.2) if angle else None,
             "ball_circle_radius": some(0.03, 0.1, 2),
@@ -82,7 +82,7 @@ def requirements(draw, separable=False):
             "closing_stiffness": some(1e3, 1e5, 2),
             "control_stiffness": some(1e3, 1e5, 2),
         },
-        fixed={"hub_diameter": 0.06, "key_friction": 0.02, "face_gap": 5e-4, "edge_clearance": 5e-4, "face_width": width},
+        fixed={"balls": draw(st.integers(1, 12)), "hub_diameter": 0.06, "key_friction": 0.02, "face_gap": 5e-4, "edge_clearance": 5e-4, "face_width": width},
         limits={
             "surface_pressure": draw(st.floats(1e5, 3e6)) if both or width else None,
             "outer_diameter": maybe(0.15, 0.5) if both or width else None,
@@ -96,7 +96,7 @@ def requirements(draw, separable=False):
 
 
 def brute(need):
-    """Objectives of every feasible candidate, one by one through the engines."""
+    """Objectives of every feasible candidate, one by one through the engines, and which of them can be made."""
     search, found = need.search, []
     arrays = {
         name: values.array()
@@ -117,7 +117,8 @@ def brute(need):
         for z, face, z1, turn, circle, c1, c2 in itertools.product(*axes):
             if (values := one(need, variant, z, face, z1, turn, circle, c1, c2)) is not None:
                 found.append(values)
-    return np.array(found).reshape(-1, len(need.objectives))
+    found = np.array(found).reshape(-1, len(need.objectives) + 1)
+    return found[:, :-1], found[:, -1] == 1
 
 
 def one(need, variant, z, face, z1, turn, circle, c1, c2):
@@ -157,7 +158,7 @@ def one(need, variant, z, face, z1, turn, circle, c1, c2):
         return None
     del data["adjustment"]["nominal_torque"]
     clutch = build(make_spec({**data, "closing_spring": {**data.get("closing_spring", {}), "force": force}}))
-    ball, travel = 0.0, 0.0
+    ball, travel, made = 0.0, 0.0, True
     control = clutch.control_force if variant == "indirect" else 0.0
     pack = control or force
     held = [
@@ -169,11 +170,12 @@ def one(need, variant, z, face, z1, turn, circle, c1, c2):
         not limits.gain_limit or clutch.gain_limit is None or clutch.gain <= clutch.gain_limit * over,
     ]  # fmt: skip
     if turn is not None and clutch.gain > 0:
-        made, _ = synthesize(clutch)
-        held.append(made.ball_diameter_standard is not None)
-        held.append(limits.contact_force is None or made.contact_force <= limits.contact_force * over)
-        held.append(limits.travel is None or made.travel_max <= limits.travel * over)
-        ball, travel = made.ball_diameter_standard, made.travel_max
+        unit, findings = synthesize(clutch)
+        held.append(unit.ball_diameter_standard is not None)
+        held.append(limits.contact_force is None or unit.contact_force <= limits.contact_force * over)
+        held.append(limits.travel is None or unit.travel_max <= limits.travel * over)
+        ball, travel = unit.ball_diameter_standard, unit.travel_max
+        made = not {each.code for each in findings} & {"balls-overlap", "pockets-overlap", "ball-reaches-axis"}
     if turn is not None and clutch.gain == 0 and limits.contact_force is not None:
         moment = clutch.ball_torque(need.friction.range.max)
         held.append(moment / (fixed.balls * circle) <= limits.contact_force * over)
@@ -189,13 +191,13 @@ def one(need, variant, z, face, z1, turn, circle, c1, c2):
         "closing_deflection": force / c1 if c1 else 0.0,
         "control_deflection": (control / c2 if c2 else math.inf) if variant == "indirect" else 0.0,
     }
-    return [whole[name] for name in need.objectives]
+    return [*(whole[name] for name in need.objectives), float(made)]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(requirements())
 def test_the_front_against_brute_force(need):
-    everything = brute(need)
+    everything, made = brute(need)
     found = searched(need)
     assert found.feasible == len(everything)
     mine = (
@@ -203,7 +205,7 @@ def test_the_front_against_brute_force(need):
         if found.members
         else np.empty((0, len(need.objectives)))
     )
-    theirs = everything[front(everything)]
+    theirs = everything[made][front(everything[made])]
     order = [np.lexsort(np.round(each, 12).T[::-1]) for each in (mine, theirs)]
     assert mine[order[0]] == pytest.approx(theirs[order[1]], rel=1e-9, abs=1e-12)
 
@@ -278,7 +280,7 @@ def test_the_knee_is_farthest_from_the_line_between_the_ends():
     assert (single.knee, single.on_front) == (None, 1)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(requirements())
 def test_what_could_be_had_instead(need):
     """With each limit moved to what was found of it there is a clutch, with one of them a little tighter there is none."""
@@ -294,8 +296,8 @@ def test_what_could_be_had_instead(need):
     for row in sets.get(None, []):
         loose, tight = (moved(need, row, row.best * (1 + way * sign(row))) for way in (1e-9, -1e-6))
         if loose is not None:
-            assert searched(loose).feasible > 0
-            assert searched(tight).feasible == 0
+            assert searched(loose).members
+            assert not searched(tight).members
 
 
 def sign(row):
@@ -352,9 +354,9 @@ def test_a_margin_lies_between_clutch_and_machine():
 INDIRECT = {
     "variants": ["indirect"], "objectives": ["closing_force", "accuracy_factor"],
     "wanted": {"accuracy_factor": 4, "torque_max": 1000},
-    "search": {"pairs": [8], "mean_radius": 0.1, "gain": [0.2, 0.4, 1.0, 2.0], "ball_circle_radius": 0.05,
+    "search": {"pairs": [8], "mean_radius": 0.1, "gain": [0.2, 0.4, 1.0, 2.0], "ball_circle_radius": 0.5,
                "closing_stiffness": 2e4, "control_stiffness": [0, 1e4], "ball_diameters": [0.05, 0.5]},
-    "fixed": {"hub_diameter": 0.05, "key_friction": 0.1}, "limits": {"contact_force": None},
+    "fixed": {"hub_diameter": 0.05, "key_friction": 0.1, "balls": 1}, "limits": {"contact_force": None},
 }  # fmt: skip
 
 
@@ -421,6 +423,7 @@ def test_the_front_reaches_the_outer_diameter(faces):
     assert row.closing_force == pytest.approx(200 / (radius * 8 * 0.1 / (1 + 8 * 0.5 * 0.1)))
     spec = picked(need, result, 1)
     assert spec.friction_group.outer_radius == pytest.approx(0.165)
+    assert spec.requirements.outer_diameter == 0.33
     assert build(spec).nominal_torque == pytest.approx(200)
 
 

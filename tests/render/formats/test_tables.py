@@ -158,7 +158,7 @@ def test_variants_stand_side_by_side(afmcalc, monkeypatch):
     run = afmcalc("compare", CONFIGS / "indirect.toml", "--variants")
     lines = run.out.splitlines()
     assert max(map(len, lines)) <= 100
-    heads = [line.split() for line in lines if "conventional" in line]
+    heads = [line.split() for line in lines if "conventional " in line]
     assert [head[-4:] for head in heads] == [["conventional", "differentiated", "all-driving", "indirect"]] * 2
     rows = afmcalc("compare", CONFIGS / "indirect.toml", "--variants", "--json").json["result"]["clutches"]
     shown = [line.split()[-4:] for line in lines if line.startswith("K_т  ")]
