@@ -9,7 +9,7 @@ from ...spec.requirements import Requirements
 from ...variants import VARIANTS, Variant
 from .by_law import candidates
 from .grid import Tile, tiles
-from .limits import Constraint, constraints, making
+from .limits import Constraint, constraints
 from .space import grids, total
 from .tiles import SIZE
 
@@ -63,7 +63,7 @@ def attainable(need: Requirements, progress: Callable[[int, int], None] = lambda
 
 def _of_tile(need: Requirements, variant: Variant, tile: Tile, most: int) -> Best:
     """What the candidates of a tile that miss the fewest bounds, at most so many, have of those."""
-    own, bounds = candidates(need, variant, tile.at), [*constraints(need, variant), making()]
+    own, bounds = candidates(need, variant, tile.at), constraints(need, variant)
     misses = [np.broadcast_to(~each.holds(own), tile.shape) for each in bounds]
     number = np.where(own.is_clutch, np.sum(misses, axis=0, dtype=np.int16), np.int16(len(bounds) + 1))
     fewest = int(number.min())

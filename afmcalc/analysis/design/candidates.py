@@ -1,6 +1,5 @@
 """Candidates of a design: the laws over arrays, asked piece by piece, each piece over no more axes than it needs."""
 
-import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
@@ -242,34 +241,6 @@ class Candidates(ABC):
         fixed, sine = self.need.fixed, self.tangent * self.cosine
         found = 2 * synthesis.ball_radius(self.travel, fixed.face_gap, fixed.edge_clearance, sine)
         return np.where(self.tangent > 0, found, 0.0)
-
-    @cached_property
-    def ball_pitch(self) -> Numbers:
-        """Distance between neighbouring balls, m; to the opposite side of the axis where there is one."""
-        found: Numbers = synthesis.ball_pitch(
-            self.at.ball_circle_radius, math.sin(math.pi / max(self.need.fixed.balls, 2))
-        )
-        return found
-
-    @cached_property
-    def web(self) -> Numbers:
-        """What is left between neighbouring pockets at the face, or between balls where that is less, m."""
-        ball = np.where(np.isnan(self.ball_diameter), self.ball_needed, self.ball_diameter)
-        apart = self.ball_pitch - ball
-        depth = synthesis.pocket_depth(ball / 2, self.tangent * self.cosine, self.need.fixed.face_gap)
-        found: Numbers = synthesis.web(self.ball_pitch, synthesis.pocket_width(depth, self.tangent))
-        return np.fmin(found, apart) if self.need.fixed.balls > 1 else apart
-
-    @cached_property
-    def can_be_made(self) -> Mask:
-        """Whether balls and pockets fit side by side: the largest ball that does is large enough; true without."""
-        if not self.variant.controlled:
-            return np.ones(1, bool)
-        wide = self.ball_pitch * self.cosine + self.need.fixed.face_gap * self.tangent * self.cosine
-        room = np.minimum(self.ball_pitch, wide if self.need.fixed.balls > 1 else np.inf)
-        listed = np.append(balls(self.need), np.nan)
-        fitting = listed[np.searchsorted(listed[:-1], room * (1 - 1e-9)) - 1]
-        return np.asarray(self.travel <= self.travel_room(fitting * (1 + SAME)))
 
     @cached_property
     def ball_diameter(self) -> Numbers:

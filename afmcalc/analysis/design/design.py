@@ -31,7 +31,7 @@ class DesignResult(Result):
     candidates: int = quantity("", None, "candidates searched")
     feasible: int = quantity("", None, "candidates that meet every requirement")
     objectives: list[str] = quantity("", None, "what is small on the front")
-    on_front: int = quantity("", None, "clutches on the front: all can be made, none beats another in everything")
+    on_front: int = quantity("", None, "clutches on the front: none beats another in everything")
     knee: int | None = quantity(
         "", None, "number of the knee: least sum of the objectives, each over its range",
         optional=True,

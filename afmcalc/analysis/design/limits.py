@@ -89,11 +89,6 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
         yield _at_most("travel", lambda c: c.travel, travel, "m", (0, 1))
 
 
-def making() -> Constraint:
-    """The bound that pockets must not cut into each other: what meets the requirements is not yet a clutch."""
-    return Constraint("web", lambda c: c.can_be_made, (0, 0), lambda c: c.web, 0.0, "m", at_least=True)
-
-
 _Value: TypeAlias = Callable[[Candidates], Numbers]
 
 

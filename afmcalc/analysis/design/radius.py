@@ -5,7 +5,6 @@ everything but the ball; so a row of radii is a search by halves for each bound,
 """
 
 from collections.abc import Callable
-from functools import cached_property
 
 import numpy as np
 
@@ -102,64 +101,29 @@ class _Rows:
 
     def _best(self, begin: Places, end: Places) -> list[tuple[Places, Places]]:
         """Rows and places of the largest radius; at a given gain one for every ball size that counts."""
-        if not self.variant.controlled:
+        if not self.by_gain or not self.variant.controlled:
             row = np.flatnonzero(end > begin)
             return [(row, end.ravel()[row] - 1)]
-        if not self.by_gain:
-            # at a given wall the ball gets no larger as the radius grows: what cannot be made there, nowhere can
-            row = np.flatnonzero(end > begin)
-            made = self._made(row, end.ravel()[row] - 1)
-            return [(row[made], end.ravel()[row[made]] - 1)]
         found, along, rows = [], self.tile.dimension("ball_circle_radius"), self.tile.size
         numbers = np.arange(1, rows + 1).reshape(self.tile.shape)
         for last in self._ends_by_ball(end):
-            stop = self._made_end(begin, last)
             # a gain knows no ball circle: of a group the one that allows the largest radius
-            both = np.where(stop > begin, stop * rows - numbers, -1).max(axis=along)
+            both = np.where(last > begin, last * rows - numbers, -1).max(axis=along)
             place, row = np.divmod(both[both >= 0], rows)
             found.append((rows - 1 - row, place))
             begin = np.maximum(begin, last)
         return found
 
-    def _made(self, row: Places, place: Places) -> Mask:
-        """Whether clutches of some rows and radii can be made."""
-        return np.broadcast_to(self._point(row, place).can_be_made, row.shape)
-
-    def _point(self, row: Places, place: Places) -> Candidates:
-        return candidates(self.need, self.variant, self.tile.points(row)._replace(mean_radius=self.radii[place]))
-
-    def _made_end(self, begin: Places, end: Places) -> Places:
-        """Place after the largest radius at which balls and pockets fit.
-
-        At a given gain a smaller radius has a steeper wall: the same ball's pocket is wider there, so the next that may
-        fit is the largest radius that the next smaller ball takes.
-        """
-        begin, end = (np.broadcast_to(each, self.tile.shape).ravel() for each in (begin, end))
-        end = end.copy()
-        row = np.flatnonzero(end > begin)
-        sizes, reach = balls(self.need), (self.tile.at.steering * self.tile.at.ball_circle_radius)
-        reach = np.broadcast_to(reach, self.tile.shape).ravel()
-        while (row := row[~self._made(row, end[row] - 1)]).size:
-            size = np.searchsorted(sizes, self._point(row, end[row] - 1).ball_diameter) - 1
-            largest = np.where(size >= 0, reach[row] / self._tangents[np.maximum(size, 0)], 0.0)
-            end[row] = np.minimum(end[row] - 1, np.searchsorted(self.radii, largest * (1 + SAME), "right"))
-            row = row[end[row] > begin[row]]
-        return end.reshape(self.tile.shape)
-
-    @cached_property
-    def _tangents(self) -> Numbers:
-        """Least tan α that every ball takes: its sine is at least (s + 2 y)/d."""
-        fixed = self.need.fixed
-        sine = (fixed.face_gap + 2 * fixed.edge_clearance) / (balls(self.need) * (1 + SAME))
-        return np.where(sine < 1, sine / np.sqrt(np.maximum(1 - sine**2, 1e-300)), np.inf)
-
     def _ends_by_ball(self, end: Places) -> list[Places]:
-        """Place after the last radius that takes a ball, for every size that counts: tan α = C r/R."""
+        """Place after the last radius that takes a ball, for every size: tan α = C r/R wants sin α ≥ (s + 2 y)/d."""
         if "ball_diameter" not in self.need.objectives:
             return [end]
-        reach = self.tile.at.steering * self.tile.at.ball_circle_radius
+        fixed, at = self.need.fixed, self.tile.at
+        sine = (fixed.face_gap + 2 * fixed.edge_clearance) / (balls(self.need) * (1 + SAME))
+        flat = np.where(sine < 1, sine / np.sqrt(np.maximum(1 - sine**2, 1e-300)), np.inf)
+        reach = at.steering * at.ball_circle_radius
         ends = []
-        for tangent in self._tangents:
+        for tangent in flat:
             largest = np.where(reach > 0, reach / tangent if tangent > 0 else np.inf, np.inf)
             ends.append(np.minimum(end, np.searchsorted(self.radii, largest * (1 + SAME), "right")))
         return ends

@@ -8,7 +8,6 @@ import numpy as np
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .by_law import candidates
-from .candidates import Candidates
 from .found import Found
 from .grid import Tile, tiles
 from .limits import constraints, never_worse
@@ -23,22 +22,21 @@ def by_tile(need: Requirements, variant: Variant, found: Found, progress: Callab
     """Evaluate every candidate of a variant."""
     each = forces(need)
     for tile in (tile for laid in grids(need, variant) for tile in tiles(laid, SIZE)):
-        own = candidates(need, variant, tile.at)
-        good, excluded = _judged(own, tile)
+        good, excluded = _judged(need, variant, tile)
         found.candidates += each * tile.size
         found.feasible += int(np.count_nonzero(good))
         for name, count in excluded.items():
             found.excluded[name] += each * count
-        made = good & own.can_be_made
-        found.add(need, variant, tile.points(np.flatnonzero(_best(need, variant, made, tile))))
+        found.add(need, variant, tile.points(np.flatnonzero(_best(need, variant, good, tile))))
         progress(found.candidates)
 
 
-def _judged(own: Candidates, tile: Tile) -> tuple[Mask, Counter[str]]:
+def _judged(need: Requirements, variant: Variant, tile: Tile) -> tuple[Mask, Counter[str]]:
     """Which candidates are feasible, and how many each constraint excludes."""
+    own = candidates(need, variant, tile.at)
     built = good = own.is_clutch
     held: dict[str, Mask] = {}
-    for each in constraints(own.need, own.variant):
+    for each in constraints(need, variant):
         held[each.name] = each.holds(own) & held.get(each.name, built)
     for mask in sorted(held.values(), key=lambda mask: mask.size):
         good = good & mask
