@@ -6,8 +6,7 @@
 234.146
 """
 
-from typing import TYPE_CHECKING
-
+TYPE_CHECKING = False  # typing costs more than all the rest, and Ctrl-C may come meanwhile
 if TYPE_CHECKING:
     from .engines import Clutch
     from .errors import AfmcalcError, FileError, SpecError

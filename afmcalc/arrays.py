@@ -63,6 +63,28 @@ def tangent(angle: Any) -> Any:
     return through_math(math.tan, angle)
 
 
+def finite(value: Any) -> Any:
+    """Return a number, or an array in which NaN may stand for no value.
+
+    Raises:
+        OverflowError: it is beyond the range of numbers.
+    """
+    if is_array(value):
+        import numpy as np
+
+        within = not np.isinf(value).any()
+    else:
+        within = math.isfinite(value)
+    if not within:
+        raise OverflowError
+    return value
+
+
+def all_nonzero(value: Any) -> bool:
+    """Whether a number, or every one of an array, is other than 0."""
+    return bool(value.all() if is_array(value) else value)
+
+
 def checked_friction(value: Any) -> Any:
     """Return a coefficient of friction as float or array.
 

@@ -2,17 +2,42 @@
 
 from typing import NamedTuple
 
+from .messages import say
+from .source import Place, Source
+
+MOST_SHOWN = 20
+"""Problems of a spec that are shown; of the others the number."""
+LONGEST_LINE = 390
+"""Characters of a line of an error; with what is put before it, below 400."""
+
 
 class AfmcalcError(Exception):
     """Anything the user can put right; ``exit_code`` is the code the command line ends with."""
 
     exit_code = 2
 
+    def __str__(self) -> str:
+        """The message, no line of it too long to read."""
+        lines = super().__str__().split("\n")
+        return "\n".join(line if len(line) <= LONGEST_LINE else line[: LONGEST_LINE - 1] + "…" for line in lines)
+
 
 class FileError(AfmcalcError):
     """A file cannot be read or written."""
 
     exit_code = 3
+
+
+def reason(error: OSError) -> str:
+    """Why a file could not be read or written; where the working directory is gone, which one it was."""
+    import os
+
+    if isinstance(error, FileNotFoundError) and not os.path.isabs(str(error.filename or "")):
+        try:
+            os.getcwd()
+        except FileNotFoundError:
+            return say("the working directory {path} does not exist any more", path=os.environ.get("PWD", "."))
+    return error.strerror or str(error)
 
 
 class CalculationError(AfmcalcError, ValueError):
@@ -28,6 +53,10 @@ class Problem(NamedTuple):
     """The value given, as the user wrote it; None when a key is missing."""
     message: str
     """What is wrong and what is allowed."""
+    at_key: bool = False
+    """Whether the key itself is wrong, not its value."""
+    place: Place | None = None
+    """Where it stands in the text it was read from, as far as that is known."""
 
     def __str__(self) -> str:
         """One line: path, value, message."""
@@ -36,12 +65,30 @@ class Problem(NamedTuple):
             where = f"{where} = {self.given}" if where else self.given
         return f"{where}: {self.message}" if where else self.message
 
+    def where(self, source: str) -> str:
+        """File, line and column, as far as they are known."""
+        return f"{source}:{self.place}" if self.place else source
+
+    def lines(self, source: str) -> list[str]:
+        """What is said of it: with the place, and the line of the text."""
+        return [f"{self.where(source)}: {self}", *(self.place.shown() if self.place else ())]
+
 
 class SpecError(AfmcalcError, ValueError):
     """A spec is invalid; carries every problem found, not only the first."""
 
-    def __init__(self, source: str, problems: list[Problem]) -> None:
-        """Collect ``problems`` of the spec read from ``source``."""
-        self.source = source
-        self.problems = problems
-        super().__init__("\n".join(f"{source}: {problem}" for problem in problems))
+    def __init__(self, source: str, problems: list[Problem], more: int = 0) -> None:
+        """Collect ``problems`` of the spec read from ``source``; ``more`` are there that nobody looked into."""
+        self.source, self.more = source, more
+        self.problems = [_placed(problem, source) for problem in problems]
+        shown = [line for problem in self.problems[:MOST_SHOWN] for line in problem.lines(source)]
+        hidden = len(problems[MOST_SHOWN:]) + more
+        rest = [say("{source}: and {hidden:,} more", source=source, hidden=hidden)] if hidden else []
+        super().__init__("\n".join([*shown, *rest]))
+
+
+def _placed(problem: Problem, source: str) -> Problem:
+    """A problem with its place in a source whose text is known; none in any other."""
+    if not isinstance(source, Source) or not source.text:
+        return problem._replace(place=None)
+    return problem._replace(place=problem.place or source.place(problem.path, key=problem.at_key))

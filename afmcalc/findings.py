@@ -5,6 +5,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from .arrays import finite
 from .messages import sentence
 
 Level = Literal["info", "warning", "error"]
@@ -42,7 +43,13 @@ def finding(
         limit: what it is held against, SI; ``{limit}``.
         path: spec key it belongs to; ``{path}``.
         values: what else the sentence shows, SI.
+
+    Raises:
+        OverflowError: a number is beyond the range of numbers: it would be told as nan or inf.
     """
+    for each in (value, limit, *values.values()):
+        if isinstance(each, float):
+            finite(each)
     said = {"value": value, "limit": limit, "path": path, **values}
     number, bound = (each if each is None or type(each) is int else float(each) for each in (value, limit))
     return Finding(level, code.partition("/")[0], sentence(code, said), number, bound, path)

@@ -8,6 +8,7 @@ and are shown through ``translate``.
 """
 
 import math
+import re
 import string
 from collections.abc import Mapping
 from typing import SupportsFloat
@@ -28,10 +29,16 @@ SCALES = {
 
 
 class _Sentence(string.Formatter):
-    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once."""
+    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once.
+
+    What is cut off a text, ``{name:.80}``, is marked.
+    """
 
     def format_field(self, value: object, format_spec: str) -> str:
         number, _, unit = format_spec.partition(" ")
+        if isinstance(value, str):
+            shown = format(value, number)
+            return shown if len(shown) >= len(value) else f"{shown}…"
         if not unit:
             return format(value, number)
         assert isinstance(value, SupportsFloat)
@@ -53,9 +60,39 @@ def say(template: str, /, **values: object) -> str:
     return _Sentence().vformat(translate(template), (), values)
 
 
+_HIDDEN = re.compile(
+    "[\x00-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb"
+    "\ud800-\udfff\U000e0000-\U000e007f]"
+)
+"""Characters that act on a terminal, turn the direction of writing, are not seen, or are none (undecodable bytes)."""
+
+
+def printable(text: str, *, lines: bool = False) -> str:
+    r"""Return a text that may hold anything (names, keys, arguments) such that it shows what it is, and only that.
+
+    The escapes are those of JSON: a JSON text so treated says the same as before.
+
+    Args:
+        text: any text.
+        lines: whether ends of lines are meant as such.
+
+    >>> print(printable("a\x1b[31m \u202eb\n"))
+    a\u001b[31m \u202eb\n
+    """
+    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else _escaped(sign[0]), text)
+
+
+def _escaped(sign: str) -> str:
+    if sign in "\n\r\t":
+        return repr(sign)[1:-1]
+    words = sign.encode("utf-16-be", "surrogatepass").hex()
+    return "".join(f"\\u{words[at : at + 4]}" for at in range(0, len(words), 4))
+
+
 FINDINGS: Mapping[str, str] = {
     "slips-averaged": "every slip swings the load from {value:.5g N·m} (fatigue.load_low) to T(f) and back; every "
     "friction from f_min to f_max is taken as equally likely, and the life is that of the mean damage (Miner)",
+    "bad-spec": "{where}: {problem}",
     # torque, accuracy, overload, compare
     "friction-outside-range": "friction {value:g} is outside the range of the spec, {least:g} to {largest:g}",
     "sweep-beyond-gain-limit": "{value} of {points} swept points lie above the gain limit 1/(z_1 f_1max): breakaway "
@@ -88,7 +125,8 @@ FINDINGS: Mapping[str, str] = {
     "springs, gap or list",
     "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
     "clearance need",
-    "balls-not-given": "the number of balls is not given: the contact force is not calculated",
+    "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
+    "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
     # requirements
     "requirement-missed/number": "{name}: {value:.5g}, but {bound} {limit:.5g} is required",

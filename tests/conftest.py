@@ -61,3 +61,9 @@ def afmcalc():
         return Run(code if isinstance(code, int) else 0, *texts)
 
     return run
+
+
+def pytest_addoption(parser):
+    parser.addoption(
+        "--fuzz", type=int, metavar="N", help="try N new hostile specs and command lines, not the usual 2000"
+    )

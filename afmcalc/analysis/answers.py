@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from ..engines.protocol import Clutch
 from ..findings import Finding
 from ..result import Result
+from ..watch import Progress, unwatched
 from .registry import ANALYSES, Analysis, StressRule
 
 if TYPE_CHECKING:
@@ -17,9 +18,10 @@ R = TypeVar("R", bound=Result)
 class Answers:
     """A clutch with the answers to what was asked of it; each is calculated when first asked for, and kept."""
 
-    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress") -> None:
-        """Ask of ``clutch``, the life by the rule ``model``."""
+    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress", progress: Progress = unwatched) -> None:
+        """Ask of ``clutch``, the life by the rule ``model``; ``progress`` is told how far what takes long is."""
         self.clutch = clutch
+        self._progress = progress
         self._options = {"model": model, "answers": self}
         self._found: dict[str, tuple[Any, list[Finding]]] = {}
 
@@ -40,7 +42,7 @@ class Answers:
         """The tolerance study, with what only a picture needs."""
         from .tolerance.study import study
 
-        return study(self.clutch)
+        return study(self.clutch, progress=self._progress)
 
     def _run(self, analysis: Analysis) -> tuple[Any, list[Finding]]:
         if analysis.name == "tolerance":

@@ -7,6 +7,7 @@ from ..errors import CalculationError
 from ..findings import Finding
 from ..result import Result
 from ..spec import Spec
+from ..watch import Progress, unwatched
 from .answers import Answers
 from .checks.check import CheckResult
 from .checks.limits import Utilisation
@@ -51,18 +52,24 @@ class Dossier(NamedTuple):
         return self.check.limits
 
 
-def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
+def dossier(
+    spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True, progress: Progress = unwatched
+) -> Dossier:
     """Ask everything of a clutch that applies to it, each thing once.
 
     Args:
         spec: the clutch.
         model: rule for the damaging stress of the life.
         explained: whether to say how it was calculated, of the same run.
+        progress: is told how far what takes long is.
 
     Returns:
         Results, findings of all of them, each once, steps, and what there is to draw.
     """
-    answers, steps = _explained(spec, model) if explained else (Answers(build(spec), model=model), {})
+    if explained:
+        answers, steps = _explained(spec, model, progress)
+    else:
+        answers, steps = Answers(build(spec), model=model, progress=progress), {}
     applying = [each for each in ANALYSES.values() if each.section and each.applies(answers.clutch)]
     verdict, findings = answers.ask("check")
     findings = list(dict.fromkeys([*findings, *(each for own in applying for each in answers.ask(own.name)[1])]))
@@ -74,14 +81,14 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
     )
 
 
-def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Step]]]:
+def _explained(spec: Spec, model: StressRule, progress: Progress) -> tuple[Answers, dict[str, list[Step]]]:
     """Ask what can be explained, and note the equations that ran; each step is shown where it first occurs."""
     wanted = [each for each in ANALYSES.values() if each.section and each.explained]
     # imported before anything is recorded, so that none keeps a recording function
     assert all(each.function for each in wanted)
     ends = {}
     with recording() as calls:
-        answers = Answers(build(with_roles(spec)), model=model)
+        answers = Answers(build(with_roles(spec)), model=model, progress=progress)
         for each in wanted:
             if each.applies(answers.clutch):
                 answers.ask(each.name)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import AfmcalcError, CalculationError
 from ..messages import say
 from ..spec.suggest import did_you_mean
+from ..watch import Progress, unwatched
 from .registry import PLOTS, Plot, StressRule
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ class Request(NamedTuple):
     """``Answers`` of clutches, names of the papers' figures, or requirements."""
     sweep: str | None = None
     model: StressRule | None = None
-    progress: "Callable[[str, int, int], None]" = lambda work, done, total: None
+    progress: Progress = unwatched
     """Is told how many candidates of a design are behind."""
 
 

@@ -206,7 +206,7 @@ def band_axis(text: str, clutch: Clutch) -> Axis:
     _, separator, given = text.partition("=")
     values = parse_values(text, given, "N*m") if separator else np.linspace(0.5 * band, 2 * band, 26)
     if bool((values < 0).any()):
-        raise AfmcalcError(say("--sweep {text}: a scatter band is not negative", text=text))
+        raise AfmcalcError(say("--sweep {text:.80}: a scatter band is not negative", text=text))
     return Axis("dT", key, values)
 
 

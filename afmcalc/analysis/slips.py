@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from ..arrays import Values, is_array, larger, smaller
+from ..arrays import Values, all_nonzero, finite, is_array, larger, smaller
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..spec.fatigue import Fatigue
@@ -106,7 +106,11 @@ def damaging_stress(part: Fatigue, rule: StressRule, load: Load) -> Values:
 
 
 def cycles(part: Fatigue, rule: StressRule, load: Load) -> Values:
-    """Cycles, or slips, to failure: NaN where fatigue sets no limit, 0 where the largest load breaks the part."""
+    """Cycles, or slips, to failure: NaN where fatigue sets no limit, 0 where the largest load breaks the part.
+
+    Raises:
+        OverflowError: they are too few, or the stress too large, for the range of numbers: no 0 but that of a break.
+    """
     chosen, broken = RULES[rule], is_static(part, load)
     if not is_array(broken) and broken:
         return 0.0
@@ -115,6 +119,8 @@ def cycles(part: Fatigue, rule: StressRule, load: Load) -> Values:
         found = _slips(part, lambda share: _stress(part, chosen, low, load.torque(share)), load.kinks)
     else:
         found = _line(part, damaging_stress(part, rule, load))
+    if not all_nonzero(found):
+        raise OverflowError
     if is_array(broken):
         import numpy as np
 
@@ -126,14 +132,15 @@ def is_static(part: Fatigue, load: Load) -> bool | Values:
     """Whether the largest load reaches the ultimate strength."""
     if part.ultimate_strength is None:
         return False
-    reached = law.shear_stress(load.most, part.polar_section_modulus) >= part.ultimate_strength
+    reached = finite(law.shear_stress(load.most, part.polar_section_modulus)) >= part.ultimate_strength
     return reached if is_array(reached) else bool(reached)
 
 
 def _stress(part: Fatigue, rule: Rule, low: Values, high: Values) -> Values:
     """Damaging stress of a swing between two torques."""
     ends = (law.shear_stress(end, part.polar_section_modulus) for end in (smaller(low, high), larger(low, high)))
-    return rule.stress(part, *ends)
+    stress: Values = finite(rule.stress(part, *ends))
+    return stress
 
 
 def _line(part: Fatigue, stress: Values) -> Values:

@@ -126,7 +126,7 @@ def synthesize(
     if common.output:
         assert output.spec is not None
         write_spec(completed(make_spec(output.spec), output.result), common, say("Completed by afmcalc synthesize."))
-        common.note(say("wrote the completed spec to {output}", output=common.output))
+        common.wrote(say("wrote the completed spec to {output}", output=common.output))
 
 
 @with_common
@@ -215,6 +215,6 @@ def _friction(text: str) -> tuple[float, float | None]:
         values = []
     if len(values) not in (1, 2) or not all(0 <= value < float("inf") for value in values):
         raise AfmcalcError(
-            say("--friction {text}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text)
+            say("--friction {text:.80}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text)
         )
     return values[0], values[1] if len(values) == 2 else None

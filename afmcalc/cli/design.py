@@ -7,7 +7,7 @@ import typer
 from ..errors import AfmcalcError
 from ..messages import say
 from .files import SPEC
-from .options import Common, SpecArgument, with_common
+from .options import Common, SpecArgument, with_common, with_long
 from .run import build_from, calculate, emit, write_spec
 
 
@@ -19,7 +19,7 @@ def solve(
     ],
     spec: SpecArgument = None,
     parameter: Annotated[
-        str, typer.Option("--for", metavar="NAME", help="Parameter to solve for: C, F, z, z1, R, c1 or c2.")
+        str, typer.Option("--for", metavar="NAME", help="Parameter to solve for: C, F, z, z1, R, c1, c2, or its key.")
     ] = "C",
     beyond_limit: Annotated[
         bool, typer.Option("--beyond-limit", help="Go past the gain limit of the variant.")
@@ -35,9 +35,10 @@ def solve(
     afmcalc solve --for z torque_max=300 clutch.toml
     """  # noqa: D301
     from ..analysis.solve.solve import solve as analysis
-    from ..analysis.solve.targets import parse_target
+    from ..analysis.solve.targets import in_order, parse_target
     from ..spec import resolved
 
+    target, spec = in_order(target, spec)
     common.keep(spec)
     name, wanted = parse_target(target)
     clutch = build_from(spec, common)
@@ -45,7 +46,7 @@ def solve(
     emit(common, result, findings, resolved(solved.spec))
 
 
-@with_common
+@with_long
 def tolerance(
     spec: SpecArgument = None,
     threads: Annotated[
@@ -63,10 +64,10 @@ def tolerance(
     afmcalc tolerance clutch.toml --set tolerance.samples=10_000_000 --json
     afmcalc tolerance clutch.toml --set tolerance.method=quasi-monte-carlo
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"threads": threads})
+    calculate(common, spec, lambda clutch: {"threads": threads}, watched=True)
 
 
-@with_common
+@with_long
 def design(
     requirements: Annotated[
         str, typer.Argument(metavar="REQUIREMENTS", help="TOML or JSON file of what is wanted, - for standard input.")
@@ -99,13 +100,13 @@ def design(
     from ..analysis.design.design import design as analysis
     from ..spec import resolved
     from ..spec.requirements import read_requirements
-    from .progress import Progress
+    from .progress import Bar
 
     common.keep(requirements, kind=None if pick is None else SPEC)
     check_objective(sort)
     need = read_requirements(requirements, common.set or ())
-    with Progress(quiet=common.quiet) as progress:
-        result, findings = analysis(need, progress.advance)
+    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
+        result, findings = analysis(need, bar.advance)
     printed = common if pick is None else common.to_standard_output()
     spec = None if pick is None or not result.front else resolved(picked(need, result, pick))
     if top is None and printed.chosen_format in ("table", "markdown") and result.on_front > _IN_TABLES:
@@ -116,7 +117,7 @@ def design(
         raise AfmcalcError(findings[0].message)
     if spec and common.output:
         write_spec(spec, common, say("Number {pick} of the front of afmcalc design.", pick=pick))
-        common.note(say("wrote number {pick} to {output}", pick=pick, output=common.output))
+        common.wrote(say("wrote number {pick} to {output}", pick=pick, output=common.output))
 
 
 _IN_TABLES = 30

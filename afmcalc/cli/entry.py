@@ -2,31 +2,28 @@
 
 import os
 import sys
+import warnings
 from typing import NoReturn
 
 from ..messages import say
+from .signals import watch
+from .streams import drop_output, prepare, tell
+
+FAULT = 70
+"""Exit code where afmcalc itself is at fault (EX_SOFTWARE of sysexits.h)."""
 
 
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run the program; errors for people go to standard error, never a traceback."""
     _tune()
-    from ..errors import AfmcalcError
-    from .main import application
-
-    _prepare_streams()
+    prepare()
     given = sys.argv[1:] if arguments is None else arguments
     try:
-        application(given)(given, prog_name="afmcalc")
-    except AfmcalcError as error:
-        for line in str(error).splitlines():
-            _complain(line)
-        sys.exit(error.exit_code)
-    except BrokenPipeError:
-        _drop_output()
-        sys.exit(0)
+        sys.exit(_run(given))
     except OSError as error:
-        _drop_output()
-        _complain(say("standard output: cannot be written: {why}", why=error.strerror or error))
+        drop_output()
+        named = error.filename or say("standard output")
+        _complain(say("{named}: cannot be written: {why}", named=named, why=error.strerror or error))
         sys.exit(3)
     except MemoryError:
         _complain(say("not enough memory for what was asked"))
@@ -34,15 +31,77 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     except KeyboardInterrupt:
         sys.exit(130)
     except Exception as error:
-        if not _is_beyond_numbers(error):
-            raise
-        _complain(say("a result is not finite (beyond the range of numbers): check the magnitudes in the spec"))
-        sys.exit(2)
-    sys.exit(0)
+        sys.exit(_unexpected(error))
+
+
+def _run(given: list[str]) -> int:
+    """Run a command line and return its exit code."""
+    from ..errors import AfmcalcError
+    from .main import application
+
+    # arrays leave the range of numbers with a warning, where floats raise an error
+    warnings.simplefilter("error", RuntimeWarning)
+    try:
+        code = application(given)(given, prog_name="afmcalc", standalone_mode=False)
+    except AfmcalcError as error:
+        for line in str(error).split("\n"):
+            _complain(line)
+        return error.exit_code
+    except Exception as error:
+        return _misused(error, given)
+    return code if isinstance(code, int) else 0
+
+
+def _misused(error: Exception, given: list[str]) -> int:
+    """Say what the parser of the command line found wrong; raise anything else again."""
+    said = getattr(error, "format_message", None)
+    if said is None:
+        raise error
+    if not given:
+        tell(said())  # the help, which is shown where nothing is asked
+    else:
+        context = getattr(error, "ctx", None)
+        if context is not None:
+            tell(context.get_usage())
+            tell(say("Try '{path} --help' for help.", path=context.command_path))
+        _complain(said().rstrip("."))
+    return 2
 
 
 def _complain(text: str) -> None:
-    print(say("error: {text}", text=text), file=sys.stderr)
+    """Say what is wrong; a line of a text that is shown belongs to what was said before."""
+    tell(text if text.startswith(" ") else say("error: {text}", text=text))
+
+
+def _unexpected(error: Exception) -> int:
+    """Say that a calculation left the range of numbers, or that afmcalc is at fault."""
+    if _is_beyond_numbers(error):
+        _complain(say("a result is not finite (beyond the range of numbers): check the magnitudes in the spec"))
+        return 2
+    import traceback
+
+    from .. import __version__
+
+    if os.environ.get("AFMCALC_TRACEBACK"):
+        tell("".join(traceback.format_exception(error)))
+    at = traceback.extract_tb(error.__traceback__)[-1]
+    _complain(
+        say(
+            "this is a fault of afmcalc {version}, not of what it was given: {kind}: {why} ({file}, line {line})",
+            version=__version__,
+            kind=type(error).__name__,
+            why=" ".join(str(error).split())[:200],
+            file=os.path.basename(at.filename),
+            line=at.lineno,
+        )
+    )
+    _complain(
+        say(
+            "please report it: this line, the command line and the spec; AFMCALC_TRACEBACK=1 before the command shows "
+            "where it comes from"
+        )
+    )
+    return FAULT
 
 
 def _is_beyond_numbers(error: Exception) -> bool:
@@ -51,33 +110,19 @@ def _is_beyond_numbers(error: Exception) -> bool:
 
     if isinstance(error, ValidationError):
         return all(detail["type"] == "finite_number" for detail in error.errors())
-    return isinstance(error, OverflowError | ZeroDivisionError)
+    return isinstance(error, ArithmeticError | RuntimeWarning)
 
 
 def _tune() -> None:
-    """Save start-up time: what is imported stays, so the collector need not look at it, now or at the end."""
+    """Make the process ours, and save start-up time.
+
+    What is imported stays, so the collector need not look at it, now or at the end.
+    """
     import atexit
     import gc
 
+    watch()
     gc.set_threshold(100_000, 50, 50)
     atexit.register(gc.freeze)
     # pydantic would look through every installed distribution for plugins
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
-
-
-def _prepare_streams() -> None:
-    """Print what the terminal's encoding lacks as escapes instead of failing on it; closed streams are empty ones."""
-    if sys.stdin is None:
-        sys.stdin = open(os.devnull, encoding="utf-8")  # noqa: SIM115
-    if sys.stdout is None:
-        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
-    if sys.stderr is None:
-        sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
-    for stream in (sys.stdout, sys.stderr):
-        if reconfigure := getattr(stream, "reconfigure", None):
-            reconfigure(errors="backslashreplace")
-
-
-def _drop_output() -> None:
-    """Keep the interpreter from complaining about the closed pipe as it ends."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -6,8 +6,9 @@ from collections.abc import Iterable
 from contextlib import suppress
 from typing import NamedTuple
 
-from ..errors import AfmcalcError, FileError
+from ..errors import AfmcalcError, FileError, reason
 from ..messages import say
+from .signals import put_off, unreported
 
 
 class Kind(NamedTuple):
@@ -137,7 +138,7 @@ def write(text: str, path: str | None, kind: Kind, *, force: bool = False) -> No
         sys.stdout.write(text)
         sys.stdout.flush()
         return
-    write_file(path, text.encode("utf-8"), kind, force=force)
+    write_file(path, text.encode("utf-8", "backslashreplace"), kind, force=force)
 
 
 def write_file(path: str, content: bytes, kind: Kind, *, force: bool = False) -> None:
@@ -147,39 +148,36 @@ def write_file(path: str, content: bytes, kind: Kind, *, force: bool = False) ->
         AfmcalcError: a file is there that was not written as the same kind.
         FileError: it cannot be written.
     """
+    refuse(path, kind, force=force)
+    try:
+        target = os.path.realpath(path)
+        if os.path.exists(target) and not os.path.isfile(target):
+            with open(path, "wb") as file:
+                file.write(content)
+            return
+        with put_off():
+            _replace(target, content)
+            unreported.append(path)
+    except OSError as error:
+        raise FileError(say("{path}: cannot be written: {why}", path=path, why=reason(error))) from None
+
+
+def _replace(target: str, content: bytes) -> None:
     import tempfile
 
-    refuse(path, kind, force=force)
-    target = os.path.realpath(path)
-    if os.path.exists(target) and not os.path.isfile(target):
-        _write_through(path, content)
-        return
-    temporary = None
+    if os.path.islink(target):
+        # links that lead to each other: replacing one would hide the fault
+        os.stat(target)
+    handle, temporary = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".afmcalc-")
     try:
-        if os.path.islink(target):
-            # links that lead to each other: replacing one would hide the fault
-            os.stat(target)
-        handle, temporary = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".afmcalc-")
         with os.fdopen(handle, "wb") as file:
             file.write(content)
         os.chmod(temporary, _mode(target))
         os.replace(temporary, target)
-        temporary = None
-    except OSError as error:
-        raise FileError(say("{path}: cannot be written: {why}", path=path, why=error.strerror or error)) from None
-    finally:
-        if temporary:
-            with suppress(OSError):
-                os.unlink(temporary)
-
-
-def _write_through(path: str, content: bytes) -> None:
-    """Write to what is no regular file (a device, a pipe)."""
-    try:
-        with open(path, "wb") as file:
-            file.write(content)
-    except OSError as error:
-        raise FileError(say("{path}: cannot be written: {why}", path=path, why=error.strerror or error)) from None
+    except BaseException:
+        with suppress(OSError):
+            os.unlink(temporary)
+        raise
 
 
 def _mode(target: str) -> int:

@@ -1,12 +1,15 @@
 """The afmcalc program: its commands and its help."""
 
+import re
 from importlib import import_module
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
+from ..messages import say
 
 COMMANDS = {
     **{name: analysis.group for name, analysis in ANALYSES.items()},
@@ -18,6 +21,29 @@ COMMANDS = {
 """Command → module of this package that holds the function of that name, in the order of the help."""
 
 
+class _Program(TyperGroup):
+    """The commands; what the parser of the command line finds wrong is said as everything else is."""
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command that is called."""
+        try:
+            return super().invoke(ctx)
+        except Exception as raised:
+            error: Any = raised
+            if hasattr(error, "format_message") and isinstance(error.message, str):
+                error.message = _plainly(error.message)
+            raise
+
+
+def _plainly(message: str) -> str:
+    """Put a message of the checks behind the parser in our words."""
+    if found := re.match(r"Input should be greater than or equal to (\S+)", message):
+        return say("must be at least {least}", least=found[1])
+    if message.startswith("Input should be a valid integer"):
+        return say("must be a whole number")
+    return message.removeprefix("Value error, ")
+
+
 def application(arguments: list[str]) -> typer.Typer:
     """Build the program for a command line.
 
@@ -25,6 +51,7 @@ def application(arguments: list[str]) -> typer.Typer:
     """
     app = typer.Typer(
         name="afmcalc",
+        cls=_Program,
         no_args_is_help=True,
         add_completion=False,
         rich_markup_mode=None,

@@ -1,7 +1,6 @@
 """The options every command shares."""
 
 import inspect
-import sys
 from collections.abc import Callable
 from copy import copy
 from dataclasses import dataclass, fields, replace
@@ -13,6 +12,8 @@ import typer
 from ..errors import AfmcalcError
 from ..messages import say
 from .files import SPEC, Kind, format_of, format_of_spec, refuse, result_kind, write
+from .signals import unreported
+from .streams import tell
 
 SpecArgument = Annotated[
     str | None,
@@ -38,6 +39,7 @@ class Common:
         str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
     ] = None
     force: Annotated[bool, typer.Option("--force", help="Replace FILE, whatever it is.")] = False
+    yes: Annotated[bool, typer.Option("--yes", help="Go on with what takes longer than a minute.")] = False
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False
 
     @property
@@ -70,17 +72,26 @@ class Common:
     def note(self, text: str) -> None:
         """Say something beside the result."""
         if not self.quiet:
-            print(say("note: {text}", text=text), file=sys.stderr)
+            tell(say("note: {text}", text=text))
+
+    def wrote(self, text: str) -> None:
+        """Report what was written."""
+        self.note(text)
+        unreported.clear()
+
+
+_EVERYWHERE = tuple(option.name for option in fields(Common)[1:] if option.name != "yes")
 
 
 def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command the common options; it receives them as ``common``.
 
     Args:
-        names: which of them; all where none is named.
+        names: which of them; all that every command has where none is named.
         helps: name → help, where that of a command is another.
     """
-    options = [option for option in fields(Common)[1:] if option.name in names or not names]
+    chosen = names or _EVERYWHERE
+    options = [option for option in fields(Common)[1:] if option.name in chosen]
 
     def decorate(function: Callable[..., None]) -> Callable[..., None]:
         own = inspect.signature(function, eval_str=True)
@@ -109,6 +120,8 @@ def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]],
 
 
 with_common = common_options()
+with_long = common_options(*_EVERYWHERE, "yes")
+"""For what may take long."""
 
 
 def _with_help(annotation: Any, text: str | None) -> Any:

@@ -8,6 +8,7 @@ from ..analysis.registry import EXPLAINED, StressRule
 from ..errors import AfmcalcError
 from ..messages import say
 from .options import Common, SpecArgument, with_common
+from .progress import Bar
 from .run import emit, read
 
 PaperOption = Annotated[
@@ -64,7 +65,8 @@ def equations(
     from ..papers.register import equations as analysis
 
     common.takes_no_clutch()
-    result, findings = analysis(paper or [], id_ or [], show_misprints=misprints, prove=prove)
+    with Bar(quiet=common.quiet, agreed=True) as bar:
+        result, findings = analysis(paper or [], id_ or [], show_misprints=misprints, prove=prove, progress=bar.advance)
     emit(common, result, findings)
 
 

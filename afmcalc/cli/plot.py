@@ -6,11 +6,11 @@ import typer
 
 from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError
-from ..extras import need
 from ..messages import say
 from .files import PLOT, write, write_file
 from .options import Common, common_options
-from .run import build_from
+from .progress import Bar
+from .run import build_from, need_drawing
 
 if TYPE_CHECKING:
     from ..analysis.figures import Request
@@ -22,7 +22,7 @@ _ENDINGS = ("png", "svg", "pdf")
 _KINDS = [name for name in PLOTS if name != "paper"]
 
 
-@common_options("set", "output", "force", "quiet", output="File, .png, .svg or .pdf; without it drawn as text.")
+@common_options("set", "output", "force", "yes", "quiet", output="File, .png, .svg or .pdf; without it drawn as text.")
 def plot(
     what: Annotated[str, typer.Argument(metavar="WHAT", help=f"{', '.join(_KINDS)}, or paper with a figure.")],
     subjects: Annotated[
@@ -55,7 +55,7 @@ def plot(
     takes = plot_of(what).takes
     ending = _ending(common.output)
     if ending:
-        need("plot")
+        need_drawing("plot")
     request = Request(subjects or (), sweep, model)
     if takes == "names":
         found = gathered(what, request)
@@ -74,22 +74,22 @@ def _of_clutches(what: str, request: "Request", common: Common) -> Any:
     common.keep(*request.subjects, kind=PLOT)
     sources = list(request.subjects) or [None]
     clutches = [build_from(source, common) for source in sources]
-    answers = [Answers(clutch, model=request.model or "mean-stress") for clutch in clutches]
-    return gathered(what, request._replace(subjects=answers))
+    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
+        answers = [Answers(each, model=request.model or "mean-stress", progress=bar.advance) for each in clutches]
+        return gathered(what, request._replace(subjects=answers))
 
 
 def _of_requirements(what: str, request: "Request", common: Common) -> Any:
     """Read the requirements and search, with a progress bar."""
     from ..analysis.figures import check_request, gathered
     from ..spec.requirements import read_requirements
-    from .progress import Progress
 
     check_request(what, request)
     (source,) = request.subjects
     common.keep(source, kind=PLOT)
     need = read_requirements(source, common.set or ())
-    with Progress(quiet=common.quiet) as progress:
-        return gathered(what, request._replace(subjects=[need], progress=progress.advance))
+    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
+        return gathered(what, request._replace(subjects=[need], progress=bar.advance))
 
 
 def _ending(output: str | None) -> str | None:
@@ -117,4 +117,4 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
 
     assert common.output is not None
     write_file(common.output, save(sheet, ending), PLOT, force=common.force)  # type: ignore[arg-type]
-    common.note(say("wrote {output}", output=common.output))
+    common.wrote(say("wrote {output}", output=common.output))

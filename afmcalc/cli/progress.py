@@ -1,39 +1,78 @@
-"""A progress bar on standard error, for what takes longer than a second in front of a person."""
+"""A progress bar on standard error for what takes longer than a second; what takes longer than a minute is refused."""
 
+import atexit
 import sys
 import time
 from types import TracebackType
 from typing import Any
 
+from ..errors import AfmcalcError
+from ..messages import say
+
 PATIENCE = 1.0
-"""Seconds before the bar appears."""
+"""Seconds before the bar appears, and before it is known how long the whole takes."""
+LONG = 60.0
+"""Seconds beyond which somebody has to agree."""
+_DECIDED = 10.0
+"""Seconds after which it is too late to refuse."""
+_EACH = 0.1
+"""Seconds between two looks of the bar."""
 
 
-class Progress:
+class Bar:
     """Shows nothing in a pipe, when quiet, or within the first second; leaves the line clean when it ends."""
 
-    def __init__(self, *, quiet: bool = False) -> None:
-        """Begin to wait."""
-        self.started = time.monotonic()
-        self.wanted = not quiet and sys.stderr.isatty()
+    def __init__(self, *, quiet: bool = False, agreed: bool = False) -> None:
+        """Begin to wait; ``agreed`` to whatever time it takes."""
+        self.started = self._shown = time.monotonic()
+        self._agreed = agreed
+        self._wanted = not quiet and sys.stderr.isatty()
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
+        self._work, self._begun, self._before = "", 0.0, 0
 
     def advance(self, work: str, done: int, total: int) -> None:
-        """Note how much of a piece of work is behind."""
-        if not self.wanted or (self._bar is None and time.monotonic() - self.started < PATIENCE):
+        """Note how much of a piece of work is behind.
+
+        Raises:
+            AfmcalcError: the whole takes longer than somebody agreed to.
+        """
+        now = time.monotonic()
+        if work != self._work:
+            # the pace is taken from here on: what came first also had to be imported and laid out
+            self._work, self._begun, self._before = work, now, done
+        if now - self.started < PATIENCE:
             return
+        self._refuse(now, done, total)
+        if self._wanted and (now - self._shown > _EACH or done >= total):
+            self._shown = now
+            self._show(work, done, total)
+
+    def _refuse(self, now: float, done: int, total: int) -> None:
+        spent, behind = now - self._begun, done - self._before
+        if self._agreed or now - self.started > _DECIDED or not behind or spent < PATIENCE / 2:
+            return
+        left = spent * (total - done) / behind
+        if now - self.started + left > LONG:
+            raise AfmcalcError(
+                say("this takes about {time}: --yes goes on with it, or ask for less", time=_in_words(left))
+            )
+
+    def _show(self, work: str, done: int, total: int) -> None:
         if self._bar is None:
             from rich.console import Console
-            from rich.progress import Progress as Bar
+            from rich.progress import Progress
 
-            self._bar = Bar(console=Console(stderr=True), transient=True)
+            # no thread of its own: Ctrl-C ends the process in whatever it is at
+            self._bar = Progress(console=Console(stderr=True), transient=True, auto_refresh=False)
             self._bar.start()
+            atexit.register(self._bar.stop)
         if work not in self._tasks:
             self._tasks[work] = self._bar.add_task(work)
         self._bar.update(self._tasks[work], completed=done, total=total)
+        self._bar.refresh()
 
-    def __enter__(self) -> "Progress":
+    def __enter__(self) -> "Bar":
         """Start."""
         return self
 
@@ -41,3 +80,19 @@ class Progress:
         """Take the bar away, whatever ended the work."""
         if self._bar is not None:
             self._bar.stop()
+            atexit.unregister(self._bar.stop)
+
+
+def _in_words(seconds: float) -> str:
+    """A time as people say it.
+
+    >>> _in_words(90), _in_words(10_000), _in_words(1e6)
+    ('2 min', '3 h', '12 days')
+    """
+    if seconds < 5400:
+        return say("{count:.0f} min", count=seconds / 60)
+    return (
+        say("{count:.0f} h", count=seconds / 3600)
+        if seconds < 172800
+        else say("{count:.0f} days", count=seconds / 86400)
+    )

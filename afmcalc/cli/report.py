@@ -8,16 +8,17 @@ import typer
 from .. import __version__
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
-from ..extras import need
 from ..messages import say
 from .files import REPORT, REPORT_PDF, html_only, refuse, write_file
 from .options import Common, SpecArgument, common_options
+from .progress import Bar
+from .run import need_drawing
 
 if TYPE_CHECKING:
     from ..spec import Spec
 
 
-@common_options("set", "output", "force", "quiet", output="HTML file; without it standard output.")
+@common_options("set", "output", "force", "yes", "quiet", output="HTML file; without it standard output.")
 def report(
     spec: SpecArgument = None,
     pdf: Annotated[
@@ -35,7 +36,7 @@ def report(
     afmcalc report clutch.toml -o report.html
     afmcalc report clutch.toml -o report.html --pdf
     """  # noqa: D301
-    need("report")
+    need_drawing("report")
     from ..analysis.dossier import dossier
     from ..render.report import Subject, render
     from ..render.report.browser import find_browser, print_pdf
@@ -47,14 +48,20 @@ def report(
     common.keep(spec, kind=REPORT)
     refuse(target, REPORT_PDF, force=common.force, inputs=[spec])
     given, read = _read(spec, common)
-    found = dossier(read, model)
-    page = render(Subject(found, given, common.set or (), __version__, _date()))
+    steps = 3 if browser else 2
+    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
+        found = dossier(read, model, progress=bar.advance)
+        bar.advance("report", 1, steps)
+        page = render(Subject(found, given, common.set or (), __version__, _date()))
+        bar.advance("report", 2, steps)
+        # both, or neither where the browser fails
+        printed = print_pdf(browser, page) + REPORT_PDF.holds if browser else b""
     common.write(page, REPORT)
     if output not in (None, "-"):
-        common.note(say("wrote {output}", output=output))
-    if target and browser:
-        write_file(target, print_pdf(browser, page) + REPORT_PDF.holds, REPORT_PDF, force=common.force)
-        common.note(say("wrote {target}", target=target))
+        common.wrote(say("wrote {output}", output=output))
+    if target:
+        write_file(target, printed, REPORT_PDF, force=common.force)
+        common.wrote(say("wrote {target}", target=target))
 
 
 def _pdf_beside(output: str | None) -> str:
@@ -66,18 +73,22 @@ def _pdf_beside(output: str | None) -> str:
 
 def _read(source: str | None, common: Common) -> "tuple[str, Spec]":
     """Read a spec once, and return its text with it; of a command's JSON the spec block."""
-    from ..spec import make_spec
-    from ..spec.reading import apply_overrides, parse, text_of
+    from ..spec.parsing import parse, text_of
+    from ..spec.reading import spec_of
 
     if source is None:
         common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
     text, label = text_of(source)
-    data = parse(text, label)
+    spec = spec_of(text, label, common.set or ())
     if text.lstrip().startswith("{"):
         import json
 
-        text = json.dumps(data, indent=2, ensure_ascii=False)
-    return text.strip("\n"), make_spec(apply_overrides(data, common.set or ()), label)
+        text = json.dumps(parse(text, label), indent=2, ensure_ascii=False)
+    return text.strip("\n"), spec
+
+
+_DIGITS = 11
+"""Of seconds since 1970: those of the year 5000."""
 
 
 def _date() -> str:
@@ -87,6 +98,6 @@ def _date() -> str:
     epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
     if not epoch:
         return datetime.now().date().isoformat()
-    if not epoch.isdecimal():
-        raise AfmcalcError(say("SOURCE_DATE_EPOCH = {epoch!r}: seconds since 1970 are wanted", epoch=epoch))
+    if not epoch.isdecimal() or len(epoch) > _DIGITS:
+        raise AfmcalcError(say("SOURCE_DATE_EPOCH = {epoch!r:.40}: seconds since 1970 are wanted", epoch=epoch))
     return datetime.fromtimestamp(int(epoch), UTC).date().isoformat()

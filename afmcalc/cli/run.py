@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
+from ..extras import need
 from ..messages import say
 from .files import SPEC, format_of_spec, result_kind
 from .options import Common
@@ -35,6 +36,8 @@ def calculate(
     source: str | None,
     options: "Callable[[Clutch], Mapping[str, object]]" = lambda clutch: {},
     curve: "SweepDrawing | None" = None,
+    *,
+    watched: bool = False,
 ) -> "Output":
     """Read the spec, build the clutch, run the analysis of the command on it and print what it returns.
 
@@ -43,14 +46,26 @@ def calculate(
         source: where the spec is.
         options: arguments of the analysis beside the clutch.
         curve: what draws under a table's sweep.
+        watched: whether the analysis may take long, and tells how far it is.
     """
     from ..spec import resolved
+    from .progress import Bar
 
     common.keep(source)
     clutch = build_from(source, common)
     analysis = ANALYSES[common.command].function
-    result, findings = analysis(clutch, **options(clutch))
+    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
+        told = {"progress": bar.advance} if watched else {}
+        result, findings = analysis(clutch, **options(clutch), **told)
     return emit(common, result, findings, resolved(clutch.spec), curve)
+
+
+def need_drawing(extra: str) -> None:
+    """Make sure that the modules of an extra that draws are installed; what they log is not for our readers."""
+    import logging
+
+    need(extra)
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
 
 
 def build_from(source: str | None, common: Common) -> "Clutch":

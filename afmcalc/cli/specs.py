@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
 import typer
 
-from ..errors import AfmcalcError
+from ..errors import AfmcalcError, SpecError
 from ..messages import say
 from ..variants import VARIANTS
 from .files import SCHEMA, SPEC, refuse, write
-from .options import Common, SpecArgument, with_common
+from .options import Common, SpecArgument, with_common, with_long
 from .run import calculate, emit
 
 _EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.example} | dict.fromkeys(
@@ -66,12 +66,12 @@ def init(
     if schema:
         beside, described = _schema_beside(target, kind)
         written = {target: (f"#:schema ./{os.path.basename(beside)}\n{text}", SPEC), beside: (described, SCHEMA)}
-    for path, (_, what) in written.items():
-        refuse(path, what, force=force)
-    for path, (text, what) in written.items():
-        write(text, path, what, force=force)
+    for path, (_, own) in written.items():
+        refuse(path, own, force=force)
+    for path, (text, own) in written.items():
+        write(text, path, own, force=force)
     if target != "-":
-        Common("init", quiet=quiet).note(
+        Common("init", quiet=quiet).wrote(
             say("wrote {written}; calculate it with: afmcalc {command} {target}",
                 written=", ".join(written), command=_KINDS[kind], target=target)
         )  # fmt: skip
@@ -102,7 +102,7 @@ def examples(*, common: Common) -> None:
     emit(common, result, findings)
 
 
-@with_common
+@with_long
 def check(
     spec: SpecArgument = None,
     strict: Annotated[bool, typer.Option("--strict", help="Warnings fail the check too.")] = False,
@@ -115,7 +115,14 @@ def check(
     afmcalc check clutch.toml && echo fine
     afmcalc check clutch.toml --strict --json
     """  # noqa: D301
-    output = calculate(common, spec, lambda clutch: {"strict": strict})
+    try:
+        output = calculate(common, spec, lambda clutch: {"strict": strict}, watched=True)
+    except SpecError as error:
+        if common.chosen_format == "json":
+            from ..analysis.checks.check import refused
+
+            emit(common, *refused(error))
+        raise
     if not output.result.passed:
         raise typer.Exit(1)
 

@@ -6,6 +6,7 @@ from itertools import compress
 from typing import Any, NamedTuple
 
 from ..findings import Finding
+from ..messages import printable
 from ..result import Output
 from .document import Column, Document, Entry, Table
 from .units import display, display_unit, estimate
@@ -31,7 +32,7 @@ SweepDrawing = Callable[[TextTable, bool], list[str]]
 def title(output: Output) -> str:
     """Heading of an output: what was calculated, for which clutch."""
     spec = {} if output.result.of_several else output.spec or {}
-    about = " – ".join(str(part) for part in (spec.get("name"), spec.get("variant")) if part)
+    about = " – ".join(printable(str(part)) for part in (spec.get("name"), spec.get("variant")) if part)
     return f"{output.command}: {about}" if about else output.command
 
 
@@ -248,4 +249,4 @@ def findings_lines(findings: list[Finding]) -> list[str]:
     """One line per finding, gravest first."""
     order = {"error": 0, "warning": 1, "info": 2}
     ranked = sorted(findings, key=lambda finding: order[finding.level])
-    return [f"{f.level}: {f.message} [{f.code}{', ' + f.path if f.path else ''}]" for f in ranked]
+    return [printable(f"{f.level}: {f.message} [{f.code}{', ' + f.path if f.path else ''}]") for f in ranked]

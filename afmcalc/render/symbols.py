@@ -2,6 +2,8 @@
 
 import re
 
+from ..messages import printable
+
 _SUBSCRIPT = re.compile(r"(?<![^\W_]{3})_([^\W_]+(?:[.,][^\W_]+)*)")
 """A symbol has a letter or two before its subscript: ``control_unit.gain`` is a key."""
 
@@ -30,8 +32,9 @@ def mathtext(text: str) -> str:
 
 
 def literal(text: str) -> str:
-    """Keep matplotlib from reading anything into a text of the user's (the name of a spec)."""
-    return text.replace("$", r"\$")
+    """Keep matplotlib from reading anything into a text of the user's (the name of a spec), or hiding it (``_x``)."""
+    shown = printable(text)
+    return (f" {shown}" if shown.startswith("_") else shown).replace("$", r"\$")
 
 
 def value_latex(text: str) -> str:

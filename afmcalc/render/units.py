@@ -2,6 +2,8 @@
 
 import math
 
+from ..messages import printable
+
 _DISPLAY = {
     "N": ("kN", 1e-3),
     "m": ("mm", 1e3),
@@ -42,11 +44,15 @@ def display(value: object, unit: str) -> str:
     if value is None:
         return "–"
     if isinstance(value, list):
-        return " … ".join(display(item, unit) for item in value) if unit else "; ".join(map(str, value))
+        return (
+            " … ".join(display(item, unit) for item in value)
+            if unit
+            else "; ".join(printable(str(item)) for item in value)
+        )
     if isinstance(value, bool):
         return "yes" if value else "no"
     if not isinstance(value, int | float):
-        return str(value)
+        return printable(str(value))
     return significant(value * _DISPLAY.get(unit, (unit, 1.0))[1])
 
 

@@ -3,13 +3,15 @@
 import math
 import re
 import sys
-import tomllib
 from collections.abc import Sequence
 from importlib.resources import files
 from os import PathLike
 
-from ..errors import AfmcalcError, FileError
+from ..errors import AfmcalcError
 from ..messages import say
+from ..source import Source
+from .limits import check_size
+from .parsing import text_of, toml_of
 
 HEADING = "diameter_mm"
 """First line of a list in CSV."""
@@ -29,28 +31,18 @@ def diameters(source: str | PathLike[str] | None = None) -> list[float]:
         AfmcalcError: the file is no such list.
     """
     if source is None:
-        label, text = "balls.csv", files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8")
+        text = files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8")
+        label = Source("balls.csv", text)
     else:
-        label, text = str(source), _text(source)
+        text, label = text_of(source)
     listed = (_of_csv if label.lower().endswith(".csv") else _of_toml)(text, label)
     return sorted(_diameter(item, label) for item in listed)
 
 
-def _text(source: str | PathLike[str]) -> str:
-    try:
-        with open(source, encoding="utf-8-sig") as file:
-            return file.read()
-    except OSError as error:
-        raise FileError(say("{label}: cannot be read: {why}", label=source, why=error.strerror or error)) from None
-    except UnicodeDecodeError:
-        raise AfmcalcError(say("{label}: is not UTF-8 text", label=source)) from None
-
-
 def _of_toml(text: str, label: str) -> Sequence[object]:
-    try:
-        listed = tomllib.loads(text).get("diameters")
-    except (ValueError, RecursionError) as error:
-        raise AfmcalcError(say("{label}: is not valid TOML: {why}", label=label, why=error)) from None
+    data = toml_of(text, label)
+    check_size(data, label)
+    listed = data.get("diameters")
     if not isinstance(listed, list) or not listed:
         raise AfmcalcError(
             say("{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]", label=label)

@@ -64,6 +64,8 @@ class Searched:
         """Read one value, SI."""
         try:
             return float(self._field.validate_python(value))
+        except OverflowError:
+            raise ValueError(say("must be finite")) from None
         except ValidationError as error:
             detail: Any = error.errors(include_url=False)[0]
             if detail["type"] == "value_error":

@@ -81,7 +81,7 @@ def respecified(spec: Spec, values: dict[str, float]) -> Spec:
     data = _without_replaced(spec, values).model_dump(exclude_none=True)
     for path, value in values.items():
         put(data, path, int(value) if is_whole(path) else value)
-    return make_spec(data, spec.label)
+    return make_spec(data, spec.label.but(values))
 
 
 def _without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:

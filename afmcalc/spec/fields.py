@@ -52,6 +52,8 @@ class Quantity:
         """Read a number in SI, or a string with a unit."""
         if not self.whole:
             return parse_quantity(value, self.unit)
+        if isinstance(value, str) and value.strip().isdecimal():
+            raise ValueError(say("must be a whole number, without quotes: {number}", number=value.strip()))
         if isinstance(value, bool) or not isinstance(value, int | float) or value != value // 1:
             raise ValueError(say("must be a whole number"))
         return int(value)

@@ -9,7 +9,7 @@ import pint
 
 from ..messages import say, translate
 from .suggest import did_you_mean
-from .units import EXAMPLES, SCALES, allowed
+from .units import EXAMPLES, KNOWN, SCALES, SIGNS, allowed
 
 if TYPE_CHECKING:
     Registry = pint.UnitRegistry[Decimal]
@@ -39,6 +39,8 @@ def looked_up(unit_text: str, unit: str) -> Decimal:
     Raises:
         ValueError: no unit, or one of another dimension than the field's ``unit``.
     """
+    if hint := _mixed(unit_text, unit):
+        raise ValueError(say("unknown unit {text!r}{hint}", text=unit_text, hint=hint))
     registry = _registry()
     no_unit = say("{text!r} is not a unit; {allowed}", text=unit_text, allowed=allowed(unit))
     if _UNIT_TEXT.fullmatch(unit_text) is None:
@@ -83,6 +85,20 @@ def _dimension_name(unit: pint.Unit) -> str:
     if name := names.get(unit.dimensionality):
         return translate(name)
     return say("of dimension {dimension}", dimension=unit.dimensionality)
+
+
+_CYRILLIC = str.maketrans("ABEKMHOPCTXacekmop", "АВЕКМНОРСТХасекмор")
+
+
+def _mixed(unit_text: str, unit: str) -> str:
+    """Hint for a unit of the field that is typed with letters of two alphabets, or of the wrong one; else nothing."""
+    written = unit_text.translate(SIGNS)
+    meant = written.translate(_CYRILLIC)
+    factor = KNOWN[unit].get(meant)
+    if factor is None or written in KNOWN[unit]:
+        return ""
+    latin = next(text for text, each in KNOWN[unit].items() if each == factor and text.isascii())
+    return say("; write {latin!r}, or {meant!r} in Cyrillic letters alone", latin=latin, meant=meant)
 
 
 def _did_you_mean(unit_text: str, unit: str) -> str:

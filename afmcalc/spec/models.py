@@ -18,6 +18,7 @@ from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
 from ..errors import Problem
 from ..messages import say
+from ..source import Source
 from ..variants import VARIANTS, Variant
 from . import drive, rules
 from .contact import Contact
@@ -209,7 +210,7 @@ class Adjustment(Block):
 class Origin:
     """Where a spec was read from; specs that say the same are equal wherever that was."""
 
-    label: str = field(compare=False)
+    label: Source = field(compare=False)
 
 
 class Spec(Block):
@@ -230,7 +231,7 @@ class Spec(Block):
     requirements: Required | None = None
     report: TitleBlock | None = None
 
-    _origin: Origin = PrivateAttr(Origin("spec"))
+    _origin: Origin = PrivateAttr(Origin(Source("spec")))
 
     @field_validator("tolerance")
     @classmethod
@@ -253,10 +254,10 @@ class Spec(Block):
     def model_post_init(self, context: object) -> None:
         """Keep where the spec was read from, if that is known."""
         if isinstance(context, str):
-            self._origin = Origin(context)
+            self._origin = Origin(context if isinstance(context, Source) else Source(context))
 
     @property
-    def label(self) -> str:
+    def label(self) -> Source:
         """What errors call the spec: the file it was read from, and the like."""
         return self._origin.label
 

@@ -7,6 +7,8 @@ from decimal import Decimal
 from ..messages import say, translate
 from .units import EXAMPLES, KNOWN, SCALES, SIGNS, allowed
 
+_LONGEST = 100
+"""Characters of a quantity that is worth reading."""
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)
 
 
@@ -51,19 +53,50 @@ def _as_float(value: int | float) -> float:
 
 
 def _parse_text(text: str, unit: str) -> float:
-    match = _QUANTITY.fullmatch(text)
+    match = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
     if match is None:
         raise ValueError(say("cannot be read as a number with a unit; {allowed}", allowed=allowed(unit)))
     number, unit_text = match[1], match[2].strip()
-    if re.match(r",\d", unit_text):
-        raise ValueError(say("a decimal comma is not read; write a decimal point"))
+    if unread := unread_number(text):
+        raise ValueError(unread)
     if not unit_text:
         raise ValueError(say("has no unit; {allowed}", allowed=allowed(unit)))
     if unit == "1":
         raise ValueError(say("is dimensionless and takes no unit; {allowed}", allowed=allowed(unit)))
-    if unit in SCALES:
-        return float(Decimal(number) + _zero(unit_text, unit))
-    return float(Decimal(number) * _factor(unit_text, unit))
+    zero = _zero(unit_text, unit) if unit in SCALES else Decimal(0)
+    factor = Decimal(1) if unit in SCALES else _factor(unit_text, unit)
+    try:
+        return float(Decimal(number) * factor + zero)
+    except ArithmeticError:  # an exponent beyond those of Decimal; that of 0 counts too
+        return float(number)
+
+
+def unread_number(text: str, *, quoted: bool = False) -> str | None:
+    """Say how a number with a decimal comma or with its digits in groups is to be written; None when it has neither.
+
+    >>> unread_number("0,5 mm"), unread_number("2 000")
+    ('a decimal comma is not read: write 0.5 mm', 'spaces in a number are not read: write 2000')
+    """
+    match = re.fullmatch(r"\s*([+-]?\d(?:[\d ,.]*\d)?)\s*(.*)", text, re.DOTALL)
+    if match is None or not set(match[1]) & set(", "):
+        return None
+
+    def written(number: str) -> str:
+        whole = f"{number} {match[2].strip()}".strip()
+        return f'"{whole}"' if quoted and match[2].strip() else whole
+
+    number = match[1].replace(" ", "")
+    if "," not in number:
+        return say("spaces in a number are not read: write {number}", number=written(number))
+    if "." in number or number.count(",") > 1:
+        decimal = "," if number.rfind(",") > number.rfind(".") and number.count(",") == 1 else "."
+        whole = "".join(sign for sign in number if sign == decimal or sign not in ",.").replace(",", ".")
+        return say("a number has no commas: write {number}", number=written(whole))
+    point = written(number.replace(",", "."))
+    if re.fullmatch(r"[+-]?[1-9]\d{0,2},\d{3}", number):
+        grouped = written(number.replace(",", ""))
+        return say("a comma is not read: write {grouped} or {point}, whichever is meant", grouped=grouped, point=point)
+    return say("a decimal comma is not read: write {point}", point=point)
 
 
 def _zero(unit_text: str, unit: str) -> Decimal:

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from os import PathLike
 from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, StrictBool, model_validator
 
 from ..errors import Problem
 from ..messages import say
@@ -13,7 +13,9 @@ from . import rules
 from .choices import Angles, Choice, Diameters, Forces, Lengths, Pairs, Ratios, Stiffnesses, StiffnessesOrNone
 from .fields import AtLeastOne, Block, Count, Force, Gap, Length, Name, Ratio, Stress, Torque, key_field
 from .models import Friction, Method, VariantName
-from .reading import apply_overrides, parse, text_of, validated
+from .overrides import apply_overrides, overridden
+from .parsing import parse, text_of
+from .reading import validated
 
 Objective = Literal[
     "closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel",
@@ -104,6 +106,13 @@ class Search(Block):
         assert found is not None
         return found
 
+    @property
+    def least_mean_radius(self) -> float:
+        """No mean radius is smaller, m."""
+        outer = float(self.radii.array()[0])
+        inner = outer if self.inner_radius is None else float(self.inner_radius.array()[0])
+        return (max(inner, outer) + inner) / 2
+
 
 class Fixed(Block):
     """What is the same for every candidate."""
@@ -124,7 +133,7 @@ class Limits(Block):
     contact_force: Force | None = key_field("normal force on one ball")
     travel: Length | None = key_field("travel of the sleeve (indirect)")
     reduced_gain: Ratio | None = key_field("reduced gain")
-    gain_limit: bool = key_field(f"hold the gain limit of the variant ({_GAIN_LIMITS})", default=True)
+    gain_limit: StrictBool = key_field(f"hold the gain limit of the variant ({_GAIN_LIMITS})", default=True)
 
 
 class Requirements(Block):
@@ -205,7 +214,9 @@ def read_requirements(source: str | PathLike[str], overrides: Iterable[str] = ()
         FileError: the file cannot be read.
     """
     text, label = text_of(source)
-    return make_requirements(apply_overrides(parse(text, label), overrides, Requirements), label)
+    overrides = list(overrides)
+    data = apply_overrides(parse(text, label), overrides, Requirements)
+    return make_requirements(data, label.but(overridden(overrides, Requirements)))
 
 
 def make_requirements(data: rules.Table, label: str = "requirements") -> Requirements:

@@ -1,7 +1,7 @@
 """Rules between the keys of a spec: what excludes what, what needs what, what a variant does not have."""
 
 from collections.abc import Iterable, Mapping
-from typing import TypeAlias
+from typing import TypeAlias, TypeGuard
 
 from pydantic import ValidationError
 
@@ -184,11 +184,15 @@ def _variant(data: Table) -> Iterable[Problem]:
             yield wrong(".".join(path), say("required for variant {variant!r}", variant=name))
 
 
+def _is_number(value: object) -> TypeGuard[float]:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
 def _pairs(data: Table) -> Iterable[Problem]:
     pairs, driving = get(data, "friction_group", "pairs"), get(data, "friction_group", "driving_pairs")
-    if not isinstance(pairs, int | float):
+    if not _is_number(pairs):
         return
-    if isinstance(driving, int | float):
+    if _is_number(driving):
         if not driving < pairs:
             yield wrong(
                 "friction_group.driving_pairs", say("must be less than friction_group.pairs ({pairs})", pairs=pairs)

@@ -1,9 +1,10 @@
 """The [tolerance] block: which numbers of a clutch scatter in making and service, and how."""
 
 import re
+import sys
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, Field, field_validator
+from pydantic import BaseModel, BeforeValidator, FailFast, Field, field_validator
 
 from ..errors import Problem
 from ..messages import say
@@ -24,15 +25,19 @@ _NOT_OF_THE_CLUTCH = ("tolerance.", "requirements.")
 _PERCENT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*%\s*")
 
 
-def _no_truth(value: object) -> object:
+def _number_or_text(value: object) -> object:
     if isinstance(value, bool):
         raise ValueError(say("a boolean is not a number"))
+    if not isinstance(value, int | float | str):
+        raise ValueError(say("must be a number, or a text with a unit"))
+    if not isinstance(value, str) and not abs(value) <= sys.float_info.max:
+        raise ValueError(say("must be finite"))
     return value
 
 
 Number = Annotated[float, BeforeValidator(Quantity("1").read)]
 Whole = Annotated[int, BeforeValidator(Quantity("1", whole=True).read)]
-Given = Annotated[float | str, BeforeValidator(_no_truth)]
+Given = Annotated[float | str, BeforeValidator(_number_or_text)]
 """A number in SI or a text with a unit; which unit depends on what scatters."""
 
 
@@ -62,7 +67,9 @@ class Tolerance(Block):
     )
     samples: Whole = Field(default=1_000_000, ge=1000, le=10**10, description="size of the sample")
     seed: Whole = Field(default=1, ge=0, le=2**63, description="seed: the same seed gives the same digits")
-    quantiles: tuple[Number, ...] = key_field("probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995))
+    quantiles: Annotated[tuple[Number, ...], FailFast()] = key_field(
+        "probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995)
+    )
     torque_limit: Torque | None = key_field("torque whose exceedance is asked for", "T_lim")
     friction_correlation: Number | None = Field(
         default=None,
@@ -129,7 +136,7 @@ def _read(path: str, given: Distribution, problems: list[Problem], spec: type[Ba
         except ValueError as error:
             problems.append(rules.wrong(f"fields.{path}.{name}", str(error)))
             return given
-    for name in ("min", "max"):
+    for name in ("center", "min", "max"):
         value = read[name]
         if value is not None and about.low is not None and value < about.low:
             message = say("must be at least {low:g}, as {path} itself", low=about.low, path=path)

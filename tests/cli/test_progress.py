@@ -1,11 +1,18 @@
-"""The bar appears on a terminal, after a second, and nowhere else."""
+"""The bar appears on a terminal, after a second, with the time left, and nowhere else; nobody waits a minute unasked."""
 
 import io
+import os
+import re
+import subprocess
 import sys
 
 import pytest
+from conftest import CONFIGS, ROOT
 
 from afmcalc.cli import progress
+from afmcalc.errors import AfmcalcError
+
+STUDY = CONFIGS / "tolerance.toml"
 
 
 class Terminal(io.StringIO):
@@ -25,7 +32,71 @@ class Terminal(io.StringIO):
 def test_where_the_bar_appears(stream, quiet, patience, shown, monkeypatch):
     monkeypatch.setattr(sys, "stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", patience)
-    with progress.Progress(quiet=quiet) as bar:
+    with progress.Bar(quiet=quiet, agreed=True) as bar:
         bar.advance("searching", 3, 10)
         bar.advance("searching", 10, 10)
     assert ("searching" in stream.getvalue()) == shown
+
+
+LONG = {
+    "tolerance": ["tolerance", STUDY, "--set", "tolerance.samples=2_000_000", "--threads", "2"],
+    "design": ["design", CONFIGS / "requirements.toml", "--top", "9"],
+    "plot": ["plot", "pareto", CONFIGS / "requirements.toml"],
+    "report": ["report", STUDY],
+    "check": ["check", STUDY, "--set", "requirements.exceedance=0.5"],
+    "equations": ["equations", "--prove", "--id", "F11 (1)"],
+}
+
+
+@pytest.mark.parametrize("command", LONG)
+def test_a_bar_with_the_time_left_on_a_terminal(command):
+    """Every command that may take long tells how far it is; what it shows is gone when it ends."""
+    person, terminal = os.openpty()
+    code = "from afmcalc.cli import progress; progress.PATIENCE = progress._EACH = 0; progress.LONG = 1e9; from afmcalc.cli.entry import main; main()"
+    with subprocess.Popen(
+        [sys.executable, "-c", code, *map(str, LONG[command])], stdout=subprocess.DEVNULL, stderr=terminal,
+        env={**os.environ, "PYTHONPATH": str(ROOT), "TERM": "xterm", "COLUMNS": "100", "CI": ""},
+    ) as process:  # fmt: skip
+        os.close(terminal)
+        shown = b""
+        while True:
+            try:
+                more = os.read(person, 65536)
+            except OSError:
+                break
+            shown += more
+            if not more:
+                break
+    os.close(person)
+    assert process.returncode == 0
+    text = shown.decode()
+    assert re.search(r"%.*\d:\d\d:\d\d|%.*-:--:--", text), "a share and the time left"
+    assert text.rstrip().endswith("\x1b[2K"), "the line is clean again"
+    assert text.count("\x1b[?25h") == text.count("\x1b[?25l") > 0, "and the cursor back"
+
+
+@pytest.mark.parametrize("command", ["tolerance", "design", "plot", "report"])
+def test_what_takes_longer_than_a_minute_wants_a_yes(command, afmcalc, monkeypatch, tmp_path):
+    monkeypatch.setattr(progress, "PATIENCE", -1.0)
+    monkeypatch.setattr(progress, "LONG", 1e-6)
+    run = afmcalc(*LONG[command])
+    assert (run.code, run.out) == (2, "")
+    assert re.fullmatch("error: this takes about 0 min: --yes goes on with it, or ask for less\n", run.err)
+    assert afmcalc(*LONG[command], "--yes").code == 0
+
+
+def test_how_long_is_told_from_what_is_behind(monkeypatch):
+    now = iter([0.0, 5.0, 6.0])
+    monkeypatch.setattr(progress.time, "monotonic", lambda: next(now))
+    bar = progress.Bar(quiet=True)
+    bar.advance("sampling", 1, 1000)
+    with pytest.raises(AfmcalcError, match="about 17 min"):
+        bar.advance("sampling", 2, 1000)
+
+
+def test_it_is_too_late_to_refuse_what_runs_for_long(monkeypatch):
+    now = iter([0.0, 11.0, 12.0])
+    monkeypatch.setattr(progress.time, "monotonic", lambda: next(now))
+    bar = progress.Bar(quiet=True)
+    bar.advance("searching", 9, 10)
+    bar.advance("refining", 1, 1000)

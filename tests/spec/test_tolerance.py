@@ -37,6 +37,13 @@ from conftest import CONFIGS
         ('"friction" = { distribution = "triangular" }', "friction_correlation = true", "a boolean is not a plain number"),
         ('"friction" = { distribution = "triangular" }', "quantiles = [true]", "a boolean is not a plain number"),
         ('"friction" = { distribution = "triangular" }', 'setting = "bench"', "as-made, each-adjusted"),
+        ('"friction" = { distribution = "triangular" }', "quantiles = 3", "quantiles = 3: must be a list in brackets"),
+        ('"friction" = { distribution = "normal", spread = [1] }', "", "spread = [1]: must be a number, or a text with a unit"),
+        ('"friction" = { distribution = "normal", spread = inf }', "", "spread = Infinity: must be finite"),
+        ('"friction" = { distribution = "normal", center = -5, spread = 1 }', "", "center = -5: must be at least 0, as friction"),
+        ('"friction" = { distribution = "uniform", spread = 5.45 }', "", "from -5.15 to 5.75, beyond what it may be, 0 to inf"),
+        ('"closing_spring.force" = { distribution = "normal", spread = 0, max = 1 }', "", "leave nothing"),
+        ('"control_spring.force" = { distribution = "normal", center = 1, spread = 0 }', "", "the spec has no such table"),
     ],
 )  # fmt: skip
 def test_what_is_refused(fields, settings_, says, afmcalc):

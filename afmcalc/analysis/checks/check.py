@@ -3,8 +3,10 @@
 from typing import ClassVar
 
 from ...engines.protocol import Clutch
-from ...findings import Finding, worst
+from ...errors import SpecError
+from ...findings import Finding, finding, worst
 from ...result import Result, quantity
+from ...watch import Progress, unwatched
 from ..answers import Answers
 from ..registry import ANALYSES
 from .limits import Utilisation, utilisations
@@ -26,22 +28,25 @@ class CheckResult(Result):
     limits: list[Utilisation] = quantity("", None, "every limit, and how much of it is used")
 
 
-def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = None) -> tuple[CheckResult, list[Finding]]:
+def check(
+    clutch: Clutch, *, strict: bool = False, answers: Answers | None = None, progress: Progress = unwatched
+) -> tuple[CheckResult, list[Finding]]:
     """Collect the findings of a design.
 
     Args:
         clutch: the clutch.
         strict: warnings fail the check too.
         answers: what was asked of it already.
+        progress: is told how far what takes long is.
 
     Returns:
         The verdict and the findings.
     """
-    answers = answers or Answers(clutch)
+    answers = answers or Answers(clutch, progress=progress)
     findings = all_findings(answers)
     requirements, missed = requirement_rows(answers)
     findings += missed
-    levels = [finding.level for finding in findings]
+    levels = [each.level for each in findings]
     failing = ("error", "warning") if strict else ("error",)
     result = CheckResult(
         passed=worst(findings) not in failing,
@@ -54,9 +59,22 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
     return result, findings
 
 
+def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
+    """Verdict on what is no spec, each of its problems a finding."""
+    found = [
+        finding("bad-spec", "error", path=problem.path or None, where=problem.where(error.source), problem=str(problem))
+        for problem in error.problems
+    ]
+    errors = len(found) + error.more
+    return CheckResult(passed=False, errors=errors, warnings=0, notes=0, requirements=[], limits=[]), found
+
+
 def all_findings(answers: Answers) -> list[Finding]:
     """Return the findings of every analysis that a check takes in and that applies to the clutch, each once."""
     clutch = answers.clutch
     judged = [each.name for each in ANALYSES.values() if each.judged and each.applies(clutch)]
     found = [*clutch.findings(), *pressure_findings(clutch), *unusual_findings(answers)]
+    unit = clutch.spec.control_unit
+    if unit is not None and unit.ball_circle_radius is None:
+        found.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
     return list(dict.fromkeys([*found, *(each for name in judged for each in answers.ask(name)[1])]))

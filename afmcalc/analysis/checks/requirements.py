@@ -107,11 +107,12 @@ def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Findi
         path = f"requirements.{name}"
         if row.passed is None:
             needs = JUDGED[name].needs or f"`{JUDGED[name].analysis}`"
-            own = {"limit": limit, "path": path, "name": row.name}
-            found.append(finding("requirement-not-judged", "warning", needs=needs, **own))
+            own = finding("requirement-not-judged", "warning", limit=limit, path=path, name=row.name, needs=needs)
+            found.append(own)
         elif not row.passed:
-            own = {"value": row.value, "limit": limit, "path": path}
-            found.append(finding(_MISSED[row.unit], "error", name=row.name, bound=translate(row.bound), **own))
+            code, bound = _MISSED[row.unit], translate(row.bound)
+            own = finding(code, "error", value=row.value, limit=limit, path=path, name=row.name, bound=bound)
+            found.append(own)
     return rows, found
 
 

@@ -1,5 +1,6 @@
 """Candidates of a design: the laws over arrays, asked piece by piece, each piece over no more axes than it needs."""
 
+import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,10 +12,8 @@ from ...arrays import larger, smaller
 from ...equations import adjustment, direct, geometry, synthesis
 from ...spec.requirements import Requirements
 from ...variants import Variant
-from .space import Axes, Mask, Numbers, balls
-
-SAME = 1e-12
-"""Relative slack of every limit: a candidate on the limit holds it."""
+from .room import never_meet
+from .space import SAME, Axes, Mask, Numbers, balls
 
 
 @dataclass(frozen=True)
@@ -227,6 +226,22 @@ class Candidates(ABC):
     def control_deflection(self) -> Numbers:
         """F_п2/c_2, m: infinite for a constant force; NaN without a control spring."""
         return self.control_force / self.at.control_stiffness
+
+    @cached_property
+    def ball_pitch(self) -> Numbers:
+        """Distance between neighbouring balls, m; of a single one the width to the other side of the axis."""
+        sine = math.sin(math.pi / max(self.need.fixed.balls, 2))
+        found: Numbers = synthesis.ball_pitch(self.at.ball_circle_radius, sine)
+        return found
+
+    @cached_property
+    def largest_ball(self) -> Numbers:
+        """Largest standard ball that has room beside its neighbour, and so has its pocket, m; 0 where none has."""
+        listed, room = np.append(0.0, balls(self.need)), self.ball_pitch
+        if self.variant.travels or not never_meet(self.need):
+            # the mouth d/cos α − s tan α is to be narrower than the pitch
+            room = np.minimum(room, (room + self.need.fixed.face_gap * self.tangent) * self.cosine)
+        return listed[np.searchsorted(listed, room * (1 - SAME)) - 1]
 
     def travel_room(self, diameter: Numbers | float) -> Numbers:
         """Travel for which a ball is large enough, m: half of it goes off the clearance; no bound at gain 0."""

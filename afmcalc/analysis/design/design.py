@@ -1,7 +1,5 @@
 """Which clutch is needed: the Pareto front of everything that meets the requirements."""
 
-from collections.abc import Callable
-
 import numpy as np
 
 from ...errors import AfmcalcError, CalculationError
@@ -11,6 +9,7 @@ from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.requirements import Requirements
 from ...spec.suggest import did_you_mean
+from ...watch import Progress, unwatched
 from .attainable import Attainable, attainable
 from .by_law import candidates
 from .found import Found
@@ -43,14 +42,6 @@ class DesignResult(Result):
         "", None, "what could be had instead, with all other requirements held", optional=True
     )
     front: list[DesignRow] = quantity("", None, "the front")
-
-
-Progress = Callable[[str, int, int], None]
-"""Is told what is under way, how much of it is behind, and how much there is."""
-
-
-def unwatched(work: str, done: int, total: int) -> None:
-    """Nobody is told."""
 
 
 def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignResult, list[Finding]]:

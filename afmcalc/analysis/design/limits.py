@@ -7,8 +7,8 @@ import numpy as np
 
 from ...spec.requirements import Requirements
 from ...variants import Variant
-from .candidates import SAME, Candidates
-from .space import Mask, Numbers, balls, given
+from .candidates import Candidates
+from .space import SAME, Mask, Numbers, given
 
 OVER, UNDER = 1 + SAME, 1 - SAME
 
@@ -66,8 +66,7 @@ def _bounds(need: Requirements, variant: Variant) -> Iterable[Constraint]:
 
 
 def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Constraint]:
-    limits, ball = need.limits, float(balls(need)[-1])
-    largest = ball * OVER
+    limits = need.limits
     if limits.gain_limit and variant.gain_limit is not None:
 
         def within(c: Candidates) -> Mask:
@@ -81,9 +80,10 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
             "contact_force", lambda c: c.ball_torque <= force * OVER / c.force_per_ball, (1, 1),
             lambda c: c.contact_force, force, "N",
         )  # fmt: skip
+    # what a ball lacks in size: the largest that is listed or has room may differ from candidate to candidate
     yield Constraint(
-        "standard_ball", lambda c: c.travel <= c.travel_room(largest), (-1, int(variant.travels)),
-        lambda c: c.ball_needed, ball, "m",
+        "standard_ball", lambda c: c.travel <= c.travel_room(c.largest_ball * OVER), (-1, int(variant.travels)),
+        lambda c: c.ball_needed - c.largest_ball, 0.0, "m",
     )  # fmt: skip
     if variant.travels and (travel := limits.travel) is not None:
         yield _at_most("travel", lambda c: c.travel, travel, "m", (0, 1))

@@ -11,11 +11,12 @@ import numpy as np
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .by_law import candidates
-from .candidates import SAME, Candidates
+from .candidates import Candidates
 from .found import Found
 from .grid import Tile, tiles
 from .limits import Constraint, constraints, unimodal
-from .space import Mask, Numbers, Places, balls, grids
+from .room import never_meet
+from .space import SAME, Mask, Numbers, Places, balls, grids
 
 ROWS = 32768
 """Rows of radii in a block."""
@@ -27,7 +28,7 @@ def separable(need: Requirements, variant: Variant) -> bool:
         return False
     if need.search.gain is None:
         return unimodal(need) or not variant.controlled
-    return not variant.travels
+    return not variant.travels and (not variant.controlled or never_meet(need))
 
 
 @np.errstate(all="ignore")

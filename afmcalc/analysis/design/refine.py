@@ -18,7 +18,7 @@ from ...variants import Variant
 from .by_law import candidates
 from .candidates import Candidates
 from .limits import feasible, objectives
-from .space import Axes, Mask, Numbers, balls, searched
+from .space import Axes, Mask, Numbers, searched
 
 FIRST, LATER, ROUNDS = 256, 32, 10
 """Choice of u tried at first, and between the neighbours of the best in each later round."""
@@ -253,7 +253,7 @@ class _Rows:
     def _travel_allowed(self, own: Candidates) -> Numbers:
         need = self.need
         limit = np.inf if need.limits.travel is None else need.limits.travel
-        ball = np.minimum(self._most("ball_diameter"), balls(need)[-1])
+        ball = np.minimum(self._most("ball_diameter"), own.largest_ball)
         allowed: Numbers = np.minimum(np.minimum(limit, self._most("travel")), own.travel_room(ball)) * _INSIDE
         return allowed
 

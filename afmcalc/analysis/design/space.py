@@ -18,6 +18,10 @@ Mask: TypeAlias = NDArray[np.bool_]
 Places: TypeAlias = NDArray[np.int64]
 
 
+SAME = 1e-12
+"""Relative slack of every limit: a candidate on the limit holds it."""
+
+
 class Axes(NamedTuple):
     """Choice of the searched parameters, SI: an axis each, or a column of candidates; NaN where a variant has none."""
 

@@ -14,6 +14,7 @@ from ...messages import say
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.edit import replaced, respecified, with_key
+from ...spec.names import path_of
 from ...spec.paths import ALIASES, is_whole
 from ...spec.rules import variants_of
 from ...spec.suggest import did_you_mean
@@ -67,7 +68,7 @@ def solve(
 
     Args:
         clutch: the clutch to start from.
-        name: parameter, one of ``NAMES``.
+        name: parameter: one of ``NAMES``, or the name or path of its key.
         target: a name of ``TARGETS``.
         wanted: its value, SI.
         beyond_limit: go past the gain limit of the variant.
@@ -80,6 +81,7 @@ def solve(
         CalculationError: the target does not depend on the parameter.
         AfmcalcError: the parameter is none of the variant's.
     """
+    name = _symbol(name)
     path = _path(clutch.spec, name)
 
     def function(at: Floats) -> Floats:
@@ -129,17 +131,25 @@ def solve(
     return result, solved, [*solved.findings(), *gone, *_others(name, path, target, wanted, chosen[1:])]
 
 
+def _symbol(name: str) -> str:
+    """Symbol of a parameter, however it is called."""
+    path = path_of(name)
+    for symbol in NAMES:
+        if path == ALIASES[symbol]:
+            return symbol
+    named = [ALIASES[symbol] for symbol in NAMES]
+    raise AfmcalcError(
+        say(
+            "--for {name:.80}: cannot be solved for{hint}; one of {names}",
+            name=name,
+            hint="" if path else did_you_mean(name, [*NAMES, *named, *(path.rpartition(".")[2] for path in named)]),
+            names=", ".join(f"{symbol} ({ALIASES[symbol]})" for symbol in NAMES),
+        )
+    )
+
+
 def _path(spec: Spec, name: str) -> str:
     """Spec path of a parameter; refuse one that the variant does not have."""
-    if name not in NAMES:
-        raise AfmcalcError(
-            say(
-                "--for {name}: cannot be solved for{hint}; one of {names}",
-                name=name,
-                hint=did_you_mean(name, NAMES),
-                names=", ".join(NAMES),
-            )
-        )
     path = ALIASES[name]
     if (only := variants_of(path)) and spec.variant not in only:
         raise AfmcalcError(

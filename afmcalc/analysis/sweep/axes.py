@@ -3,6 +3,7 @@
 from ...errors import AfmcalcError
 from ...messages import say
 from ...spec import Spec
+from ...spec.names import elsewhere, names, path_of
 from ...spec.paths import ALIASES, keys
 from ...spec.rules import variants_of
 from ...spec.suggest import did_you_mean
@@ -11,19 +12,18 @@ from .grid import Axis
 
 
 def find_key(name: str) -> Key:
-    """Return the numeric spec key that ``name`` (a symbol or a path) means.
+    """Return the numeric spec key that ``name`` (a path, a key's name or a symbol) means.
 
     Raises:
         AfmcalcError: no such key, or a key that is no number.
     """
-    path = ALIASES.get(name, name)
-    known = keys()
-    if path not in known:
+    path, known = path_of(name), keys()
+    if path is None:
         symbols = ", ".join(ALIASES)
-        hint = did_you_mean(name, [*ALIASES, *known])
+        hint = elsewhere(name) or did_you_mean(name, [*ALIASES, *names()])
         raise AfmcalcError(
             say(
-                "{name!r} is no spec path or symbol{hint}; symbols: {symbols}; paths: as in the spec",
+                "{name!r:.80} is no key or symbol{hint}; symbols: {symbols}; keys: by name or path, as in the spec",
                 name=name,
                 hint=hint,
                 symbols=symbols,
@@ -46,7 +46,7 @@ def parse_axis(text: str, spec: Spec) -> Axis:
     if (only := variants_of(key.path)) and spec.variant not in only:
         raise AfmcalcError(
             say(
-                "--sweep {text}: {path} is only for {only}, not {variant!r}",
+                "--sweep {text:.80}: {path} is only for {only}, not {variant!r}",
                 text=text,
                 path=key.path,
                 only=", ".join(only),

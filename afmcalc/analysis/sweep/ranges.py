@@ -13,6 +13,9 @@ from ...spec.quantity import parse_quantity
 from ...spec.walk import Key
 from .grid import MOST_POINTS
 
+_MOST_COUNTED = 200
+"""Whole numbers that are swept where no range is given."""
+
 
 def parse_values(text: str, given: str, unit: str) -> Floats:
     """Read ``start:stop:count`` or ``v1,v2,…``; ``text`` is the whole option, for messages."""
@@ -26,24 +29,28 @@ def parse_values(text: str, given: str, unit: str) -> Floats:
         try:
             return parse_quantity(part, unit)
         except ValueError as error:
-            raise AfmcalcError(say("--sweep {text}: {part!r}: {why}", text=text, part=part, why=error)) from None
+            raise AfmcalcError(
+                say("--sweep {text:.80}: {part!r:.80}: {why}", text=text, part=part, why=error)
+            ) from None
 
     parts = given.split(":") if ":" in given else given.split(",")
     listed = parts[:2] if ":" in given else parts
     if len({_has_unit(part) for part in listed}) > 1:
-        raise AfmcalcError(say("--sweep {text}: give every value a unit, or none (SI)", text=text))
+        raise AfmcalcError(say("--sweep {text:.80}: give every value a unit, or none (SI)", text=text))
     if ":" not in given:
         return np.array([number(part) for part in parts])
-    if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 2:
-        raise AfmcalcError(say("--sweep {text}: write start:stop:count with a whole count of at least 2", text=text))
-    count = int(parts[2])
-    if count > MOST_POINTS:
+    asked = parts[2].strip() if len(parts) == 3 else ""
+    if not asked.isdecimal() or (len(asked) <= 4 and int(asked) < 2):
+        raise AfmcalcError(
+            say("--sweep {text:.80}: write start:stop:count with a whole count of at least 2", text=text)
+        )
+    if len(asked) > 10 or (count := int(asked)) > MOST_POINTS:
         raise AfmcalcError(
             say(
-                "--sweep {text}: {count} points; at most {most_points} are swept",
+                "--sweep {text:.80}: {count:.20} points; at most {most:,} are swept",
                 text=text,
-                count=count,
-                most_points=MOST_POINTS,
+                count=asked,
+                most=MOST_POINTS,
             )
         )
     return np.linspace(number(parts[0]), number(parts[1]), count)
@@ -63,9 +70,9 @@ def default_range(key: Key, spec: Spec) -> Floats:
         start = float(clutch.gain_threshold or 0.0)
         return np.linspace(start, limit if limit is not None else max(2 * float(clutch.gain), start + 5.0), 26)
     if key.path == "friction_group.driving_pairs":
-        return np.arange(1, max(group.pairs, 2)).astype(float)
+        return _whole(1, max(group.pairs - 1, 1))
     if key.path == "friction_group.pairs":
-        return np.arange(spec.least_pairs, 2 * group.pairs + 1).astype(float)
+        return _whole(spec.least_pairs, 2 * group.pairs)
     if key.path == "adjustment.margin":
         return np.linspace(1.0, max(2.0, float(current or 1)), 21)
     if current is None:
@@ -76,6 +83,13 @@ def default_range(key: Key, spec: Spec) -> Floats:
     if key.path == "control_unit.wall_angle":
         high = min(high, 1.5)
     return np.linspace(_feasible(spec, key.path, current, low), _feasible(spec, key.path, current, high), 26)
+
+
+def _whole(low: int, high: int) -> Floats:
+    """Every whole number of a range, or as many as are worth a row each."""
+    if high - low < _MOST_COUNTED:
+        return np.arange(low, high + 1, dtype=float)
+    return np.unique(np.rint(np.linspace(low, high, _MOST_COUNTED)))
 
 
 def _feasible(spec: Spec, path: str, current: float, end: float) -> float:

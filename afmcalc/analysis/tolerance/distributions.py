@@ -108,6 +108,9 @@ class Input:
 
     def draw(self, stream: np.random.Generator, into: Array) -> None:
         """Fill an array from a stream of random numbers; of a normal one, what falls outside the limits again."""
+        if self.spread == 0:
+            into[...] = self.center
+            return
         if self.kind in ("uniform", "triangular"):
             stream.random(out=into)
             into[...] = self.quantiles(into)
@@ -155,6 +158,8 @@ def _input(spec: Spec, path: str, given: Distribution) -> Input:
         center = own.range.mean if center is None else center
         if given.distribution in ("uniform", "triangular") and given.spread is None:
             low, high = own.range.min if low is None else low, own.range.max if high is None else high
+    elif value_at(spec, path.rpartition(".")[0]) is None:
+        raise CalculationError(say("tolerance.fields.{path}: the spec has no such table to scatter in", path=path))
     elif center is None:
         value = value_at(spec, path)
         if value is None and low is not None and high is not None:
@@ -182,12 +187,25 @@ def _input(spec: Spec, path: str, given: Distribution) -> Input:
             )
     else:
         ends = center - spread, center + spread
+        if given.distribution in ("uniform", "triangular") and not limits[0] <= ends[0] <= ends[1] <= limits[1]:
+            raise CalculationError(
+                say(
+                    "tolerance.fields.{path}: it would scatter from {low:g} to {high:g}, beyond what it may be, "
+                    "{least:g} to {most:g}",
+                    path=path,
+                    low=ends[0],
+                    high=ends[1],
+                    least=limits[0],
+                    most=limits[1],
+                )
+            )
         limits = max(limits[0], -math.inf if low is None else low), min(limits[1], math.inf if high is None else high)
     if given.distribution == "lognormal" and not center > 0:
         raise CalculationError(say("tolerance.fields.{path}: a lognormal center must be greater than 0", path=path))
     found = Input(path, unit, given.distribution, center, spread, ends, limits)
     below, above = found.mass
-    if spread > 0 and not above - below > _LEAST_MASS:
+    possible = above - below > _LEAST_MASS if spread > 0 else limits[0] <= center <= limits[1]
+    if not possible:
         raise CalculationError(
             say(
                 "tolerance.fields.{path}: the limits {low:g} to {high:g} leave nothing of the distribution",

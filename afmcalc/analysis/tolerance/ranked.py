@@ -6,6 +6,7 @@ from statistics import stdev
 
 import numpy as np
 
+from ...arrays import finite
 from .distributions import Array
 from .result import Estimate
 
@@ -81,5 +82,11 @@ class Population:
 
 
 def spread(values: Sequence[float]) -> float:
-    """Standard error of a figure of the whole sample, from its values in the replicates."""
+    """Standard error of a figure of the whole sample, from its values in the replicates.
+
+    Raises:
+        OverflowError: one is not finite.
+    """
+    for value in values:
+        finite(value)
     return float(stdev(values) / len(values) ** 0.5)

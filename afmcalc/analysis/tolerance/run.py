@@ -7,6 +7,7 @@ import numpy as np
 
 from ...errors import CalculationError
 from ...messages import say
+from ...watch import Count, Progress, unwatched
 from .bins import Grid
 from .distributions import Array
 from .model import Model
@@ -28,6 +29,7 @@ class Plan:
     seed: int
     quasi: bool = False
     threads: int = 1
+    progress: Progress = unwatched
 
 
 def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> list[Tally]:
@@ -52,6 +54,8 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
     grid, shift = Grid.of(torques), float(np.median(torques))
     slips = None if model.spec.fatigue is None else service_of(model)
 
+    behind = Count(plan.progress, "sampling", sum(each))
+
     def replicate(number: int) -> Tally:
         stream = Stream(model.inputs, plan.seed, number, quasi=plan.quasi, model=model)
         tally = Tally(grid, shift)
@@ -59,6 +63,7 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
         columns = [np.empty(room) for _ in model.inputs]
         work, index = np.empty(room), np.empty(room, np.uint64)
         for width in cells(each[number]):
+            behind.add(width)
             drawn = [column[:width] for column in columns]
             stream.fill(drawn)
             values = _possible(model, drawn)

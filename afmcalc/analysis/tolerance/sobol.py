@@ -8,6 +8,7 @@ import numpy as np
 
 from ...errors import CalculationError
 from ...messages import say
+from ...watch import Count
 from .distributions import Array
 from .model import Model
 from .result import Estimate
@@ -54,6 +55,8 @@ def sobol_indices(model: Model, plan: Plan) -> list[Index]:
     def torque(values: Sequence[Array]) -> Array:
         return np.broadcast_to(model.torque(values) - center, values[0].shape)
 
+    behind = Count(plan.progress, "indices", sum(each))
+
     def replicate(number: int) -> Array:
         # streams of their own, apart from those of the sample
         inputs = [*model.inputs, *model.inputs]
@@ -61,6 +64,7 @@ def sobol_indices(model: Model, plan: Plan) -> list[Index]:
         sums = np.zeros(3 + 2 * len(groups))
         columns = [np.empty(min(CELL, each[number])) for _ in inputs]
         for width in cells(each[number]):
+            behind.add(width)
             cut = [column[:width] for column in columns]
             stream.fill(cut)
             one, other, mixed = _mixed(model, cut[:count], cut[count:], groups)

@@ -4,6 +4,7 @@ import csv
 import io
 from typing import Any
 
+from ...messages import printable
 from ...result import Output
 from ..document import Column, Document, Entry, document
 
@@ -31,7 +32,16 @@ def _cell(value: Any) -> Any:
     """Write a list (an interval) into one cell."""
     if isinstance(value, bool):
         return str(value).lower()
-    return " ".join(map(str, value)) if isinstance(value, list) else value
+    if isinstance(value, list):
+        text = " ".join(map(str, value))
+        return _inert(text) if any(isinstance(item, str) for item in value) else text
+    return _inert(value) if isinstance(value, str) else value
+
+
+def _inert(text: str) -> str:
+    """Keep a spreadsheet from reading a formula into a text of the user's (the name of a spec)."""
+    shown = printable(text)
+    return f"'{shown}" if shown.startswith(("=", "+", "-", "@")) else shown
 
 
 def _findings(output: Output) -> list[Column]:
@@ -97,4 +107,4 @@ def _flat(row: Entry) -> list[Column]:
 
 
 def _header(path: str, unit: str) -> str:
-    return f"{path} [{unit}]" if unit else path
+    return _inert(f"{path} [{unit}]" if unit else path)

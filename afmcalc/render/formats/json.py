@@ -3,6 +3,7 @@
 import json
 from dataclasses import asdict
 
+from ...messages import printable
 from ...result import Output
 
 
@@ -15,4 +16,4 @@ def render(output: Output, terminal: bool) -> str:
         "result": output.result.model_dump(mode="json"),
         "findings": [asdict(finding) for finding in output.findings],
     }
-    return json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return printable(json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False), lines=True) + "\n"

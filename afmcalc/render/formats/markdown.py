@@ -3,6 +3,7 @@
 import re
 from collections.abc import Sequence
 
+from ...messages import printable
 from ...result import Output
 from ..document import Document, document
 from ..layout import blocks, findings_lines, step_value, title, unfolded
@@ -53,7 +54,7 @@ def _table(header: Sequence[str], rows: Sequence[Sequence[str]], numeric: Sequen
 
 def _escape(text: str) -> str:
     """Keep what a spec may carry (its name) from being read as markup."""
-    return " ".join(_MARKUP.sub(r"\\\g<0>", text).split())
+    return " ".join(_MARKUP.sub(r"\\\g<0>", printable(text)).split())
 
 
 _MARKUP = re.compile(r"[\\|<>*`\[\]]|(?<!\w)_|_(?!\w)")

@@ -8,6 +8,11 @@ from ..document import document
 from ..layout import SweepDrawing, TextTable, blocks, findings_lines, padded, step_lines, title, unfolded
 from .curve import curve_lines
 
+_NARROWEST = 20
+"""Columns below which nothing can be read."""
+_DIGITS = 4
+"""Of a width that there is."""
+
 
 def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) -> str:
     """Lay out tables, curves and findings; a terminal has a width, rules and colours, a pipe has none of them.
@@ -30,7 +35,9 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
 def _width() -> int | None:
     """Return the width the user asked for by ``COLUMNS``, if any."""
     columns = os.environ.get("COLUMNS", "")
-    return int(columns) if columns.isdecimal() and int(columns) else None
+    if not columns.isdecimal() or len(columns) > _DIGITS or not int(columns):
+        return None
+    return max(int(columns), _NARROWEST)
 
 
 def is_unicode() -> bool:

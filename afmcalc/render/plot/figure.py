@@ -1,7 +1,12 @@
 """A sheet set as PNG, SVG or PDF: the same sheet gives the same bytes."""
 
 import io
+import os
+import sys
 import textwrap
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, Literal
 
 from ..symbols import literal, mathtext
@@ -37,9 +42,9 @@ def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
 
 def inline_svg(sheet: Sheet) -> str:
     """Set a sheet for a page: without title and caption, see-through, its texts as text."""
-    from .inline import svg_of
-
     with _settings({"svg.fonttype": "none", "savefig.facecolor": "none"}):
+        from .inline import svg_of
+
         figure = _figure(sheet, bare=True)
         figure.patch.set_alpha(0)
         for axes in figure.axes:
@@ -47,13 +52,28 @@ def inline_svg(sheet: Sheet) -> str:
         return svg_of(figure, [_height(panel) for panel in sheet.panels])
 
 
-def _settings(more: dict[str, Any] | None = None) -> Any:
+@contextmanager
+def _settings(more: dict[str, Any] | None = None) -> Iterator[None]:
     """Our parameters over matplotlib's defaults, for a while."""
-    import matplotlib as mpl
-
+    mpl = _matplotlib()
     # a copy: the defaults carry the backend, which is not ours to set
     own: Any = {key: value for key, value in mpl.rcParamsDefault.items() if not key.startswith(("backend", "toolbar"))}
-    return mpl.rc_context(own | PARAMETERS | (more or {}))
+    with warnings.catch_warnings(), mpl.rc_context(own | PARAMETERS | (more or {})):
+        # what the font lacks is drawn as a box, what has no room (a torque of 1e-18 N·m) beside it: that is seen
+        warnings.filterwarnings("ignore", "Glyph|constrained_layout not applied")
+        yield
+
+
+def _matplotlib() -> Any:
+    """Import matplotlib, also where MPLBACKEND names no backend: it is for others who import it too, we use none."""
+    named = None if "matplotlib" in sys.modules else os.environ.pop("MPLBACKEND", None)
+    import matplotlib as mpl
+
+    if named:
+        os.environ["MPLBACKEND"] = named
+        with suppress(ValueError):
+            mpl.rcParams["backend"] = named
+    return mpl
 
 
 def _figure(sheet: Sheet, *, bare: bool) -> "Figure":

@@ -5,6 +5,7 @@ import textwrap
 from collections.abc import Sequence
 from typing import Any
 
+from ...messages import printable
 from ..canvas import Ends, Trace, bounds, drawn, place, ticks
 from ..document import Table
 from ..layout import TextTable
@@ -69,7 +70,7 @@ def draw_sheet(sheet: Sheet, *, unicode: bool) -> str:
     blocks = [[title], *([*filter(None, [chart.title]), *draw(chart, unicode=unicode)] for chart in charts)]
     if sheet.caption:
         blocks.append([line for part in sheet.caption.splitlines() for line in textwrap.wrap(part, WIDTH)])
-    return "\n\n".join("\n".join(lines) for lines in blocks) + "\n"
+    return "\n\n".join("\n".join(map(printable, lines)) for lines in blocks) + "\n"
 
 
 def swept_lines(block: TextTable, unicode: bool) -> list[str]:

@@ -1,5 +1,6 @@
 """Printing a page to PDF with a headless browser, where there is one."""
 
+import atexit
 import os
 import shutil
 import subprocess
@@ -59,12 +60,33 @@ def print_pdf(browser: str, page: str) -> bytes:
             f"--print-to-pdf={target}",
             source.as_uri(),
         ]
-        try:
-            ended = subprocess.run(command, capture_output=True, timeout=_SECONDS, check=False)
-        except (OSError, subprocess.TimeoutExpired) as error:
-            raise AfmcalcError(say("--pdf: {browser} did not print: {why}", browser=browser, why=error)) from None
-        if not target.is_file():
-            raise AfmcalcError(
-                say("--pdf: {browser} did not print (exit code {code})", browser=browser, code=ended.returncode)
-            )
-        return target.read_bytes()
+        code = _run(command)
+        content = target.read_bytes() if target.is_file() else b""
+    if code or not (content.startswith(b"%PDF-") and content.rstrip().endswith(b"%%EOF")):
+        raise AfmcalcError(
+            say("--pdf: {browser} did not print a whole PDF (exit code {code})", browser=browser, code=code)
+        )
+    return content
+
+
+def _run(command: list[str]) -> int:
+    """Run a program to its end and return its exit code; it never outlives this process.
+
+    Raises:
+        AfmcalcError: it does not start, or does not end.
+    """
+    try:
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as started:
+            atexit.register(_stop, started)
+            try:
+                return started.wait(_SECONDS)
+            finally:
+                _stop(started)
+                atexit.unregister(_stop)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise AfmcalcError(say("--pdf: {browser} did not print: {why}", browser=command[0], why=error)) from None
+
+
+def _stop(started: subprocess.Popen[bytes]) -> None:
+    started.kill()
+    started.wait()

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from ...messages import translate
+from ...messages import printable, translate
 from ...papers.references import REFERENCES
 from ...spec import resolved
 from ...spec.paths import keys, unit_at
@@ -40,6 +40,7 @@ def render(subject: Subject) -> str:
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
+        finalize=lambda value: printable(value, lines=True) if type(value) is str else value,
     )
     environment.filters |= {
         "symbol": symbol,

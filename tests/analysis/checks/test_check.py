@@ -73,6 +73,13 @@ def test_the_clutch_of_s21_cannot_be_assembled(afmcalc):
     assert "fail" in table
 
 
+def test_what_is_not_given_is_not_judged(afmcalc):
+    for key, code in (("ball_circle_radius", "control-unit-not-judged"), ("balls", "balls-not-given")):
+        run = afmcalc("check", "--set", f"control_unit.{key}=", "--json").json
+        assert [each["path"] for each in run["findings"] if each["code"] == code] == [f"control_unit.{key}"]
+        assert not [row for row in run["result"]["limits"] if "side by side" in row["name"]]
+
+
 UNUSUAL = {
     "friction.max": (["friction.max=8"], 8, 1),
     "friction.min": (["friction.min=0.001"], 0.001, 0.02),

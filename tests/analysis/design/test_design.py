@@ -169,7 +169,8 @@ def one(need, variant, z, face, z1, turn, circle, c1, c2):
         not limits.gain_limit or clutch.gain_limit is None or clutch.gain <= clutch.gain_limit * over,
     ]  # fmt: skip
     if turn is not None and clutch.gain > 0:
-        made, _ = synthesize(clutch)
+        made, findings = synthesize(clutch)
+        held.append(not {"balls-overlap", "pockets-overlap", "ball-reaches-axis"} & {each.code for each in findings})
         held.append(made.ball_diameter_standard is not None)
         held.append(limits.contact_force is None or made.contact_force <= limits.contact_force * over)
         held.append(limits.travel is None or made.travel_max <= limits.travel * over)
@@ -353,7 +354,7 @@ INDIRECT = {
     "variants": ["indirect"], "objectives": ["closing_force", "accuracy_factor"],
     "wanted": {"accuracy_factor": 4, "torque_max": 1000},
     "search": {"pairs": [8], "mean_radius": 0.1, "gain": [0.2, 0.4, 1.0, 2.0], "ball_circle_radius": 0.05,
-               "closing_stiffness": 2e4, "control_stiffness": [0, 1e4], "ball_diameters": [0.05, 0.5]},
+               "closing_stiffness": 4e5, "control_stiffness": [0, 2e5], "ball_diameters": [0.03, 0.5]},
     "fixed": {"hub_diameter": 0.05, "key_friction": 0.1}, "limits": {"contact_force": None},
 }  # fmt: skip
 
@@ -369,17 +370,44 @@ def test_an_indirect_clutch_is_judged_by_what_its_pack_bears():
         pack = 2500 * (1 + 0.8 * (row.gain - 0.4))
         assert row.closing_force == pytest.approx(2500)
         assert row.control_force == row.pack_force_at_rest == pytest.approx(pack)
-        assert row.closing_deflection == pytest.approx(2500 / 2e4)
+        assert row.closing_deflection == pytest.approx(2500 / 4e5)
         assert row.surface_pressure == pytest.approx(pack / (2 * math.pi * 0.1 * 0.03))
         # c_2 = 0 is best in K_т: a constant force, whose deflection is not defined
         assert (row.control_stiffness, row.control_deflection) == (0, None)
     stiff, _ = design(
         make_requirements(changed(**INDIRECT) | {"objectives": ["control_deflection", "accuracy_factor"]})
     )
-    assert stiff.front[0].control_deflection == pytest.approx(2500 * 1.48 / 1e4)
+    assert stiff.front[0].control_deflection == pytest.approx(2500 * 1.48 / 2e5)
     narrow = changed(**INDIRECT)
     narrow["search"]["closing_force"] = {"min": 500, "max": 5000}
     assert [row.gain for row in design(make_requirements(narrow))[0].front] == [1.0]
+
+
+def test_pockets_that_meet_between_balls_that_do_not():
+    """Walls of 70° open mouths of d/cos 70° − s tan 70° = 23.7 mm for a ball of 10 mm: 13 of them are 23.9 mm apart, 14 22.3."""
+    steep = {
+        "variants": ["all-driving"], "objectives": ["closing_force"], "wanted": {"accuracy_factor": None, "torque_max": None},
+        "search": {"pairs": [8], "mean_radius": 0.1, "gain": 2 * math.tan(math.radians(70)), "ball_circle_radius": [0.05],
+                   "ball_diameters": [0.01, 0.02], "closing_force": {"min": 500, "max": 80000}},
+        "limits": {"contact_force": None, "surface_pressure": None, "reduced_gain": None, "gain_limit": False},
+    }  # fmt: skip
+    for gain in (True, False):
+        for count, feasible in ((13, 1), (14, 0)):
+            need = changed(**steep, fixed={"balls": count})
+            if not gain:
+                need["search"]["wall_angle"] = "70 deg"
+                del need["search"]["gain"]
+            result, _ = design(make_requirements(need))
+            assert (result.feasible, result.excluded.get("standard_ball", 0)) == (feasible, 1 - feasible)
+
+
+def test_balls_that_have_no_room_are_not_proposed():
+    """Every clutch of the example's front can be assembled."""
+    need = make_requirements(BASE)
+    result, _ = design(need)
+    for number in range(1, result.on_front + 1, 7):
+        _, found = synthesize(build(picked(need, result, number)))
+        assert not [each for each in found if each.level == "error"]
 
 
 def test_refinement_reaches_the_closed_inverse():
@@ -496,6 +524,8 @@ def test_an_empty_result_says_why(afmcalc, tmp_path):
         ({"search": {"pairs": True}}, "must be a whole number"),
         ({"search": {"gain": [0.5, -0.1]}}, "search.gain = [0.5, -0.1]: must be at least 0"),
         ({"search": {"gain": None, "wall_angle": {"start": 5, "stop": 40, "count": 8}}}, "must be less than 90 deg"),
+        ({"search": {"gain": None, "wall_angle": [5, 10]}}, "wall_angle = [5, 10]: must be less than 90 deg"),
+        ({"search": {"gain": None, "wall_angle": 5}}, 'and must be less than pi/2: write "5 deg"'),
         ({"search": {"gain": None, "wall_angle": "-1 deg"}}, "must be at least 0"),
         ({"search": {"gain": None, "wall_angle": math.pi / 2}}, "must be less than 90 deg"),
         ({"search": {"ball_circle_radius": 0}}, "must be greater than 0"),
@@ -513,7 +543,8 @@ def test_an_empty_result_says_why(afmcalc, tmp_path):
         ({"search": {"radius": 1}}, "unknown key"),
         ({"variants": ["indirect"]}, "required for variant 'indirect'"),
         ({"variants": ["direct"]}, "must be one of"),
-        ({"variants": []}, "at least 1"),
+        ({"variants": []}, "must not be empty"),
+        ({"limits": {"gain_limit": "off"}}, "must be true or false"),
         ({"objectives": ["mass"]}, "must be one of"),
         ({"friction": {"min": None, "max": None, "mean": None}}, "a material, or both groups"),
         ({"fixed": {"face_width": None}}, "required beside limits.surface_pressure"),
@@ -549,7 +580,7 @@ def test_ctrl_c_leaves_no_file(tmp_path):
     springs = {"closing_stiffness": grid(1e4, 2e5, 20), "control_stiffness": grid(1e4, 2e5, 20)}
     wide = {"mean_radius": grid(0.06, 0.14, 1000), "gain": grid(0.1, 3, 1000), **springs}
     source.write_text(json.dumps(changed(variants=["indirect"], search=wide, fixed=INDIRECT["fixed"])))
-    command = [sys.executable, "-m", "afmcalc", "design", str(source), "--pick", "1", "-o", str(target)]
+    command = [sys.executable, "-m", "afmcalc", "design", str(source), "--pick", "1", "-o", str(target), "--yes"]
     person, terminal = os.openpty()
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=terminal) as process:
         os.close(terminal)

@@ -1,0 +1,177 @@
+"""Full disks, readers that leave, closed streams, Ctrl-C, folders that are gone, browsers that fail: never a traceback."""
+
+import os
+import resource
+import subprocess
+import sys
+import textwrap
+
+import pytest
+from conftest import CONFIGS, ROOT
+
+from afmcalc.errors import AfmcalcError
+from afmcalc.render.report.browser import print_pdf
+
+SPEC = CONFIGS / "default.toml"
+PROGRAM = f"{sys.executable} -m afmcalc"
+ENVIRONMENT = {**os.environ, "PYTHONPATH": str(ROOT), "PYTHONWARNINGS": ""}
+
+
+def shell(command, **environment):
+    return subprocess.run(
+        ["bash", "-c", command.replace("afmcalc ", f"{PROGRAM} ")],
+        capture_output=True, text=True, env={**ENVIRONMENT, **environment}, check=False,
+    )  # fmt: skip
+
+
+WRITERS = {
+    "x.json": ["torque", SPEC, "--format", "json"],
+    "x.toml": ["init"],
+    "y.toml": ["synthesize", SPEC],
+    "x.svg": ["plot", "torque", SPEC],
+}
+
+
+@pytest.mark.parametrize("name", WRITERS)
+def test_a_full_disk_leaves_nothing_behind(name, afmcalc, tmp_path):
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (100, hard))
+    try:
+        run = afmcalc(*WRITERS[name], "-o", tmp_path / name)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert run.code == 3
+    assert f"error: {tmp_path / name}: cannot be written: File too large" in run.err
+    assert not os.listdir(tmp_path)
+
+
+def test_a_full_device_is_said():
+    run = shell(f"afmcalc torque {SPEC} >/dev/full")
+    assert (run.returncode, run.stderr) == (3, "error: standard output: cannot be written: No space left on device\n")
+
+
+LEFT = [
+    f"afmcalc check {SPEC}",
+    "afmcalc --help",
+    "afmcalc schema",
+    f"afmcalc accuracy {SPEC} --sweep C=0:1:20000 --format csv",
+    f"afmcalc plot torque {SPEC}",
+]
+
+
+def test_a_reader_that_leaves_early_is_nothing_to_speak_of():
+    each = "; ".join(f"({command} | true; echo ${{PIPESTATUS[0]}} >&3) & wait $!" for command in LEFT)
+    run = shell(f"exec 3>&1; {each}")
+    assert (run.stdout.split(), run.stderr) == (["0"] * len(LEFT), "")
+
+
+def test_a_check_that_fails_does_so_whoever_reads():
+    run = shell(f"afmcalc check {SPEC} --set fatigue= --strict --set C=2 | true; exit ${{PIPESTATUS[0]}}")
+    assert run.returncode == 1
+
+
+def test_closed_streams(tmp_path):
+    target = tmp_path / "x.json"
+    closed = shell(f"afmcalc torque {SPEC} >&-")
+    assert (closed.returncode, closed.stderr) == (3, "error: standard output: cannot be written: it is closed\n")
+    assert shell(f"afmcalc torque {SPEC} -o {target} >&-").returncode == 0
+    assert target.read_text().startswith("{")
+    for silent in ("2>&-", "2>/dev/full", "2> >(true)"):
+        run = shell(f"afmcalc torque {silent}")
+        assert (run.returncode, run.stdout[:6]) == (0, "torque")
+
+
+def test_a_deleted_working_directory_is_named(tmp_path):
+    run = shell(f"mkdir {tmp_path}/gone; cd {tmp_path}/gone; rmdir ../gone; afmcalc torque {SPEC} -o x.json")
+    assert run.returncode == 3
+    assert (
+        run.stderr
+        == f"error: x.json: cannot be written: the working directory {tmp_path}/gone does not exist any more\n"
+    )
+
+
+AIMED = """
+    import atexit, os, signal, sys
+    def strike(*ignored): os.kill(os.getpid(), signal.SIGINT)
+    {aim}
+    sys.argv[0] = "afmcalc"
+    from afmcalc.__main__ import program
+    program()
+"""
+ON_IMPORT = """
+    class Aim:
+        def find_spec(self, name, path=None, target=None):
+            if name == "{}": strike()
+    sys.meta_path.insert(0, Aim())
+"""
+MOMENTS = {
+    **{name: ON_IMPORT.format(name) for name in ("afmcalc.cli.entry", "typer", "pydantic", "afmcalc.engines.laws", "numpy", "matplotlib")},
+    "before a file is replaced": "replace = os.replace; os.replace = lambda *names: (strike(), replace(*names))",
+    "after a file is replaced": "replace = os.replace; os.replace = lambda *names: (replace(*names), strike())",
+    "while a destructor runs": "class Lost: __del__ = strike\nsys.modules['lost'] = Lost(); atexit.register(lambda: sys.modules.pop('lost', 0))",
+    "at the end": "atexit.register(strike)",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("moment", MOMENTS)
+def test_ctrl_c_at_any_moment(moment, tmp_path):
+    target = tmp_path / "x.svg"
+    code = textwrap.dedent(AIMED).format(aim=textwrap.dedent(MOMENTS[moment]))
+    run = subprocess.run(
+        [sys.executable, "-c", code, "plot", "torque", str(SPEC), "-o", str(target)],
+        capture_output=True, text=True, env=ENVIRONMENT, check=False,
+    )  # fmt: skip
+    assert run.returncode == 130
+    assert run.stderr in ("", f"note: wrote {target}\n")
+    assert os.listdir(tmp_path) == (["x.svg"] if run.stderr else [])
+    assert bool(run.stderr) == (moment in list(MOMENTS)[-4:])
+    assert not run.stderr or target.read_text().rstrip().endswith("</svg>")
+
+
+BROWSERS = {
+    "fails": 'printf "%%PDF-1.4 %%%%EOF" >"$file"; exit 1',
+    "stops early": 'printf "%%PDF-1.4 ..." >"$file"',
+    "prints something else": 'echo "<html>" >"$file"',
+    "prints nothing": "true",
+}
+
+
+@pytest.mark.parametrize("case", BROWSERS)
+def test_a_pdf_is_whole_or_none(case, tmp_path, afmcalc, monkeypatch):
+    browser = tmp_path / "browser"
+    browser.write_text(
+        f"#!/bin/bash\nfor each; do case $each in --print-to-pdf=*) file=${{each#*=}};; esac; done\n{BROWSERS[case]}\n"
+    )
+    browser.chmod(0o755)
+    with pytest.raises(AfmcalcError, match="did not print a whole PDF"):
+        print_pdf(str(browser), "<html></html>")
+    monkeypatch.setenv("AFMCALC_BROWSER", str(browser))
+    if case == "fails":
+        run = afmcalc("report", SPEC, "--pdf", "-o", tmp_path / "x.html")
+        assert run.code == 2
+        assert os.listdir(tmp_path) == ["browser"]
+
+
+def test_a_fault_of_our_own_is_said_and_never_a_failed_check(afmcalc, monkeypatch):
+    def broken(*arguments, **options):
+        raise KeyError("no\x1b[31m such thing")
+
+    monkeypatch.setattr("afmcalc.analysis.checks.check.check", broken)
+    run = afmcalc("check", SPEC)
+    assert (run.code, run.out) == (70, "")
+    assert "fault of afmcalc" in run.err
+    assert "please report it" in run.err
+    assert "KeyError: 'no\\x1b[31m such thing'" in run.err
+    assert "Traceback" not in run.err
+    monkeypatch.setenv("AFMCALC_TRACEBACK", "1")
+    assert "Traceback" in afmcalc("check", SPEC).err
+
+
+def test_no_backend_and_no_home_of_matplotlib_are_needed(tmp_path):
+    run = shell(
+        f"afmcalc plot torque {SPEC} -o {tmp_path}/x.svg --quiet",
+        MPLBACKEND="nonsense",
+        MPLCONFIGDIR="/proc/none",
+        HOME="/proc/none",
+    )
+    assert (run.returncode, run.stderr) == (0, "")

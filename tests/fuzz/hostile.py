@@ -1,0 +1,223 @@
+"""Specs and command lines as nobody means them."""
+
+import copy
+import json
+import tomllib
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from conftest import CONFIGS
+from hypothesis import strategies as st
+
+from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
+from afmcalc.cli.main import COMMANDS
+from afmcalc.cli.options import Common
+from afmcalc.spec import make_spec, resolved
+from afmcalc.spec.paths import ALIASES
+
+
+class Case(NamedTuple):
+    """What is run: arguments, and what stands in standard input."""
+
+    arguments: list[str]
+    stdin: str
+
+
+SPECS = ("default", "conventional", "unlike-materials", "all-driving", "indirect", "tolerance")
+_SMALL = {"samples": 1000, "sobol_base": 64}
+"""Of a study: one that is large takes its time, which is not what is looked for."""
+
+
+def _load(name: str) -> dict[str, Any]:
+    data = tomllib.loads((CONFIGS / f"{name}.toml").read_text(encoding="utf-8"))
+    data.get("tolerance", {}).update(_SMALL)
+    if name in ("default", "indirect"):
+        data["fatigue"] |= {"mean_stress_sensitivity": 0.1, "ultimate_strength": "900 MPa"}
+    if name == "requirements":
+        data["search"] |= {"mean_radius": 0.1, "gain": [0.0, 0.5], "pairs": [4, 8]}
+    return data
+
+
+BASES = {name: _load(name) for name in (*SPECS, "requirements")}
+
+RESOLVED = {name: resolved(make_spec(BASES[name])) for name in SPECS}
+
+_MAGNITUDES = [0, 1, 5e-324, 1e-310, 1e-200, 1e-160, 1e-30, 1e30, 1e120, 1e160, 1e200, 1e300, 1.7e308, 1e400]
+NUMBERS = st.one_of(
+    st.sampled_from([each for size in _MAGNITUDES for each in (size, -size)]),
+    st.sampled_from([2, 3, 7, 1000, 10**7, 2**63, 10**25, 0.1, 0.3, 0.8, 1.5, True, False, float("nan")]),
+    st.floats(allow_nan=False),
+    st.floats(1e-6, 1e6),
+)
+_SIZES = st.one_of(
+    st.sampled_from([1e-300, 1e-160, 1e-30, 1e-9, 1e-3, 0.5, 1.0, 2.0, 1e3, 1e9, 1e30, 1e160, 1e300]),
+    st.floats(1e-12, 1e12),
+)
+SIGNS = [
+    "\x1b[31m",
+    "\x7f",
+    "\x9b2J",
+    "\u202e",
+    "\u2066",
+    "\ufeff",
+    "\x00",
+    "\n",
+    "é",
+    "Ж",
+    "漢",
+    "😀",
+    "\ud800",
+    "$x^2$",
+]
+TEXTS = st.one_of(
+    st.sampled_from(["", " ", "_x", "a_b", "=1+1", "@x", "-", "--", "5 kN", "5 mm", "-1 N", "1e999 N", "1e-400 mm", "30 deg", "89.999 deg"]),
+    st.sampled_from(["5,5 mm", "5 N*m^2", "100 %", "1e300 %", "5 kH", "moulded-dry", "min-friction", "indirect", "x" * 300, "1/0", "{", "[1"]),
+    st.lists(st.one_of(st.sampled_from(SIGNS), st.characters()), max_size=5).map("".join),
+)  # fmt: skip
+VALUES = st.one_of(
+    NUMBERS,
+    NUMBERS,
+    NUMBERS,
+    TEXTS,
+    st.lists(NUMBERS, max_size=3),
+    st.dictionaries(st.one_of(st.sampled_from(["min", "max", "mean", "distribution", "spread"]), TEXTS), NUMBERS, max_size=3),
+)  # fmt: skip
+
+
+def paths(data: dict[str, Any], above: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:
+    """Every key of nested tables."""
+    for name, value in data.items():
+        yield (*above, name)
+        if isinstance(value, dict):
+            yield from paths(value, (*above, name))
+
+
+_KNOWN = {
+    name: list(dict.fromkeys(path for base in bases for path in paths(BASES[base])))
+    for name, bases in {**dict.fromkeys(SPECS, SPECS), "requirements": ("requirements",)}.items()
+}
+
+
+@st.composite
+def outsized(draw: st.DrawFn, name: str) -> dict[str, Any]:
+    """A shipped example, SI, some of whose numbers are of another order of magnitude: most are clutches still."""
+    data = copy.deepcopy(RESOLVED[name])
+    numbers = [path for path in paths(data) if isinstance(_at(data, path), float)]
+    frictions = [path for path in numbers if path[0] == "friction"]
+    for path in draw(st.lists(st.sampled_from(numbers), min_size=1, max_size=3)):
+        size = draw(_SIZES)
+        # all frictions together: else min ≤ mean ≤ max would break, and not much of the rest be seen
+        for each in frictions if path in frictions else [path]:
+            _at(data, each[:-1])[each[-1]] *= size
+    if draw(st.booleans()):
+        pairs = draw(st.sampled_from([1, 2, 3, 8, 100, 10**6, 10**15]))
+        data["friction_group"]["pairs"] = pairs
+    return data
+
+
+def _at(data: Any, path: tuple[str, ...]) -> Any:
+    for name in path:
+        data = data[name]
+    return data
+
+
+@st.composite
+def tables(draw: st.DrawFn, name: str) -> dict[str, Any]:
+    """A shipped example in which something is not as it was."""
+    data = copy.deepcopy(BASES[name])
+    for _ in range(draw(st.integers(0, 4))):
+        *blocks, last = draw(st.sampled_from(_KNOWN[name]))
+        block: Any = data
+        for each in blocks:
+            block = block.setdefault(each, {})
+            if not isinstance(block, dict):
+                break
+        else:
+            match draw(st.integers(0, 9)):
+                case 0:
+                    block.pop(last, None)
+                case 1:
+                    block[draw(TEXTS)] = draw(VALUES)
+                case _:
+                    block[last] = draw(VALUES)
+    return data
+
+
+NAMES = st.one_of(st.sampled_from([*ALIASES, "zC", "dT", "closing_spring.force", "friction", "name"]), TEXTS)
+RANGES = st.one_of(
+    st.just(""),
+    st.builds("={}:{}:{}".format, NUMBERS, NUMBERS, st.integers(-1, 60)),
+    st.builds(lambda values: "=" + ",".join(map(str, values)), st.lists(NUMBERS, min_size=1, max_size=4)),
+    TEXTS.map("={}".format),
+)
+_SYMBOLS = st.sampled_from([*ALIASES, "zC", "dT", "control_unit.gain", "friction_group.pairs", "adjustment.margin"])
+SWEEPS = st.one_of(
+    st.builds("--sweep={}{}".format, NAMES, RANGES),
+    st.builds("--sweep={}".format, _SYMBOLS),
+    st.builds("--sweep={}".format, _SYMBOLS),
+    st.builds("--sweep={}={}:{}:{}".format, _SYMBOLS, _SIZES, _SIZES, st.integers(2, 60)),
+)
+SETS = st.builds("--set={}={}".format, NAMES, st.one_of(NUMBERS.map(str), TEXTS))
+TARGETS = st.builds(
+    "{}={}".format,
+    st.one_of(st.sampled_from(["accuracy_factor", "nominal_torque", "torque_max", "scatter", "travel_max"]), TEXTS),
+    st.one_of(NUMBERS, TEXTS),
+)
+TARGETS |= st.builds("{}={}".format, st.sampled_from(["accuracy_factor", "nominal_torque", "torque_max"]), _SIZES)
+_FORMATS = [["--json"], ["--json"], ["--json"], [], ["--format=csv"], ["--format=markdown"]]
+OWN: dict[str, Any] = {
+    "torque": st.lists(st.one_of(NUMBERS, TEXTS).map("--friction={}".format), max_size=2),
+    "accuracy": st.lists(SWEEPS, max_size=2),
+    "overload": st.lists(SWEEPS, max_size=2),
+    "life": st.tuples(
+        st.sampled_from(["--model=amplitude", "--model=mean-stress", "--model=goodman"]), st.one_of(st.just("--json"), SWEEPS)
+    ),
+    "solve": st.builds(lambda name, *more: [f"--for={name}", *more], st.one_of(st.sampled_from(["C", "F", "z", "R", "c1"]), NAMES), TARGETS),
+    "explain": st.sampled_from(EXPLAINED).map(lambda each: [each]),
+    "plot": st.sampled_from([*PLOTS]).map(lambda each: [each]),
+}  # fmt: skip
+"""Arguments of a command beside those of all; where they stand first they are positional."""
+_NEEDED = {"design": "requirements", "tolerance": "tolerance"}
+"""Command → the only example it can be asked about."""
+ASKED = [name for name in ANALYSES if name not in ("equations", "reproduce", "materials")]
+
+
+@st.composite
+def calculations(draw: st.DrawFn) -> Case:
+    """A command that is asked about a hostile spec."""
+    command = draw(st.sampled_from([*ASKED, "plot"]))
+    name = _NEEDED.get(command) or draw(st.sampled_from(SPECS))
+    own = [*draw(OWN.get(command, st.just([])))]
+    given = draw(st.sampled_from(_FORMATS)) if command != "plot" else []
+    override = [draw(SETS)] if draw(st.integers(0, 5)) == 0 else []
+    spec = draw(outsized(name) if name in RESOLVED and draw(st.integers(0, 3)) else tables(name))
+    return Case([command, *own, "-", *given, *override], json.dumps(spec))
+
+
+WORDS = st.one_of(
+    st.sampled_from([*COMMANDS, *PLOTS, *ALIASES, "-", "--", "-h", "--version", "--help"]),
+    st.sampled_from([f"--{each}" for each in Common.__dataclass_fields__] + ["--sweep", "--for", "--pick", "--id", "--paper", "--model"]),
+    st.sampled_from([str(CONFIGS / f"{name}.toml") for name in ("default", "indirect", "materials")]),
+    st.one_of(TEXTS, SETS, SWEEPS, TARGETS, NUMBERS.map(str)),
+)  # fmt: skip
+_SLOW = {"report", "reproduce", "--prove"}
+"""Slow whatever is asked of them, and little of that: what they show others show too."""
+_WRITE = {"init", "-o", "--output", "--force"}
+"""Would leave files; tests/cli/test_files.py and test_faults.py look at those."""
+
+
+def _is_quick(words: list[str]) -> bool:
+    return not any(each in _SLOW | _WRITE or each.startswith(("--o", "-o")) for each in words)
+
+
+@st.composite
+def command_lines(draw: st.DrawFn) -> Case:
+    """Words in any order, the first of them mostly a command."""
+    first = [draw(st.sampled_from([*COMMANDS]))] if draw(st.integers(0, 7)) else []
+    words = draw(st.lists(WORDS, max_size=5).filter(_is_quick))
+    return Case([*first, *words], draw(st.sampled_from(["", "{}", "name = 1", "\x00", json.dumps(BASES["default"])])))
+
+
+CASES = st.one_of(
+    calculations(), calculations(), calculations(), command_lines().filter(lambda case: _is_quick(case.arguments))
+)

@@ -1,0 +1,297 @@
+"""What is wrong with an input is said with the place, the line, what, and the fix: each message by its exact text."""
+
+import datetime
+import json
+import re
+import tomllib
+from copy import deepcopy
+
+import pytest
+from conftest import CONFIGS
+from hypothesis import given
+from hypothesis import strategies as st
+from jsonschema import validate
+
+from afmcalc.errors import SpecError
+from afmcalc.source import Source
+from afmcalc.spec import Spec, make_spec
+from afmcalc.spec.edit import put
+from afmcalc.spec.reading import spec_of
+from afmcalc.spec.requirements import Requirements, make_requirements
+from afmcalc.spec.walk import keys_below
+
+BASE = """\
+variant = "differentiated"
+[friction]
+min = 0.1
+max = 0.8
+[friction_group]
+pairs = 8
+driving_pairs = 1
+mean_radius = "100 mm"
+[closing_spring]
+force = "2 kN"
+[control_unit]
+gain = 0.5
+ball_circle_radius = "50 mm"
+"""
+
+ONE_LINE = {
+    # line of the spec → what is written instead, column and width of the caret, what is said
+    "decimal comma": ("gain = 0.5", "gain = 0,5", 8, 3, "is not valid TOML: a decimal comma is not read: write 0.5"),
+    "decimal comma and a unit": (
+        'mean_radius = "100 mm"', "mean_radius = 100,5 mm", 15, 8,
+        'is not valid TOML: a decimal comma is not read: write "100.5 mm"',
+    ),
+    "unit without quotes": (
+        'mean_radius = "100 mm"', "mean_radius = 100 mm  # R", 15, 6,
+        'is not valid TOML: a number with a unit stands in quotes: "100 mm"',
+    ),
+    "groups of digits": (
+        'force = "2 kN"', "force = 2 000", 9, 5, "is not valid TOML: spaces in a number are not read: write 2000"),
+    "text without quotes": (
+        'variant = "differentiated"', "variant = differentiated", 11, 14,
+        'is not valid TOML: text stands in quotes: "differentiated"',
+    ),
+    "a quote that does not close": (
+        'force = "2 kN"', 'force = "2 kN', 9, 5, "is not valid TOML: the closing quote is missing"),
+    "quotes of a word processor": (
+        'force = "2 kN"', "force = “2 kN”", 9, 6, 'is not valid TOML: plain quotes are wanted: "2 kN"'),
+    "colon": ("gain = 0.5", "gain: 0.5", 1, 5, "is not valid TOML: write = between key and value, not a colon"),
+    "no value": ("gain = 0.5", "gain =", 7, 1, "is not valid TOML: a value is missing"),
+    "point without a digit": ("gain = 0.5", "gain = .5", 8, 2, "is not valid TOML: write 0.5"),
+    "leading zero": ("pairs = 8", "pairs = 08", 9, 2, "is not valid TOML: write 8"),
+    "truth of another language": ("pairs = 8", "pairs = True", 9, 4, "is not valid TOML: write true"),
+    "Cyrillic symbol as a key": (
+        "gain = 0.5", "С = 0.5", 1, 1,
+        "is not valid TOML: keys are written in Latin letters; did you mean control_unit.gain?",
+    ),
+    "key with a Cyrillic letter": (
+        "gain = 0.5", 'gain = 0.5\n"gаin" = 0.5', 1, 6,
+        "control_unit.gаin = 0.5: unknown key; did you mean 'gain' (all Latin)?",
+    ),
+    "symbol as a key": ("gain = 0.5", "gain = 0.5\nC = 0.5", 1, 1, "control_unit.C = 0.5: unknown key; did you mean control_unit.gain?"),
+    "key twice": ("max = 0.8", "max = 0.8\nmax = 0.9", 1, 3, "is not valid TOML: the key max stands twice"),
+    "mixed alphabets": (
+        'force = "2 kN"', 'force = "2 кH"', 9, 6,
+        "closing_spring.force = \"2 кH\": unknown unit 'кH'; write 'kN', or 'кН' in Cyrillic letters alone",
+    ),
+    "comma of thousands": (
+        'force = "2 kN"', 'force = "2,000 N"', 9, 9,
+        'closing_spring.force = "2,000 N": a comma is not read: write 2000 N or 2.000 N, whichever is meant',
+    ),
+    "comma and point": (
+        'force = "2 kN"', 'force = "2.000,5 N"', 9, 11,
+        'closing_spring.force = "2.000,5 N": a number has no commas: write 2000.5 N',
+    ),
+    "wall angle in degrees": (
+        "gain = 0.5", "wall_angle = 14", 14, 2,
+        'control_unit.wall_angle = 14: a plain number is in rad, and must be less than pi/2: write "14 deg"',
+    ),
+    "wall angle too steep": (
+        "gain = 0.5", 'wall_angle = "95 deg"', 14, 8,
+        'control_unit.wall_angle = "95 deg": must be less than 90 deg (pi/2 rad)',
+    ),
+    "count in quotes": (
+        "pairs = 8", 'pairs = "8"', 9, 3, 'friction_group.pairs = "8": must be a whole number, without quotes: 8'),
+    "count that is true": ("pairs = 8", "pairs = true", 9, 4, "friction_group.pairs = true: must be a whole number"),
+    "missing key": ("max = 0.8", "", -1, 10, "friction.max: required (or give material instead of min and max)"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", ONE_LINE)
+def test_message_with_place_line_and_caret(case, afmcalc):
+    old, new, column, width, says = ONE_LINE[case]
+    text = BASE.replace(old + "\n", new + "\n" if new else "")
+    assert text != BASE
+    line = BASE.split("\n").index(old) + 1 + new.count("\n")
+    if column < 0:  # the head of the table that lacks it
+        line, column = BASE.split("\n").index("[friction]") + 1, 1
+    shown = text.split("\n")[line - 1]
+    run = afmcalc("torque", "-", stdin=text)
+    assert (run.code, run.out) == (2, "")
+    margin = " " * len(str(line))
+    assert run.err == (
+        f"error: standard input:{line}:{column}: {says}\n"
+        f"  {line} | {shown}\n"
+        f"  {margin} | {' ' * (column - 1)}{'^' * width}\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ('"gain": 0,5', "4:11: is not valid JSON: a decimal comma is not read: write 0.5"),
+        ('"gain": 5 mm', '4:11: is not valid JSON: a number with a unit stands in quotes: "5 mm"'),
+        ('"gain": "x"', '4:11: control_unit.gain = "x": cannot be read as a number with a unit; '
+         "give a plain number such as 0.3"),
+        ('"gian": 0.5', "4:3: control_unit.gian = 0.5: unknown key; did you mean 'gain'?"),
+    ],
+)  # fmt: skip
+def test_places_in_json_also_inside_the_output_of_a_command(given, says, afmcalc):
+    spec = afmcalc("torque", "-", "--json", stdin=BASE).json["spec"]
+    del spec["control_unit"]
+    rest = json.dumps(spec)[1:]
+    for head, below in (("{", 0), ('{"command": "torque", "result": {"gain": 1},\n"spec": {', 1)):
+        text = f'{head}\n"name": "x",\n"control_unit": {{\n  {given}\n}},\n{rest}' + "}" * below
+        run = afmcalc("torque", "-", stdin=text)
+        line, told = says.split(":", 1)
+        assert run.err.startswith(f"error: standard input:{int(line) + below}:{told}\n"), run.err
+
+
+def test_all_problems_at_once_each_with_its_line(afmcalc):
+    text = BASE.replace("0.8", '"high"').replace("pairs = 8", "pairs = 2.5").replace("gain", "gian")
+    places = re.findall(r"^error: standard input:(\d+):(\d+): ([\w.]+)", afmcalc("torque", "-", stdin=text).err, re.M)
+    assert places == [
+        ("4", "7", "friction.max"),
+        ("6", "9", "friction_group.pairs"),
+        ("12", "1", "control_unit.gian"),
+        ("11", "1", "control_unit.gain"),
+    ]
+
+
+def test_what_an_override_gives_is_shown_without_a_line_of_the_file(afmcalc):
+    err = afmcalc("torque", "-", "--set", "gain=0,5", stdin=BASE).err
+    assert err == 'error: standard input: control_unit.gain = "0,5": a decimal comma is not read: write 0.5\n'
+
+
+def test_a_calculation_names_the_line_too(afmcalc):
+    err = afmcalc("synthesize", "-", stdin=BASE.replace('ball_circle_radius = "50 mm"\n', "")).err
+    assert err.splitlines()[0] == (
+        "error: standard input:11:1: control_unit.ball_circle_radius: required by synthesize"
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["torque", "requirements"], "is a requirements file, no clutch: afmcalc design finds the clutches for it"),
+        (["design", "default"],
+         "is a clutch spec, no requirements: afmcalc design wants a file like configs/requirements.toml"),
+    ],
+)  # fmt: skip
+def test_the_wrong_kind_of_file_is_one_sentence(arguments, says, afmcalc):
+    command, file = arguments[0], CONFIGS / f"{arguments[1]}.toml"
+    assert afmcalc(command, file).err == f"error: {file}: {says}\n"
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-8-sig"])
+def test_text_of_windows_is_read(encoding, afmcalc, tmp_path):
+    """``>`` of PowerShell writes UTF-16 with its mark, an editor of Windows UTF-8 with one."""
+    for name, text in (("a.toml", BASE), ("a.json", afmcalc("torque", "-", "--json", stdin=BASE).out)):
+        (tmp_path / name).write_bytes(text.replace("\n", "\r\n").encode(encoding))
+        assert afmcalc("torque", tmp_path / name).out == afmcalc("torque", "-", stdin=BASE).out
+    (tmp_path / "balls.csv").write_bytes("diameter_mm\r\n25\r\n".encode(encoding))
+    assert afmcalc("synthesize", "-", "--balls", tmp_path / "balls.csv", "--json", stdin=BASE).code == 0
+
+
+def test_other_bytes_say_where_and_how_to_put_it_right(afmcalc, tmp_path):
+    (tmp_path / "a.toml").write_bytes(BASE.encode() + "name = 'муфта'".encode("cp1251"))
+    line = BASE.count("\n") + 1
+    assert (
+        f"a.toml: is not UTF-8 text (line {line}, byte {len(BASE) + 8}): save it as UTF-8\n"
+        in afmcalc("torque", tmp_path / "a.toml").err
+    )
+
+
+@pytest.mark.parametrize(
+    ("order", "name"),
+    [
+        ("target first", "C"), ("spec first", "C"), ("target first", "gain"),
+        ("spec first", "control_unit.gain"), ("target first", "С"),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("target", ["accuracy_factor", "K_т", "K_t", "К_т"])
+def test_solve_takes_both_orders_names_symbols_and_paths(order, name, target, afmcalc):
+    given = [CONFIGS / "default.toml", f"{target}=2"]
+    run = afmcalc("solve", *(reversed(given) if order == "target first" else given), "--for", name, "--json")
+    assert (run.json["result"]["path"], run.json["result"]["target"]) == ("control_unit.gain", "accuracy_factor")
+    assert run.json["result"]["reached"] == pytest.approx(2, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["C", "gain", "control_unit.gain", "С"])
+def test_sweep_and_set_take_names_symbols_and_paths(name, afmcalc):
+    (swept,) = afmcalc("accuracy", "--sweep", f"{name}=0.25,0.5", "--json").json["result"]["sweep"]
+    assert (swept["path"], swept["values"]) == ("control_unit.gain", [0.25, 0.5])
+    assert afmcalc("torque", "--set", f"{name}=0.25", "--json").json["result"]["gain"] == 0.25
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["accuracy", "--sweep", "gian"], "'gian' is no key or symbol; did you mean 'gain'?; symbols: C, z, "),
+        (["accuracy", "--sweep", "force"],
+         "'force' is no key or symbol; did you mean closing_spring.force or control_spring.force?; symbols: "),
+        (["solve", "--for", "gian", "K_т=2"], "--for gian: cannot be solved for; did you mean 'gain'?; one of C (control_unit.gain), F "),
+        (["solve", "--for", "f_max", "K_т=2"], "--for f_max: cannot be solved for; one of C (control_unit.gain), F "),
+        (["solve", "acuracy_factor=2"], "'acuracy_factor=2' is no target; did you mean 'accuracy_factor'?; "
+         "write NAME=VALUE, NAME one of accuracy_factor (K_т), "),
+        (["torque", "--set", "gian=1"], "--set gian=1: unknown key 'gian'; did you mean 'gain'?"),
+        (["torque", "--set", 'name="x"\nvariant="y"'], "built-in default: name = \"\\\"x\\\"\\nvariant=\\\"y\\\"\": "
+         "must be one line of printable text, without control characters"),
+        (["life", "--model", "x"], "'x' is not one of 'mean-stress', 'amplitude', 'goodman'"),
+        (["tolerance", "--threads", "0"], "Invalid value for '--threads': must be at least 1"),
+        (["tolerance", "--threads", "x"], "Invalid value for '--threads': must be a whole number"),
+    ],
+)  # fmt: skip
+def test_what_an_argument_names(arguments, says, afmcalc):
+    run = afmcalc(*arguments)
+    assert (run.code, run.out) == (2, "")
+    assert says in run.err
+    assert "Value error" not in run.err
+
+
+WEIRD = (True, "off", "2_000", 2.5, -1, float("inf"), [], [[1]], {"a": 1}, datetime.date(2020, 1, 1))
+
+
+@pytest.mark.parametrize(("make", "example"), [(make_spec, "tolerance"), (make_requirements, "requirements")])
+def test_whatever_stands_at_a_key_is_told_in_our_words(make, example):
+    data = tomllib.loads((CONFIGS / f"{example}.toml").read_text(encoding="utf-8"))
+    model = Requirements if make is make_requirements else Spec
+    for path in [*keys_below(model), "tolerance.fields.friction", "tolerance.fields.friction.spread"]:
+        for value in WEIRD:
+            changed = deepcopy(data)
+            try:
+                put(changed, path, value)
+                make(changed)
+            except SpecError as error:
+                assert "Input should" not in str(error), (path, value)
+                assert not re.search("pydantic|valid|instance|Error", str(error)), (path, value)
+
+
+@pytest.mark.parametrize("wrong", ["gain = 0,5", 'gain = "x"\nballs = "6"'])
+def test_check_of_a_bad_spec_prints_json_with_the_errors(wrong, afmcalc):
+    text = BASE.replace("gain = 0.5", wrong)
+    run = afmcalc("check", "-", "--json", stdin=text)
+    plain = afmcalc("check", "-", stdin=text)
+    assert run.code == plain.code == 2
+    assert run.err == plain.err
+    assert plain.out == ""
+    said = [line.removeprefix("error: ") for line in plain.err.splitlines() if line.startswith("error: ")]
+    assert [each["message"] for each in run.json["findings"]] == said
+    assert {(each["level"], each["code"]) for each in run.json["findings"]} == {("error", "bad-spec")}
+    assert run.json["result"] | {"passed": False, "errors": len(said)} == run.json["result"]
+    validate(run.json, afmcalc("schema", "check").json)
+
+
+@given(
+    st.sampled_from(sorted(CONFIGS.glob("*.toml"))),
+    st.booleans(),
+    st.lists(
+        st.tuples(st.floats(0, 1), st.integers(0, 3), st.sampled_from("0.,=[]{}\"'# \nкН°:-\\\r\0“")),
+        min_size=1,
+        max_size=4,
+    ),
+)
+def test_a_mistyped_file_is_a_spec_or_an_error_at_a_place_that_there_is(file, as_json, mistakes):
+    text = file.read_text(encoding="utf-8")
+    text = json.dumps(tomllib.loads(text), indent=1, ensure_ascii=False) if as_json else text
+    for share, gone, typed in mistakes:
+        at = int(share * len(text))
+        text = text[:at] + typed + text[at + gone :]
+    try:
+        spec_of(text, Source("x", text))
+    except SpecError as error:
+        for place in (problem.place for problem in error.problems if problem.place):
+            assert text.split("\n")[place.line - 1].removesuffix("\r") == place.text
+            assert 1 <= place.column <= len(place.text) + 1

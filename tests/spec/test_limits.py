@@ -1,0 +1,137 @@
+"""What is too large is refused before any work begins, with the limit in the message."""
+
+import json
+import os
+import time
+
+import pytest
+from conftest import CONFIGS
+
+from afmcalc.errors import LONGEST_LINE, SpecError
+from afmcalc.spec import make_spec
+from afmcalc.spec.limits import DEEPEST, LONGEST_TEXT, LONGEST_TOML, MOST_ITEMS, MOST_KEYS
+from afmcalc.spec.parsing import parse
+
+DEFAULT = (CONFIGS / "default.toml").read_text(encoding="utf-8")
+KEYS = "\n".join(f"key{number} = 1" for number in range(MOST_KEYS + 1))
+NINES = "9" * 5000
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("a" + ".a" * 100_000 + " = 1", "a key has more than 32 parts, the most there may be"),
+        ("[" + "a . " * 50_000 + "a]", "a key has more than 32 parts, the most there may be"),
+        ("a = {" + "'b'." * 50_000 + "c = 1}", "a key has more than 32 parts, the most there may be"),
+        ("a = " + "[" * 1500 + "]" * 1500, "is nested more than 32 levels deep"),
+        ("a = " + "[" * 40 + "]" * 40, "is nested more than 32 levels deep"),
+        ('{"a": ' * 1500 + "1" + "}" * 1500, "is nested more than 32 levels deep"),
+        ("#" * (LONGEST_TOML + 1), "is larger than 256 KiB, the most for TOML"),
+        ('{"result": [' + "0," * 5_000_001 + "0]}", "holds more than 5,000,000 values, the most that are read"),
+        (KEYS, "has more than 2,000 keys"),
+        (json.dumps({"a": [0] * (MOST_ITEMS + 1)}), "has more than 100,000 items in its lists"),
+        ("a" * (LONGEST_TEXT + 1) + " = 1", "a key has more than 1,000 characters"),
+        (f"name = '{'a' * (LONGEST_TEXT + 1)}'", "name: has more than 1,000 characters"),
+        (f"a = {NINES}", "is not valid TOML: a number has too many digits"),
+        (f"b.a = 0x{'f' * 5000}", "b.a: is beyond the range of numbers"),
+        (f'{{"a": {NINES}}}', "is not valid JSON: a number has too many digits"),
+    ],
+    ids=lambda value: value if len(value) < 60 else "text",
+)
+def test_text_beyond_a_limit(text, says):
+    start = time.perf_counter()
+    with pytest.raises(SpecError) as error:
+        parse(text, "text")
+    assert str(error.value) == f"text: {says}"
+    assert time.perf_counter() - start < 2
+
+
+def test_what_is_within_every_limit_is_read():
+    deep = "[" * (DEEPEST - 1) + "]" * (DEEPEST - 1)
+    assert parse(f"{DEFAULT}\n[x]\n{'.'.join('a' * (DEEPEST - 3))} = 1\n[y]\nz = {deep}", "text")["variant"]
+    assert "1.2.3" in parse("name = '" + "1.2.3," * 50 + "'", "text")["name"]
+    output = json.dumps({"command": "x", "result": {"a": [0.5] * 200_000}, "spec": {"variant": "y"}})
+    assert parse(output, "text") == {"variant": "y"}
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="no endless file")
+def test_an_endless_file_is_not_read_to_its_end(afmcalc):
+    run = afmcalc("torque", "/dev/zero")
+    assert (run.code, run.err) == (2, "error: /dev/zero: is larger than 64 MiB, the most that is read\n")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["torque", "--set", f"gain={'[' * 1500}{']' * 1500}"], "…: is nested more than 32 levels deep\n"),
+        (["torque", "--set", f"gain={NINES}"], "…: a number has too many digits\n"),
+        (["torque", "--set", f"gain=0x{'f' * 5000}"], "…: is beyond the range of numbers\n"),
+        (["torque", "--set", f"tolerance.seed=0o{'7' * 5000}"], "…: is beyond the range of numbers\n"),
+        (["torque", "--set", "F=1e1000000 N"], '= "1e1000000 N": must be finite; give a force'),
+        (["torque", "--set", "F=1e-1000000 N"], '= "1e-1000000 N": must be greater than 0\n'),
+        (["torque", "--set", "F=0e99999999999999999999 N"], "must be greater than 0\n"),
+        (["torque", "--set", f"F='{NINES} N'"], "…: has more than 1,000 characters\n"),
+        (["torque", "--set", f"F='{NINES[:500]} N'"], "cannot be read as a number with a unit"),
+        (["torque", "--set", f"{'a.' * 60_000}a=1"], "unknown key"),
+        (["accuracy", "--sweep", f"C=0:1:{NINES}"], " points; at most 200,000 are swept\n"),
+        (["accuracy", "--sweep", "C=0:1:200001"], "--sweep C=0:1:200001: 200001 points; at most 200,000 are swept\n"),
+        (["accuracy", "--sweep", "C=0:1:500", "--sweep", "z=2:501:500"],
+         "the sweep asks for 250,000 points; at most 200,000 are swept\n"),
+        (["accuracy", "--sweep", f"{'C' * 100_000}=0:1:2"], "is no key or symbol"),
+        (["solve", f"{'K' * 100_000}=2"], "is no target"),
+        (["torque", "--friction", NINES], "write a coefficient such as 0.3"),
+        (["design", CONFIGS / "requirements.toml", "--set", "search.gain={start=0, stop=1, step=1e-300}"],
+         "1e+300 values; at most 1,000,000 here\n"),
+        (["design", CONFIGS / "requirements.toml", "--set", "search.pairs={start=2, stop=10000000}"],
+         "9,999,999 values; at most 1,000,000 here\n"),
+        (["design", CONFIGS / "requirements.toml", "--set", "search.ball_diameters={start=1, stop=2, count=10000000}"],
+         "10,000,000 values; at most 10,000 here\n"),
+        (["design", CONFIGS / "requirements.toml", "--set", "search.pairs={start=2, stop=1000000}"],
+         "candidates; at most 10,000,000,000 are searched"),
+    ],
+)  # fmt: skip
+def test_arguments_beyond_a_limit(arguments, says, afmcalc):
+    start = time.perf_counter()
+    run = afmcalc(*arguments)
+    assert time.perf_counter() - start < 2
+    assert (run.code, run.out) == (2, "")
+    assert says in run.err
+    assert max(map(len, run.err.splitlines())) <= 400
+
+
+@pytest.mark.parametrize("pairs", [10**6, 10**18])
+def test_a_sweep_without_a_range_has_as_many_points_as_one_can_look_at(pairs, afmcalc):
+    (swept,) = afmcalc("accuracy", "--set", f"z={pairs}", "--sweep", "z", "--json").json["result"]["sweep"]
+    values = swept["values"]
+    assert (values[0], values[-1], len(values)) == (2, 2 * pairs, 200)
+    assert all(value == int(value) for value in values)
+
+
+def test_errors_stay_short():
+    """Twenty problems of many, no line too long, wherever the text came from."""
+    data = parse(DEFAULT, "text") | {f"key{number}": "x" * 900 for number in range(1500)}
+    with pytest.raises(SpecError) as error:
+        make_spec(data, "spec.toml")
+    lines = str(error.value).splitlines()
+    assert len(lines) == 21
+    assert lines[-1] == "spec.toml: and 1,480 more"
+    with pytest.raises(SpecError) as error:
+        make_spec(parse(DEFAULT, "text") | {"k" * 900: 1}, "s" * 300)
+    assert [len(line) for line in str(error.value).splitlines()] == [LONGEST_LINE]
+
+
+@pytest.mark.parametrize("columns", [NINES, "0", "-5", "٣", "nonsense", "1", "99999999999999999999"])
+def test_a_nonsense_width_of_the_terminal_harms_no_table(columns, afmcalc, monkeypatch):
+    monkeypatch.setenv("COLUMNS", columns)
+    run = afmcalc("torque")
+    assert run.code == 0
+    assert "107.38" in run.out or "118.52" in run.out
+
+
+@pytest.mark.parametrize("epoch", ["nonsense", "-5", "99999999999999999999", NINES])
+def test_a_nonsense_date_is_refused(epoch, afmcalc, monkeypatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", epoch)
+    run = afmcalc("report")
+    assert (run.code, run.out) == (2, "")
+    assert run.err.endswith(": seconds since 1970 are wanted\n")
+    assert len(run.err.splitlines()[-1]) < 120
