@@ -145,6 +145,14 @@ ANALYSES: dict[str, Analysis] = {
             ),
             plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
         ),
+        Analysis(
+            "simulate", "analysis.simulate.simulate", "SimulateResult", "drive",
+            lambda clutch: clutch.spec.drive.event is not None,
+            section=Section(
+                "Drive",
+                "The event of the block [drive] in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",
+            ),
+        ),
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
         Analysis("solve", "analysis.solve.solve", "SolveResult", "design"),
         Analysis(
