@@ -273,3 +273,43 @@ def judder_damping(torque_growth: Number, mean_radius: Number, static_ratio: Num
         Steady slip, small swings of the driven half on its shaft.
     """
     return torque_growth * mean_radius * (static_ratio - 1) / stribeck_speed
+
+
+def run_down_time(inertia: Number, slip_speed: Number, torque: Number, free_torque: Number) -> Number:
+    """Time in which two slipping inertias come to one speed, t = J v_0/(T − T*).
+
+    Source: Theory, section 9: tool blocked (V1) J = J_1, T* = M_1; free (V5) J = J_1 J_2/(J_1 + J_2).
+
+    Args:
+        inertia: J, reduced inertia [kg*m^2].
+        slip_speed: v_0 [rad/s].
+        torque: T, sliding torque [N*m].
+        free_torque: T*, torque at which the slip would last [N*m].
+
+    Returns:
+        t [s].
+
+    Validity:
+        T > T*, both constant.
+    """
+    return inertia * slip_speed / (torque - free_torque)
+
+
+def run_down_heat(inertia: Number, slip_speed: Number, torque: Number, free_torque: Number) -> Number:
+    """Heat of that slip, Q = ½ J v_0² T/(T − T*).
+
+    Source: Theory, section 9: derived from ``run_down_time``: Q = T v_0 t/2.
+
+    Args:
+        inertia: J, reduced inertia [kg*m^2].
+        slip_speed: v_0 [rad/s].
+        torque: T, sliding torque [N*m].
+        free_torque: T*, torque at which the slip would last [N*m].
+
+    Returns:
+        Q [J].
+
+    Validity:
+        T > T*, both constant.
+    """
+    return inertia * slip_speed * slip_speed * torque / (2 * (torque - free_torque))

@@ -1,0 +1,167 @@
+"""Heat and wear of a trip, and what the torque law neglects (theory of the drive, sections 9, 10, 13)."""
+
+import sympy as sp
+
+from ..equations import direct, drive, effects, geometry, heat
+from . import Identity, Refutation, Steps
+from .symbols import F, N, R, T_n, f, n, r, t, z
+
+__all__ = [
+    "cams_that_slide",
+    "centrifugal_force_of_the_balls",
+    "discs_in_their_splines",
+    "heat_shared_by_two_bodies",
+    "rise_of_a_heated_surface",
+    "rise_of_a_thin_disc",
+    "slip_until_the_motor_stands",
+    "temperature_of_the_discs",
+    "wear_of_a_lining",
+]
+
+J, M, w0, tau = sp.symbols("J_1 M_1 omega_0 tau", positive=True)
+q0, s, b, other, k, rho, c, m, A, area = sp.symbols("q_0 s b b_l k rho c m A a", positive=True)
+mu, fn, rs = sp.symbols("mu f_next r_s", positive=True)
+SPEED = sp.Function("omega")
+
+
+def slip_until_the_motor_stands() -> Steps:
+    """V1, from the balance of the motor side J_1 dω/dt = M_1 − T and the power T ω turned into heat."""
+    speed = heat.speed_after(w0, J, T_n, M, t)
+    yield Identity("J_1 dω/dt = M_1 − T", J * sp.diff(speed, t) - (M - T_n))
+    yield Identity("ω(0) = ω_0", speed.subs(t, 0) - w0)
+    stop = drive.run_down_time(J, w0, T_n, M)
+    yield Identity("it stands", speed.subs(t, stop))
+    total = sp.integrate(T_n * speed, (t, 0, stop))
+    yield Identity("Q = ∫ T ω dt", drive.run_down_heat(J, w0, T_n, M) - total)
+    turned = sp.integrate(speed, (t, 0, stop))
+    yield Identity("kinetic energy and motor work = Q", J * w0**2 / 2 + M * turned - total)
+    part = sp.integrate(T_n * speed.subs(t, tau), (tau, 0, t))
+    yield Identity("until any time", heat.slip_energy(T_n, w0, speed, t) - part)
+    yield Identity("at an even speed", heat.slip_energy(T_n, w0, w0, t) - T_n * w0 * t)
+
+
+def temperature_of_the_discs() -> Steps:
+    """Heat, area, rise: what comes in stays in the discs; in the mean of many trips it goes to the air."""
+    inner, width, radius = sp.symbols("r_i w rho_r", positive=True)
+    face = heat.friction_area(inner, inner + width, sp.pi)
+    yield Identity("A = ∫ 2π r dr", face - sp.integrate(2 * sp.pi * radius, (radius, inner, inner + width)))
+    yield Identity("F = p A", geometry.mean_pressure(F, inner, inner + width, sp.pi) * face - F)
+    energy, rise = sp.symbols("Q Delta", positive=True)
+    yield Identity("z A q_A = Q", z * A * heat.specific_work(energy, z, A) - energy)
+    yield Identity("z A q = T ω", z * A * heat.power_density(T_n, w0, z, A) - T_n * w0)
+    yield Identity("m c ΔΘ = Q", m * c * heat.temperature_rise(energy, m, c) - energy)
+    limit, ambient = sp.symbols("Theta_m Theta_0", positive=True)
+    trips = heat.trips_without_cooling(limit, ambient, rise)
+    yield Identity("Θ_0 + n ΔΘ = Θ_max", ambient + trips * rise - limit)
+    rate = heat.trips_per_time(k, limit, ambient, energy)
+    yield Identity("heat in = heat out", rate * energy - k * (limit - ambient))
+    headroom = sp.Symbol("H", positive=True)
+    between = heat.time_between_trips(m, c, k, -sp.log(1 - rise / headroom))
+    # what cooling leaves of the headroom, and the next trip's rise, make it up again
+    left = headroom * sp.exp(-between * k / (m * c))
+    yield Identity("the limit again after every trip", left + rise - headroom)
+    depth = heat.heated_depth(m, rho, z, A)
+    yield Identity("z A l ρ = m", z * A * depth * rho - m)
+    diffusivity = k / (rho * c)
+    yield Identity("Fo = a t/l²", heat.fourier_number(k, rho, c, t, depth) - diffusivity * t / depth**2)
+
+
+def rise_of_a_heated_surface() -> Steps:
+    """Duhamel's integral of the half-space's answer to a unit of heat, 1/(b √(π t)), over an evenly falling flux."""
+    root = sp.Symbol("u", positive=True)
+    flux = q0 - s * (t - root**2)
+    # τ = t − u² takes the root out of ∫ q(τ)/(b √(π (t − τ))) dτ
+    duhamel = sp.integrate(2 * flux / (b * sp.sqrt(sp.pi)), (root, 0, sp.sqrt(t)))
+    rise = sp.nsimplify(heat.surface_rise(q0, s, t, b, sp.pi))
+    yield Identity("Duhamel", rise - duhamel)
+    yield Identity("Carslaw & Jaeger 2.9 (7)", rise.subs(s, 0) - 2 * q0 * sp.sqrt(t / sp.pi) / b)
+    stop = q0 / s
+    hottest = stop / 2
+    yield Identity("hottest half the time of slip", sp.diff(rise, t).subs(t, hottest))
+    most = sp.Rational(4, 3) / sp.sqrt(2 * sp.pi) * q0 * sp.sqrt(stop) / b
+    yield Identity("4/(3 √(2π)) = 0.5319", rise.subs(t, hottest) - most)
+    yield Refutation("the end is not the hottest", rise.subs(t, stop) - most)
+    spread = sp.nsimplify(heat.effusivity(k, rho, c))
+    yield Identity("b² = k ρ c", spread**2 - k * rho * c)
+
+
+def rise_of_a_thin_disc() -> Steps:
+    """A disc heated on both faces: the equation of heat, the flux at the face, none in the middle, cold at first."""
+    depth, place = sp.symbols("l x", positive=True)
+    order = sp.Symbol("n", positive=True, integer=True)
+    spread = k / (rho * c)
+
+    def thin(time: sp.Expr) -> sp.Expr:
+        return heat.surface_rise_thin(q0, s, time, k, rho, c, depth)
+
+    # even polynomials in x whose means vanish
+    across = place**2 / (2 * depth**2) - sp.Rational(1, 6)
+    bent = place**4 / (24 * depth**2) - place**2 / 12 + 7 * depth**2 / 360
+    inside = (
+        (q0 - s * t / 2) * t / (rho * c * depth) + (q0 - s * t) * depth / k * across - s * depth / (k * spread) * bent
+    )
+    yield Identity("equation of heat", sp.diff(inside, t) - spread * sp.diff(inside, place, 2))
+    yield Identity("flux at the face", k * sp.diff(inside, place).subs(place, depth) - (q0 - s * t))
+    yield Identity("none in the middle", sp.diff(inside, place).subs(place, 0))
+    yield Identity("C&J 3.8 (3) at the face, long after", thin(t) - inside.subs(place, depth))
+    wave = sp.cos(order * sp.pi * place / depth)
+    decay = sp.exp(-((order * sp.pi) ** 2) * spread * t / depth**2)
+    yield Identity("waves: equation of heat", sp.diff(wave * decay, t) - spread * sp.diff(wave * decay, place, 2))
+    share = 2 * sp.integrate(inside.subs(t, 0) * wave, (place, 0, depth)) / depth
+    term = heat.surface_rise_term(q0, s, order, decay, k, rho, c, depth, sp.pi)
+    yield Identity("cold at first, each wave", sp.simplify(share * wave.subs(place, depth)) * decay - term)
+    yield Identity("cold at first, the mean", sp.integrate(inside.subs(t, 0), (place, 0, depth)))
+
+
+def heat_shared_by_two_bodies() -> Steps:
+    """Two half-spaces equally hot at the surface take the heat by their effusivities."""
+    own, rest = heat.share_of_flux(b, other), heat.share_of_flux(other, b)
+    yield Identity("all of it", own + rest - 1)
+    first, second = (
+        heat.surface_rise(q0 * share, s * share, t, body, sp.pi) for share, body in ((own, b), (rest, other))
+    )
+    yield Identity("equally hot", first - second)
+
+
+def wear_of_a_lining() -> Steps:
+    """Volume worn and thickness lost; the spring follows the pack."""
+    depth, worn, energy = sp.symbols("s_w w_v Q", positive=True)
+    trips = heat.trips_to_wear_out(z, A, depth, worn, energy)
+    yield Identity("trips × volume of one = z A s_w", trips * worn * energy - z * A * depth)
+    lost = effects.force_lost_by_wear(k, z, depth)
+    yield Identity("ΔF = c Σ δ", lost - k * sum(depth for _ in range(3)) * z / 3)
+    yield Identity("ΔF/(F δ)", heat.setting_loss_per_wear(k, z, F) * F * depth - lost)
+
+
+def discs_in_their_splines() -> Steps:
+    """A disc between two pairs: what both turn it with presses it on its spline, whose friction holds it."""
+    near = effects.spline_share(mu, f, R, rs)
+    far = effects.spline_share(mu, fn, R, rs)
+    grip = mu * (direct.group_torque(N, R, 1, f)) / rs
+    for sign, law in ((1, effects.next_force_closing), (-1, effects.next_force_opening)):
+        after = law(N, near, far)
+        turned = grip + mu * direct.group_torque(after, R, 1, fn) / rs
+        yield Identity("N − N' = ± μ_s (T + T')/r_s", N - after - sign * turned)
+        yield Identity("without friction nothing is held", law(N, 0 * near, 0 * far) - N)
+
+
+def cams_that_slide() -> Steps:
+    """The reaction of a wall with friction leans by ρ = arctan μ from its normal."""
+    angle = sp.Symbol("alpha", positive=True)
+    for sign, law in ((1, effects.tan_wall_angle_loading), (-1, effects.tan_wall_angle_unloading)):
+        # normal force 1 and friction μ along the wall, against the way the cam slides
+        around = sp.cos(angle) + sign * mu * sp.sin(angle)
+        along = sp.sin(angle) - sign * mu * sp.cos(angle)
+        yield Identity("thrust over circumferential force", law(sp.tan(angle), mu) - along / around)
+        yield Identity("μ = 0: the law's own", law(sp.tan(angle), 0 * mu) - sp.tan(angle))
+
+
+def centrifugal_force_of_the_balls() -> Steps:
+    """A ball thrown outward leans on both cones alike; each gives back the axial part of its normal force."""
+    angle, ball = sp.symbols("alpha r_b", positive=True)
+    mass = effects.ball_mass(rho, ball, sp.pi)
+    yield Identity("m = ρ V", mass - sp.integrate(rho * sp.pi * (ball**2 - tau**2), (tau, -ball, ball)))
+    half = m * w0**2 * r / 2
+    normal = half / sp.cos(angle)
+    thrust = effects.centrifugal_thrust(n, m, w0, r, sp.tan(angle))
+    yield Identity("n half reactions", thrust - n * normal * sp.sin(angle))
