@@ -55,13 +55,18 @@ def translate(text: str) -> str:
     return text
 
 
+def filled(template: str, values: Mapping[str, object]) -> str:
+    """Fill a template that stands in a table, in the language of the user."""
+    return _Sentence().vformat(translate(template), (), values)
+
+
 def say(template: str, /, **values: object) -> str:
     """Fill a template, in the language of the user.
 
     >>> say("the force is {force:.5g kN}, {times:g} times too much", force=2000.0, times=2)
     'the force is 2 kN, 2 times too much'
     """
-    return _Sentence().vformat(translate(template), (), values)
+    return filled(template, values)
 
 
 _HIDDEN = re.compile(
@@ -276,4 +281,4 @@ FINDINGS: Mapping[str, str] = {
 
 def sentence(code: str, values: Mapping[str, object]) -> str:
     """Return the sentence of a finding."""
-    return say(FINDINGS[code], **values)
+    return filled(FINDINGS[code], values)

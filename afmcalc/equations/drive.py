@@ -183,59 +183,34 @@ def slip_acceleration(
     return (drive_torque - torque) / drive_inertia - (torque - load_torque) / load_inertia
 
 
-def run_down_time(inertia: Number, slip_speed: Number, torque: Number, free_torque: Number) -> Number:
-    """Time in which two slipping inertias come to one speed, t = J v_0/(T − T*).
+def normal_force_under_load(closing_force: Number, gain: Number, ball_torque: Number, mean_radius: Number) -> Number:
+    """Normal force of a direct clutch that carries a torque without slip, N = F_п − C T_2/R.
 
-    Source: Theory, section 9: tool blocked (V1) J = J_1, T* = M_1; free (V5) J = J_1 J_2/(J_1 + J_2).
-
-    Args:
-        inertia: J, reduced inertia [kg*m^2].
-        slip_speed: v_0 [rad/s].
-        torque: T, sliding torque [N*m].
-        free_torque: T*, torque at which the slip would last [N*m].
-
-    Returns:
-        t [s].
-
-    Validity:
-        T > T*, both constant.
-    """
-    return inertia * slip_speed / (torque - free_torque)
-
-
-def run_down_heat(inertia: Number, slip_speed: Number, torque: Number, free_torque: Number) -> Number:
-    """Heat of that slip, Q = ½ J v_0² T/(T − T*).
-
-    Source: Theory, section 9: derived from ``run_down_time``: Q = T v_0 t/2.
-
-    Args:
-        inertia: J, reduced inertia [kg*m^2].
-        slip_speed: v_0 [rad/s].
-        torque: T, sliding torque [N*m].
-        free_torque: T*, torque at which the slip would last [N*m].
-
-    Returns:
-        Q [J].
-
-    Validity:
-        T > T*, both constant.
-    """
-    return inertia * slip_speed * slip_speed * torque / (2 * (torque - free_torque))
-
-
-def normal_force_rate(
-    closing_force: Number, gain: Number, ball_torque: Number, mean_radius: Number, normal_force: Number, lag: Number
-) -> Number:
-    """Rate of a normal force that follows its balance late, N' = (F_п − C T_2/R − N)/τ.
-
-    Source: Theory, section 9: derived: release force of the first order, S22's open question.
+    Source: F11 (3), (6), (7), with the torque that the load gives the balls; S22 (5).
 
     Args:
         closing_force: F_п, closing-spring force as set [N].
         gain: C, feedback gain [1].
         ball_torque: T_2, torque through the balls [N*m].
         mean_radius: R_cp, mean friction radius [m].
+
+    Returns:
+        N [N].
+
+    Validity:
+        In balance; a torque of the balls of either sign counts positive.
+    """
+    return closing_force - gain * ball_torque / mean_radius
+
+
+def normal_force_rate(normal_force: Number, balance: Number, lag: Number) -> Number:
+    """Rate of a normal force that follows its balance late, N' = (N_eq − N)/τ.
+
+    Source: Theory, section 9: release force of the first order, S22's open question.
+
+    Args:
         normal_force: N [N].
+        balance: N_eq, normal force in balance with the load [N].
         lag: τ [s].
 
     Returns:
@@ -244,30 +219,7 @@ def normal_force_rate(
     Validity:
         τ > 0; τ → 0 gives the direct law.
     """
-    return (closing_force - gain * ball_torque / mean_radius - normal_force) / lag
-
-
-def held_torque(
-    closing_force: Number, gain: Number, ball_torque: Number, mean_radius: Number, friction_pairs: Number
-) -> Number:
-    """Torque at which a clutch slips whose release force stays that of an earlier load, T_п = (F_п R − C T_2)(Σ z f).
-
-    Source: S22 (5), (22), for any direct clutch: T_2 is the torque through the balls at that load.
-
-    Args:
-        closing_force: F_п, closing-spring force as set [N].
-        gain: C, feedback gain [1].
-        ball_torque: T_2, torque through the balls [N*m].
-        mean_radius: R_cp, mean friction radius [m].
-        friction_pairs: Σ z f = z_1 f_1 + z_2 f_2, pairs times friction [1].
-
-    Returns:
-        T_п [N*m].
-
-    Validity:
-        The load rises faster than the release force follows (S22; τ → ∞).
-    """
-    return (closing_force * mean_radius - gain * ball_torque) * friction_pairs
+    return (balance - normal_force) / lag
 
 
 def torque_growth(

@@ -11,13 +11,14 @@ from afmcalc.equations.overload import actuation_factor
 
 UNITS = pint.UnitRegistry()
 
-OTHER_UNITS = {
-    "m": "inch", "N": "kgf", "N*m": "kgf*cm", "N/m": "kgf/cm", "Pa": "psi", "m^3": "inch**3", "s": "hour", "kg": "lb",
-    "rad": "deg", "rad/s": "rpm", "kg*m^2": "lb*inch**2", "m/s": "km/hour", "N*m/rad": "kgf*cm/deg", "J": "calorie",
-    "N*m*s/rad": "kgf*cm*hour/deg", "m^2": "inch**2", "kg/m^3": "g/cm**3", "K": "millikelvin", "J/kg/K": "cal/g/K",
-    "W/m/K": "cal/s/cm/K", "W/K": "cal/s/K", "m^3/J": "mm**3/cal", "W/m^2": "cal/s/inch**2",
-    "W/m^2/s": "cal/s/minute/inch**2", "W*s^0.5/m^2/K": "cal/s**0.5/cm**2/K",
+OTHERS = {
+    "m": "inch", "N": "kgf", "N*m": "kgf*cm", "N/m": "kgf/cm", "Pa": "psi", "m^3": "inch**3", "m^2": "inch**2",
+    "s": "minute", "kg": "pound", "rad/s": "rpm", "kg*m^2": "pound*foot**2", "kg/m^3": "g/cm**3", "K": "millikelvin",
+    "J": "foot*lbf", "J/kg/K": "cal/g/K", "W/m/K": "cal/s/cm/K", "W/K": "cal/s/K", "m^3/J": "mm**3/cal",
+    "m/s": "km/hour", "N/s": "kgf/minute", "rad": "deg", "rad/s^2": "rpm/minute", "N*m/rad": "kgf*cm/deg",
+    "N*m*s/rad": "kgf*cm*minute/deg", "W/m^2": "cal/s/inch**2", "W/m^2/s": "cal/s/minute/inch**2", "W*s^0.5/m^2/K": "cal/s**0.5/cm**2/K",
 }  # fmt: skip
+"""SI unit → another of the same dimension."""
 
 
 def quantities(equation, values=None):
@@ -50,7 +51,7 @@ def test_numbers_do_not_depend_on_the_units(name):
     equation = equations()[name]
     si = equation.function(**quantities(equation))
     other = {
-        key: value.to(OTHER_UNITS[equation.arguments[key].unit]) if isinstance(value, UNITS.Quantity) else value
+        key: value.to(OTHERS[equation.arguments[key].unit]) if isinstance(value, UNITS.Quantity) else value
         for key, value in quantities(equation).items()
     }
     converted = equation.function(**other).to(equation.result.unit.replace("^", "**"))

@@ -9,10 +9,14 @@ from ...engines import setting
 from ...engines.laws import DirectLaw
 from ...engines.protocol import Clutch
 from ...equations import adjustment
-from ...equations import drive as law
+from ...equations.heat import run_down_time
+from ...errors import CalculationError
 from ...extras import need
+from ...messages import say
 from .direct import DirectPack, DirectPlant
+from .indirect import IndirectPlant
 from .plant import Plant
+from .sleeve import Sleeve
 from .train import Train, train_of
 
 if TYPE_CHECKING:
@@ -66,9 +70,7 @@ def case_of(clutch: Clutch, friction: float, friction_driven: float | None = Non
 
 def ordinary_case(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Case:
     """Return the event with an ordinary clutch of equal T_н in place, until its peak; arguments as ``case_of``."""
-    train = train_of(clutch)
-    # without control unit the hub belongs to the driven half
-    whole = replace(train, driven_inertia=train.driven_inertia + train.hub_inertia, hub_inertia=0.0)
+    whole = _without_hub(train_of(clutch))
     own = DirectLaw(
         clutch.mean_radius, clutch.bypass_pairs, clutch.spec.friction_group.pairs - clutch.bypass_pairs, 0.0
     )
@@ -111,9 +113,45 @@ def outcome_of(clutch: Clutch, friction: float, friction_driven: float | None = 
 
 
 def _plant(clutch: Clutch, train: Train, driving: float, driven: float) -> Plant:
-    law_of = clutch.law
-    assert isinstance(law_of, DirectLaw)
-    return DirectPlant(train, _pack(clutch, law_of, clutch.closing_force, driving, driven))
+    own = clutch.law
+    if isinstance(own, DirectLaw):
+        return DirectPlant(train, _pack(clutch, own, clutch.closing_force, driving, driven))
+    if not own.net_gain:
+        # feedback that the key just holds: an ordinary clutch
+        ordinary = DirectLaw(own.mean_radius, own.pairs, 0.0, 0.0)
+        return DirectPlant(_without_hub(train), _pack(clutch, ordinary, clutch.closing_force, driving, driven))
+    control = float(own.control_force(clutch.closing_force))
+    if control < clutch.closing_force:
+        raise CalculationError(
+            say(
+                "simulate: the control spring ({control:.5g N}) must press more than the closing spring "
+                "({closing:.5g N}), else the sleeve is off its stop without load",
+                control=control,
+                closing=clutch.closing_force,
+            )
+        )
+    friction, unit = clutch.spec.friction, clutch.spec.control_unit
+    ratio, decay, radius = friction.static_ratio or 1.0, friction.stribeck_speed, cast(float, own.mean_radius)
+    sleeve = Sleeve(
+        friction_pairs=cast(float, own.pairs) * driving,
+        mean_radius=radius,
+        gain=cast(float, own.gain),
+        net_gain=cast(float, own.net_gain),
+        net_gain_returning=cast(float, own.net_gain_returning),
+        closing_force=cast(float, clutch.closing_force),
+        control_force=control,
+        closing_stiffness=cast(float, own.closing_stiffness),
+        control_stiffness=cast(float, own.control_stiffness),
+        mass=(unit.sleeve_mass if unit else None) or 0.0,
+        static_ratio=ratio,
+        decay_rate=radius / decay if decay else 0.0,
+    )
+    return IndirectPlant(train, sleeve, float(clutch.torque(driving)), float(clutch.torque(ratio * driving)))
+
+
+def _without_hub(train: Train) -> Train:
+    """Without control unit the hub belongs to the driven half."""
+    return replace(train, driven_inertia=train.driven_inertia + train.hub_inertia, hub_inertia=0.0)
 
 
 def _pack(clutch: Clutch, own: DirectLaw, force: Values, driving: float, driven: float) -> DirectPack:
@@ -148,10 +186,10 @@ def _duration(train: Train, sliding: float) -> float | None:
     """Time within which the slip ends, s; None where it need not."""
     drive, speed = train.engine.torque, train.speed
     if sliding > drive:
-        slip = law.run_down_time(train.motor_inertia, speed, sliding, drive)
+        slip = run_down_time(train.motor_inertia, speed, sliding, drive)
     elif train.cut_off is not None:
         gained = speed + (drive - sliding) * train.cut_off / train.motor_inertia
-        slip = train.cut_off + law.run_down_time(train.motor_inertia, gained, sliding, 0.0)
+        slip = train.cut_off + run_down_time(train.motor_inertia, gained, sliding, 0.0)
     else:
         return None
     if train.kind == "load":

@@ -1,13 +1,14 @@
 """A direct clutch in its drive: one element that sticks or slips, its normal force at once or late."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from math import exp
 
+from ...arrays import V
 from ...equations import direct
 from ...equations import drive as law
-from .plant import Mode, Plant, State, Tool, Torques, sign
+from .plant import DECAYED, Mode, Plant, Sliding, State, Tool, Torques, sign
 from .train import Train
 
 
@@ -30,19 +31,19 @@ class DirectPack:
     lag: float = 0.0
     """τ, s."""
 
-    @property
+    @cached_property
     def friction_pairs(self) -> float:
         """Σ z f."""
         return self.bypass_pairs * self.driving + self.controlled_pairs * self.driven
 
-    @property
+    @cached_property
     def ball_share(self) -> float:
         """Share of the torque that passes the balls, z_2 f_2/Σ z f; below slip too (S22 for one material)."""
         return self.controlled_pairs * self.driven / self.friction_pairs
 
-    def torque(self, ratio: float) -> float:
+    def torque(self, ratio: V) -> V:
         """Slip torque with friction times ``ratio``, no lag."""
-        torque: float = direct.torque(
+        torque: V = direct.torque(
             self.closing_force,
             self.mean_radius,
             self.bypass_pairs,
@@ -53,16 +54,17 @@ class DirectPack:
         )
         return torque
 
-    def held(self, torque: float) -> float:
-        """Normal force at a torque that lasts, without slip."""
-        return self.closing_force - self.gain * self.ball_share * torque / self.mean_radius
-
-    def potential(self, torque: float, ratio: float) -> float:
-        """T_п: torque at which it slips with the release force of ``torque``, friction times ``ratio``."""
-        potential: float = law.held_torque(
-            self.closing_force, self.gain, self.ball_share * torque, self.mean_radius, ratio * self.friction_pairs
+    def under(self, torque: V) -> V:
+        """Normal force in balance with a torque either way, without slip."""
+        force: V = law.normal_force_under_load(
+            self.closing_force, self.gain, self.ball_share * torque, self.mean_radius
         )
-        return potential
+        return force
+
+    def carried(self, normal_force: V, ratio: V) -> V:
+        """Torque at which a normal force slips, friction times ``ratio``."""
+        torque: V = direct.group_torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
+        return torque
 
 
 @dataclass(frozen=True)
@@ -85,8 +87,8 @@ class DirectPlant(Plant):
         """T(f)."""
         return self.pack.torque(1.0)
 
-    @property
-    def breakaway(self) -> float:
+    @cached_property
+    def breakaway(self) -> float:  # type: ignore[override]
         """T(r_s f)."""
         return self.pack.torque(self.pack.static_ratio)
 
@@ -110,7 +112,7 @@ class DirectPlant(Plant):
         train = self.train
         locked = train.kind == "stop" and not train.time
         tool = 0.0 if locked else train.speed
-        return [0.0, train.speed, float(train.load / train.stiffness), tool, self.pack.held(train.load)]
+        return [0.0, train.speed, float(train.load / train.stiffness), tool, self.pack.under(train.load)]
 
     def scales(self) -> State:
         """Size of every state."""
@@ -127,7 +129,7 @@ class DirectPlant(Plant):
         own = self.pack
         if own.static_ratio == 1:
             return 1.0
-        ratio: float = law.stribeck_ratio(own.static_ratio, exp(-own.decay_rate * abs(slip)))
+        ratio: float = law.stribeck_ratio(own.static_ratio, math.exp(-own.decay_rate * abs(slip)))
         return ratio
 
     def capacity(self, y: Sequence[float], slip: float) -> float:
@@ -135,7 +137,7 @@ class DirectPlant(Plant):
         own, ratio = self.pack, self._ratio(slip)
         if not own.lag:
             return own.torque(ratio)
-        return y[self.NORMAL] * own.mean_radius * ratio * own.friction_pairs
+        return own.carried(y[self.NORMAL], ratio)
 
     def sticking(self, motor: float, shaft: float) -> float:
         """Torque of the pack that keeps both halves together."""
@@ -152,15 +154,11 @@ class DirectPlant(Plant):
     def rates(self, t: float, y: Sequence[float], mode: Mode) -> State:
         """Newton, the lag, and the work of motor, pack, shaft and tool."""
         train, own = self.train, self.pack
-        motor, clutch, balls, shaft = self.torques(t, y, mode)
+        motor, clutch, _, shaft = self.torques(t, y, mode)
         slip, driven, _, tool, normal = y[: self.size]
         twisting = driven - tool
         slipping = law.slip_acceleration(motor, train.motor_inertia, clutch, shaft, train.driven_inertia)
-        late = (
-            law.normal_force_rate(own.closing_force, own.gain, abs(balls), own.mean_radius, normal, own.lag)
-            if own.lag
-            else 0.0
-        )
+        late = law.normal_force_rate(normal, own.under(abs(clutch)), own.lag) if own.lag else 0.0
         return [
             slipping if mode.pack else 0.0,
             (clutch - shaft) / train.driven_inertia,
@@ -173,6 +171,14 @@ class DirectPlant(Plant):
             self.tool.power(t, mode, shaft, tool),
             0.0,
         ]
+
+    def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:
+        """Sliding friction alone, and a normal force that has come to its balance."""
+        own, late = self.pack, self.rates(t, y, mode)[self.NORMAL]
+        if abs(late) * own.lag > 1e-10 * y[self.NORMAL]:
+            return None
+        slip = DECAYED / own.decay_rate if own.static_ratio > 1 else 0.0
+        return Sliding(mode.pack * self.sliding, self.train.driven_inertia, math.inf, slip)
 
     def guards(self, t: float, y: Sequence[float], mode: Mode) -> list[float]:
         """Pack, tool."""

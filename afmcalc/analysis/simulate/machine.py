@@ -11,6 +11,7 @@ from scipy.optimize import brentq
 
 from ...errors import CalculationError
 from ...messages import say
+from .coast import stride
 from .plant import Mode, Plant, State
 
 TOLERANCE = 1e-9
@@ -18,6 +19,12 @@ MOST_SWITCHES = 20_000
 _STEPS_A_PERIOD = 4
 _WORKS = 5
 """Energies that are summed along with the states: of motor, pack, shaft, tool, key."""
+_LOOKED_AT = (0.0, *(2.0**-power for power in range(30, 0, -3)))
+"""Places in a step at which a guard that begins at 0 is looked for above it."""
+_LOOK = 3.0
+"""Swings of the driven half after which a slip may be taken in one stride: its peak has come."""
+_UNSEEN = 1e-3
+"""Swing, relative to the torque, that a history does not miss."""
 _INSIDE = (0.25, 0.5, 0.75)
 """Points of a step that a history shows beside its ends."""
 
@@ -49,6 +56,8 @@ class Trip(NamedTuple):
     """Of the clutch as it began to slip; None where it did not."""
     ended: bool
     """Whether the slip ended."""
+    endless: bool
+    """Whether the motor drives it for ever."""
     residual: float
     """Error of the energy balance, relative to the largest energy in it."""
     history: list[Moment]
@@ -79,8 +88,12 @@ class _Run:
         self.off = math.inf
         """When the motor is switched off."""
         self.stuck_since: float | None = 0.0
+        self.endless = False
+        self.look = math.inf
+        """When to see whether the slip can be taken in one stride."""
         natural = math.sqrt(float(plant.train.stiffness / plant.train.driven_inertia))
         self.longest_step = 2 * math.pi / natural / _STEPS_A_PERIOD
+        self.swings = _LOOK * 2 * math.pi / natural
         self.moment = 1e-6 / natural
         """Time over which a slope is taken."""
         self.scales = np.array([*plant.scales(), *[plant.stored(plant.start())] * _WORKS])
@@ -94,7 +107,7 @@ class _Run:
         self._slips(t, y, mode)
         for _ in range(MOST_SWITCHES):
             t, y, mode = self._phase(t, y, mode)
-            if t >= self.horizon or t >= self._quiet(mode):
+            if t >= self.horizon or t >= self._quiet(mode) or self.endless:
                 break
         else:
             raise CalculationError(say("simulate: the drive sticks and slips without end"))
@@ -111,6 +124,7 @@ class _Run:
             self.travel_max,
             self.trip_torque,
             mode.pack == 0,
+            self.endless,
             residual,
             history,
         )
@@ -135,7 +149,12 @@ class _Run:
         plant, train = self.plant, self.plant.train
         stage = math.inf if mode.over else train.time
         off = self.off if mode.powered else math.inf
-        end, y, hit = self._integrate(t, y, mode, min(self.horizon, stage, off, self._quiet(mode)))
+        bound = min(self.horizon, stage, off, self._quiet(mode))
+        end, y, hit = self._integrate(t, y, mode, min(bound, self.look))
+        if end == self.look < bound:
+            if mode.over and not (mode.tool and train.kind == "load"):
+                end, y = self._stride(end, y, mode, bound)
+            self.look = end + self.swings
         self.slip_time += end - t if mode.pack else 0.0
         self._note(end, y, mode)
         if stage <= end and train.kind == "stop":
@@ -143,13 +162,23 @@ class _Run:
         staged = mode._replace(over=stage <= end or mode.over, powered=mode.powered and end < off)
         y, new = plant.switched(end, y, staged, hit)
         self._note(end, y, new)
-        if bool(new.pack) != bool(mode.pack):
+        if (bool(new.pack), _still(new)) != (bool(mode.pack), _still(mode)):
             self._slips(end, y, new)
         return end, y, new
 
+    def _stride(self, t: float, y: State, mode: Mode, bound: float) -> tuple[float, State]:
+        """Take in one stride what is left of a steady slip; a history keeps the swings that show."""
+        largest = _UNSEEN if self.history is not None else math.inf
+        found = stride(self.plant, t, y, mode, bound, lasting=self.off == math.inf, largest=largest)
+        if found is None:
+            return t, y
+        self.endless = found.endless
+        return found.time, found.y
+
     def _slips(self, t: float, y: State, mode: Mode) -> None:
-        """Take down that slip begins or ends."""
-        self.stuck_since = None if mode.pack else t
+        """Take down that slip, or anything that moves, begins or ends."""
+        self.stuck_since = t if _still(mode) else None
+        self.look = t + self.swings if mode.pack else math.inf
         if mode.pack and self.trip_torque is None:
             self.trip_torque = abs(self.plant.torques(t, y, mode).clutch)
             cut_off = self.plant.train.cut_off
@@ -230,6 +259,11 @@ class _Run:
         return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in grown]
 
 
+def _still(mode: Mode) -> bool:
+    """Whether the drive before the shaft turns as one."""
+    return not mode.pack and mode.balls in ("seat", "lock")
+
+
 def _root(function: Callable[[float], float], start: float, end: float) -> float:
     """Return where a function changes sign."""
     first = function(start)
@@ -238,6 +272,6 @@ def _root(function: Callable[[float], float], start: float, end: float) -> float
 
 def _crossing(guard: Callable[[float], float], start: float, end: float) -> float:
     """Return where a guard that begins at 0 or above and ends below last falls to 0."""
-    ends = [start + share * (end - start) for share in (0.0, 1 / 64, 1 / 8, 1 / 2)]
+    ends = [start + share * (end - start) for share in _LOOKED_AT]
     above = [each for each in ends if guard(each) > 0]
     return float(brentq(guard, above[-1], end, xtol=1e-14, rtol=1e-14)) if above else start

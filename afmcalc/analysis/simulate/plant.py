@@ -4,15 +4,17 @@ Between two events every element either sticks or slips, and the equations are s
 positive while the mode lasts. Derived after the state machine of Otter, Elmqvist and Mattsson (1999).
 """
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from ...equations import drive as law
 from .train import Train
 
 State = list[float]
+Balls = Literal["seat", "lock", "out", "back"]
 
 
 class Mode(NamedTuple):
@@ -25,12 +27,29 @@ class Mode(NamedTuple):
     over: bool = False
     """Whether the tool has been stopped, or the load has risen."""
     powered: bool = True
-    balls: str = "seat"
-    """Indirect: ``seat``, or off it ``lock``, ``out``, ``back``."""
+    balls: Balls = "seat"
+    """Indirect: at their stop, or off it held by the key, moving out or back."""
     side: int = 1
     """Wall on which the balls are, or the sign of their torque at the seat."""
     hold: int = 1
     """At the seat: 1 while the torque rises (κ), −1 while it falls (κ₊), 0 where the key holds N between."""
+
+
+class Sliding(NamedTuple):
+    """A pack that slides at a constant torque."""
+
+    torque: float
+    """N·m, with the sign of the slip."""
+    inertia: float
+    """Of what swings on the shaft, kg·m²."""
+    most: float
+    """Swing of the shaft's torque about it up to which the torque stays constant, N·m."""
+    slip: float
+    """Slip above which static friction is nothing, rad/s."""
+
+
+DECAYED = 20.0
+"""Exponent at which static friction is nothing, e^−20 = 2e-9."""
 
 
 class Torques(NamedTuple):
@@ -75,6 +94,10 @@ class Tool:
             return 1.0
         return mode.tool * speed if mode.tool else self.resistance(t, mode) - abs(shaft)
 
+    def holds(self, mode: Mode) -> float:
+        """Torque up to which a standing tool stands, N·m."""
+        return math.inf if self.train.kind == "stop" else self.train.overload
+
     def settled(self, t: float, mode: Mode, shaft: float, speed: float, *, torn: bool) -> int:
         """Sign of the motion that follows; ``torn`` off its rest it moves."""
         if speed:
@@ -100,10 +123,8 @@ class Plant(ABC):
     sliding: float
     """Sliding torque T(f)."""
 
-    @property
-    @abstractmethod
-    def breakaway(self) -> float:
-        """Torque at which the clutch at rest slips under a load that rises slowly, N·m."""
+    breakaway: float
+    """Torque at which the clutch at rest slips under a load that rises slowly, T(r_s f)."""
 
     @property
     @abstractmethod
@@ -141,6 +162,10 @@ class Plant(ABC):
     @abstractmethod
     def motor_speed(self, y: Sequence[float]) -> float:
         """ω_1, rad/s."""
+
+    @abstractmethod
+    def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:
+        """How the pack slides if its torque is constant from now on; None where it is not."""
 
     def travel(self, y: Sequence[float]) -> float:
         """Travel of the sleeve, m."""

@@ -8,6 +8,7 @@ from typing import TypeVar, cast
 
 import numpy as np
 
+from ...arrays import V
 from ...engines.protocol import Clutch
 from ...equations import drive as law
 from ...errors import Problem, SpecError
@@ -26,11 +27,11 @@ class Engine:
     synchronous: float
     """ω_s, rad/s."""
 
-    def at(self, speed: float) -> float:
+    def at(self, speed: V) -> V | float:
         """M_1 at a speed, N·m."""
         if self.slip is None:
             return self.torque
-        driven: float = law.kloss_torque(self.torque, self.slip, law.motor_slip(speed, self.synchronous))
+        driven: V = law.kloss_torque(self.torque, self.slip, law.motor_slip(speed, self.synchronous))
         return driven
 
 

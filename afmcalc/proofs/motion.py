@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import direct, drive, indirect, overload, sleeve
+from ..equations import direct, drive, heat, indirect, overload, sleeve
 from . import Identity, Steps
 from .symbols import C, F, R, beta, c1, c2, d, f, f1, f2, fk, fmin, solved, x, z, z1, z2
 
@@ -78,28 +78,28 @@ def run_down() -> Steps:
     free = drive.sticking_torque(M, J1, L, J2)
     v = v0 + drive.slip_acceleration(M, J1, T, L, J2) * time
     end = solved(v, time)
-    yield Identity("V5: time", drive.run_down_time(reduced, v0, T, free) - end)
-    yield Identity("V5: heat", drive.run_down_heat(reduced, v0, T, free) - sp.integrate(T * v, (time, 0, end)))
+    yield Identity("V5: time", heat.run_down_time(reduced, v0, T, free) - end)
+    yield Identity("V5: heat", heat.run_down_energy(reduced, v0, T, free) - sp.integrate(T * v, (time, 0, end)))
     blocked = v0 + (M - T) / J1 * time
     end = solved(blocked, time)
-    yield Identity("V1: time", drive.run_down_time(J1, v0, T, M) - end)
-    yield Identity("V1: heat", drive.run_down_heat(J1, v0, T, M) - sp.integrate(T * blocked, (time, 0, end)))
+    yield Identity("V1: time", heat.run_down_time(J1, v0, T, M) - end)
+    yield Identity("V1: heat", heat.run_down_energy(J1, v0, T, M) - sp.integrate(T * blocked, (time, 0, end)))
 
 
 def lag_between_expected_and_potential() -> Steps:
     """The lag's two ends: τ → 0 the law itself, τ → ∞ the potential torque of S22."""
     pairs = z1 * f1 + z2 * f2
-    late = drive.normal_force_rate(F, C, R * N * z2 * f2, R, N, tau)
-    yield Identity("at rest N is that of the direct law", solved(late, N) - direct.normal_force(F, z2, C, f2))
-    yield Identity("it follows with the time τ", sp.diff(drive.normal_force_rate(F, C, L, R, N, tau), N) + 1 / tau)
+    late = drive.normal_force_rate(N, drive.normal_force_under_load(F, C, R * N * z2 * f2, R), tau)
+    yield Identity("slipping steadily N is that of the direct law", solved(late, N) - direct.normal_force(F, z2, C, f2))
+    yield Identity("it follows with the time τ", sp.diff(drive.normal_force_rate(N, L, tau), N) + 1 / tau)
+    yield Identity("until it is in balance", drive.normal_force_rate(L, L, tau))
     machine = overload.machine_torque(direct.torque(F, R, z1, z - z1, C, fmin, fmin), beta)
-    held = drive.held_torque(F, C, machine * (z - z1) / z, R, z * f)
+    held = direct.group_torque(drive.normal_force_under_load(F, C, machine * (z - z1) / z, R), R, z, f)
     at_min = overload.loop_gain(z - z1, C, fmin)
     yield Identity("τ → ∞: T_п of S22 (22)", held - overload.potential_torque(z, F, R, f, beta, at_min))
     own = direct.torque(F, R, z1, z2, C, f1, f2)
-    yield Identity(
-        "held at its own torque it slips there", drive.held_torque(F, C, own * z2 * f2 / pairs, R, pairs) - own
-    )
+    under = drive.normal_force_under_load(F, C, own * z2 * f2 / pairs, R)
+    yield Identity("under its own torque it slips there", direct.group_torque(under, R, 1, pairs) - own)
 
 
 def judder() -> Steps:
