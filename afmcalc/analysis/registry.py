@@ -258,7 +258,7 @@ ANALYSES: dict[str, Analysis] = {
                 "As making and service scatter, the mean torque is {mean:.5g N·m}, its standard deviation "
                 "{standard_deviation:.4g N·m}.",
             ),
-            plot=Plot("tolerance", "histogram of the torque with quantiles, by the [tolerance] block", "clutch"),
+            plot=Plot("tolerance", "histogram of the torque with quantiles, by the block tolerance", "clutch"),
         ),
         Analysis(
             "design", "analysis.design.design", "DesignResult", "design",

@@ -7,6 +7,7 @@ import typer
 from ..errors import AfmcalcError
 from ..messages import say
 from .files import SPEC
+from .names import completing, parameters, targets
 from .options import Common, SpecArgument, with_common, with_long
 from .run import build_from, calculate, emit, write_spec
 
@@ -15,11 +16,21 @@ from .run import build_from, calculate, emit, write_spec
 def solve(
     target: Annotated[
         str,
-        typer.Argument(metavar="TARGET=VALUE", help="What is wanted, e.g. accuracy_factor=2 or torque_max='300 Nm'."),
+        typer.Argument(
+            metavar="TARGET=VALUE",
+            help="What is wanted, e.g. accuracy_factor=2 or torque_max='300 Nm'.",
+            autocompletion=completing(targets, "="),
+        ),
     ],
     spec: SpecArgument = None,
     parameter: Annotated[
-        str, typer.Option("--for", metavar="NAME", help="Parameter to solve for: C, F, z, z1, R, c1, c2, or its key.")
+        str,
+        typer.Option(
+            "--for",
+            metavar="NAME",
+            help="Parameter to solve for: C, F, z, z1, R, c1, c2, or its key.",
+            autocompletion=completing(parameters),
+        ),
     ] = "C",
     beyond_limit: Annotated[
         bool, typer.Option("--beyond-limit", help="Go past the gain limit of the variant.")

@@ -11,6 +11,7 @@ from ..extras import need
 from ..messages import say
 from .files import SPEC, format_of_spec, result_kind
 from .options import Common
+from .streams import is_unicode
 
 if TYPE_CHECKING:
     from ..engines import Clutch
@@ -96,6 +97,10 @@ def emit(
         from ..render import renderer
 
         text = renderer(chosen)(output, terminal)
+    if chosen == "json" and common.output in (None, "-") and not is_unicode(sys.stdout):
+        from ..render.formats.json import in_ascii
+
+        text = in_ascii(text)
     common.write(text, result_kind(common.command, chosen, text))
     if chosen == "csv" and not result.findings_first:
         from ..render.layout import findings_lines

@@ -22,6 +22,8 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
     draw = curve or curve_lines
     laid_out = document(output.result)
     found, steps = blocks(laid_out), step_lines(laid_out)
+    if not is_unicode():
+        found = [_fitting(block) for block in found]
     if terminal or _width():
         from .terminal import render_rich
 
@@ -30,6 +32,15 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
     else:
         text = _plain(output, found, steps, draw)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+
+
+def _fitting(block: TextTable) -> TextTable:
+    """Spell what standard output lacks before anything is aligned."""
+    from ...spelling import fitting
+
+    encoding = sys.stdout.encoding or "ascii"
+    header, *rows = ([fitting(cell, encoding) for cell in cells] for cells in (block.header, *block.rows))
+    return block._replace(header=header, rows=rows)
 
 
 def _width() -> int | None:
