@@ -88,6 +88,29 @@ def _can_be_synthesized(clutch: "Clutch") -> bool:
     return unit is not None and unit.ball_circle_radius is not None and bool(clutch.gain > 0)
 
 
+def _heat_is_known(clutch: "Clutch") -> bool:
+    from ..spec.heat import missing_of
+
+    return not missing_of(clutch.spec.drive)
+
+
+def _heated(found: Any) -> str:
+    if None in (found.energy.min, found.energy.mean, found.energy.max):
+        return "The motor carries the slipping clutch: at some friction the slip does not end."
+    if found.temperature is None:
+        return "A trip gives {energy.min:.4g kJ} at the smallest and {energy.max:.4g kJ} at the largest friction."
+    return (
+        "A trip gives {energy.min:.4g kJ} at the smallest and {energy.max:.4g kJ} at the largest friction, and warms "
+        "the discs by {temperature_rise.min:.4g} and {temperature_rise.max:.4g} K."
+    )
+
+
+def _any_effect(clutch: "Clutch") -> bool:
+    from .effects.brackets import SOURCES
+
+    return any(not source.missing(clutch) for source in SOURCES.values())
+
+
 def _about_tolerance(found: Any) -> str:
     if found.method == "exact":
         return "The slip torque as making and service scatter, by the block [tolerance]; the answer is exact."
@@ -109,17 +132,6 @@ def _ball(found: Any) -> str:
     return "The wall angle is {wall_angle:.4g deg}, the diameter of the ball {ball_diameter_standard:.5g mm}."
 
 
-def _heat(found: Any) -> str:
-    if found.energy.max is None:
-        return "At the largest friction the slip does not end: the heat has no bound without a cut-off of the motor."
-    if found.temperature is None or found.temperature.max is None:
-        return "A trip turns {energy.max:.4g kJ} into heat at the largest friction."
-    return (
-        "A trip turns {energy.max:.4g kJ} into heat at the largest friction and warms the discs by "
-        "{temperature_rise.max:.4g K}."
-    )
-
-
 def _lasting(found: Any) -> str:
     stresses = found.stress_protected, found.stress_unprotected
     if None in stresses:
@@ -127,18 +139,6 @@ def _lasting(found: Any) -> str:
     if max(stresses) <= found.endurance_limit:
         return "Fatigue does not limit the life of the shaft: the damaging stress stays below the endurance limit."
     return "Fatigue limits the life of the shaft: the damaging stress is above the endurance limit."
-
-
-def _heat_is_known(clutch: "Clutch") -> bool:
-    from ..spec.heat import missing_of
-
-    return not missing_of(clutch.spec.drive)
-
-
-def _any_effect(clutch: "Clutch") -> bool:
-    from .effects.brackets import SOURCES
-
-    return any(not source.missing(clutch) for source in SOURCES.values())
 
 
 ANALYSES: dict[str, Analysis] = {
@@ -219,8 +219,8 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Drive",
                 "The event of the block [drive] in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",
-                "At the largest friction the shaft is loaded with up to {peak_torque.max:.5g N·m}; with an ordinary "
-                "clutch of equal nominal torque it would be {peak_torque_conventional.max:.5g N·m}.",
+                "At the largest friction the torque in the shaft reaches {peak_torque.max:.5g N·m}, with an ordinary "
+                "clutch {peak_torque_conventional.max:.5g N·m}.",
             ),
         ),
         Analysis(
@@ -229,7 +229,7 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Heat and wear",
                 "What one trip turns into heat, what it warms the discs by, and how often it may be.",
-                _heat,
+                _heated,
                 ("CJ",),
             ),
         ),
@@ -239,7 +239,7 @@ ANALYSES: dict[str, Analysis] = {
                 "What the law neglects",
                 "Each effect as what the torque and K_т lie between, springs as set; the bypass pairs are farthest "
                 "from the spring, an inner disc is behind the first pair.",
-                "By the law the accuracy factor is K_т = {accuracy_factor:.4g}; the effects say how far it may be off.",
+                "By the law alone K_т is {accuracy_factor:.4g}; the table says what each effect may make of it.",
                 ("Fi68", "F11"), ("Fi68", "S21"),
             ),
             plot=Plot("effects", "torque with each effect that the law neglects", "clutch", applies=_any_effect),
@@ -262,7 +262,7 @@ ANALYSES: dict[str, Analysis] = {
         ),
         Analysis(
             "design", "analysis.design.design", "DesignResult", "design",
-            plot=Plot("pareto", "Pareto front of a design, on the grid and refined", "requirements"),
+            plot=Plot("pareto", "Pareto front of a design, every clutch with its number", "requirements"),
         ),
         Analysis("explain", "analysis.explain.explain", "ExplainResult", "papers"),
         Analysis("equations", "papers.register", "EquationsResult", "papers"),

@@ -130,7 +130,7 @@ def synthesize(
     output = calculate(common.to_standard_output(), spec, lambda clutch: {"balls": sizes})
     if common.output:
         assert output.spec is not None
-        write_spec(completed(make_spec(output.spec), output.result), common)
+        write_spec(completed(make_spec(output.spec), output.result), common, say("Completed by afmcalc synthesize."))
         common.wrote(say("wrote the completed spec to {output}", output=common.output))
 
 

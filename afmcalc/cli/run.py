@@ -111,8 +111,8 @@ def emit(
     return output
 
 
-def write_spec(data: dict[str, Any], common: Common) -> None:
-    """Write a spec to the file of a command that gives one beside its result."""
+def write_spec(data: dict[str, Any], common: Common, about: str) -> None:
+    """Write a spec to the file of a command that gives one beside its result; ``about`` says what it is."""
     assert common.output is not None
     if format_of_spec(common.output) == "json":
         import json
@@ -121,5 +121,5 @@ def write_spec(data: dict[str, Any], common: Common) -> None:
     else:
         from ..spec import to_toml
 
-        text = to_toml(data)
+        text = to_toml(data, about)
     common.write(text, SPEC)

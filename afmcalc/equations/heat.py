@@ -3,6 +3,46 @@
 from ._types import Number
 
 
+def run_down_time(inertia: Number, speed: Number, torque: Number, motor_torque: Number) -> Number:
+    """Slip until the motor side stands, the tool being blocked, J_1 ω_0/(T − M_1).
+
+    Source: Theory of the drive, V1.
+
+    Args:
+        inertia: J_1, moment of inertia of the motor side [kg*m^2].
+        speed: ω_0, speed of the motor side as the slip begins [rad/s].
+        torque: T, slip torque [N*m].
+        motor_torque: M_1, torque of the motor [N*m].
+
+    Returns:
+        t [s].
+
+    Validity:
+        T > M_1, both constant.
+    """
+    return inertia * speed / (torque - motor_torque)
+
+
+def run_down_energy(inertia: Number, speed: Number, torque: Number, motor_torque: Number) -> Number:
+    """Heat of a slip until the motor side stands, ½ J_1 ω_0² T/(T − M_1).
+
+    Source: Theory of the drive, V1.
+
+    Args:
+        inertia: J_1, moment of inertia of the motor side [kg*m^2].
+        speed: ω_0, speed of the motor side as the slip begins [rad/s].
+        torque: T, slip torque [N*m].
+        motor_torque: M_1, torque of the motor [N*m].
+
+    Returns:
+        Q [J].
+
+    Validity:
+        T > M_1, both constant.
+    """
+    return inertia * speed * speed * torque / (2 * (torque - motor_torque))
+
+
 def speed_after(speed: Number, inertia: Number, torque: Number, motor_torque: Number, time: Number) -> Number:
     """Speed of the motor side while the clutch slips, ω_0 − (T − M_1) t/J_1.
 

@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import direct, drive, effects, geometry, heat
+from ..equations import direct, effects, geometry, heat
 from . import Identity, Refutation, Steps
 from .symbols import F, N, R, T_n, f, n, r, t, z
 
@@ -29,10 +29,10 @@ def slip_until_the_motor_stands() -> Steps:
     speed = heat.speed_after(w0, J, T_n, M, t)
     yield Identity("J_1 dω/dt = M_1 − T", J * sp.diff(speed, t) - (M - T_n))
     yield Identity("ω(0) = ω_0", speed.subs(t, 0) - w0)
-    stop = drive.run_down_time(J, w0, T_n, M)
+    stop = heat.run_down_time(J, w0, T_n, M)
     yield Identity("it stands", speed.subs(t, stop))
     total = sp.integrate(T_n * speed, (t, 0, stop))
-    yield Identity("Q = ∫ T ω dt", drive.run_down_heat(J, w0, T_n, M) - total)
+    yield Identity("Q = ∫ T ω dt", heat.run_down_energy(J, w0, T_n, M) - total)
     turned = sp.integrate(speed, (t, 0, stop))
     yield Identity("kinetic energy and motor work = Q", J * w0**2 / 2 + M * turned - total)
     part = sp.integrate(T_n * speed.subs(t, tau), (tau, 0, t))

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from ...arrays import Values
 from ...engines.protocol import Clutch
-from ...equations import drive as drive_law
 from ...equations import heat as law
 from ...errors import Problem, SpecError
 from ...findings import Finding
@@ -98,13 +97,13 @@ def _run_down(drive: Drive, torque: Values, motor: Values) -> HeatedSlip:
         return HeatedSlip(torque, off, law.slip_energy(torque, speed, speed, off))
     carried = bool(torque <= motor)
     if not carried:
-        time = drive_law.run_down_time(inertia, speed, torque, motor)
+        time = law.run_down_time(inertia, speed, torque, motor)
         if off is None or time <= off:
-            return HeatedSlip(torque, time, drive_law.run_down_heat(inertia, speed, torque, motor))
+            return HeatedSlip(torque, time, law.run_down_energy(inertia, speed, torque, motor))
     if off is None:
         return HeatedSlip(torque, None, None, carried)
     # a motor that can carry the slip torque goes on at its speed
     end = speed if carried else law.speed_after(speed, inertia, torque, motor, off)
     until = law.slip_energy(torque, speed, end, off)
-    after = drive_law.run_down_heat(inertia, end, torque, 0.0)
-    return HeatedSlip(torque, off + drive_law.run_down_time(inertia, end, torque, 0.0), until + after, carried)
+    after = law.run_down_energy(inertia, end, torque, 0.0)
+    return HeatedSlip(torque, off + law.run_down_time(inertia, end, torque, 0.0), until + after, carried)

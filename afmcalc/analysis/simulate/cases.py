@@ -9,7 +9,7 @@ from ...engines import setting
 from ...engines.laws import DirectLaw
 from ...engines.protocol import Clutch
 from ...equations import adjustment
-from ...equations.drive import run_down_time
+from ...equations.heat import run_down_time
 from ...errors import CalculationError
 from ...extras import need
 from ...messages import say

@@ -10,7 +10,7 @@ from ...engines.protocol import Clutch
 from ...equations import springs as law
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
-from ...messages import say
+from ...messages import say, translate
 from ...spec import resolved
 from ...spec.springs import CoilSprings, DiscStack
 from ..registry import SpringKind, SpringOrder
@@ -225,11 +225,18 @@ def _part_of(option: SpringOption) -> dict[str, Any]:
 
 
 def _none(wish: Wish, close: Candidate) -> Finding:
-    misses = ", ".join(f"{name} {by:.1%}" for name, by in sorted(close.misses.items(), key=lambda each: -each[1]))
+    ranked = sorted(close.misses.items(), key=lambda each: -each[1])
+    misses = ", ".join(_missed(name, by) for name, by in ranked)
     part = close.part
     size = f"{part.parallel} × {part.series}" if isinstance(part, DiscStack) else f"{part.count} × {part.turns:g}"
     path = f"{wish.name}_spring"
     return finding("no-spring", "warning", value=wish.force, path=path, part=close.label, size=size, misses=misses)
+
+
+def _missed(name: str, by: float) -> str:
+    if by < 1:
+        return say("{name} by {by:.1%}", name=translate(name), by=by)
+    return say("{name} by {by:.3g} times", name=translate(name), by=by)
 
 
 def _remarks(wish: Wish) -> list[Finding]:

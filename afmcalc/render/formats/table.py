@@ -5,7 +5,7 @@ import sys
 
 from ...result import Output
 from ..document import document
-from ..layout import SweepDrawing, TextTable, blocks, findings_lines, step_lines, title
+from ..layout import SweepDrawing, TextTable, blocks, findings_lines, padded, step_lines, title, unfolded
 from .curve import curve_lines
 
 _NARROWEST = 20
@@ -59,7 +59,7 @@ def is_unicode() -> bool:
 def _plain(output: Output, found: list[TextTable], steps: list[str], curve: SweepDrawing) -> str:
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
     lines = [title(output)]
-    for block in found:
+    for block in unfolded(found):
         heading = [text for text in (block.title, block.legend) if text]
         lines += ["", *heading, *_aligned(block), *curve(block, is_unicode())]
     lines += steps
@@ -69,6 +69,7 @@ def _plain(output: Output, found: list[TextTable], steps: list[str], curve: Swee
 
 
 def _aligned(block: TextTable) -> list[str]:
+    block = padded(block)
     lines = [block.header, *block.rows]
     widths = [max(map(len, cells)) for cells in zip(*lines, strict=True)]
     return [

@@ -10,6 +10,7 @@ from drives import VARIANTS, begun, clutch, plant, run
 from afmcalc.analysis.simulate.cases import outcome_of
 from afmcalc.analysis.simulate.train import Engine
 from afmcalc.equations import drive as law
+from afmcalc.equations import heat
 
 TIGHT = 1e-7
 
@@ -21,8 +22,8 @@ def test_v1_tool_blocked_motor_side_runs_down():
     time = 8 * 15 / (300 - 150)
     assert found.slip_time == pytest.approx(time, rel=TIGHT)
     assert found.heat == pytest.approx(0.5 * 8 * 15**2 * 300 / 150, rel=TIGHT)
-    assert law.run_down_time(8, 15, 300, 150) == time
-    assert law.run_down_heat(8, 15, 300, 150) == found.heat or found.heat == pytest.approx(1800.0)
+    assert heat.run_down_time(8, 15, 300, 150) == time
+    assert heat.run_down_energy(8, 15, 300, 150) == found.heat or found.heat == pytest.approx(1800.0)
 
 
 def test_v2_sudden_lock_of_an_endless_motor():
@@ -113,7 +114,7 @@ def test_a_motor_as_strong_as_the_clutch_never_stops():
     # T ω t_off, then the run-down of what is left
     assert cut.trip.ended
     speed = 15 + 1.0 * 0.5 / 8
-    assert cut.trip.heat == pytest.approx(200 * 15 * 0.5 + law.run_down_heat(8, speed, 200, 0), rel=0.02)
+    assert cut.trip.heat == pytest.approx(200 * 15 * 0.5 + heat.run_down_energy(8, speed, 200, 0), rel=0.02)
 
 
 def test_kloss_motor_against_its_own_equation_of_motion():

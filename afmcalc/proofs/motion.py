@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import direct, drive, indirect, overload, sleeve
+from ..equations import direct, drive, heat, indirect, overload, sleeve
 from . import Identity, Steps
 from .symbols import C, F, R, beta, c1, c2, d, f, f1, f2, fk, fmin, solved, x, z, z1, z2
 
@@ -78,12 +78,12 @@ def run_down() -> Steps:
     free = drive.sticking_torque(M, J1, L, J2)
     v = v0 + drive.slip_acceleration(M, J1, T, L, J2) * time
     end = solved(v, time)
-    yield Identity("V5: time", drive.run_down_time(reduced, v0, T, free) - end)
-    yield Identity("V5: heat", drive.run_down_heat(reduced, v0, T, free) - sp.integrate(T * v, (time, 0, end)))
+    yield Identity("V5: time", heat.run_down_time(reduced, v0, T, free) - end)
+    yield Identity("V5: heat", heat.run_down_energy(reduced, v0, T, free) - sp.integrate(T * v, (time, 0, end)))
     blocked = v0 + (M - T) / J1 * time
     end = solved(blocked, time)
-    yield Identity("V1: time", drive.run_down_time(J1, v0, T, M) - end)
-    yield Identity("V1: heat", drive.run_down_heat(J1, v0, T, M) - sp.integrate(T * blocked, (time, 0, end)))
+    yield Identity("V1: time", heat.run_down_time(J1, v0, T, M) - end)
+    yield Identity("V1: heat", heat.run_down_energy(J1, v0, T, M) - sp.integrate(T * blocked, (time, 0, end)))
 
 
 def lag_between_expected_and_potential() -> Steps:
