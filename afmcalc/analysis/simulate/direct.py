@@ -61,6 +61,10 @@ class DirectPack:
         )
         return force
 
+    def potential(self, torque: float, ratio: float) -> float:
+        """T_п: torque at which it slips with the release force of ``torque``, friction times ``ratio``."""
+        return self.carried(self.under(torque), ratio)
+
     def carried(self, normal_force: V, ratio: V) -> V:
         """Torque at which a normal force slips, friction times ``ratio``."""
         torque: V = direct.group_torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
@@ -86,6 +90,11 @@ class DirectPlant(Plant):
     def sliding(self) -> float:  # type: ignore[override]
         """T(f)."""
         return self.pack.torque(1.0)
+
+    @cached_property
+    def least(self) -> float:  # type: ignore[override]
+        """T(f)."""
+        return self.sliding
 
     @cached_property
     def breakaway(self) -> float:  # type: ignore[override]

@@ -58,6 +58,10 @@ class Trip(NamedTuple):
     """Whether the slip ended."""
     endless: bool
     """Whether the motor drives it for ever."""
+    last: float
+    """Torque of the clutch at the end, N·m."""
+    state: State
+    """States and work at the end."""
     residual: float
     """Error of the energy balance, relative to the largest energy in it."""
     history: list[Moment]
@@ -125,6 +129,8 @@ class _Run:
             self.trip_torque,
             mode.pack == 0,
             self.endless,
+            plant.torques(t, y, mode).clutch,
+            y,
             residual,
             history,
         )

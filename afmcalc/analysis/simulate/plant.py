@@ -123,6 +123,8 @@ class Plant(ABC):
     sliding: float
     """Sliding torque T(f)."""
 
+    least: float
+    """Sliding torque at least: that of a sleeve that its key holds back."""
     breakaway: float
     """Torque at which the clutch at rest slips under a load that rises slowly, T(r_s f)."""
 

@@ -12,6 +12,7 @@ from ..torque import Pair, friction_fields, outside_range, pairs_asked
 from .cases import outcome_of
 from .remarks import remarks_of
 from .result import SimulatePoint, SimulateResult
+from .sweep import swept
 from .train import train_of
 
 __all__ = ["SimulateResult", "simulate"]
@@ -35,7 +36,8 @@ def simulate(
     ends = list(zip(*clutch.friction, strict=True))
     found = [outcome_of(clutch, *end) for end in ends]
     peaks = [each.trip.peak for each in found]
-    travels = clutch.spec.kind.travels
+    travels, unit = clutch.spec.kind.travels, clutch.spec.control_unit
+    late = unit is not None and bool(unit.release_lag)
     result = SimulateResult(
         sliding_torque=_triple([each.case.plant.sliding for each in found]),
         peak_torque=_triple(peaks),
@@ -46,10 +48,13 @@ def simulate(
         slip_energy=_open([each.heat for each in found]),
         travel_max=_triple([each.trip.travel_max for each in found]) if travels else None,
         peak_torque_conventional=_triple([each.ordinary_peak for each in found]),
+        trip_torque=_open([each.trip.trip_torque for each in found]) if late else None,
+        trip_position=_open([each.trip_position for each in found]) if late else None,
         inertia_torque=train.inertia_torque,
         load_torque=train.load,
         energy_residual=max(each.trip.residual for each in found),
         points=[_point(clutch, *pair) for pair in points] or None,
+        sweep=swept(clutch, sweeps),
     )
     return result, [
         *clutch.findings(),
