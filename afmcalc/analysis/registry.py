@@ -152,6 +152,8 @@ ANALYSES: dict[str, Analysis] = {
                 "Drive",
                 "The event of the block [drive] in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",
             ),
+            judged=True,
+            plot=Plot("simulate", "torques, speeds and travel over time when the clutch trips", "clutch"),
         ),
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
         Analysis("solve", "analysis.solve.solve", "SolveResult", "design"),

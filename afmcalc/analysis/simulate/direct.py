@@ -8,7 +8,7 @@ from functools import cached_property
 from ...arrays import V
 from ...equations import direct
 from ...equations import drive as law
-from .plant import DECAYED, Mode, Plant, Sliding, State, Tool, Torques, sign
+from .plant import DECAYED, FAST, Mode, Plant, Sliding, State, Tool, Torques, sign
 from .train import Train
 
 
@@ -180,6 +180,12 @@ class DirectPlant(Plant):
             self.tool.power(t, mode, shaft, tool),
             0.0,
         ]
+
+    @property
+    def stiff(self) -> bool:
+        """A short lag decays fast too."""
+        natural = (self.train.stiffness / self.train.driven_inertia) ** 0.5
+        return super().stiff or 0 < self.pack.lag * natural < 1 / FAST
 
     def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:
         """Sliding friction alone, and a normal force that has come to its balance."""

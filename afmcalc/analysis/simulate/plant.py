@@ -48,6 +48,8 @@ class Sliding(NamedTuple):
     """Slip above which static friction is nothing, rad/s."""
 
 
+FAST = 20.0
+"""Decays in a radian of the shaft's swing beyond which an implicit method is taken."""
 DECAYED = 20.0
 """Exponent at which static friction is nothing, e^−20 = 2e-9."""
 
@@ -164,6 +166,12 @@ class Plant(ABC):
     @abstractmethod
     def motor_speed(self, y: Sequence[float]) -> float:
         """ω_1, rad/s."""
+
+    @property
+    def stiff(self) -> bool:
+        """Whether something decays so much faster than the shaft swings that an explicit method would crawl."""
+        train = self.train
+        return train.damping > FAST * math.sqrt(train.stiffness * train.driven_inertia)
 
     @abstractmethod
     def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:

@@ -1,12 +1,14 @@
 """The drive in time: what happens when the clutch trips, against an ordinary clutch of equal nominal torque."""
 
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 from ...engines.protocol import Clutch
 from ...errors import CalculationError
 from ...findings import Finding
 from ...messages import say
 from ...result import OpenTriple, Triple
+from ...spec import Spec, resolved
 from ..sweep.grid import Axis
 from ..torque import Pair, friction_fields, outside_range, pairs_asked
 from .cases import outcome_of
@@ -61,6 +63,14 @@ def simulate(
         *remarks_of(clutch, train, found),
         *(remark for pair in points for remark in outside_range(clutch, *pair)),
     ]
+
+
+def with_dynamic_factor(spec: Spec, result: SimulateResult) -> dict[str, Any]:
+    """Return the spec with the largest dynamic factor found, for the life of the unprotected side."""
+    data = resolved(spec)
+    factor = result.dynamic_factor
+    data["drive"]["dynamic_factor"] = max(factor.min, factor.mean, factor.max)
+    return data
 
 
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> SimulatePoint:
