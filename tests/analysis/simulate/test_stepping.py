@@ -14,7 +14,7 @@ from afmcalc.analysis.simulate.train import Engine
 
 EACH = 25
 """Drives of a kind: 200 in all."""
-END = 0.06
+END = 0.05
 
 
 def random_drives(variant: str, kind: str, rng: np.random.Generator):
@@ -74,7 +74,7 @@ def test_random_drives(variant, kind):
     if variant == "indirect":
         springs = (pack.closing_stiffness + pack.control_stiffness) * 0.01 / (pack.net_gain * pack.gain)
         fastest = np.maximum(fastest, np.sqrt(springs * (1 / train.hub_inertia + 1 / train.driven_inertia)) / 4)
-    steps = int(np.ceil(END * fastest.max() * 1000 / (2 * np.pi)))
+    steps = int(np.ceil(END * fastest.max() * 600 / (2 * np.pi)))
     found = march(train, pack, np.full(EACH, END / steps), steps)
     slips = 0
     for number in range(EACH):
@@ -94,15 +94,15 @@ def test_the_error_falls_with_the_step():
     sleeve = replace(SLEEVE, friction_pairs=8 * 0.4)
     for own, hub in ((pack, 0.0), (sleeve, 0.02)):
         train = replace(TRAIN, hub_inertia=hub, damping=1.0)
-        exact = run(plant_of(train, own), 0.1)
+        exact = run(plant_of(train, own), 0.05)
         errors = []
-        for steps in (1000, 2000, 4000, 8000, 16000):
-            found = march(train, own, np.array([0.1 / steps]), steps)
+        for steps in (400, 800, 1600, 3200):
+            found = march(train, own, np.array([0.05 / steps]), steps)
             errors.append(abs(found.heat[0] - exact.heat) / exact.heat)
-        order = np.log2(errors[0] / errors[-1]) / 4
+        order = np.log2(errors[0] / errors[-1]) / 3
         assert order > 0.9, errors
         assert errors[-1] < 1e-4
-        assert abs(found.peak[0] - exact.peak) < 1e-6 * exact.peak
+        assert abs(found.peak[0] - exact.peak) < 1e-5 * exact.peak
 
 
 def test_arrays_of_any_shape():
