@@ -88,10 +88,11 @@ def printable(text: str, *, lines: bool = False) -> str:
     >>> print(printable("a\x1b[31m \u202eb\n"))
     a\u001b[31m \u202eb\n
     """
-    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else _escaped(sign[0]), text)
+    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else escaped(sign[0]), text)
 
 
-def _escaped(sign: str) -> str:
+def escaped(sign: str) -> str:
+    """Return a character as JSON escapes it."""
     if sign in "\n\r\t":
         return repr(sign)[1:-1]
     words = sign.encode("utf-16-be", "surrogatepass").hex()
@@ -226,6 +227,7 @@ FINDINGS: Mapping[str, str] = {
     "peak-pressure": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
     "below the allowable {low:g kPa} of {name}",
     "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
+    "no-candidate/attainable": "none of {candidates:,} candidates meets every requirement: {listed}; give up {names}",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
     "unexpected-verdict": "{row}: {verdict}; on record is: {record}",
