@@ -11,7 +11,7 @@ from ..result import Result, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import with_nominal_torque
 from ..spec.models import Method
-from .torque import triple
+from .torque import scatter, triple
 
 METHODS: tuple[Method, Method] = ("min-friction", "mean-friction")
 
@@ -30,8 +30,8 @@ class AdjustResult(Result):
 
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch, which both methods are set for")
     margin: float = quantity("1", "β_н", "torque margin of the mean-friction method")
-    min_friction: MethodResult = quantity("", None, "set at f_min")
-    mean_friction: MethodResult = quantity("", None, "set at the mean friction, with margin")
+    min_friction: MethodResult = quantity("", "1", "set at f_min")
+    mean_friction: MethodResult = quantity("", "2", "set at the mean friction, with margin")
     scatter_ratio: float | None = quantity("1", "ΔT_2/ΔT_1", "band of mean-friction over that of min-friction")
     scatter_difference: float = quantity("N*m", "ΔT_2−ΔT_1", "band of mean-friction less that of min-friction")
     narrower: Literal["min-friction", "mean-friction", "equal"] = quantity("", None, "method with the narrower band")
@@ -80,7 +80,7 @@ def _method(clutch: Clutch) -> MethodResult:
     return MethodResult(
         closing_force=clutch.closing_force,
         torque=torque,
-        scatter=abs(torque.max - torque.min),
+        scatter=scatter(clutch),
         accuracy_factor=clutch.accuracy_factor,
     )
 

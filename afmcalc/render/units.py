@@ -14,6 +14,9 @@ _DISPLAY = {
     "Pa": ("MPa", 1e-6),
     "J": ("kJ", 1e-3),
     "J/m^2": ("J/mm²", 1e-6),
+    "W/m^2": ("W/mm²", 1e-6),
+    "1/m": ("1/mm", 1e-3),
+    "K abs": ("°C", 1.0),
     "1/(N*m)": ("1/(N·m)", 1.0),
     "degC": ("°C", 1.0),
     "1": ("–", 1.0),
@@ -21,9 +24,13 @@ _DISPLAY = {
 }
 
 
+_ZEROS = {"K abs": 273.15}
+"""Units shown on a scale that begins elsewhere: what is taken off first."""
+
+
 def display_unit(unit: str) -> str:
     """Unit shown to people for an SI unit."""
-    return _DISPLAY.get(unit, (unit, 1.0))[0]
+    return _DISPLAY[unit][0] if unit in _DISPLAY else unit.replace("*", "·").replace("^2", "²").replace("^3", "³")
 
 
 def factor(unit: str) -> float:
@@ -53,7 +60,7 @@ def display(value: object, unit: str) -> str:
         return "yes" if value else "no"
     if not isinstance(value, int | float):
         return printable(str(value))
-    return significant(value * _DISPLAY.get(unit, (unit, 1.0))[1])
+    return significant((value - _ZEROS.get(unit, 0.0)) * factor(unit))
 
 
 def significant(value: float) -> str:
@@ -68,3 +75,24 @@ def significant(value: float) -> str:
     if 1e-4 <= abs(rounded) < 1e7:
         return f"{rounded:.10f}".rstrip("0").rstrip(".")
     return f"{value:.5g}"
+
+
+def estimate(value: float, error: float, unit: str) -> str:
+    """Return a value with its standard error in the engineer's unit: the error to two figures, the value to its last.
+
+    >>> estimate(258.1534, 0.08938, "N*m"), estimate(9.3523e14, 1.3563e12, "1"), estimate(0.0, 5e-6, "1")
+    ('258.153 ± 0.089', '(9.352 ± 0.014)e+14', '0 ± 5e-06')
+    >>> estimate(123456.0, 2341.0, "1"), estimate(2.5, 0.0, "1")
+    ('123500 ± 2300', '2.5')
+    """
+    value, error = value * factor(unit), error * factor(unit)
+    if not error > 0 or not math.isfinite(error):
+        return significant(value)
+    if value == 0:
+        return f"0 ± {significant(float(f'{error:.2g}'))}"
+    largest = math.floor(math.log10(max(abs(value), error)))
+    power = largest if not -4 <= largest < 7 else 0
+    value, error = value / 10.0**power, float(f"{error:.2g}") / 10.0**power
+    places = 1 - math.floor(math.log10(error) + 1e-9)
+    shown = " ± ".join(f"{round(each, places):.{max(places, 0)}f}" for each in (value, error))
+    return f"({shown})e{power:+03d}" if power else shown
