@@ -67,7 +67,8 @@ def simulate(
     if history:
         _write_history(build(resolved), points, history, common)
     if common.output:
-        write_spec(with_dynamic_factor(resolved, output.result), common)
+        about = say("Its dynamic factor is that of afmcalc simulate.")
+        write_spec(with_dynamic_factor(resolved, output.result), common, about)
         common.wrote(say("wrote the spec with the dynamic factor to {output}", output=common.output))
 
 
