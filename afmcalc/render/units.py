@@ -24,7 +24,6 @@ ENGINEER = {
     "m": Unit("mm", 1e3),
     "m^3": Unit("cm³", 1e6),
     "N/m": Unit("N/mm", 1e-3),
-    "N*m": Unit("N·m"),
     "rad": Unit("deg", 180 / math.pi),
     "Pa": Unit("MPa", 1e-6),
     "J": Unit("kJ", 1e-3),
@@ -32,16 +31,13 @@ ENGINEER = {
     "W/m^2": Unit("W/mm²", 1e-6),
     "1/m": Unit("1/mm", 1e-3),
     "K abs": Unit("°C", zero=273.15),
-    "1/(N*m)": Unit("1/(N·m)"),
     "degC": Unit("°C"),
     "1": Unit("–"),
     "": Unit(""),
 }
 """SI unit → the one people in the trade read."""
-SI = {
-    unit: each if unit in ("1", "", "degC") else Unit(unit.replace("*", "·").replace("^2", "²").replace("^3", "³"))
-    for unit, each in ENGINEER.items()
-} | {"K abs": Unit("K")}
+SI = {unit: ENGINEER[unit] for unit in ("", "1", "degC")} | {"K abs": Unit("K")}
+"""The same where SI is shown; of both, what is in neither is set as it is."""
 CHOICES = {"engineer": ENGINEER, "si": SI}
 _chosen = ContextVar("units", default=ENGINEER)
 
@@ -57,14 +53,14 @@ def shown_in(name: str) -> Iterator[None]:
 
 
 def _unit(unit: str) -> Unit:
-    return _chosen.get().get(unit) or Unit(unit)
+    return _chosen.get().get(unit) or Unit(unit.replace("*", "·").replace("^2", "²").replace("^3", "³"))
 
 
 def display_unit(unit: str) -> str:
     """Unit shown to people for an SI unit.
 
     >>> display_unit("N"), display_unit("kg*m^2")
-    ('kN', 'kg*m^2')
+    ('kN', 'kg·m²')
     """
     return _unit(unit).name
 
