@@ -9,6 +9,7 @@ MODULES = {
     "drive": ("scipy",),
     "explain": ("sympy",),
     "plot": ("matplotlib",),
+    "cad": ("ezdxf",),
     "report": ("jinja2", "matplotlib", "latex2mathml"),
 }
 """Extra → modules it brings."""
