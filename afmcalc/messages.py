@@ -88,10 +88,11 @@ def printable(text: str, *, lines: bool = False) -> str:
     >>> print(printable("a\x1b[31m \u202eb\n"))
     a\u001b[31m \u202eb\n
     """
-    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else _escaped(sign[0]), text)
+    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else escaped(sign[0]), text)
 
 
-def _escaped(sign: str) -> str:
+def escaped(sign: str) -> str:
+    """Return a character as JSON escapes it."""
     if sign in "\n\r\t":
         return repr(sign)[1:-1]
     words = sign.encode("utf-16-be", "surrogatepass").hex()
@@ -132,6 +133,8 @@ FINDINGS: Mapping[str, str] = {
     "the slip does not end; give a cut-off (drive.cut_off)",
     "motor-stops-at-cut-off": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
     "({value:.5g N·m}): the slip lasts until the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
+    "release-lag": "at f_max the drive trips at {value:.5g N·m}: {share:.0%} of the way from T_муф = {limit:.5g N·m}, "
+    "where the release force follows at once, to T_п = {held:.5g N·m}, where it does not follow (S22)",
     "slip-outlasts-duration": "at {at} the slip has not ended within the {value:.4g s} that are simulated",
     "dynamic-factor-exceeded": "the event loads the shaft with {value:.4g} times the sliding torque; the life of the "
     "unprotected side assumes {limit:g} (simulate --output writes the factor into a spec)",
@@ -163,6 +166,37 @@ FINDINGS: Mapping[str, str] = {
     "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
     "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
+    # heat
+    "temperature-exceeded": "the discs reach {celsius:.4g} °C after one trip: above the {low:g}…{high:g} °C that "
+    "{name} allows",
+    "temperature-in-range": "the discs reach {celsius:.4g} °C after one trip: within the printed range of what "
+    "{name} allows, {low:g}…{high:g} °C",
+    "discs-take-all": "no lining_conductivity, lining_density and lining_specific_heat: the discs take all the heat of "
+    "the faces, an upper bound of their surface temperature",
+    "discs-thick": "no disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature",
+    "heat-not-told": "not told, as these are not given: {listed}",
+    "heat-not-judged": "no temperature to hold the discs against: give requirements.temperature, or a material "
+    "of the catalogue that has one",
+    # effects
+    "splines-lock": "μ_s f R/r_s reaches {value:.3g}: from {limit:g} on a disc locks in its spline, and the pack no "
+    "longer follows spring and balls",
+    "cams-lock": "the friction of the walls leaves a gain of {value:.3g}, no more than {limit:.3g}: the cams are not "
+    "driven up, the clutch is an ordinary one",
+    "cams-stay": "the friction of the walls, {value:.3g}, is not below cot α = {limit:.3g}: no cam slides back",
+    "force-used-up": "{path} takes {value:.5g kN} from the {limit:.5g kN} that press the pack: nothing is left of it",
+    "effect-on-accuracy/spline-friction": "discs held in their splines: K_т lies between {low:.4g} and {high:.4g}, "
+    "the law says {limit:.4g}",
+    "effect-on-accuracy/sliding-cams": "cams that slide on their walls: K_т lies between {low:.4g} and {high:.4g}, "
+    "the law says {limit:.4g}",
+    "effect-on-accuracy/centrifugal": "balls thrown against conical pockets: K_т lies between {low:.4g} and "
+    "{high:.4g}, the law says {limit:.4g}",
+    "effect-on-accuracy/wear": "wear of the lining: K_т lies between {low:.4g} and {high:.4g}, the law says "
+    "{limit:.4g}",
+    "effect-on-torque/spline-friction": "discs held in their splines change the torque by up to {value:+.1%}",
+    "effect-on-torque/sliding-cams": "cams that slide on their walls change the torque by up to {value:+.1%}",
+    "effect-on-torque/centrifugal": "balls thrown against conical pockets change the torque by up to {value:+.1%}",
+    "effect-on-torque/wear": "wear of the lining changes the torque by up to {value:+.1%}",
+    "effect-not-told": "{name} is not told: it needs {listed}",
     # requirements
     "requirement-missed/number": "{name}: {value:.5g}, but {bound} {limit:.5g} is required",
     "requirement-missed/torque": "{name}: {value:.5g N·m}, but {bound} {limit:.5g N·m} is required",
@@ -183,6 +217,14 @@ FINDINGS: Mapping[str, str] = {
     "unusual/wall-angle": "a wall angle of {value:.4g deg} is unusual: {low:.4g deg…}{high:.4g deg} is usual",
     "unusual/ball-circle": "a ball-circle radius of {value:.4g mm} is unusual: {low:.4g mm…}{high:.4g mm}, 0.2 to 2 "
     "times the mean friction radius, is usual",
+    # springs
+    "curved-springs": "{path}: torque, accuracy, tolerance, heat and effects follow its true characteristic; "
+    "sensitivities and a simulation take a straight spring of the stiffness given",
+    "spring-too-weak": "{path}: pressed flat it gives {value:.5g kN}, less than the {limit:.5g kN} as set",
+    "spring-beyond-range": "{path}: used from {low:.3g} to {high:.3g} of its cone height; 0.15 to 0.75 is usual",
+    "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
+    "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
+    "any-stiffness": "{path} is not given: any stiffness will do",
     "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g N}, more than the "
     "allowable {limit:.5g N}: the curved wall pushes the ball across it",
     # surface pressure
@@ -199,6 +241,7 @@ FINDINGS: Mapping[str, str] = {
     "peak-pressure": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
     "below the allowable {low:g kPa} of {name}",
     "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
+    "no-candidate/attainable": "none of {candidates:,} candidates meets every requirement: {listed}; give up {names}",
     "returning-covered": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m} and within its margin over the machine's "
     "{machine:.5g N·m}: the friction at the key holds the sleeve back",

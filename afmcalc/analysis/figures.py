@@ -13,7 +13,11 @@ if TYPE_CHECKING:
     from ..papers.figures import PaperFigure
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
     from .design.design import DesignResult
+    from .effects.curve import EffectsCurve
     from .shop import ShopDrawing
+    from .simulate.history import MomentRow
+    from .simulate.result import SimulateResult
+    from .springs.curve import SpringsCurve
     from .tolerance.study import Study
     from .unit import SynthesisResult
 
@@ -55,6 +59,19 @@ class ToleranceFigure(NamedTuple):
     share: float
     """Share of the distribution that the bars of the histogram hold."""
     study: "Study"
+
+
+class SimulateFigure(NamedTuple):
+    """An event of the drive, until its peak has passed."""
+
+    name: str | None
+    kind: str
+    """Of event."""
+    load: float
+    """Before it, N·m."""
+    result: "SimulateResult"
+    courses: "list[list[MomentRow]]"
+    """At f_min, mean friction and f_max."""
 
 
 class ParetoFigure(NamedTuple):
@@ -154,6 +171,18 @@ def _pocket(request: Request) -> PocketSection:
     return PocketSection(spec.name, spec.control_unit.balls, found)
 
 
+def _effects(request: Request) -> "EffectsCurve":
+    from .effects.curve import effects_curve
+
+    return effects_curve(request.subjects[0].clutch)
+
+
+def _springs(request: Request) -> "SpringsCurve":
+    from .springs.curve import springs_curve
+
+    return springs_curve(request.subjects[0].clutch)
+
+
 def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
     """Lay out the pockets of a clutch for the shop; ``name``: the plot that was asked.
 
@@ -179,6 +208,19 @@ def _tolerance(request: Request) -> ToleranceFigure:
     return ToleranceFigure(
         spec.name, float(answers.clutch.nominal_torque), spec.tolerance.seed, CENTRAL[1] - CENTRAL[0], study
     )
+
+
+def _simulate(request: Request) -> SimulateFigure:
+    from itertools import groupby
+
+    from .simulate.history import history
+    from .simulate.result import SimulateResult
+
+    (answers,) = request.subjects
+    clutch, result = answers.clutch, answers.of(SimulateResult)
+    rows = history(clutch, short=True).moments
+    courses = [list(own) for _, own in groupby(rows, lambda row: (row.friction, row.friction_driving))]
+    return SimulateFigure(clutch.spec.name, clutch.spec.drive.event.kind, result.load_torque, result, courses)
 
 
 def _pareto(request: Request) -> ParetoFigure:

@@ -8,6 +8,7 @@ from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
 from .files import SPEC
+from .names import completing, swept
 from .options import Common, SpecArgument, with_common
 from .run import build_from, calculate, emit, write_spec
 
@@ -21,6 +22,7 @@ SweepOption = Annotated[
     typer.Option(
         "--sweep",
         metavar="NAME[=RANGE]",
+        autocompletion=completing(swept),
         help="Sweep a spec path or symbol (C, zC, z, z1, R, F, f_min, f_max, c1, c2, beta) over start:stop:count or "
         "v1,v2,...; repeatable: several make a grid.",
     ),
@@ -70,7 +72,7 @@ def accuracy(
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, _curve(plot, sweep, common))
+    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, curve_of(plot, sweep, common))
 
 
 @with_common
@@ -93,7 +95,7 @@ def overload(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOpt
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, _curve(plot, sweep, common))
+    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, curve_of(plot, sweep, common))
 
 
 @with_common
@@ -128,7 +130,7 @@ def synthesize(
     output = calculate(common.to_standard_output(), spec, lambda clutch: {"balls": sizes})
     if common.output:
         assert output.spec is not None
-        write_spec(completed(make_spec(output.spec), output.result), common)
+        write_spec(completed(make_spec(output.spec), output.result), common, say("Completed by afmcalc synthesize."))
         common.wrote(say("wrote the completed spec to {output}", output=common.output))
 
 
@@ -153,13 +155,13 @@ def life(
     afmcalc life clutch.toml --model amplitude --set fatigue.mean_stress_sensitivity=0.1
     afmcalc life clutch.toml --sweep dT=500:1100:13
     """  # noqa: D301
-    curve = _curve(plot, sweep, common)
+    curve = curve_of(plot, sweep, common)
     calculate(common, spec, lambda clutch: {"model": model, "sweeps": axes_of(sweep, clutch, band=True)}, curve)
 
 
 @with_common
 def compare(
-    specs: Annotated[list[str] | None, typer.Argument(metavar="SPEC...", help="Specs to set side by side.")] = None,
+    specs: Annotated[list[str] | None, typer.Argument(metavar="SPEC", help="Specs to set side by side.")] = None,
     variants: Annotated[bool, typer.Option("--variants", help="One spec as every variant it can be built as.")] = False,
     *,
     common: Common,
@@ -197,7 +199,7 @@ def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) ->
     return [axis(text) for text in sweep or ()]
 
 
-def _curve(plot: bool, sweep: list[str] | None, common: Common) -> "SweepDrawing | None":
+def curve_of(plot: bool, sweep: list[str] | None, common: Common) -> "SweepDrawing | None":
     """How to draw a sweep; refuse where there is none to draw, or no table to draw it under."""
     if not plot:
         return None

@@ -2,6 +2,7 @@
 
 import inspect
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from copy import copy
 from dataclasses import dataclass, fields, replace
 from functools import wraps
@@ -12,6 +13,7 @@ import typer
 from ..errors import AfmcalcError
 from ..messages import say
 from .files import SPEC, Kind, format_of, format_of_spec, refuse, result_kind, write
+from .names import completing, paths
 from .signals import unreported
 from .streams import tell
 
@@ -28,13 +30,22 @@ class Common:
     command: str
     set: Annotated[
         list[str] | None,
-        typer.Option("--set", metavar="PATH=VALUE", help="Override a spec key; repeatable. Empty VALUE removes it."),
+        typer.Option(
+            "--set",
+            metavar="PATH=VALUE",
+            help="Override a spec key; repeatable. Empty VALUE removes it.",
+            autocompletion=completing(paths, "="),
+        ),
     ] = None
     format: Annotated[
         Literal["table", "json", "csv", "markdown"] | None,
         typer.Option("--format", help="How to print. JSON and CSV are SI in full precision.  [default: table]"),
     ] = None
     json: Annotated[bool, typer.Option("--json", help="The same as --format json.")] = False
+    units: Annotated[
+        Literal["engineer", "si"],
+        typer.Option("--units", help="Units of tables and Markdown: mm, kN, MPa, deg, or SI."),
+    ] = "engineer"
     output: Annotated[
         str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
     ] = None
@@ -52,6 +63,14 @@ class Common:
     def to_standard_output(self) -> "Common":
         """The same options with the result on standard output, for a command whose FILE is something else."""
         return replace(self, output=None)
+
+    def shown(self) -> AbstractContextManager[None]:
+        """Show quantities in the units asked for."""
+        if self.units == "engineer":
+            return nullcontext()
+        from ..render.units import shown_in
+
+        return shown_in(self.units)
 
     def keep(self, *sources: str | None, kind: Kind | None = None) -> None:
         """Refuse to write over what is read or what is not to be replaced; before anything is calculated."""
@@ -109,7 +128,9 @@ def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]],
         @wraps(function)
         def command(**arguments: Any) -> None:
             given = {option.name: arguments.pop(option.name) for option in options}
-            function(**arguments, common=Common(function.__name__, **given))
+            common = Common(function.__name__, **given)
+            with common.shown():
+                function(**arguments, common=common)
 
         command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
         command.__annotations__ = {p.name: p.annotation for p in parameters}

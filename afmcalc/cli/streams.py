@@ -6,6 +6,7 @@ import os
 import sys
 from typing import Any
 
+from ..errors import LONGEST_LINE
 from ..messages import printable
 
 
@@ -66,8 +67,19 @@ def _guarded(stream: Any, raw: type[io.FileIO]) -> Any:
             line_buffering=stream.line_buffering,
         )
     if reconfigure := getattr(stream, "reconfigure", None):
-        reconfigure(errors="backslashreplace")
+        reconfigure(errors="backslashreplace" if is_unicode(stream) else _spelling())
     return stream
+
+
+def is_unicode(stream: Any) -> bool:
+    """Whether a stream takes any text."""
+    return (getattr(stream, "encoding", "") or "").lower().replace("-", "").startswith("utf")
+
+
+def _spelling() -> str:
+    from ..spelling import NAME
+
+    return NAME
 
 
 def drop_output() -> None:
@@ -76,5 +88,7 @@ def drop_output() -> None:
 
 
 def tell(text: str) -> None:
-    """Say something on standard error; lines of a text stay lines, nothing in them acts on the terminal."""
-    print(printable(text, lines=True), file=sys.stderr)
+    """Say something on standard error: lines of a text stay lines, are not endless, and do not act on the terminal."""
+    for line in text.split("\n"):
+        shown = printable(line)
+        print(shown if len(shown) <= LONGEST_LINE else f"{shown[: LONGEST_LINE - 3]}...", file=sys.stderr)

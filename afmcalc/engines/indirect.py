@@ -9,6 +9,7 @@ from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec
 from . import geometry, pockets, setting
+from .characteristic import DiscCharacteristic, curved
 from .laws import IndirectLaw
 from .protocol import ByGain, Clutch
 from .sensitivity import sensitivity
@@ -39,8 +40,10 @@ class IndirectClutch(Clutch):
             hub_diameter=_given(unit.hub_diameter),
             friction_set=setting.friction_at_setting(spec)[0],
             made_control_force=control.force,
+            curved=curved(spec),
         )
         pockets.refuse_negative_net_gain(spec, law)
+        pockets.refuse_curved_springs(spec, law)
         force = setting.closing_force(spec, lambda: law.torque_per_force)
         return cls(spec, replace(law, gain_slope=pockets.gain_slope(spec, law, force)), spec.friction.groups, force)
 
@@ -53,6 +56,11 @@ class IndirectClutch(Clutch):
     def closing_stiffness(self) -> Values:
         """c_1, N/m."""
         return self.law.closing_stiffness
+
+    @property
+    def following(self) -> tuple[Values | None, DiscCharacteristic | None]:
+        """The control spring: the stop is the pressure disc's, which takes sleeve and closing spring along."""
+        return self.law.control_stiffness, None if self.law.curved is None else self.law.curved.control
 
     @property
     def control_stiffness(self) -> Values:
@@ -111,8 +119,8 @@ class IndirectClutch(Clutch):
 
     @property
     def equivalent_gain(self) -> Values | None:
-        """Gain of the all-driving clutch with the same torque curve; a curved pocket has no such twin."""
-        if not self.law.straight:
+        """Gain of the all-driving clutch with the same torque curve; curved springs or pockets have no such twin."""
+        if self.law.curved is not None or not self.law.straight:
             return None
         gain: Values = indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
         return gain
@@ -158,7 +166,7 @@ class IndirectClutch(Clutch):
     def accuracy_factor(self) -> Values:
         """K_т (S21 (15), with the stop)."""
         own = self.friction[0]
-        if self.law.made_control_force is not None or not self.law.straight:
+        if self.law.made_control_force is not None or self.law.curved is not None or not self.law.straight:
             ratio: Values = self.torque_max / self.torque_min
             return ratio
         factor: Values = indirect.accuracy_factor(
@@ -233,12 +241,18 @@ class IndirectClutch(Clutch):
         return sensitivity(self.spec, self.law, self.closing_force)
 
     def _law_findings(self) -> list[Finding]:
-        """Idle feedback, the key's hysteresis, a pocket that lets the torque fall."""
+        """Springs that are curved, idle feedback, the key's hysteresis, a pocket that lets the torque fall."""
+        springs = [] if self.law.curved is None else [finding("curved-springs", "info", path=self._curved_path)]
         gain, threshold = float(self.gain), float(self.gain_threshold)
         if self.net_gain == 0:
             path = geometry.gain_path(self.spec)
-            return [finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)]
-        return [*self._slope_findings(), *self._key_findings()]
+            return [*springs, finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)]
+        return [*springs, *self._slope_findings(), *self._key_findings()]
+
+    @property
+    def _curved_path(self) -> str:
+        assert self.law.curved is not None
+        return "control_spring.disc" if self.law.curved.closing is None else "closing_spring.disc"
 
     def _slope_findings(self) -> list[Finding]:
         """Beyond C_1* the sleeve runs off under a load that reaches T_н, and the torque falls."""

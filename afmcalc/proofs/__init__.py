@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from sympy import Expr
 
 MODULES = (
-    "direct", "adjustment", "indirect", "pocket", "overload", "parts", "wall", "inverse", "numbers", "drive", "motion",
+    "direct", "adjustment", "indirect", "pocket", "overload", "parts", "wall", "inverse", "motion", "heat", "springs",
+    "numbers",
 )  # fmt: skip
 
 

@@ -1,29 +1,68 @@
-"""Engineer's units and significant figures for people; JSON and CSV stay in SI."""
+"""Engineer's units (or SI) and significant figures for people; JSON and CSV stay in SI."""
 
 import math
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import NamedTuple
 
 from ..messages import printable
 
-_DISPLAY = {
-    "N": ("kN", 1e-3),
-    "m": ("mm", 1e3),
-    "m^3": ("cm³", 1e6),
-    "N/m": ("N/mm", 1e-3),
-    "N*m": ("N·m", 1.0),
-    "rad": ("deg", 180 / math.pi),
-    "Pa": ("MPa", 1e-6),
-    "J": ("kJ", 1e-3),
-    "J/m^2": ("J/mm²", 1e-6),
-    "1/(N*m)": ("1/(N·m)", 1.0),
-    "degC": ("°C", 1.0),
-    "1": ("–", 1.0),
-    "": ("", 1.0),
+
+class Unit(NamedTuple):
+    """A unit as it is shown."""
+
+    name: str
+    factor: float = 1.0
+    """What a value in SI is multiplied by."""
+    zero: float = 0.0
+    """Where its scale begins, in SI."""
+
+
+ENGINEER = {
+    "N": Unit("kN", 1e-3),
+    "m": Unit("mm", 1e3),
+    "m^3": Unit("cm³", 1e6),
+    "N/m": Unit("N/mm", 1e-3),
+    "rad": Unit("deg", 180 / math.pi),
+    "Pa": Unit("MPa", 1e-6),
+    "J": Unit("kJ", 1e-3),
+    "J/m^2": Unit("J/mm²", 1e-6),
+    "W/m^2": Unit("W/mm²", 1e-6),
+    "1/m": Unit("1/mm", 1e-3),
+    "K abs": Unit("°C", zero=273.15),
+    "degC": Unit("°C"),
+    "1": Unit("–"),
+    "": Unit(""),
 }
+"""SI unit → the one people in the trade read."""
+SI = {unit: ENGINEER[unit] for unit in ("", "1", "degC")} | {"K abs": Unit("K")}
+"""The same where SI is shown; of both, what is in neither is set as it is."""
+CHOICES = {"engineer": ENGINEER, "si": SI}
+_chosen = ContextVar("units", default=ENGINEER)
+
+
+@contextmanager
+def shown_in(name: str) -> Iterator[None]:
+    """Show quantities in the units of that name, one of ``CHOICES``, until the end of the block."""
+    before = _chosen.set(CHOICES[name])
+    try:
+        yield
+    finally:
+        _chosen.reset(before)
+
+
+def _unit(unit: str) -> Unit:
+    return _chosen.get().get(unit) or Unit(unit.replace("*", "·").replace("^2", "²").replace("^3", "³"))
 
 
 def display_unit(unit: str) -> str:
-    """Unit shown to people for an SI unit."""
-    return _DISPLAY.get(unit, (unit, 1.0))[0]
+    """Unit shown to people for an SI unit.
+
+    >>> display_unit("N"), display_unit("kg*m^2")
+    ('kN', 'kg·m²')
+    """
+    return _unit(unit).name
 
 
 def factor(unit: str) -> float:
@@ -32,14 +71,17 @@ def factor(unit: str) -> float:
     >>> factor("N"), factor("N*m")
     (0.001, 1.0)
     """
-    return _DISPLAY.get(unit, (unit, 1.0))[1]
+    return _unit(unit).factor
 
 
 def display(value: object, unit: str) -> str:
-    """Return ``value`` (SI) in the engineer's unit, to 5 significant figures.
+    """Return ``value`` (SI) in the unit shown to people, to 5 significant figures.
 
     >>> display(2000.0, "N"), display(0.1, "m"), display(None, "1"), display(123456.7, "1")
     ('2', '100', '–', '123460')
+    >>> with shown_in("si"):
+    ...     display(2000.0, "N"), display_unit("N"), display(293.15, "K abs")
+    ('2000', 'N', '293.15')
     """
     if value is None:
         return "–"
@@ -53,7 +95,7 @@ def display(value: object, unit: str) -> str:
         return "yes" if value else "no"
     if not isinstance(value, int | float):
         return printable(str(value))
-    return significant(value * _DISPLAY.get(unit, (unit, 1.0))[1])
+    return significant((value - _unit(unit).zero) * factor(unit))
 
 
 def significant(value: float) -> str:
@@ -68,3 +110,24 @@ def significant(value: float) -> str:
     if 1e-4 <= abs(rounded) < 1e7:
         return f"{rounded:.10f}".rstrip("0").rstrip(".")
     return f"{value:.5g}"
+
+
+def estimate(value: float, error: float, unit: str) -> str:
+    """Return a value with its standard error in the engineer's unit: the error to two figures, the value to its last.
+
+    >>> estimate(258.1534, 0.08938, "N*m"), estimate(9.3523e14, 1.3563e12, "1"), estimate(0.0, 5e-6, "1")
+    ('258.153 ± 0.089', '(9.352 ± 0.014)e+14', '0 ± 5e-06')
+    >>> estimate(123456.0, 2341.0, "1"), estimate(2.5, 0.0, "1")
+    ('123500 ± 2300', '2.5')
+    """
+    value, error = value * factor(unit), error * factor(unit)
+    if not error > 0 or not math.isfinite(error):
+        return significant(value)
+    if value == 0:
+        return f"0 ± {significant(float(f'{error:.2g}'))}"
+    largest = math.floor(math.log10(max(abs(value), error)))
+    power = largest if not -4 <= largest < 7 else 0
+    value, error = value / 10.0**power, float(f"{error:.2g}") / 10.0**power
+    places = 1 - math.floor(math.log10(error) + 1e-9)
+    shown = " ± ".join(f"{round(each, places):.{max(places, 0)}f}" for each in (value, error))
+    return f"({shown})e{power:+03d}" if power else shown

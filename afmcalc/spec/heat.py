@@ -6,6 +6,7 @@ from pydantic import model_validator
 
 from ..messages import say
 from . import rules
+from .drive import Drive
 from .fields import Block, Length, Quantity, key_field
 
 DiscMass = Annotated[float, Quantity("kg", gt=0)]
@@ -24,8 +25,8 @@ class Heat(Block):
     """Discs that take the heat, air that takes it from them, lining that is worn."""
 
     disc_mass: DiscMass | None = key_field("mass of all discs that take the heat", "m")
-    specific_heat: SpecificHeat | None = key_field("specific heat of the discs", "c")
-    conductivity: Conductivity | None = key_field("thermal conductivity of the discs", "k")
+    specific_heat: SpecificHeat | None = key_field("specific heat of the discs", "c_p")
+    conductivity: Conductivity | None = key_field("thermal conductivity of the discs", "k_t")
     density: Density | None = key_field("density of the discs", "ρ")
     lining_conductivity: Conductivity | None = key_field(
         "thermal conductivity of the lining; absent: the discs take all the heat", "k_l"
@@ -45,3 +46,11 @@ class Heat(Block):
             message = say("required beside heat.{given}", given=given[0])
             raise rules.RuleError([rules.wrong(name, message) for name in missing])
         return self
+
+
+def missing_of(drive: Drive) -> list[str]:
+    """Keys of the [drive] block that are missing, without which neither a simulation nor V1 can be asked."""
+    if drive.motor is not None:
+        return ["event"]
+    held = drive.motor_inertia is not None or drive.cut_off is not None
+    return [*(["speed"] if drive.speed is None else []), *([] if held else ["motor_inertia"])]

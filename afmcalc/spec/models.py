@@ -20,7 +20,7 @@ from ..errors import Problem
 from ..messages import say
 from ..source import Source
 from ..variants import VARIANTS, Variant
-from . import drive, rules
+from . import drive, rules, springs
 from .contact import Contact
 from .drive import Drive, Mass, SlidingSpeed, TimeOrNone
 from .fatigue import Fatigue
@@ -35,8 +35,6 @@ from .fields import (
     Name,
     Ratio,
     Slope,
-    Stiffness,
-    StiffnessOrNone,
     Torque,
     WallAngle,
     key_field,
@@ -44,6 +42,7 @@ from .fields import (
 from .heat import Heat
 from .report import TitleBlock
 from .required import Required
+from .springs import ClosingSpring, ControlSpring
 from .tolerance import Tolerance, in_si
 
 
@@ -135,6 +134,12 @@ class Friction(FrictionRange):
         """Whether the two groups have materials of their own."""
         return self.driving is not None
 
+    @property
+    def materials(self) -> dict[str, str]:
+        """Names of the materials by the paths of their keys."""
+        blocks = {"friction": self, "friction.driving": self.driving, "friction.driven": self.driven}
+        return {f"{path}.material": own.material for path, own in blocks.items() if own and own.material}
+
 
 class FrictionGroup(Block):
     """The pack of friction discs."""
@@ -159,24 +164,6 @@ class FrictionGroup(Block):
         return self
 
 
-class ClosingSpring(Block):
-    """The spring that presses the pack (13 in S21)."""
-
-    force: Force | None = key_field("closing-spring force as set", "F_п")
-    stiffness: Stiffness | None = key_field("stiffness of the closing spring; needed by an indirect clutch", "c_1")
-
-
-class ControlSpring(Block):
-    """The spring that holds the thrust sleeve at its stop (11 in S21)."""
-
-    stiffness: StiffnessOrNone = Field(
-        description="stiffness of the control spring", json_schema_extra={"symbol": "c_2"}
-    )
-    force: Force | None = key_field(
-        "control-spring force as made; default so that the sleeve just rests at T_н", "F_п2"
-    )
-
-
 class ControlUnit(Block):
     """Balls in pockets with inclined walls."""
 
@@ -198,9 +185,7 @@ class ControlUnit(Block):
     face_gap: Gap | None = key_field("gap between the faces of the pockets", "s")
     edge_clearance: Gap | None = key_field("clearance of the contact from the pocket's edge", "y")
     allowable_contact_force: Force | None = key_field("allowable normal force on one ball", "[F_n]")
-    ball_diameter: Length | None = key_field(
-        "ball chosen; synthesize takes it instead of the next standard one", "2 r_ш"
-    )
+    ball_diameter: Length | None = key_field("ball chosen; synthesize takes it instead of the next standard one", "d_ш")
     sleeve_depth: Length | None = key_field("thickness, along the axis, of the sleeve the pockets are cut into", "B")
     wall_friction: Ratio | None = key_field(
         "friction of cams that slide on the walls, balls do not (effects only)", "μ"
@@ -254,7 +239,9 @@ class Spec(Block):
     @classmethod
     def _every_problem_at_once(cls, data: object, handler: ModelWrapValidatorHandler["Spec"]) -> "Spec":
         """Report what the blocks find and what the rules between them find together."""
-        problems = [*rules.problems(data), *drive.problems(data)] if isinstance(data, dict) else []
+        problems = (
+            [*rules.problems(data), *drive.problems(data), *springs.problems(data)] if isinstance(data, dict) else []
+        )
         try:
             spec = handler(data)
         except ValidationError as error:

@@ -6,7 +6,7 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
-from scipy.integrate import DOP853
+from scipy.integrate import DOP853, OdeSolver, Radau
 from scipy.optimize import brentq
 
 from ...errors import CalculationError
@@ -16,6 +16,8 @@ from .plant import Mode, Plant, State
 
 TOLERANCE = 1e-9
 MOST_SWITCHES = 20_000
+MOST_STEPS = 40_000
+"""Of an event: twice what a history of seconds takes of a drive that hardly damps."""
 _STEPS_A_PERIOD = 4
 _WORKS = 5
 """Energies that are summed along with the states: of motor, pack, shaft, tool, key."""
@@ -58,6 +60,10 @@ class Trip(NamedTuple):
     """Whether the slip ended."""
     endless: bool
     """Whether the motor drives it for ever."""
+    last: float
+    """Torque of the clutch at the end, N·m."""
+    state: State
+    """States and work at the end."""
     residual: float
     """Error of the energy balance, relative to the largest energy in it."""
     history: list[Moment]
@@ -89,6 +95,7 @@ class _Run:
         """When the motor is switched off."""
         self.stuck_since: float | None = 0.0
         self.endless = False
+        self.steps = 0
         self.look = math.inf
         """When to see whether the slip can be taken in one stride."""
         natural = math.sqrt(float(plant.train.stiffness / plant.train.driven_inertia))
@@ -125,6 +132,8 @@ class _Run:
             self.trip_torque,
             mode.pack == 0,
             self.endless,
+            plant.torques(t, y, mode).clutch,
+            y,
             residual,
             history,
         )
@@ -198,7 +207,8 @@ class _Run:
     def _integrate(self, t: float, y: State, mode: Mode, bound: float) -> tuple[float, State, int | None]:
         """Step until a guard falls to 0 or to the bound; which guard, None at the bound."""
         plant = self.plant
-        solver = DOP853(
+        method = Radau if plant.stiff else DOP853
+        solver = method(
             lambda at, states: plant.rates(at, states.tolist(), mode),
             t,
             np.array(y),
@@ -210,6 +220,17 @@ class _Run:
         slopes = self._slopes(t, y, mode)
         while solver.status == "running":
             solver.step()
+            self.steps += 1
+            if self.steps > MOST_STEPS:
+                raise CalculationError(
+                    say(
+                        "simulate: at {time:.3g} s of {horizon:.3g} s {most:,} steps are taken: a shorter "
+                        "drive.event.duration, or inertias, stiffness and times that lie less far apart",
+                        time=solver.t,
+                        horizon=self.horizon,
+                        most=MOST_STEPS,
+                    )
+                )
             if solver.status == "failed":
                 raise CalculationError(say("simulate: the integration fails at t = {time:g} s", time=solver.t))
             states = solver.y.tolist()
@@ -223,7 +244,7 @@ class _Run:
             self._note(solver.t, states, mode)
         return bound, solver.y.tolist(), None
 
-    def _inside(self, solver: DOP853, mode: Mode, turned: list[int]) -> tuple[float, State, int] | None:
+    def _inside(self, solver: OdeSolver, mode: Mode, turned: list[int]) -> tuple[float, State, int] | None:
         """Look into a step: note the peaks up to the first guard that falls to 0, and return that."""
         plant, dense, start = self.plant, solver.dense_output(), float(solver.t_old)
 
