@@ -25,7 +25,6 @@ class Marched(NamedTuple):
     peak: Floats
     peak_clutch: Floats
     heat: Floats
-    slip_time: Floats
     travel: Floats
     slip: Floats
     """Slip of the pack at the end, rad/s."""
@@ -41,7 +40,7 @@ def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int) -> 
         steps: how many.
 
     Returns:
-        Peaks, heat, slip and travel, in the shape of ``step``.
+        Peaks, heat and travel, in the shape of ``step``.
     """
     parts = []
     for start in range(0, step.size, _LANES):
@@ -74,14 +73,13 @@ def _cut(whole: D, lanes: slice, shape: tuple[int, ...]) -> D:
 def _march(train: Train, clutch: DirectLanes | SleeveLanes, h: Floats, steps: int) -> Marched:
     shaft = Shaft(train, h)
     motor, each = shaft.driven, h / train.motor_inertia
-    peak, peak_clutch, heat, slipped = (np.zeros(h.size) for _ in range(4))
+    peak, peak_clutch, heat = (np.zeros(h.size) for _ in range(3))
     off = np.full(h.size, np.inf)
     for number in range(steps):
-        time = number * h
         driving = train.engine.at(motor)
         if train.cut_off is not None:
-            driving = np.where(time < off, driving, 0.0)
-        halves = shaft.free(time, clutch.passed)
+            driving = np.where(number * h < off, driving, 0.0)
+        halves = shaft.free(number, clutch.passed)
         before, motor = clutch.slip, motor + each * driving
         clutch.step(halves, motor, shaft.driven)
         motor = motor - each * clutch.torque
@@ -89,11 +87,9 @@ def _march(train: Train, clutch: DirectLanes | SleeveLanes, h: Floats, steps: in
         np.maximum(peak, np.abs(shaft.torque), out=peak)
         np.maximum(peak_clutch, np.abs(clutch.torque), out=peak_clutch)
         heat += clutch.torque * (before + clutch.slip)
-        slips = clutch.slip != 0
-        slipped += slips
         if train.cut_off is not None:
-            off = np.where(slips & np.isinf(off), time + train.cut_off, off)
-    return Marched(peak, peak_clutch, h / 2 * heat, h * slipped, clutch.travel, clutch.slip)
+            off = np.where((clutch.slip != 0) & np.isinf(off), number * h + train.cut_off, off)
+    return Marched(peak, peak_clutch, h / 2 * heat, clutch.travel, clutch.slip)
 
 
 class Shaft:
@@ -104,7 +100,7 @@ class Shaft:
         self.train, self.h = train, h
         self.driven, self.tool = (np.broadcast_to(train.speed, h.shape).astype(float) for _ in range(2))
         self.torque = self.elastic = np.broadcast_to(train.load, h.shape).astype(float)
-        self._until = float(np.max(train.time))
+        self._until = float(np.max(train.time / h)) + 1
         if train.kind == "stop":
             self.tool = self._led(0 * h)
         self._after, self._rate = self.tool, self.driven - self.tool
@@ -121,14 +117,14 @@ class Shaft:
         led: Floats = np.where(time < self.train.time, self.train.speed * left, 0.0)
         return led
 
-    def free(self, time: Floats, passed: Floats) -> Halves:
+    def free(self, number: int, passed: Floats) -> Halves:
         """Speed of the driven half without the clutch; moves the tool on, under the torque ``passed`` before."""
-        self._rate = self.driven - self.tool
         if self.train.kind == "load":
-            return self._loaded(time + self.h / 2, passed)
+            self._rate = self.driven - self.tool
+            return self._loaded((number + 0.5) * self.h, passed)
         speed = self._kept * self.driven - self._lost * self.elastic
-        if float(np.min(time)) < self._until:
-            self._after = self._led(time + self.h)
+        if number < self._until:
+            self._after = self._led((number + 1) * self.h)
             speed = speed + self._drawn * (self.tool + self._after)
         return Halves(speed, self._lost)
 
@@ -151,5 +147,5 @@ class Shaft:
         """Move on with the speed the driven half has come to."""
         rate = driven - self._after
         self.elastic = self.elastic + self._stretch * (self._rate + rate)
-        self.driven, self.tool = driven, self._after
+        self.driven, self.tool, self._rate = driven, self._after, rate
         self.torque = self.elastic + self.train.damping * rate
