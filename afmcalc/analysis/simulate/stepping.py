@@ -126,7 +126,7 @@ class Shaft:
         if self.train.kind == "load":
             self._rate = self.driven - self.tool
             return self._loaded((number + 0.5) * self.h, passed)
-        speed = self._kept * self.driven - self._lost * self.elastic
+        speed: Floats = self._kept * self.driven - self._lost * self.elastic
         if number < self._until:
             self._after = self._led((number + 1) * self.h)
             speed = speed + self._drawn * (self.tool + self._after)
