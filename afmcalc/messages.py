@@ -19,6 +19,7 @@ SCALES = {
     "mm": 1e3,
     "N·m": 1.0,
     "N/mm": 1e-3,
+    "1/mm": 1e-3,
     "kPa": 1e-3,
     "MPa": 1e-6,
     "deg": 180 / math.pi,
@@ -263,12 +264,12 @@ FINDINGS: Mapping[str, str] = {
         "fallen {value:.4g} times, and the torque then stays below the rising branch; full unloading reseats it"
     ),
     "torque-falls-with-travel": (
-        "C_1 = {value:.4g} 1/m is above C_1* = {limit:.4g} 1/m, at which the pockets hold the torque: a load that "
+        "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold the torque: a load that "
         "reaches {most:.5g N·m} makes the sleeve run off its stop, and the torque jumps, to {falls:.5g N·m} at f_max"
     ),
     "torque-jumps": (
-        "C_1 = {value:.4g} 1/m is above C_1* = {limit:.4g} 1/m, at which the pockets hold the torque, and above "
-        "{jumping:.4g} 1/m: the sleeve jumps off its stop even as friction rises in slip, and the torque jumps down "
+        "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold the torque, and above "
+        "{jumping:.4g 1/mm}: the sleeve jumps off its stop even as friction rises in slip, and the torque jumps down "
         "from {most:.5g N·m}, to {falls:.5g N·m} at f_max"
     ),
     "material": "{name}: friction {low:g}…{high:g} from the catalogue ({source})",
