@@ -3,15 +3,22 @@
 A message is a template of ``str.format`` whose fields may end in a unit people use: ``{force:.5g kN}`` sets a force
 given in N. So a template holds no arithmetic and a value stays SI. The English template is the key of the message, as
 in gettext: an error says it where it arises, ``say("{path}: is no table", path=path)``, always a literal so that it can
-be collected; the sentences of findings stand below, by code; descriptions and labels stand beside what they describe
-and are shown through ``translate``.
+be collected; the sentences of findings stand below, by code; descriptions and labels stand beside what they describe.
+
+Inside everything is English. A sentence remembers what it was made of, so that the edge, which alone knows to whom it
+speaks, says it again in the language of the user: ``translate``.
 """
 
 import math
 import re
 import string
-from collections.abc import Mapping
-from typing import SupportsFloat
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import TYPE_CHECKING, SupportsFloat
+
+if TYPE_CHECKING:
+    from .language import Language
 
 SCALES = {
     "N": 1.0,
@@ -28,6 +35,38 @@ SCALES = {
 """Unit of a field → what a value in SI is multiplied by."""
 
 
+_LANGUAGE: "ContextVar[Language | None]" = ContextVar("language", default=None)
+
+
+class Text(str):
+    """An English sentence that remembers what it was made of."""
+
+    template: str
+    values: Mapping[str, object] | None
+    """What fills it; None where it is no template."""
+    amount: int
+    """Number that decides the plural form, where there is one."""
+
+    def __new__(
+        cls, template: str, values: Mapping[str, object] | None = None, many: str = "", count: int = 1
+    ) -> "Text":
+        """Fill a template, or the one for many where ``count`` is not 1."""
+        chosen = many if many and count != 1 else template
+        text = super().__new__(cls, _SENTENCE.vformat(chosen, (), values) if values is not None else chosen)
+        text.template, text.values, text.amount = template, values, count
+        if own := _LANGUAGE.get():
+            own.said[str.__str__(text)] = text
+        return text
+
+    def __str__(self) -> str:
+        """Itself: it is not to forget."""
+        return self
+
+    def __reduce__(self) -> "tuple[type[str], tuple[str]]":
+        """Copies are plain texts."""
+        return str, (str.__str__(self),)
+
+
 class _Sentence(string.Formatter):
     """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once.
 
@@ -40,24 +79,121 @@ class _Sentence(string.Formatter):
             shown = format(value, number)
             return shown if len(shown) >= len(value) else f"{shown}…"
         if not unit:
-            return format(value, number)
+            return self.number(format(value, number)) if _is_number(value) else format(value, number)
         assert isinstance(value, SupportsFloat)
-        shown = format(float(value) * SCALES[unit.removesuffix("…")], number)
-        return f"{shown}…" if unit.endswith("…") else f"{shown} {unit}"
+        shown = self.number(format(float(value) * SCALES[unit.removesuffix("…")], number))
+        return f"{shown}…" if unit.endswith("…") else f"{shown} {self.unit(unit)}"
+
+    def number(self, shown: str) -> str:
+        return shown
+
+    def unit(self, name: str) -> str:
+        return name
 
 
-def translate(text: str) -> str:
-    """Return a text in the language of the user; English, so far the only one, is the text itself."""
-    return text
+class _Translated(_Sentence):
+    """The same in the language of the user."""
+
+    def format_field(self, value: object, format_spec: str) -> str:
+        return super().format_field(_again(value), format_spec)
+
+    def number(self, shown: str) -> str:
+        return localized(shown)
+
+    def unit(self, name: str) -> str:
+        return translate(name, "unit")
+
+
+_SENTENCE, _TRANSLATED = _Sentence(), _Translated()
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, SupportsFloat) and not isinstance(value, bool)
+
+
+def _again(value: object) -> object:
+    """Say a value again that was itself said."""
+    own = _LANGUAGE.get()
+    known = own and isinstance(value, str) and (isinstance(value, Text) or value in own.said)
+    return translate(str(value)) if known else value
+
+
+@contextmanager
+def speaking(language: "Language | None") -> Iterator[None]:
+    """Speak a language for a while; None is English."""
+    before = _LANGUAGE.set(language)
+    try:
+        yield
+    finally:
+        _LANGUAGE.reset(before)
+
+
+def spoken() -> str:
+    """Name of the language of the user."""
+    own = _LANGUAGE.get()
+    return own.name if own else "en"
+
+
+def translate(text: str, context: str = "") -> str:
+    """Return an English text in the language of the user: a sentence that was said, or one of the catalogue.
+
+    Args:
+        text: the text; one that is not known is returned as it is.
+        context: what tells it from others of the same letters: ``unit``, ``value``.
+    """
+    own = _LANGUAGE.get()
+    if own is None:
+        return text
+    said = text if isinstance(text, Text) else own.said.get(text)
+    if isinstance(said, Text):
+        template = own.found(said.template, context, said.amount) or said.template
+        return template if said.values is None else _TRANSLATED.vformat(template, (), said.values)
+    return own.found(text, context) or text
+
+
+def localized(number: str) -> str:
+    """Return a number, as Python writes it, as people write it in the language of the user."""
+    own = _LANGUAGE.get()
+    if own is None:
+        return number
+    mantissa, ten, exponent = number.translate(own.signs).partition("e")
+    return f"{mantissa}·10{str(int(exponent)).translate(RAISED)}" if ten else mantissa
+
+
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 def say(template: str, /, **values: object) -> str:
-    """Fill a template, in the language of the user.
+    """Fill a template.
 
     >>> say("the force is {force:.5g kN}, {times:g} times too much", force=2000.0, times=2)
     'the force is 2 kN, 2 times too much'
     """
-    return _Sentence().vformat(translate(template), (), values)
+    return Text(template, values)
+
+
+def say_many(one: str, many: str, /, *, count: int, **values: object) -> str:
+    """Fill the template for one or that for many; another language may have more forms.
+
+    >>> say_many("{count} line", "{count} lines", count=3)
+    '3 lines'
+    """
+    return Text(one, {"count": count, **values}, many, count)
+
+
+def told(template: str, /, **values: object) -> str:
+    """Say something at the edge, in the language of the user."""
+    return translate(Text(template, values))
+
+
+def filled(template: str, values: Mapping[str, object]) -> str:
+    """Fill a template that stands in a table."""
+    return Text(template, values)
+
+
+def term(text: str) -> str:
+    """Return a text of a table (a kind, a name) such that a sentence that names it is translated with it."""
+    return Text(text)
 
 
 _HIDDEN = re.compile(

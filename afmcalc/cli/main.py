@@ -9,7 +9,9 @@ from typer.core import TyperGroup
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
-from ..messages import say
+from ..language import ENGLISH
+from ..messages import say, spoken
+from .options import LANG
 
 COMMANDS = {
     **{name: analysis.group for name, analysis in ANALYSES.items()},
@@ -44,7 +46,7 @@ def _plainly(message: str) -> str:
     return message.removeprefix("Value error, ")
 
 
-def application(arguments: list[str]) -> typer.Typer:
+def application(arguments: list[str]) -> Any:
     """Build the program for a command line.
 
     Only the command that is called is imported and registered; all of them when none is (help, a misspelt name).
@@ -63,7 +65,11 @@ def application(arguments: list[str]) -> typer.Typer:
     for name in [called] if called else COMMANDS:
         module = import_module(f".{COMMANDS[name]}", __package__)
         app.command(name)(getattr(module, name))
-    return app
+    if spoken() == ENGLISH:
+        return app
+    from .speech import translated
+
+    return translated(typer.main.get_command(app))
 
 
 def _version(asked: bool) -> None:
@@ -76,6 +82,7 @@ def _afmcalc(
     version: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version.")
     ] = False,
+    lang: Annotated[str | None, typer.Option("--lang", metavar="NAME", help=LANG)] = None,
 ) -> None:
     """Design calculator for adaptive friction clutches (torque limiters with feedback).
 

@@ -97,7 +97,7 @@ def _mapping(path: str, symbol: str, title: str, unit: str, value: dict[str, Any
     return Table(
         title,
         [
-            Column(f"{path}.key", "", "parameter", "", names),
+            Column(f"{path}.key", "", translate("parameter"), "", names),
             Column(path, symbol, title, unit, [value[name] for name in names]),
         ],
     )

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from ..findings import Finding
-from ..messages import printable
+from ..messages import printable, term, told, translate
 from ..result import Output
 from .document import Column, Document, Table
 from .units import display, display_unit
@@ -30,7 +30,8 @@ SweepDrawing = Callable[[TextTable, bool], list[str]]
 def title(output: Output) -> str:
     """Heading of an output: what was calculated, for which clutch."""
     spec = output.spec or {}
-    about = " – ".join(printable(str(part)) for part in (spec.get("name"), spec.get("variant")) if part)
+    variant = translate(str(spec.get("variant") or ""), "value")
+    about = " – ".join(printable(str(part)) for part in (spec.get("name"), variant) if part)
     return f"{output.command}: {about}" if about else output.command
 
 
@@ -42,13 +43,15 @@ def blocks(laid_out: Document) -> list[TextTable]:
             [row.symbol, row.name, _shown(row.values[0], row.unit, row.null), display_unit(row.unit)]
             for row in laid_out.singles
         ]
-        found.append(TextTable("", ["Symbol", "Quantity", "Value", "Unit"], rows, [False, False, True, False]))
+        found.append(
+            TextTable("", [*map(translate, ("Symbol", "Quantity", "Value", "Unit"))], rows, [False, False, True, False])
+        )
     if laid_out.triples:
         rows = [
             [row.symbol, row.name, *(_shown(value, row.unit, row.null) for value in row.values), display_unit(row.unit)]
             for row in laid_out.triples
         ]
-        header = ["Symbol", "Quantity", "at f_min", "at mean f", "at f_max", "Unit"]
+        header = [*map(translate, ("Symbol", "Quantity", "at f_min", "at mean f", "at f_max", "Unit"))]
         found.append(TextTable("", header, rows, [False, False, True, True, True, False]))
     if not laid_out.steps:
         found += [_table(table) for table in laid_out.tables if not table.data]
@@ -63,16 +66,16 @@ def step_lines(laid_out: Document) -> list[str]:
     """Steps of an explanation as lines: what, formula, numbers, value with source, what the print has instead."""
     lines = []
     for step in laid_out.steps:
-        at = f" at {step.at}" if step.at else ""
-        lines += ["", f"{step.symbol}{at}: {step.name}", f"    {step.symbol} = {step.formula}"]
+        at = told(" at {place}", place=step.at) if step.at else ""
+        lines += ["", f"{step.symbol}{at}: {translate(step.name)}", f"    {step.symbol} = {step.formula}"]
         indent = " " * (5 + len(step.symbol))
         if step.substituted != step.formula:
             lines.append(f"{indent}= {step.substituted}")
         lines.append(f"{indent}= {step_value(step)}    [{step.source.rstrip('.')}]")
         if step.note:
-            lines.append(f"    {step.note}")
+            lines.append(f"    {translate(step.note)}")
         if step.print_differs:
-            lines.append(f"    print differs: {step.print_differs}")
+            lines.append(told("    print differs: {what}", what=term(step.print_differs)))
     return lines
 
 
@@ -120,4 +123,7 @@ def findings_lines(findings: list[Finding]) -> list[str]:
     """One line per finding, gravest first."""
     order = {"error": 0, "warning": 1, "info": 2}
     ranked = sorted(findings, key=lambda finding: order[finding.level])
-    return [printable(f"{f.level}: {f.message} [{f.code}{', ' + f.path if f.path else ''}]") for f in ranked]
+    return [
+        printable(f"{translate(f.level, 'value')}: {translate(f.message)} [{f.code}{', ' + f.path if f.path else ''}]")
+        for f in ranked
+    ]

@@ -2,7 +2,7 @@
 
 import math
 
-from ..messages import printable
+from ..messages import localized, printable, translate
 
 _DISPLAY = {
     "N": ("kN", 1e-3),
@@ -23,7 +23,7 @@ _DISPLAY = {
 
 def display_unit(unit: str) -> str:
     """Unit shown to people for an SI unit."""
-    return _DISPLAY.get(unit, (unit, 1.0))[0]
+    return translate(_DISPLAY.get(unit, (unit, 1.0))[0], "unit")
 
 
 def factor(unit: str) -> float:
@@ -47,12 +47,12 @@ def display(value: object, unit: str) -> str:
         return (
             " … ".join(display(item, unit) for item in value)
             if unit
-            else "; ".join(printable(str(item)) for item in value)
+            else "; ".join(printable(translate(str(item), "value")) for item in value)
         )
     if isinstance(value, bool):
-        return "yes" if value else "no"
+        return translate("yes" if value else "no", "value")
     if not isinstance(value, int | float):
-        return printable(str(value))
+        return printable(translate(str(value), "value"))
     return significant(value * _DISPLAY.get(unit, (unit, 1.0))[1])
 
 
@@ -66,5 +66,5 @@ def significant(value: float) -> str:
         return "0" if value == 0 else str(value)
     rounded = float(f"{value:.5g}")
     if 1e-4 <= abs(rounded) < 1e7:
-        return f"{rounded:.10f}".rstrip("0").rstrip(".")
-    return f"{value:.5g}"
+        return localized(f"{rounded:.10f}".rstrip("0").rstrip("."))
+    return localized(f"{value:.5g}")
