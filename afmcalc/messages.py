@@ -163,6 +163,11 @@ def localized(number: str) -> str:
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
+def filled(template: str, values: Mapping[str, object]) -> str:
+    """Fill a template that stands in a table, in the language of the user."""
+    return _Sentence().vformat(translate(template), (), values)
+
+
 def say(template: str, /, **values: object) -> str:
     """Fill a template.
 
@@ -353,4 +358,4 @@ FINDINGS: Mapping[str, str] = {
 
 def sentence(code: str, values: Mapping[str, object]) -> str:
     """Return the sentence of a finding."""
-    return say(FINDINGS[code], **values)
+    return filled(FINDINGS[code], values)

@@ -11,7 +11,7 @@ from ..result import Result, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import with_nominal_torque
 from ..spec.models import Method
-from .torque import triple
+from .torque import scatter, triple
 
 METHODS: tuple[Method, Method] = ("min-friction", "mean-friction")
 
@@ -80,7 +80,7 @@ def _method(clutch: Clutch) -> MethodResult:
     return MethodResult(
         closing_force=clutch.closing_force,
         torque=torque,
-        scatter=abs(torque.max - torque.min),
+        scatter=scatter(clutch),
         accuracy_factor=clutch.accuracy_factor,
     )
 

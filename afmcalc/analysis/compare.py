@@ -10,7 +10,7 @@ from ..findings import Finding, finding
 from ..result import Result, Triple, quantity
 from ..spec.edit import as_variant, with_force, with_nominal_torque
 from ..variants import VARIANTS
-from .torque import triple
+from .torque import scatter, triple
 
 
 class ComparedClutch(Result):
@@ -80,7 +80,7 @@ def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:
         gain=clutch.gain,
         reduced_gain=clutch.reduced_gain,
         torque=torque,
-        scatter=abs(torque.max - torque.min),
+        scatter=scatter(clutch),
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         gain_limit=clutch.gain_limit,

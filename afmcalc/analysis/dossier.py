@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 from ..engines import build
 from ..errors import CalculationError
 from ..findings import Finding
+from ..messages import filled, translate
 from ..result import Result
 from ..spec import Spec
 from ..watch import Progress, unwatched
@@ -12,10 +13,10 @@ from .answers import Answers
 from .checks.check import CheckResult
 from .checks.limits import Utilisation
 from .checks.requirements import RequirementRow
-from .explain.explain import Step, steps_of
+from .explain.derivation import Derivation, derivations
 from .explain.trace import recording, with_roles
 from .figures import Request, gathered
-from .registry import ANALYSES, Analysis, Plot, StressRule
+from .registry import ANALYSES, Analysis, Plot, StressRule, Told
 
 
 class Topic(NamedTuple):
@@ -24,9 +25,10 @@ class Topic(NamedTuple):
     name: str
     title: str
     about: str
+    conclusion: str
     sources: tuple[str, ...]
     result: Result
-    steps: list[Step]
+    derivations: list[Derivation]
     """How it was calculated, less what topics before it show."""
     plot: str
     """Kind of its plot, and what is drawn; empty and None where there is no curve."""
@@ -67,9 +69,9 @@ def dossier(
         Results, findings of all of them, each once, steps, and what there is to draw.
     """
     if explained:
-        answers, steps = _explained(spec, model, progress)
+        answers, derived = _explained(spec, model, progress)
     else:
-        answers, steps = Answers(build(spec), model=model, progress=progress), {}
+        answers, derived = Answers(build(spec), model=model, progress=progress), {}
     applying = [each for each in ANALYSES.values() if each.section and each.applies(answers.clutch)]
     verdict, findings = answers.ask("check")
     findings = list(dict.fromkeys([*findings, *(each for own in applying for each in answers.ask(own.name)[1])]))
@@ -77,12 +79,12 @@ def dossier(
         spec=spec,
         check=verdict,
         findings=findings,
-        topics=[_topic(each, answers, steps.get(each.name, [])) for each in applying],
+        topics=[_topic(each, answers, derived.get(each.name, [])) for each in applying],
     )
 
 
-def _explained(spec: Spec, model: StressRule, progress: Progress) -> tuple[Answers, dict[str, list[Step]]]:
-    """Ask what can be explained, and note the equations that ran; each step is shown where it first occurs."""
+def _explained(spec: Spec, model: StressRule, progress: Progress) -> tuple[Answers, dict[str, list[Derivation]]]:
+    """Ask what can be explained, and note the equations that ran; each formula is shown where it first stands."""
     wanted = [each for each in ANALYSES.values() if each.section and each.explained]
     # imported before anything is recorded, so that none keeps a recording function
     assert all(each.function for each in wanted)
@@ -93,30 +95,30 @@ def _explained(spec: Spec, model: StressRule, progress: Progress) -> tuple[Answe
             if each.applies(answers.clutch):
                 answers.ask(each.name)
                 ends[each.name] = len(calls)
-    seen: set[tuple[str, str | None, float]] = set()
-    found = {}
-    start = 0
-    for name, end in ends.items():
-        own = steps_of(calls[start:end])
-        start = end
-        found[name] = [step for step in own if (step.function, step.at, step.value) not in seen]
-        seen |= {(step.function, step.at, step.value) for step in own}
-    return answers, found
+    starts = [0, *ends.values()]
+    sections = {name: calls[start:end] for start, (name, end) in zip(starts, ends.items(), strict=False)}
+    return answers, derivations(sections)
 
 
-def _topic(analysis: Analysis, answers: Answers, steps: list[Step]) -> Topic:
+def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> Topic:
     section, plot, result = analysis.section, analysis.plot, answers.ask(analysis.name)[0]
     assert section is not None
     return Topic(
         name=analysis.name,
-        title=section.title,
-        about=section.about(result) if callable(section.about) else section.about,
+        title=translate(section.title),
+        about=_said(section.about, result),
+        conclusion=_said(section.conclusion, result),
         sources=section.sources_indirect or section.sources if answers.clutch.spec.kind.travels else section.sources,
         result=result,
-        steps=steps,
+        derivations=derived,
         plot=plot.name if plot else "",
         figure=_figure(plot, answers) if plot and plot.applies(answers.clutch) else None,
     )
+
+
+def _said(told: Told, result: Result) -> str:
+    """Fill what a section says with the fields of its result."""
+    return filled(told(result) if callable(told) else told, dict(result))
 
 
 def _figure(plot: Plot, answers: Answers) -> Any:

@@ -113,9 +113,9 @@ def _part(clutch: Clutch, model: StressRule) -> Fatigue:
     return part
 
 
-def _sides(clutch: Clutch) -> dict[str, float]:
-    """Side of the clutch → what its torque is multiplied by."""
-    return {"protected": 1.0, "unprotected": clutch.spec.drive.dynamic_factor}
+def _sides(clutch: Clutch) -> dict[str, float | None]:
+    """Side of the clutch → what its torque is multiplied by, if it is."""
+    return {"protected": None, "unprotected": clutch.spec.drive.dynamic_factor}
 
 
 def _stress(part: Fatigue, model: StressRule, load: Load) -> float | None:
@@ -202,7 +202,7 @@ def band_axis(text: str, clutch: Clutch) -> Axis:
 
 
 def _unlimited(
-    part: Fatigue, model: StressRule, loads: Mapping[Method, Load], sides: Mapping[str, float]
+    part: Fatigue, model: StressRule, loads: Mapping[Method, Load], sides: Mapping[str, float | None]
 ) -> list[Finding]:
     """Say where the damaging stress stays below the endurance limit, by side and setting."""
     limit, path = part.endurance_limit, "fatigue.endurance_limit"
@@ -221,12 +221,12 @@ def _unlimited(
     return found
 
 
-def _static(part: Fatigue, load: Load, sides: Mapping[str, float]) -> list[Finding]:
+def _static(part: Fatigue, load: Load, sides: Mapping[str, float | None]) -> list[Finding]:
     """Say which side's largest stress, as set, reaches the ultimate strength."""
     limit, path = part.ultimate_strength, "fatigue.ultimate_strength"
     found = []
     for side, factor in sides.items():
         if is_static(part, load.times(factor)):
-            top = float(law.shear_stress(factor * load.most, part.polar_section_modulus))
+            top = float(law.shear_stress(load.times(factor).most, part.polar_section_modulus))
             found.append(finding("static-strength-exceeded", "error", value=top, limit=limit, path=path, side=side))
     return found

@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..arrays import larger
 from ..engines.protocol import Clutch
+from ..equations import direct
 from ..equations import overload as law
 from ..errors import CalculationError
 from ..findings import Finding, finding
@@ -19,8 +20,8 @@ if TYPE_CHECKING:
 class OverloadSweep(Series):
     """Overload over a swept key."""
 
-    accuracy_factor_expected: list[float] = quantity("1", "K_т exp", "T_муф(f_max)/T_min")
-    accuracy_factor_actual: list[float] = quantity("1", "K_т act", "max(T_ср, T_муф)(f_max)/T_min, published T_ср")
+    accuracy_factor_expected: list[float] = quantity("1", "K_т,exp", "T_муф(f_max)/T_min")
+    accuracy_factor_actual: list[float] = quantity("1", "K_т,act", "max(T_ср, T_муф)(f_max)/T_min, published T_ср")
     actuation_factor: list[float] = quantity("1", "A", "T_ср/T_муф at f_max, published")
     expected_torque: list[float] = quantity("N*m", "T_муф", "expected torque at f_max")
     actuation_torque_published: list[float] = quantity("N*m", "T_ср", "published actuation torque at f_max")
@@ -43,9 +44,9 @@ class OverloadResult(Result):
         "1", "f (17)", "friction where published < expected, within the range", optional=True
     )
     optimal_reduced_gain: float = quantity("1", "(zC)_opt", "reduced gain of the best actual accuracy, 1/f_max")
-    accuracy_factor_expected: float = quantity("1", "K_т exp", "expected accuracy factor, S22 (18)")
-    accuracy_factor_actual: float = quantity("1", "K_т act", "actual accuracy factor with the published T_ср, S22 (19)")
-    accuracy_factor_equilibrium: float = quantity("1", "K_т eq", "accuracy factor with the equilibrium torque")
+    accuracy_factor_expected: float = quantity("1", "K_т,exp", "expected accuracy factor, S22 (18)")
+    accuracy_factor_actual: float = quantity("1", "K_т,act", "actual accuracy factor with the published T_ср, S22 (19)")
+    accuracy_factor_equilibrium: float = quantity("1", "K_т,eq", "accuracy factor with the equilibrium torque")
     sweep: list[OverloadSweep] | None = quantity(
         "", None, "overload over the swept values", optional=True, columns=True
     )
@@ -79,7 +80,7 @@ def overload(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[OverloadRes
         optimal_reduced_gain=law.optimal_reduced_gain(own.max),
         accuracy_factor_expected=accuracy_expected(clutch),
         accuracy_factor_actual=accuracy_actual(clutch),
-        accuracy_factor_equilibrium=at["max"].equilibrium / at["min"].equilibrium,
+        accuracy_factor_equilibrium=law.accuracy_factor_equilibrium(at["max"].equilibrium, at["min"].equilibrium),
         sweep=series(OverloadSweep, clutch, sweeps, SWEEP_OUTPUTS),
     )
     return result, [*clutch.findings(), *_findings(clutch)]
@@ -91,7 +92,7 @@ class Actuation:
     def __init__(self, clutch: Clutch, friction: Any) -> None:
         """Calculate the trip of ``clutch`` at ``friction``."""
         pairs = clutch.spec.friction_group.pairs
-        controlled = pairs - clutch.bypass_pairs
+        controlled = direct.controlled_pairs(pairs, clutch.bypass_pairs)
         low, margin = clutch.friction[0].min, clutch.spec.adjustment.margin
         pack = pairs, clutch.closing_force, clutch.mean_radius
         at_min = law.loop_gain(controlled, clutch.gain, low)
@@ -108,14 +109,15 @@ class Actuation:
 def accuracy_expected(clutch: Clutch) -> Any:
     """K_т expected, S22 (18)."""
     own = clutch.friction[0]
-    return Actuation(clutch, own.max).expected / Actuation(clutch, own.min).expected
+    return law.accuracy_factor_expected(Actuation(clutch, own.max).expected, Actuation(clutch, own.min).expected)
 
 
 def accuracy_actual(clutch: Clutch) -> Any:
     """K_т actual, S22 (19): the larger of published and expected torque at f_max over the clutch's nominal torque."""
     own = clutch.friction[0]
     at_max = Actuation(clutch, own.max)
-    return larger(at_max.published, at_max.expected) / Actuation(clutch, own.min).expected
+    largest = larger(at_max.published, at_max.expected)
+    return law.accuracy_factor_actual(largest, Actuation(clutch, own.min).expected)
 
 
 SWEEP_OUTPUTS = {
@@ -148,7 +150,8 @@ def _interval(clutch: Clutch) -> list[float] | None:
     own, reduced = clutch.friction[0], clutch.reduced_gain
     if reduced == 0:
         return None
-    at_min = law.loop_gain(clutch.spec.friction_group.pairs - clutch.bypass_pairs, clutch.gain, own.min)
+    controlled = direct.controlled_pairs(clutch.spec.friction_group.pairs, clutch.bypass_pairs)
+    at_min = law.loop_gain(controlled, clutch.gain, own.min)
     ends = sorted((law.interval_low(own.min, clutch.spec.adjustment.margin, at_min), law.interval_high(reduced)))
     low, high = max(ends[0], own.min), min(ends[1], own.max)
     return [low, high] if low < high else None

@@ -29,12 +29,18 @@ class Plot(NamedTuple):
     applies: Callable[["Clutch"], bool] = lambda clutch: True
 
 
+Told = str | Callable[[Any], str]
+"""A template over the fields of a result, or a function of the result that chooses one."""
+
+
 class Section(NamedTuple):
-    """What a report says over the numbers of an analysis."""
+    """What a report says of an analysis, in whole sentences."""
 
     title: str
-    about: str | Callable[[Any], str]
-    """What is calculated; or a function of the result that says it."""
+    about: Told
+    """What is calculated."""
+    conclusion: Told
+    """What comes of it."""
     sources: tuple[str, ...] = ()
     """Keys of the references it rests on."""
     sources_indirect: tuple[str, ...] = ()
@@ -78,9 +84,34 @@ def _can_be_synthesized(clutch: "Clutch") -> bool:
     return unit is not None and unit.ball_circle_radius is not None and bool(clutch.gain > 0)
 
 
-def _said_of_tolerance(found: Any) -> str:
-    error = "the answer is exact" if found.method == "exact" else "± is the standard error of the sample"
-    return f"The slip torque as making and service scatter, by the block [tolerance]; {error}."
+def _about_tolerance(found: Any) -> str:
+    if found.method == "exact":
+        return "The slip torque as making and service scatter, by the block [tolerance]; the answer is exact."
+    return "The slip torque as making and service scatter, by the block [tolerance]; ± is the standard error."
+
+
+def _narrower(found: Any) -> str:
+    said = {
+        "min-friction": "The spring set at f_min gives the narrower band.",
+        "mean-friction": "The spring set at the mean friction gives the narrower band.",
+        "equal": "Both settings of the spring give the same band.",
+    }
+    return said[found.narrower]
+
+
+def _ball(found: Any) -> str:
+    if found.ball_diameter_standard is None:
+        return "The wall angle is {wall_angle:.4g deg}; no ball of the list is large enough."
+    return "The wall angle is {wall_angle:.4g deg}, the diameter of the ball {ball_diameter_standard:.5g mm}."
+
+
+def _lasting(found: Any) -> str:
+    stresses = found.stress_protected, found.stress_unprotected
+    if None in stresses:
+        return "The largest load reaches the strength of the shaft: it breaks at once."
+    if max(stresses) <= found.endurance_limit:
+        return "Fatigue does not limit the life of the shaft: the damaging stress stays below the endurance limit."
+    return "Fatigue limits the life of the shaft: the damaging stress is above the endurance limit."
 
 
 ANALYSES: dict[str, Analysis] = {
@@ -91,6 +122,8 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Torque and forces",
                 "The slipping clutch at the smallest, the mean and the largest friction, spring as set.",
+                "Set for a nominal torque of the clutch of {nominal_torque:.5g N·m}, it slips at {torque.min:.5g N·m} "
+                "at the smallest and at {torque.max:.5g N·m} at the largest friction.",
                 ("F11",), ("S21",),
             ),
             plot=Plot("torque", "torque against friction, scatter band, both adjustment methods"),
@@ -100,6 +133,8 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Accuracy",
                 "K_т is the largest over the smallest torque in service; 1 would be perfect.",
+                "The accuracy factor is K_т = {accuracy_factor:.4g}; an ordinary clutch in its place would have "
+                "K_т,0 = {conventional_accuracy_factor:.4g}.",
                 ("F11", "S22"), ("S21",),
             ),
             plot=Plot(
@@ -112,6 +147,7 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Both settings of the spring",
                 "The same nominal torque, reached at the smallest friction or, with the margin, at the mean friction.",
+                _narrower,
                 ("S19",),
             ),
         ),
@@ -121,6 +157,9 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Overload",
                 "What the drive sees when the clutch, set with a margin over the machine's torque, begins to slip.",
+                "With the margin β_н = {margin:g} the nominal torque of the machine may be {machine_torque:.5g N·m}; "
+                "the clutch trips at {actuation_torque_equilibrium.min:.5g N·m} to "
+                "{actuation_torque_equilibrium.max:.5g N·m}, and later where the release force lags the load.",
                 ("S22",),
             ),
             plot=Plot("overload", "trip over friction, and accuracy over the reduced gain (S22 fig. 3)", "clutch"),
@@ -131,6 +170,7 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Control unit",
                 "Wall angle, ball and pocket for the gain; the contact held against what it may carry.",
+                _ball,
                 ("S21",),
             ),
             plot=Plot("pocket", "section through ball and pockets, to scale", "clutch"),
@@ -140,7 +180,8 @@ ANALYSES: dict[str, Analysis] = {
             ("model",), explained=True, judged=True,
             section=Section(
                 "Life",
-                lambda found: f"Cycles to failure on both sides of the clutch, by the rule {found.model}.",
+                "Cycles to failure on both sides of the clutch, by the rule {model}.",
+                _lasting,
                 ("S19",),
             ),
             plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
@@ -150,7 +191,11 @@ ANALYSES: dict[str, Analysis] = {
         Analysis(
             "tolerance", "analysis.tolerance.study", "ToleranceResult", "design",
             lambda clutch: clutch.spec.tolerance is not None,
-            section=Section("Tolerances and scatter", _said_of_tolerance),
+            section=Section(
+                "Tolerances and scatter", _about_tolerance,
+                "As making and service scatter, the mean torque is {mean:.5g N·m}, its standard deviation "
+                "{standard_deviation:.4g N·m}.",
+            ),
             plot=Plot("tolerance", "histogram of the torque with quantiles, by the [tolerance] block", "clutch"),
         ),
         Analysis(

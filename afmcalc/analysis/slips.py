@@ -51,8 +51,8 @@ class Load(NamedTuple):
     """Share (0…1) of the way along the range → slip torque, N·m; monotone."""
     kinks: tuple[Values, ...] = ()
     """Shares of the way at which it is not smooth: where the sleeve of an indirect clutch leaves its stop."""
-    factor: float = 1.0
-    """What the drive multiplies torques by on this side of the clutch; it is in ``torque``, and goes to T_low too."""
+    factor: Values | None = None
+    """What the drive multiplies torques by on the unprotected side; it is in ``torque``, and goes to T_low too."""
 
     @property
     def least(self) -> Values:
@@ -64,9 +64,15 @@ class Load(NamedTuple):
         """Largest torque, N·m."""
         return larger(self.torque(0.0), self.torque(1.0))
 
-    def times(self, factor: float) -> "Load":
-        """The load on the unprotected side."""
-        return Load(lambda share: factor * self.torque(share), self.kinks, factor * self.factor)
+    def low(self, torque: Values) -> Values:
+        """Torque T_low from which a slip swings the load, on this side, N·m."""
+        return torque if self.factor is None else law.torque_unprotected(self.factor, torque)
+
+    def times(self, factor: Values | None) -> "Load":
+        """The load on the unprotected side; without a factor the side is protected."""
+        if factor is None:
+            return self
+        return Load(lambda share: law.torque_unprotected(factor, self.torque(share)), self.kinks, factor)
 
     def stretched(self, least: Values, own: Values, band: Values) -> "Load":
         """The same course over another scatter band above ``least``; straight where there is no band of its ``own``."""
@@ -101,7 +107,7 @@ def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
 def damaging_stress(part: Fatigue, rule: StressRule, load: Load) -> Values:
     """Largest damaging stress, Pa: of the cycle over the band, or of the slip with the largest torque."""
     chosen = RULES[rule]
-    low = load.factor * part.load_low if chosen.each_slip else load.least
+    low = load.low(part.load_low) if chosen.each_slip else load.least
     return _stress(part, chosen, low, load.most)
 
 
@@ -115,7 +121,7 @@ def cycles(part: Fatigue, rule: StressRule, load: Load) -> Values:
     if not is_array(broken) and broken:
         return 0.0
     if chosen.each_slip:
-        low = load.factor * part.load_low
+        low = load.low(part.load_low)
         found = _slips(part, lambda share: _stress(part, chosen, low, load.torque(share)), load.kinks)
     else:
         found = _line(part, damaging_stress(part, rule, load))

@@ -3,7 +3,9 @@
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from ..arrays import larger, smaller
 from ..engines.protocol import Clutch
+from ..equations import accuracy
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
@@ -84,7 +86,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         pack_force_at_rest=None if clutch.control_force is None else clutch.pack_force_at_rest,
         travel=_triple_or_none(travels),
         torque_returning=_triple_or_none([clutch.torque_returning(end[0]) for end in ends]),
-        scatter=abs(torques[2] - torques[0]),
+        scatter=scatter(clutch),
         accuracy_factor=clutch.accuracy_factor,
         points=asked or None,
     )
@@ -103,6 +105,13 @@ def triple(clutch: Clutch, function: Callable[..., Any]) -> Triple:
     """Evaluate ``function(f_1, f_2)`` at the smallest, mean and largest friction."""
     first, second = clutch.friction
     return _triple([function(a, b) for a, b in zip(first, second, strict=True)])
+
+
+def scatter(clutch: Clutch) -> float:
+    """ΔT between the torques at the ends of the friction range, whichever is the larger."""
+    first, second = clutch.friction
+    ends = clutch.torque(first.min, second.min), clutch.torque(first.max, second.max)
+    return float(accuracy.scatter_band(larger(*ends), smaller(*ends)))
 
 
 def _triple(values: list[float]) -> Triple:

@@ -1,7 +1,8 @@
 """The command that writes a calculation report."""
 
+import hashlib
 import os
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -16,6 +17,11 @@ from .run import need_drawing
 
 if TYPE_CHECKING:
     from ..spec import Spec
+    from ..spec.report import TitleBlock
+
+
+def _entry(text: str) -> Any:
+    return typer.Option(metavar="TEXT", help=text)
 
 
 @common_options("set", "output", "force", "yes", "quiet", output="HTML file; without it standard output.")
@@ -27,6 +33,14 @@ def report(
     model: Annotated[
         StressRule, typer.Option("--model", help="Rule for the damaging stress of the life.")
     ] = "mean-stress",
+    organisation: Annotated[str | None, _entry("Title block: who answers for the calculation.")] = None,
+    project: Annotated[str | None, _entry("Title block: project the clutch belongs to.")] = None,
+    drawing: Annotated[str | None, _entry("Title block: number of the drawing.")] = None,
+    revision: Annotated[str | None, _entry("Title block: revision of the calculation.")] = None,
+    author: Annotated[str | None, _entry("Title block: who calculated.")] = None,
+    checked: Annotated[str | None, _entry("Title block: who checked.")] = None,
+    approved: Annotated[str | None, _entry("Title block: who approved.")] = None,
+    date: Annotated[str | None, _entry("Title block: date of the calculation.  [default: today]")] = None,
     *,
     common: Common,
 ) -> None:
@@ -35,6 +49,9 @@ def report(
     \b
     afmcalc report clutch.toml -o report.html
     afmcalc report clutch.toml -o report.html --pdf
+    afmcalc report clutch.toml -o report.html --drawing AFM-17 --author "A. N. Other"
+
+    The block [report] of the spec says the same; an option goes before it.
     """  # noqa: D301
     need_drawing("report")
     from ..analysis.dossier import dossier
@@ -47,12 +64,17 @@ def report(
     browser = find_browser() if pdf else None
     common.keep(spec, kind=REPORT)
     refuse(target, REPORT_PDF, force=common.force, inputs=[spec])
-    given, read = _read(spec, common)
+    raw, given, read = _read(spec, common)
+    options = {
+        "organisation": organisation, "project": project, "drawing": drawing, "revision": revision,
+        "author": author, "checked": checked, "approved": approved, "date": date,
+    }  # fmt: skip
+    title, digest = _title_block(read, options), hashlib.sha256(raw).hexdigest()
     steps = 3 if browser else 2
     with Bar(quiet=common.quiet, agreed=common.yes) as bar:
         found = dossier(read, model, progress=bar.advance)
         bar.advance("report", 1, steps)
-        page = render(Subject(found, given, common.set or (), __version__, _date()))
+        page = render(Subject(found, given, title, digest, read.label, common.set or (), __version__))
         bar.advance("report", 2, steps)
         # both, or neither where the browser fails
         printed = print_pdf(browser, page) + REPORT_PDF.holds if browser else b""
@@ -71,20 +93,30 @@ def _pdf_beside(output: str | None) -> str:
     return f"{os.path.splitext(output)[0]}.pdf"
 
 
-def _read(source: str | None, common: Common) -> "tuple[str, Spec]":
-    """Read a spec once, and return its text with it; of a command's JSON the spec block."""
-    from ..spec.parsing import parse, text_of
+def _title_block(spec: "Spec", options: dict[str, str | None]) -> "TitleBlock":
+    """The [report] block of the spec under the options, dated today where neither has a date."""
+    from ..spec.report import TitleBlock
+
+    given = {name: text for name, text in options.items() if text is not None}
+    block = {"date": None} if spec.report is None else spec.report.model_dump()
+    return TitleBlock(**{**block, "date": block["date"] or _date(), **given})
+
+
+def _read(source: str | None, common: Common) -> "tuple[bytes, str, Spec]":
+    """Read a spec once, and return file and text with it; the text of a command's JSON is that of its spec block."""
+    from ..spec.parsing import bytes_of, parse, text_in
     from ..spec.reading import spec_of
 
     if source is None:
         common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
-    text, label = text_of(source)
+    raw, name = bytes_of(source)
+    text, label = text_in(raw, name)
     spec = spec_of(text, label, common.set or ())
     if text.lstrip().startswith("{"):
         import json
 
         text = json.dumps(parse(text, label), indent=2, ensure_ascii=False)
-    return text.strip("\n"), spec
+    return raw, text.strip("\n"), spec
 
 
 _DIGITS = 11

@@ -3,7 +3,7 @@
 from typing import Any
 
 from ..arrays import Values, checked_friction, is_array, larger, smaller
-from ..equations import accuracy
+from ..equations import accuracy, direct
 from ..findings import Finding, finding
 from ..spec.models import Method, Spec
 from . import geometry, setting
@@ -20,7 +20,7 @@ class DirectClutch(Clutch):
     def from_spec(cls, spec: Spec) -> "DirectClutch":
         """Build the engine of a spec whose values may be arrays."""
         bypass = spec.bypass_pairs
-        controlled = spec.friction_group.pairs - bypass
+        controlled = direct.controlled_pairs(spec.friction_group.pairs, bypass)
         law = DirectLaw(geometry.mean_radius(spec), bypass, controlled, geometry.feedback_gain(spec))
         force = setting.closing_force(spec, lambda: law.torque_per_force(*setting.friction_at_setting(spec)))
         return cls(spec, law, spec.friction.groups, force)
@@ -94,14 +94,16 @@ class DirectClutch(Clutch):
         high: Values = corners[0]
         for corner in corners[1:]:
             low, high = smaller(low, corner), larger(high, corner)
-        return high / low
+        factor: Values = accuracy.accuracy_factor_worst_case(high, low)
+        return factor
 
     @property
     def accuracy_factor_peak(self) -> Values:
         """Largest over smallest breakaway torque; P rises along the common path."""
         first, second = self.friction
-        peak: Values = self.breakaway_torque(first.max, second.max) / self.breakaway_torque(first.min, second.min)
-        return peak
+        peaks = (self.breakaway_torque(*ends) for ends in ((first.max, second.max), (first.min, second.min)))
+        factor: Values = accuracy.accuracy_factor_peak(*peaks)
+        return factor
 
     @property
     def torque_max(self) -> Values:

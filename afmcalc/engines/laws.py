@@ -151,7 +151,7 @@ class IndirectLaw:
     def torque(self, closing_force: Values, friction: Values) -> Values:
         """Slip torque T, N·m, friction rising (S21 (11); theory, section 5)."""
         pressed = self.normal_force(closing_force, friction)
-        torque: Values = direct.group_torque(pressed, self.mean_radius, self.pairs, friction)
+        torque: Values = indirect.torque(pressed, self.mean_radius, self.pairs, friction)
         return torque
 
     def torque_returning(self, closing_force: Values, friction: Values, friction_max: Values) -> Values:
@@ -161,7 +161,7 @@ class IndirectLaw:
         """
         locked = self.normal_force(closing_force, friction_max)
         moving = self.normal_force(closing_force, friction, returning=True)
-        torque: Values = direct.group_torque(larger(locked, moving), self.mean_radius, self.pairs, friction)
+        torque: Values = indirect.torque(larger(locked, moving), self.mean_radius, self.pairs, friction)
         return torque
 
     def travel(self, closing_force: Values, friction: Values) -> Values:

@@ -79,6 +79,60 @@ def conventional_accuracy_factor(
     )
 
 
+def scatter_band(torque_max: Number, torque_min: Number) -> Number:
+    """Torque scatter band, ΔT = T_max − T_min.
+
+    Source: S19 (10), (11).
+
+    Args:
+        torque_max: T_max, largest slip torque in service [N*m].
+        torque_min: T_min, smallest slip torque in service [N*m].
+
+    Returns:
+        ΔT [N*m].
+
+    Validity:
+        Any clutch.
+    """
+    return torque_max - torque_min
+
+
+def accuracy_factor_worst_case(torque_max: Number, torque_min: Number) -> Number:
+    """Accuracy factor with f_1 and f_2 independent: largest over smallest torque of the four corners of their ranges.
+
+    Source: Theory, section 3 (beyond F11).
+
+    Args:
+        torque_max: T_max, largest torque at a corner [N*m].
+        torque_min: T_min, smallest torque at a corner [N*m].
+
+    Returns:
+        K_т,w [1].
+
+    Validity:
+        T is monotone in f_1 and in f_2.
+    """
+    return torque_max / torque_min
+
+
+def accuracy_factor_peak(peak_max: Number, peak_min: Number) -> Number:
+    """Accuracy factor by breakaway peaks, P(f_max)/P(f_min).
+
+    Source: Theory, section 3 (beyond F11).
+
+    Args:
+        peak_max: P_max, at f_max the larger of the sustained torque and the bypass pairs' under the full spring [N*m].
+        peak_min: P_min, the same at f_min [N*m].
+
+    Returns:
+        K_т,p [1].
+
+    Validity:
+        Upper bound: it depends on how much the balls carried before slip.
+    """
+    return peak_max / peak_min
+
+
 def accuracy_factor_by_ratios(
     bypass_pairs: Number,
     controlled_pairs: Number,

@@ -10,8 +10,8 @@ def closing_force(nominal_torque: Number, margin: Number, torque_per_force: Numb
 
     Args:
         nominal_torque: T_н [N*m].
-        margin: β_н; 1 for min-friction [1].
-        torque_per_force: a_set, R g(f_set) = T(f_set)/F_п [m].
+        margin: β_н, torque margin, 1 for min-friction [1].
+        torque_per_force: a_set, slip torque per spring force at the friction of the setting [m].
 
     Returns:
         F_п [N].
@@ -28,8 +28,8 @@ def nominal_torque(torque_at_setting: Number, margin: Number) -> Number:
     Source: S19 (1)–(4).
 
     Args:
-        torque_at_setting: T_set, T(f_set) with the force as set [N*m].
-        margin: β_н; 1 for min-friction [1].
+        torque_at_setting: T_set, slip torque at the friction of the setting, with the force as set [N*m].
+        margin: β_н, torque margin, 1 for min-friction [1].
 
     Returns:
         T_н [N*m].
@@ -46,8 +46,8 @@ def force_ratio(torque_per_force_mean: Number, torque_per_force_min: Number) -> 
     Source: S19 (7), from (5) and (6) without the β_н that (6) prints beside T_н.
 
     Args:
-        torque_per_force_mean: a_cp, R g(f_cp) [m].
-        torque_per_force_min: a_min, R g(f_min) [m].
+        torque_per_force_mean: a_cp, slip torque per spring force at f_cp [m].
+        torque_per_force_min: a_min, slip torque per spring force at f_min [m].
 
     Returns:
         F_п1/F_п2 [1].
@@ -77,8 +77,8 @@ def scatter(
         pairs: z, friction pairs [1].
         controlled_pairs: z_2, pairs whose torque passes the balls [1].
         gain: C, feedback gain [1].
-        friction_min: f_min [1].
-        friction_max: f_max [1].
+        friction_min: f_min, smallest coefficient of friction [1].
+        friction_max: f_max, largest coefficient of friction [1].
 
     Returns:
         ΔT [N*m].
@@ -101,9 +101,9 @@ def scatter_ratio(margin: Number, torque_per_force_min: Number, torque_per_force
     Source: S19 (10), (11) mended (M6); theory, section 4.
 
     Args:
-        margin: β_н [1].
-        torque_per_force_min: a_min, R g(f_min) [m].
-        torque_per_force_mean: a_cp, R g(f_cp) [m].
+        margin: β_н, torque margin [1].
+        torque_per_force_min: a_min, slip torque per spring force at f_min [m].
+        torque_per_force_mean: a_cp, slip torque per spring force at f_cp [m].
 
     Returns:
         ΔT_2/ΔT_1 [1].
@@ -124,12 +124,12 @@ def pairs_threshold(
     Args:
         bypass_pairs: z_1, pairs that bypass the control unit [1].
         gain: C, feedback gain [1].
-        friction_min: f_min [1].
-        friction_mean: f_cp [1].
-        margin: β_н [1].
+        friction_min: f_min, smallest coefficient of friction [1].
+        friction_mean: f_cp, mean coefficient of friction [1].
+        margin: β_н, torque margin [1].
 
     Returns:
-        z [1].
+        z_lim [1].
 
     Validity:
         Direct clutch, one material, β_н > 1, C > 0. At β_н = 1 mean-friction is always narrower.

@@ -31,7 +31,7 @@ class Equation(NamedTuple):
     result: Term
 
 
-_TERM = re.compile(r"(?P<symbol>[^,;=\[]+?(?:,\d)?)\s*(?:[,;=](?P<meaning>.*?))?\s*\[(?P<unit>[^\]]+)\]", re.DOTALL)
+_TERM = re.compile(r"(?P<symbol>[^,;=\[]+?(?:,\w+)?)\s*(?:[,;=](?P<meaning>.*?))?\s*\[(?P<unit>[^\]]+)\]", re.DOTALL)
 
 
 @cache

@@ -33,8 +33,26 @@ def gain(mean_radius: Number, ball_circle_radius: Number, tan_wall_angle: Number
     return mean_radius / ball_circle_radius * tan_wall_angle
 
 
+def controlled_pairs(pairs: Number, bypass_pairs: Number) -> Number:
+    """Pairs whose torque passes the balls, z_2 = z − z_1.
+
+    Source: F11, before (1).
+
+    Args:
+        pairs: z, friction pairs, all groups [1].
+        bypass_pairs: z_1, pairs that bypass the control unit [1].
+
+    Returns:
+        z_2 [1].
+
+    Validity:
+        z_1 ≤ z; none of a conventional clutch.
+    """
+    return pairs - bypass_pairs
+
+
 def reduced_gain(controlled_pairs: Number, gain: Number) -> Number:
-    """Reduced gain z_2 C: the gain of the whole feedback loop per unit of friction.
+    """Reduced gain, z_2 C: the gain of the whole feedback loop per unit of friction.
 
     Source: S22 (zC of the all-driving clutch); S19 ((z − 1)C).
 
@@ -43,7 +61,7 @@ def reduced_gain(controlled_pairs: Number, gain: Number) -> Number:
         gain: C, feedback gain [1].
 
     Returns:
-        zC, the reduced gain z_2 C [1].
+        z_2 C, the reduced gain [1].
 
     Validity:
         Any direct variant; 0 for the conventional clutch.

@@ -146,7 +146,7 @@ def travel(
         friction: f, coefficient of friction [1].
         friction_set: f_set, friction at the setting (f_min or f_cp) [1].
         net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
-        sleeve_stiffness: D, D(f) [N/m].
+        sleeve_stiffness: D, stiffness against which the sleeve moves [N/m].
 
     Returns:
         x [m].
@@ -196,7 +196,7 @@ def travel_as_made(
         pairs: z, friction pairs [1].
         friction: f, coefficient of friction [1].
         net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
-        sleeve_stiffness: D, D(f) [N/m].
+        sleeve_stiffness: D, stiffness against which the sleeve moves [N/m].
 
     Returns:
         x [m].
@@ -223,7 +223,7 @@ def normal_force_moving(
         closing_stiffness: c_1, stiffness of the closing spring [N/m].
         control_force: F_п2, control-spring force as set [N].
         control_stiffness: c_2, stiffness of the control spring [N/m].
-        sleeve_stiffness: D, D(f) [N/m].
+        sleeve_stiffness: D, stiffness against which the sleeve moves [N/m].
 
     Returns:
         N [N].
@@ -234,13 +234,33 @@ def normal_force_moving(
     return (closing_force * control_stiffness + control_force * closing_stiffness) / sleeve_stiffness
 
 
+def torque(normal_force: Number, mean_radius: Number, pairs: Number, friction: Number) -> Number:
+    """Slip torque of all pairs under a normal force, T = z R f N.
+
+    Source: S21 (9).
+
+    Args:
+        normal_force: N, normal force on the pairs [N].
+        mean_radius: R_cp, mean friction radius [m].
+        pairs: z, friction pairs [1].
+        friction: f, coefficient of friction [1].
+
+    Returns:
+        T [N*m].
+
+    Validity:
+        The clutch slips.
+    """
+    return normal_force * mean_radius * pairs * friction
+
+
 def release_force(torque: Number, gain: Number, mean_radius: Number) -> Number:
     """Release force of the balls on the sleeve, F_p = T tan α/r = T C/R.
 
     Source: S21 (6), (7).
 
     Args:
-        torque: T [N*m].
+        torque: T, slip torque [N*m].
         gain: C, feedback gain [1].
         mean_radius: R_cp, mean friction radius [m].
 
@@ -262,15 +282,15 @@ def accuracy_factor(
     pairs: Number,
     net_gain: Number,
 ) -> Number:
-    """Accuracy factor K_т = f_max D(f_set) (1 + z κ f_min)/[f_min D(f_max) (1 + z κ f_set)].
+    """Accuracy factor, K_т = f_max D(f_set) (1 + z κ f_min)/[f_min D(f_max) (1 + z κ f_set)].
 
     Source: S21 (15), mended (M9), with f_set = f_min; theory, section 5 for f_min < f_set ≤ f_max, where the sleeve
     rests at f_min.
 
     Args:
-        friction_min: f_min [1].
+        friction_min: f_min, smallest coefficient of friction [1].
         friction_set: f_set, friction at the setting (f_min or f_cp) [1].
-        friction_max: f_max [1].
+        friction_max: f_max, largest coefficient of friction [1].
         closing_stiffness: c_1, stiffness of the closing spring [N/m].
         control_stiffness: c_2, stiffness of the control spring [N/m].
         pairs: z, friction pairs [1].
@@ -394,7 +414,7 @@ def stiffness_elasticity_in_closing_stiffness(
         pairs: z, friction pairs [1].
         friction: f, coefficient of friction [1].
         net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
-        sleeve_stiffness: D, D(f) [N/m].
+        sleeve_stiffness: D, stiffness against which the sleeve moves [N/m].
 
     Returns:
         ∂ln D/∂ln c_1 [1].
@@ -412,7 +432,7 @@ def stiffness_elasticity_in_control_stiffness(control_stiffness: Number, sleeve_
 
     Args:
         control_stiffness: c_2, stiffness of the control spring [N/m].
-        sleeve_stiffness: D, D(f) [N/m].
+        sleeve_stiffness: D, stiffness against which the sleeve moves [N/m].
 
     Returns:
         ∂ln D/∂ln c_2 [1].
@@ -435,7 +455,7 @@ def stiffness_elasticity_in_feedback(
         pairs: z, friction pairs [1].
         friction: f, coefficient of friction [1].
         feedback_part: κ_p, the part of κ in question [1].
-        sleeve_stiffness: D, D(f) [N/m].
+        sleeve_stiffness: D, stiffness against which the sleeve moves [N/m].
 
     Returns:
         ∂ln D/∂ln p [1].

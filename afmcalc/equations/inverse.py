@@ -84,8 +84,8 @@ def controlled_pairs_for_accuracy_factor(
     Args:
         gain: C, feedback gain [1].
         accuracy_factor: K_т wanted [1].
-        friction_min: f_min [1].
-        friction_max: f_max [1].
+        friction_min: f_min, smallest coefficient of friction [1].
+        friction_max: f_max, largest coefficient of friction [1].
 
     Returns:
         z_2 [1], not rounded to a whole number.
@@ -202,8 +202,8 @@ def best_accuracy_factor_all_driving(friction_min: Number, friction_max: Number,
     Source: S22 (18) at zC = 5; m = f_max/f_min.
 
     Args:
-        friction_min: f_min [1].
-        friction_max: f_max [1].
+        friction_min: f_min, smallest coefficient of friction [1].
+        friction_max: f_max, largest coefficient of friction [1].
         reduced_gain_limit: largest zC, 5 by S22 [1].
 
     Returns:
@@ -232,9 +232,9 @@ def net_loop_gain_for_accuracy_factor(
     Source: S21 (15) mended (M9) with the seated sleeve below f_set (theory, section 5), solved for zκ.
 
     Args:
-        friction_min: f_min [1].
+        friction_min: f_min, smallest coefficient of friction [1].
         friction_set: f_set, friction at the setting (f_min or f_cp) [1].
-        friction_max: f_max [1].
+        friction_max: f_max, largest coefficient of friction [1].
         closing_stiffness: c_1, stiffness of the closing spring [N/m].
         control_stiffness: c_2, stiffness of the control spring [N/m].
         accuracy_factor: K_т wanted [1].
@@ -269,9 +269,9 @@ def net_gain_for_accuracy_factor(
     Source: S21 (15) mended (M9), solved for κ.
 
     Args:
-        friction_min: f_min [1].
+        friction_min: f_min, smallest coefficient of friction [1].
         friction_set: f_set, friction at the setting (f_min or f_cp) [1].
-        friction_max: f_max [1].
+        friction_max: f_max, largest coefficient of friction [1].
         closing_stiffness: c_1, stiffness of the closing spring [N/m].
         control_stiffness: c_2, stiffness of the control spring [N/m].
         pairs: z, friction pairs [1].
@@ -305,9 +305,9 @@ def pairs_for_accuracy_factor_indirect(
     Source: S21 (15) mended (M9), solved for z.
 
     Args:
-        friction_min: f_min [1].
+        friction_min: f_min, smallest coefficient of friction [1].
         friction_set: f_set, friction at the setting (f_min or f_cp) [1].
-        friction_max: f_max [1].
+        friction_max: f_max, largest coefficient of friction [1].
         closing_stiffness: c_1, stiffness of the closing spring [N/m].
         control_stiffness: c_2, stiffness of the control spring [N/m].
         net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
@@ -340,9 +340,9 @@ def stiffness_ratio_for_accuracy_factor(
     Source: S21 (15) mended (M9), solved for c_2/c_1: K_т depends on the ratio only.
 
     Args:
-        friction_min: f_min [1].
+        friction_min: f_min, smallest coefficient of friction [1].
         friction_set: f_set, friction at the setting (f_min or f_cp) [1].
-        friction_max: f_max [1].
+        friction_max: f_max, largest coefficient of friction [1].
         pairs: z, friction pairs [1].
         net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
         accuracy_factor: K_т wanted [1].

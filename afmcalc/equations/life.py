@@ -9,8 +9,8 @@ def shear_stress(torque: Number, polar_section_modulus: Number) -> Number:
     Source: S19 (15).
 
     Args:
-        torque: T [N*m].
-        polar_section_modulus: W_p [m^3].
+        torque: T, torque of the side in question, T' on the unprotected one [N*m].
+        polar_section_modulus: W_p, polar section modulus [m^3].
 
     Returns:
         τ [Pa].
@@ -19,6 +19,24 @@ def shear_stress(torque: Number, polar_section_modulus: Number) -> Number:
         Torsion, elastic.
     """
     return torque / polar_section_modulus
+
+
+def torque_unprotected(dynamic_factor: Number, torque: Number) -> Number:
+    """Torque on the unprotected side, between clutch and tool, T' = k_д T.
+
+    Source: S19, before (14): the drive's dynamics multiply what the clutch passes.
+
+    Args:
+        dynamic_factor: k_д, dynamic factor of the unprotected side [1].
+        torque: T, slip torque of the clutch [N*m].
+
+    Returns:
+        T' [N*m].
+
+    Validity:
+        k_д ≥ 1.
+    """
+    return dynamic_factor * torque
 
 
 def mean_stress(stress_low: Number, stress_high: Number) -> Number:

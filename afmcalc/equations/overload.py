@@ -7,7 +7,7 @@ from ._types import Number
 
 
 def loop_gain(controlled_pairs: Number, gain: Number, friction: Number) -> Number:
-    """Loop gain v = (z − z_1) C f.
+    """Loop gain, v = (z − z_1) C f.
 
     Source: S22 (5)–(24), the group (z − z_1) C f.
 
@@ -37,7 +37,7 @@ def expected_torque(
         closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
         mean_radius: R_cp, mean friction radius [m].
         friction: f, coefficient of friction [1].
-        loop_gain: v, at f [1].
+        loop_gain: v, loop gain at f [1].
 
     Returns:
         T_муф [N*m].
@@ -79,7 +79,7 @@ def potential_torque(
         mean_radius: R_cp, mean friction radius [m].
         friction: f, coefficient of friction [1].
         margin: β_н, torque margin [1].
-        loop_gain_min: u [1].
+        loop_gain_min: u, loop gain at f_min [1].
 
     Returns:
         T_п [N*m].
@@ -103,9 +103,9 @@ def load_rise(potential_torque: Number, machine_torque: Number, loop_gain: Numbe
     Source: S22 (12), (13).
 
     Args:
-        potential_torque: T_п [N*m].
-        machine_torque: T_н.маш [N*m].
-        loop_gain: v, at f [1].
+        potential_torque: T_п, potential torque [N*m].
+        machine_torque: T_н.маш, nominal torque of the machine [N*m].
+        loop_gain: v, loop gain at f [1].
 
     Returns:
         ΔT' [N*m].
@@ -132,9 +132,9 @@ def load_rise_at_min(
         pairs: z, friction pairs [1].
         closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
         mean_radius: R_cp, mean friction radius [m].
-        friction_min: f_min [1].
+        friction_min: f_min, smallest coefficient of friction [1].
         margin: β_н, torque margin [1].
-        loop_gain_min: u [1].
+        loop_gain_min: u, loop gain at f_min [1].
 
     Returns:
         ΔT_max [N*m].
@@ -153,10 +153,10 @@ def actuation_factor(
     Source: S22 (14), (15) mended (M11), (21) with β_н = 1, (23).
 
     Args:
-        loop_gain: v, at f [1].
-        loop_gain_min: u [1].
+        loop_gain: v, loop gain at f [1].
+        loop_gain_min: u, loop gain at f_min [1].
         friction: f, coefficient of friction [1].
-        friction_min: f_min [1].
+        friction_min: f_min, smallest coefficient of friction [1].
         margin: β_н, torque margin [1].
 
     Returns:
@@ -176,8 +176,8 @@ def actuation_torque_published(potential_torque: Number, load_rise: Number) -> N
     Source: S22 (14).
 
     Args:
-        potential_torque: T_п [N*m].
-        load_rise: ΔT' [N*m].
+        potential_torque: T_п, potential torque [N*m].
+        load_rise: ΔT', load rise until slip [N*m].
 
     Returns:
         T_ср [N*m].
@@ -194,8 +194,8 @@ def actuation_torque_equilibrium(machine_torque: Number, load_rise: Number) -> N
     Source: Theory, section 6 (M12).
 
     Args:
-        machine_torque: T_н.маш [N*m].
-        load_rise: ΔT' [N*m].
+        machine_torque: T_н.маш, nominal torque of the machine [N*m].
+        load_rise: ΔT', load rise until slip [N*m].
 
     Returns:
         T_eq, load at slip [N*m].
@@ -212,9 +212,9 @@ def interval_low(friction_min: Number, margin: Number, loop_gain_min: Number) ->
     Source: S22 (17).
 
     Args:
-        friction_min: f_min [1].
+        friction_min: f_min, smallest coefficient of friction [1].
         margin: β_н, torque margin [1].
-        loop_gain_min: u [1].
+        loop_gain_min: u, loop gain at f_min [1].
 
     Returns:
         f_low, one end of the interval [1].
@@ -249,7 +249,7 @@ def discriminant(margin: Number, loop_gain_min: Number) -> Number:
 
     Args:
         margin: β_н, torque margin [1].
-        loop_gain_min: u [1].
+        loop_gain_min: u, loop gain at f_min [1].
 
     Returns:
         D [1].
@@ -261,16 +261,70 @@ def discriminant(margin: Number, loop_gain_min: Number) -> Number:
     return root * root
 
 
+def accuracy_factor_expected(expected_torque: Number, nominal_torque: Number) -> Number:
+    """Expected accuracy factor, T_муф(f_max)/T_н.муф.
+
+    Source: S22 (18).
+
+    Args:
+        expected_torque: T_муф, expected slip torque at f_max [N*m].
+        nominal_torque: T_н.муф, nominal torque of the clutch, T_муф at f_min [N*m].
+
+    Returns:
+        K_т,exp [1].
+
+    Validity:
+        The clutch set at f_min.
+    """
+    return expected_torque / nominal_torque
+
+
+def accuracy_factor_actual(actuation_torque: Number, nominal_torque: Number) -> Number:
+    """Actual accuracy factor, the larger of published and expected torque at f_max over T_н.муф.
+
+    Source: S22 (19).
+
+    Args:
+        actuation_torque: T_act, the larger of T_ср and T_муф at f_max [N*m].
+        nominal_torque: T_н.муф, nominal torque of the clutch, T_муф at f_min [N*m].
+
+    Returns:
+        K_т,act [1].
+
+    Validity:
+        The published actuation torque (M12).
+    """
+    return actuation_torque / nominal_torque
+
+
+def accuracy_factor_equilibrium(torque_max: Number, torque_min: Number) -> Number:
+    """Accuracy factor with the torque at equilibrium, T_eq(f_max)/T_eq(f_min).
+
+    Source: Theory, section 6 (M12).
+
+    Args:
+        torque_max: T_eq.max, load at slip at f_max [N*m].
+        torque_min: T_eq.min, load at slip at f_min [N*m].
+
+    Returns:
+        K_т,eq [1].
+
+    Validity:
+        Quasi-static loading.
+    """
+    return torque_max / torque_min
+
+
 def optimal_reduced_gain(friction_max: Number) -> Number:
     """Reduced gain at which the actual accuracy is best, 1/f_max.
 
     Source: S22, text on the optimum, mended (M13); A = 1 there.
 
     Args:
-        friction_max: f_max [1].
+        friction_max: f_max, largest coefficient of friction [1].
 
     Returns:
-        zC, reduced gain (z − z_1) C [1].
+        (zC)_opt, reduced gain (z − z_1) C [1].
 
     Validity:
         Published actuation torque; a kink of max(T_ср, T_муф).
@@ -284,8 +338,8 @@ def best_actual_accuracy_factor(friction_min: Number, friction_max: Number) -> N
     Source: Theory, section 6.
 
     Args:
-        friction_min: f_min [1].
-        friction_max: f_max [1].
+        friction_min: f_min, smallest coefficient of friction [1].
+        friction_max: f_max, largest coefficient of friction [1].
 
     Returns:
         K_т [1].
@@ -318,7 +372,7 @@ def potential_torque_gain_of_differentiated(
         closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
         mean_radius: R_cp, mean friction radius [m].
         friction: f, coefficient of friction [1].
-        friction_min: f_min [1].
+        friction_min: f_min, smallest coefficient of friction [1].
         gain: C, feedback gain [1].
         margin: β_н, torque margin [1].
 

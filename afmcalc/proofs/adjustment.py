@@ -95,6 +95,7 @@ def cycles_from_the_line() -> Steps:
     yield Identity("(14)", sp.expand_power_base(cycles * stress**exponent, force=True) - limit**exponent * base)
     whole = sp.expand_power_base(life.damage(limit, stress, exponent, base) * cycles, force=True)
     yield Identity("damage of a cycle: N of them add up to 1", whole - 1)
+    yield Identity("T' = k_д T", life.torque_unprotected(base, low) - base * low)
     stresses = [life.shear_stress(torque, modulus) for torque in (low, low + band)]
     yield Identity("(16), (17)", stresses[0] - low / modulus)
     mean = life.mean_stress(*stresses)

@@ -46,6 +46,7 @@ def torque_law_from_the_balance() -> Steps:
     )
     yield Identity("T/F_п is the torque of one newton", direct.torque_per_force(R, z1, z2, gain, f1, f2) - torque / F)
     yield Identity("a group's torque is R f z N", direct.group_torque(N, R, z1, f1) - R * f1 * z1 * N)
+    yield Identity("z_1 + z_2 = z", z1 + direct.controlled_pairs(z, z1) - z)
     yield Identity("reduced gain", direct.reduced_gain(z2, C) - z2 * C)
     printed = z2 * F * f2 / (1 + z2 * C * f2)
     yield Refutation(
@@ -66,6 +67,9 @@ def accuracy_factor_is_the_ratio_of_torques() -> Steps:
     torques = [direct.torque(F, R, z1, z2, C, a, b) for a, b in ((f1max, f2max), (f1min, f2min))]
     factor = accuracy.accuracy_factor(z1, z2, C, f1min, f2min, f1max, f2max)
     yield Identity("(14) = T(f_max)/T(f_min)", factor - torques[0] / torques[1])
+    yield Identity("of any two corners", accuracy.accuracy_factor_worst_case(*torques) - factor)
+    yield Identity("by peaks, where T is the peak", accuracy.accuracy_factor_peak(*torques) - factor)
+    yield Identity("ΔT = (K_т − 1) T(f_min)", accuracy.scatter_band(*torques) - (factor - 1) * torques[1])
     ordinary = accuracy.conventional_accuracy_factor(z1, z2, f1min, f2min, f1max, f2max)
     yield Identity("K_т,0 is (14) at C = 0", ordinary - accuracy.accuracy_factor(z1, z2, 0, f1min, f2min, f1max, f2max))
     one = accuracy.accuracy_factor(z1, z2, C, fmin, fmin, fmax, fmax)

@@ -32,7 +32,7 @@ def _stiffness(friction: sp.Expr, kappa: sp.Expr = KAPPA) -> sp.Expr:
 
 def _torque(travel: sp.Expr, friction: sp.Expr) -> sp.Expr:
     """(9)."""
-    return direct.group_torque(F - c1 * travel, R, z, friction)
+    return indirect.torque(F - c1 * travel, R, z, friction)
 
 
 def _balance(control: sp.Expr, friction: sp.Expr, key_sign: int) -> sp.Expr:

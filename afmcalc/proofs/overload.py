@@ -130,6 +130,12 @@ def actuation_optimum() -> Steps:
     yield Identity("A = 1", (at_max - 1).subs(C, optimum / z))
     expected = _all(EXPECTED.subs(f, fmax) / CLUTCH)
     best = overload.best_actual_accuracy_factor(fmin, fmax)
+    own = overload.accuracy_factor_expected(EXPECTED.subs(f, fmax), CLUTCH)
+    yield Identity("(18) is the ratio of expected torques", _all(own) - expected)
+    trip = overload.accuracy_factor_actual(FACTOR.subs(f, fmax) * EXPECTED.subs(f, fmax), CLUTCH)
+    yield Identity("(19) is A times (18)", _all(trip) - at_max * expected)
+    load = overload.accuracy_factor_equilibrium(EXPECTED.subs(f, fmax), EXPECTED.subs(f, fmin))
+    yield Identity("at equilibrium (18) once more", _all(load) - expected)
     yield Identity("K_т there", expected.subs(C, optimum / z) - best)
     v, u = z * C * fmax, z * C * fmin
     factored = (v - 1) * (1 - (1 + v) * fmin / (fmax * beta * (1 + u)))

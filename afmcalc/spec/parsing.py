@@ -20,17 +20,26 @@ def text_of(source: str | PathLike[str] | None) -> tuple[str, Source]:
         FileError: it cannot be read.
         SpecError: it is no text, or too long for a spec.
     """
+    raw, label = bytes_of(source)
+    return text_in(raw, label)
+
+
+def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
+    """Return what is in the file of a spec, and what to call it in messages.
+
+    Raises:
+        FileError: it cannot be read.
+        SpecError: it is too long for a spec.
+    """
     if source is None:
         from .builtin import default_text
 
-        text = default_text()
-        return text, Source(BUILT_IN, text)
+        return default_text().encode(), BUILT_IN
     label = STANDARD_INPUT if source == "-" else str(source)
     if label.startswith("example:"):
         from .builtin import PREFIX, example_text
 
-        text = example_text(label.removeprefix(PREFIX))
-        return text, Source(label, text)
+        return example_text(label.removeprefix(PREFIX)).encode(), label
     try:
         if source == "-":
             raw = sys.stdin.buffer.read(LONGEST + 1)
@@ -43,6 +52,15 @@ def text_of(source: str | PathLike[str] | None) -> tuple[str, Source]:
         raise FileError(say("{label}: cannot be read: {why}", label=label, why=error)) from None
     if len(raw) > LONGEST:
         raise _refused(label, say("is larger than {most} MiB, the most that is read", most=LONGEST >> 20))
+    return raw, label
+
+
+def text_in(raw: bytes, label: str) -> tuple[str, Source]:
+    """Return the text of a file, and its name with the text.
+
+    Raises:
+        SpecError: it is no text.
+    """
     text = _decoded(raw, label)
     return text, Source(label, text)
 

@@ -9,6 +9,7 @@ from ...messages import say
 from ...papers.register import register
 from ...result import Result, quantity
 from ...spec import Spec
+from ...spec.models import Method
 from ...spec.suggest import did_you_mean
 from ..registry import ANALYSES, EXPLAINED
 from .formula import FormulaText, symbol_latex
@@ -22,6 +23,8 @@ class Step(Result):
     symbol_latex: str = quantity("", None, "symbol, LaTeX")
     name: str = quantity("", None, "what it is")
     at: str | None = quantity("", None, "friction it is for", optional=True)
+    setting: Method | None = quantity("", None, "how the spring is set", optional=True)
+    side: str | None = quantity("", None, "side of the clutch that the load is on", optional=True)
     formula: str = quantity("", None, "formula")
     substituted: str = quantity("", None, "formula with numbers and units")
     value: float = quantity("", None, "value, SI")
@@ -94,7 +97,9 @@ def _step(call: Call) -> Step:
         symbol=result.symbol,
         symbol_latex=symbol_latex(result.symbol),
         name=call.equation.summary.partition(",")[0].rstrip("."),
-        at=call.at,
+        at=call.case.at,
+        setting=call.case.setting,
+        side=call.case.side or None,
         formula=formula.text(),
         substituted=formula.text_with_numbers(),
         value=float(call.value),

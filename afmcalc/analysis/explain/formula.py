@@ -188,6 +188,20 @@ class _Latex(_Text):
         return text
 
 
+class _LatexLine(_Latex):
+    """LaTeX in one line: a stroke for a fraction's bar, brackets that do not grow."""
+
+    brackets = "({})"
+
+    def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> str:
+        above, below = self._factors(over), self._factors(under)
+        if len(over) == 1 and isinstance(over[0], Sum) and under:
+            above = self.brackets.format(above)
+        # a number with its unit is divided by as a whole
+        whole = len(under) == 1 and isinstance(under[0], Leaf) and "\\" not in under[0].text
+        return f"{above}/{below if whole else self.brackets.format(below)}" if under else above
+
+
 class FormulaText:
     """An equation function called on symbols, and on numbers that keep their units, unevaluated."""
 
@@ -218,9 +232,9 @@ class FormulaText:
         """Return the formula in LaTeX."""
         return _Latex().show(self._symbolic)
 
-    def latex_with_numbers(self) -> str:
-        """Return the formula with numbers and units in LaTeX."""
-        return _Latex(" \\cdot ").show(self._latex)
+    def latex_with_numbers(self, *, line: bool = False) -> str:
+        """Return the formula with numbers and units in LaTeX, in one line if so wanted."""
+        return (_LatexLine if line else _Latex)(" \\cdot ").show(self._latex)
 
 
 def _number(value: Any, unit: str, *, latex: bool) -> str:
@@ -256,6 +270,6 @@ _GREEK = {
     "Δ": "\\Delta ",
     "∂": "\\partial ",
 }
-_INDEXED = re.compile(r"((?:\\[a-z]+|[^\W_])(?:\^\{\\prime\})?)_([\w.,+]+)")
+_INDEXED = re.compile(r"((?:\\[a-z]+|[^\W_]|\))(?:\^\{\\prime\})?)_([\w.,+]+)")
 """A letter with an index: F_п, ΔT_2, T'_п."""
-_FUNCTION = re.compile(r"\b(sin|cos|tan|ln) ?(?=\w)")
+_FUNCTION = re.compile(r"\b(sin|cos|tan|ln) ?(?=[\w\\(])")

@@ -5,34 +5,68 @@ from contextlib import contextmanager
 from functools import wraps
 from importlib import import_module
 from inspect import signature
-from typing import Any, NamedTuple, get_args
+from typing import Any, Literal, NamedTuple, get_args
 
 from ...equations.catalogue import Equation, equations
 from ...spec import Spec
-from ...spec.models import Friction, Range
+from ...spec.edit import with_value
+from ...spec.models import Friction, Method, Range
 from ...variants import Law
 
 _LAWS = get_args(Law)
 """Modules of equations whose results are for the friction that their arguments are for."""
 _RETURNING = "indirect.net_gain_returning"
+_UNPROTECTED = "life.torque_unprotected"
 _FRICTION = ("friction", "friction_driven", "friction_driving")
 """Arguments that say for which friction an equation is evaluated."""
+_OF_THE_CLUTCH = (
+    *("adjustment.nominal_torque", "adjustment.closing_force"),
+    *("overload.machine_torque", "overload.interval_low", "accuracy.scatter_band"),
+)
+"""Equations whose results are for no friction, though their arguments are."""
+_SETTINGS: dict[str, Method] = {"min": "min-friction", "cp": "mean-friction"}
+"""End of the range that the friction at the setting is → the method."""
+
+Branch = Literal["", "returning", "held"]
+"""Friction rises; it falls and the sleeve moves back; it falls and the key still holds the sleeve."""
+Side = Literal["", "protected", "unprotected"]
+
+
+class Case(NamedTuple):
+    """What a value is for, as far as it is known."""
+
+    friction: str | None = None
+    """Friction it is for, such as ``f_max``; a range where it is for one: ``f_min … f_max``."""
+    branch: Branch = ""
+    after: str | None = None
+    """Friction from which it fell while the key holds the sleeve."""
+    setting: Method | None = None
+    """How the spring is set."""
+    side: Side = ""
+    """Side of the clutch that the load is on."""
+
+    @property
+    def at(self) -> str | None:
+        """Friction and branch in one."""
+        if self.branch == "returning":
+            return f"{self.friction}, returning"
+        return f"{self.friction} after {self.after}" if self.branch == "held" else self.friction
 
 
 class Marked(float):
     """A number that knows what it is; arithmetic on it gives a plain number, which says nothing it does not know."""
 
-    at: str | None
-    """Friction it is, or is for, such as ``f_max``."""
+    case: Case
+    """What it is, or is for."""
     end: str
     """End of the range that a coefficient of friction is: min, cp, max."""
     origin: str
     """Equation it came from."""
 
-    def __new__(cls, value: float, at: str | None, *, end: str = "", origin: str = "") -> "Marked":
+    def __new__(cls, value: float, case: Case, *, end: str = "", origin: str = "") -> "Marked":
         """Mark ``value``."""
         marked = super().__new__(cls, value)
-        marked.at, marked.end, marked.origin = at, end, origin
+        marked.case, marked.end, marked.origin = case, end, origin
         return marked
 
 
@@ -51,13 +85,18 @@ class _MarkedFriction(Friction):
 
 def _marked(own: Range, group: str = "") -> Range:
     ends = zip(own, ("min", "cp", "max"), strict=True)
-    return Range(*(Marked(value, f"f_{group}{end}", end=end) for value, end in ends))
+    return Range(*(Marked(value, Case(f"f_{group}{end}"), end=end) for value, end in ends))
 
 
 def with_roles(spec: Spec) -> Spec:
-    """Return the spec with coefficients of friction that know what they are: engines pass them on as they are."""
+    """Return the spec with coefficients of friction, and a spring, that know what they are; engines pass them on."""
     given = {name: getattr(spec.friction, name) for name in Friction.model_fields}
-    return spec.model_copy(update={"friction": _MarkedFriction.model_construct(**given)})
+    marked = spec.model_copy(update={"friction": _MarkedFriction.model_construct(**given)})
+    force = spec.closing_spring.force
+    if force is None:
+        return marked
+    set_so = Marked(force, Case(setting=spec.adjustment.method))
+    return with_value(marked, ("closing_spring", "force"), set_so)
 
 
 class Call(NamedTuple):
@@ -76,22 +115,63 @@ class Call(NamedTuple):
             return "κ₊"
         if value.end and symbol in ("f_1", "f_2"):
             return symbol + value.end
-        return str(value.at) if value.end and symbol in ("f", "f_i") else symbol
+        return str(value.case.friction) if value.end and symbol in ("f", "f_i") else symbol
 
     @property
-    def at(self) -> str | None:
-        """Which friction the value is for; on the returning branch also that, or from which friction it returns."""
-        own = self._own
-        if self.equation.name.partition(".")[0] not in _LAWS:
-            return own
-        marked = [value for value in self.arguments.values() if isinstance(value, Marked) and not value.end]
-        if own and any(value.origin == _RETURNING for value in marked):
-            return f"{own}, returning"
-        others = {value.at for value in marked if value.at}
-        if len(others) != 1 or "friction_set" in self.arguments:
-            return own
-        (other,) = others
-        return other if own in (None, other.removesuffix(", returning")) else f"{own} after {other}"
+    def case(self) -> Case:
+        """What the value is for: what its arguments are for, as far as they agree."""
+        return self._at._replace(setting=self._setting, side=self._side)
+
+    @property
+    def _marked(self) -> list[Marked]:
+        return [value for value in self.arguments.values() if isinstance(value, Marked)]
+
+    @property
+    def _results(self) -> list[Marked]:
+        """Arguments that are results of other equations."""
+        return [value for value in self._marked if not value.end]
+
+    @property
+    def _at(self) -> Case:
+        """For which friction, and on which branch."""
+        own, module = self._own, self.equation.name.partition(".")[0]
+        if self.equation.name in _OF_THE_CLUTCH or ".accuracy_factor" in self.equation.name:
+            return Case()
+        if module not in _LAWS:
+            return Case(own) if own else self._shared(over_range=module == "life")
+        if own and any(value.origin == _RETURNING for value in self._results):
+            return Case(own, "returning")
+        shared = self._shared()
+        if shared.friction is None or "friction_set" in self.arguments:
+            return Case(own)
+        if own in (None, shared.friction):
+            return shared
+        return Case(own, "held", shared.friction)
+
+    def _shared(self, *, over_range: bool = False) -> Case:
+        """What the results among the arguments are for; the range between them where a cycle goes over one."""
+        cases = {value.case._replace(setting=None, side=""): None for value in self._results if value.case.friction}
+        if len(cases) == 1:
+            return next(iter(cases))
+        ends = [case.at or "" for case in cases]
+        return Case(" … ".join(ends)) if over_range and cases else Case()
+
+    @property
+    def _setting(self) -> Method | None:
+        """How the spring is set: by the friction at the setting, or as what it is calculated from."""
+        at_setting = self.arguments.get("friction_set")
+        if self.equation.name == "direct.torque_per_force":
+            at_setting = self.arguments["friction_driven"]
+        if isinstance(at_setting, Marked) and at_setting.end:
+            return _SETTINGS.get(at_setting.end)
+        settings = {value.case.setting for value in self._results if value.case.setting}
+        return settings.pop() if len(settings) == 1 else None
+
+    @property
+    def _side(self) -> Side:
+        if self.equation.name == _UNPROTECTED or any(value.case.side == "unprotected" for value in self._results):
+            return "unprotected"
+        return "protected" if self.equation.name.startswith("life.") else ""
 
     @property
     def _own(self) -> str | None:
@@ -103,7 +183,7 @@ class Call(NamedTuple):
             return ", ".join(self.symbol(name) for name in reversed(own))
         value = self.arguments[own[0]]
         if isinstance(value, Marked) and value.end:
-            return value.at
+            return value.case.friction
         return f"{self.equation.arguments[own[0]].symbol} = {value:g}"
 
 
@@ -143,7 +223,7 @@ def _recorder(equation: Equation, calls: list[Call], depth: list[int]) -> Callab
             return value
         call = Call(equation, dict(bound.bind(*args, **kwargs).arguments), value)
         calls.append(call)
-        return Marked(value, call.at, origin=equation.name) if type(value) is float else value
+        return Marked(value, call.case, origin=equation.name) if type(value) is float else value
 
     return record
 
@@ -153,11 +233,16 @@ def distinct(calls: list[Call]) -> list[Call]:
 
     Equal numbers that are for different frictions, or stand under different symbols, are different calls.
     """
-    order: dict[str, dict[tuple[str | None, ...], Call]] = {}
+    order: dict[str, dict[tuple[object, ...], Call]] = {}
     for call in calls:
         values = tuple(call.arguments.values())
         if all(isinstance(value, int | float) for value in (*values, call.value)):
-            # the same number by two ways may differ in its last digits
-            same = (call.at, *map(call.symbol, call.arguments), *(f"{value:.12g}" for value in values))
-            order.setdefault(call.equation.name, {}).setdefault(same, call)
+            order.setdefault(call.equation.name, {}).setdefault(identity(call), call)
     return [call for group in order.values() for call in group.values()]
+
+
+def identity(call: Call) -> tuple[object, ...]:
+    """Return what two calls of plain numbers have in common where they are one."""
+    # the same number by two ways may differ in its last digits
+    numbers = (f"{value:.12g}" for value in call.arguments.values())
+    return (call.equation.name, call.case, *map(call.symbol, call.arguments), *numbers)

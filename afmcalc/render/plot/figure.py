@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 ENDINGS = ("png", "svg", "pdf")
 Ending = Literal["png", "svg", "pdf"]
 
+_HIGH, _LOW = 3.3, 2.5
+"""Inches that axes with their labels have in a picture of its own, and in a page among others."""
 _LINE = 0.165
 """Inches between lines of the caption."""
 
@@ -49,7 +51,7 @@ def inline_svg(sheet: Sheet) -> str:
         figure.patch.set_alpha(0)
         for axes in figure.axes:
             axes.patch.set_alpha(0)
-        return svg_of(figure, [_height(panel) for panel in sheet.panels])
+        return svg_of(figure, [_height(panel, _LOW) for panel in sheet.panels])
 
 
 @contextmanager
@@ -80,7 +82,7 @@ def _figure(sheet: Sheet, *, bare: bool) -> "Figure":
     from matplotlib.figure import Figure
     from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-    heights = [_height(panel) for panel in sheet.panels]
+    heights = [_height(panel, _LOW if bare else _HIGH) for panel in sheet.panels]
     caption = [] if bare else _wrapped(sheet.caption)
     below = len(caption) * _LINE + (0.14 if caption else 0.02)
     above = 0.02 if bare or not sheet.title else 0.34
@@ -104,13 +106,13 @@ def _figure(sheet: Sheet, *, bare: bool) -> "Figure":
     return figure
 
 
-def _height(panel: Any) -> float:
-    """Inches: what the axes want, and a line of legend for each entry or two."""
+def _height(panel: Any, axes: float) -> float:
+    """Inches: what the axes have, and a line of legend for each entry or two."""
     if not isinstance(panel, Chart):
         height: float = panel.height
         return height
     rows = -(-len(panel.labels) // _columns(panel.labels))
-    return 3.3 + 0.19 * rows + (0.2 if panel.title else 0)
+    return axes + 0.19 * rows + (0.2 if panel.title else 0)
 
 
 def _columns(labels: list[str]) -> int:

@@ -1,6 +1,6 @@
 """The calculation report: one self-contained HTML file."""
 
-from .interface import Chapter, ExplainedStep, Subject
+from .interface import Chapter, Subject
 from .page import render
 
-__all__ = ["Chapter", "ExplainedStep", "Subject", "render"]
+__all__ = ["Chapter", "Subject", "render"]

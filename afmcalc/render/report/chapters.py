@@ -13,22 +13,23 @@ from ..plot import sheet_of
 from ..units import display, display_unit
 from .interface import Chapter
 from .scatter import scatter_blocks
-from .steps import explained
+from .steps import blocks_of
 
 
 def chapters(dossier: Dossier) -> list[Chapter]:
     """Lay out every topic."""
-    return [_chapter(topic) for topic in dossier.topics]
+    method = dossier.spec.adjustment.method
+    return [_chapter(topic, method) for topic in dossier.topics]
 
 
-def _chapter(topic: Topic) -> Chapter:
+def _chapter(topic: Topic, method: str) -> Chapter:
     lay_out = _BLOCKS.get(topic.name, lambda found: blocks(document(found)))
     return Chapter(
         key=topic.name,
         title=topic.title,
         about=topic.about,
-        blocks=lay_out(topic.result),
-        steps=explained(topic.steps),
+        tables=lay_out(topic.result),
+        blocks=blocks_of(topic.derivations, method),
         sheets=[] if topic.figure is None else [sheet_of(topic.plot, topic.figure)],
         sources=topic.sources,
     )

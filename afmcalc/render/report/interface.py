@@ -4,24 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...analysis.dossier import Dossier
+from ...spec.report import TitleBlock
 from ..layout import TextTable
 from ..plot.chart import Sheet
-
-
-@dataclass(frozen=True)
-class ExplainedStep:
-    """One quantity as an engineer writes it: formula, the same with numbers, result, source."""
-
-    title: str
-    symbol: str
-    formula: str
-    """Presentation MathML, a ``<math>`` element; empty where the step before has shown it."""
-    numbers: str
-    """The formula with numbers and units put in, and the value, MathML."""
-    source: str
-    """Where the formula is from, such as ``F11 (12)``."""
-    note: str = ""
-    """Where the paper's print differs."""
+from .steps import Derived
 
 
 @dataclass(frozen=True)
@@ -31,10 +17,15 @@ class Subject:
     dossier: Dossier
     given: str
     """The spec as given, its text."""
+    title: TitleBlock = TitleBlock()
+    """What the title block says; without a date it has none."""
+    digest: str = ""
+    """SHA-256 of the file as given."""
+    source: str = ""
+    """Where the spec was read."""
     overrides: Sequence[str] = ()
     """``PATH=VALUE`` put over it."""
     version: str = ""
-    date: str = ""
 
 
 @dataclass(frozen=True)
@@ -44,8 +35,8 @@ class Chapter:
     key: str
     title: str
     about: str
-    blocks: Sequence[TextTable]
-    steps: Sequence[ExplainedStep]
+    tables: Sequence[TextTable]
+    blocks: Sequence[Derived]
     sheets: Sequence[Sheet]
     sources: Sequence[str]
     """Keys of the references it rests on."""

@@ -72,6 +72,16 @@ def cell(text: str) -> Markup:
     return symbol(text)
 
 
+def css_string(text: str) -> Markup:
+    """Set a text as a string of a style sheet: whatever is no letter or digit by its code point.
+
+    >>> css_string("A 1</style>")
+    Markup('"A\\\\20 1\\\\3c \\\\2f style\\\\3e "')
+    """
+    plain = "".join(sign if sign.isalnum() else f"\\{ord(sign):x} " for sign in text)
+    return Markup(f'"{plain}"')  # noqa: S704
+
+
 _POWER = re.compile(r"(-?[\d.]+)e([+-]\d+)")
 
 

@@ -1,7 +1,5 @@
 """From subject to page."""
 
-import hashlib
-import json
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -11,11 +9,14 @@ from ...messages import printable, translate
 from ...papers.references import REFERENCES
 from ...spec import resolved
 from ...spec.paths import keys, unit_at
+from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..units import display, display_unit
 from .chapters import chapters
 from .interface import Chapter, Subject
-from .markup import cell, drawing, mathml, symbol
+from .markup import cell, css_string, drawing, mathml, symbol
+from .verdict import verdict
+from .words import told
 
 _LEVELS = {"error": 0, "warning": 1, "info": 2}
 
@@ -29,6 +30,16 @@ class _SpecLine(NamedTuple):
     value: str
     unit: str
     numeric: bool
+
+
+class _Figure(NamedTuple):
+    """A drawing of a chapter."""
+
+    number: int
+    chapter: str
+    """Key of the chapter it belongs to."""
+    sheet: Sheet
+    svg: str
 
 
 def render(subject: Subject) -> str:
@@ -48,25 +59,41 @@ def render(subject: Subject) -> str:
         "mathml": mathml,
         "display": display,
         "display_unit": display_unit,
+        "css": css_string,
+        "translate": translate,
     }
-    found = chapters(subject.dossier)
+    dossier = subject.dossier
+    found = chapters(dossier)
+    name = dossier.spec.name or told("unnamed")
     page: str = environment.get_template("page.html").render(
         subject=subject,
-        name=subject.dossier.spec.name or "Adaptive friction clutch",
-        digest=digest(subject),
+        told=told,
+        name=name,
+        running=" · ".join(part for part in (name, subject.title.drawing, subject.title.revision) if part),
+        entries=_entries(subject),
+        verdict=verdict(dossier),
         keys=_keys(subject),
         chapters=found,
-        drawings=_drawings(found),
-        findings=sorted(subject.dossier.findings, key=lambda finding: _LEVELS[finding.level]),
+        figures=_figures(found),
+        most_used=max(dossier.limits, key=lambda each: each.utilisation, default=None),
+        findings=sorted(dossier.findings, key=lambda finding: _LEVELS[finding.level]),
         references=_references(found),
     )
     return page
 
 
-def digest(subject: Subject) -> str:
-    """Return the SHA-256 of the spec as resolved: two reports of the same clutch have the same."""
-    text = json.dumps(resolved(subject.dossier.spec), sort_keys=True, separators=(",", ":"), ensure_ascii=False)
-    return hashlib.sha256(text.encode("utf-8")).hexdigest()
+def _entries(subject: Subject) -> list[tuple[str, str]]:
+    """Title block: what is given of it, and what every report has."""
+    title, spec = subject.title, subject.dossier.spec
+    program = f"afmcalc {subject.version}"
+    own = {name: getattr(title, name) for name in ("organisation", "project", "drawing", "revision", "date")}
+    own |= {"variant": spec.variant, "author": title.author, "checked": title.checked, "approved": title.approved}
+    own["program"] = program
+    return [(name, value) for name, value in own.items() if value or name in _SIGNED]
+
+
+_SIGNED = ("author", "checked", "approved")
+"""Entries that have a place in every title block: one may sign there."""
 
 
 def _keys(subject: Subject) -> list[_SpecLine]:
@@ -111,16 +138,13 @@ def _flat(data: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:
     return found
 
 
-def _drawings(found: list[Chapter]) -> dict[str, list[Any]]:
-    """Chapter key → its drawings, numbered through."""
-    made: dict[str, list[Any]] = {}
-    number = 0
-    for chapter in found:
-        made[chapter.key] = []
-        for sheet in chapter.sheets:
-            number += 1
-            made[chapter.key].append((number, sheet, drawing(inline_svg(sheet), sheet.title, number)))
-    return made
+def _figures(found: list[Chapter]) -> list[_Figure]:
+    """The drawings of all chapters, numbered through."""
+    sheets = [(chapter.key, sheet) for chapter in found for sheet in chapter.sheets]
+    return [
+        _Figure(number, key, sheet, drawing(inline_svg(sheet), sheet.title, number))
+        for number, (key, sheet) in enumerate(sheets, 1)
+    ]
 
 
 def _references(found: list[Chapter]) -> list[tuple[str, str]]:

@@ -1,37 +1,141 @@
-"""The calculations of a report, explained: the steps of ``explain`` as MathML."""
+"""The calculations of a report: derivations as blocks of MathML."""
 
+import re
 from collections.abc import Sequence
+from functools import cache
+from typing import NamedTuple
 
 from latex2mathml.converter import convert
 
-from ...analysis.explain.explain import Step
-from ..layout import step_value
+from ...analysis.explain.derivation import CaseRow, Derivation, Meaning
+from ...messages import translate
 from ..symbols import value_latex
-from .interface import ExplainedStep
+from ..units import display, display_unit
+from .words import told
 
 
-def explained(steps: Sequence[Step]) -> list[ExplainedStep]:
-    """Show a formula where it first stands, then only its numbers for the other frictions."""
-    found = []
-    before = ""
-    for step in steps:
-        again, before = step.function == before, step.function
-        title = (
-            (f"at {step.at}" if step.at else "again") if again else step.name + (f" at {step.at}" if step.at else "")
-        )
-        numbers = f"= {step.substituted_latex}" if step.substituted != step.formula else ""
-        found.append(
-            ExplainedStep(
-                title=title,
-                symbol=step.symbol,
-                formula="" if again else _math(f"{step.symbol_latex} = {step.formula_latex}"),
-                numbers=_math(f"{step.symbol_latex} {numbers} = {value_latex(step_value(step))}"),
-                source="" if again else step.source.rstrip("."),
-                note="; ".join(part for part in (step.note, None if again else step.print_differs) if part),
-            )
-        )
-    return found
+class Explained(NamedTuple):
+    """What a symbol stands for, as a reader is told."""
+
+    symbol: str
+    text: str
+    """In words, with its unit."""
+    by: str
+    """Where it comes from; empty where it is given."""
+    number: int | None
 
 
+class CaseLine(NamedTuple):
+    """One case of a quantity."""
+
+    labels: Sequence[str]
+    numbers: str
+    """MathML."""
+    value: str
+
+
+class Derived(NamedTuple):
+    """One quantity as an engineer writes it."""
+
+    number: int
+    first: bool
+    """Whether the formula is shown here; links lead here."""
+    symbol: str
+    name: str
+    source: str
+    formula: str
+    """MathML, with the numbers where there is but one short line of them; empty where an earlier block has it."""
+    where: Sequence[Explained]
+    header: Sequence[str]
+    """Of the labels, where a line has several."""
+    lines: Sequence[CaseLine]
+    notes: Sequence[str]
+
+
+_SHORT = 64
+"""Signs that formula and numbers may have together to stand in one line."""
+
+
+def blocks_of(derivations: Sequence[Derivation], method: str) -> list[Derived]:
+    """Lay out derivations.
+
+    Args:
+        derivations: what was calculated.
+        method: how the spec sets its spring: what need not be said of each line.
+    """
+    return [_block(each, method) for each in derivations]
+
+
+def _block(own: Derivation, method: str) -> Derived:
+    columns = [_labels(own.rows, name, method) for name in ("friction", "branch", "setting", "side")]
+    named = [(name, labels) for name, labels in columns if any(labels)]
+    symbol, numbers = own.symbol_latex, own.rows[0].numbers
+    joined = not named and len(own.rows) == 1 and _size(own.formula) + _size(numbers) <= _SHORT
+    # a formula may say no more than its symbol, and a number be its own value
+    parts = [symbol, *([own.formula] if own.formula not in ("", symbol) else [])]
+    if joined:
+        parts += dict.fromkeys((numbers, value_latex(_value(own.rows[0], own.unit))))
+    lines = [
+        CaseLine([labels[index] for _, labels in named], _math(f"{symbol} = {row.numbers}"), _value(row, own.unit))
+        for index, row in enumerate([] if joined else own.rows)
+    ]
+    notes = [told("differs", printed=own.differs)] if own.differs else []
+    if own.below_one is not None:
+        notes.append(told("inverse", value=own.below_one))
+    return Derived(
+        number=own.number,
+        first=bool(own.formula),
+        symbol=own.symbol,
+        name=translate(own.name),
+        source=own.source,
+        formula=_math(" = ".join(parts)) if len(parts) > 1 else "",
+        where=[_explained(each) for each in own.where],
+        header=[told(name) for name, _ in named] if len(named) > 1 else [],
+        lines=lines,
+        notes=notes,
+    )
+
+
+def _labels(rows: Sequence[CaseRow], name: str, method: str) -> tuple[str, list[str]]:
+    """One column of labels; empty where it would say of each line what goes without saying."""
+    found = {
+        "friction": [row.case.friction or "" for row in rows],
+        "branch": [told(f"branch/{row.case.branch}", **_after(row)) for row in rows],
+        "setting": [told(f"setting/{row.case.setting or method}") for row in rows],
+        "side": [told(f"side/{row.case.side}") if row.case.side else "" for row in rows],
+    }[name]
+    usual = {"branch": told("branch/"), "setting": told(f"setting/{method}")}.get(name)
+    return name, [""] * len(rows) if set(found) == {usual} else found
+
+
+def _after(row: CaseRow) -> dict[str, object]:
+    return {"after": row.case.after} if row.case.branch == "held" else {}
+
+
+def _explained(own: Meaning) -> Explained:
+    unit = "" if own.unit == "1" else own.unit.replace("*", "·").replace("^3", "³")
+    text = ", ".join(part for part in (translate(own.text) if own.text else "", unit if own.text else "") if part)
+    if own.number is None:
+        return Explained(own.symbol, text, "", None)
+    by = told("is", source=own.source, number=own.number) if own.source else told("by", number=own.number)
+    return Explained(own.symbol, text, by, own.number)
+
+
+def _value(row: CaseRow, unit: str) -> str:
+    return f"{display(row.value, unit)} {display_unit(unit)}".removesuffix(" –")
+
+
+def _size(latex: str) -> int:
+    """How many signs a formula sets, about."""
+    return len(re.sub(r"\\(?:text|left|right|frac|cdot)|[{}\\_^ ]", "", latex))
+
+
+@cache
 def _math(latex: str) -> str:
+    # a prime is raised already, and MathML leaves no room round the name of a function
+    latex = _PRIME.sub(r"\\text{′}", _FUNCTION.sub(r"\\,\\\1\\,", latex))
     return str(convert(latex, display="block"))
+
+
+_FUNCTION = re.compile(r"\\(sin|cos|tan|ln) ")
+_PRIME = re.compile(r"\^\{\\prime\}(?!_)")

@@ -1,13 +1,19 @@
 """The report in a real browser and on paper."""
 
 import re
+import shutil
+import subprocess
 
 import chromium
 import pytest
+from conftest import CONFIGS
 
 VARIANTS = ["default", "conventional", "unlike-materials", "all-driving", "indirect", "tolerance"]
+MOST_PAGES = {"default": 12}
 
 browser = pytest.mark.skipif(chromium.PATH is None, reason=chromium.REASON)
+TOOLS = [shutil.which(name) for name in ("pdftotext", "pdftoppm")]
+paper = pytest.mark.skipif(None in TOOLS, reason="no pdftotext and pdftoppm on the path: no printed page is read")
 
 
 @pytest.fixture(scope="module")
@@ -16,57 +22,98 @@ def page():
         yield opened
 
 
-@pytest.fixture
-def opened(page, report, tmp_path):
-    """Open the report of a shipped spec."""
+@pytest.fixture(scope="module", params=VARIANTS)
+def opened(request, page, report, tmp_path_factory):
+    """The name of a shipped spec, and its report, opened once."""
+    file = tmp_path_factory.mktemp("report") / "report.html"
+    file.write_text(report(request.param), encoding="utf-8")
+    page.requests.clear()
+    page.open(file)
+    assert page.requests == [file.as_uri()]
+    return request.param, page
 
-    def open_(name):
-        file = tmp_path / "report.html"
-        file.write_text(report(name), encoding="utf-8")
-        page.requests.clear()
-        page.open(file)
-        assert page.requests == [file.as_uri()]
-        return page
 
-    return open_
+IN_ITS_BOX = """
+[...document.querySelectorAll('.scroll')].every(box => {
+  const own = box.getBoundingClientRect(), right = own.left + box.scrollWidth
+  return box.scrollHeight <= box.clientHeight && [...box.querySelectorAll('math, math *')].every(each => {
+    const it = each.getBoundingClientRect()
+    return it.top >= own.top && it.bottom <= own.bottom && it.left >= own.left && it.right <= right + 0.5
+  })
+})"""
+"""No formula is cut off, nothing scrolls up and down."""
+
+ALL_SHOWN = "[...document.querySelectorAll('.scroll')].every(box => box.scrollWidth <= box.clientWidth)"
 
 
 @browser
-@pytest.mark.parametrize("name", VARIANTS)
-def test_in_a_browser(name, opened):
-    page = opened(name)
-    for scheme in ("light", "dark"):
+def test_in_a_browser(opened):
+    name, page = opened
+    for scheme, width in (("light", 1280), ("dark", 1280), ("dark", 375)):
         page.scheme(scheme)
-        for width in (375, 1280):
-            page.resize(width)
-            assert page.evaluate("document.documentElement.scrollWidth") <= width
+        page.resize(width)
+        assert page.evaluate("document.documentElement.scrollWidth") <= width
+        assert page.evaluate(IN_ITS_BOX), (scheme, width)
+        assert width < 1280 or page.evaluate(ALL_SHOWN)
     assert page.evaluate("getComputedStyle(document.documentElement).backgroundColor") == "rgb(21, 23, 26)"
     laid_out = "(e => e.getBoundingClientRect().height)(document.querySelector('{}'))"
     assert page.evaluate(laid_out.format("mfrac")) > 1.4 * page.evaluate(laid_out.format("mfrac mi"))
+    upright = "[...document.querySelectorAll('mi')].filter(e => /^(sin|cos|tan|ln)$/.test(e.textContent)).length"
+    assert page.evaluate(upright) > 0 or name == "conventional"
     assert page.problems == []
-
-
-@browser
-@pytest.mark.parametrize("name", VARIANTS)
-def test_on_paper(name, opened):
-    """A4 less its margins is 658 px wide: no table is wider, no figure higher than a page."""
-    page = opened(name)
     page.scheme("light")
-    page.resize(658)
+    # A4 less its margins is 662 px wide: no table is wider, no figure higher than a page
+    page.resize(662)
     page.call("Emulation.setEmulatedMedia", media="print")
     try:
-        assert page.evaluate("[...document.querySelectorAll('table, pre, svg')].every(e => e.scrollWidth <= 658)")
+        assert page.evaluate("[...document.querySelectorAll('table, pre, svg, math')].every(e => e.scrollWidth <= 662)")
         assert page.evaluate("Math.max(...[...document.querySelectorAll('figure')].map(e => e.offsetHeight))") < 986
     finally:
         page.call("Emulation.setEmulatedMedia", media="")
-    printed = page.pdf()
-    assert printed.startswith(b"%PDF")
-    assert len(re.findall(rb"/Type\s*/Page\b", printed)) >= 5
+
+
+def lines_of(page_text):
+    return [line.strip() for line in page_text.splitlines() if line.strip()]
+
+
+def used(file):
+    """How far down each page is filled, of the room between header and footer."""
+    run = subprocess.run(["pdftoppm", "-gray", "-r", "30", file], capture_output=True, check=True)
+    for size, data in re.findall(rb"P5\n(\d+ \d+)\n255\n(.*?)(?=P5\n|\Z)", run.stdout, re.DOTALL):
+        width, height = map(int, size.split())
+        rows = [min(data[row * width : (row + 1) * width]) < 245 for row in range(height)]
+        top, bottom = round(17 / 297 * height), round((297 - 15) / 297 * height)
+        yield (max(row for row in range(top, bottom) if rows[row]) - top) / (bottom - top)
+
+
+@browser
+@paper
+def test_on_paper(opened, report, tmp_path):
+    """Contents, page numbers, no half-empty page, no heading without its text."""
+    name, page = opened
+    printed = tmp_path / "report.pdf"
+    printed.write_bytes(page.pdf())
+    text = subprocess.run(["pdftotext", "-layout", printed, "-"], capture_output=True, check=True).stdout.decode()
+    pages = [lines_of(each) for each in text.split("\f")[:-1]]
+    assert 5 <= len(pages) <= MOST_PAGES.get(name, 16)
+    assert [page[-1].replace(" ", "") for page in pages] == [
+        f"{number}/{len(pages)}" for number in range(1, len(pages) + 1)
+    ]
+    source = report(name)
+    plain = re.compile("<[^>]*>")
+    listed = [plain.sub("", each) for each in re.findall(r'<li>[\d.]+ <a href="#[a-z]+">(.*?)</a>', source)]
+    assert "Contents" in pages[0]
+    assert all(any(title in line for line in pages[0]) for title in listed)
+    headings = [plain.sub("", each).split(None, 1)[-1] for each in re.findall(r"<h[234]>(.*?)</h[234]>", source)]
+    assert len(headings) > 10
+    for own in pages[:-1]:
+        assert not own[-2].endswith(tuple(headings)), own[-2]
+    assert min([*used(printed)][:-1]) > 0.5
 
 
 @browser
 def test_pdf_beside_the_report(afmcalc, tmp_path):
-    assert afmcalc("report", "-o", tmp_path / "r.html", "--pdf").code == 0
+    assert afmcalc("report", CONFIGS / "conventional.toml", "-o", tmp_path / "r.html", "--pdf").code == 0
     assert (tmp_path / "r.pdf").read_bytes().startswith(b"%PDF")
 
 

@@ -1,0 +1,202 @@
+"""A calculation as a report shows it: each formula once, its symbols explained, then a row of numbers for each case."""
+
+import re
+from collections.abc import Iterable, Mapping
+from functools import cache
+from typing import NamedTuple
+
+from ...papers.register import register
+from ...spec.paths import keys
+from .formula import FormulaText, symbol_latex
+from .trace import Call, Case, Marked, distinct, identity
+
+
+class Meaning(NamedTuple):
+    """What a symbol of a formula stands for."""
+
+    symbol: str
+    text: str
+    """In words; empty where the formula it comes from says it."""
+    unit: str
+    """SI unit."""
+    source: str = ""
+    """Symbol of the quantity it is, where that has another."""
+    number: int | None = None
+    """Formula that it comes from; None of what is given."""
+
+
+class CaseRow(NamedTuple):
+    """One case: what it is for, the numbers put in (LaTeX), and what comes out (SI)."""
+
+    case: Case
+    numbers: str
+    value: float
+
+
+class Derivation(NamedTuple):
+    """One quantity of a calculation."""
+
+    number: int
+    """Number of its formula; the formula is shown where the number first stands."""
+    symbol: str
+    name: str
+    unit: str
+    symbol_latex: str
+    formula: str
+    """What it equals, LaTeX; empty where an earlier derivation has shown it."""
+    where: list[Meaning]
+    """Symbols that no formula before has explained so."""
+    rows: list[CaseRow]
+    source: str
+    differs: str
+    """What the paper prints instead."""
+    below_one: float | None = None
+    """Inverse of an accuracy factor that comes out below 1."""
+
+
+class _Told:
+    """What a report has said already."""
+
+    def __init__(self) -> None:
+        self.numbers: dict[str, int] = {}
+        """Equation → number of its formula."""
+        self.results: dict[str, tuple[int, set[str]]] = {}
+        """Symbol of a result → number of its formula, and its values."""
+        self.calls: set[tuple[object, ...]] = set()
+        self.meanings: set[Meaning] = set()
+        self.texts: set[tuple[str, str]] = set()
+
+
+def derivations(sections: Mapping[str, list[Call]]) -> dict[str, list[Derivation]]:
+    """Return the derivations of each section; what an earlier one has shown is not shown again.
+
+    Args:
+        sections: name of a section → the calls of equations that were recorded for it.
+    """
+    told = _Told()
+    return {name: list(_section(calls, told)) for name, calls in sections.items()}
+
+
+def _section(calls: list[Call], told: _Told) -> Iterable[Derivation]:
+    groups: dict[str, list[Call]] = {}
+    for call in distinct(calls):
+        if (own := identity(call)) not in told.calls and not call.equation.result.symbol.startswith(_SLOPE):
+            told.calls.add(own)
+            groups.setdefault(call.equation.name, []).append(call)
+    for name in _in_order(groups):
+        yield _derivation(groups[name], told)
+
+
+_SLOPE = "∂"
+"""Slopes are no quantities of the clutch: they rank what it depends on (``explain`` has their steps)."""
+
+
+def _in_order(groups: Mapping[str, list[Call]]) -> list[str]:
+    """Set what a formula uses before the formula, and else keep the order in which they ran."""
+    origins = {
+        name: {value.origin for call in calls for value in call.arguments.values() if isinstance(value, Marked)}
+        for name, calls in groups.items()
+    }
+    left, found = list(groups), list[str]()
+    while left:
+        ready = (name for name in left if not (origins[name] - {name}) & set(left))
+        found.append(next(ready, left[0]))
+        left.remove(found[-1])
+    return found
+
+
+def _derivation(calls: list[Call], told: _Told) -> Derivation:
+    equation = calls[0].equation
+    result, shown = equation.result, equation.name in told.numbers
+    number = told.numbers.setdefault(equation.name, len(told.numbers) + 1)
+    told.results.setdefault(result.symbol, (number, set()))[1].update(f"{call.value:.12g}" for call in calls)
+    below = next((1 / call.value for call in calls if equation.name in _FACTORS and 0 < call.value < 1), None)
+    return Derivation(
+        number=number,
+        symbol=result.symbol,
+        name=re.split("[,:;]", equation.summary)[0].rstrip("."),
+        unit=result.unit,
+        symbol_latex=symbol_latex(result.symbol),
+        formula="" if shown else _text(calls[0]).latex(),
+        where=list(_meanings(calls, told)),
+        rows=[_row(call, line=len(calls) > _FEW) for call in calls],
+        source="" if shown else equation.source.rstrip("."),
+        differs="" if shown else _misprints().get(equation.name, ""),
+        below_one=below,
+    )
+
+
+_FEW = 4
+"""Cases above which the numbers are put into one line, not into fractions."""
+
+
+def _row(call: Call, *, line: bool) -> CaseRow:
+    return CaseRow(call.case, _text(call).latex_with_numbers(line=line), float(call.value))
+
+
+_FACTORS = ("accuracy.accuracy_factor",)
+"""Ratios of torques that fall below 1 where the torque falls with friction."""
+
+
+@cache
+def _misprints() -> dict[str, str]:
+    """Equation → what the papers print in its place."""
+    found: dict[str, list[str]] = {}
+    for entry in register():
+        if entry.status == "mended" and entry.printed and entry.function:
+            found.setdefault(entry.function, []).append(f"{entry.id}: {entry.printed} ({entry.misprint})")
+    return {name: "; ".join(printed) for name, printed in found.items()}
+
+
+def _text(call: Call) -> FormulaText:
+    terms = call.equation.arguments
+    symbols = {name: terms[name].symbol for name in call.arguments}
+    units = {name: terms[name].unit for name in call.arguments}
+    return FormulaText(call.equation.function, symbols, call.arguments, units)
+
+
+def _meanings(calls: list[Call], told: _Told) -> Iterable[Meaning]:
+    """Say what the symbols of a formula stand for, each meaning once in a report."""
+    for call in calls:
+        for name in call.arguments:
+            meaning = _meaning(call, name, told)
+            # what a spec gives is one thing, whatever words a formula has for it
+            given = meaning.number is None and meaning.symbol in _keys()
+            own = meaning._replace(text="") if given else meaning
+            if own in told.meanings:
+                continue
+            told.meanings.add(own)
+            if meaning.source and (meaning.symbol, meaning.text) in told.texts:
+                meaning = meaning._replace(text="")  # κ, and for the way back κ₊ in its place
+            told.texts.add((meaning.symbol, meaning.text))
+            yield meaning
+
+
+def _meaning(call: Call, name: str, told: _Told) -> Meaning:
+    term, value = call.equation.arguments[name], call.arguments[name]
+    number = _number(term.symbol, value, told)
+    own = next((each for each, (count, _) in told.results.items() if count == number), term.symbol)
+    if term.symbol in _OF_TANGENT:
+        return Meaning(term.symbol, _OF_TANGENT[term.symbol], "1", number=told.results["tan α"][0])
+    text = term.meaning or ("" if number else _keys().get(term.symbol, ""))
+    return Meaning(term.symbol, text, term.unit, own if own != term.symbol else "", number)
+
+
+_OF_TANGENT = {
+    "sin α": "sine of the wall angle, from its tangent",
+    "cos α": "cosine of the wall angle, from its tangent",
+}
+
+
+def _number(symbol: str, value: float, told: _Told) -> int | None:
+    """Number of the formula that a value comes from; None of one that is given."""
+    if isinstance(value, Marked):
+        return told.numbers.get(value.origin)
+    number, values = told.results.get(symbol, (None, set[str]()))
+    return number if f"{value:.12g}" in values else None
+
+
+@cache
+def _keys() -> dict[str, str]:
+    """Symbol of a spec's key → what it is."""
+    return {key.symbol: key.description.partition(";")[0] for key in keys().values() if key.symbol}

@@ -1,0 +1,112 @@
+"""What a report says itself: whole sentences and headings, in one table that a catalogue can hold."""
+
+from collections.abc import Mapping
+
+from ...messages import filled, translate
+
+REPORT: Mapping[str, str] = {
+    "kind": "Calculation report",
+    "unnamed": "Adaptive friction clutch",
+    # title block
+    "organisation": "Organisation",
+    "project": "Project",
+    "drawing": "Drawing no.",
+    "revision": "Revision",
+    "variant": "Variant",
+    "date": "Date",
+    "author": "Calculated by",
+    "checked": "Checked by",
+    "approved": "Approved by",
+    "program": "Program",
+    "file": "Spec",
+    "digest": "SHA-256 of the spec as given",
+    "changed": "Overridden on the command line",
+    # the verdict, by what became of the requirements and of the check
+    "verdict/none/passed": "The clutch passes every check. The spec states no requirements.",
+    "verdict/none/warned": "The clutch passes the checks, with warnings to weigh. The spec states no requirements.",
+    "verdict/none/failed": "The clutch fails the checks and must not be made so. The spec states no requirements.",
+    "verdict/met/passed": "The clutch meets every requirement and passes every check.",
+    "verdict/met/warned": "The clutch meets every requirement and passes the checks, with warnings to weigh.",
+    "verdict/met/failed": "The clutch meets the requirements but fails the checks and must not be made so.",
+    "verdict/open/passed": "The clutch meets every requirement that could be judged and passes every check; "
+    "some requirements are not judged.",
+    "verdict/open/warned": "The clutch meets every requirement that could be judged and passes the checks, with "
+    "warnings to weigh; some requirements are not judged.",
+    "verdict/open/failed": "The clutch fails the checks and must not be made so; some requirements are not judged.",
+    "verdict/missed/passed": "The clutch passes every check but does not meet its requirements.",
+    "verdict/missed/warned": "The clutch does not meet its requirements; it passes the checks, with warnings to weigh.",
+    "verdict/missed/failed": "The clutch fails the checks and does not meet its requirements: it must not be made so.",
+    # chapters
+    "contents": "Contents",
+    "requirements": "Requirements",
+    "requirements/about": "What the clutch is to hold, by the block [requirements] of the spec.",
+    "checks": "Checks",
+    "checks/about": "Every limit the clutch is held against; utilisation 1 is the limit.",
+    "findings": "Findings",
+    "spec": "Initial data",
+    "resolved": "Values calculated with",
+    "given": "The spec as given",
+    "calculation": "Calculation",
+    "calculation/about": "Each formula stands once, with its source; below it the numbers put in, in SI units, and "
+    "what comes out, in the units of the tables.",
+    "one-friction": "All pairs are alike: f_1 = f_2 = f.",
+    "as-set/min-friction": "Where nothing else is said, the spring is set at f_min.",
+    "as-set/mean-friction": "Where nothing else is said, the spring is set at the mean friction.",
+    "steps": "Derivation",
+    "plots": "Plots",
+    "conclusion": "Conclusion",
+    "most-used": "Of all checks the one most used is “{name}” ({symbol}): utilisation {utilisation:.3g}.",
+    "references": "References",
+    "misprints": "M with a number is a misprint of a paper, mended here; afmcalc equations --misprints lists them.",
+    # a derivation
+    "where": "where",
+    "by": "by ({number})",
+    "is": "{source} by ({number})",
+    "again": "By formula ({number}).",
+    "differs": "The print differs: {printed}",
+    "inverse": "The torque falls as friction rises: largest over smallest torque is the inverse, {value:.5g}.",
+    "friction": "Friction",
+    "branch": "Friction is",
+    "setting": "Spring set at",
+    "side": "Side",
+    "numbers": "Numbers put in",
+    "value": "Value",
+    "branch/": "rising",
+    "branch/returning": "falling, the sleeve moves back",
+    "branch/held": "falling from {after}, the key holds the sleeve",
+    "setting/min-friction": "f_min",
+    "setting/mean-friction": "mean f",
+    "side/protected": "protected",
+    "side/unprotected": "unprotected",
+    # tables
+    "verdict": "Verdict",
+    "requirement": "Requirement",
+    "bound": "Is to be",
+    "check": "Check",
+    "condition": "Condition",
+    "limit": "Limit",
+    "unit": "Unit",
+    "utilisation": "Utilisation",
+    "symbol": "Symbol",
+    "quantity": "Quantity",
+    "key": "Key",
+    "grade/pass": "pass",
+    "grade/note": "note",
+    "grade/warning": "warning",
+    "grade/fail": "fail",
+    "grade/held": "held",
+    "grade/missed": "missed",
+    "grade/open": "not judged",
+    "level/info": "note",
+    "level/warning": "warning",
+    "level/error": "error",
+    # a figure
+    "figure": "Fig. {number}.",
+    "see": "Fig. {number}",
+}
+"""Key → what is said; fields are those of ``messages``."""
+
+
+def told(key: str, **values: object) -> str:
+    """Say what stands under a key, in the language of the user."""
+    return translate(filled(REPORT[key], values))
