@@ -28,7 +28,7 @@ class Language:
 
     def found(self, text: str, context: str = "", count: int = 1) -> str | None:
         """Return the text that stands for an English one, in its form for a count; None where there is none."""
-        forms = self.catalogue.get((context, text))
+        forms = self.catalogue.get((context, text)) or self.catalogue.get((context or "value", text))
         return None if forms is None else forms[self.form(count) if len(forms) > 1 else 0]
 
 
