@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from .messages import say
 
@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 else:
     Floats = Values = Any
 """One number, or an array of any shape; shapes of several arguments broadcast."""
+
+V = TypeVar("V", bound=Values)
+"""What a function takes and gives alike: numbers or arrays."""
 
 
 def is_array(value: object) -> bool:

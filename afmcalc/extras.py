@@ -6,6 +6,7 @@ from .errors import AfmcalcError
 from .messages import say
 
 MODULES = {
+    "drive": ("scipy",),
     "explain": ("sympy",),
     "plot": ("matplotlib",),
     "ru": ("babel",),

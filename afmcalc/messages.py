@@ -29,6 +29,10 @@ SCALES = {
     "kPa": 1e-3,
     "MPa": 1e-6,
     "deg": 180 / math.pi,
+    "kJ": 1e-3,
+    "s": 1.0,
+    "ms": 1e3,
+    "N·m·s": 1.0,
     "J/mm²": 1e-6,
     "K": 1.0,
 }
@@ -253,6 +257,22 @@ FINDINGS: Mapping[str, str] = {
     "strength {limit:.4g MPa}: the shaft fails at once",
     "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
     "band at equal mean costs nothing (M23); --model amplitude or goodman weighs it",
+    # simulate
+    "inertia-torque": "the driven half alone twists the shaft of a locked tool with ω_0 √(k J_2) = {value:.4g N·m}: "
+    "beyond the sliding torque ({limit:.4g N·m} at f_max) no clutch removes it, only a softer shaft or less inertia",
+    "slips-before-event": "at {at} the clutch carries {value:.5g N·m}, less than the load of {limit:.5g N·m} before "
+    "the event: it slips all the time",
+    "drive-not-in-balance": "before the event the motor gives {value:.5g N·m} against a load of {limit:.5g N·m}: "
+    "the drive does not run steadily",
+    "motor-never-stops": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch ({value:.5g N·m}): "
+    "the slip does not end; give a cut-off (drive.cut_off)",
+    "motor-stops-at-cut-off": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
+    "({value:.5g N·m}): the slip lasts until the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
+    "slip-outlasts-duration": "at {at} the slip has not ended within the {value:.4g s} that are simulated",
+    "dynamic-factor-exceeded": "the event loads the shaft with {value:.4g} times the sliding torque; the life of the "
+    "unprotected side assumes {limit:g} (simulate --output writes the factor into a spec)",
+    "judder": "slow slip is not steady: friction that falls with speed takes {value:.3g N·m·s} from the damping of "
+    "{limit:.3g N·m·s} (an ordinary clutch of equal T_н: {ordinary:.3g N·m·s}); it may judder as the slip ends",
     # control unit
     "balls-overlap": "{balls} balls of {value:.5g mm} do not fit on the ball circle: their centres are "
     "{limit:.5g mm} apart",

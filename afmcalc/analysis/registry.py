@@ -39,12 +39,12 @@ class Section(NamedTuple):
     title: str
     about: Told
     """What is calculated."""
-    conclusion: Told
-    """What comes of it."""
     sources: tuple[str, ...] = ()
     """Keys of the references it rests on."""
     sources_indirect: tuple[str, ...] = ()
     """The same for an indirect clutch, where its law is another."""
+    conclusion: Told = ""
+    """What comes of it; nothing where there is nothing to sum up."""
 
 
 class Analysis(NamedTuple):
@@ -122,9 +122,9 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Torque and forces",
                 "The slipping clutch at the smallest, the mean and the largest friction, spring as set.",
-                "Set for a nominal torque of the clutch of {nominal_torque:.5g N·m}, it slips at {torque.min:.5g N·m} "
-                "at the smallest and at {torque.max:.5g N·m} at the largest friction.",
-                ("F11",), ("S21",),
+                conclusion="Set for a nominal torque of the clutch of {nominal_torque:.5g N·m}, it slips at "
+                "{torque.min:.5g N·m} at the smallest and at {torque.max:.5g N·m} at the largest friction.",
+                sources=("F11",), sources_indirect=("S21",),
             ),
             plot=Plot("torque", "torque against friction, scatter band, both adjustment methods"),
         ),
@@ -133,9 +133,9 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Accuracy",
                 "K_т is the largest over the smallest torque in service; 1 would be perfect.",
-                "The accuracy factor is K_т = {accuracy_factor:.4g}; an ordinary clutch in its place would have "
-                "K_т,0 = {conventional_accuracy_factor:.4g}.",
-                ("F11", "S22"), ("S21",),
+                conclusion="The accuracy factor is K_т = {accuracy_factor:.4g}; an ordinary clutch in its "
+                "place would have K_т,0 = {conventional_accuracy_factor:.4g}.",
+                sources=("F11", "S22"), sources_indirect=("S21",),
             ),
             plot=Plot(
                 "accuracy", "accuracy factor against any key, --sweep NAME[=RANGE]", options=("sweep",),
@@ -147,8 +147,8 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Both settings of the spring",
                 "The same nominal torque, reached at the smallest friction or, with the margin, at the mean friction.",
-                _narrower,
-                ("S19",),
+                conclusion=_narrower,
+                sources=("S19",),
             ),
         ),
         Analysis(
@@ -157,10 +157,10 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Overload",
                 "What the drive sees when the clutch, set with a margin over the machine's torque, begins to slip.",
-                "With the margin β_н = {margin:g} the nominal torque of the machine may be {machine_torque:.5g N·m}; "
-                "the clutch trips at {actuation_torque_equilibrium.min:.5g N·m} to "
+                conclusion="With the margin β_н = {margin:g} the nominal torque of the machine may be "
+                "{machine_torque:.5g N·m}; the clutch trips at {actuation_torque_equilibrium.min:.5g N·m} to "
                 "{actuation_torque_equilibrium.max:.5g N·m}, and later where the release force lags the load.",
-                ("S22",),
+                sources=("S22",),
             ),
             plot=Plot("overload", "trip over friction, and accuracy over the reduced gain (S22 fig. 3)", "clutch"),
         ),
@@ -170,8 +170,8 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Control unit",
                 "Wall angle, ball and pocket for the gain; the contact held against what it may carry.",
-                _ball,
-                ("S21",),
+                conclusion=_ball,
+                sources=("S21",),
             ),
             plot=Plot("pocket", "section through ball and pockets, to scale", "clutch"),
         ),
@@ -181,10 +181,18 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Life",
                 "Cycles to failure on both sides of the clutch, by the rule {model}.",
-                _lasting,
-                ("S19",),
+                conclusion=_lasting,
+                sources=("S19",),
             ),
             plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
+        ),
+        Analysis(
+            "simulate", "analysis.simulate.simulate", "SimulateResult", "drive",
+            lambda clutch: clutch.spec.drive.event is not None,
+            section=Section(
+                "Drive",
+                "The event of the block [drive] in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",
+            ),
         ),
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
         Analysis("solve", "analysis.solve.solve", "SolveResult", "design"),
@@ -193,7 +201,7 @@ ANALYSES: dict[str, Analysis] = {
             lambda clutch: clutch.spec.tolerance is not None,
             section=Section(
                 "Tolerances and scatter", _about_tolerance,
-                "As making and service scatter, the mean torque is {mean:.5g N·m}, its standard deviation "
+                conclusion="As making and service scatter, the mean torque is {mean:.5g N·m}, its standard deviation "
                 "{standard_deviation:.4g N·m}.",
             ),
             plot=Plot("tolerance", "histogram of the torque with quantiles, by the [tolerance] block", "clutch"),

@@ -62,11 +62,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
     Returns:
         The result and the findings.
     """
-    points = list(friction)
-    if not clutch.spec.friction.unlike and any(pair[1] is not None for pair in points):
-        raise CalculationError(
-            say("--friction F1,F2 is for unlike materials; this clutch has one friction (a decimal point, no comma)")
-        )
+    points = pairs_asked(clutch, friction)
     ranges = clutch.friction
     ends = [(getattr(ranges[0], at), getattr(ranges[1], at)) for at in ("min", "mean", "max")]
     states = [clutch.point(*end) for end in ends]
@@ -90,7 +86,21 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         accuracy_factor=clutch.accuracy_factor,
         points=asked or None,
     )
-    return result, clutch.findings() + [f for pair in points for f in _outside(clutch, *pair)]
+    return result, clutch.findings() + [f for pair in points for f in outside_range(clutch, *pair)]
+
+
+def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
+    """Return the frictions asked for.
+
+    Raises:
+        CalculationError: two of a clutch that has one.
+    """
+    points = list(friction)
+    if not clutch.spec.friction.unlike and any(pair[1] is not None for pair in points):
+        raise CalculationError(
+            say("--friction F1,F2 is for unlike materials; this clutch has one friction (a decimal point, no comma)")
+        )
+    return points
 
 
 def friction_triples(clutch: Clutch) -> dict[str, Triple]:
@@ -125,17 +135,18 @@ def _triple_or_none(values: list[Any]) -> Triple | None:
 
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> FrictionPoint:
     state = clutch.point(friction, friction_driven)
+    return FrictionPoint(**friction_fields(clutch, friction, friction_driven), **state._asdict())
+
+
+def friction_fields(clutch: Clutch, friction: float, friction_driven: float | None) -> dict[str, float]:
+    """Return a friction asked for as result fields: ``friction``, or one per group."""
     if friction_driven is None and not clutch.spec.friction.unlike:
-        asked = {"friction": friction}
-    else:
-        asked = {
-            "friction_driving": friction,
-            "friction_driven": friction if friction_driven is None else friction_driven,
-        }
-    return FrictionPoint(**asked, **state._asdict())
+        return {"friction": friction}
+    return {"friction_driving": friction, "friction_driven": friction if friction_driven is None else friction_driven}
 
 
-def _outside(clutch: Clutch, friction: float, friction_driven: float | None) -> list[Finding]:
+def outside_range(clutch: Clutch, friction: float, friction_driven: float | None) -> list[Finding]:
+    """Say where a friction asked for lies outside the range of the spec."""
     asked = (friction, friction if friction_driven is None else friction_driven)
     found = []
     for value, allowed in zip(asked, clutch.friction, strict=True):

@@ -31,13 +31,16 @@ PlotOption = Annotated[
 ]
 
 
+FrictionOption = Annotated[
+    list[str] | None,
+    typer.Option("--friction", metavar="F", help="Also at this friction (unlike materials: F1,F2); repeatable."),
+]
+
+
 @with_common
 def torque(
     spec: SpecArgument = None,
-    friction: Annotated[
-        list[str] | None,
-        typer.Option("--friction", metavar="F", help="Also at this friction (unlike materials: F1,F2); repeatable."),
-    ] = None,
+    friction: FrictionOption = None,
     *,
     common: Common,
 ) -> None:
@@ -48,7 +51,7 @@ def torque(
     afmcalc torque clutch.toml --friction 0.15 --friction 0.25 --json
     afmcalc torque clutch.toml --set control_unit.gain=0.8
     """  # noqa: D301
-    points = [_friction(text) for text in friction or ()]
+    points = [friction_of(text) for text in friction or ()]
     calculate(common, spec, lambda clutch: {"friction": points})
 
 
@@ -67,7 +70,7 @@ def accuracy(
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"sweeps": _axes(sweep, clutch)}, _curve(plot, sweep, common))
+    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, _curve(plot, sweep, common))
 
 
 @with_common
@@ -90,7 +93,7 @@ def overload(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOpt
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"sweeps": _axes(sweep, clutch)}, _curve(plot, sweep, common))
+    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, _curve(plot, sweep, common))
 
 
 @with_common
@@ -151,7 +154,7 @@ def life(
     afmcalc life clutch.toml --sweep dT=500:1100:13
     """  # noqa: D301
     curve = _curve(plot, sweep, common)
-    calculate(common, spec, lambda clutch: {"model": model, "sweeps": _axes(sweep, clutch, band=True)}, curve)
+    calculate(common, spec, lambda clutch: {"model": model, "sweeps": axes_of(sweep, clutch, band=True)}, curve)
 
 
 @with_common
@@ -180,7 +183,7 @@ def compare(
     emit(common, result, findings, resolved(clutches[0].spec))
 
 
-def _axes(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":
+def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":
     """Read the axes of a sweep; ``band`` takes dT for the scatter band."""
     from ..analysis.sweep.axes import parse_axis
 
@@ -207,7 +210,7 @@ def _curve(plot: bool, sweep: list[str] | None, common: Common) -> "SweepDrawing
     return swept_lines
 
 
-def _friction(text: str) -> tuple[float, float | None]:
+def friction_of(text: str) -> tuple[float, float | None]:
     """Read ``F`` or ``F1,F2``."""
     try:
         values = [float(part) for part in text.split(",")]

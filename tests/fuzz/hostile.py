@@ -34,7 +34,7 @@ def _load(name: str) -> dict[str, Any]:
     if name in ("default", "indirect"):
         data["fatigue"] |= {"mean_stress_sensitivity": 0.1, "ultimate_strength": "900 MPa"}
     if name == "requirements":
-        data["search"] |= {"mean_radius": 0.1, "gain": [0.0, 0.5], "pairs": [4, 8]}
+        data["search"] |= {"mean_radius": [0.1, 0.13], "gain": [0.3, 0.6, 1.0], "pairs": [4, 8, 16]}
     return data
 
 

@@ -41,7 +41,9 @@ def judge(run: Run, case, afmcalc) -> None:
     assert not CONTROL.search(run.out + run.err)
     if run.code == 2:
         assert "error: " in run.err or run.err.startswith("Usage")
-        assert not run.out or case.arguments[0] in ("design", "check")  # an empty front is told, and is an error
+        assert not run.out or case.arguments[0] in ("design", "check")  # that nothing was found, what is wrong as JSON
+    assert run.err.count("\n") <= 65
+    assert max(map(len, run.err.split("\n"))) <= 400
     if run.code == 0 and "--json" in case.arguments and run.out.startswith("{"):
         accepted_back(run, case, afmcalc)
 

@@ -52,6 +52,11 @@ def _outer_diameter(clutch: Clutch, found: Any) -> float | None:
     return None if outer is None else 2 * outer
 
 
+def _peak_torque(clutch: Clutch, found: Any) -> float:
+    peaks: dict[str, float] = found.peak_torque.model_dump()
+    return max(peaks.values())
+
+
 def _cycles(clutch: Clutch, found: Any) -> float:
     """Life as set, of the side that fails first."""
     method = clutch.spec.adjustment.method.replace("-", "_")
@@ -65,7 +70,7 @@ JUDGED: dict[str, Judged] = {
     "accuracy_factor": Judged("accuracy", lambda clutch, found: found.accuracy_factor),
     "torque_max": Judged("torque", lambda clutch, found: max(found.torque.min, found.torque.max)),
     "outer_diameter": Judged("torque", _outer_diameter, needs="friction_group.outer_radius"),
-    "peak_torque": Judged("simulate"),
+    "peak_torque": Judged("simulate", _peak_torque, needs="[drive] with an event"),
     "exceedance": Judged("tolerance", _exceedance, needs="[tolerance], its torque_limit absent or that torque_max"),
     "work": Judged("heat"),
     "temperature": Judged("heat"),

@@ -1,0 +1,120 @@
+"""Long slip in one stride: a torque that stays constant parts the motor side from the swinging rest of the drive.
+
+Once static friction has decayed, the sleeve is held and the tool stands, the pack slides at a constant torque. The
+driven half then swings freely about its twist, which a matrix exponential gives for any time, and the motor side runs
+down alone, which is one smooth equation.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.linalg import expm
+
+from ...arrays import Floats
+from .plant import Mode, Plant, Sliding, State
+
+_LEAST = 5.0
+"""Swings below which a stride is not worth it."""
+_STILL = 1e-7
+"""Deceleration of the motor side, relative to T/J_1, that counts as none: the slip does not end."""
+_EXACT = 1e-10
+
+
+class Stride(NamedTuple):
+    """Where a stride ends."""
+
+    time: float
+    y: State
+    endless: bool
+    """Whether the motor side no longer slows down."""
+
+
+def stride(
+    plant: Plant, t: float, y: State, mode: Mode, bound: float, *, lasting: bool, largest: float = math.inf
+) -> Stride | None:
+    """Go as far as the slip stays what it is, at most to ``bound``; None where that is not far, or not known.
+
+    Args:
+        plant: the drive; its tool stands.
+        t: time, s.
+        y: states and work.
+        mode: the pack slips.
+        bound: latest time, s.
+        lasting: whether the motor is never switched off.
+        largest: swing, relative to the torque, beyond which none is wanted.
+    """
+    sliding = plant.steadily(t, y, mode)
+    if sliding is None:
+        return None
+    train, torque = plant.train, sliding.torque
+    natural = math.sqrt(train.stiffness / sliding.inertia)
+    stretch, speed = train.stiffness * y[plant.TWIST] - torque, y[plant.DRIVEN]
+    swing = math.hypot(stretch, speed * math.sqrt(train.stiffness * sliding.inertia))
+    most = min(sliding.most, plant.tool.holds(mode) - abs(torque), largest * abs(torque))
+    if swing * (1 + train.damping * natural / train.stiffness) > most:
+        return None
+    slowest = swing / math.sqrt(train.stiffness * sliding.inertia) + sliding.slip
+    least = _LEAST * 2 * math.pi / natural
+    if mode.pack * plant.motor_speed(y) <= slowest or bound - t < least:
+        return None
+    run = _run_down(plant, t, y, mode, torque, slowest, bound, lasting=lasting)
+    return _arrived(plant, y, sliding, run, run.time - t) if run.time - t >= least or run.endless else None
+
+
+class _RunDown(NamedTuple):
+    """The motor side at the end of a stride."""
+
+    time: float
+    speed: float
+    angle: float
+    work: float
+    endless: bool
+
+
+def _run_down(
+    plant: Plant, t: float, y: State, mode: Mode, torque: float, slowest: float, bound: float, *, lasting: bool
+) -> _RunDown:
+    """Let the motor side run down against a constant torque: speed, angle, work of the motor."""
+    train, forward = plant.train, mode.pack
+
+    def rates(at: float, states: Floats) -> list[float]:
+        speed = float(states[0])
+        driven = plant.motor(speed, mode)
+        return [(driven - torque) / train.motor_inertia, speed, driven * speed]
+
+    def near(at: float, states: Floats) -> float:
+        return forward * float(states[0]) - slowest
+
+    def still(at: float, states: Floats) -> float:
+        return -forward * rates(at, states)[0] - _STILL * abs(torque) / train.motor_inertia
+
+    near.terminal = still.terminal = True  # type: ignore[attr-defined]
+    start = [plant.motor_speed(y), 0.0, 0.0]
+    if lasting and still(t, np.array(start)) <= 0:
+        return _RunDown(t, start[0], 0.0, 0.0, True)
+    events = [near, still] if lasting else [near]
+    found = solve_ivp(rates, (t, bound), start, "DOP853", events=events, rtol=_EXACT, atol=_EXACT)
+    speed, angle, work = found.y[:, -1].tolist()
+    return _RunDown(float(found.t[-1]), speed, angle, work, lasting and bool(found.t_events[1].size))
+
+
+def _arrived(plant: Plant, y: State, sliding: Sliding, run: _RunDown, time: float) -> Stride:
+    """States and work after a stride: the driven half has swung freely about its twist, everything behind it stood."""
+    train, torque = plant.train, sliding.torque
+    natural = math.sqrt(train.stiffness / sliding.inertia)
+    # in energy's own measure the swing is a rotation that shrinks
+    turning = np.array([[0.0, natural], [-natural, -train.damping / sliding.inertia]])
+    scale = math.sqrt(train.stiffness * sliding.inertia)
+    before = np.array([train.stiffness * y[plant.TWIST] - torque, scale * y[plant.DRIVEN]])
+    after = expm(turning * time) @ before
+    twist, driven = float(after[0] + torque) / train.stiffness, float(after[1]) / scale
+    new = list(y)
+    new[plant.V] = run.speed - driven
+    new[plant.DRIVEN], new[plant.TWIST] = driven, twist
+    motor, pack, shaft = plant.size, plant.size + 1, plant.size + 2
+    new[motor] += run.work
+    new[pack] += torque * (run.angle - (twist - y[plant.TWIST]))
+    new[shaft] += float(before @ before - after @ after) / (2 * train.stiffness)
+    return Stride(run.time, new, run.endless)

@@ -1,0 +1,237 @@
+"""An indirect clutch in its drive: the pack, and behind the hub the balls with their sleeve, two elements in series."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import exp
+
+from ...equations import direct, sleeve
+from ...equations import drive as law
+from .consistent import SleevePlant, switched
+from .plant import DECAYED, Mode, Sliding, State, Tool, Torques
+from .sleeve import Sleeve
+from .train import Train
+
+_CLOSE = 1e-9
+"""Relative tolerance within which an element at its limit still sticks."""
+
+
+@dataclass(frozen=True)
+class IndirectPlant(SleevePlant):
+    """Motor side, pack, hub, balls, driven half, shaft, tool."""
+
+    train: Train
+    sleeve: Sleeve
+    sliding: float
+    breakaway: float
+
+    size = 7
+
+    @cached_property
+    def tool(self) -> Tool:  # type: ignore[override]
+        """What stands behind the shaft."""
+        return Tool(self.train)
+
+    @property
+    def growth(self) -> float:
+        """∂T/∂(f(v)/f) with the sleeve where its key holds it."""
+        return self.breakaway / self.sleeve.static_ratio
+
+    @cached_property
+    def _moment_time(self) -> float:
+        """Time over which the growth of the balls' torque is taken, s."""
+        return 1e-6 * float((self.train.driven_inertia / self.train.stiffness) ** 0.5)
+
+    def start(self) -> State:
+        """Running under the load; beyond T_н the sleeve is off its stop."""
+        train, own = self.train, self.sleeve
+        locked = train.kind == "stop" and not train.time
+        off = train.load * own.net_gain / own.mean_radius - (own.control_force - own.closing_force)
+        travel = max(0.0, off / (own.closing_stiffness + own.control_stiffness)) if off > 0 else 0.0
+        held = own.pressed_at_stop(train.load, own.net_gain)
+        turn = travel * own.gain / own.mean_radius
+        return [0.0, train.speed, train.load / train.stiffness, 0.0 if locked else train.speed, 0.0, turn, held]
+
+    def scales(self) -> State:
+        """Size of every state."""
+        speed, twist = self.train.speed, self.sliding / self.train.stiffness
+        return [speed, speed, twist, speed, speed, twist, self.sleeve.control_force]
+
+    def motor_speed(self, y: Sequence[float]) -> float:
+        """ω_1 = ω_2 + w + v."""
+        return y[self.DRIVEN] + y[self.RATE] + y[self.V]
+
+    def travel(self, y: Sequence[float]) -> float:
+        """x = R |φ|/C."""
+        return self.sleeve.travel(y[self.TURN])
+
+    def _pairs(self, slip: float) -> float:
+        """z f at a slip."""
+        own = self.sleeve
+        if own.static_ratio == 1:
+            return own.friction_pairs
+        return own.friction_pairs * float(law.stribeck_ratio(own.static_ratio, exp(-own.decay_rate * abs(slip))))
+
+    def _net(self, mode: Mode) -> float:
+        """κ or κ₊, as the key resists."""
+        own = self.sleeve
+        rising = mode.hold > 0 if mode.balls == "seat" else mode.balls == "out"
+        return own.net_gain if rising else own.net_gain_returning
+
+    def normal(self, y: Sequence[float], mode: Mode, balls: float) -> float:
+        """Normal force on the pairs; a pack that the springs leave has none."""
+        own = self.sleeve
+        if mode.balls != "seat":
+            return max(0.0, own.closing_force - own.closing_stiffness * self.travel(y))
+        return own.pressed_at_stop(balls, self._net(mode)) if mode.hold else y[self.HELD]
+
+    def torques(self, t: float, y: Sequence[float], mode: Mode) -> Torques:
+        """Torques that follow from states and mode."""
+        shaft, motor = self.shaft(y), self.motor(self.motor_speed(y), mode)
+        clutch, balls = self._pack_and_balls(y, mode, motor, shaft)
+        return Torques(motor, clutch, balls, shaft)
+
+    def _pack_and_balls(self, y: Sequence[float], mode: Mode, motor: float, shaft: float) -> tuple[float, float]:
+        train, side = self.train, mode.side
+        first, hub, last = train.motor_inertia, train.hub_inertia, train.driven_inertia
+        if mode.balls in ("out", "back"):
+            if mode.pack:
+                clutch = mode.pack * direct.group_torque(
+                    self.normal(y, mode, 0.0), self.sleeve.mean_radius, 1.0, self._pairs(y[self.V])
+                )
+                return clutch, side * self._moving(y, mode, side * clutch, hub, side * shaft)
+            balls = side * self._moving(y, mode, side * motor, first + hub, side * shaft)
+            return law.sticking_torque(motor, first, balls, hub), balls
+        if not mode.pack:
+            stuck = law.sticking_torque(motor, first, shaft, hub + last)
+            return stuck, law.sticking_torque(motor, first + hub, shaft, last)
+        clutch = mode.pack * self._slipping_still(y, mode, mode.pack * shaft)
+        return clutch, law.sticking_torque(clutch, hub, shaft, last)
+
+    def _moving(self, y: Sequence[float], mode: Mode, drive: float, inertia: float, load: float) -> float:
+        """Torque of the balls on the wall they are on, while the sleeve moves."""
+        own, net = self.sleeve, self._net(mode)
+        mass = sleeve.sleeve_inertia(own.mass, own.mean_radius, own.gain, net)
+        torque: float = sleeve.ball_torque_moving(
+            own.moment(self.travel(y)), net, mass, drive, inertia, load, self.train.driven_inertia
+        )
+        return torque
+
+    def _slipping_still(self, y: Sequence[float], mode: Mode, load: float) -> float:
+        """Torque of the slipping pack while the sleeve stands, along the slip; ``load`` that of the shaft along it."""
+        train, own, pairs = self.train, self.sleeve, self._pairs(y[self.V])
+        if mode.balls == "seat" and mode.hold:
+            net = self._net(mode) * (mode.side * mode.pack)
+            torque: float = sleeve.slip_torque_at_stop(
+                pairs, own.mean_radius, own.control_force, net, train.hub_inertia, load, train.driven_inertia
+            )
+            return torque
+        pressed: float = direct.group_torque(self.normal(y, mode, 0.0), own.mean_radius, 1.0, pairs)
+        return pressed
+
+    def rates(self, t: float, y: Sequence[float], mode: Mode) -> State:
+        """Newton, and the work of motor, pack, shaft, tool and key."""
+        train, own = self.train, self.sleeve
+        motor, clutch, balls, shaft = self.torques(t, y, mode)
+        slip, driven, _, tool, rate, *_ = y
+        twisting = driven - tool
+        moving = mode.balls in ("out", "back")
+        turning = (
+            law.slip_acceleration(clutch, train.hub_inertia, balls, shaft, train.driven_inertia) if moving else 0.0
+        )
+        speed, growth = (mode.side * own.mean_radius / own.gain * each for each in (rate, turning))
+        return [
+            law.slip_acceleration(motor, train.motor_inertia, clutch, balls, train.hub_inertia) if mode.pack else 0.0,
+            (balls - shaft) / train.driven_inertia,
+            twisting,
+            self.tool.rate(t, mode, shaft),
+            turning,
+            rate,
+            0.0,
+            motor * (driven + rate + slip),
+            clutch * slip,
+            train.damping * twisting * twisting,
+            self.tool.power(t, mode, shaft, tool),
+            balls * rate - (own.moment(self.travel(y)) / own.mean_radius + own.mass * growth) * speed,
+        ]
+
+    def stored(self, y: Sequence[float]) -> float:
+        """Kinetic and elastic energy, J."""
+        train, own = self.train, self.sleeve
+        moving = (
+            train.motor_inertia * self.motor_speed(y) ** 2
+            + train.hub_inertia * (y[self.DRIVEN] + y[self.RATE]) ** 2
+            + train.driven_inertia * y[self.DRIVEN] ** 2
+            + train.tool_inertia * y[self.TOOL] ** 2
+            + own.mass * own.travel(y[self.RATE]) ** 2
+        )
+        return float(moving + train.stiffness * y[self.TWIST] ** 2) / 2 + own.work(self.travel(y))
+
+    def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:
+        """Sliding friction alone, with the sleeve where its key holds it."""
+        train, own = self.train, self.sleeve
+        if mode.balls not in ("seat", "lock") or (mode.balls == "seat" and mode.hold):
+            return None
+        pressed = self.normal(y, mode, 0.0)
+        torque = float(direct.group_torque(pressed, own.mean_radius, 1.0, own.friction_pairs))
+        if mode.balls == "lock":
+            low, high = self.limits(y)
+        else:
+            low, high = (
+                (own.control_force - pressed) * own.mean_radius / net for net in (own.net_gain_returning, own.net_gain)
+            )
+            high = min(high, own.lift)
+        both = train.hub_inertia + train.driven_inertia
+        most = min(high - torque, torque - low) * both / train.hub_inertia
+        slip = DECAYED / own.decay_rate if own.static_ratio > 1 else 0.0
+        return Sliding(mode.pack * torque, both, most, slip) if mode.pack == mode.side else None
+
+    def guards(self, t: float, y: Sequence[float], mode: Mode) -> list[float]:
+        """Positive while the mode lasts, in the order of ``Guard``."""
+        own = self.sleeve
+        torques = self.torques(t, y, mode)
+        along = mode.side * torques.balls
+        stuck = self.capacity(y, mode, torques.balls) - abs(torques.clutch)
+        pack = mode.pack * y[self.V] if mode.pack else stuck
+        tool = self.tool.guard(t, mode, torques.shaft, y[self.TOOL])
+        if mode.balls == "seat":
+            hold = self._hold_guard(t, y, mode, along)
+            return [pack, tool, own.lift - along, hold, 1.0, along + _CLOSE * own.lift]
+        if mode.balls == "lock":
+            low, high = self.limits(y)
+            return [pack, tool, min(high - along, along - low), 1.0, 1.0, 1.0]
+        out = mode.side * y[self.RATE]
+        if mode.balls == "out":
+            return [pack, tool, out, 1.0, 1.0, 1.0]
+        return [pack, tool, -out, 1.0, mode.side * y[self.TURN], 1.0]
+
+    def capacity(self, y: Sequence[float], mode: Mode, balls: float) -> float:
+        """Largest torque of the pack at rest."""
+        pressed = self.normal(y, mode, balls)
+        return float(direct.group_torque(pressed, self.sleeve.mean_radius, 1.0, self._pairs(0.0)))
+
+    def limits(self, y: Sequence[float]) -> tuple[float, float]:
+        """Torques between which the key holds the sleeve off its stop."""
+        own = self.sleeve
+        moment = own.moment(self.travel(y))
+        return moment / own.net_gain_returning, moment / own.net_gain
+
+    def bounds(self, balls: float) -> tuple[float, float]:
+        """Normal forces between which the key holds the sleeve at its stop."""
+        own = self.sleeve
+        return own.pressed_at_stop(balls, own.net_gain_returning), own.pressed_at_stop(balls, own.net_gain)
+
+    def _hold_guard(self, t: float, y: Sequence[float], mode: Mode, along: float) -> float:
+        own = self.sleeve
+        if own.net_gain == own.net_gain_returning:
+            return 1.0
+        if mode.hold:
+            ahead = [a + self._moment_time * rate for a, rate in zip(y, self.rates(t, y, mode), strict=True)]
+            later = mode.side * self.torques(t + self._moment_time, ahead, mode).balls
+            return mode.hold * (later - along) + 1e-11 * own.lift
+        low, high = self.bounds(along)
+        return min(high - y[self.HELD], y[self.HELD] - low) + 1e-10 * own.control_force
+
+    def switched(self, t: float, y: State, mode: Mode, hit: int | None) -> tuple[State, Mode]:
+        """Bring to rest what has come to rest, then find the mode in which nothing contradicts."""
+        return switched(self, t, list(y), mode, hit)

@@ -1,0 +1,218 @@
+"""The clutches of many drives in one time step: which torque brings a slip to rest, and what of it they can carry."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...arrays import Floats, Values
+from ...equations import drive as law
+from ...equations import sleeve as unit
+from .direct import DirectPack
+from .sleeve import Sleeve
+from .train import Train
+
+
+class Halves(NamedTuple):
+    """The driven half over one step: its speed without the clutch, and what a torque of the clutch adds."""
+
+    free: Floats
+    per_torque: Floats
+
+
+class DirectLanes:
+    """Packs of direct clutches."""
+
+    def __init__(self, train: Train, pack: DirectPack, h: Floats) -> None:
+        """Begin stuck, the release force that of the load."""
+        self.pack, self._motor = pack, h / train.motor_inertia
+        self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
+        self.slip, self.travel = np.zeros(h.size), np.zeros(h.size)
+        self._trend = np.zeros(h.size)
+        self.torque = np.broadcast_to(train.load, h.shape).astype(float)
+        self.normal = np.broadcast_to(pack.under(train.load), h.shape).astype(float)
+        self._balance: Values = self.normal
+        self._half = np.exp(-h / (2 * np.asarray(pack.lag))) if np.all(np.asarray(pack.lag) > 0) else None
+        """What is left of a deviation after half a step; None without lag."""
+
+    @property
+    def passed(self) -> Floats:
+        """Torque on the driven half: that of the pack."""
+        return self.torque
+
+    def step(self, halves: Halves, motor: Floats, driven: Floats) -> None:
+        """Find the torque of the pack."""
+        own, alone = self.pack, motor - halves.free
+        each = self._motor + halves.per_torque
+        capacity = self._capacity(ratio_of(own, self.slip + self._trend / 2) if self._static else 1.0)
+        needed = alone / each
+        self.torque = np.maximum(np.minimum(needed, capacity), -capacity)
+        slip = np.where(self.torque == needed, 0.0, alone - each * self.torque)
+        if self._static:
+            self._trend = np.where(slip == 0, 0.0, slip - self.slip)
+        self.slip = slip
+        if self._half is not None:
+            self._balance = own.under(np.abs(self.torque))
+            self.normal = self._balance + (self.normal - self._balance) * self._half**2
+
+    def _capacity(self, ratio: Values) -> Values:
+        """Largest torque of the pack; where the normal force is late, with that of the middle of the step."""
+        own = self.pack
+        if self._half is None:
+            return own.torque(ratio)
+        middle: Values = self._balance + (self.normal - self._balance) * self._half
+        return own.carried(middle, ratio)
+
+
+class SleeveLanes:
+    """Packs, hubs and balls of indirect clutches."""
+
+    def __init__(self, train: Train, pack: Sleeve, h: Floats) -> None:
+        """Begin stuck, the key as after a torque that has risen to the load; beyond T_н off the stop."""
+        self.train, self.pack, self.h = train, pack, h
+        self.slip, self.rate, self._trend = (np.zeros(h.size) for _ in range(3))
+        self.torque = np.broadcast_to(train.load, h.shape).astype(float)
+        self.balls = self.torque.copy()
+        off = (train.load * pack.net_gain / pack.mean_radius - (pack.control_force - pack.closing_force)) / (
+            pack.closing_stiffness + pack.control_stiffness
+        )
+        self.turn = np.broadcast_to(np.maximum(off, 0.0) * pack.gain / pack.mean_radius, h.shape).astype(float)
+        self.held = np.broadcast_to(pack.pressed_at_stop(train.load, pack.net_gain), h.shape).astype(float)
+        self.travel = pack.travel(self.turn)
+
+    @property
+    def passed(self) -> Floats:
+        """Torque on the driven half: that of the balls."""
+        return self.balls
+
+    def step(self, halves: Halves, motor: Floats, driven: Floats) -> None:
+        """Find the torques of pack and balls."""
+        own, h = self.pack, self.h
+        pairs = own.friction_pairs * ratio_of(own, self.slip + self._trend / 2)
+        joint, mass = self._joint(halves, motor, driven)
+        at_stop = self.turn == 0
+        moving = self._moving(joint, pairs)
+        still = self._still(joint, pairs)
+        # what lands is still if its speed can be taken in one step; else the balls roll through to the other wall
+        lands = ~at_stop & (self.turn * (self.turn + h / 2 * (self.rate + moving.rate)) < 0) & (still.rate == 0)
+        stays = (at_stop & (still.rate == 0)) | lands
+        pick = at_stop | lands
+        self.torque = np.where(pick, still.clutch, moving.clutch)
+        slip, rate = np.where(pick, still.slip, moving.slip), np.where(pick, still.rate, moving.rate)
+        self.balls = np.where(pick, still.balls, moving.balls) + mass * (rate - self.rate)
+        self.held = np.where(pick, still.normal, own.closing_force)
+        self.turn = np.where(stays, 0.0, self.turn + h / 2 * (self.rate + rate))
+        self._trend = np.where(slip == 0, 0.0, slip - self.slip)
+        self.slip, self.rate = slip, rate
+        self.travel = np.maximum(self.travel, own.travel(self.turn))
+
+    def _joint(self, halves: Halves, motor: Floats, driven: Floats) -> "tuple[_Joint, Values]":
+        """Slip of pack and balls without their torques, and what these do; the sleeve's mass counted in."""
+        train, own, h = self.train, self.pack, self.h
+        hub = driven + self.rate
+        slip, rate = motor - hub, hub - halves.free
+        across = h / train.hub_inertia
+        pack, balls = h / train.motor_inertia + across, across + halves.per_torque
+        out = self.turn * self.rate >= 0
+        net = np.where(out, own.net_gain, own.net_gain_returning)
+        mass = unit.sleeve_inertia(own.mass, own.mean_radius, own.gain, net) / h
+        whole = 1 + balls * mass
+        slowed = (rate + balls * mass * self.rate) / whole
+        return _Joint(
+            slip + across * mass * (slowed - self.rate),
+            slowed,
+            pack - across * across * mass / whole,
+            across / whole,
+            balls / whole,
+        ), mass
+
+    def _moving(self, joint: "_Joint", pairs: Values) -> "_Found":
+        """Off the stop: the key holds between S/κ₊ and S/κ."""
+        own = self.pack
+        turn = self.turn + self.h / 2 * self.rate
+        travel, side = own.travel(turn), np.where(self.turn < 0, -1.0, 1.0)
+        moment = own.moment(travel)
+        least, most = side * moment / own.net_gain_returning, side * moment / own.net_gain
+        normal = np.maximum(own.closing_force - own.closing_stiffness * travel, 0.0)
+        return joint.boxed(pairs * own.mean_radius * normal, np.minimum(least, most), np.maximum(least, most), normal)
+
+    def _still(self, joint: "_Joint", pairs: Values) -> "_Found":
+        """At the stop: N falls along κ, rises along κ₊, is held between; beyond S(0)/κ the sleeve lifts off."""
+        own, radius = self.pack, self.pack.mean_radius
+        alone, share = joint.rate / joint.balls, joint.across / joint.balls
+        stuck = (joint.slip + joint.across * alone) / (joint.pack - joint.across * share)
+        normal = self._played(alone + share * stuck)
+        way = np.where(stuck < 0, -1.0, 1.0)
+        held = alone + share * way * pairs * radius * self.held
+        side = way * np.where(held < 0, -1.0, 1.0)
+        # N = F_п2 − κ |T_b|/R with T_b = alone + share·T_f, along the slip
+        rising, falling = (
+            pairs * (radius * own.control_force - side * net * way * alone) / (1 + side * pairs * net * share)
+            for net in (own.net_gain, own.net_gain_returning)
+        )
+        low, high = self._bounds(held)
+        slipping = np.where(self.held > high, rising, np.where(self.held < low, falling, pairs * radius * self.held))
+        sticks = np.abs(stuck) <= pairs * radius * normal
+        clutch = np.where(sticks, stuck, way * slipping)
+        balls = alone + share * clutch
+        lifted = np.abs(balls) > own.lift
+        off = joint.boxed(
+            pairs * radius * own.closing_force, np.copysign(own.lift, balls), np.copysign(own.lift, balls), normal
+        )
+        slip = np.where(sticks, 0.0, joint.slip - joint.pack * clutch + joint.across * balls)
+        pressed = np.where(sticks, normal, slipping / (pairs * radius))
+        return _Found(
+            np.where(lifted, off.clutch, clutch),
+            np.where(lifted, off.balls, balls),
+            np.where(lifted, off.slip, slip),
+            np.where(lifted, off.rate, 0.0),
+            np.where(lifted, own.closing_force, pressed),
+        )
+
+    def _bounds(self, balls: Floats) -> tuple[Values, Values]:
+        own = self.pack
+        return own.pressed_at_stop(balls, own.net_gain_returning), own.pressed_at_stop(balls, own.net_gain)
+
+    def _played(self, balls: Floats) -> Floats:
+        """N at the stop as it follows a torque of the balls."""
+        low, high = self._bounds(balls)
+        played: Floats = np.clip(self.held, low, high)
+        return played
+
+
+class _Found(NamedTuple):
+    """Torques of pack and balls, the speeds they leave, the normal force."""
+
+    clutch: Floats
+    balls: Floats
+    slip: Floats
+    rate: Floats
+    normal: Values
+
+
+class _Joint(NamedTuple):
+    """Slip of the pack and of the balls after a step without their torques, and what a torque takes from each."""
+
+    slip: Floats
+    rate: Floats
+    pack: Values
+    across: Values
+    """What a torque of one adds to the slip of the other."""
+    balls: Values
+
+    def boxed(self, capacity: Values, low: Values, high: Values, normal: Values) -> _Found:
+        """Torques within their limits that bring to rest what they can: a convex problem of two, solved exactly."""
+        both = self.pack - self.across * self.across / self.balls
+        first = np.clip((self.slip + self.across * self.rate / self.balls) / both, -capacity, capacity)
+        wanted = (self.rate + self.across * first) / self.balls
+        balls = np.clip(wanted, low, high)
+        needed = (self.slip + self.across * balls) / self.pack
+        clutch = np.clip(needed, -capacity, capacity)
+        slip = np.where(clutch == needed, 0.0, self.slip - self.pack * clutch + self.across * balls)
+        rate = np.where(balls == wanted, 0.0, self.rate + self.across * clutch - self.balls * balls)
+        return _Found(clutch, balls, slip, rate, normal)
+
+
+def ratio_of(pack: DirectPack | Sleeve, slip: Floats) -> Values:
+    """Friction at a slip over sliding friction."""
+    ratio: Floats = law.stribeck_ratio(pack.static_ratio, np.exp(-pack.decay_rate * np.abs(slip)))
+    return ratio

@@ -1,0 +1,182 @@
+"""What a drive is to the integration: states, modes, rates, and the guards that end a mode.
+
+Between two events every element either sticks or slips, and the equations are smooth. A *mode* says which; a *guard* is
+positive while the mode lasts. Derived after the state machine of Otter, Elmqvist and Mattsson (1999).
+"""
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+from ...equations import drive as law
+from .train import Train
+
+State = list[float]
+Balls = Literal["seat", "lock", "out", "back"]
+
+
+class Mode(NamedTuple):
+    """Which elements stick, which slip, and how far the event is."""
+
+    pack: int = 0
+    """Sign of the slip of the friction pack; 0 where it sticks."""
+    tool: int = 1
+    """Sign of the tool's motion; 0 where it stands."""
+    over: bool = False
+    """Whether the tool has been stopped, or the load has risen."""
+    powered: bool = True
+    balls: Balls = "seat"
+    """Indirect: at their stop, or off it held by the key, moving out or back."""
+    side: int = 1
+    """Wall on which the balls are, or the sign of their torque at the seat."""
+    hold: int = 1
+    """At the seat: 1 while the torque rises (κ), −1 while it falls (κ₊), 0 where the key holds N between."""
+
+
+class Sliding(NamedTuple):
+    """A pack that slides at a constant torque."""
+
+    torque: float
+    """N·m, with the sign of the slip."""
+    inertia: float
+    """Of what swings on the shaft, kg·m²."""
+    most: float
+    """Swing of the shaft's torque about it up to which the torque stays constant, N·m."""
+    slip: float
+    """Slip above which static friction is nothing, rad/s."""
+
+
+DECAYED = 20.0
+"""Exponent at which static friction is nothing, e^−20 = 2e-9."""
+
+
+class Torques(NamedTuple):
+    """Torques at one moment, N·m."""
+
+    motor: float
+    clutch: float
+    """Of the friction pack."""
+    balls: float
+    shaft: float
+
+
+@dataclass(frozen=True)
+class Tool:
+    """The tool behind the shaft: led by its stop, or with an inertia of its own under a load that resists."""
+
+    train: Train
+
+    def resistance(self, t: float, mode: Mode) -> float:
+        """Torque of the load, N·m."""
+        train = self.train
+        if mode.over:
+            return train.overload
+        return float(train.load + (train.overload - train.load) * t / train.time)
+
+    def rate(self, t: float, mode: Mode, shaft: float) -> float:
+        """Acceleration, rad/s²."""
+        train = self.train
+        if train.kind == "stop":
+            return 0.0 if mode.over else float(-train.speed / train.time)
+        return float((shaft - mode.tool * self.resistance(t, mode)) / train.tool_inertia) if mode.tool else 0.0
+
+    def power(self, t: float, mode: Mode, shaft: float, speed: float) -> float:
+        """Power that leaves the drive here, W."""
+        if self.train.kind == "stop":
+            return shaft * speed
+        return self.resistance(t, mode) * abs(speed)
+
+    def guard(self, t: float, mode: Mode, shaft: float, speed: float) -> float:
+        """Positive while the tool keeps moving, or standing."""
+        if self.train.kind == "stop":
+            return 1.0
+        return mode.tool * speed if mode.tool else self.resistance(t, mode) - abs(shaft)
+
+    def holds(self, mode: Mode) -> float:
+        """Torque up to which a standing tool stands, N·m."""
+        return math.inf if self.train.kind == "stop" else self.train.overload
+
+    def settled(self, t: float, mode: Mode, shaft: float, speed: float, *, torn: bool) -> int:
+        """Sign of the motion that follows; ``torn`` off its rest it moves."""
+        if speed:
+            return 1 if speed > 0 else -1
+        if self.train.kind == "stop" or (not torn and abs(shaft) <= self.resistance(t, mode)):
+            return 0
+        return sign(shaft)
+
+
+def sign(value: float) -> int:
+    """Sign of a torque that tears something loose."""
+    return 1 if value > 0 else -1
+
+
+class Plant(ABC):
+    """A drive with its clutch at one friction; its states: the slip v of the pack, ω_2, φ, ω_3, what the kind adds."""
+
+    V, DRIVEN, TWIST, TOOL = range(4)
+    train: Train
+    tool: Tool
+    size: int
+    """How many states; the work of motor, pack, shaft, tool and key comes after them."""
+    sliding: float
+    """Sliding torque T(f)."""
+
+    breakaway: float
+    """Torque at which the clutch at rest slips under a load that rises slowly, T(r_s f)."""
+
+    @property
+    @abstractmethod
+    def growth(self) -> float:
+        """Growth of the torque with the share of friction, ∂T/∂(f(v)/f) as slip begins, N·m."""
+
+    @abstractmethod
+    def start(self) -> State:
+        """States before the event: steady running under the load."""
+
+    @abstractmethod
+    def torques(self, t: float, y: Sequence[float], mode: Mode) -> Torques:
+        """Torques that follow from states and mode."""
+
+    @abstractmethod
+    def rates(self, t: float, y: Sequence[float], mode: Mode) -> State:
+        """Rates of the states and of the work."""
+
+    @abstractmethod
+    def guards(self, t: float, y: Sequence[float], mode: Mode) -> list[float]:
+        """Positive while the mode lasts."""
+
+    @abstractmethod
+    def switched(self, t: float, y: State, mode: Mode, hit: int | None) -> tuple[State, Mode]:
+        """States and mode after guard ``hit`` has fallen to 0, or after a stage of the event."""
+
+    @abstractmethod
+    def stored(self, y: Sequence[float]) -> float:
+        """Kinetic and elastic energy, J."""
+
+    @abstractmethod
+    def scales(self) -> State:
+        """Size of every state, for the tolerance of the integration."""
+
+    @abstractmethod
+    def motor_speed(self, y: Sequence[float]) -> float:
+        """ω_1, rad/s."""
+
+    @abstractmethod
+    def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:
+        """How the pack slides if its torque is constant from now on; None where it is not."""
+
+    def travel(self, y: Sequence[float]) -> float:
+        """Travel of the sleeve, m."""
+        return 0.0
+
+    def shaft(self, y: Sequence[float]) -> float:
+        """Torque in the shaft, N·m."""
+        train = self.train
+        torque = law.shaft_torque(train.stiffness, y[self.TWIST], train.damping, y[self.DRIVEN] - y[self.TOOL])
+        return float(torque)
+
+    def motor(self, speed: float, mode: Mode) -> float:
+        """Torque of the motor, N·m."""
+        return float(self.train.engine.at(speed)) if mode.powered else 0.0

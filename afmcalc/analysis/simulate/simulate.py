@@ -1,0 +1,83 @@
+"""The drive in time: what happens when the clutch trips, against an ordinary clutch of equal nominal torque."""
+
+from collections.abc import Iterable, Sequence
+
+from ...engines.protocol import Clutch
+from ...errors import CalculationError
+from ...findings import Finding
+from ...messages import say
+from ...result import OpenTriple, Triple
+from ..sweep.grid import Axis
+from ..torque import Pair, friction_fields, outside_range, pairs_asked
+from .cases import outcome_of
+from .remarks import remarks_of
+from .result import SimulatePoint, SimulateResult
+from .train import train_of
+
+__all__ = ["SimulateResult", "simulate"]
+
+
+def simulate(
+    clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = ()
+) -> tuple[SimulateResult, list[Finding]]:
+    """Simulate the event of the [drive] block at f_min, mean friction and f_max, constant during the event.
+
+    Args:
+        clutch: a clutch with float parameters.
+        friction: further frictions: pairs (f, None) for all pairs alike or (f_1, f_2).
+        sweeps: axes of a sweep of the peaks.
+
+    Raises:
+        SpecError: the spec has no event.
+        AfmcalcError: SciPy is missing.
+    """
+    train, points = train_of(clutch), pairs_asked(clutch, friction)
+    ends = list(zip(*clutch.friction, strict=True))
+    found = [outcome_of(clutch, *end) for end in ends]
+    peaks = [each.trip.peak for each in found]
+    travels = clutch.spec.kind.travels
+    result = SimulateResult(
+        sliding_torque=_triple([each.case.plant.sliding for each in found]),
+        peak_torque=_triple(peaks),
+        peak_torque_clutch=_triple([each.trip.peak_clutch for each in found]),
+        dynamic_factor=_triple([each.dynamic_factor for each in found]),
+        peak_over_machine=_triple([peak / train.load for peak in peaks]) if train.load else None,
+        slip_time=_open([each.slip_time for each in found]),
+        slip_energy=_open([each.heat for each in found]),
+        travel_max=_triple([each.trip.travel_max for each in found]) if travels else None,
+        peak_torque_conventional=_triple([each.ordinary_peak for each in found]),
+        inertia_torque=train.inertia_torque,
+        load_torque=train.load,
+        energy_residual=max(each.trip.residual for each in found),
+        points=[_point(clutch, *pair) for pair in points] or None,
+    )
+    return result, [
+        *clutch.findings(),
+        *remarks_of(clutch, train, found),
+        *(remark for pair in points for remark in outside_range(clutch, *pair)),
+    ]
+
+
+def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> SimulatePoint:
+    if not friction or friction_driven == 0:
+        raise CalculationError(say("--friction 0: without friction there is no torque to simulate"))
+    found = outcome_of(clutch, friction, friction_driven)
+    return SimulatePoint(
+        **friction_fields(clutch, friction, friction_driven),
+        sliding_torque=found.case.plant.sliding,
+        peak_torque=found.trip.peak,
+        peak_torque_clutch=found.trip.peak_clutch,
+        dynamic_factor=found.dynamic_factor,
+        slip_time=found.slip_time,
+        slip_energy=found.heat,
+        travel_max=found.trip.travel_max if clutch.spec.kind.travels else None,
+        peak_torque_conventional=found.ordinary_peak,
+    )
+
+
+def _triple(values: Sequence[float]) -> Triple:
+    return Triple(min=values[0], mean=values[1], max=values[2])
+
+
+def _open(values: Sequence[float | None]) -> OpenTriple:
+    return OpenTriple(min=values[0], mean=values[1], max=values[2])

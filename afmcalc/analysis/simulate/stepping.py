@@ -1,0 +1,155 @@
+"""Many drives at once: the same laws in fixed time steps, stick and slip by projection (Moreau–Jean).
+
+Every step takes the velocities that the clutch would leave alone and asks which torque brings the slip to rest; what is
+beyond the capacity slips. The shaft is stepped by the implicit midpoint rule: accuracy alone bounds the step.
+"""
+
+from dataclasses import fields, replace
+from typing import Any, NamedTuple, TypeVar
+
+import numpy as np
+
+from ...arrays import Floats
+from .direct import DirectPack
+from .lanes import DirectLanes, Halves, SleeveLanes
+from .sleeve import Sleeve
+from .train import Train
+
+_LANES = 4096
+"""Drives stepped at a time: their states stay in the processor's cache."""
+
+
+class Marched(NamedTuple):
+    """What many events did, an array each."""
+
+    peak: Floats
+    peak_clutch: Floats
+    heat: Floats
+    slip_time: Floats
+    travel: Floats
+    slip: Floats
+    """Slip of the pack at the end, rad/s."""
+
+
+def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int) -> Marched:
+    """Step events from start to ``steps`` times ``step``.
+
+    Args:
+        train: drives, numbers or arrays (n,).
+        pack: clutches, likewise.
+        step: time step of each, s (n,).
+        steps: how many.
+
+    Returns:
+        Peaks, heat, slip and travel (n,).
+    """
+    parts = []
+    for start in range(0, step.size, _LANES):
+        lanes = slice(start, start + _LANES)
+        own = _cut(train, lanes, step.size)
+        if isinstance(pack, DirectPack):
+            clutch: DirectLanes | SleeveLanes = DirectLanes(own, _cut(pack, lanes, step.size), step[lanes])
+        else:
+            clutch = SleeveLanes(own, _cut(pack, lanes, step.size), step[lanes])
+        parts.append(_march(own, clutch, step[lanes], steps))
+    return Marched(*(np.concatenate(each) for each in zip(*parts, strict=True)))
+
+
+D = TypeVar("D", Train, DirectPack, Sleeve)
+
+
+def _cut(whole: D, lanes: slice, size: int) -> D:
+    """Take some lanes of every array."""
+
+    def cut(value: Any) -> Any:
+        return np.broadcast_to(value, size)[lanes] if isinstance(value, np.ndarray) else value
+
+    own = {each.name: getattr(whole, each.name) for each in fields(whole)}
+    if isinstance(whole, Train):
+        engine = whole.engine
+        own["engine"] = replace(engine, **{e.name: cut(getattr(engine, e.name)) for e in fields(engine)})
+    return replace(whole, **{name: cut(value) for name, value in own.items()})
+
+
+def _march(train: Train, clutch: DirectLanes | SleeveLanes, h: Floats, steps: int) -> Marched:
+    shaft = Shaft(train, h)
+    motor, each = shaft.driven, h / train.motor_inertia
+    peak, peak_clutch, heat, slipped = (np.zeros(h.size) for _ in range(4))
+    off = np.full(h.size, np.inf)
+    for number in range(steps):
+        time = number * h
+        driving = train.engine.at(motor)
+        if train.cut_off is not None:
+            driving = np.where(time < off, driving, 0.0)
+        halves = shaft.free(time, clutch.passed)
+        before, motor = clutch.slip, motor + each * driving
+        clutch.step(halves, motor, shaft.driven)
+        motor = motor - each * clutch.torque
+        shaft.take(halves.free + halves.per_torque * clutch.passed)
+        np.maximum(peak, np.abs(shaft.torque), out=peak)
+        np.maximum(peak_clutch, np.abs(clutch.torque), out=peak_clutch)
+        heat += clutch.torque * (before + clutch.slip)
+        slips = clutch.slip != 0
+        slipped += slips
+        if train.cut_off is not None:
+            off = np.where(slips & np.isinf(off), time + train.cut_off, off)
+    return Marched(peak, peak_clutch, h / 2 * heat, h * slipped, clutch.travel, clutch.slip)
+
+
+class Shaft:
+    """Driven half, shaft and tool of many drives: implicit midpoint."""
+
+    def __init__(self, train: Train, h: Floats) -> None:
+        """Begin under the load."""
+        self.train, self.h = train, h
+        self.driven, self.tool = (np.broadcast_to(train.speed, h.shape).astype(float) for _ in range(2))
+        self.torque = self.elastic = np.broadcast_to(train.load, h.shape).astype(float)
+        self._until = float(np.max(train.time))
+        if train.kind == "stop":
+            self.tool = self._led(0 * h)
+        self._after, self._rate = self.tool, self.driven - self.tool
+        # torque at the middle of the step: elastic torque + link·(u + u⁺), u the rate of twist
+        self._coupling = h * (h * train.stiffness / 4 + train.damping / 2)
+        self._stretch = h / 2 * train.stiffness
+        own = train.driven_inertia + self._coupling
+        self._kept, self._lost = (train.driven_inertia - self._coupling) / own, h / own
+        self._drawn = self._coupling / own
+
+    def _led(self, time: Floats) -> Floats:
+        """Speed of a tool that is being stopped."""
+        left = 1 - time / np.where(self.train.time > 0, self.train.time, 1.0)
+        led: Floats = np.where(time < self.train.time, self.train.speed * left, 0.0)
+        return led
+
+    def free(self, time: Floats, passed: Floats) -> Halves:
+        """Speed of the driven half without the clutch; moves the tool on, under the torque ``passed`` before."""
+        self._rate = self.driven - self.tool
+        if self.train.kind == "load":
+            return self._loaded(time + self.h / 2, passed)
+        speed = self._kept * self.driven - self._lost * self.elastic
+        if float(np.min(time)) < self._until:
+            self._after = self._led(time + self.h)
+            speed = speed + self._drawn * (self.tool + self._after)
+        return Halves(speed, self._lost)
+
+    def _loaded(self, middle: Floats, passed: Floats) -> Halves:
+        """Tool with an inertia of its own, held by its load where that can hold it."""
+        train, h, coupling = self.train, self.h, self._coupling
+        impulse = h * self.elastic + coupling * self._rate
+        own, other = train.driven_inertia + coupling, train.tool_inertia + coupling
+        det = own * other - coupling * coupling
+        first, second = train.driven_inertia * self.driven - impulse, train.tool_inertia * self.tool + impulse
+        risen = np.where(train.time > 0, np.minimum(middle / np.where(train.time > 0, train.time, 1.0), 1.0), 1.0)
+        load = train.load + (train.overload - train.load) * risen
+        # what the clutch adds to the tool is that of its torque before: a part of the second order
+        alone = coupling * (first + h * passed) + own * second
+        held = np.clip(alone / (h * own), -load, load)
+        self._after = (alone - own * h * held) / det
+        return Halves((other * first + coupling * (second - h * held)) / det, h * other / det)
+
+    def take(self, driven: Floats) -> None:
+        """Move on with the speed the driven half has come to."""
+        rate = driven - self._after
+        self.elastic = self.elastic + self._stretch * (self._rate + rate)
+        self.driven, self.tool = driven, self._after
+        self.torque = self.elastic + self.train.damping * rate

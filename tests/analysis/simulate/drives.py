@@ -1,0 +1,98 @@
+"""Drives to simulate: the reference drive of the theory, and bare ones for closed forms."""
+
+from dataclasses import replace
+from typing import Any
+
+from afmcalc.analysis.simulate.direct import DirectPack, DirectPlant
+from afmcalc.analysis.simulate.machine import Trip, trip
+from afmcalc.analysis.simulate.train import Engine, Train
+from afmcalc.engines import Clutch, build
+
+REFERENCE: dict[str, Any] = {
+    "variant": "differentiated",
+    "friction": {"min": 0.1, "mean": 0.3, "max": 0.8, "static_ratio": 1.2, "stribeck_speed": 0.3},
+    "friction_group": {"pairs": 8, "mean_radius": 0.1},
+    "control_unit": {"gain": 1.25},
+    "adjustment": {"nominal_torque": 200.0, "margin": 4 / 3},
+    "drive": {
+        "speed": 15.0,
+        "motor_inertia": 8.0,
+        "driven_inertia": 0.05,
+        "shaft_stiffness": 8000.0,
+        "damping_ratio": 0.03,
+        "load_torque": 150.0,
+        "motor_torque": 150.0,
+        "event": {"kind": "stop", "stop_time": 0.01},
+    },
+}
+"""Reference drive of theory-drive.md, section 9."""
+
+VARIANTS: dict[str, dict[str, Any]] = {
+    "conventional": {"variant": "conventional", "control_unit": None},
+    "differentiated": {},
+    "all-driving": {"variant": "all-driving", "control_unit": {"gain": 0.625}},
+}
+
+
+def merged(data: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
+    """A spec with some keys changed, None taking them out."""
+    found = dict(data)
+    for key, value in changes.items():
+        if value is None:
+            found.pop(key, None)
+        elif isinstance(value, dict) and isinstance(found.get(key), dict):
+            found[key] = merged(found[key], value)
+        else:
+            found[key] = value
+    return found
+
+
+def clutch(**changes: Any) -> Clutch:
+    """The reference drive with changes."""
+    return build(merged(REFERENCE, changes))
+
+
+TRAIN = Train(
+    motor_inertia=8.0,
+    hub_inertia=0.0,
+    driven_inertia=0.05,
+    tool_inertia=0.0,
+    stiffness=8000.0,
+    damping=0.0,
+    speed=15.0,
+    load=150.0,
+    engine=Engine(150.0, None, 0.0),
+    kind="stop",
+    time=0.02,
+    overload=150.0,
+    cut_off=None,
+)
+
+
+def plant(sliding: float, *, pack: dict[str, Any] | None = None, **changes: Any) -> DirectPlant:
+    """An ordinary clutch that slides at a torque (one pair, R = 0.1 m, f = 0.5), in a drive with changes."""
+    own = DirectPack(sliding / 0.05, 0.1, 1.0, 0.0, 0.0, 0.5, 0.5)
+    return DirectPlant(replace(TRAIN, **changes), replace(own, **(pack or {})))
+
+
+class Begun(DirectPlant):
+    """A drive that begins in a state of its own."""
+
+    state: tuple[float, ...]
+
+    def start(self) -> list[float]:
+        return list(self.state)
+
+
+def begun(own: DirectPlant, *state: float) -> Begun:
+    """The same drive, begun elsewhere: v, ω_2, φ, ω_3, N."""
+    found = Begun(own.train, own.pack)
+    object.__setattr__(found, "state", state)
+    return found
+
+
+def run(own: DirectPlant, horizon: float, *, recorded: bool = False) -> Trip:
+    """Simulate; the energy must close, whatever is asked."""
+    found = trip(own, horizon, recorded=recorded)
+    assert found.residual < 1e-6
+    return found
