@@ -145,7 +145,7 @@ def _registry() -> Iterator[Key]:
 
     for each in registry.ANALYSES.values():
         if each.section:
-            for text in each.section[:3]:
+            for text in (each.section.title, each.section.about, each.section.conclusion):
                 if isinstance(text, str):
                     yield ("", text)
                 else:
