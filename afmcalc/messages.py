@@ -167,11 +167,6 @@ def localized(number: str) -> str:
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def filled(template: str, values: Mapping[str, object]) -> str:
-    """Fill a template that stands in a table, in the language of the user."""
-    return _Sentence().vformat(translate(template), (), values)
-
-
 def say(template: str, /, **values: object) -> str:
     """Fill a template.
 

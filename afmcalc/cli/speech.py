@@ -8,7 +8,7 @@ from typing import Any
 from ..errors import AfmcalcError
 from ..extras import installed, need
 from ..language import ENGLISH, Language, known, language
-from ..messages import say, translate
+from ..messages import filled, say, translate
 
 OPTION = "--lang"
 _LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
@@ -97,7 +97,7 @@ def heard(message: str) -> str:
         found = re.fullmatch(_pattern(template), message, re.DOTALL)
         if found:
             parts = {name: heard(part) if name == "message" else part for name, part in found.groupdict().items()}
-            return translate(say(template, **parts))
+            return translate(filled(template, parts))
     return translate(message)
 
 
