@@ -12,7 +12,7 @@ speaks, says it again in the language of the user: ``translate``.
 import math
 import re
 import string
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import TYPE_CHECKING, SupportsFloat
@@ -161,7 +161,9 @@ def localized(number: str) -> str:
     if own is None:
         return number
     mantissa, ten, exponent = number.translate(own.signs).partition("e")
-    return f"{mantissa}·10{str(int(exponent)).translate(RAISED)}" if ten else mantissa
+    if not ten:
+        return mantissa
+    return f"{'' if mantissa == '1' else f'{mantissa}·'}10{str(int(exponent)).translate(RAISED)}"
 
 
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -193,6 +195,12 @@ def told(template: str, /, **values: object) -> str:
 def filled(template: str, values: Mapping[str, object]) -> str:
     """Fill a template that stands in a table."""
     return Text(template, values)
+
+
+def joined(parts: Iterable[object], sign: str = ", ") -> str:
+    """Set texts one after the other, each of which may be translated."""
+    listed = {f"part{number}": part for number, part in enumerate(parts)}
+    return Text(sign.join(f"{{{name}}}" for name in listed), listed)
 
 
 def term(text: str) -> str:

@@ -7,6 +7,7 @@ from ..engines import build
 from ..engines.protocol import Clutch
 from ..errors import SpecError
 from ..findings import Finding, finding
+from ..messages import joined, say, term
 from ..result import Result, Triple, quantity
 from ..spec.edit import as_variant, with_force, with_nominal_torque
 from ..variants import VARIANTS
@@ -66,7 +67,7 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
 
 def _named(remark: Finding, name: str) -> Finding:
     """Say which clutch a finding is about."""
-    return replace(remark, message=f"{name}: {remark.message}")
+    return replace(remark, message=say("{name}: {message}", name=name, message=remark.message))
 
 
 def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:
@@ -90,5 +91,5 @@ def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:
 
 
 def _missing(variant: str, error: SpecError) -> Finding:
-    lacks = "; ".join(str(problem) for problem in error.problems)
-    return finding("variant-not-possible", "info", variant=variant, lacks=lacks)
+    lacks = joined(error.problems, "; ")
+    return finding("variant-not-possible", "info", variant=term(variant), lacks=lacks)

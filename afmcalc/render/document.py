@@ -36,6 +36,8 @@ class Column(NamedTuple):
     """SI units of values that have theirs in a field of its own."""
     is_unit: bool = False
     """Whether the values are units."""
+    code: bool = False
+    """Whether the values are names that a user types."""
 
 
 class Table(NamedTuple):
@@ -116,11 +118,13 @@ def _records(title: str, items: list[BaseModel]) -> Table:
         if any(isinstance(value, Triple | OpenTriple) for value in values):
             for end in ("min", "mean", "max"):
                 ends = [getattr(value, end, None) for value in values]
-                columns.append(Column(f"{name}_{end}", f"{symbol} {end}", f"{label}, {end}", unit, ends))
+                columns.append(
+                    Column(f"{name}_{end}", f"{symbol} {translate(end, 'value')}", f"{label}, {end}", unit, ends)
+                )
         else:
             own = [str(getattr(item, str(about["unit_in"]))) for item in items] if "unit_in" in about else None
-            detail, is_unit = bool(about.get("detail")), bool(about.get("is_unit"))
-            columns.append(Column(name, symbol, label, unit, values, detail, units=own, is_unit=is_unit))
+            detail, is_unit, code = (bool(about.get(part)) for part in ("detail", "is_unit", "code"))
+            columns.append(Column(name, symbol, label, unit, values, detail, units=own, is_unit=is_unit, code=code))
     return Table(title, columns)
 
 

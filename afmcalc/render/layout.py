@@ -7,7 +7,7 @@ from ..findings import Finding
 from ..messages import printable, term, told, translate
 from ..result import Output
 from .document import Column, Document, Table
-from .units import display, display_unit
+from .units import display, display_unit, in_numbers
 
 
 class TextTable(NamedTuple):
@@ -66,12 +66,12 @@ def step_lines(laid_out: Document) -> list[str]:
     """Steps of an explanation as lines: what, formula, numbers, value with source, what the print has instead."""
     lines = []
     for step in laid_out.steps:
-        at = told(" at {place}", place=step.at) if step.at else ""
-        lines += ["", f"{step.symbol}{at}: {translate(step.name)}", f"    {step.symbol} = {step.formula}"]
+        at = told(" at {place}", place=term(step.at)) if step.at else ""
+        lines += ["", f"{step.symbol}{at}: {translate(step.name)}", f"    {step.symbol} = {in_numbers(step.formula)}"]
         indent = " " * (5 + len(step.symbol))
         if step.substituted != step.formula:
-            lines.append(f"{indent}= {step.substituted}")
-        lines.append(f"{indent}= {step_value(step)}    [{step.source.rstrip('.')}]")
+            lines.append(f"{indent}= {in_numbers(step.substituted)}")
+        lines.append(f"{indent}= {step_value(step)}    [{translate(step.source).rstrip('.')}]")
         if step.note:
             lines.append(f"    {translate(step.note)}")
         if step.print_differs:
@@ -105,13 +105,15 @@ def _table(table: Table) -> TextTable:
 def _cells(column: Column) -> list[str]:
     if column.is_unit:
         return [display_unit(value) for value in column.values]
+    if column.code:
+        return [printable(str(value)) for value in column.values]
     units = column.units or [column.unit] * len(column.values)
     return [_shown(value, unit, column.null) for value, unit in zip(column.values, units, strict=True)]
 
 
 def _heading(column: Column) -> str:
     unit = display_unit(column.unit)
-    name = column.symbol or column.name
+    name = translate(column.symbol or column.name)
     return f"{name}, {unit}" if unit not in ("", "–") else name
 
 

@@ -1,8 +1,9 @@
 """Engineer's units and significant figures for people; JSON and CSV stay in SI."""
 
 import math
+import re
 
-from ..messages import localized, printable, translate
+from ..messages import localized, printable, spoken, translate
 
 _DISPLAY = {
     "N": ("kN", 1e-3),
@@ -47,13 +48,33 @@ def display(value: object, unit: str) -> str:
         return (
             " … ".join(display(item, unit) for item in value)
             if unit
-            else "; ".join(printable(translate(str(item), "value")) for item in value)
+            else "; ".join(printable(worded(str(item))) for item in value)
         )
     if isinstance(value, bool):
         return translate("yes" if value else "no", "value")
     if not isinstance(value, int | float):
-        return printable(translate(str(value), "value"))
+        return printable(worded(str(value)))
     return significant(value * _DISPLAY.get(unit, (unit, 1.0))[1])
+
+
+def worded(text: str) -> str:
+    """Return a text of a result in the language of the user; one made of several may be known in its parts only."""
+    for context in ("value", "", "unit", "comment"):
+        if (told := translate(text, context)) != text:
+            return told
+    return "; ".join(map(translate, text.split("; ")))
+
+
+_NUMBER = re.compile(r"(?<![\w.,])(\d+(?:\.\d+)?(?:e[+-]\d+)?)(?: ([A-Za-z°][\w·/²³]*))?(?![\w.])")
+
+
+def in_numbers(formula: str) -> str:
+    """Return a formula with numbers and units put in as people of the user's language write it."""
+    if spoken() == "en":
+        return formula
+    return _NUMBER.sub(
+        lambda found: " ".join([localized(found[1]), *([display_unit(found[2])] if found[2] else [])]), formula
+    )
 
 
 def significant(value: float) -> str:

@@ -39,7 +39,7 @@ def _steps(laid_out: Document) -> list[str]:
         lines += [
             f"$${step.symbol_latex} = {equals} = {value_latex(step_value(step))}$$",
             "",
-            told("Source: {source}", source=_escape(step.source)),
+            told("Source: {source}", source=_escape(translate(step.source))),
             "",
         ]
         if step.print_differs:
