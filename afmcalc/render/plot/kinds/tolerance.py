@@ -8,7 +8,6 @@ from ....messages import localized, term, told, translate
 from ...units import display
 from ..chart import Area, Chart, ChartAxis, Guide, Line, Sheet, stated
 
-
 _METHODS = {"exact": "Exact", "monte-carlo": "Monte Carlo", "quasi-monte-carlo": "Quasi-Monte Carlo"}
 
 
