@@ -37,7 +37,6 @@ def texts() -> dict[Key, str]:
         ("units", _units()),
         ("names", _names()),
         ("examples", _examples()),
-        ("plots", _plots()),
     ):
         for key in each:
             if worded(key[1]) or key[0] == "unit":
@@ -48,6 +47,7 @@ def texts() -> dict[Key, str]:
 def worded(text: str) -> bool:
     """Whether a text has words of its own beside its fields."""
     bare = "".join(part for part, *_ in string.Formatter().parse(text)) if "{" in text else text
+    bare = re.sub(r"\w+_\w+|\b(sin|cos|tan|ln|max|min|fig|zC|misprint)\b|\b[FSM]\d+\b", "", bare)
     return re.search(r"[A-Za-z]{2}", bare) is not None
 
 
@@ -58,6 +58,8 @@ def _literals() -> Iterator[Key]:
             if not isinstance(node, ast.Call) or not node.args:
                 continue
             name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+            if name == "map" and getattr(node.args[0], "id", "") == "translate":
+                yield from (("", text) for each in ast.walk(node.args[1]) for text in _strings(each))
             in_table = name == "told" and "/report/" in path.as_posix()
             if name in (*SAYING, "say_many") and not in_table:
                 for text in _strings(node.args[0]):
@@ -176,11 +178,29 @@ def _equations() -> Iterator[Key]:
 
 
 def _papers() -> Iterator[Key]:
+    """What the lists of the papers say, and what is said of their figures."""
+    from afmcalc.equations.catalogue import equations
     from afmcalc.papers import register
-    from afmcalc.papers.references import REFERENCES
+    from afmcalc.papers.figures import FIGURES, paper_figure
+    from afmcalc.spec.materials import catalogue
 
-    yield from ()
-    del register, REFERENCES
+    for each in equations().values():
+        yield ("", each.source)
+    for material in catalogue().values():
+        yield from (("", text) for text in (material.description, material.condition))
+    for name in FIGURES:
+        figure = paper_figure(name)
+        yield from (("", text) for text in (figure.name, figure.title, figure.inputs, figure.assumed))
+        yield from (("", text) for text in figure.corrections)
+        yield from (("", axis.name) for axis in (figure.x, *figure.y))
+        yield from (("", curve.label) for panel in figure.panels for curve in panel)
+    for entry in register.misprints():
+        yield from (("", text) for text in (entry.where, entry.printed, entry.correct, entry.why))
+    for formula in register.register():
+        said = (formula.id, formula.says, formula.printed, formula.covered_by, formula.correct)
+        yield from (("", text) for text in said if text)
+    for claim in register.data("claims.toml")["claim"]:
+        yield from (("", claim[part]) for part in ("source", "inputs", "printed", "why") if part in claim)
 
 
 def _values() -> Iterator[Key]:
@@ -189,7 +209,7 @@ def _values() -> Iterator[Key]:
         if not model.__name__.startswith("_"):
             for info in model.model_fields.values():  # type: ignore[attr-defined]
                 yield from (("value", word) for word in _choices(info.annotation))
-    yield from (("value", word) for word in ("yes", "no", "error", "warning", "info"))
+    yield from (("value", word) for word in ("error", "warning", "info", "min", "mean", "max"))
 
 
 def _choices(annotation: object) -> Iterator[str]:
@@ -236,7 +256,3 @@ def comment_of(line: str) -> str:
     from afmcalc.spec.builtin import comment
 
     return comment(line)
-
-
-def _plots() -> Iterator[Key]:
-    yield from ()
