@@ -43,6 +43,15 @@ def smaller(first: Values, second: Values) -> Values:
     return first if first <= second else second
 
 
+def greatest(value: Values) -> float:
+    """Largest of the numbers, as one."""
+    if is_array(value):
+        import numpy as np
+
+        return float(np.max(value))
+    return float(value)
+
+
 def chosen(condition: Any, yes: Callable[[], Values], no: Callable[[], Values]) -> Values:
     """Elementwise choice; of two numbers only the one chosen is calculated."""
     if is_array(condition):

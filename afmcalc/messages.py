@@ -292,6 +292,37 @@ FINDINGS: Mapping[str, str] = {
     "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
     "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
+    # heat
+    "temperature-exceeded": "the discs reach {celsius:.4g} °C after one trip: above the {low:g}…{high:g} °C that "
+    "{name} allows",
+    "temperature-in-range": "the discs reach {celsius:.4g} °C after one trip: within the printed range of what "
+    "{name} allows, {low:g}…{high:g} °C",
+    "discs-take-all": "no lining_conductivity, lining_density and lining_specific_heat: the discs take all the heat of "
+    "the faces, an upper bound of their surface temperature",
+    "discs-thick": "no disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature",
+    "heat-not-told": "not told, as these are not given: {listed}",
+    "heat-not-judged": "no temperature to hold the discs against: give requirements.temperature, or a material "
+    "of the catalogue that has one",
+    # effects
+    "splines-lock": "μ_s f R/r_s reaches {value:.3g}: from {limit:g} on a disc locks in its spline, and the pack no "
+    "longer follows spring and balls",
+    "cams-lock": "the friction of the walls leaves a gain of {value:.3g}, no more than {limit:.3g}: the cams are not "
+    "driven up, the clutch is an ordinary one",
+    "cams-stay": "the friction of the walls, {value:.3g}, is not below cot α = {limit:.3g}: no cam slides back",
+    "force-used-up": "{path} takes {value:.5g kN} from the {limit:.5g kN} that press the pack: nothing is left of it",
+    "effect-on-accuracy/spline-friction": "discs held in their splines: K_т lies between {low:.4g} and {high:.4g}, "
+    "the law says {limit:.4g}",
+    "effect-on-accuracy/sliding-cams": "cams that slide on their walls: K_т lies between {low:.4g} and {high:.4g}, "
+    "the law says {limit:.4g}",
+    "effect-on-accuracy/centrifugal": "balls thrown against conical pockets: K_т lies between {low:.4g} and "
+    "{high:.4g}, the law says {limit:.4g}",
+    "effect-on-accuracy/wear": "wear of the lining: K_т lies between {low:.4g} and {high:.4g}, the law says "
+    "{limit:.4g}",
+    "effect-on-torque/spline-friction": "discs held in their splines change the torque by up to {value:+.1%}",
+    "effect-on-torque/sliding-cams": "cams that slide on their walls change the torque by up to {value:+.1%}",
+    "effect-on-torque/centrifugal": "balls thrown against conical pockets change the torque by up to {value:+.1%}",
+    "effect-on-torque/wear": "wear of the lining changes the torque by up to {value:+.1%}",
+    "effect-not-told": "{name} is not told: it needs {listed}",
     # requirements
     "requirement-missed/number": "{name}: {value:.5g}, but {bound} {limit:.5g} is required",
     "requirement-missed/torque": "{name}: {value:.5g N·m}, but {bound} {limit:.5g N·m} is required",
@@ -312,6 +343,14 @@ FINDINGS: Mapping[str, str] = {
     "unusual/wall-angle": "a wall angle of {value:.4g deg} is unusual: {low:.4g deg…}{high:.4g deg} is usual",
     "unusual/ball-circle": "a ball-circle radius of {value:.4g mm} is unusual: {low:.4g mm…}{high:.4g mm}, 0.2 to 2 "
     "times the mean friction radius, is usual",
+    # springs
+    "curved-springs": "{path}: torque, accuracy, tolerance, heat and effects follow its true characteristic; "
+    "sensitivities and a simulation take a straight spring of the stiffness given",
+    "spring-too-weak": "{path}: pressed flat it gives {value:.5g kN}, less than the {limit:.5g kN} as set",
+    "spring-beyond-range": "{path}: used from {low:.3g} to {high:.3g} of its cone height; 0.15 to 0.75 is usual",
+    "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
+    "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
+    "any-stiffness": "{path} is not given: any stiffness will do",
     # surface pressure
     "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
     "above the allowable {low:g kPa…}{high:g kPa} of {name}",

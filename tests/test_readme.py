@@ -20,7 +20,7 @@ def test_the_worked_example(afmcalc, tmp_path, monkeypatch):
 def test_the_spec_and_every_command_are_there(afmcalc, tmp_path):
     from afmcalc.cli.main import COMMANDS
 
-    (spec,) = re.findall(r"```toml\n(.*?)```", README, re.DOTALL)
+    spec, *_ = re.findall(r"```toml\n(.*?)```", README, re.DOTALL)
     assert afmcalc("torque", "-", stdin=spec).code == 0
     for name in COMMANDS:
         assert f"`afmcalc {name} " in README or f"`afmcalc {name}`" in README, name

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from ..papers.figures import PaperFigure
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
     from .design.design import DesignResult
+    from .effects.curve import EffectsCurve
+    from .springs.curve import SpringsCurve
     from .synthesize import SynthesisResult
     from .tolerance.study import Study
 
@@ -145,6 +147,18 @@ def _pocket(request: Request) -> PocketSection:
     spec = answers.clutch.spec
     found, _ = answers.ask("synthesize")
     return PocketSection(spec.name, spec.control_unit.balls, found)
+
+
+def _effects(request: Request) -> "EffectsCurve":
+    from .effects.curve import effects_curve
+
+    return effects_curve(request.subjects[0].clutch)
+
+
+def _springs(request: Request) -> "SpringsCurve":
+    from .springs.curve import springs_curve
+
+    return springs_curve(request.subjects[0].clutch)
 
 
 def _tolerance(request: Request) -> ToleranceFigure:

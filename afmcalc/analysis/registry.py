@@ -13,6 +13,10 @@ if TYPE_CHECKING:
 StressRule = Literal["mean-stress", "amplitude", "goodman"]
 """Rules for the damaging stress of a life: the paper's, Серенсен–Кинасошвили's, Goodman's."""
 
+SpringOrder = Literal["length", "wear", "mass"]
+"""What is small in the springs told first."""
+SpringKind = Literal["any", "disc", "coil"]
+
 Takes = Literal["clutch", "clutches", "names", "requirements"]
 
 
@@ -82,6 +86,29 @@ class Analysis(NamedTuple):
 def _can_be_synthesized(clutch: "Clutch") -> bool:
     unit = clutch.spec.control_unit
     return unit is not None and unit.ball_circle_radius is not None and bool(clutch.gain > 0)
+
+
+def _heat_is_known(clutch: "Clutch") -> bool:
+    from ..spec.heat import missing_of
+
+    return not missing_of(clutch.spec.drive)
+
+
+def _heated(found: Any) -> str:
+    if None in (found.energy.min, found.energy.mean, found.energy.max):
+        return "The motor carries the slipping clutch: at some friction the slip does not end."
+    if found.temperature is None:
+        return "A trip gives {energy.min:.4g kJ} at the smallest and {energy.max:.4g kJ} at the largest friction."
+    return (
+        "A trip gives {energy.min:.4g kJ} at the smallest and {energy.max:.4g kJ} at the largest friction, and warms "
+        "the discs by {temperature_rise.min:.4g} and {temperature_rise.max:.4g} K."
+    )
+
+
+def _any_effect(clutch: "Clutch") -> bool:
+    from .effects.brackets import SOURCES
+
+    return any(not source.missing(clutch) for source in SOURCES.values())
 
 
 def _about_tolerance(found: Any) -> str:
@@ -192,7 +219,34 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Drive",
                 "The event of the block [drive] in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",
+                "At the largest friction the torque in the shaft reaches {peak_torque.max:.5g N·m}, with an ordinary "
+                "clutch {peak_torque_conventional.max:.5g N·m}.",
             ),
+        ),
+        Analysis(
+            "heat", "analysis.heat.heat", "HeatResult", "parts", _heat_is_known, ("answers",), explained=True,
+            judged=True,
+            section=Section(
+                "Heat and wear",
+                "What one trip turns into heat, what it warms the discs by, and how often it may be.",
+                _heated,
+                ("CJ",),
+            ),
+        ),
+        Analysis(
+            "effects", "analysis.effects.effects", "EffectsResult", "parts", _any_effect, judged=True,
+            section=Section(
+                "What the law neglects",
+                "Each effect as what the torque and K_т lie between, springs as set; the bypass pairs are farthest "
+                "from the spring, an inner disc is behind the first pair.",
+                "By the law alone K_т is {accuracy_factor:.4g}; the table says what each effect may make of it.",
+                ("Fi68", "F11"), ("Fi68", "S21"),
+            ),
+            plot=Plot("effects", "torque with each effect that the law neglects", "clutch", applies=_any_effect),
+        ),
+        Analysis(
+            "springs", "analysis.springs.springs", "SpringsResult", "parts",
+            plot=Plot("springs", "force of the springs over their deflection, with what service takes", "clutch"),
         ),
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
         Analysis("solve", "analysis.solve.solve", "SolveResult", "design"),

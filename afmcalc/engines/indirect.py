@@ -10,6 +10,7 @@ from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec
 from . import geometry, setting
+from .characteristic import DiscCharacteristic, curved
 from .laws import IndirectLaw
 from .protocol import ByGain, Clutch
 from .sensitivity import sensitivity
@@ -40,6 +41,7 @@ class IndirectClutch(Clutch):
             hub_diameter=_given(unit.hub_diameter),
             friction_set=setting.friction_at_setting(spec)[0],
             made_control_force=control.force,
+            curved=curved(spec),
         )
         _refuse_negative_net_gain(spec, law)
         force = setting.closing_force(spec, lambda: law.torque_per_force)
@@ -54,6 +56,11 @@ class IndirectClutch(Clutch):
     def closing_stiffness(self) -> Values:
         """c_1, N/m."""
         return self.law.closing_stiffness
+
+    @property
+    def following(self) -> tuple[Values | None, DiscCharacteristic | None]:
+        """The control spring: the stop is the pressure disc's, which takes sleeve and closing spring along."""
+        return self.law.control_stiffness, None if self.law.curved is None else self.law.curved.control
 
     @property
     def control_stiffness(self) -> Values:
@@ -96,8 +103,10 @@ class IndirectClutch(Clutch):
         return force
 
     @property
-    def equivalent_gain(self) -> Values:
-        """Gain of the all-driving clutch with the same torque curve."""
+    def equivalent_gain(self) -> Values | None:
+        """Gain of the all-driving clutch with the same torque curve; with curved springs there is none."""
+        if self.law.curved is not None:
+            return None
         gain: Values = indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
         return gain
 
@@ -139,7 +148,7 @@ class IndirectClutch(Clutch):
     def accuracy_factor(self) -> Values:
         """K_т (S21 (15), with the stop)."""
         own = self.friction[0]
-        if self.law.made_control_force is not None:
+        if self.law.made_control_force is not None or self.law.curved is not None:
             ratio: Values = self.torque(own.max) / self.torque(own.min)
             return ratio
         factor: Values = indirect.accuracy_factor(
@@ -188,6 +197,15 @@ class IndirectClutch(Clutch):
 
     def _law_findings(self) -> list[Finding]:
         """Idle feedback, the key's hysteresis."""
+        springs = [] if self.law.curved is None else [finding("curved-springs", "info", path=self._curved_path)]
+        return [*springs, *self._key_findings()]
+
+    @property
+    def _curved_path(self) -> str:
+        assert self.law.curved is not None
+        return "control_spring.disc" if self.law.curved.closing is None else "closing_spring.disc"
+
+    def _key_findings(self) -> list[Finding]:
         gain, threshold = float(self.gain), float(self.gain_threshold)
         if self.net_gain == 0:
             path = geometry.gain_path(self.spec)

@@ -8,6 +8,7 @@ from typing import Any
 
 from ..arrays import Values, chosen, larger, smaller
 from ..equations import direct, indirect
+from .characteristic import CurvedSprings, root
 
 
 @dataclass(frozen=True)
@@ -81,6 +82,8 @@ class IndirectLaw:
     """Friction at which the control spring is set so that the sleeve just stays at its stop."""
     made_control_force: Values | None = None
     """F_п2 as made, N; None where it is set by S21 (14)."""
+    curved: CurvedSprings | None = None
+    """Springs whose force is not proportional to their deflection; None where both are straight."""
 
     @property
     def reduced_gain(self) -> Values:
@@ -142,6 +145,8 @@ class IndirectLaw:
             return force
 
         def moving() -> Values:
+            if self.curved is not None:
+                return smaller(closing_force, self._balanced(closing_force, friction, net)[1])
             springs = closing_force, self.closing_stiffness, control, self.control_stiffness
             force: Values = indirect.normal_force_moving(*springs, self.stiffness(friction, net))
             return smaller(closing_force, force)
@@ -168,6 +173,8 @@ class IndirectLaw:
         """Axial travel x of the sleeve, m; 0 at the stop (S21 (10), (16))."""
 
         def moved() -> Values:
+            if self.curved is not None:
+                return self._balanced(closing_force, friction, self.net_gain)[0]
             net, made = self.net_gain, self.made_control_force
             stiffness = self.stiffness(friction, net)
             travel: Values = (
@@ -178,3 +185,22 @@ class IndirectLaw:
             return travel
 
         return chosen(self.is_seated(closing_force, friction), lambda: 0.0, moved)
+
+    def _balanced(self, closing_force: Values, friction: Values, net: Values) -> tuple[Values, Values]:
+        """Travel of a sleeve between curved springs, and the normal force there: N(x)(1 + zκf) = F_2(x)."""
+        assert self.curved is not None
+        closing, control = self.curved
+        held, loop = self.control_force(closing_force), 1 + self.pairs * net * friction
+        reach = closing_force / self.closing_stiffness if closing is None else closing.deflection(closing_force)
+        start = None if control is None else control.deflection(held)
+
+        def pressed(travel: Values) -> Values:
+            return closing_force - self.closing_stiffness * travel if closing is None else closing.force(reach - travel)
+
+        def pushed(travel: Values) -> Values:
+            if control is None or start is None:
+                return held + self.control_stiffness * travel
+            return control.force(start + travel)
+
+        travel = root(lambda at: pushed(at) - pressed(at) * loop, reach + 0.0 * loop)
+        return travel, pressed(travel)

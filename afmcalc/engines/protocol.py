@@ -4,12 +4,14 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from ..arrays import Values
-from ..equations import adjustment, overload
+from ..arrays import Values, larger
+from ..equations import adjustment, effects, overload
 from ..findings import Finding
 from ..spec.models import Method, Range, Spec
 from . import setting
+from .characteristic import DiscCharacteristic, curved
 from .laws import DirectLaw, IndirectLaw
+from .parts import part_findings
 
 
 class Point(NamedTuple):
@@ -51,6 +53,28 @@ class Clutch(ABC):
     def pack_force_at_rest(self) -> Values:
         """Force on the pack of the clutch at rest, N: the closing spring's."""
         return self.closing_force
+
+    @property
+    def following(self) -> tuple[Values | None, DiscCharacteristic | None]:
+        """The spring that follows the pack as it wears: its stiffness if given, its part where it is a curved one."""
+        springs = curved(self.spec)
+        return self.spec.closing_spring.stiffness, None if springs is None else springs.closing
+
+    @property
+    def following_stiffness(self) -> Values | None:
+        """Stiffness of the spring that follows a pack as it wears, N/m; None where the spec does not give it."""
+        stiffness, part = self.following
+        return stiffness if part is None else part.stiffness(part.deflection(self.pack_force_at_rest))
+
+    def lost_by_wear(self, wear: Values) -> Values:
+        """Force that the pack loses as each pair wears by so much, N; needs the stiffness of the spring."""
+        pairs, (_, part) = self.spec.friction_group.pairs, self.following
+        if part is None:
+            lost: Values = effects.force_lost_by_wear(self.following_stiffness, pairs, wear)
+            return lost
+        rest = self.pack_force_at_rest
+        left = larger(part.deflection(rest) - pairs * wear, 0.0)
+        return rest - part.force(left)
 
     @property
     def mean_radius(self) -> Values:
@@ -206,7 +230,15 @@ class Clutch(ABC):
         found, nominal = self._law_findings(), float(self.nominal_torque)
         first, second = self.friction
         lowest = min(float(self.torque(first.min, second.min)), float(self.torque(first.max, second.max)))
-        return [*found, *setting.findings(self.spec, nominal, lowest)]
+        return [*found, *setting.findings(self.spec, nominal, lowest), *self._part_findings()]
+
+    def _part_findings(self) -> list[Finding]:
+        if not any(spring and spring.part for spring in (self.spec.closing_spring, self.spec.control_spring)):
+            return []
+        control, travel = self.control_force, self.travel(self.friction[0].max)
+        return part_findings(
+            self.spec, float(self.closing_force), None if control is None else float(control), float(travel or 0.0)
+        )
 
     @abstractmethod
     def _law_findings(self) -> list[Finding]:

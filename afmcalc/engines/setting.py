@@ -35,19 +35,13 @@ def closing_force(spec: Spec, torque_per_force: Callable[[], Any]) -> Any:
 
 def _material_findings(spec: Spec) -> list[Finding]:
     """Echo the values that a material of the catalogue stands for, with their source."""
-    named = {"friction": spec.friction.material}
-    for group in ("driving", "driven"):
-        block = getattr(spec.friction, group)
-        named[f"friction.{group}"] = block.material if block else None
     found = []
-    for path, name in named.items():
-        if name is not None:
-            from ..spec.materials import catalogue
+    for path, name in spec.friction.materials.items():
+        from ..spec.materials import catalogue
 
-            entry = catalogue()[name]
-            ends = {"low": entry.friction_min, "high": entry.friction_max}
-            where = f"{path}.material"
-            found.append(finding("material", "info", path=where, name=name, source=entry.source, **ends))
+        entry = catalogue()[name]
+        ends = {"low": entry.friction_min, "high": entry.friction_max}
+        found.append(finding("material", "info", path=path, name=name, source=entry.source, **ends))
     return found
 
 

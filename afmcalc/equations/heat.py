@@ -214,27 +214,78 @@ def surface_rise(flux: Number, fall: Number, time: Number, effusivity: Number, p
         ΔΘ_s [K].
 
     Validity:
-        A half-space: the heat has not reached the middle of the disc, k t/(ρ c l²) < 0.3.
+        A half-space: the heat has not reached the middle of the disc, k t/(ρ c l²) < 0.05.
     """
     return 2 * (flux - 2 * fall * time / 3) * (time / pi) ** 0.5 / effusivity
 
 
-def hottest_time(flux: Number, fall: Number) -> Number:
-    """When the surface is hottest under a flux that falls evenly, q_0/(2 s): half the time to its end.
+def surface_rise_thin(
+    flux: Number,
+    fall: Number,
+    time: Number,
+    conductivity: Number,
+    density: Number,
+    specific_heat: Number,
+    depth: Number,
+) -> Number:
+    """Rise of a face whose heat has come through, (q_0 − s t/2) t/(ρ c l) + (q_0 − s t) l/(3 k) + s ρ c l³/(45 k²).
 
-    Source: Theory of the drive, section 10; derivative of the rise.
+    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 3.8 (3), by Duhamel; theory of the drive, section 10.
 
     Args:
-        flux: q_0, as the slip begins [W/m^2].
-        fall: s, how fast the flux falls [W/m^2/s].
+        flux: q_0, into the face as the slip begins [W/m^2].
+        fall: s, how fast the flux falls; 0 for a constant one [W/m^2/s].
+        time: t, since the slip began [s].
+        conductivity: k, thermal conductivity [W/m/K].
+        density: ρ [kg/m^3].
+        specific_heat: c, specific heat [J/kg/K].
+        depth: l, to the middle of the disc [m].
 
     Returns:
-        t_m [s].
+        ΔΘ_s [K].
 
     Validity:
-        s > 0.
+        k t/(ρ c l²) > 1; before that less the terms of ``surface_rise_term``.
     """
-    return flux / (2 * fall)
+    mean = (flux - fall * time / 2) * time / (density * specific_heat * depth)
+    across = (flux - fall * time) * depth / (3 * conductivity)
+    return mean + across + fall * density * specific_heat * depth**3 / (45 * conductivity**2)
+
+
+def surface_rise_term(
+    flux: Number,
+    fall: Number,
+    order: Number,
+    exponential: Number,
+    conductivity: Number,
+    density: Number,
+    specific_heat: Number,
+    depth: Number,
+    pi: Number,
+) -> Number:
+    """What a wave of the disc's temperature still lacks at the face, 2 l e_n/(π² k n²) [q_0 + s ρ c l²/(π² k n²)].
+
+    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 3.8 (3), by Duhamel; theory of the drive, section 10.
+
+    Args:
+        flux: q_0, into the face as the slip begins [W/m^2].
+        fall: s, how fast the flux falls; 0 for a constant one [W/m^2/s].
+        order: n, number of half waves, 1, 2, … [1].
+        exponential: e_n, exp(−n² π² k t/(ρ c l²)) [1].
+        conductivity: k, thermal conductivity [W/m/K].
+        density: ρ [kg/m^3].
+        specific_heat: c, specific heat [J/kg/K].
+        depth: l, to the middle of the disc [m].
+        pi: π, a symbol under SymPy [1].
+
+    Returns:
+        ΔΘ_n [K].
+
+    Validity:
+        None.
+    """
+    wave = pi * pi * conductivity * order * order
+    return 2 * depth * exponential * (flux + fall * density * specific_heat * depth**2 / wave) / wave
 
 
 def heated_depth(mass: Number, density: Number, pairs: Number, area: Number) -> Number:
@@ -355,3 +406,23 @@ def setting_loss_per_wear(stiffness: Number, pairs: Number, force: Number) -> Nu
         Nobody sets the spring again; a straight spring.
     """
     return stiffness * pairs / force
+
+
+def time_between_trips(mass: Number, specific_heat: Number, cooling: Number, logarithm: Number) -> Number:
+    """Time between trips after each of which the discs just reach a limit, m c λ/(α A_c).
+
+    Source: Theory of the drive, section 10: one body that cools between trips, when every trip is as the last.
+
+    Args:
+        mass: m, of the discs that take the heat [kg].
+        specific_heat: c, of the discs [J/kg/K].
+        cooling: α A_c, heat given off per kelvin [W/K].
+        logarithm: λ, −ln(1 − ΔΘ/(Θ_max − Θ_0)), of the share of the limit that a trip leaves [1].
+
+    Returns:
+        t_p [s].
+
+    Validity:
+        ΔΘ < Θ_max − Θ_0; the trip is short against the time between.
+    """
+    return mass * specific_heat * logarithm / cooling

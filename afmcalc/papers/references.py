@@ -6,5 +6,7 @@ REFERENCES = {
     "S19": "Шишкарёв М.П. Влияние способа настройки АФМ на величину изменения передаваемой нагрузки (2019).",
     "S21": "Шишкарев М.П. Синтез АФМ первого поколения с косвенным регулированием (2021).",
     "S22": "Шишкарев М.П. Уровень перегрузок в приводе машины с АФМ со всеми ведущими парами трения (2022).",
+    "CJ": "Carslaw H.S., Jaeger J.C. Conduction of Heat in Solids. 2nd ed. Oxford, 1959.",
+    "Fi68": "Finkin E.F. Spline friction in multiple disc clutches. J. Lubrication Technology 90 (1968) 65.",
 }
 """Key → reference, as the formulas cite them."""

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from sympy import Expr
 
-MODULES = ("direct", "adjustment", "indirect", "overload", "parts", "inverse", "numbers", "drive", "motion")
+MODULES = ("direct", "adjustment", "indirect", "overload", "parts", "inverse", "motion", "heat", "springs", "numbers")
 
 
 class Identity(NamedTuple):

@@ -15,11 +15,18 @@ _DISPLAY = {
     "Pa": ("MPa", 1e-6),
     "J": ("kJ", 1e-3),
     "J/m^2": ("J/mm²", 1e-6),
+    "W/m^2": ("W/mm²", 1e-6),
+    "1/m": ("1/mm", 1e-3),
+    "K abs": ("°C", 1.0),
     "1/(N*m)": ("1/(N·m)", 1.0),
     "degC": ("°C", 1.0),
     "1": ("–", 1.0),
     "": ("", 1.0),
 }
+
+
+_ZEROS = {"K abs": 273.15}
+"""Units shown on a scale that begins elsewhere: what is taken off first."""
 
 
 def display_unit(unit: str) -> str:
@@ -54,7 +61,7 @@ def display(value: object, unit: str) -> str:
         return translate("yes" if value else "no", "value")
     if not isinstance(value, int | float):
         return printable(worded(str(value)))
-    return significant(value * _DISPLAY.get(unit, (unit, 1.0))[1])
+    return significant((value - _ZEROS.get(unit, 0.0)) * factor(unit))
 
 
 def worded(text: str) -> str:

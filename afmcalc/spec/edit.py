@@ -22,6 +22,8 @@ _REPLACED = {
     ),
     "closing_spring.force": ("adjustment.nominal_torque",),
     "adjustment.nominal_torque": ("closing_spring.force", "control_spring.force"),
+    "closing_spring.stiffness": ("closing_spring.disc", "closing_spring.coil"),
+    "control_spring.stiffness": ("control_spring.disc", "control_spring.coil"),
     "friction.min": ("friction.material",),
     "friction.mean": ("friction.material",),
     "friction.max": ("friction.material",),

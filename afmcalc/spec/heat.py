@@ -6,6 +6,7 @@ from pydantic import model_validator
 
 from ..messages import say
 from . import rules
+from .drive import Drive
 from .fields import Block, Length, Quantity, key_field
 
 DiscMass = Annotated[float, Quantity("kg", gt=0)]
@@ -45,3 +46,11 @@ class Heat(Block):
             message = say("required beside heat.{given}", given=given[0])
             raise rules.RuleError([rules.wrong(name, message) for name in missing])
         return self
+
+
+def missing_of(drive: Drive) -> list[str]:
+    """Keys of the [drive] block that are missing, without which neither a simulation nor V1 can be asked."""
+    if drive.motor is not None:
+        return ["event"]
+    held = drive.motor_inertia is not None or drive.cut_off is not None
+    return [*(["speed"] if drive.speed is None else []), *([] if held else ["motor_inertia"])]

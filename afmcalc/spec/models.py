@@ -20,7 +20,7 @@ from ..errors import Problem
 from ..messages import say
 from ..source import Source
 from ..variants import VARIANTS, Variant
-from . import drive, rules
+from . import drive, rules, springs
 from .contact import Contact
 from .drive import Drive, Mass, SlidingSpeed, TimeOrNone
 from .fatigue import Fatigue
@@ -34,8 +34,6 @@ from .fields import (
     Length,
     Name,
     Ratio,
-    Stiffness,
-    StiffnessOrNone,
     Torque,
     WallAngle,
     key_field,
@@ -43,6 +41,7 @@ from .fields import (
 from .heat import Heat
 from .report import TitleBlock
 from .required import Required
+from .springs import ClosingSpring, ControlSpring
 from .tolerance import Tolerance, in_si
 
 
@@ -132,6 +131,12 @@ class Friction(FrictionRange):
         """Whether the two groups have materials of their own."""
         return self.driving is not None
 
+    @property
+    def materials(self) -> dict[str, str]:
+        """Names of the materials by the paths of their keys."""
+        blocks = {"friction": self, "friction.driving": self.driving, "friction.driven": self.driven}
+        return {f"{path}.material": own.material for path, own in blocks.items() if own and own.material}
+
 
 class FrictionGroup(Block):
     """The pack of friction discs."""
@@ -154,24 +159,6 @@ class FrictionGroup(Block):
             message = say("must be greater than friction_group.inner_radius ({inner:g} m)", inner=self.inner_radius)
             raise rules.RuleError([rules.wrong("outer_radius", message)])
         return self
-
-
-class ClosingSpring(Block):
-    """The spring that presses the pack (13 in S21)."""
-
-    force: Force | None = key_field("closing-spring force as set", "F_п")
-    stiffness: Stiffness | None = key_field("stiffness of the closing spring; needed by an indirect clutch", "c_1")
-
-
-class ControlSpring(Block):
-    """The spring that holds the thrust sleeve at its stop (11 in S21)."""
-
-    stiffness: StiffnessOrNone = Field(
-        description="stiffness of the control spring", json_schema_extra={"symbol": "c_2"}
-    )
-    force: Force | None = key_field(
-        "control-spring force as made; default so that the sleeve just rests at T_н", "F_п2"
-    )
 
 
 class ControlUnit(Block):
@@ -244,7 +231,9 @@ class Spec(Block):
     @classmethod
     def _every_problem_at_once(cls, data: object, handler: ModelWrapValidatorHandler["Spec"]) -> "Spec":
         """Report what the blocks find and what the rules between them find together."""
-        problems = [*rules.problems(data), *drive.problems(data)] if isinstance(data, dict) else []
+        problems = (
+            [*rules.problems(data), *drive.problems(data), *springs.problems(data)] if isinstance(data, dict) else []
+        )
         try:
             spec = handler(data)
         except ValidationError as error:

@@ -99,7 +99,7 @@ def test_printed_m11_fails():
         printed_m11(*loop_gains, friction, smallest, 1.25)
 
 
-@given(st.lists(st.floats(0.05, 3), min_size=8, max_size=8))
+@given(st.lists(st.floats(0.05, 3), min_size=10, max_size=10))
 def test_floats_and_arrays_agree(values):
     """The same function on an array of one gives the float, to the last bit but for powers."""
     import numpy as np

@@ -1,7 +1,6 @@
 """Surface pressure of the friction discs against what their material allows."""
 
 import math
-from typing import Any
 
 from ...engines.protocol import Clutch
 from ...equations import geometry
@@ -25,16 +24,10 @@ def pressure_findings(clutch: Clutch) -> list[Finding]:
         pressures["peak-pressure"] = geometry.peak_pressure_uniform_wear(*ring)
     return [
         _finding(kind, pressure, material, path)
-        for path, material in _materials(clutch.spec.friction)
+        for path, material in ((path, catalogue()[name]) for path, name in clutch.spec.friction.materials.items())
+        if material.pressure_max is not None
         for kind, pressure in pressures.items()
     ]
-
-
-def _materials(friction: Any) -> list[tuple[str, Material]]:
-    """Materials of the spec that have an allowable pressure, with their key paths."""
-    blocks = {"friction": friction, "friction.driving": friction.driving, "friction.driven": friction.driven}
-    named = [(f"{path}.material", catalogue()[b.material]) for path, b in blocks.items() if b and b.material]
-    return [(path, material) for path, material in named if material.pressure_max is not None]
 
 
 def _finding(kind: str, pressure: float, material: Material, path: str) -> Finding:

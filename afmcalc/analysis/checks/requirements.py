@@ -7,7 +7,7 @@ from typing import Any, Literal, NamedTuple
 from ...engines.protocol import Clutch
 from ...findings import Finding, finding
 from ...messages import term
-from ...result import Result, quantity
+from ...result import OpenTriple, Result, Triple, quantity
 from ...spec.paths import keys
 from ..answers import Answers
 from ..registry import ANALYSES
@@ -52,9 +52,10 @@ def _outer_diameter(clutch: Clutch, found: Any) -> float | None:
     return None if outer is None else 2 * outer
 
 
-def _peak_torque(clutch: Clutch, found: Any) -> float:
-    peaks: dict[str, float] = found.peak_torque.model_dump()
-    return max(peaks.values())
+def _most(found: Triple | OpenTriple | None) -> float | None:
+    """The largest over the friction range; None where one of them is not known."""
+    values = [None] if found is None else [found.min, found.mean, found.max]
+    return None if None in values else max(each for each in values if each is not None)
 
 
 def _cycles(clutch: Clutch, found: Any) -> float:
@@ -70,10 +71,10 @@ JUDGED: dict[str, Judged] = {
     "accuracy_factor": Judged("accuracy", lambda clutch, found: found.accuracy_factor),
     "torque_max": Judged("torque", lambda clutch, found: max(found.torque.min, found.torque.max)),
     "outer_diameter": Judged("torque", _outer_diameter, needs="friction_group.outer_radius"),
-    "peak_torque": Judged("simulate", _peak_torque, needs="[drive] with an event"),
+    "peak_torque": Judged("simulate", lambda clutch, found: _most(found.peak_torque), needs="[drive] with an event"),
     "exceedance": Judged("tolerance", _exceedance, needs="[tolerance], its torque_limit absent or that torque_max"),
-    "work": Judged("heat"),
-    "temperature": Judged("heat"),
+    "work": Judged("heat", lambda clutch, found: _most(found.specific_work), needs="[drive], [heat] and both radii"),
+    "temperature": Judged("heat", lambda clutch, found: _most(found.temperature), needs="[drive] and [heat]"),
     "cycles": Judged("life", _cycles, least=True, needs="[fatigue]"),
 }
 """Key of [requirements] → how it is judged; its unit is that of the key. What has no outcome yet is not judged."""

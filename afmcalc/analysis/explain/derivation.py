@@ -9,7 +9,7 @@ from ...messages import joined, say, term
 from ...papers.register import register
 from ...spec.paths import keys
 from .formula import FormulaText, symbol_latex
-from .trace import Call, Case, Marked, distinct, identity
+from .trace import Call, Circumstance, Marked, distinct, identity
 
 
 class Meaning(NamedTuple):
@@ -29,7 +29,7 @@ class Meaning(NamedTuple):
 class CaseRow(NamedTuple):
     """One case: what it is for, the numbers put in (LaTeX), and what comes out (SI)."""
 
-    case: Case
+    case: Circumstance
     numbers: str
     value: float
 

@@ -245,7 +245,7 @@ def _number(value: Any, unit: str, *, latex: bool) -> str:
         text = f"{mantissa}\\cdot 10^{{{int(exponent)}}}" if latex else f"({mantissa}·10^{int(exponent)})"
     if unit == "1":
         return text
-    shown = unit.replace("*", "·").replace("^3", "³")
+    shown = unit.replace("*", "·").replace("^3", "³").replace("^2", "²")
     return f"{text}\\,\\text{{{shown}}}" if latex else f"{text} {shown}"
 
 

@@ -14,7 +14,7 @@ from ...spec.edit import with_value
 from ...spec.models import Friction, Method, Range
 from ...variants import Law
 
-_LAWS = get_args(Law)
+_LAWS = (*get_args(Law), "drive", "heat")
 """Modules of equations whose results are for the friction that their arguments are for."""
 _RETURNING = "indirect.net_gain_returning"
 _UNPROTECTED = "life.torque_unprotected"
@@ -33,7 +33,7 @@ Branch = Literal["", "returning", "held"]
 Side = Literal["", "protected", "unprotected"]
 
 
-class Case(NamedTuple):
+class Circumstance(NamedTuple):
     """What a value is for, as far as it is known."""
 
     friction: str | None = None
@@ -59,14 +59,14 @@ class Case(NamedTuple):
 class Marked(float):
     """A number that knows what it is; arithmetic on it gives a plain number, which says nothing it does not know."""
 
-    case: Case
+    case: Circumstance
     """What it is, or is for."""
     end: str
     """End of the range that a coefficient of friction is: min, cp, max."""
     origin: str
     """Equation it came from."""
 
-    def __new__(cls, value: float, case: Case, *, end: str = "", origin: str = "") -> "Marked":
+    def __new__(cls, value: float, case: Circumstance, *, end: str = "", origin: str = "") -> "Marked":
         """Mark ``value``."""
         marked = super().__new__(cls, value)
         marked.case, marked.end, marked.origin = case, end, origin
@@ -88,7 +88,7 @@ class _MarkedFriction(Friction):
 
 def _marked(own: Range, group: str = "") -> Range:
     ends = zip(own, ("min", "cp", "max"), strict=True)
-    return Range(*(Marked(value, Case(f"f_{group}{end}"), end=end) for value, end in ends))
+    return Range(*(Marked(value, Circumstance(f"f_{group}{end}"), end=end) for value, end in ends))
 
 
 def with_roles(spec: Spec) -> Spec:
@@ -98,7 +98,7 @@ def with_roles(spec: Spec) -> Spec:
     force = spec.closing_spring.force
     if force is None:
         return marked
-    set_so = Marked(force, Case(setting=spec.adjustment.method))
+    set_so = Marked(force, Circumstance(setting=spec.adjustment.method))
     return with_value(marked, ("closing_spring", "force"), set_so)
 
 
@@ -121,7 +121,7 @@ class Call(NamedTuple):
         return str(value.case.friction) if value.end and symbol in ("f", "f_i") else symbol
 
     @property
-    def case(self) -> Case:
+    def case(self) -> Circumstance:
         """What the value is for: what its arguments are for, as far as they agree."""
         return self._at._replace(setting=self._setting, side=self._side)
 
@@ -135,29 +135,29 @@ class Call(NamedTuple):
         return [value for value in self._marked if not value.end]
 
     @property
-    def _at(self) -> Case:
+    def _at(self) -> Circumstance:
         """For which friction, and on which branch."""
         own, module = self._own, self.equation.name.partition(".")[0]
         if self.equation.name in _OF_THE_CLUTCH or ".accuracy_factor" in self.equation.name:
-            return Case()
+            return Circumstance()
         if module not in _LAWS:
-            return Case(own) if own else self._shared(over_range=module == "life")
+            return Circumstance(own) if own else self._shared(over_range=module == "life")
         if own and any(value.origin == _RETURNING for value in self._results):
-            return Case(own, "returning")
+            return Circumstance(own, "returning")
         shared = self._shared()
         if shared.friction is None or "friction_set" in self.arguments:
-            return Case(own)
+            return Circumstance(own)
         if own in (None, shared.friction):
             return shared
-        return Case(own, "held", shared.friction)
+        return Circumstance(own, "held", shared.friction)
 
-    def _shared(self, *, over_range: bool = False) -> Case:
+    def _shared(self, *, over_range: bool = False) -> Circumstance:
         """What the results among the arguments are for; the range between them where a cycle goes over one."""
         cases = {value.case._replace(setting=None, side=""): None for value in self._results if value.case.friction}
         if len(cases) == 1:
             return next(iter(cases))
         ends = [case.at or "" for case in cases]
-        return Case(" … ".join(ends)) if over_range and cases else Case()
+        return Circumstance(" … ".join(ends)) if over_range and cases else Circumstance()
 
     @property
     def _setting(self) -> Method | None:

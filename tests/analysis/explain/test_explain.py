@@ -45,7 +45,7 @@ def test_the_text_of_every_equation_evaluates_to_the_equation(name):
     text = FormulaText(equation.function, letters, values, units).text()
     read = sympy.sympify(text.replace("·", "*").replace("^", "**"))
     value = read.subs({letters[argument]: values[argument] for argument in letters})
-    assert float(value) == pytest.approx(float(equation.function(**values)), rel=1e-12), text
+    assert complex(value) == pytest.approx(complex(equation.function(**values)), rel=1e-12), text
 
 
 def test_recording_restores_the_functions_and_lists_outermost_calls():

@@ -46,6 +46,8 @@ PICTURES = {
     "life-several": ("life", ["default", "all-driving", "indirect"], {}),
     "pocket": ("pocket", ["default"], {}),
     "pocket-indirect": ("pocket", ["indirect"], {}),
+    "effects": ("effects", ["effects"], {}),
+    "springs": ("springs", ["springs"], {}),
     "tolerance": ("tolerance", ["tolerance"], {}),
     "tolerance-exact": ("tolerance", ["exact"], {}),
     "pareto": ("pareto", ["requirements"], {}),
@@ -69,6 +71,13 @@ def subject_of(kind, subject):
     if subject == "exact":
         only = ['tolerance.fields={"friction" = {distribution="uniform"}}']
         return Answers(build(read_spec(CONFIGS / "default.toml", only)))
+    if subject == "springs":
+        shape = "outer_diameter=0.04, inner_diameter=0.0204, thickness=1.5e-3, free_height=2.65e-3, series=6"
+        return Answers(build(read_spec(CONFIGS / "indirect.toml", [f"closing_spring.disc={{{shape}}}"])))
+    if subject == "effects":
+        splines = ["spline_friction=0.1", "inner_spline_radius=0.075", "outer_spline_radius=0.125"]
+        neglected = [*(f"friction_group.{each}" for each in splines), "control_unit.wall_friction=0.1"]
+        return Answers(build(read_spec(CONFIGS / "default.toml", neglected)))
     return Answers(package.load(CONFIGS / f"{subject}.toml"))
 
 
@@ -156,7 +165,8 @@ def test_a_name_is_text(afmcalc, tmp_path):
 @pytest.mark.parametrize("what", sorted(set(PLOTS) - {"pocket"}))
 def test_without_a_file_it_is_drawn_as_text(what, afmcalc):
     own = {"paper": "S22-3", "pareto": WISHES, "tolerance": CONFIGS / "tolerance.toml"}
-    run = afmcalc("plot", what, own.get(what, CONFIGS / "all-driving.toml"))
+    more = ["--set", "control_unit.wall_friction=0.1"] if what == "effects" else []
+    run = afmcalc("plot", what, own.get(what, CONFIGS / "all-driving.toml"), *more)
     assert run.code == 0
     assert "┤" in run.out
     assert "\x1b" not in run.out

@@ -12,6 +12,7 @@ __all__ = [
     "discs_in_their_splines",
     "heat_shared_by_two_bodies",
     "rise_of_a_heated_surface",
+    "rise_of_a_thin_disc",
     "slip_until_the_motor_stands",
     "temperature_of_the_discs",
     "wear_of_a_lining",
@@ -54,6 +55,11 @@ def temperature_of_the_discs() -> Steps:
     yield Identity("Θ_0 + n ΔΘ = Θ_max", ambient + trips * rise - limit)
     rate = heat.trips_per_time(k, limit, ambient, energy)
     yield Identity("heat in = heat out", rate * energy - k * (limit - ambient))
+    headroom = sp.Symbol("H", positive=True)
+    between = heat.time_between_trips(m, c, k, -sp.log(1 - rise / headroom))
+    # what cooling leaves of the headroom, and the next trip's rise, make it up again
+    left = headroom * sp.exp(-between * k / (m * c))
+    yield Identity("the limit again after every trip", left + rise - headroom)
     depth = heat.heated_depth(m, rho, z, A)
     yield Identity("z A l ρ = m", z * A * depth * rho - m)
     diffusivity = k / (rho * c)
@@ -69,15 +75,42 @@ def rise_of_a_heated_surface() -> Steps:
     rise = sp.nsimplify(heat.surface_rise(q0, s, t, b, sp.pi))
     yield Identity("Duhamel", rise - duhamel)
     yield Identity("Carslaw & Jaeger 2.9 (7)", rise.subs(s, 0) - 2 * q0 * sp.sqrt(t / sp.pi) / b)
-    hottest = heat.hottest_time(q0, s)
-    yield Identity("hottest where it no longer rises", sp.diff(rise, t).subs(t, hottest))
     stop = q0 / s
-    yield Identity("half the time of slip", hottest - stop / 2)
+    hottest = stop / 2
+    yield Identity("hottest half the time of slip", sp.diff(rise, t).subs(t, hottest))
     most = sp.Rational(4, 3) / sp.sqrt(2 * sp.pi) * q0 * sp.sqrt(stop) / b
     yield Identity("4/(3 √(2π)) = 0.5319", rise.subs(t, hottest) - most)
     yield Refutation("the end is not the hottest", rise.subs(t, stop) - most)
     spread = sp.nsimplify(heat.effusivity(k, rho, c))
     yield Identity("b² = k ρ c", spread**2 - k * rho * c)
+
+
+def rise_of_a_thin_disc() -> Steps:
+    """A disc heated on both faces: the equation of heat, the flux at the face, none in the middle, cold at first."""
+    depth, place = sp.symbols("l x", positive=True)
+    order = sp.Symbol("n", positive=True, integer=True)
+    spread = k / (rho * c)
+
+    def thin(time: sp.Expr) -> sp.Expr:
+        return heat.surface_rise_thin(q0, s, time, k, rho, c, depth)
+
+    # even polynomials in x whose means vanish
+    across = place**2 / (2 * depth**2) - sp.Rational(1, 6)
+    bent = place**4 / (24 * depth**2) - place**2 / 12 + 7 * depth**2 / 360
+    inside = (
+        (q0 - s * t / 2) * t / (rho * c * depth) + (q0 - s * t) * depth / k * across - s * depth / (k * spread) * bent
+    )
+    yield Identity("equation of heat", sp.diff(inside, t) - spread * sp.diff(inside, place, 2))
+    yield Identity("flux at the face", k * sp.diff(inside, place).subs(place, depth) - (q0 - s * t))
+    yield Identity("none in the middle", sp.diff(inside, place).subs(place, 0))
+    yield Identity("C&J 3.8 (3) at the face, long after", thin(t) - inside.subs(place, depth))
+    wave = sp.cos(order * sp.pi * place / depth)
+    decay = sp.exp(-((order * sp.pi) ** 2) * spread * t / depth**2)
+    yield Identity("waves: equation of heat", sp.diff(wave * decay, t) - spread * sp.diff(wave * decay, place, 2))
+    share = 2 * sp.integrate(inside.subs(t, 0) * wave, (place, 0, depth)) / depth
+    term = heat.surface_rise_term(q0, s, order, decay, k, rho, c, depth, sp.pi)
+    yield Identity("cold at first, each wave", sp.simplify(share * wave.subs(place, depth)) * decay - term)
+    yield Identity("cold at first, the mean", sp.integrate(inside.subs(t, 0), (place, 0, depth)))
 
 
 def heat_shared_by_two_bodies() -> Steps:

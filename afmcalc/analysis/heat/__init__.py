@@ -1,0 +1,1 @@
+"""Heat and wear of a trip."""

@@ -1,0 +1,206 @@
+"""Heat and wear of a trip: work, temperature, trips per hour, trips until the lining is gone."""
+
+import math
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+from ...arrays import Values
+from ...engines.protocol import Clutch
+from ...equations import heat as law
+from ...errors import CalculationError
+from ...findings import Finding
+from ...messages import say
+from ...result import OpenTriple, Triple
+from ...spec.heat import Heat
+from .limit import FREEZING, Limit, limit_of
+from .remarks import remarks
+from .result import HeatResult
+from .trip import ENDS, HeatedSlip, HeatedSlips, trips
+
+if TYPE_CHECKING:
+    from ..answers import Answers
+    from .surface import Body
+
+THROUGH = 0.3
+"""Fourier number from which the heat has reached the middle of the disc; faces no longer share it as half-spaces do."""
+HOUR = 3600.0
+
+
+def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, list[Finding]]:
+    """Calculate heat and wear of a trip.
+
+    Args:
+        clutch: the clutch; its spec says what drives it ([drive]), and of its discs what is known ([heat]).
+        answers: what was asked of it already.
+
+    Returns:
+        The result and its findings.
+
+    Raises:
+        SpecError: the [drive] block does not tell the heat of a trip.
+        CalculationError: the surroundings are hotter than what the material allows.
+    """
+    slips = trips(clutch, answers)
+    found = slips.at
+    own, limit, area = clutch.spec.heat or Heat(), limit_of(clutch), _area(clutch)
+    if limit is not None and own.ambient is not None and own.ambient >= limit.low:
+        raise CalculationError(
+            say(
+                "heat: heat.ambient, {ambient:.4g} °C, is no cooler than the {limit:.4g} °C that {path} allows",
+                ambient=own.ambient - FREEZING,
+                limit=limit.low - FREEZING,
+                path=limit.path,
+            )
+        )
+    work = None if area is None else _each(found, lambda trip: law.specific_work(trip.energy, _pairs(clutch), area))
+    rises = _rises(own, found)
+    result = HeatResult(
+        energy_source=slips.source,
+        slip_time=OpenTriple(**{end: found[end].time for end in ENDS}),
+        energy=OpenTriple(**{end: found[end].energy for end in ENDS}),
+        specific_work=work,
+        power_density=_power(clutch, slips, area),
+        temperature_rise=rises,
+        temperature=_temperatures(own, rises),
+        surface_temperature_rise=_surface(clutch, own, slips, area),
+        temperature_limit=limit.low if limit and own.ambient is not None else None,
+        **_trips(own, found, limit, rises),
+        trips_to_wear_out=_worn_out(clutch, own, found, area),
+        **_setting(clutch, own),
+    )
+    return result, [*clutch.findings(), *remarks(clutch, own, result, slips, limit)]
+
+
+def _each(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values]) -> OpenTriple:
+    """Of every trip that ends."""
+    return OpenTriple(**{end: None if found[end].energy is None else of(found[end]) for end in ENDS})
+
+
+def _how_many(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values]) -> OpenTriple:
+    """Of every trip that ends and gives heat: without it there may be any number."""
+    return OpenTriple(**{end: of(found[end]) if found[end].energy else None for end in ENDS})
+
+
+def _pairs(clutch: Clutch) -> Values:
+    return clutch.spec.friction_group.pairs
+
+
+def _area(clutch: Clutch) -> float | None:
+    group = clutch.spec.friction_group
+    if group.inner_radius is None or group.outer_radius is None:
+        return None
+    area: float = law.friction_area(group.inner_radius, group.outer_radius, math.pi)
+    return area
+
+
+def _power(clutch: Clutch, slips: HeatedSlips, area: float | None) -> Triple | None:
+    if area is None:
+        return None
+    return Triple(**{end: _flux(clutch, slips, trip, area) for end, trip in slips.at.items()})
+
+
+def _flux(clutch: Clutch, slips: HeatedSlips, trip: HeatedSlip, area: float) -> Values:
+    flux: Values = law.power_density(trip.torque, slips.speed, _pairs(clutch), area)
+    return flux
+
+
+def _rises(own: Heat, found: Mapping[str, HeatedSlip]) -> OpenTriple | None:
+    if own.disc_mass is None or own.specific_heat is None:
+        return None
+    return _each(found, lambda trip: law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat))
+
+
+def _temperatures(own: Heat, rises: OpenTriple | None) -> OpenTriple | None:
+    if rises is None or own.ambient is None:
+        return None
+    after = {end: getattr(rises, end) for end in ENDS}
+    return OpenTriple(**{end: None if rise is None else own.ambient + rise for end, rise in after.items()})
+
+
+def _body(clutch: Clutch, own: Heat, area: float | None) -> "Body | None":
+    """What the faces heat; None where that is not known."""
+    if own.conductivity is None or own.density is None or own.specific_heat is None or area is None:
+        return None
+    from .surface import Body
+
+    mass = own.disc_mass
+    depth = None if mass is None else float(law.heated_depth(mass, own.density, _pairs(clutch), area))
+    return Body(own.conductivity, own.density, own.specific_heat, depth)
+
+
+def _surface(clutch: Clutch, own: Heat, slips: HeatedSlips, area: float | None) -> OpenTriple | None:
+    """Largest rise of the faces; the flux falls evenly from that of the speed before the trip, and gives its heat."""
+    body = _body(clutch, own, area)
+    if body is None or area is None:
+        return None
+    from .surface import largest_rise
+
+    def rise(trip: HeatedSlip) -> Values:
+        assert trip.time is not None
+        if not trip.time:
+            return 0.0
+        share = _share(own, body, trip.time)
+        mean = share * law.specific_work(trip.energy, _pairs(clutch), area) / trip.time
+        # heat of less than half its first power: the slip began slower than the motor turns
+        start = min(share * _flux(clutch, slips, trip, area), 2 * mean)
+        return largest_rise(body, float(start), float(mean), float(trip.time))
+
+    return _each(slips.at, rise)
+
+
+def _share(own: Heat, body: "Body", time: Values) -> float:
+    """Share of the heat that the discs take: by the effusivities until it has come through them, then all."""
+    if own.lining_conductivity is None or body.fourier(float(time)) > THROUGH:
+        return 1.0
+    lining = law.effusivity(own.lining_conductivity, own.lining_density, own.lining_specific_heat)
+    return float(law.share_of_flux(body.effusivity, lining))
+
+
+def _trips(
+    own: Heat, found: Mapping[str, HeatedSlip], limit: Limit | None, rises: OpenTriple | None
+) -> dict[str, OpenTriple | None]:
+    """How many trips the limit allows, one upon the other and per hour."""
+    if limit is None or own.ambient is None:
+        return {}
+    room, ambient, told = limit.low - own.ambient, own.ambient, {}
+    if rises is not None:
+        told["trips_without_cooling"] = _how_many(
+            found, lambda trip: law.trips_without_cooling(limit.low, ambient, _rise_of(own, trip))
+        )
+    if own.cooling is not None:
+        told["trips_per_hour"] = _how_many(
+            found, lambda trip: HOUR * law.trips_per_time(own.cooling, limit.low, ambient, trip.energy)
+        )
+        if rises is not None:
+            told["trips_per_hour_peak"] = _how_many(found, lambda trip: _rate(own, float(_rise_of(own, trip) / room)))
+    return dict(told)
+
+
+def _rise_of(own: Heat, trip: HeatedSlip) -> Values:
+    rise: Values = law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat)
+    return rise
+
+
+def _rate(own: Heat, used: float) -> float:
+    """Trips per hour, each of which uses a share of the room up to the limit."""
+    if used >= 1:
+        return 0.0
+    logarithm = -math.log1p(-used)
+    return HOUR / float(law.time_between_trips(own.disc_mass, own.specific_heat, own.cooling, logarithm))
+
+
+def _worn_out(clutch: Clutch, own: Heat, found: Mapping[str, HeatedSlip], area: float | None) -> OpenTriple | None:
+    if own.wear is None or own.lining is None or area is None:
+        return None
+    return _how_many(found, lambda trip: law.trips_to_wear_out(_pairs(clutch), area, own.lining, own.wear, trip.energy))
+
+
+def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
+    """Force on the pack that its wear costs: what presses it at rest follows it."""
+    stiffness = clutch.following_stiffness
+    if stiffness is None:
+        return {}
+    loss = law.setting_loss_per_wear(stiffness, _pairs(clutch), clutch.pack_force_at_rest)
+    rest = clutch.pack_force_at_rest
+    worn = {} if own.lining is None else {"setting_loss_worn": clutch.lost_by_wear(own.lining) / rest}
+    return {"setting_loss_per_wear": loss, **worn}

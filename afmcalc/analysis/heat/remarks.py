@@ -1,0 +1,77 @@
+"""Findings on heat and wear of a trip."""
+
+from ...engines.protocol import Clutch
+from ...findings import Finding, finding
+from ...spec.heat import Heat
+from .limit import FREEZING, Limit
+from .result import HeatResult
+from .trip import HeatedSlips, motor_torque
+
+_NAMES = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
+
+
+def remarks(clutch: Clutch, own: Heat, result: HeatResult, slips: HeatedSlips, limit: Limit | None) -> list[Finding]:
+    """What a designer should know of the trip, its temperature, and what was not told."""
+    return [
+        *_end_findings(clutch, slips),
+        *_temperature_findings(result, limit),
+        *_surface_findings(own, result),
+        *_missing_findings(clutch, own, limit),
+    ]
+
+
+def _end_findings(clutch: Clutch, slips: HeatedSlips) -> list[Finding]:
+    """Say where the motor carries the slip torque."""
+    off = clutch.spec.drive.cut_off
+    carried = {end: trip for end, trip in slips.at.items() if trip.carried}
+    if not carried:
+        return [*slips.found]
+    at, path = ", ".join(_NAMES[end] for end in carried), "drive.cut_off"
+    least, motor = float(min(trip.torque for trip in carried.values())), float(motor_torque(clutch))
+    if off is None:
+        return [finding("motor-never-stops", "error", value=least, limit=motor, path=path, at=at)]
+    heat = max(float(trip.energy or 0.0) for trip in carried.values())
+    return [
+        finding("motor-stops-at-cut-off", "warning", value=least, limit=motor, path=path, at=at, heat=heat, off=off)
+    ]
+
+
+def _temperature_findings(result: HeatResult, limit: Limit | None) -> list[Finding]:
+    if result.temperature is None or limit is None or limit.name is None:
+        return []
+    after = [each for each in vars(result.temperature).values() if each is not None]
+    hottest = max(after, default=0.0)
+    if hottest <= limit.low:
+        return []
+    beyond = hottest > limit.high
+    said = {"celsius": hottest - FREEZING, "low": limit.low - FREEZING, "high": limit.high - FREEZING}
+    return [
+        finding(
+            "temperature-exceeded" if beyond else "temperature-in-range", "error" if beyond else "warning",
+            value=hottest, limit=limit.high if beyond else limit.low, path=limit.path, name=limit.name, **said,
+        )
+    ]  # fmt: skip
+
+
+def _surface_findings(own: Heat, result: HeatResult) -> list[Finding]:
+    """Say what the temperature of the faces rests on."""
+    if result.surface_temperature_rise is None:
+        return []
+    said = []
+    if own.lining_conductivity is None:
+        said.append(finding("discs-take-all", "info", path="heat.lining_conductivity"))
+    if own.disc_mass is None:
+        said.append(finding("discs-thick", "info", path="heat.disc_mass"))
+    return said
+
+
+def _missing_findings(clutch: Clutch, own: Heat, limit: Limit | None) -> list[Finding]:
+    """Say what was not told, and the key that would tell it."""
+    group = clutch.spec.friction_group
+    missing = [] if group.inner_radius is not None else ["friction_group.inner_radius", "friction_group.outer_radius"]
+    wanted = ("disc_mass", "specific_heat", "ambient", "cooling", "wear", "lining", "conductivity", "density")
+    missing += [f"heat.{key}" for key in wanted if getattr(own, key) is None]
+    if clutch.following_stiffness is None:
+        missing.append("closing_spring.stiffness")
+    said = [finding("heat-not-told", "info", listed=", ".join(missing))] if missing else []
+    return said if limit is not None else [*said, finding("heat-not-judged", "info", path="friction.material")]

@@ -1,0 +1,44 @@
+"""What is told of heat and wear of a trip."""
+
+from ...result import OpenTriple, Result, Triple, quantity
+from .trip import EnergySource
+
+ENDLESS = "does not end"
+
+
+class HeatResult(Result):
+    """Heat and wear of one trip; what the spec does not allow to tell is left out."""
+
+    energy_source: EnergySource = quantity("", None, "where time and heat of the slip are from")
+    slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=ENDLESS)
+    energy: OpenTriple = quantity("J", "Q", "heat of a trip", null=ENDLESS)
+    specific_work: OpenTriple | None = quantity("J/m^2", "q_A", "work per area of a pair", optional=True, null=ENDLESS)
+    power_density: Triple | None = quantity("W/m^2", "q", "power per area of a pair as the slip begins", optional=True)
+    temperature_rise: OpenTriple | None = quantity(
+        "K", "ΔΘ", "mean rise of the discs by a trip", optional=True, null=ENDLESS
+    )
+    temperature: OpenTriple | None = quantity(
+        "K abs", "Θ", "mean temperature of the discs after a trip", optional=True, null=ENDLESS
+    )
+    surface_temperature_rise: OpenTriple | None = quantity(
+        "K", "ΔΘ_s", "largest rise of the faces during a trip", optional=True, null=ENDLESS
+    )
+    temperature_limit: float | None = quantity(
+        "K abs", "Θ_max", "temperature the discs are held against", optional=True
+    )
+    trips_without_cooling: OpenTriple | None = quantity(
+        "1", "n", "trips one upon the other until the limit", optional=True
+    )
+    trips_per_hour: OpenTriple | None = quantity(
+        "1/h", "ν", "trips per hour, mean temperature at the limit", optional=True
+    )
+    trips_per_hour_peak: OpenTriple | None = quantity(
+        "1/h", "ν_p", "trips per hour, temperature after each trip at the limit", optional=True
+    )
+    trips_to_wear_out: OpenTriple | None = quantity("1", "n_w", "trips until the lining is gone", optional=True)
+    setting_loss_per_wear: float | None = quantity(
+        "1/m", "ΔF/(F δ)", "share of the force on the pack lost per wear of a pair", optional=True
+    )
+    setting_loss_worn: float | None = quantity(
+        "1", "ΔF/F", "share of the force on the pack lost when the lining is gone", optional=True
+    )

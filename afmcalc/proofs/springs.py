@@ -1,0 +1,125 @@
+"""Disc springs as cones that turn about a circle, stacks, coil springs as wires in torsion (theory, section 11)."""
+
+import sympy as sp
+
+from ..equations import springs
+from . import Identity, Refutation, Steps
+
+__all__ = [
+    "cone_that_turns",
+    "disc_with_flats",
+    "stacks_of_discs",
+    "stresses_at_the_edges",
+    "wire_in_torsion",
+]
+
+E, nu, a, b, t, h, s, k4 = sp.symbols("E nu a b t h s K_4", positive=True)
+x, y, w, n, i, F, G, d, D, rho, force = sp.symbols("x y w n i F G d D rho F_1", positive=True)
+RATIO, LOG = a / b, sp.log(a / b)
+
+
+def _cross_section() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """Radius of the circle that keeps its length, turn and cone angle (small)."""
+    return (a - b) / LOG, s / (a - b), h / (a - b)
+
+
+def _k1() -> sp.Expr:
+    return springs.disc_factor_load(RATIO, LOG, sp.pi)
+
+
+def _force(square: sp.Expr | int = 1) -> sp.Expr:
+    return springs.disc_force(E, nu, _k1(), sp.sqrt(square), 2 * a, t, h, s)
+
+
+def cone_that_turns() -> Steps:
+    """Almen & László: hoop strains of a section that turns by φ about c; their moment holds the load at the edges."""
+    centre, turn, cone = _cross_section()
+    lever = 2 * sp.pi * E / ((1 - nu**2) * (a - b))
+    # hoop strain φ[(c − r)(β − φ/2) + y]/r at r and height y, with its lever (c − r)(β − φ) + y; terms odd in y vanish
+    squares = sp.integrate((centre - x) ** 2 / x, (x, b, a))
+    turned = lever * turn * (cone - turn / 2) * (cone - turn) * t * squares
+    bent = lever * turn * t**3 / 12 * sp.integrate(1 / x, (x, b, a))
+    whole = sp.expand(_force())
+    thin = whole.coeff(t, 1) * t
+    yield Identity("the part that is linear in t", sp.simplify(sp.expand_log(thin - turned)))
+    # the standard takes the same factor for the bending part: exact for narrow rings
+    ratio = (whole.coeff(t, 3) * t**3 / bent).subs(a, b * (1 + w))
+    yield Identity("the part in t³ for narrow rings", sp.limit(sp.simplify(ratio), w, 0) - 1)
+    yield Refutation("only for those", sp.simplify(ratio.subs(w, 1)) - 1)
+    stiffness = springs.disc_stiffness(E, nu, _k1(), k4, 2 * a, t, h, s)
+    yield Identity("k = dF/ds", stiffness - sp.diff(_force(k4**2), s))
+
+
+def disc_with_flats() -> Steps:
+    """K_4 is what keeps the force at ¾ of the cone height of the disc without flats."""
+    thinner, height = sp.symbols("t_r l_0", positive=True)
+    factor = sp.nsimplify(springs.disc_factor_flats(t, thinner, height), rational=True)
+    square = sp.expand(factor**2)
+    deflection = sp.Rational(3, 4) * (height - t)
+    plain = springs.disc_force(E, nu, 1, 1, 2 * a, t, height - t, deflection)
+
+    def made(of: sp.Expr) -> sp.Expr:
+        own = springs.disc_force(E, nu, 1, 1, 2 * a, thinner, height - thinner, deflection)
+        rigid = 4 * E * thinner * deflection / ((1 - nu**2) * (2 * a) ** 2)
+        bending = rigid * thinner**2
+        return of * (of * (own - bending) + bending)
+
+    yield Identity("F(¾ h_0) is kept", sp.simplify(made(square) - plain))
+    root = sp.Symbol("q", positive=True)
+    own = springs.disc_force(E, nu, 1, root, 2 * a, thinner, height - thinner, deflection)
+    yield Identity("K_4 in the force", own - made(root**2))
+    yield Identity("no flats", square.subs({thinner: t, height: sp.Rational(7, 5) * t}) - 1)
+
+
+def stresses_at_the_edges() -> Steps:
+    """The hoop stress of the turned section at its four corners, up to the factor K_1 the standard took anew."""
+    centre, turn, cone = _cross_section()
+    old = 6 * ((RATIO - 1) / RATIO) ** 2 / (sp.pi * LOG)
+    k2 = springs.disc_factor_membrane(RATIO, LOG, sp.pi)
+    k3 = springs.disc_factor_bending(RATIO, LOG, sp.pi)
+    outer = (k2 - 2 * k3) / RATIO
+    for name, radius, side, membrane, bending in (
+        ("I", b, 1, k2, k3),
+        ("II", b, -1, k2, -k3),
+        ("III", a, -1, outer, -k3 / RATIO),
+        ("IV", a, 1, outer, k3 / RATIO),
+    ):
+        hoop = -E / (1 - nu**2) * turn * k4 * (k4 * (centre - radius) * (cone - turn / 2) + side * t / 2) / radius
+        found = springs.disc_stress(E, nu, old, k4, 2 * a, t, h, s, membrane, bending)
+        yield Identity(f"σ_{name}", sp.simplify(found - hoop))
+    middle = springs.disc_stress(E, nu, old, k4, 2 * a, t, h, s, 0, 3 / sp.pi)
+    hoop = -E / (1 - nu**2) * turn * k4 * t / (2 * centre)
+    yield Identity("σ_OM: bending where the section turns", sp.simplify(middle - hoop))
+    new = springs.disc_stress(E, nu, 2 * old, k4, 2 * a, t, h, s, 0, 1)
+    yield Identity("∝ 1/K_1", new * 2 - springs.disc_stress(E, nu, old, k4, 2 * a, t, h, s, 0, 1))
+
+
+def stacks_of_discs() -> Steps:
+    """Lengths, friction and mass of a stack."""
+    length = springs.stack_length(n, i, h + t, t)
+    yield Identity("a pack: one free height and n − 1 thicknesses more", length / i - (h + n * t))
+    rim, surface = sp.symbols("w_R w_M", positive=True)
+    there = springs.stack_force_with_friction(F, n, surface, rim)
+    # what friction takes is the share of the force that is there
+    yield Identity("F = nF + friction", there - F - there * (surface * (n - 1) + rim))
+    mass = springs.ring_mass(rho, 2 * a, 2 * b, t, sp.pi)
+    yield Identity("volume of a ring", mass - rho * t * sp.integrate(2 * sp.pi * x, (x, b, a)))
+
+
+def wire_in_torsion() -> Steps:
+    """A coil's wire is twisted by F D/2 over its length π D n."""
+    polar = sp.pi * d**4 / 32
+    twist = (F * D / 2) * sp.pi * D * n / (G * polar)
+    yield Identity("s = ϑ D/2", springs.coil_stiffness(G, d, D, n) * twist * D / 2 - F)
+    index = D / d
+    correction = sp.nsimplify(springs.coil_correction(d, D), rational=True)
+    yield Identity("1 + 5/(4w − 3)", correction - 1 - 5 / (4 * index - 3))
+    straight = springs.coil_stress(F, d, D, 1, sp.pi)
+    yield Identity("straight wire: M/(J/(d/2))", straight - F * D / 2 * (d / 2) / polar)
+    yield Identity("∝ k_τ", springs.coil_stress(F, d, D, correction, sp.pi) - correction * straight)
+    turns = springs.coil_solid_length(d, n) / d
+    yield Identity("n + 2 turns of wire", turns - n - 2)
+    gap = sp.nsimplify(springs.coil_least_gap(d, D, n), rational=True)
+    yield Identity("S_a", gap * 2000 * d - n * (3 * D**2 + 200 * d**2))
+    volume = sp.pi * d**2 / 4 * sp.pi * D * turns
+    yield Identity("mass of the wire", springs.coil_mass(rho, d, D, n, sp.pi) - rho * volume)

@@ -1,0 +1,200 @@
+"""Heat and wear of a trip: V1, conduction, trips per hour, against balances and an independent integration."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.checks.requirements import requirement_rows
+from afmcalc.analysis.heat.heat import heat
+from afmcalc.analysis.heat.surface import Body, largest_rise
+from afmcalc.engines import build
+from afmcalc.spec import make_spec
+
+AREA = math.pi * (0.12**2 - 0.08**2)
+PACK = {"pairs": 8, "inner_radius": 0.08, "outer_radius": 0.12}
+
+
+def clutch(torque=337.0, drive=None, discs=None, friction=None, **more):
+    """An ordinary clutch of nominal torque ``torque``; friction does not wander unless given."""
+    return build(
+        make_spec(
+            {
+                "variant": "conventional",
+                "friction": friction or {"min": 0.3, "max": 0.3},
+                "friction_group": PACK,
+                "adjustment": {"nominal_torque": torque},
+                "drive": {"speed": "1500 rpm", "cut_off": 0.5} if drive is None else drive,
+                "heat": {} if discs is None else discs,
+                **more,
+            }
+        )
+    )
+
+
+def codes(found):
+    return {each.code: each for each in found}
+
+
+def test_example_of_the_theory():
+    """337 N·m, 1500 rpm, 0.5 s: 26.5 kJ, 13 J/cm², +35 K in four discs of 2 mm; the sixth slip passes 204 °C."""
+    discs = {"disc_mass": 4 * 0.002 * AREA * 7850, "specific_heat": 480, "ambient": "20 degC"}
+    result, found = heat(clutch(discs=discs, friction={"material": "moulded-dry"}))
+    assert result.energy.min == pytest.approx(26.5e3, abs=50)
+    assert result.specific_work.min == pytest.approx(13e4, rel=0.02)
+    assert result.temperature_rise.min == pytest.approx(35, abs=0.1)
+    assert result.temperature.min == pytest.approx(293.15 + result.temperature_rise.min)
+    assert 5 < result.trips_without_cooling.min < 6
+    assert result.power_density.min == pytest.approx(337 * 50 * math.pi / (8 * AREA))
+    assert not {"temperature-exceeded", "temperature-in-range"} & set(codes(found))
+
+
+@given(
+    st.floats(0.1, 50), st.floats(5, 400), st.floats(20, 2000), st.floats(0, 0.99), st.one_of(st.none(), st.floats(0.01, 50))
+)  # fmt: skip
+def test_energy_and_momentum_of_the_motor_side_balance(inertia, speed, torque, share, off):
+    """Until it stands the motor side gives its momentum and its energy, and the motor what it turns meanwhile."""
+    drive = {"motor_inertia": inertia, "speed": speed, "motor_torque": share * torque, "cut_off": off}
+    trip, _ = heat(clutch(torque, {key: value for key, value in drive.items() if value is not None}))
+    on = min(math.inf if off is None else off, inertia * speed / (torque * (1 - share)))
+    turned = speed * on - torque * (1 - share) / inertia * on**2 / 2
+    assert torque * trip.slip_time.min == pytest.approx(inertia * speed + share * torque * on, rel=1e-9)
+    assert trip.energy.min == pytest.approx(inertia * speed**2 / 2 + share * torque * turned, rel=1e-9)
+
+
+def test_a_motor_that_carries_the_slip_torque_goes_on_until_cut_off(afmcalc, tmp_path):
+    own = {"motor_inertia": 8, "speed": 100, "motor_torque": 400}
+    result, found = heat(clutch(337, own, friction={"min": 0.3, "max": 0.6}))
+    assert (result.energy.min, result.slip_time.min) == (None, None)
+    assert result.energy.max == pytest.approx(8 * 100**2 / 2 * 674 / 274)
+    assert codes(found)["motor-never-stops"].level == "error"
+    result, found = heat(clutch(337, {**own, "cut_off": 2}))
+    assert result.energy.min == pytest.approx(337 * 100 * 2 + 8 * 100**2 / 2)
+    assert codes(found)["motor-stops-at-cut-off"].level == "warning"
+    # and the motor's torque is the machine's where nothing else is said
+    at_rest = clutch(337, {"motor_inertia": 8, "speed": 100}, adjustment={"nominal_torque": 337, "margin": 1.25})
+    assert heat(at_rest)[0].slip_time.min == pytest.approx(800 / (337 * 0.2))
+    spec = tmp_path / "a.toml"
+    assert afmcalc("heat").code == 2
+    assert "drive.speed: required by heat" in afmcalc("heat").err
+    spec.write_text(afmcalc("heat", "--set", "drive.speed=100", "--set", "drive.motor_inertia=8", "--set",
+                            "drive.motor_torque=400", "--json", "-q").out, encoding="utf-8")  # fmt: skip
+    assert "does not end" in afmcalc("heat", spec).out
+    assert afmcalc("check", spec).code == 1
+
+
+def test_a_thick_disc_is_heated_as_carslaw_and_jaeger_say():
+    """Constant flux 2q√(t/(πkρc)) at the end; falling to nothing 0.5319 q_0 √(t_s/(kρc)) half way."""
+    iron = 50.0, 7850.0, 480.0
+    body, q, t = Body(*iron, None), 1e6, 0.7
+    root = math.sqrt(iron[0] * iron[1] * iron[2])
+    assert largest_rise(body, q, q, t) == pytest.approx(2 * q * math.sqrt(t / math.pi) / root, rel=1e-12)
+    assert largest_rise(body, q, q / 2, t) == pytest.approx(0.5319 * q * math.sqrt(t) / root, rel=1e-4)
+    assert largest_rise(body._replace(depth=0.1), q, q / 2, t) == pytest.approx(
+        largest_rise(body, q, q / 2, t), rel=1e-9
+    )
+
+
+@pytest.mark.parametrize(("end", "mean"), [(0.2, 1.0), (0.2, 0.5), (1.0, 0.8), (4.0, 0.5), (4.0, 1.0)])
+def test_a_thin_disc_against_finite_differences(end, mean):
+    """Explicit steps of 40 layers from the cold, insulated middle to the face; lengths, times and heat of 1."""
+    layers = 40
+    width = 1 / layers
+    step = 0.4 * width**2
+    steps = math.ceil(end / step)
+    theta, hottest = np.zeros(layers), 0.0
+    for number in range(steps):
+        flux = 1 - 2 * (1 - mean) * (number + 0.5) * step / end
+        flow = np.concatenate([[0.0], -np.diff(theta) / width, [-flux]])
+        theta = theta - step / width * np.diff(flow)
+        hottest = max(hottest, theta[-1] + flux * width / 2)
+    assert largest_rise(Body(1.0, 1.0, 1.0, 1.0), 1.0, mean, end) == pytest.approx(hottest, rel=3e-3)
+
+
+def test_the_lining_takes_its_share_of_a_short_slip():
+    body = {"conductivity": 50, "density": 7850, "specific_heat": 480}
+    lining = {"lining_conductivity": 0.5, "lining_density": 2000, "lining_specific_heat": 1000}
+    short = {"speed": 100, "cut_off": 0.01}
+    alone, found = heat(clutch(drive=short, discs={**body, "disc_mass": 5}))
+    assert "discs-take-all" in codes(found)
+    shared, found = heat(clutch(drive=short, discs={**body, **lining, "disc_mass": 5}))
+    assert "discs-take-all" not in codes(found)
+    steel, other = math.sqrt(50 * 7850 * 480), math.sqrt(0.5 * 2000 * 1000)
+    ratio = shared.surface_temperature_rise.min / alone.surface_temperature_rise.min
+    assert ratio == pytest.approx(steel / (steel + other))
+    thick, found = heat(clutch(drive=short, discs=body))
+    assert "discs-thick" in codes(found)
+    assert thick.surface_temperature_rise.min == pytest.approx(alone.surface_temperature_rise.min, rel=1e-6)
+
+
+@pytest.mark.parametrize("mass", [0.5, 2.0, 50.0])
+def test_trips_per_hour_bring_the_discs_to_the_limit_and_no_further(mass):
+    discs = {"disc_mass": mass, "specific_heat": 480, "ambient": "20 degC", "cooling": 2.5}
+    result, _ = heat(clutch(discs=discs, friction={"material": "moulded-dry"}))
+    rise, rate = result.temperature_rise.min, result.trips_per_hour_peak.min
+    assert result.trips_per_hour.min == pytest.approx(3600 * 2.5 * 184 / result.energy.min)
+    warm = 0.0
+    for _ in range(5000):
+        warm = warm * math.exp(-2.5 * 3600 / rate / (mass * 480)) + rise
+    assert warm == pytest.approx(184, rel=1e-7)
+    assert rate < result.trips_per_hour.min
+
+
+@pytest.mark.parametrize(
+    ("mass", "code", "level"), [(0.2, "temperature-exceeded", "error"), (0.45, "temperature-in-range", "warning")]
+)
+def test_the_material_bears_a_temperature(mass, code, level):
+    discs = {"disc_mass": mass, "specific_heat": 480, "ambient": "20 degC", "cooling": 1}
+    result, found = heat(clutch(friction={"material": "moulded-dry", "mean": None}, discs=discs))
+    rise = result.energy.max / (mass * 480)
+    assert codes(found)[code].level == level
+    assert codes(found)[code].value == pytest.approx(293.15 + rise)
+    assert result.trips_per_hour_peak.max == 0
+    discs["ambient"] = "210 degC"
+    with pytest.raises(ValueError, match="is no cooler than the 204 °C that friction.material allows"):
+        heat(clutch(friction={"material": "moulded-dry"}, discs=discs))
+
+
+def test_wear_of_the_lining_and_of_the_setting():
+    """0.1 mm on 8 pairs: 0.8 % of 2 kN at 20 N/mm, 40 % at 1 kN/mm (theory); trips till the volume is gone."""
+    for stiffness, loss in ((20e3, 0.008), (1e6, 0.4)):
+        spring = {"force": 2000, "stiffness": stiffness}
+        own = clutch(closing_spring=spring, adjustment={}, discs={"lining": 1e-4, "wear": 2e-14})
+        result, _ = heat(own)
+        assert result.setting_loss_worn == pytest.approx(loss)
+        assert result.setting_loss_per_wear * 1e-4 == pytest.approx(loss)
+        assert result.trips_to_wear_out.min * result.energy.min * 2e-14 == pytest.approx(8 * AREA * 1e-4)
+
+
+def test_requirements_of_heat_are_judged(afmcalc, tmp_path):
+    """The worst of the friction range is held against what is required; the limit is that of the trips too."""
+    discs = {"disc_mass": 2, "specific_heat": 480, "ambient": "20 degC", "cooling": 2.5}
+    required = {"work": "0.2 J/mm^2", "temperature": "60 degC"}
+    own = clutch(discs=discs, friction={"material": "moulded-dry"}, requirements=required)
+    result, found = heat(own)
+    assert result.temperature_limit == pytest.approx(333.15)
+    assert "temperature-exceeded" not in codes(found)
+    rows, _ = requirement_rows(Answers(own))
+    assert [(row.requirement, row.passed) for row in rows] == [("work", False), ("temperature", False)]
+    assert [row.value for row in rows] == [result.specific_work.max, result.temperature.max]
+    endless = clutch(400, {"speed": 100, "motor_inertia": 1, "motor_torque": 500}, requirements={"work": 1e6})
+    rows, said = requirement_rows(Answers(endless))
+    assert (rows[0].passed, codes(said)["requirement-not-judged"].level) == (None, "warning")
+
+
+def test_an_event_is_simulated():
+    pytest.importorskip("scipy")
+    drive = {
+        "speed": 15, "motor_inertia": 8, "driven_inertia": 0.05, "shaft_stiffness": 8000, "damping_ratio": 0.03,
+        "motor_torque": 150, "event": {"kind": "stop", "stop_time": 0.01},
+    }  # fmt: skip
+    answers = Answers(clutch(200, {**drive, "load_torque": 150}))
+    result, found = heat(answers.clutch, answers)
+    simulated, _ = answers.ask("simulate")
+    assert (result.energy_source, result.energy.min) == ("simulate", simulated.slip_energy.min)
+    assert result.energy.min == pytest.approx(8 * 15**2 / 2 * 200 / 50, rel=0.05), "V1: the tool all but blocked"
+    assert result.power_density.min == pytest.approx(200 * 15 / (8 * AREA))
+    assert "motor-never-stops" in codes(heat(clutch(140, {**drive, "load_torque": 100}))[1])

@@ -1,0 +1,204 @@
+"""Springs one can buy: each found gives what is wanted, none that does is missed, what is picked reads back."""
+
+import math
+
+import pytest
+from conftest import CONFIGS
+
+from afmcalc.analysis.springs.springs import springs
+from afmcalc.analysis.springs.wish import wishes
+from afmcalc.engines import build
+from afmcalc.spec import read_spec
+from afmcalc.spec.discs import discs
+
+ROOM = (60e-3, 160e-3, 80e-3)
+DEFAULT, INDIRECT = CONFIGS / "default.toml", CONFIGS / "indirect.toml"
+
+
+def room(spring, inner=ROOM[0], outer=ROOM[1], length=ROOM[2]):
+    return [
+        f"{spring}.room.inner_diameter={inner}",
+        f"{spring}.room.outer_diameter={outer}",
+        f"{spring}.room.length={length}",
+    ]
+
+
+def clutch(path, *overrides):
+    return build(read_spec(path, overrides))
+
+
+def force_and_slope(size, deflection):
+    """Force and stiffness of one plain disc, from three forces of Almen and László written out."""
+
+    def force(s):
+        ratio = size.outer_diameter / size.inner_diameter
+        k1 = ((ratio - 1) / ratio) ** 2 / (math.pi * ((ratio + 1) / (ratio - 1) - 2 / math.log(ratio)))
+        h, t = size.cone_height, size.thickness
+        return 4 * 206e9 / 0.91 * t * s / (k1 * size.outer_diameter**2) * ((h - s) * (h - s / 2) + t * t)
+
+    step = 1e-6 * size.cone_height
+    return force(deflection), (force(deflection + step) - force(deflection - step)) / (2 * step)
+
+
+def by_force(size, force):
+    """Deflection of one disc; None where it is flat before."""
+    low, high = 0.0, size.cone_height
+    if force_and_slope(size, high)[0] < force:
+        return None
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if force_and_slope(size, middle)[0] < force else (low, middle)
+    return low
+
+
+def test_every_part_gives_what_is_wanted_within_the_room():
+    own = clutch(
+        INDIRECT,
+        *room("closing_spring", inner=20e-3),
+        *room("control_spring", 30e-3, 200e-3, 0.3),
+        "heat.lining=0.5e-3",
+    )
+    result, found = springs(own, top=1000)
+    assert result.closing_found == len(result.closing) > 20
+    assert result.control_found == len(result.control) > 20
+    travel, worn = own.travel(0.8), 8 * 0.5e-3
+    cases = (
+        (result.closing, 2000, 4e5, (travel, 0), (20e-3, *ROOM[1:])),
+        (result.control, own.control_force, 2e5, (worn, travel), (30e-3, 200e-3, 0.3)),
+    )
+    for options, force, stiffness, (relaxes, compresses), (inner, outer, length) in cases:
+        assert {each.kind for each in options} == {"disc", "coil"}
+        for each in options:
+            assert each.force == pytest.approx(force, rel=1e-9)
+            assert each.stiffness == pytest.approx(stiffness, rel=0.1)
+            assert each.length <= length * (1 + 1e-9)
+            if each.kind == "coil":
+                wide = each.outer_diameter if each.count == 1 else 2 * each.outer_diameter + inner
+                assert wide <= outer * (1 + 1e-9)
+                assert each.count > 1 or each.inner_diameter >= inner * (1 - 1e-9)
+                assert each.used_low > -1e-9
+                assert each.stress <= each.stress_solid
+                continue
+            (size,) = (size for size in discs() if each.part.endswith(f" {size.name}"))
+            assert inner * (1 - 1e-9) <= size.inner_diameter
+            assert size.outer_diameter <= outer * (1 + 1e-9)
+            if size.reduced_thickness is None:
+                cone, series = size.cone_height, each.series
+                deflection = by_force(size, force / each.parallel)
+                assert 0.15 * cone <= deflection - relaxes / series + 1e-9
+                assert deflection + compresses / series <= 0.75 * cone + 1e-9
+                _, slope = force_and_slope(size, deflection)
+                assert each.stiffness == pytest.approx(each.parallel * slope / series, rel=1e-4)
+    assert not {each.code for each in found} & {"no-spring", "room-not-given"}
+
+
+def test_no_shorter_stack_is_missed():
+    """Against every stack of up to 6 × 80 discs without flats."""
+    own = clutch(INDIRECT, *room("closing_spring", inner=20e-3), *room("control_spring"))
+    travel, shortest = own.travel(0.8), math.inf
+    for size in discs():
+        if size.reduced_thickness is not None or size.inner_diameter < 20e-3 or size.outer_diameter > 160e-3:
+            continue
+        for parallel in range(1, 7):
+            deflection = by_force(size, 2000 / parallel)
+            if deflection is None or deflection > 0.75 * size.cone_height:
+                continue
+            slope = parallel * force_and_slope(size, deflection)[1]
+            for series in range(1, 81):
+                if deflection - travel / series < 0.15 * size.cone_height or abs(slope / series / 4e5 - 1) > 0.1:
+                    continue
+                free = series * (size.free_height + (parallel - 1) * size.thickness)
+                shortest = min(shortest, free - series * deflection + travel)
+    result, _ = springs(own, kind="disc", sort="length", top=1)
+    assert result.closing[0].length == pytest.approx(shortest, rel=1e-9)
+
+
+@pytest.mark.parametrize("sort", ["length", "wear", "mass"])
+def test_the_best_comes_first(sort):
+    result, _ = springs(clutch(DEFAULT, *room("closing_spring", inner=40e-3)), sort=sort, top=50)
+    key = {"length": "length", "wear": "loss_per_travel", "mass": "mass"}[sort]
+    values = [getattr(each, key) for each in result.closing]
+    assert values == sorted(values)
+    assert [each.number for each in result.closing] == list(range(1, len(values) + 1))
+
+
+def test_none_and_the_nearest():
+    """2.5 kN, 365 N/mm and 6 mm of travel have no disc spring (theory); the nearest and what it misses."""
+    wish = ["closing_spring.force=2500", "closing_spring.stiffness=365e3", "heat.lining=0.75e-3"]
+    result, found = springs(clutch(DEFAULT, *wish, *room("closing_spring", 0.03, 0.1, 0.2)), kind="disc")
+    assert (result.closing, len(result.nearest)) == ([], 1)
+    (said,) = (each for each in found if each.code == "no-spring")
+    assert "misses" in said.message
+    assert result.nearest[0].part in said.message
+    softer, _ = springs(clutch(DEFAULT, *wish, "closing_spring.stiffness=36500"), kind="disc")
+    assert softer.closing, "as soon as it may be softer there is one"
+
+
+def test_setting_friction_and_wear():
+    own = clutch(DEFAULT, "closing_spring.thread_pitch=1.5e-3", "closing_spring.surface_friction=0.02",
+                 "closing_spring.edge_friction=0.03", "closing_spring.stiffness=100e3", "heat.lining=0.1e-3")  # fmt: skip
+    result, _ = springs(own, kind="disc", top=1000)
+    coils, _ = springs(own, kind="coil", top=1000)
+    for each in (*result.closing, *coils.closing):
+        assert each.loss_per_travel == pytest.approx(each.stiffness / 2000)
+        assert each.loss_per_wear == pytest.approx(8 * each.stiffness / 2000)
+        # the nut moves ΔF/c; the softer as it is pressed, the more
+        assert each.travel_setting == pytest.approx(200 / each.stiffness, rel=0.25 if each.kind == "disc" else 1e-9)
+        assert each.turns_setting == pytest.approx(each.travel_setting / 1.5e-3)
+    for each in result.closing:
+        held = 0.02 * (each.parallel - 1) + 0.03
+        assert (each.force_up, each.force_down) == pytest.approx((2000 / (1 - held), 2000 / (1 + held)))
+    assert all(each.force_up is None for each in coils.closing)
+
+
+def test_what_the_springs_go_through():
+    """The closing spring of a direct clutch follows the wear; in an indirect one the control spring does."""
+    (direct,) = wishes(clutch(DEFAULT, "heat.lining=0.5e-3"))
+    assert (direct.relaxes, direct.compresses, direct.follows) == (4e-3, 0, 8)
+    own = clutch(INDIRECT, "heat.lining=0.5e-3")
+    closing, control = wishes(own)
+    assert (closing.relaxes, closing.follows) == (own.travel(0.8), None)
+    assert (control.relaxes, control.compresses, control.follows) == (4e-3, own.travel(0.8), 8)
+    assert control.force == own.control_force
+
+
+def test_a_picked_spring_is_in_the_spec(afmcalc, tmp_path):
+    made = tmp_path / "sprung.toml"
+    run = afmcalc("springs", INDIRECT, "--kind", "disc", "--pick", 1, "--pick", 12, "-o", made, "--json")
+    assert run.code == 0
+    result = run.json["result"]
+    first, second = result["closing"][0], result["control"][1]
+    assert (first["number"], second["number"]) == (1, 12)
+    spec = read_spec(made)
+    assert spec.closing_spring.stiffness == pytest.approx(first["stiffness"])
+    assert (spec.closing_spring.disc.parallel, spec.closing_spring.disc.series) == (first["parallel"], first["series"])
+    assert spec.control_spring.force == pytest.approx(second["force"])
+    torque = afmcalc("torque", made, "--json").json
+    plain = afmcalc("torque", INDIRECT, "--json").json["result"]["torque"]
+    assert torque["result"]["torque"]["min"] == pytest.approx(plain["min"], rel=1e-6), "as set"
+    assert torque["result"]["torque"]["max"] != pytest.approx(plain["max"], rel=1e-3), "the curve counts where it moves"
+    assert afmcalc("check", made).code == 0
+    coil = tmp_path / "coil.json"
+    assert afmcalc("springs", DEFAULT, "--kind", "coil", "--pick", 2, "-o", coil).code == 0
+    assert read_spec(coil).closing_spring.coil.count >= 1
+    for bad, says in (("99", "there are 10 to pick from"), ("0", "to pick from")):
+        refused = afmcalc("springs", DEFAULT, "--pick", bad, "-o", tmp_path / "x.toml")
+        assert refused.code == 2
+        assert says in refused.err
+    twice = afmcalc("springs", DEFAULT, "--pick", 1, "--pick", 2, "-o", tmp_path / "x.toml")
+    assert "closing_spring is picked already" in twice.err
+    assert "name a file with --output" in afmcalc("springs", DEFAULT, "--pick", 1).err
+    assert not (tmp_path / "x.toml").exists()
+
+
+def test_a_spring_is_one_part(afmcalc):
+    disc = "closing_spring.disc={outer_diameter=0.02, inner_diameter=0.04, thickness=1e-3, free_height=0.9e-3}"
+    run = afmcalc("torque", DEFAULT, "--set", disc)
+    assert run.code == 2
+    assert "must be greater than inner_diameter" in run.err
+    assert "must be greater than thickness" in run.err
+    coil = "closing_spring.coil={wire_diameter=1e-3, coil_diameter=8e-3, turns=5, free_length=0.03}"
+    disc = "closing_spring.disc={outer_diameter=0.04, inner_diameter=0.0204, thickness=1.5e-3, free_height=2.65e-3}"
+    assert "excludes disc" in afmcalc("torque", DEFAULT, "--set", disc, "--set", coil).err
+    room = "closing_spring.room={inner_diameter=0.1, outer_diameter=0.05}"
+    assert "must be greater than inner_diameter" in afmcalc("springs", DEFAULT, "--set", room).err
