@@ -43,12 +43,12 @@ class Section(NamedTuple):
     title: str
     about: Told
     """What is calculated."""
+    conclusion: Told
+    """What comes of it."""
     sources: tuple[str, ...] = ()
     """Keys of the references it rests on."""
     sources_indirect: tuple[str, ...] = ()
     """The same for an indirect clutch, where its law is another."""
-    conclusion: Told = ""
-    """What comes of it; nothing where there is nothing to sum up."""
 
 
 class Analysis(NamedTuple):
@@ -149,9 +149,9 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Torque and forces",
                 "The slipping clutch at the smallest, the mean and the largest friction, spring as set.",
-                conclusion="Set for a nominal torque of the clutch of {nominal_torque:.5g N·m}, it slips at "
-                "{torque.min:.5g N·m} at the smallest and at {torque.max:.5g N·m} at the largest friction.",
-                sources=("F11",), sources_indirect=("S21",),
+                "Set for a nominal torque of the clutch of {nominal_torque:.5g N·m}, it slips at {torque.min:.5g N·m} "
+                "at the smallest and at {torque.max:.5g N·m} at the largest friction.",
+                ("F11",), ("S21",),
             ),
             plot=Plot("torque", "torque against friction, scatter band, both adjustment methods"),
         ),
@@ -160,9 +160,9 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Accuracy",
                 "K_т is the largest over the smallest torque in service; 1 would be perfect.",
-                conclusion="The accuracy factor is K_т = {accuracy_factor:.4g}; an ordinary clutch in its "
-                "place would have K_т,0 = {conventional_accuracy_factor:.4g}.",
-                sources=("F11", "S22"), sources_indirect=("S21",),
+                "The accuracy factor is K_т = {accuracy_factor:.4g}; an ordinary clutch in its place would have "
+                "K_т,0 = {conventional_accuracy_factor:.4g}.",
+                ("F11", "S22"), ("S21",),
             ),
             plot=Plot(
                 "accuracy", "accuracy factor against any key, --sweep NAME[=RANGE]", options=("sweep",),
@@ -174,8 +174,8 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Both settings of the spring",
                 "The same nominal torque, reached at the smallest friction or, with the margin, at the mean friction.",
-                conclusion=_narrower,
-                sources=("S19",),
+                _narrower,
+                ("S19",),
             ),
         ),
         Analysis(
@@ -184,10 +184,10 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Overload",
                 "What the drive sees when the clutch, set with a margin over the machine's torque, begins to slip.",
-                conclusion="With the margin β_н = {margin:g} the nominal torque of the machine may be "
-                "{machine_torque:.5g N·m}; the clutch trips at {actuation_torque_equilibrium.min:.5g N·m} to "
+                "With the margin β_н = {margin:g} the nominal torque of the machine may be {machine_torque:.5g N·m}; "
+                "the clutch trips at {actuation_torque_equilibrium.min:.5g N·m} to "
                 "{actuation_torque_equilibrium.max:.5g N·m}, and later where the release force lags the load.",
-                sources=("S22",),
+                ("S22",),
             ),
             plot=Plot("overload", "trip over friction, and accuracy over the reduced gain (S22 fig. 3)", "clutch"),
         ),
@@ -197,8 +197,8 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Control unit",
                 "Wall angle, ball and pocket for the gain; the contact held against what it may carry.",
-                conclusion=_ball,
-                sources=("S21",),
+                _ball,
+                ("S21",),
             ),
             plot=Plot("pocket", "section through ball and pockets, to scale", "clutch"),
         ),
@@ -208,8 +208,8 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Life",
                 "Cycles to failure on both sides of the clutch, by the rule {model}.",
-                conclusion=_lasting,
-                sources=("S19",),
+                _lasting,
+                ("S19",),
             ),
             plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
         ),
@@ -255,7 +255,7 @@ ANALYSES: dict[str, Analysis] = {
             lambda clutch: clutch.spec.tolerance is not None,
             section=Section(
                 "Tolerances and scatter", _about_tolerance,
-                conclusion="As making and service scatter, the mean torque is {mean:.5g N·m}, its standard deviation "
+                "As making and service scatter, the mean torque is {mean:.5g N·m}, its standard deviation "
                 "{standard_deviation:.4g N·m}.",
             ),
             plot=Plot("tolerance", "histogram of the torque with quantiles, by the [tolerance] block", "clutch"),

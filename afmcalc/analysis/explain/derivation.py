@@ -121,7 +121,7 @@ def _derivation(calls: list[Call], told: _Told) -> Derivation:
         formula="" if shown else _text(calls[0]).latex(),
         where=list(_meanings(calls, told)),
         rows=[_row(call, line=len(calls) > _FEW) for call in calls],
-        source="" if shown else equation.source.rstrip("."),
+        source="" if shown else equation.source,
         differs="" if shown else _misprints().get(equation.name, ""),
         below_one=below,
     )

@@ -7,7 +7,7 @@ from ...messages import printable, told, translate
 from ...result import Output
 from ..document import Document, document
 from ..layout import blocks, findings_lines, step_value, title
-from ..symbols import value_latex
+from ..symbols import latex_in_numbers, value_latex
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -34,7 +34,7 @@ def _steps(laid_out: Document) -> list[str]:
     lines = []
     for step in laid_out.steps:
         at = f" ({_escape(step.at)})" if step.at else ""
-        equals = " = ".join(dict.fromkeys((step.formula_latex, step.substituted_latex)))
+        equals = " = ".join(dict.fromkeys(map(latex_in_numbers, (step.formula_latex, step.substituted_latex))))
         lines += [f"### {_escape(step.symbol)}{at}: {_escape(translate(step.name))}", ""]
         lines += [
             f"$${step.symbol_latex} = {equals} = {value_latex(step_value(step))}$$",

@@ -9,8 +9,8 @@ from ..chart import Chart, ChartAxis, Guide, Line, Sheet, axis_of, describe, pow
 
 _SIDES = ("protected", "unprotected", "protected_forecast")
 _METHODS = {
-    "min-friction": "protected side, set at f_min",
-    "mean-friction": "protected side, set at mean f with margin",
+    "min-friction": term("protected side, set at f_min"),
+    "mean-friction": term("protected side, set at mean f with margin"),
 }
 
 

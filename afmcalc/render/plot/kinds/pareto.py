@@ -7,14 +7,14 @@ from ....messages import joined, say, term, told, translate
 from ..chart import Chart, ChartAxis, Line, Sheet, axis_of
 
 _QUANTITIES = {
-    "closing_force": "closing force",
-    "accuracy_factor": "accuracy factor",
-    "pairs": "friction pairs",
-    "ball_diameter": "standard ball",
-    "travel": "travel of the sleeve",
-    "control_force": "control-spring force",
-    "closing_deflection": "deflection of the closing spring",
-    "control_deflection": "deflection of the control spring",
+    "closing_force": term("closing force"),
+    "accuracy_factor": term("accuracy factor"),
+    "pairs": term("friction pairs"),
+    "ball_diameter": term("standard ball"),
+    "travel": term("travel of the sleeve"),
+    "control_force": term("control-spring force"),
+    "closing_deflection": term("deflection of the closing spring"),
+    "control_deflection": term("deflection of the control spring"),
 }
 
 

@@ -8,7 +8,7 @@ from ....messages import localized, term, told, translate
 from ...units import display
 from ..chart import Area, Chart, ChartAxis, Guide, Line, Sheet, stated
 
-_METHODS = {"exact": "Exact", "monte-carlo": "Monte Carlo", "quasi-monte-carlo": "Quasi-Monte Carlo"}
+_METHODS = {"exact": term("Exact"), "monte-carlo": term("Monte Carlo"), "quasi-monte-carlo": term("Quasi-Monte Carlo")}
 
 
 def sheet(figure: ToleranceFigure) -> Sheet:
