@@ -236,10 +236,13 @@ def _units() -> Iterator[Key]:
 
 def _names() -> Iterator[Key]:
     """What tables hold: names of limits, kinds of quantities, variants."""
+    from afmcalc.analysis.checks.requirements import JUDGED
+    from afmcalc.spec.paths import keys
     from afmcalc.spec.units import EXAMPLES
     from afmcalc.variants import VARIANTS
 
     yield from (("", kind) for kind, _ in EXAMPLES.values())
+    yield from (("", keys()[f"requirements.{name}"].description.partition(",")[0]) for name in JUDGED)
     yield from (("value", name) for name in VARIANTS)
 
 

@@ -59,7 +59,7 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
         except SpecError as error:
             missing.append(_missing(variant, error))
             continue
-        rows += [_row(by_force, "spring force"), _row(by_torque, "nominal torque")]
+        rows += [_row(by_force, term("spring force")), _row(by_torque, term("nominal torque"))]
         remarks += [_named(remark, variant) for each in (by_force, by_torque) for remark in each.findings()]
     rows.sort(key=lambda row: row.basis != "spring force")
     return CompareResult(clutches=rows), [*dict.fromkeys(remarks), *missing]
@@ -91,5 +91,5 @@ def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:
 
 
 def _missing(variant: str, error: SpecError) -> Finding:
-    lacks = joined(error.problems, "; ")
+    lacks = joined(map(str, error.problems), "; ")
     return finding("variant-not-possible", "info", variant=term(variant), lacks=lacks)
