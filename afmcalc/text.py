@@ -199,7 +199,9 @@ def joined(parts: Iterable[object], sign: str = ", ") -> str:
 
 def term(text: str) -> str:
     """Return a text of a table (a kind, a name) such that a sentence that names it is translated with it."""
-    return Text(text)
+    own = _LANGUAGE.get()
+    known = own.said.get(text) if own else None
+    return text if isinstance(text, Text) else known or Text(text)
 
 
 _HIDDEN = re.compile(

@@ -15,6 +15,7 @@ from afmcalc.cli.speech import chosen, without_lang
 from afmcalc.errors import AfmcalcError
 from afmcalc.language import FOLDER, language
 from afmcalc.messages import joined, localized, say, say_many, speaking, term, translate
+from afmcalc.spec.paths import keys
 from afmcalc.variants import VARIANTS
 
 EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem != "requirements")
@@ -178,7 +179,7 @@ def latin(text: str, name: str) -> set[str]:
     return set(re.findall(r"\b[A-Za-z]{4,}\b", bare)) - CODES
 
 
-CODES = {*VARIANTS, "overload", "synthesize", "life", "tolerance", "heat", "effects", "friction", "accuracy", "torque", "check"} | {
+CODES = {*VARIANTS, *re.findall(r"[a-z]+", " ".join(keys())), "overload", "synthesize", "life", "tolerance", "heat", "effects", "centrifugal", "friction", "accuracy", "torque", "check"} | {
     "adjust", "explain", "compare", "adjustment", "spring", "drive"
 }  # fmt: skip
 """Commands and keys of one word."""

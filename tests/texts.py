@@ -47,7 +47,7 @@ def texts() -> dict[Key, str]:
 def worded(text: str) -> bool:
     """Whether a text has words of its own beside its fields."""
     bare = "".join(part for part, *_ in string.Formatter().parse(text)) if "{" in text else text
-    bare = re.sub(r"\w+_\w+|\b(sin|cos|tan|ln|max|min|fig|zC|misprint)\b|\b[FSM]\d+\b", "", bare)
+    bare = re.sub(r"\w+_\w+|\b(sin|cos|tan|ln|zC|pi)\b|\b[FSM]\d+\b", "", bare)
     return re.search(r"[A-Za-z]{2}", bare) is not None
 
 
