@@ -15,6 +15,7 @@ from .text import (
     RAISED,
     SCALES,
     Text,
+    escaped,
     filled,
     joined,
     localized,
@@ -33,6 +34,7 @@ __all__ = [
     "RAISED",
     "SCALES",
     "Text",
+    "escaped",
     "filled",
     "joined",
     "localized",
@@ -175,6 +177,7 @@ FINDINGS: Mapping[str, str] = {
     "peak-pressure": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
     "below the allowable {low:g kPa} of {name}",
     "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
+    "no-candidate/attainable": "none of {candidates:,} candidates meets every requirement: {listed}; give up {names}",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
     "unexpected-verdict": "{row}: {verdict}; on record is: {record}",

@@ -15,6 +15,14 @@ class Result(BaseModel):
 
     findings_first: ClassVar[bool] = False
     """Whether the findings are what the command is called for (CSV then lists them)."""
+    of_several: ClassVar[bool] = False
+    """Whether it is of more clutches than the one of the spec."""
+    many_lists: ClassVar[bool] = False
+    """Whether it holds several lists that belong together: CSV has one figure of any of them in each row."""
+
+    def words(self, name: str) -> str | None:
+        """Return what people are told instead of a field's value; None: the value."""
+        return None
 
 
 def quantity(unit: str, symbol: str | None, description: str, *, optional: bool = False, **extra: Any) -> Any:

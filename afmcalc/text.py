@@ -223,10 +223,11 @@ def printable(text: str, *, lines: bool = False) -> str:
     >>> print(printable("a\x1b[31m \u202eb\n"))
     a\u001b[31m \u202eb\n
     """
-    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else _escaped(sign[0]), text)
+    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else escaped(sign[0]), text)
 
 
-def _escaped(sign: str) -> str:
+def escaped(sign: str) -> str:
+    """Return a character as JSON escapes it."""
     if sign in "\n\r\t":
         return repr(sign)[1:-1]
     words = sign.encode("utf-16-be", "surrogatepass").hex()

@@ -14,17 +14,8 @@ LINE = ("equations", "ground", "variants", "proofs", "spec", "engines", "papers"
 """A room imports from itself and from rooms to its left."""
 
 GROUND = {
-    "result",
-    "findings",
-    "errors",
-    "messages",
-    "text",
-    "language",
-    "arrays",
-    "extras",
-    "source",
-    "spans",
-    "watch",
+    *("result", "findings", "errors", "messages", "text", "language", "arrays", "extras"),
+    *("source", "spans", "spelling", "watch"),
 }
 MAY_ONLY = {"equations": set(), "ground": set(), "proofs": {"equations"}}
 """Rooms that know less than what is left of them."""

@@ -30,8 +30,8 @@ class AdjustResult(Result):
 
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch, which both methods are set for")
     margin: float = quantity("1", "β_н", "torque margin of the mean-friction method")
-    min_friction: MethodResult = quantity("", None, "set at f_min")
-    mean_friction: MethodResult = quantity("", None, "set at the mean friction, with margin")
+    min_friction: MethodResult = quantity("", "1", "set at f_min")
+    mean_friction: MethodResult = quantity("", "2", "set at the mean friction, with margin")
     scatter_ratio: float | None = quantity("1", "ΔT_2/ΔT_1", "band of mean-friction over that of min-friction")
     scatter_difference: float = quantity("N*m", "ΔT_2−ΔT_1", "band of mean-friction less that of min-friction")
     narrower: Literal["min-friction", "mean-friction", "equal"] = quantity("", None, "method with the narrower band")

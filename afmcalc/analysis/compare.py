@@ -1,7 +1,9 @@
 """Clutches side by side: several specs, or all variants one spec can be built as."""
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import ClassVar
 
 from ..engines import build
 from ..engines.protocol import Clutch
@@ -9,13 +11,14 @@ from ..errors import SpecError
 from ..findings import Finding, finding
 from ..messages import joined, say, term
 from ..result import Result, Triple, quantity
+from ..spec import Spec
 from ..spec.edit import as_variant, with_force, with_nominal_torque
 from ..variants import VARIANTS
 from .torque import scatter, triple
 
 
 class ComparedClutch(Result):
-    """The main quantities of one clutch."""
+    """The main quantities of one clutch; it is called by its file where names are equal."""
 
     name: str | None = quantity("", None, "clutch", optional=True)
     variant: str = quantity("", None, "variant")
@@ -36,14 +39,18 @@ class ComparedClutch(Result):
 class CompareResult(Result):
     """Clutches side by side."""
 
-    clutches: list[ComparedClutch] = quantity("", None, "clutches compared")
+    of_several: ClassVar[bool] = True
+    clutches: list[ComparedClutch] = quantity("", None, "clutches compared", across=True, by="basis")
 
 
 def compare(clutches: Sequence[Clutch]) -> tuple[CompareResult, list[Finding]]:
     """Set the main quantities of several clutches side by side."""
-    rows = [_row(clutch, None) for clutch in clutches]
+    names = _names([clutch.spec for clutch in clutches])
+    rows = [_row(clutch, None, name) for clutch, name in zip(clutches, names, strict=True)]
     findings = [
-        _named(each, clutch.spec.name or clutch.spec.variant) for clutch in clutches for each in clutch.findings()
+        _named(each, name or clutch.spec.variant)
+        for clutch, name in zip(clutches, names, strict=True)
+        for each in clutch.findings()
     ]
     return CompareResult(clutches=rows), findings
 
@@ -59,10 +66,20 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
         except SpecError as error:
             missing.append(_missing(variant, error))
             continue
-        rows += [_row(by_force, term("spring force")), _row(by_torque, term("nominal torque"))]
+        by_name = term("spring force"), term("nominal torque")
+        rows += [_row(own, basis, spec.name) for own, basis in zip((by_force, by_torque), by_name, strict=True)]
         remarks += [_named(remark, variant) for each in (by_force, by_torque) for remark in each.findings()]
     rows.sort(key=lambda row: row.basis != "spring force")
     return CompareResult(clutches=rows), [*dict.fromkeys(remarks), *missing]
+
+
+def _names(specs: Sequence[Spec]) -> list[str | None]:
+    """Names of several clutches; of those without one, or with the same, where each was read from."""
+    often = Counter(spec.name for spec in specs)
+    return [
+        spec.name if len(specs) == 1 or (spec.name is not None and often[spec.name] == 1) else spec.label
+        for spec in specs
+    ]
 
 
 def _named(remark: Finding, name: str) -> Finding:
@@ -70,10 +87,10 @@ def _named(remark: Finding, name: str) -> Finding:
     return replace(remark, message=say("{name}: {message}", name=name, message=remark.message))
 
 
-def _row(clutch: Clutch, basis: str | None) -> ComparedClutch:
+def _row(clutch: Clutch, basis: str | None, name: str | None) -> ComparedClutch:
     torque = triple(clutch, clutch.torque)
     return ComparedClutch(
-        name=clutch.spec.name,
+        name=name,
         variant=clutch.spec.variant,
         basis=basis,
         closing_force=clutch.closing_force,

@@ -69,7 +69,7 @@ class SettingLife(Result):
 
     method: Method = quantity("", None, "method")
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
-    cycles: float | None = quantity("1", "N", "cycles of the protected side", null="no limit")
+    cycles: float | None = quantity("1", "N_ц", "cycles of the protected side", null="unlimited")
 
 
 class LifeCurve(ClutchCurve):

@@ -16,21 +16,32 @@ from .registry import StressRule
 from .slips import RULES, Load, cycles, damaging_stress, is_static, load_of
 from .sweep.grid import Axis, grid
 
+UNLIMITED = "unlimited"
+"""A life without number."""
+
 
 class MethodCycles(Result):
-    """Cycles by adjustment method; null where the life is not limited by fatigue."""
+    """Cycles by adjustment method; null where fatigue sets no limit and the rule has no number for it."""
 
-    min_friction: float | None = quantity("1", "N_1", "cycles, set at f_min", null="no limit")
-    mean_friction: float | None = quantity("1", "N_2", "cycles, set at the mean friction with margin", null="no limit")
+    min_friction: float | None = quantity("1", "N_ц,1", "cycles, set at f_min", null=UNLIMITED)
+    mean_friction: float | None = quantity("1", "N_ц,2", "cycles, set at the mean friction with margin", null=UNLIMITED)
+    unlimited: list[Method] = quantity("", None, "settings whose life fatigue does not limit", told=True)
+
+    def words(self, name: str) -> str | None:
+        """Say that a life is not limited, whatever number the S-N line gives when it is extrapolated."""
+        value = getattr(self, name)
+        if isinstance(value, float) and name.replace("_", "-") in self.unlimited:
+            return say("unlimited ({value:.5g})", value=value)
+        return None
 
 
 class LifeSweep(Series):
     """Life over a swept key, or over the scatter band (dT)."""
 
-    protected: list[float | None] = quantity("1", "N", "cycles of the protected side, as set", null="no limit")
-    unprotected: list[float | None] = quantity("1", "N'", "cycles of the unprotected side, as set", null="no limit")
+    protected: list[float | None] = quantity("1", "N_ц", "cycles of the protected side, as set", null=UNLIMITED)
+    unprotected: list[float | None] = quantity("1", "N'_ц", "cycles of the unprotected side, as set", null=UNLIMITED)
     protected_forecast: list[float | None] = quantity(
-        "1", "N_cp", "cycles of the protected side, load from T_cp, as set", null="no limit"
+        "1", "N_ц,cp", "cycles of the protected side, load from T_cp, as set", null=UNLIMITED
     )
 
 
@@ -39,9 +50,9 @@ class LifeResult(Result):
 
     model: StressRule = quantity("", None, "rule for the damaging stress")
     protected: MethodCycles = quantity("", None, "protected side")
-    unprotected: MethodCycles = quantity("", None, "unprotected side")
-    protected_forecast: MethodCycles = quantity("", None, "protected side, load from T at the mean friction (S19)")
-    unprotected_forecast: MethodCycles = quantity("", None, "unprotected side, load from T at the mean friction (S19)")
+    unprotected: MethodCycles = quantity("", "'", "unprotected side")
+    protected_forecast: MethodCycles = quantity("", "cp", "protected side, load from T at the mean friction (S19)")
+    unprotected_forecast: MethodCycles = quantity("", "'cp", "unprotected side, load from T at the mean friction (S19)")
     stress_protected: float | None = quantity("Pa", "τ_eq", "damaging stress of the protected side, as set")
     stress_unprotected: float | None = quantity("Pa", "τ'_eq", "damaging stress of the unprotected side, as set")
     endurance_limit: float = quantity("Pa", "τ_limb", "endurance limit")
@@ -67,11 +78,9 @@ def life(
     by_method = {method: set_by(clutch.spec, method, nominal) for method in METHODS}
 
     def of(side: str, *, from_mean: bool = False) -> MethodCycles:
-        found = {
-            method.replace("-", "_"): _null(cycles(part, model, load_of(own, from_mean=from_mean).times(sides[side])))
-            for method, own in by_method.items()
-        }
-        return MethodCycles(**found)
+        loads = {method: load_of(own, from_mean=from_mean).times(sides[side]) for method, own in by_method.items()}
+        first, second = (_null(cycles(part, model, load)) for load in loads.values())
+        return MethodCycles(min_friction=first, mean_friction=second, unlimited=list(_below(part, model, loads)))
 
     load = load_of(clutch)
     result = LifeResult(
@@ -208,9 +217,7 @@ def _unlimited(
     limit, path = part.endurance_limit, "fatigue.endurance_limit"
     each_slip, found = RULES[model].each_slip, []
     for side, factor in sides.items():
-        stresses = {method: _stress(part, model, load.times(factor)) for method, load in loads.items()}
-        below = {method: stress for method, stress in stresses.items() if stress is not None and stress <= limit}
-        if below:
+        if below := _below(part, model, {method: load.times(factor) for method, load in loads.items()}):
             listed = joined(say("{stress:.4g MPa} ({method})", stress=s, method=term(m)) for m, s in below.items())
             found.append(
                 finding(
@@ -219,6 +226,12 @@ def _unlimited(
                 )
             )  # fmt: skip
     return found
+
+
+def _below(part: Fatigue, model: StressRule, loads: Mapping[Method, Load]) -> dict[Method, float]:
+    """Settings whose damaging stress stays below the endurance limit, and that stress."""
+    stresses = {method: _stress(part, model, load) for method, load in loads.items()}
+    return {method: each for method, each in stresses.items() if each is not None and each <= part.endurance_limit}
 
 
 def _static(part: Fatigue, load: Load, sides: Mapping[str, float | None]) -> list[Finding]:

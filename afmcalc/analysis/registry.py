@@ -258,11 +258,11 @@ ANALYSES: dict[str, Analysis] = {
                 "As making and service scatter, the mean torque is {mean:.5g N·m}, its standard deviation "
                 "{standard_deviation:.4g N·m}.",
             ),
-            plot=Plot("tolerance", "histogram of the torque with quantiles, by the [tolerance] block", "clutch"),
+            plot=Plot("tolerance", "histogram of the torque with quantiles, by the block tolerance", "clutch"),
         ),
         Analysis(
             "design", "analysis.design.design", "DesignResult", "design",
-            plot=Plot("pareto", "Pareto front of a design, on the grid and refined", "requirements"),
+            plot=Plot("pareto", "Pareto front of a design, every clutch with its number", "requirements"),
         ),
         Analysis("explain", "analysis.explain.explain", "ExplainResult", "papers"),
         Analysis("equations", "papers.register", "EquationsResult", "papers"),

@@ -176,9 +176,7 @@ def least_contact_force_gain(clutch: Clutch) -> float | None:
     assert unit.ball_circle_radius is not None
     (a0, a1), (b0, b1), start = clutch.ball_torque_by_gain()
     ratio = unit.ball_circle_radius / float(clutch.mean_radius)
-    # where a quotient is least does not depend on the size of its terms
-    over, under = max(abs(a0), abs(a1)), max(abs(b0), abs(b1))
-    cubic = law.least_contact_force_cubic(a0 / over, a1 / over, b0 / under, b1 / under, ratio)
+    cubic = law.least_contact_force_cubic(a0, a1, b0, b1, ratio)
     with np.errstate(over="raise", divide="raise", invalid="raise"):
         roots = np.roots([finite(each) for each in cubic])
     real = sorted(root.real for root in roots if abs(root.imag) < 1e-9 * abs(root) and root.real > start)

@@ -8,6 +8,7 @@ from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
 from .files import SPEC
+from .names import completing, swept
 from .options import Common, SpecArgument, with_common
 from .run import build_from, calculate, emit, write_spec
 
@@ -21,6 +22,7 @@ SweepOption = Annotated[
     typer.Option(
         "--sweep",
         metavar="NAME[=RANGE]",
+        autocompletion=completing(swept),
         help="Sweep a spec path or symbol (C, zC, z, z1, R, F, f_min, f_max, c1, c2, beta) over start:stop:count or "
         "v1,v2,...; repeatable: several make a grid.",
     ),
@@ -128,7 +130,7 @@ def synthesize(
     output = calculate(common.to_standard_output(), spec, lambda clutch: {"balls": sizes})
     if common.output:
         assert output.spec is not None
-        write_spec(completed(make_spec(output.spec), output.result), common)
+        write_spec(completed(make_spec(output.spec), output.result), common, say("Completed by afmcalc synthesize."))
         common.wrote(say("wrote the completed spec to {output}", output=common.output))
 
 
@@ -159,7 +161,7 @@ def life(
 
 @with_common
 def compare(
-    specs: Annotated[list[str] | None, typer.Argument(metavar="SPEC...", help="Specs to set side by side.")] = None,
+    specs: Annotated[list[str] | None, typer.Argument(metavar="SPEC", help="Specs to set side by side.")] = None,
     variants: Annotated[bool, typer.Option("--variants", help="One spec as every variant it can be built as.")] = False,
     *,
     common: Common,

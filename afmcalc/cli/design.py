@@ -7,6 +7,7 @@ import typer
 from ..errors import AfmcalcError
 from ..messages import say
 from .files import SPEC
+from .names import completing, parameters, targets
 from .options import Common, SpecArgument, with_common, with_long
 from .run import build_from, calculate, emit, write_spec
 
@@ -15,11 +16,21 @@ from .run import build_from, calculate, emit, write_spec
 def solve(
     target: Annotated[
         str,
-        typer.Argument(metavar="TARGET=VALUE", help="What is wanted, e.g. accuracy_factor=2 or torque_max='300 Nm'."),
+        typer.Argument(
+            metavar="TARGET=VALUE",
+            help="What is wanted, e.g. accuracy_factor=2 or torque_max='300 Nm'.",
+            autocompletion=completing(targets, "="),
+        ),
     ],
     spec: SpecArgument = None,
     parameter: Annotated[
-        str, typer.Option("--for", metavar="NAME", help="Parameter to solve for: C, F, z, z1, R, c1, c2, or its key.")
+        str,
+        typer.Option(
+            "--for",
+            metavar="NAME",
+            help="Parameter to solve for: C, F, z, z1, R, c1, c2, or its key.",
+            autocompletion=completing(parameters),
+        ),
     ] = "C",
     beyond_limit: Annotated[
         bool, typer.Option("--beyond-limit", help="Go past the gain limit of the variant.")
@@ -76,36 +87,49 @@ def design(
         int | None,
         typer.Option("--pick", metavar="N", help="Take number N of the front as a spec; --output writes it."),
     ] = None,
-    refined: Annotated[bool, typer.Option("--refined", help="Pick from the refined front, not from the grid.")] = False,
+    top: Annotated[
+        int | None,
+        typer.Option("--top", metavar="N", min=1, help="Show so many of the front.  [default: 30 in tables]"),
+    ] = None,
+    sort: Annotated[
+        str | None, typer.Option("--sort", metavar="OBJECTIVE", help="Show the front by this, least first.")
+    ] = None,
     *,
     common: Common,
 ) -> None:
     """The best clutches for what is wanted: the exact Pareto front.
 
-    configs/requirements.toml is an example. With --pick, --output FILE gets the chosen clutch as a spec.
+    configs/requirements.toml is an example. A number of the front means the same clutch in the table, the CSV, the
+    plot and for --pick, however the table is sorted. With --pick, --output FILE gets the chosen clutch as a spec.
 
     \b
-    afmcalc design requirements.toml
+    afmcalc design requirements.toml --sort accuracy_factor --top 10
     afmcalc design requirements.toml --pick 3 --output clutch.toml
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
+    from ..analysis.design.design import check_objective, picked, shown
     from ..analysis.design.design import design as analysis
-    from ..analysis.design.design import picked
     from ..spec import resolved
     from ..spec.requirements import read_requirements
     from .progress import Bar
 
     common.keep(requirements, kind=None if pick is None else SPEC)
+    check_objective(sort)
     need = read_requirements(requirements, common.set or ())
     with Bar(quiet=common.quiet, agreed=common.yes) as bar:
         result, findings = analysis(need, bar.advance)
-    if pick is None or not result.front:
-        emit(common, result, findings)
-        if not result.front:
-            raise AfmcalcError(findings[0].message)
-        return
-    chosen = resolved(picked(need, result, pick, fine=refined))
-    emit(common.to_standard_output(), result, findings, chosen)
-    if common.output:
-        write_spec(chosen, common)
+    printed = common if pick is None else common.to_standard_output()
+    spec = None if pick is None or not result.front else resolved(picked(need, result, pick))
+    if top is None and printed.chosen_format in ("table", "markdown") and result.on_front > _IN_TABLES:
+        top = _IN_TABLES
+        common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=result.on_front))
+    emit(printed, shown(result, sort, top), findings, spec)
+    if not result.front:
+        raise AfmcalcError(findings[0].message)
+    if spec and common.output:
+        write_spec(spec, common, say("Number {pick} of the front of afmcalc design.", pick=pick))
         common.wrote(say("wrote number {pick} to {output}", pick=pick, output=common.output))
+
+
+_IN_TABLES = 30
+"""Clutches of a front that a table shows unasked."""

@@ -1,16 +1,15 @@
 """The afmcalc program: its commands and its help."""
 
-import re
 from importlib import import_module
 from typing import Annotated, Any
 
 import typer
-from typer.core import TyperGroup
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..language import ENGLISH
-from ..messages import say, spoken
+from ..messages import spoken
+from .help import Command, Program
 from .options import LANG
 
 COMMANDS = {
@@ -23,48 +22,25 @@ COMMANDS = {
 """Command → module of this package that holds the function of that name, in the order of the help."""
 
 
-class _Program(TyperGroup):
-    """The commands; what the parser of the command line finds wrong is said as everything else is."""
-
-    def invoke(self, ctx: Any) -> Any:
-        """Run the command that is called."""
-        try:
-            return super().invoke(ctx)
-        except Exception as raised:
-            error: Any = raised
-            if hasattr(error, "format_message") and isinstance(error.message, str):
-                error.message = _plainly(error.message)
-            raise
-
-
-def _plainly(message: str) -> str:
-    """Put a message of the checks behind the parser in our words."""
-    if found := re.match(r"Input should be greater than or equal to (\S+)", message):
-        return say("must be at least {least}", least=found[1])
-    if message.startswith("Input should be a valid integer"):
-        return say("must be a whole number")
-    return message.removeprefix("Value error, ")
-
-
 def application(arguments: list[str]) -> Any:
     """Build the program for a command line.
 
     Only the command that is called is imported and registered; all of them when none is (help, a misspelt name).
     """
+    called = arguments[0] if arguments and arguments[0] in COMMANDS else None
     app = typer.Typer(
         name="afmcalc",
-        cls=_Program,
+        cls=Program,
         no_args_is_help=True,
-        add_completion=False,
+        add_completion=called is None,
         rich_markup_mode=None,
         pretty_exceptions_enable=False,
         context_settings={"help_option_names": ["-h", "--help"]},
     )
     app.callback()(_afmcalc)
-    called = arguments[0] if arguments and arguments[0] in COMMANDS else None
     for name in [called] if called else COMMANDS:
         module = import_module(f".{COMMANDS[name]}", __package__)
-        app.command(name)(getattr(module, name))
+        app.command(name, cls=Command)(getattr(module, name))
     if spoken() == ENGLISH:
         return app
     from .speech import translated
@@ -87,9 +63,9 @@ def _afmcalc(
     """Design calculator for adaptive friction clutches (torque limiters with feedback).
 
     \b
-    afmcalc torque clutch.toml           torque and forces over the friction range
-    afmcalc accuracy --sweep C           accuracy of the built-in clutch over the gain
-    afmcalc init clutch.toml             an annotated spec to start from
+    afmcalc init clutch.toml    an annotated spec to start from
+    afmcalc torque clutch.toml  torque and forces over the friction range
+    afmcalc accuracy --sweep C  accuracy of the built-in clutch over the gain
     afmcalc torque a.toml --json | afmcalc accuracy -
 
     SPEC is a TOML or JSON file, - for standard input; without it the built-in base clutch is used.

@@ -12,6 +12,7 @@ import typer
 from ..errors import AfmcalcError
 from ..messages import say, told
 from .files import SPEC, Kind, format_of, format_of_spec, refuse, result_kind, write
+from .names import completing, paths
 from .signals import unreported
 from .streams import tell
 
@@ -30,7 +31,12 @@ class Common:
     command: str
     set: Annotated[
         list[str] | None,
-        typer.Option("--set", metavar="PATH=VALUE", help="Override a spec key; repeatable. Empty VALUE removes it."),
+        typer.Option(
+            "--set",
+            metavar="PATH=VALUE",
+            help="Override a spec key; repeatable. Empty VALUE removes it.",
+            autocompletion=completing(paths, "="),
+        ),
     ] = None
     format: Annotated[
         Literal["table", "json", "csv", "markdown"] | None,

@@ -7,6 +7,7 @@ import typer
 from ..analysis.registry import EXPLAINED, StressRule
 from ..errors import AfmcalcError
 from ..messages import say
+from .names import completing, explained, figures
 from .options import Common, SpecArgument, with_common
 from .progress import Bar
 from .run import emit, read
@@ -18,7 +19,14 @@ PaperOption = Annotated[
 
 @with_common
 def explain(
-    command: Annotated[str, typer.Argument(metavar="COMMAND", help=f"{', '.join(EXPLAINED[:-1])} or {EXPLAINED[-1]}.")],
+    command: Annotated[
+        str,
+        typer.Argument(
+            metavar="COMMAND",
+            autocompletion=completing(explained),
+            help=f"{', '.join(EXPLAINED[:-1])} or {EXPLAINED[-1]}.",
+        ),
+    ],
     spec: SpecArgument = None,
     model: Annotated[
         StressRule | None,
@@ -75,7 +83,12 @@ def reproduce(
     paper: PaperOption = None,
     figure: Annotated[
         list[str] | None,
-        typer.Option("--figure", metavar="NAME", help="The points of a figure's curves, e.g. S22-3; repeatable."),
+        typer.Option(
+            "--figure",
+            metavar="NAME",
+            autocompletion=completing(figures),
+            help="The points of a figure's curves, e.g. S22-3; repeatable.",
+        ),
     ] = None,
     *,
     common: Common,

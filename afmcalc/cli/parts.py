@@ -77,5 +77,5 @@ def springs(
     result, findings = found(clutch, sort, top, kind, tolerance)
     data = picked(clutch, result, pick)
     emit(common.to_standard_output(), result, findings, resolved(clutch.spec))
-    write_spec(data, common)
+    write_spec(data, common, say("With a part chosen by afmcalc springs."))
     common.wrote(say("wrote the spec with its spring to {output}", output=common.output))

@@ -8,6 +8,7 @@ from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError
 from ..messages import say
 from .files import PLOT, write, write_file
+from .names import completing, plots, swept
 from .options import Common, common_options
 from .progress import Bar
 from .run import build_from, need_drawing
@@ -24,16 +25,27 @@ _KINDS = [name for name in PLOTS if name != "paper"]
 
 @common_options("set", "output", "force", "yes", "quiet", output="File, .png, .svg or .pdf; without it drawn as text.")
 def plot(
-    what: Annotated[str, typer.Argument(metavar="WHAT", help=f"{', '.join(_KINDS)}, or paper with a figure.")],
+    what: Annotated[
+        str,
+        typer.Argument(
+            metavar="WHAT", autocompletion=completing(plots), help=f"{', '.join(_KINDS)}, or paper with a figure."
+        ),
+    ],
     subjects: Annotated[
         list[str] | None,
         typer.Argument(
-            metavar="[SPEC...]",
+            metavar="SPEC",
             help="Specs; several give several curves. After paper: F11-2, S22-3, ...; after pareto: REQUIREMENTS.",
         ),
     ] = None,
     sweep: Annotated[
-        str | None, typer.Option("--sweep", metavar="NAME[=RANGE]", help="accuracy: the axis (C); life: dT=RANGE.")
+        str | None,
+        typer.Option(
+            "--sweep",
+            metavar="NAME[=RANGE]",
+            autocompletion=completing(swept),
+            help="accuracy: the axis (C); life: dT=RANGE.",
+        ),
     ] = None,
     model: Annotated[StressRule | None, typer.Option("--model", help="life: rule for the damaging stress.")] = None,
     *,

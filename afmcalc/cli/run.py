@@ -11,6 +11,7 @@ from ..extras import need
 from ..messages import say
 from .files import SPEC, format_of_spec, result_kind
 from .options import Common
+from .streams import is_unicode
 
 if TYPE_CHECKING:
     from ..engines import Clutch
@@ -96,6 +97,10 @@ def emit(
         from ..render import renderer
 
         text = renderer(chosen)(output, terminal)
+    if chosen == "json" and common.output in (None, "-") and not is_unicode(sys.stdout):
+        from ..render.formats.json import in_ascii
+
+        text = in_ascii(text)
     common.write(text, result_kind(common.command, chosen, text))
     if chosen == "csv" and not result.findings_first:
         from ..render.layout import findings_lines
@@ -106,8 +111,8 @@ def emit(
     return output
 
 
-def write_spec(data: dict[str, Any], common: Common) -> None:
-    """Write a spec to the file of a command that gives one beside its result."""
+def write_spec(data: dict[str, Any], common: Common, about: str) -> None:
+    """Write a spec to the file of a command that gives one beside its result; ``about`` says what it is."""
     assert common.output is not None
     if format_of_spec(common.output) == "json":
         import json
@@ -116,5 +121,5 @@ def write_spec(data: dict[str, Any], common: Common) -> None:
     else:
         from ..spec import to_toml
 
-        text = to_toml(data)
+        text = to_toml(data, about)
     common.write(text, SPEC)

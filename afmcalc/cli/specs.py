@@ -10,6 +10,7 @@ from ..errors import AfmcalcError, SpecError
 from ..messages import say
 from ..variants import VARIANTS
 from .files import SCHEMA, SPEC, refuse, write
+from .names import completing, described
 from .options import Common, SpecArgument, with_common, with_long
 from .run import calculate, emit
 
@@ -144,7 +145,12 @@ def materials(*, common: Common) -> None:
 
 def schema(
     command: Annotated[
-        str | None, typer.Argument(metavar="COMMAND", help="Command whose JSON is described; without it the spec.")
+        str | None,
+        typer.Argument(
+            metavar="COMMAND",
+            autocompletion=completing(described),
+            help="Command whose JSON is described; without it the spec.",
+        ),
     ] = None,
     output: Annotated[
         str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")

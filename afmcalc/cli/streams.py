@@ -66,8 +66,19 @@ def _guarded(stream: Any, raw: type[io.FileIO]) -> Any:
             line_buffering=stream.line_buffering,
         )
     if reconfigure := getattr(stream, "reconfigure", None):
-        reconfigure(errors="backslashreplace")
+        reconfigure(errors="backslashreplace" if is_unicode(stream) else _spelling())
     return stream
+
+
+def is_unicode(stream: Any) -> bool:
+    """Whether a stream takes any text."""
+    return (getattr(stream, "encoding", "") or "").lower().replace("-", "").startswith("utf")
+
+
+def _spelling() -> str:
+    from ..spelling import NAME
+
+    return NAME
 
 
 def drop_output() -> None:

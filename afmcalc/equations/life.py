@@ -116,7 +116,7 @@ def equivalent_stress_goodman(stress_low: Number, stress_high: Number, ultimate_
 
 
 def cycles(endurance_limit: Number, stress: Number, exponent: Number, base_cycles: Number) -> Number:
-    """Cycles to failure on the S-N line, N = N_0 (τ_limb/τ)^m_τ.
+    """Cycles to failure on the S-N line, N_ц = N_0 (τ_limb/τ)^m_τ.
 
     Source: S19 (14); with the mean stress (18)–(20).
 
@@ -127,16 +127,16 @@ def cycles(endurance_limit: Number, stress: Number, exponent: Number, base_cycle
         base_cycles: N_0, base cycles of the S-N line [1].
 
     Returns:
-        N [1].
+        N_ц [1].
 
     Validity:
-        τ ≥ τ_limb, that is N ≤ N_0: below the endurance limit the line is extrapolated.
+        τ ≥ τ_limb, that is N_ц ≤ N_0: below the endurance limit the line is extrapolated.
     """
     return base_cycles * (endurance_limit / stress) ** exponent
 
 
 def damage(endurance_limit: Number, stress: Number, exponent: Number, base_cycles: Number) -> Number:
-    """Damage of one cycle, 1/N = (τ/τ_limb)^m_τ/N_0; a part fails when its cycles add up to 1.
+    """Damage of one cycle, 1/N_ц = (τ/τ_limb)^m_τ/N_0; a part fails when its cycles add up to 1.
 
     Source: Miner, Cumulative damage in fatigue, J. Appl. Mech. 12 (1945), with the S-N line of S19 (14).
 
@@ -147,7 +147,7 @@ def damage(endurance_limit: Number, stress: Number, exponent: Number, base_cycle
         base_cycles: N_0, base cycles of the S-N line [1].
 
     Returns:
-        1/N [1].
+        1/N_ц [1].
 
     Validity:
         As ``cycles``.
@@ -156,15 +156,15 @@ def damage(endurance_limit: Number, stress: Number, exponent: Number, base_cycle
 
 
 def cycles_of_mean_damage(mean_damage: Number) -> Number:
-    """Slips to failure from the mean damage of a slip, N = 1/D_m.
+    """Slips to failure from the mean damage of a slip, N_ц = 1/D_m.
 
-    Source: Miner: D_m is the mean of 1/N(T_low, T(f)) over the friction of the slips (theory, section 4).
+    Source: Miner: D_m is the mean of 1/N_ц(T_low, T(f)) over the friction of the slips (theory, section 4).
 
     Args:
         mean_damage: D_m, mean damage of a slip over f_min … f_max [1].
 
     Returns:
-        N [1].
+        N_ц [1].
 
     Validity:
         Linear damage; slips below the endurance limit do none.
@@ -180,7 +180,7 @@ def cycles_of_band(
     exponent: Number,
     base_cycles: Number,
 ) -> Number:
-    """Cycles from the smallest torque and the scatter band, N = N_0 (2 τ_limb W_p/(2 T_min + ΔT))^m_τ.
+    """Cycles from the smallest torque and the scatter band, N_ц = N_0 (2 τ_limb W_p/(2 T_min + ΔT))^m_τ.
 
     Source: S19 (19), (20).
 
@@ -193,7 +193,7 @@ def cycles_of_band(
         base_cycles: N_0, base cycles of the S-N line [1].
 
     Returns:
-        N [1].
+        N_ц [1].
 
     Validity:
         Mean-stress rule; as ``cycles``.

@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 from pydantic import BaseModel
+from pydantic.fields import FieldInfo
 
 from ..messages import translate
 from ..result import OpenTriple, Result, Triple
@@ -19,6 +20,14 @@ class Entry(NamedTuple):
     """One value, or three at f_min, mean, f_max."""
     null: str = "–"
     """What a missing value means, for people."""
+    shown_unit: str = ""
+    """SI unit of a value that has its unit in a field of its own; empty: ``unit``."""
+    error_of: str = ""
+    """Path of the figure whose standard error this is; people see it beside the figure."""
+    told: bool = False
+    """Whether people see it in what another entry shows: a unit, or what ``said`` says."""
+    said: str = ""
+    """What people are told instead of the value."""
 
 
 class Column(NamedTuple):
@@ -34,10 +43,14 @@ class Column(NamedTuple):
     null: str = "–"
     units: list[str] | None = None
     """SI units of values that have theirs in a field of its own."""
+    error_of: str = ""
+    """Path of the column whose standard errors these are."""
     is_unit: bool = False
     """Whether the values are units."""
     code: bool = False
     """Whether the values are names that a user types."""
+    said: list[str | None] | None = None
+    """What people are told instead of some of the values."""
 
 
 class Table(NamedTuple):
@@ -48,6 +61,12 @@ class Table(NamedTuple):
     axes: int = 0
     data: bool = False
     """Rows for programs: CSV writes them, people are spared them."""
+    across: bool = False
+    """Whether people see the records side by side, quantities as rows."""
+    path: str = ""
+    """Path of the list."""
+    by: str = ""
+    """Path of the column whose every value gets a table of its own, for people."""
 
 
 class Document(NamedTuple):
@@ -63,43 +82,72 @@ class Document(NamedTuple):
 def document(result: BaseModel) -> Document:
     """Lay out a result by the symbol, unit and description of its fields; null optional fields are left out."""
     laid_out = Document([], [], [], [])
-    _walk(result, "", "", laid_out)
+    _walk(result, "", "", "", laid_out)
     return laid_out
 
 
-def _walk(model: BaseModel, prefix: str, heading: str, into: Document) -> None:
+def about(info: FieldInfo) -> dict[str, Any]:
+    """Return what the declaration of a field says beside its description."""
+    return info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+
+
+def indexed(symbol: str, index: str) -> str:
+    """Symbol of a quantity that is given more than once, with the index that tells it from the others.
+
+    >>> indexed("ΔT", "1"), indexed("K_т", "1"), indexed("N", "'"), indexed("N'_1", "cp"), indexed("T", "")
+    ('ΔT_1', 'K_т,1', "N'", "N'_1,cp", 'T')
+    """
+    if not symbol or not index:
+        return symbol
+    head, mark, below = symbol.partition("_")
+    if index.startswith("'"):
+        return indexed(head + "'" + mark + below, index[1:])
+    return f"{symbol}{',' if mark else '_'}{index}"
+
+
+def _walk(model: BaseModel, prefix: str, heading: str, index: str, into: Document) -> None:
     for name, info in type(model).model_fields.items():
         value = getattr(model, name)
         if value is None and not info.is_required():
             continue
-        about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+        extra = about(info)
         path, title = prefix + name, translate(info.description or name)
-        symbol, unit = str(about.get("symbol") or ""), str(about.get("unit") or "")
+        symbol, unit = indexed(str(extra.get("symbol") or ""), index), str(extra.get("unit") or "")
         label = f"{heading}: {title}" if heading else title
         if isinstance(value, Triple | OpenTriple):
-            null = str(about.get("null") or "–")
+            null = str(extra.get("null") or "–")
             into.triples.append(Entry(path, symbol, label, unit, (value.min, value.mean, value.max), null))
         elif isinstance(value, Result):
-            _walk(value, path + ".", label, into)
+            _walk(value, path + ".", label, str(extra.get("symbol") or ""), into)
         elif isinstance(value, dict):
-            into.tables.append(_mapping(path, symbol, label, unit, value, ranked=bool(about.get("ranked"))))
-        elif about.get("steps"):
+            of = translate(str(extra.get("of") or "parameter"))
+            into.tables.append(_mapping(path, symbol, label, unit, value, of, ranked=bool(extra.get("ranked"))))
+        elif extra.get("steps"):
             into.steps.extend(value)
             into.tables.append(_records(label, value))
         elif isinstance(value, list) and value and isinstance(value[0], BaseModel):
-            laid_out = _side_by_side(label, value) if about.get("columns") else _records(label, value)
-            into.tables.append(laid_out._replace(data=bool(about.get("data"))))
+            laid_out = _side_by_side(label, value) if extra.get("columns") else _records(label, value)
+            across, by = bool(extra.get("across")), str(extra.get("by") or "")
+            into.tables.append(laid_out._replace(data=bool(extra.get("data")), across=across, by=by, path=path))
         elif value != []:
-            into.singles.append(Entry(path, symbol, label, unit, (value,), str(about.get("null") or "–")))
+            null, shown_unit = str(extra.get("null") or "–"), str(getattr(model, str(extra.get("unit_in")), ""))
+            error_of, told = str(extra.get("error_of") or ""), bool(extra.get("told"))
+            said = model.words(name) if isinstance(model, Result) else None
+            into.singles.append(
+                Entry(
+                    path, symbol, label, unit, (value,), null, shown_unit, error_of and prefix + error_of, told,
+                    said or "",
+                )
+            )  # fmt: skip
 
 
-def _mapping(path: str, symbol: str, title: str, unit: str, value: dict[str, Any], *, ranked: bool) -> Table:
-    """Lay out a dictionary; ``ranked`` puts the largest magnitude first."""
+def _mapping(path: str, symbol: str, title: str, unit: str, value: dict[str, Any], of: str, *, ranked: bool) -> Table:
+    """Lay out a dictionary whose keys are called ``of``; ``ranked`` puts the largest magnitude first."""
     names = sorted(value, key=lambda name: -abs(value[name])) if ranked else list(value)
     return Table(
         title,
         [
-            Column(f"{path}.key", "", translate("parameter"), "", names),
+            Column(f"{path}.key", "", of, "", names),
             Column(path, symbol, title, unit, [value[name] for name in names]),
         ],
     )
@@ -109,11 +157,12 @@ def _records(title: str, items: list[BaseModel]) -> Table:
     """Lay out a list of records, one row each; triples become three columns, all-null columns are left out."""
     columns: list[Column] = []
     for name, info in type(items[0]).model_fields.items():
-        about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+        extra = about(info)
         values = [getattr(item, name) for item in items]
-        if all(value is None for value in values):
+        said = [item.words(name) if isinstance(item, Result) else None for item in items]
+        if all(value is None for value in values) and not any(said):
             continue
-        symbol, unit = str(about.get("symbol") or ""), str(about.get("unit") or "")
+        symbol, unit = str(extra.get("symbol") or ""), str(extra.get("unit") or "")
         label = translate(info.description or name)
         if any(isinstance(value, Triple | OpenTriple) for value in values):
             for end in ("min", "mean", "max"):
@@ -122,9 +171,13 @@ def _records(title: str, items: list[BaseModel]) -> Table:
                     Column(f"{name}_{end}", f"{symbol} {translate(end, 'value')}", f"{label}, {end}", unit, ends)
                 )
         else:
-            own = [str(getattr(item, str(about["unit_in"]))) for item in items] if "unit_in" in about else None
-            detail, is_unit, code = (bool(about.get(part)) for part in ("detail", "is_unit", "code"))
-            columns.append(Column(name, symbol, label, unit, values, detail, units=own, is_unit=is_unit, code=code))
+            own = [str(getattr(item, str(extra["unit_in"]))) for item in items] if "unit_in" in extra else None
+            columns.append(
+                Column(
+                    name, symbol, label, unit, values, bool(extra.get("detail")), str(extra.get("null", "–")), own,
+                    str(extra.get("error_of") or ""), bool(extra.get("is_unit")), bool(extra.get("code")), said,
+                )
+            )  # fmt: skip
     return Table(title, columns)
 
 
@@ -135,12 +188,12 @@ def _side_by_side(title: str, items: list[BaseModel]) -> Table:
     for item in items:
         facts: Any = item
         for name, info in type(item).model_fields.items():
-            about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+            extra = about(info)
             value = getattr(item, name)
-            if about.get("axis"):
+            if extra.get("axis"):
                 axes.append(Column(facts.path, facts.parameter, facts.path, facts.unit, value))
             elif isinstance(value, list) and item is items[0]:
                 label = translate(info.description or name)
-                symbol, unit, null = (str(about.get(part) or "") for part in ("symbol", "unit", "null"))
+                symbol, unit, null = (str(extra.get(part) or "") for part in ("symbol", "unit", "null"))
                 answers.append(Column(name, symbol, label, unit, value, null=null or "–"))
     return Table(title, [*axes, *answers], axes=len(axes))

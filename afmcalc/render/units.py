@@ -96,3 +96,24 @@ def significant(value: float) -> str:
     if 1e-4 <= abs(rounded) < 1e7:
         return localized(f"{rounded:.10f}".rstrip("0").rstrip("."))
     return localized(f"{value:.5g}")
+
+
+def estimate(value: float, error: float, unit: str) -> str:
+    """Return a value with its standard error in the engineer's unit: the error to two figures, the value to its last.
+
+    >>> estimate(258.1534, 0.08938, "N*m"), estimate(9.3523e14, 1.3563e12, "1"), estimate(0.0, 5e-6, "1")
+    ('258.153 ± 0.089', '(9.352 ± 0.014)e+14', '0 ± 5e-06')
+    >>> estimate(123456.0, 2341.0, "1"), estimate(2.5, 0.0, "1")
+    ('123500 ± 2300', '2.5')
+    """
+    value, error = value * factor(unit), error * factor(unit)
+    if not error > 0 or not math.isfinite(error):
+        return significant(value)
+    if value == 0:
+        return f"0 ± {significant(float(f'{error:.2g}'))}"
+    largest = math.floor(math.log10(max(abs(value), error)))
+    power = largest if not -4 <= largest < 7 else 0
+    value, error = value / 10.0**power, float(f"{error:.2g}") / 10.0**power
+    places = 1 - math.floor(math.log10(error) + 1e-9)
+    shown = " ± ".join(f"{round(each, places):.{max(places, 0)}f}" for each in (value, error))
+    return localized(f"({shown})e{power:+03d}" if power else shown)

@@ -10,7 +10,7 @@ from .models import Method, Spec
 from .paths import is_whole
 from .reading import make_spec
 from .rules import foreign_keys
-from .writing import resolved
+from .writing import resolved, to_toml
 
 _REPLACED = {
     "control_unit.gain": ("control_unit.wall_angle",),
@@ -93,6 +93,13 @@ def _without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:
             spec = spec.model_copy(update={"friction": spec.friction.model_copy(update={"min": low, "max": high})})
         spec = with_value(spec, other.split("."), None)
     return spec
+
+
+def as_written(spec: Spec) -> Spec:
+    """Return the spec as it reads once it is written to a file: no number has more digits than count."""
+    import tomllib
+
+    return make_spec(tomllib.loads(to_toml(resolved(spec))), spec.label)
 
 
 def as_variant(spec: Spec, variant: str) -> Spec:

@@ -25,8 +25,8 @@ class Heat(Block):
     """Discs that take the heat, air that takes it from them, lining that is worn."""
 
     disc_mass: DiscMass | None = key_field("mass of all discs that take the heat", "m")
-    specific_heat: SpecificHeat | None = key_field("specific heat of the discs", "c")
-    conductivity: Conductivity | None = key_field("thermal conductivity of the discs", "k")
+    specific_heat: SpecificHeat | None = key_field("specific heat of the discs", "c_p")
+    conductivity: Conductivity | None = key_field("thermal conductivity of the discs", "k_t")
     density: Density | None = key_field("density of the discs", "ρ")
     lining_conductivity: Conductivity | None = key_field(
         "thermal conductivity of the lining; absent: the discs take all the heat", "k_l"

@@ -175,9 +175,7 @@ class ControlUnit(Block):
     face_gap: Gap | None = key_field("gap between the faces of the pockets", "s")
     edge_clearance: Gap | None = key_field("clearance of the contact from the pocket's edge", "y")
     allowable_contact_force: Force | None = key_field("allowable normal force on one ball", "[F_n]")
-    ball_diameter: Length | None = key_field(
-        "ball chosen; synthesize takes it instead of the next standard one", "2 r_ш"
-    )
+    ball_diameter: Length | None = key_field("ball chosen; synthesize takes it instead of the next standard one", "d_ш")
     sleeve_depth: Length | None = key_field("thickness, along the axis, of the sleeve the pockets are cut into", "B")
     wall_friction: Ratio | None = key_field(
         "friction of cams that slide on the walls, balls do not (effects only)", "μ"

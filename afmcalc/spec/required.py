@@ -29,7 +29,7 @@ class Required(Block):
     )
     work: SpecificWork | None = key_field("specific work of a trip, at most (heat)", "q_A")
     temperature: Temperature | None = key_field("temperature of the discs after one trip, at most (heat)", "Θ")
-    cycles: Coefficient | None = key_field("life in cycles on either side of the clutch, at least", "N")
+    cycles: Coefficient | None = key_field("life in cycles on either side of the clutch, at least", "N_ц")
 
     @model_validator(mode="after")
     def _of_a_limit(self) -> "Required":

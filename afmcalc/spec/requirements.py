@@ -85,7 +85,9 @@ class Search(Block):
     driving_pairs: Pairs = Field(
         default_factory=lambda: Choice((1.0,)), description="bypass pairs z_1 (differentiated); default 1"
     )
-    mean_radius: Lengths = Field(description="mean friction radius R_cp")
+    mean_radius: Lengths | None = key_field("mean friction radius R_cp; or inner_radius and outer_radius")
+    inner_radius: Lengths | None = key_field("inner radius r_i of the friction faces")
+    outer_radius: Lengths | None = key_field("outer radius r_o; R_cp is the mean of both")
     gain: Ratios | None = key_field("feedback gain C")
     wall_angle: Angles | None = key_field("wall angle instead of the gain")
     ball_circle_radius: Lengths | None = key_field("ball-circle radius r")
@@ -97,6 +99,20 @@ class Search(Block):
     control_stiffness: StiffnessesOrNone | None = key_field("c_2 (indirect); 0: a constant force")
     ball_diameters: Diameters | None = key_field("standard balls; default the list that ships")
 
+    @property
+    def radii(self) -> Choice:
+        """What the mean radius follows: itself, or the outer radius at a given inner one."""
+        found = self.mean_radius or self.outer_radius
+        assert found is not None
+        return found
+
+    @property
+    def least_mean_radius(self) -> float:
+        """No mean radius is smaller, m."""
+        outer = float(self.radii.array()[0])
+        inner = outer if self.inner_radius is None else float(self.inner_radius.array()[0])
+        return (max(inner, outer) + inner) / 2
+
 
 class Fixed(Block):
     """What is the same for every candidate."""
@@ -104,7 +120,7 @@ class Fixed(Block):
     balls: Count = key_field("number of balls n", default=6)
     face_gap: Gap = key_field("gap s between the faces", default=0.002)
     edge_clearance: Gap = key_field("clearance y at the pocket's edge", default=0.002)
-    face_width: Length | None = key_field("radial width of the friction face, for the surface pressure")
+    face_width: Length | None = key_field("radial width of the friction faces, for pressure and outer diameter")
     hub_diameter: Length | None = key_field("hub diameter d (indirect)")
     key_friction: Ratio | None = key_field("friction f_1 at the key (indirect)")
 
@@ -112,7 +128,8 @@ class Fixed(Block):
 class Limits(Block):
     """What no candidate may exceed."""
 
-    surface_pressure: Stress | None = key_field("mean surface pressure; needs fixed.face_width")
+    surface_pressure: Stress | None = key_field("mean surface pressure; needs the width of the faces, or both radii")
+    outer_diameter: Length | None = key_field("outer diameter of the friction faces; needs the same")
     contact_force: Force | None = key_field("normal force on one ball")
     travel: Length | None = key_field("travel of the sleeve (indirect)")
     reduced_gain: Ratio | None = key_field("reduced gain")
@@ -156,6 +173,7 @@ class Requirements(Block):
                 "search.closing_force",
                 say("give closing_force (a range) or closing_forces (a catalogue), one of them"),
             )
+        yield from self._radii_problems()
         variants = [VARIANTS[name] for name in self.variants]
         if any(each.controlled for each in variants):
             if (search.gain is None) == (search.wall_angle is None):
@@ -171,8 +189,21 @@ class Requirements(Block):
         for each in (each for each in variants if each.travels):
             for path in (path for path, given in springs_and_hub.items() if given is None):
                 yield rules.wrong(path, say("required for variant {variant!r}", variant=each.name))
-        if self.limits.surface_pressure is not None and fixed.face_width is None:
-            yield rules.wrong("fixed.face_width", say("required beside {other}", other="limits.surface_pressure"))
+
+    def _radii_problems(self) -> Iterable[Problem]:
+        width, mean, inner, outer = (
+            self.fixed.face_width, self.search.mean_radius, self.search.inner_radius, self.search.outer_radius,
+        )  # fmt: skip
+        if mean is not None and inner is None and outer is None:
+            for name in ("surface_pressure", "outer_diameter"):
+                if width is None and getattr(self.limits, name) is not None:
+                    yield rules.wrong("fixed.face_width", say("required beside {other}", other=f"limits.{name}"))
+        elif mean is not None or inner is None or outer is None:
+            yield rules.wrong("search.mean_radius", say("give mean_radius, or inner_radius and outer_radius"))
+        elif width is not None:
+            yield rules.wrong("fixed.face_width", say("follows from search.inner_radius and search.outer_radius"))
+        elif not inner.array()[0] < outer.array()[-1]:
+            yield rules.wrong("search.outer_radius", say("must reach beyond search.inner_radius"))
 
 
 def read_requirements(source: str | PathLike[str], overrides: Iterable[str] = ()) -> Requirements:

@@ -98,7 +98,7 @@ class _Spring(Block):
     coil: CoilSprings | None = None
     surface_friction: Ratio | None = key_field("friction of the cones of a disc stack on each other", "w_M")
     edge_friction: Ratio | None = key_field("friction of the edges of a disc stack", "w_R")
-    thread_pitch: Length | None = key_field("pitch of the nut that sets the spring", "p")
+    thread_pitch: Length | None = key_field("pitch of the nut that sets the spring", "P_h")
 
     @model_validator(mode="after")
     def _one_part(self) -> "_Spring":

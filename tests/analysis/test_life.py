@@ -32,4 +32,25 @@ def test_sweeps_with_null_lives_are_drawn(afmcalc):
     for sweep in ("C=0.1,0.5,1", "z=4:12:9", "dT=10,100,400"):
         run = afmcalc("life", *WEAK_SHAFT, "--model", "amplitude", "--sweep", sweep)
         assert run.code == 0, run.err
-    assert "no limit" in afmcalc("life", "--model", "amplitude", "--set", "fatigue.mean_stress_sensitivity=0").out
+    assert "unlimited  –" in afmcalc("life", "--model", "amplitude", "--set", "fatigue.mean_stress_sensitivity=0").out
+
+
+def test_an_unlimited_life_is_called_so_wherever_it_is_asked_for(afmcalc):
+    found = afmcalc("life", "--json").json["result"]
+    assert found["protected"]["unlimited"] == ["min-friction", "mean-friction"]
+    assert found["protected"]["min_friction"] > found["base_cycles"]
+    heavy = afmcalc("life", "--set", "fatigue.endurance_limit=12 MPa", "--json").json["result"]
+    assert (heavy["protected"]["unlimited"], heavy["unprotected"]["unlimited"]) == (["mean-friction"], [])
+    assert heavy["protected"]["min_friction"] < heavy["base_cycles"] < heavy["protected"]["mean_friction"]
+    table = afmcalc("life", "--set", "fatigue.endurance_limit=12 MPa").out
+    assert f"unlimited ({heavy['protected']['mean_friction']:.5g})" in table
+    (line,) = (each for each in afmcalc("check", "--set", "requirements.cycles=1e6").out.splitlines() if "N_ц" in each)
+    assert line.split()[-6:] == ["unlimited", "at", "least", "1000000", "–", "0", "yes"][-6:]
+    (line,) = (
+        each
+        for each in afmcalc(
+            "check", "--set", "requirements.cycles=1e6", "--set", "fatigue.endurance_limit=12 MPa"
+        ).out.splitlines()
+        if "N_ц" in each
+    )
+    assert line.split()[-7:-5] == ["324280", "at"]

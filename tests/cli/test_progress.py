@@ -40,7 +40,7 @@ def test_where_the_bar_appears(stream, quiet, patience, shown, monkeypatch):
 
 LONG = {
     "tolerance": ["tolerance", STUDY, "--set", "tolerance.samples=2_000_000", "--threads", "2"],
-    "design": ["design", CONFIGS / "requirements.toml"],
+    "design": ["design", CONFIGS / "requirements.toml", "--top", "9"],
     "plot": ["plot", "pareto", CONFIGS / "requirements.toml"],
     "report": ["report", STUDY],
     "check": ["check", STUDY, "--set", "requirements.exceedance=0.5"],

@@ -6,10 +6,11 @@ from typing import Any, Literal, NamedTuple
 
 from ...engines.protocol import Clutch
 from ...findings import Finding, finding
-from ...messages import term
+from ...messages import term, translate
 from ...result import OpenTriple, Result, Triple, quantity
 from ...spec.paths import keys
 from ..answers import Answers
+from ..life import UNLIMITED
 from ..registry import ANALYSES
 
 
@@ -25,6 +26,10 @@ class RequirementRow(Result):
     unit: str = quantity("", None, "unit", is_unit=True)
     utilisation: float | None = quantity("1", "η", "utilisation, 1 at the limit")
     passed: bool | None = quantity("", None, "passed")
+
+    def words(self, name: str) -> str | None:
+        """Say that a life has no limit: it passes, and has no number."""
+        return translate(UNLIMITED) if name == "value" and self.value is None and self.passed else None
 
 
 class Judged(NamedTuple):
@@ -59,10 +64,11 @@ def _most(found: Triple | OpenTriple | None) -> float | None:
 
 
 def _cycles(clutch: Clutch, found: Any) -> float:
-    """Life as set, of the side that fails first."""
-    method = clutch.spec.adjustment.method.replace("-", "_")
-    lives = (getattr(side, method) for side in (found.protected, found.unprotected))
-    return min(math.inf if life is None else float(life) for life in lives)
+    """Life as set, of the side that fails first; what the S-N line gives beyond its end is no number to sign."""
+    method = clutch.spec.adjustment.method
+    sides = [side for side in (found.protected, found.unprotected) if method not in side.unlimited]
+    lives = (getattr(side, method.replace("-", "_")) for side in sides)
+    return min((math.inf if life is None else float(life) for life in lives), default=math.inf)
 
 
 JUDGED: dict[str, Judged] = {

@@ -173,13 +173,22 @@ class Candidates(ABC):
         return found
 
     @cached_property
-    def surface_pressure(self) -> Numbers:
-        """Mean surface pressure under the force at rest, Pa; NaN where no face width is given."""
+    def face_width(self) -> Numbers:
+        """Radial width of the friction faces, m; NaN where it is not known."""
         width = self.need.fixed.face_width
-        if width is None:
-            return np.full(1, np.nan)
-        inner, outer = self.at.mean_radius - width / 2, self.at.mean_radius + width / 2
-        found: Numbers = self.pack_force * geometry.mean_pressure(1.0, inner, outer, np.pi)
+        return 2 * (self.at.mean_radius - self.at.inner_radius) if width is None else np.full(1, width)
+
+    @cached_property
+    def outer_diameter(self) -> Numbers:
+        """Outer diameter of the friction faces, m; NaN where their width is not known."""
+        return 2 * self.at.mean_radius + self.face_width
+
+    @cached_property
+    def surface_pressure(self) -> Numbers:
+        """Mean surface pressure under the force at rest, Pa; NaN where the width of the faces is not known."""
+        half = self.face_width / 2
+        per_force = geometry.mean_pressure(1.0, self.at.mean_radius - half, self.at.mean_radius + half, np.pi)
+        found: Numbers = self.pack_force * per_force
         return found
 
     @cached_property
@@ -242,11 +251,18 @@ class Candidates(ABC):
         return np.where(self.tangent > 0, 2 * left, np.inf)
 
     @cached_property
+    def ball_needed(self) -> Numbers:
+        """Diameter of the smallest ball that travel, gap and clearance allow, m; 0 at gain 0."""
+        fixed, sine = self.need.fixed, self.tangent * self.cosine
+        found = 2 * synthesis.ball_radius(self.travel, fixed.face_gap, fixed.edge_clearance, sine)
+        return np.where(self.tangent > 0, found, 0.0)
+
+    @cached_property
     def ball_diameter(self) -> Numbers:
         """Next standard ball, m; NaN at gain 0 and where there is none."""
         if not self.variant.controlled:
             return np.full(1, np.nan)
-        fixed, listed = self.need.fixed, np.append(balls(self.need), np.nan)
-        least = 2 * synthesis.ball_radius(self.travel, fixed.face_gap, fixed.edge_clearance, self.tangent * self.cosine)
-        found: Numbers = np.where(self.tangent > 0, listed[np.searchsorted(listed[:-1], least * (1 - SAME))], np.nan)
+        listed = np.append(balls(self.need), np.nan)
+        place = np.searchsorted(listed[:-1], self.ball_needed * (1 - SAME))
+        found: Numbers = np.where(self.tangent > 0, listed[place], np.nan)
         return found

@@ -1,32 +1,47 @@
 """Which clutch is needed: the Pareto front of everything that meets the requirements."""
 
+import numpy as np
+
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
-from ...messages import say
+from ...messages import SCALES, say
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.requirements import Requirements
+from ...spec.suggest import did_you_mean
 from ...watch import Progress, unwatched
+from .attainable import Attainable, attainable
 from .by_law import candidates
 from .found import Found
+from .limits import OBJECTIVES
+from .pareto import front
 from .refine import refined
 from .rows import DesignRow, as_spec, rows
 from .search import search
-from .space import total
+from .space import Numbers, total
 
 MOST = 10_000_000_000
 """Candidates beyond which a search is refused."""
 
 
 class DesignResult(Result):
-    """The front of a design, on the grid and refined between its points."""
+    """The front of a design: the best between the grid points."""
 
     candidates: int = quantity("", None, "candidates searched")
     feasible: int = quantity("", None, "candidates that meet every requirement")
     objectives: list[str] = quantity("", None, "what is small on the front")
-    excluded: dict[str, int] = quantity("", None, "candidates excluded by each constraint", ranked=True)
-    refined: list[DesignRow] = quantity("", None, "the front refined between the grid points, same numbers")
-    front: list[DesignRow] = quantity("", None, "the front on the grid")
+    on_front: int = quantity("", None, "clutches on the front: none beats another in everything")
+    knee: int | None = quantity(
+        "", None, "number of the knee: least sum of the objectives, each over its range",
+        optional=True,
+    )  # fmt: skip
+    excluded: dict[str, int] = quantity(
+        "", None, "candidates excluded by each constraint", ranked=True, of="constraint"
+    )
+    attainable: list[Attainable] | None = quantity(
+        "", None, "what could be had instead, with all other requirements held", optional=True
+    )
+    front: list[DesignRow] = quantity("", None, "the front")
 
 
 def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignResult, list[Finding]]:
@@ -52,37 +67,87 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
             )
         )
     found = search(need, lambda done: progress("searching", done, count))
-    grid, fine = _laid_out(need, found, progress)
+    best = numbered(need, [fine for _, fine in refinement(need, found, progress)])
+    missing = None
+    if not best:
+        missing = attainable(need, lambda done, of: progress("looking for what is attainable", done, of))
     result = DesignResult(
         candidates=found.candidates,
         feasible=found.feasible,
         objectives=list(need.objectives),
+        on_front=len(best),
+        knee=next((row.number for row in best if row.mark), None),
         excluded={name: number for name, number in found.excluded.items() if number},
-        refined=fine,
-        front=grid,
+        attainable=missing,
+        front=best,
     )
     return result, _findings(result)
 
 
-def _laid_out(need: Requirements, found: Found, progress: Progress) -> tuple[list[DesignRow], list[DesignRow]]:
-    """Lay out the front by its objectives, and the refined one in the same order."""
-    both: list[tuple[list[float], DesignRow, DesignRow]] = []
+def refinement(need: Requirements, found: Found, progress: Progress = unwatched) -> list[tuple[DesignRow, DesignRow]]:
+    """Return every member of the front on the grid, and what it becomes between the grid points."""
+    both: list[tuple[DesignRow, DesignRow]] = []
     count = sum(len(values) for _, _, values in found.members)
-    for variant, at, values in found.members:
+    for variant, at, _ in found.members:
         behind = len(both)
 
         def told(done: int, behind: int = behind) -> None:
             progress("refining", behind + done, count)
 
         best = refined(need, variant, at, told)
-        grid, fine = (rows(candidates(need, variant, each)) for each in (at, best))
-        both += zip(values.tolist(), grid, fine, strict=True)
-    both.sort(key=lambda each: each[0])
-    return _numbered([row for _, row, _ in both]), _numbered([row for _, _, row in both])
+        both += zip(*(rows(candidates(need, variant, each)) for each in (at, best)), strict=True)
+    return both
 
 
-def _numbered(found: list[DesignRow]) -> list[DesignRow]:
-    return [row.model_copy(update={"number": number}) for number, row in enumerate(found, 1)]
+def numbered(need: Requirements, found: list[DesignRow]) -> list[DesignRow]:
+    """Leave out what is beaten, or the same as another, number the others by their objectives and mark the knee."""
+    if not found:
+        return []
+    values = np.array([[row.objective(name) for name in need.objectives] for row in found])
+    kept = front(values, SAME)
+    order = kept[np.lexsort(values[kept].T[::-1])]
+    knee = _knee(values[order])
+    return [
+        found[place].model_copy(update={"number": number, "mark": "knee" if number == knee else None})
+        for number, place in enumerate(order, 1)
+    ]
+
+
+SAME = 1e-9
+"""Relative distance within which refined clutches are the same one, reached from two grid points."""
+
+
+@np.errstate(all="ignore")
+def _knee(values: Numbers) -> int | None:
+    """Number of the row farthest below the plane through the ends of a front (Das, 1999); of one objective none.
+
+    Source: Das, On characterizing the "knee" of the Pareto curve, Structural Optimization 18 (1999), 107-115.
+    """
+    known = np.where(np.isfinite(values), values, np.nan)
+    low, high = np.nanmin(known, axis=0), np.nanmax(known, axis=0)
+    spread = np.where(high > low, high - low, np.inf)
+    if values.shape[1] < 2 or len(values) < 3:
+        return None
+    return int(np.argmin(((values - low) / spread).sum(axis=1))) + 1
+
+
+def check_objective(name: str | None) -> None:
+    """Refuse what is no objective.
+
+    Raises:
+        AfmcalcError: it is none.
+    """
+    if name is not None and name not in OBJECTIVES:
+        hint, known = did_you_mean(name, OBJECTIVES), ", ".join(OBJECTIVES)
+        raise AfmcalcError(
+            say("--sort {name}: no such objective{hint}; one of {known}", name=name, hint=hint, known=known)
+        )
+
+
+def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResult:
+    """Return the result with so many rows of its front, ordered by an objective; their numbers stay."""
+    found = result.front if sort is None else sorted(result.front, key=lambda row: row.objective(sort))
+    return result.model_copy(update={"front": found[:top]})
 
 
 def _findings(result: DesignResult) -> list[Finding]:
@@ -90,18 +155,43 @@ def _findings(result: DesignResult) -> list[Finding]:
         return []
     most = sorted(result.excluded.items(), key=lambda item: -item[1])
     listed = ", ".join(say("{name} excludes {number:,}", name=name, number=number) for name, number in most)
+    names = say(" or ").join(_given_up(result.attainable or []))
+    if names:
+        return [
+            finding(
+                "no-candidate/attainable", "error", value=0.0, candidates=result.candidates, listed=listed, names=names
+            )
+        ]
     return [finding("no-candidate", "error", value=0.0, candidates=result.candidates, listed=listed)]
 
 
-def picked(need: Requirements, result: DesignResult, number: int, *, fine: bool = False) -> Spec:
+def _given_up(found: list[Attainable]) -> list[str]:
+    """What to give up: one requirement, or several together, and what there is of it instead."""
+    alone = [each for each in found if each.together is None]
+    together = dict.fromkeys(each.together for each in found if each.together)
+    return [_instead(each) for each in alone] or [text for text in together if text]
+
+
+def _instead(each: Attainable) -> str:
+    unit = _UNITS[each.unit]
+    limit, best = (f"{value * SCALES.get(unit, 1.0):.5g} {unit}".rstrip() for value in (each.limit, each.best))
+    return say(
+        "{name} ({sense} {limit}; there is {best})", name=each.requirement, sense=each.sense, limit=limit, best=best
+    )
+
+
+_UNITS = {"N": "kN", "m": "mm", "Pa": "MPa", "N*m": "N·m", "1": ""}
+"""SI unit of what is bounded → the engineer's."""
+
+
+def picked(need: Requirements, result: DesignResult, number: int) -> Spec:
     """Return a clutch of the front as a spec.
 
     Raises:
         CalculationError: no such number.
     """
-    front = result.refined if fine else result.front
-    if not 1 <= number <= len(front):
+    if not 1 <= number <= len(result.front):
         raise CalculationError(
-            say("--pick {number}: the front has the numbers 1 to {count}", number=number, count=len(front))
+            say("--pick {number}: the front has the numbers 1 to {count}", number=number, count=len(result.front))
         )
-    return as_spec(need, front[number - 1])
+    return as_spec(need, result.front[number - 1])

@@ -18,57 +18,82 @@ class Constraint(NamedTuple):
 
     name: str
     holds: Callable[[Candidates], Mask]
-    along_radius: tuple[int, int] = (0, 0)
+    along_radius: tuple[int, int]
     """As R grows, at a given gain and at a given wall angle: 1 it comes to hold, −1 it ceases to, 0 neither.
 
     Where the spring force is a range, the gain is searched and no sleeve travels; or the angle is, and ``unimodal``.
     """
+    value: Callable[[Candidates], Numbers]
+    """What is bounded, SI."""
+    limit: float
+    unit: str
+    at_least: bool = False
 
 
 def constraints(need: Requirements, variant: Variant) -> list[Constraint]:
     """Every bound that the requirements put on a variant."""
-    return [Constraint(*each) for each in _bounds(need, variant)]
+    return [*_bounds(need, variant), *(_of_the_control_unit(need, variant) if variant.controlled else ())]
 
 
-_Bound: TypeAlias = tuple[str, Callable[[Candidates], Mask], tuple[int, int]]
-
-
-def _bounds(need: Requirements, variant: Variant) -> Iterable[_Bound]:
+def _bounds(need: Requirements, variant: Variant) -> Iterable[Constraint]:
     wanted, limits, span = need.wanted, need.limits, need.search.closing_force
     if span is None:
-        largest = given(need.search.closing_forces).array()[-1]
-        yield "closing_force", lambda c: c.wanted_force <= largest / UNDER, (0, 0)
+        largest = float(given(need.search.closing_forces).array()[-1])
+        yield Constraint(
+            "closing_force", lambda c: c.wanted_force <= largest / UNDER, (0, 0),
+            lambda c: c.wanted_force, largest, "N",
+        )  # fmt: skip
     else:
         most, least = span.max * OVER, span.min * UNDER
-        yield "closing_force", lambda c: c.pack_force <= most, (1, 1)
-        yield "closing_force", lambda c: c.pack_force >= least, (-1, -1)
+        force: _Value = lambda c: c.pack_force  # noqa: E731
+        yield Constraint("closing_force", lambda c: c.pack_force <= most, (1, 1), force, span.max, "N")
+        yield Constraint(
+            "closing_force", lambda c: c.pack_force >= least, (-1, -1), force, span.min, "N", at_least=True
+        )
     if (factor := wanted.accuracy_factor) is not None:
-        yield "accuracy_factor", lambda c: c.accuracy_factor <= factor * OVER, (0, 1)
+        yield _at_most("accuracy_factor", lambda c: c.accuracy_factor, factor, "1", (0, 1))
     if (torque := wanted.torque_max) is not None:
-        yield "torque_max", lambda c: c.torque_max <= torque * OVER, (0, 1)
+        yield _at_most("torque_max", lambda c: c.torque_max, torque, "N*m", (0, 1))
     if (width := need.fixed.face_width) is not None:
-        yield "face_width", lambda c: c.at.mean_radius > width / 2, (1, 1)
-        if (pressure := limits.surface_pressure) is not None:
-            yield "surface_pressure", lambda c: c.surface_pressure <= pressure * OVER, (1, 1)
-    if variant.controlled:
-        yield from _of_the_control_unit(need, variant)
+        yield Constraint(
+            "face_width", lambda c: c.at.mean_radius > width / 2, (1, 1), lambda c: c.at.mean_radius, width / 2, "m",
+            at_least=True,
+        )  # fmt: skip
+    if (pressure := limits.surface_pressure) is not None:
+        yield _at_most("surface_pressure", lambda c: c.surface_pressure, pressure, "Pa", (1, 1))
+    if (diameter := limits.outer_diameter) is not None:
+        yield _at_most("outer_diameter", lambda c: c.outer_diameter, diameter, "m", (-1, -1))
 
 
-def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[_Bound]:
+def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Constraint]:
     limits = need.limits
     if limits.gain_limit and variant.gain_limit is not None:
 
         def within(c: Candidates) -> Mask:
             return np.asarray(c.gain <= c.gain_limit * (1 + 1e-9))
 
-        yield "gain_limit", within, (0, -1)
+        yield Constraint("gain_limit", within, (0, -1), lambda c: c.gain / c.gain_limit, 1.0, "1")
     if (reduced := limits.reduced_gain) is not None:
-        yield "reduced_gain", lambda c: c.reduced_gain <= reduced * OVER, (0, -1)
+        yield _at_most("reduced_gain", lambda c: c.reduced_gain, reduced, "1", (0, -1))
     if (force := limits.contact_force) is not None:
-        yield "contact_force", lambda c: c.ball_torque <= force * OVER / c.force_per_ball, (1, 1)
-    yield "standard_ball", lambda c: c.travel <= c.travel_room(c.largest_ball * OVER), (-1, int(variant.travels))
+        yield Constraint(
+            "contact_force", lambda c: c.ball_torque <= force * OVER / c.force_per_ball, (1, 1),
+            lambda c: c.contact_force, force, "N",
+        )  # fmt: skip
+    # what a ball lacks in size: the largest that is listed or has room may differ from candidate to candidate
+    yield Constraint(
+        "standard_ball", lambda c: c.travel <= c.travel_room(c.largest_ball * OVER), (-1, int(variant.travels)),
+        lambda c: c.ball_needed - c.largest_ball, 0.0, "m",
+    )  # fmt: skip
     if variant.travels and (travel := limits.travel) is not None:
-        yield "travel", lambda c: c.travel <= travel * OVER, (0, 1)
+        yield _at_most("travel", lambda c: c.travel, travel, "m", (0, 1))
+
+
+_Value: TypeAlias = Callable[[Candidates], Numbers]
+
+
+def _at_most(name: str, value: _Value, limit: float, unit: str, along_radius: tuple[int, int]) -> Constraint:
+    return Constraint(name, lambda c: value(c) <= limit * OVER, along_radius, value, limit, unit)
 
 
 OBJECTIVES: dict[str, Callable[[Candidates], Numbers]] = {

@@ -16,7 +16,7 @@ from .found import Found
 from .grid import Tile, tiles
 from .limits import Constraint, constraints, unimodal
 from .room import never_meet
-from .space import SAME, Mask, Numbers, Places, axes, balls
+from .space import SAME, Mask, Numbers, Places, balls, grids
 
 ROWS = 32768
 """Rows of radii in a block."""
@@ -34,11 +34,11 @@ def separable(need: Requirements, variant: Variant) -> bool:
 @np.errstate(all="ignore")
 def by_radius(need: Requirements, variant: Variant, found: Found, progress: Callable[[int], None]) -> None:
     """Go through every combination but the mean radius, and look up the radii it allows."""
-    laid = axes(need, variant)
-    for tile in tiles(laid._replace(mean_radius=laid.mean_radius[-1:]), ROWS):
-        _Rows(need, variant, tile, laid.mean_radius).into(found)
-        found.candidates += tile.size * laid.mean_radius.size
-        progress(found.candidates)
+    for laid in grids(need, variant):
+        for tile in tiles(laid._replace(mean_radius=laid.mean_radius[-1:]), ROWS):
+            _Rows(need, variant, tile, laid.mean_radius).into(found)
+            found.candidates += tile.size * laid.mean_radius.size
+            progress(found.candidates)
 
 
 class _Rows:
@@ -70,14 +70,14 @@ class _Rows:
     def _span(self, group: list[Constraint], own: Candidates) -> tuple[Places, Places, Mask]:
         """First place, place after the last, and which rows hold what does not depend on the radius."""
         first, last, held = np.zeros(1, np.int64), np.full(1, self.radii.size), np.ones(1, bool)
-        for _, holds, along in group:
-            way = along[0 if self.by_gain else 1]
+        for each in group:
+            way = each.along_radius[0 if self.by_gain else 1]
             if way == 0:
-                held = held & holds(own)
+                held = held & each.holds(own)
             elif way > 0:
-                first = np.maximum(first, self._turn(holds, before=False))
+                first = np.maximum(first, self._turn(each.holds, before=False))
             else:
-                last = np.minimum(last, self._turn(holds, before=True))
+                last = np.minimum(last, self._turn(each.holds, before=True))
         return first, last, held
 
     def _turn(self, holds: Callable[[Candidates], Mask], *, before: bool) -> Places:

@@ -87,9 +87,27 @@ class _Rows:
 
     def _span(self, name: str, choice: Choice | None) -> _Span:
         own = getattr(self.at, name)
+        if name == "mean_radius":
+            return self._radii(choice)
         if choice is None or not choice.between:
             return _Span(own, own)
         return _Span(np.full(own.shape, choice.start), np.full(own.shape, choice.stop))
+
+    def _radii(self, choice: Choice | None) -> _Span:
+        """Mean radii that the search and the outer diameter allow."""
+        own, inner, limit = self.at.mean_radius, self.at.inner_radius, self.need.limits.outer_diameter
+        if choice is None or not choice.between:
+            return _Span(own, own)
+        width = self.need.fixed.face_width
+        if self.need.search.mean_radius is None:
+            radii = choice.array()
+            beyond = radii[np.minimum(np.searchsorted(radii, inner, "right"), radii.size - 1)]
+            low, high = (inner + beyond) / 2, (inner + choice.stop) / 2
+            most = np.inf if limit is None else (limit / 2 + inner) / 2
+        else:
+            low, high = np.full(own.shape, choice.start), np.full(own.shape, choice.stop)
+            most = np.inf if limit is None or width is None else (limit - width) / 2
+        return _Span(low, np.maximum(low, np.minimum(high, most)))
 
     def best(self) -> Axes:
         """Make one objective after the other as small as it goes."""
@@ -175,6 +193,7 @@ class _Rows:
             control_stiffness=self.at.control_stiffness,
             ball_circle_radius=circle_span.clip(circle),
             mean_radius=np.where(within, spans["mean_radius"].clip(radius), np.nan),
+            inner_radius=self.at.inner_radius,
         )
         return self._sprung(goal, at) if self.variant.travels else at
 

@@ -38,7 +38,7 @@ def _flattest(need: Requirements, circle: Numbers) -> Numbers:
     """Largest tan α in the space."""
     if need.search.gain is None:
         return np.full(circle.shape, math.tan(given(need.search.wall_angle).array()[-1]))
-    largest: Numbers = given(need.search.gain).array()[-1] * circle / need.search.mean_radius.array()[0]
+    largest: Numbers = given(need.search.gain).array()[-1] * circle / need.search.least_mean_radius
     return largest
 
 

@@ -1,11 +1,13 @@
 """One clutch of a front: as a row of the result, and as a spec."""
 
 import math
+from typing import Literal
 
 import numpy as np
 
 from ...result import Result, quantity
 from ...spec import Spec, make_spec
+from ...spec.edit import as_written
 from ...spec.requirements import Requirements
 from .candidates import Candidates
 
@@ -13,11 +15,14 @@ from .candidates import Candidates
 class DesignRow(Result):
     """One clutch of the front."""
 
-    number: int = quantity("", "N", "number, for --pick")
+    number: int = quantity("", "no.", "number, for --pick")
+    mark: Literal["knee"] | None = quantity("", None, "mark", optional=True, null="")
     variant: str = quantity("", None, "variant")
     pairs: int = quantity("1", "z", "friction pairs")
     driving_pairs: int | None = quantity("1", "z_1", "bypass pairs", optional=True)
     mean_radius: float = quantity("m", "R_cp", "mean friction radius")
+    inner_radius: float | None = quantity("m", "r_i", "inner radius of the friction faces", optional=True, detail=True)
+    outer_diameter: float | None = quantity("m", "2 r_o", "outer diameter of the friction faces", optional=True)
     gain: float | None = quantity("1", "C", "feedback gain", optional=True)
     wall_angle: float | None = quantity("rad", "α", "wall angle", optional=True)
     ball_circle_radius: float | None = quantity("m", "r", "ball-circle radius", optional=True)
@@ -25,14 +30,14 @@ class DesignRow(Result):
     control_stiffness: float | None = quantity("N/m", "c_2", "stiffness of the control spring", optional=True)
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
     control_force: float | None = quantity("N", "F_п2", "control-spring force as set", optional=True)
-    pack_force_at_rest: float | None = quantity("N", "F_0", "force on the pack at rest", optional=True)
+    pack_force_at_rest: float | None = quantity("N", "N(0)", "force on the pack at rest", optional=True)
     closing_deflection: float | None = quantity("m", "F_п/c_1", "deflection of the closing spring", optional=True)
     control_deflection: float | None = quantity("m", "F_п2/c_2", "deflection of the control spring", optional=True)
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")
     machine_torque: float | None = quantity("N*m", "T_н.маш", "nominal torque of the machine", optional=True)
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
     torque_max: float = quantity("N*m", "T_max", "largest torque")
-    ball_diameter: float | None = quantity("m", "2 r_ш", "standard ball", optional=True)
+    ball_diameter: float | None = quantity("m", "d_ш", "standard ball", optional=True)
     travel: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     contact_force: float | None = quantity("N", "F_n", "largest force on one ball", optional=True)
     surface_pressure: float | None = quantity("Pa", "p", "mean surface pressure", optional=True)
@@ -61,6 +66,8 @@ def rows(found: Candidates) -> list[DesignRow]:
         "accuracy_factor": found.accuracy_factor,
         "torque_max": found.torque_max,
         "surface_pressure": found.surface_pressure,
+        "inner_radius": at.mean_radius - found.face_width / 2,
+        "outer_diameter": found.outer_diameter,
     }
     if found.variant.controlled:
         columns |= {"gain": found.gain, "ball_diameter": found.ball_diameter, "contact_force": found.contact_force}
@@ -84,18 +91,15 @@ def _defined(value: float) -> float | None:
 
 
 def as_spec(need: Requirements, row: DesignRow) -> Spec:
-    """Write a row as a spec."""
+    """Write a row as a spec, with as many digits as a file of it has."""
     fixed, limits = need.fixed, need.limits
     group: dict[str, int | float] = {"pairs": row.pairs}
     if row.driving_pairs is not None:
         group["driving_pairs"] = row.driving_pairs
-    if fixed.face_width is None:
+    if row.inner_radius is None or row.outer_diameter is None:
         group["mean_radius"] = row.mean_radius
     else:
-        group |= {
-            "inner_radius": row.mean_radius - fixed.face_width / 2,
-            "outer_radius": row.mean_radius + fixed.face_width / 2,
-        }
+        group |= {"inner_radius": row.inner_radius, "outer_radius": row.outer_diameter / 2}
     spring = {"force": row.closing_force}
     data: dict[str, object] = {
         "name": f"{need.name or 'Design'}, no. {row.number}",
@@ -104,7 +108,8 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         "friction_group": group,
         "closing_spring": spring,
         "adjustment": {"method": need.wanted.method, "margin": need.wanted.margin},
-        "requirements": need.wanted.model_dump(exclude_none=True, exclude={"method", "margin"}),
+        "requirements": need.wanted.model_dump(exclude_none=True, exclude={"method", "margin"})
+        | ({} if limits.outer_diameter is None else {"outer_diameter": limits.outer_diameter}),
     }
     if row.ball_circle_radius is not None:
         data["control_unit"] = {
@@ -124,4 +129,4 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
     if row.closing_stiffness is not None:
         spring["stiffness"] = row.closing_stiffness
         data["control_spring"] = {"stiffness": row.control_stiffness}
-    return make_spec(data)
+    return as_written(make_spec(data))

@@ -16,7 +16,7 @@ def search(need: Requirements, progress: Callable[[int], None] = lambda done: No
     """Go through the whole space; ``progress`` is told how many candidates are behind."""
     found = Found()
     for variant in (VARIANTS[name] for name in dict.fromkeys(need.variants)):
-        looked_up = separable(need, variant) and need.search.mean_radius.size >= _MANY
+        looked_up = separable(need, variant) and need.search.radii.size >= _MANY
         (by_radius if looked_up else by_tile)(need, variant, found, progress)
     found.settle()
     return found

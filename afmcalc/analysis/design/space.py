@@ -1,5 +1,6 @@
 """The discrete space of a design: its axes, and how many candidates they span."""
 
+from collections.abc import Iterator
 from functools import cache
 from math import prod
 from typing import NamedTuple, TypeAlias
@@ -32,6 +33,8 @@ class Axes(NamedTuple):
     control_stiffness: Numbers
     ball_circle_radius: Numbers
     mean_radius: Numbers
+    inner_radius: Numbers
+    """One value in a grid; NaN where the mean radius itself is searched."""
 
 
 def given(values: Choice | None) -> Choice:
@@ -41,9 +44,9 @@ def given(values: Choice | None) -> Choice:
 
 
 def searched(need: Requirements, variant: Variant) -> dict[str, Choice]:
-    """Choice of every axis that a variant has."""
+    """Choice of every axis that a variant has; the mean radius may be searched by the outer one."""
     search = need.search
-    found = {"pairs": search.pairs, "mean_radius": search.mean_radius}
+    found = {"pairs": search.pairs, "mean_radius": search.radii}
     if variant.chooses_bypass:
         found["driving_pairs"] = search.driving_pairs
     if variant.controlled:
@@ -55,10 +58,17 @@ def searched(need: Requirements, variant: Variant) -> dict[str, Choice]:
     return found
 
 
-def axes(need: Requirements, variant: Variant) -> Axes:
-    """Lay out the axes of a variant; an axis it does not have holds one NaN."""
+def grids(need: Requirements, variant: Variant) -> Iterator[Axes]:
+    """Lay out the axes of a variant, for every inner radius; an axis it does not have holds one NaN."""
     had = searched(need, variant)
-    return Axes(*(had[name].array() if name in had else np.array([np.nan]) for name in Axes._fields))
+    laid = Axes(*(had[name].array() if name in had else np.array([np.nan]) for name in Axes._fields))
+    if need.search.inner_radius is None:
+        yield laid
+        return
+    for inner in need.search.inner_radius.array():
+        outer = laid.mean_radius[laid.mean_radius > inner]
+        if outer.size:
+            yield laid._replace(mean_radius=(inner + outer) / 2, inner_radius=np.array([inner]))
 
 
 def forces(need: Requirements) -> int:
@@ -69,7 +79,15 @@ def forces(need: Requirements) -> int:
 def total(need: Requirements) -> int:
     """Number of candidates asked for."""
     variants = (VARIANTS[name] for name in need.variants)
-    return forces(need) * sum(prod(values.size for values in searched(need, variant).values()) for variant in variants)
+    radii, inner = need.search.radii, need.search.inner_radius
+    both = radii.size
+    if inner is not None:
+        both = int((radii.size - np.searchsorted(radii.array(), inner.array(), "right")).sum())
+    others = (
+        prod(values.size for name, values in searched(need, variant).items() if name != "mean_radius")
+        for variant in variants
+    )
+    return forces(need) * both * sum(others)
 
 
 @cache

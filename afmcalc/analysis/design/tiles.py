@@ -11,7 +11,7 @@ from .by_law import candidates
 from .found import Found
 from .grid import Tile, tiles
 from .limits import constraints, never_worse
-from .space import Mask, axes, forces
+from .space import Mask, forces, grids
 
 SIZE = 524288
 """Candidates of a tile: with fewer, setting a tile up weighs more than what the cache saves."""
@@ -21,7 +21,7 @@ SIZE = 524288
 def by_tile(need: Requirements, variant: Variant, found: Found, progress: Callable[[int], None]) -> None:
     """Evaluate every candidate of a variant."""
     each = forces(need)
-    for tile in tiles(axes(need, variant), SIZE):
+    for tile in (tile for laid in grids(need, variant) for tile in tiles(laid, SIZE)):
         good, excluded = _judged(need, variant, tile)
         found.candidates += each * tile.size
         found.feasible += int(np.count_nonzero(good))
@@ -36,8 +36,8 @@ def _judged(need: Requirements, variant: Variant, tile: Tile) -> tuple[Mask, Cou
     own = candidates(need, variant, tile.at)
     built = good = own.is_clutch
     held: dict[str, Mask] = {}
-    for name, holds, _ in constraints(need, variant):
-        held[name] = holds(own) & held.get(name, built)
+    for each in constraints(need, variant):
+        held[each.name] = each.holds(own) & held.get(each.name, built)
     for mask in sorted(held.values(), key=lambda mask: mask.size):
         good = good & mask
     count = _count(built, tile.size)

@@ -15,7 +15,7 @@ class SpringOption(Result):
     part: str = quantity("", None, "part")
     parallel: int | None = quantity("1", "n", "discs laid into each other")
     series: int | None = quantity("1", "i", "packs against each other")
-    count: int | None = quantity("1", "m", "springs around the shaft")
+    count: int | None = quantity("1", "n_п", "springs around the shaft")
     turns: float | None = quantity("1", "n_w", "active turns")
     outer_diameter: float = quantity("m", "D_e", "outer diameter", detail=True)
     inner_diameter: float = quantity("m", "D_i", "inner diameter", detail=True)

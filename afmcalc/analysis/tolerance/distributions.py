@@ -39,6 +39,15 @@ class Input:
     limits: tuple[float, float]
     """Truncation."""
 
+    @property
+    def bounds(self) -> tuple[float | None, float | None]:
+        """Least and largest value there can be; None where there is none but what physics sets."""
+        if self.kind in ("uniform", "triangular"):
+            return max(self.ends[0], self.limits[0]), min(self.ends[1], self.limits[1])
+        physical = physical_limits(self.path)
+        low, high = (None if own == free else own for own, free in zip(self.limits, physical, strict=True))
+        return low, high
+
     @cached_property
     def scores(self) -> tuple[float, float]:
         """Parameters of the normal score: the value is ``a + b·z``, or its exponential for lognormal."""

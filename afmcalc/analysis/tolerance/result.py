@@ -1,7 +1,7 @@
 """What a study of tolerances tells: every figure of a sample with its standard error."""
 
 from functools import cache
-from typing import Any, Literal, NamedTuple, Self
+from typing import Any, ClassVar, Literal, NamedTuple, Self
 
 from ...findings import Finding
 from ...result import Result, quantity
@@ -51,15 +51,17 @@ class InputRow(Result):
 
     path: str = quantity("", None, "field")
     distribution: str = quantity("", None, "distribution")
-    center: float = quantity("", None, "center, SI")
-    spread: float = quantity("", None, "spread, SI")
-    unit: str = quantity("", None, "SI unit")
+    min: float | None = quantity("", None, "min", optional=True, unit_in="unit")
+    center: float = quantity("", None, "mean or peak", unit_in="unit")
+    max: float | None = quantity("", None, "max", optional=True, unit_in="unit")
+    spread: float = quantity("", None, "deviation or half-width", unit_in="unit")
+    unit: str = quantity("", None, "unit", is_unit=True)
 
 
 class QuantileRow(Estimated):
     """One quantile of the torque."""
 
-    probability: float = quantity("1", "p", "probability")
+    probability: float = quantity("1", None, "probability")
     torque: float = quantity("N*m", "T_p", "torque not exceeded with this probability")
     standard_error: float = error("torque", "N*m", "±", "standard error")
 
@@ -67,11 +69,11 @@ class QuantileRow(Estimated):
 class LifeRow(Estimated):
     """One quantile of the life over the clutches."""
 
-    probability: float = quantity("1", "p", "share of the clutches that have failed by then")
-    protected: float = quantity("1", "N_p", "slips, protected side")
-    protected_standard_error: float = error("protected", "1", "± N_p", "standard error of N_p")
-    unprotected: float = quantity("1", "N'_p", "slips, unprotected side")
-    unprotected_standard_error: float = error("unprotected", "1", "± N'_p", "standard error of N'_p")
+    probability: float = quantity("1", None, "share of clutches failed")
+    protected: float = quantity("1", "N_ц,p", "slips, protected side")
+    protected_standard_error: float = error("protected", "1", "± N_ц,p", "standard error of N_ц,p")
+    unprotected: float = quantity("1", "N'_ц,p", "slips, unprotected side")
+    unprotected_standard_error: float = error("unprotected", "1", "± N'_ц,p", "standard error of N'_ц,p")
 
 
 class IndexRow(Estimated):
@@ -86,6 +88,8 @@ class IndexRow(Estimated):
 
 class ToleranceResult(Estimated):
     """Distribution of the slip torque; standard errors are 0 where the answer is exact."""
+
+    many_lists: ClassVar[bool] = True
 
     method: Literal["exact", "monte-carlo", "quasi-monte-carlo"] = quantity("", None, "how it was calculated")
     setting: Setting = quantity("", None, "how the springs are set")
@@ -118,18 +122,18 @@ class ToleranceResult(Estimated):
     )
     life_protected: float | None = quantity(
         "1",
-        "N",
+        "N_ц",
         "slips to failure at the clutches' mean damage, protected side (harmonic mean of lives)",
         optional=True,
     )
     life_protected_standard_error: float | None = error(
-        "life_protected", "1", "± N", "standard error of it", optional=True
+        "life_protected", "1", "± N_ц", "standard error of it", optional=True
     )
     life_unprotected: float | None = quantity(
-        "1", "N'", "slips to failure at the clutches' mean damage, unprotected side", optional=True
+        "1", "N'_ц", "slips to failure at the clutches' mean damage, unprotected side", optional=True
     )
     life_unprotected_standard_error: float | None = error(
-        "life_unprotected", "1", "± N'", "standard error of it", optional=True
+        "life_unprotected", "1", "± N'_ц", "standard error of it", optional=True
     )
     life_quantiles: list[LifeRow] | None = quantity(
         "", None, "life over the clutches, each in the whole friction of its service", optional=True

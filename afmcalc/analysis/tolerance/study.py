@@ -112,7 +112,14 @@ def _result(figures: Figures, inputs: Sequence[Input], given: Tolerance, machine
         **{name: figure for name, figure in some.items() if figure is not None},
         life_quantiles=_life_rows(figures),
         inputs=[
-            InputRow(path=each.path, distribution=each.kind, center=each.center, spread=each.spread, unit=each.unit)
+            InputRow(
+                path=each.path,
+                distribution=each.kind,
+                center=each.center,
+                spread=each.spread,
+                unit=each.unit,
+                **dict(zip(("min", "max"), each.bounds, strict=True)),
+            )
             for each in inputs
         ],
         sobol=[IndexRow.of(path=each.name, first_order=each.first_order, total=each.total) for each in figures.sobol],

@@ -10,8 +10,15 @@ from ..document import Column, Document, Entry, document
 
 
 def render(output: Output, terminal: bool) -> str:
-    """Write the result's records or sweep, one row each; without any, all quantities in one row."""
-    columns = _findings(output) if output.result.findings_first else _columns(document(output.result))
+    """Write the result's records or sweep, one row each; without any, all quantities in one row.
+
+    Of a result of several lists, a row for every figure: which, of what, value, standard error, SI unit.
+    """
+    result = output.result
+    if result.findings_first:
+        columns = _findings(output)
+    else:
+        columns = (_long if result.many_lists else _columns)(document(result))
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([_header(column.path, column.unit) for column in columns])
@@ -57,6 +64,31 @@ def _columns(laid_out: Document) -> list[Column]:
             for name, value in zip(names.values, values.values, strict=True)
         ]
     return wide
+
+
+def _long(laid_out: Document) -> list[Column]:
+    """Every figure of every list, with what it is of: the first column of the list."""
+    errors = {row.error_of: row.values[0] for row in laid_out.singles if row.error_of}
+    rows: list[tuple[Any, ...]] = [
+        (row.path, None, row.values[0], errors.get(row.path), row.unit) for row in laid_out.singles if not row.error_of
+    ]
+    for table in laid_out.tables:
+        of, *others = table.columns
+        spread = {column.error_of: column.values for column in others if column.error_of}
+        rows += [
+            (
+                f"{table.path}.{column.path}", name, column.values[number],
+                spread[column.path][number] if column.path in spread else None,
+                column.units[number] if column.units else column.unit,
+            )
+            for number, name in enumerate(of.values)
+            for column in others
+            if not column.error_of and not column.is_unit and column.values[number] is not None
+        ]  # fmt: skip
+    names = ("quantity", "of", "value", "standard_error", "unit")
+    return [
+        Column(name, "", name, "", list(values)) for name, values in zip(names, zip(*rows, strict=True), strict=True)
+    ]
 
 
 def _is_mapping(columns: list[Column]) -> bool:

@@ -5,14 +5,14 @@ from html import escape
 
 from ...result import Output
 from ..document import document
-from ..layout import blocks, findings_lines, step_lines, title
+from ..layout import blocks, findings_lines, step_lines, title, unfolded
 
 
 def render(output: Output, terminal: bool) -> str:
     """Write tables in the engineer's units and the findings as a list."""
     laid_out = document(output.result)
     parts = [f"<h4>{escape(title(output))}</h4>"]
-    for block in blocks(laid_out):
+    for block in unfolded(blocks(laid_out)):
         parts += [f"<h5>{escape(block.title)}</h5>"] if block.title else []
         parts += [f"<p>{escape(block.legend)}</p>"] if block.legend else []
         parts.append(_table(block.header, block.rows, block.numeric))

@@ -1,10 +1,16 @@
 """JSON: SI, full precision, finite."""
 
 import json
+import re
 from dataclasses import asdict
 
-from ...messages import printable
+from ...messages import escaped, printable
 from ...result import Output
+
+
+def in_ascii(text: str) -> str:
+    """Return the same JSON in ASCII, for a stream that has not all letters."""
+    return re.sub("[^\x00-\x7f]", lambda sign: escaped(sign[0]), text)
 
 
 def render(output: Output, terminal: bool) -> str:

@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from ...messages import printable, told, translate
 from ...result import Output
 from ..document import Document, document
-from ..layout import blocks, findings_lines, step_value, title
+from ..layout import blocks, findings_lines, step_value, title, unfolded
 from ..symbols import latex_in_numbers, value_latex
 
 
 def render(output: Output, terminal: bool) -> str:
     """Write tables in the engineer's units and the findings as a list."""
     lines = [f"## {_escape(title(output))}", ""]
-    for block in blocks(document(output.result)):
+    for block in unfolded(blocks(document(output.result))):
         if block.title:
             lines += [f"### {_escape(block.title)}", ""]
         if block.legend:

@@ -5,7 +5,7 @@ import sys
 
 from ...result import Output
 from ..document import document
-from ..layout import SweepDrawing, TextTable, blocks, findings_lines, step_lines, title
+from ..layout import SweepDrawing, TextTable, blocks, findings_lines, padded, step_lines, title, unfolded
 from .curve import curve_lines
 
 _NARROWEST = 20
@@ -22,6 +22,8 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
     draw = curve or curve_lines
     laid_out = document(output.result)
     found, steps = blocks(laid_out), step_lines(laid_out)
+    if not is_unicode():
+        found = [_fitting(block) for block in found]
     if terminal or _width():
         from .terminal import render_rich
 
@@ -30,6 +32,15 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
     else:
         text = _plain(output, found, steps, draw)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+
+
+def _fitting(block: TextTable) -> TextTable:
+    """Spell what standard output lacks before anything is aligned."""
+    from ...spelling import fitting
+
+    encoding = sys.stdout.encoding or "ascii"
+    header, *rows = ([fitting(cell, encoding) for cell in cells] for cells in (block.header, *block.rows))
+    return block._replace(header=header, rows=rows)
 
 
 def _width() -> int | None:
@@ -48,7 +59,7 @@ def is_unicode() -> bool:
 def _plain(output: Output, found: list[TextTable], steps: list[str], curve: SweepDrawing) -> str:
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
     lines = [title(output)]
-    for block in found:
+    for block in unfolded(found):
         heading = [text for text in (block.title, block.legend) if text]
         lines += ["", *heading, *_aligned(block), *curve(block, is_unicode())]
     lines += steps
@@ -58,6 +69,7 @@ def _plain(output: Output, found: list[TextTable], steps: list[str], curve: Swee
 
 
 def _aligned(block: TextTable) -> list[str]:
+    block = padded(block)
     lines = [block.header, *block.rows]
     widths = [max(map(len, cells)) for cells in zip(*lines, strict=True)]
     return [

@@ -9,10 +9,12 @@ from rich.text import Text
 
 from ...messages import translate
 from ...result import Output
-from ..layout import SweepDrawing, TextTable, findings_lines, title
+from ..layout import SweepDrawing, TextTable, findings_lines, is_across, may_turn, padded, title, turned
 
 _SHORT = 12
 """Columns up to this width are kept whole."""
+_GAP = 3
+"""Characters between columns, with rules."""
 _STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
 
 
@@ -37,14 +39,14 @@ def render_rich(
         file=buffer, force_terminal=terminal, no_color=None if terminal else True, width=width, highlight=False
     )
     console.print(Text(title(output), style="bold"))
-    for block in found:
+    for block in [part for each in found for part in _fitted(each, width)]:
         console.print()
         if block.title:
             console.print(Text(block.title, style="italic"))
         if block.legend:
             console.print(Text(block.legend, style="dim"))
         fits = _least_width(block) <= width
-        console.print(_table(block, ruled=terminal and unicode) if fits else _stacked(block))
+        console.print(_table(padded(block), ruled=terminal and unicode) if fits else _stacked(block))
         for line in curve(block, unicode):
             console.print(Text(line), no_wrap=True, crop=True)
     for line in steps:
@@ -57,11 +59,17 @@ def render_rich(
     return buffer.getvalue()
 
 
+def _fitted(block: TextTable, width: int) -> list[TextTable]:
+    """Quantities as rows where columns do not fit."""
+    across = is_across(block) or (_least_width(block) > width and may_turn(block))
+    return (turned(block, width, _GAP) if across else []) or [block]
+
+
 def _least_width(block: TextTable) -> int:
     """Width below which a table would have to cut."""
     widest = [max(map(len, cells)) for cells in zip(block.header, *block.rows, strict=True)]
     kept = [w if right else min(w, _SHORT) for w, right in zip(widest, block.numeric, strict=True)]
-    return sum(kept) + 3 * (len(kept) - 1)
+    return sum(kept) + _GAP * (len(kept) - 1)
 
 
 def _stacked(block: TextTable) -> Group:
@@ -78,14 +86,13 @@ def _stacked(block: TextTable) -> Group:
 
 
 def _table(block: TextTable, *, ruled: bool) -> Table:
-    """Numbers, symbols and units are never folded, only text is."""
+    """Numbers, symbols and units are never folded, only text is; numbers come padded."""
     table = Table(box=box.SIMPLE_HEAD if ruled else None, show_edge=False, pad_edge=False, header_style="bold")
     widest = [max(map(len, cells)) for cells in zip(block.header, *block.rows, strict=True)]
     for heading, right, width in zip(block.header, block.numeric, widest, strict=True):
         whole = right or width <= _SHORT
         table.add_column(
             Text(heading),
-            justify="right" if right else "left",
             overflow="fold",
             no_wrap=whole,
             min_width=width if whole else _SHORT,

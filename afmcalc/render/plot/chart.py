@@ -41,7 +41,9 @@ class Line(NamedTuple):
     marker: int | None = None
     """Which of the markers; by default that of the style."""
     filled: bool = False
-    """Small filled markers instead of open ones."""
+    """Filled markers instead of open ones: points that stand out."""
+    names: Sequence[str] = ()
+    """Text beside each point, as far as there is room."""
 
 
 class Guide(NamedTuple):

@@ -31,6 +31,7 @@ def paint(axes: Any, chart: Chart) -> None:
         )  # fmt: skip
     _limits(axes, chart, wide, high)
     _tags(axes, chart, wide, high)
+    _names(axes, chart, wide, high)
     _guide_tags(axes, chart, wide)
     for number, span in enumerate(chart.spans):
         _span(axes, number, span, high)
@@ -62,7 +63,7 @@ def _line(axes: Any, line: Line, style: int, wide: float, high: float, named: bo
         axes.plot(
             x, y, linestyle="none", color=colour, label=label, clip_on=False,
             marker=MARKERS[(style if line.marker is None else line.marker) % len(MARKERS)],
-            **({"markersize": 2.4, "zorder": 4} if line.filled else _OPEN),
+            **({"markersize": 5.0, "zorder": 4} if line.filled else _OPEN),
         )  # fmt: skip
     else:
         axes.plot(x, y, color=colour, linestyle=DASHES[style % len(DASHES)], label=label)
@@ -113,6 +114,28 @@ def _tags(axes: Any, chart: Chart, wide: float, high: float) -> None:
             annotation_clip=False,
         )  # fmt: skip
 
+
+def _names(axes: Any, chart: Chart, wide: float, high: float) -> None:
+    """Name points where there is room: those that stand out, then the ends of every line, then what lies between."""
+    (left, right), (low, top) = axes.get_xlim(), axes.get_ylim()
+    taken: list[tuple[float, float]] = []
+    named = [line for line in chart.lines if line.names]
+    ranked = [
+        (not line.filled, min(place, len(line.names) - 1 - place) > 0, x * wide, y * high, name)
+        for line in named
+        for place, (x, y, name) in enumerate(zip(line.x, line.y, line.names, strict=True))
+        if x is not None and y is not None
+    ]
+    for _, _, x, y, name in sorted(ranked, key=lambda each: each[:2]):
+        spot = (x - left) / (right - left) * _AXES_WIDTH, (y - low) / (top - low) * _AXES_POINTS
+        if all(abs(spot[0] - one) > _NAME[0] or abs(spot[1] - other) > _NAME[1] for one, other in taken):
+            taken.append(spot)
+            axes.annotate(name, (x, y), xytext=(2, 5), textcoords="offset points", color=INK, fontsize=7,
+                          annotation_clip=False, zorder=5)  # fmt: skip
+
+
+_NAME = (19, 10)
+"""Room of a name, points."""
 
 _AXES_POINTS = 190
 """Height of the axes of a chart, about, for what must be known before they are laid out."""

@@ -13,9 +13,10 @@ from ..units import factor, significant
 from .chart import Chart, ChartAxis, Line, Sheet, power
 
 WIDTH, HEIGHT = 78, 20
-_MARKS = "•xo+#%@*=&"
-_PLAIN = "*xo+#%@.=&"
-_SMALL = "·."
+_LETTERS = "ABCDEFGHJKLMNPQRSTUVWYZabcdefghijklmnpqrstuvwyz"
+_MARKS = "•xo+#%@*=&" + _LETTERS
+_PLAIN = "*xo+#%@.=&" + _LETTERS
+_FILLED = "◆$"
 
 
 def draw(chart: Chart, *, unicode: bool) -> list[str]:
@@ -32,12 +33,12 @@ def draw(chart: Chart, *, unicode: bool) -> list[str]:
     scale = math.log10 if chart.y.log else float
     marks = _MARKS if unicode else _PLAIN
     traces: dict[int, Trace] = {}
-    # what is drawn small goes first: it would hide the rest
-    for number, line in sorted(enumerate(chart.lines), key=lambda item: not item[1].filled):
+    # what stands out goes last: the rest would hide it
+    for number, line in sorted(enumerate(chart.lines), key=lambda item: item[1].filled):
         pairs = zip(line.x, line.y, strict=True)
         points = [(x * wide, scale(y * high)) for x, y in pairs if x is not None and y is not None]
         if points:
-            mark = _SMALL[not unicode] if line.filled else marks[number % len(marks)]
+            mark = _FILLED[not unicode] if line.filled else marks[number % len(marks)]
             traces[number] = Trace(mark, points, joined=not line.points)
     if not traces:
         return [told("{title}: no values to draw", title=chart.y.label)]

@@ -1,6 +1,8 @@
 """design against brute force through the engines, against the closed inverses, and its error paths."""
 
 import contextlib
+import csv
+import io
 import itertools
 import json
 import math
@@ -16,7 +18,7 @@ from conftest import CONFIGS, ROOT
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from afmcalc.analysis.design.design import design, picked
+from afmcalc.analysis.design.design import design, picked, refinement, shown
 from afmcalc.analysis.design.found import Found
 from afmcalc.analysis.design.pareto import front
 from afmcalc.analysis.design.radius import by_radius, separable
@@ -55,6 +57,8 @@ def requirements(draw, separable=False):
     some = lambda low, high, most=4: draw(st.lists(st.floats(low, high), min_size=1, max_size=most, unique=True))  # noqa: E731
     catalogue = draw(st.booleans()) and not separable
     angle = draw(st.booleans())
+    both = draw(st.booleans())
+    width = None if both else maybe(0.01, 0.08)
     data = changed(
         variants=draw(st.lists(st.sampled_from(["conventional", "differentiated", "all-driving", "indirect"]), min_size=1, unique=True)),
         objectives=draw(st.lists(st.sampled_from(OBJECTIVES), min_size=1, unique=True)),
@@ -67,7 +71,9 @@ def requirements(draw, separable=False):
         search={
             "pairs": draw(st.lists(st.integers(1, 14), min_size=1, max_size=3, unique=True)),
             "driving_pairs": draw(st.lists(st.integers(1, 3), min_size=1, max_size=2, unique=True)),
-            "mean_radius": some(0.03, 0.2, 6),
+            "mean_radius": None if both else some(0.03, 0.2, 6),
+            "inner_radius": [0.02, *some(0.03, 0.1, 1)] if both else None,
+            "outer_radius": [*some(0.04, 0.25, 3), 0.25] if both else None,
             "gain": None if angle else [*some(0.05, 2), 0.0],
             "wall_angle": some(0.1, 1.2) if angle else None,
             "ball_circle_radius": some(0.03, 0.1, 2),
@@ -76,17 +82,16 @@ def requirements(draw, separable=False):
             "closing_stiffness": some(1e3, 1e5, 2),
             "control_stiffness": some(1e3, 1e5, 2),
         },
-        fixed={"hub_diameter": 0.06, "key_friction": 0.02, "face_gap": 5e-4, "edge_clearance": 5e-4, "face_width": maybe(0.01, 0.08)},
+        fixed={"hub_diameter": 0.06, "key_friction": 0.02, "face_gap": 5e-4, "edge_clearance": 5e-4, "face_width": width},
         limits={
-            "surface_pressure": None,
+            "surface_pressure": draw(st.floats(1e5, 3e6)) if both or width else None,
+            "outer_diameter": maybe(0.15, 0.5) if both or width else None,
             "contact_force": maybe(500, 5000),
             "travel": maybe(1e-3, 0.1),
             "reduced_gain": maybe(2, 10),
             "gain_limit": draw(st.booleans()),
         },
     )  # fmt: skip
-    if data["fixed"].get("face_width"):
-        data["limits"]["surface_pressure"] = draw(st.floats(1e5, 3e6))
     return make_requirements(data)
 
 
@@ -95,23 +100,29 @@ def brute(need):
     search, found = need.search, []
     arrays = {
         name: values.array()
-        for name in ("pairs", "mean_radius", "driving_pairs", "ball_circle_radius", "closing_stiffness", "control_stiffness")
+        for name in ("pairs", "driving_pairs", "ball_circle_radius", "closing_stiffness", "control_stiffness")
         if (values := getattr(search, name)) is not None
     }  # fmt: skip
     steer = (search.gain or search.wall_angle).array()
+    if search.mean_radius is not None:
+        faces = [(radius, need.fixed.face_width) for radius in search.mean_radius.array()]
+    else:
+        both = itertools.product(search.inner_radius.array(), search.outer_radius.array())
+        faces = [((inner + outer) / 2, outer - inner) for inner, outer in both if inner < outer]
     for variant in need.variants:
-        axes = [arrays["pairs"], arrays["mean_radius"]]
+        axes = [arrays["pairs"], faces]
         axes.append(arrays["driving_pairs"] if variant == "differentiated" else [None])
         axes += [steer, arrays["ball_circle_radius"]] if variant != "conventional" else [[None], [None]]
         axes += [arrays[f"{s}_stiffness"] if variant == "indirect" else [None] for s in ("closing", "control")]
-        for z, radius, z1, turn, circle, c1, c2 in itertools.product(*axes):
-            if (values := one(need, variant, z, radius, z1, turn, circle, c1, c2)) is not None:
+        for z, face, z1, turn, circle, c1, c2 in itertools.product(*axes):
+            if (values := one(need, variant, z, face, z1, turn, circle, c1, c2)) is not None:
                 found.append(values)
     return np.array(found).reshape(-1, len(need.objectives))
 
 
-def one(need, variant, z, radius, z1, turn, circle, c1, c2):
+def one(need, variant, z, face, z1, turn, circle, c1, c2):
     """Objectives of one candidate, None where a requirement is missed."""
+    radius, width = face
     wanted, limits, fixed, over = need.wanted, need.limits, need.fixed, 1 + 1e-9
     if z1 is not None and z1 >= z:
         return None
@@ -146,13 +157,14 @@ def one(need, variant, z, radius, z1, turn, circle, c1, c2):
         return None
     del data["adjustment"]["nominal_torque"]
     clutch = build(make_spec({**data, "closing_spring": {**data.get("closing_spring", {}), "force": force}}))
-    width, ball, travel = fixed.face_width, 0.0, 0.0
+    ball, travel = 0.0, 0.0
     control = clutch.control_force if variant == "indirect" else 0.0
     pack = control or force
     held = [
         wanted.accuracy_factor is None or clutch.accuracy_factor <= wanted.accuracy_factor * over,
         wanted.torque_max is None or clutch.torque_max <= wanted.torque_max * over,
         width is None or (radius > width / 2 and pack / (2 * math.pi * radius * width) <= limits.surface_pressure * over),
+        limits.outer_diameter is None or 2 * radius + width <= limits.outer_diameter * over,
         limits.reduced_gain is None or clutch.reduced_gain <= limits.reduced_gain * over,
         not limits.gain_limit or clutch.gain_limit is None or clutch.gain <= clutch.gain_limit * over,
     ]  # fmt: skip
@@ -181,7 +193,7 @@ def one(need, variant, z, radius, z1, turn, circle, c1, c2):
     return [whole[name] for name in need.objectives]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=40, deadline=None)
 @given(requirements())
 def test_the_front_against_brute_force(need):
     everything = brute(need)
@@ -216,27 +228,104 @@ def test_two_ways_through_one_space(need):
 
 
 @settings(max_examples=20, deadline=None)
-@given(requirements(), st.integers(0, 10**6), st.booleans())
-def test_what_is_picked_holds_what_was_wanted(need, place, fine):
+@given(requirements(), st.integers(0, 10**6))
+def test_what_is_picked_holds_what_was_wanted(need, place):
     result, _ = design(need)
     assume(result.front)
     number = place % len(result.front) + 1
-    row = (result.refined if fine else result.front)[number - 1]
-    clutch = build(picked(need, result, number, fine=fine))
+    row = result.front[number - 1]
+    clutch = build(picked(need, result, number))
     assert clutch.nominal_torque >= need.wanted.nominal_torque * (1 - 1e-9)
     assert clutch.accuracy_factor == pytest.approx(row.accuracy_factor)
     assert clutch.torque_max == pytest.approx(row.torque_max)
-    for before, after in zip(result.front, result.refined, strict=True):
-        for name in need.objectives:
-            assert after.objective(name) <= before.objective(name) * (1 + 1e-9)
+    if (most := need.limits.outer_diameter) is not None:
+        assert 2 * clutch.spec.friction_group.outer_radius <= most * (1 + 1e-9)
+
+
+@settings(max_examples=20, deadline=None)
+@given(requirements(), st.integers(1, 5))
+def test_the_front_is_one_and_numbered(need, top):
+    """Nothing on it beats another, nothing on the grid beats it; a number is the same clutch however it is sorted."""
+    result, _ = design(need)
+    assert [row.number for row in result.front] == list(range(1, result.on_front + 1))
+    values = np.array([[row.objective(name) for name in need.objectives] for row in result.front])
+    worse = [(values <= one * (1 + 1e-12)).all(axis=1).sum() for one in values]
+    assert all(count == 1 for count in worse), "itself alone"
+    assert sorted(map(tuple, values)) == list(map(tuple, values))
+    for before, after in refinement(need, searched(need)):
+        for row in (before, after):
+            own = np.array([row.objective(name) for name in need.objectives])
+            assert (values <= own * (1 + 1e-8)).all(axis=1).any()
+    for name in need.objectives:
+        few = shown(result, name, top).front
+        assert all(row == result.front[row.number - 1] for row in few)
+        least = sorted(row.objective(name) for row in result.front)[:top]
+        assert [row.objective(name) for row in few] == least
+
+
+def test_the_knee_is_farthest_from_the_line_between_the_ends():
+    """Das, 1999: of two objectives, each over its range, by the distance of points from a line."""
+    two = changed(objectives=["closing_force", "accuracy_factor"], search={"pairs": 8})
+    result, _ = design(make_requirements(two))
+    at = np.array([[row.closing_force, row.accuracy_factor] for row in result.front])
+    at = (at - at.min(axis=0)) / np.ptp(at, axis=0)
+    first, last = at[0], at[-1]
+    along = (last - first) / np.linalg.norm(last - first)
+    away = at - first
+    distance = along[0] * away[:, 1] - along[1] * away[:, 0]
+    assert result.knee == int(np.argmin(distance)) + 1 not in (1, result.on_front)
+    assert [row.number for row in result.front if row.mark == "knee"] == [result.knee]
+    single, _ = design(make_requirements(two | {"objectives": ["closing_force"]}))
+    assert (single.knee, single.on_front) == (None, 1)
+
+
+@settings(max_examples=40, deadline=None)
+@given(requirements())
+def test_what_could_be_had_instead(need):
+    """With each limit moved to what was found of it there is a clutch, with one of them a little tighter there is none."""
+    result, findings = design(need)
+    assume(not result.front and result.attainable)
+    assert findings[0].message.rpartition("give up ")[2]
+    sets = {}
+    for row in result.attainable:
+        assert (row.best > row.limit) == (row.sense == "at most"), row
+        sets.setdefault(row.together, []).append(row)
+    single = None in sets
+    assert single != any(rows for together, rows in sets.items() if together)
+    for row in sets.get(None, []):
+        loose, tight = (moved(need, row, row.best * (1 + way * sign(row))) for way in (1e-9, -1e-6))
+        if loose is not None:
+            assert searched(loose).members
+            assert not searched(tight).members
+
+
+def sign(row):
+    return 1 if row.sense == "at most" else -1
+
+
+PLACES = {
+    "accuracy_factor": "wanted", "torque_max": "wanted", "surface_pressure": "limits", "outer_diameter": "limits",
+    "contact_force": "limits", "travel": "limits", "reduced_gain": "limits",
+}  # fmt: skip
+
+
+def moved(need, row, limit):
+    """The requirements with a limit moved; None where it is none of the file's."""
+    if row.requirement == "closing_force" and need.search.closing_force is not None:
+        span = need.search.closing_force.model_copy(update={"max" if sign(row) > 0 else "min": limit})
+        return need.model_copy(update={"search": need.search.model_copy(update={"closing_force": span})})
+    if row.requirement not in PLACES:
+        return None
+    block = getattr(need, PLACES[row.requirement]).model_copy(update={row.requirement: limit})
+    return need.model_copy(update={PLACES[row.requirement]: block})
 
 
 @settings(max_examples=40, deadline=None)
 @given(requirements())
 def test_nothing_negative_leaves_the_search(need):
     result, _ = design(need)
-    for row in (*result.front, *result.refined):
-        values = row.model_dump(exclude_none=True, exclude={"variant"})
+    for row in result.front:
+        values = row.model_dump(exclude_none=True, exclude={"variant", "mark"})
         may_be_zero = {"gain", "wall_angle", "travel", "contact_force", "control_stiffness"}
         assert all(value > 0 or (value == 0 and name in may_be_zero) for name, value in values.items()), values
         assert row.accuracy_factor >= 1
@@ -316,10 +405,9 @@ def test_balls_that_have_no_room_are_not_proposed():
     """Every clutch of the example's front can be assembled."""
     need = make_requirements(BASE)
     result, _ = design(need)
-    for fine in (False, True):
-        for number in range(1, len(result.front) + 1, 7):
-            _, found = synthesize(build(picked(need, result, number, fine=fine)))
-            assert not [each for each in found if each.level == "error"]
+    for number in range(1, result.on_front + 1, 7):
+        _, found = synthesize(build(picked(need, result, number)))
+        assert not [each for each in found if each.level == "error"]
 
 
 def test_refinement_reaches_the_closed_inverse():
@@ -332,32 +420,68 @@ def test_refinement_reaches_the_closed_inverse():
             limits={"surface_pressure": None, "contact_force": None}, fixed={"face_gap": 0, "edge_clearance": 0},
         )
     )  # fmt: skip
-    result, _ = design(need)
+    ((grid, fine),) = refinement(need, searched(need))
     gain = inverse.gain_for_accuracy_factor(0, 8, 2.9, 0.1, 0.1, 0.8, 0.8)
     best = adjustment.closing_force(200, 1, 0.15 * 8 * 0.1 / (1 + 8 * gain * 0.1))
-    assert result.front[0].closing_force > best * 1.01, "the grid is beside the optimum"
-    assert result.refined[0].closing_force == pytest.approx(best, rel=1e-8)
-    assert result.refined[0].gain == pytest.approx(gain, rel=1e-6)
+    assert grid.closing_force > best * 1.01, "the grid is beside the optimum"
+    assert fine.closing_force == pytest.approx(best, rel=1e-8)
+    assert fine.gain == pytest.approx(gain, rel=1e-6)
+    assert [row.closing_force for row in design(need)[0].front] == [fine.closing_force]
+
+
+@pytest.mark.parametrize("faces", ["both radii", "face width"])
+def test_the_front_reaches_the_outer_diameter(faces):
+    """Least force at a given gain: the largest radius that 330 mm allow, between the grid points."""
+    grid_ = {"start": 0.08, "stop": 0.2, "count": 5}
+    both = {"mean_radius": None, "inner_radius": [0.05, 0.07], "outer_radius": grid_}
+    data = changed(
+        variants=["all-driving"], objectives=["closing_force"], wanted={"accuracy_factor": None, "torque_max": None},
+        search={"pairs": [8], "gain": 0.5, "ball_circle_radius": 0.05} | (both if faces == "both radii" else {"mean_radius": grid_}),
+        fixed={"face_width": None if faces == "both radii" else 0.04},
+        limits={"surface_pressure": None, "contact_force": None, "outer_diameter": 0.33},
+    )  # fmt: skip
+    need = make_requirements(data)
+    result, _ = design(need)
+    (row,) = result.front
+    radius = (0.165 + 0.07) / 2 if faces == "both radii" else 0.165 - 0.02
+    assert row.outer_diameter == pytest.approx(0.33)
+    assert row.mean_radius == pytest.approx(radius)
+    assert row.closing_force == pytest.approx(200 / (radius * 8 * 0.1 / (1 + 8 * 0.5 * 0.1)))
+    spec = picked(need, result, 1)
+    assert spec.friction_group.outer_radius == pytest.approx(0.165)
+    assert spec.requirements.outer_diameter == 0.33
+    assert build(spec).nominal_torque == pytest.approx(200)
 
 
 def test_the_example_runs_as_it_is(afmcalc, tmp_path):
     run = afmcalc("design", CONFIGS / "requirements.toml", "--json")
     assert run.code == 0, run.err
     front_ = run.json["result"]["front"]
+    assert len(front_) == run.json["result"]["on_front"]
     assert len(front_) > 10
     assert all(row["accuracy_factor"] <= 3 and row["torque_max"] <= 500 for row in front_)
     target = tmp_path / "picked.toml"
     chosen = afmcalc("design", CONFIGS / "requirements.toml", "--pick", 7, "--output", target, "--json")
     assert chosen.json["spec"]["friction_group"]["pairs"] == front_[6]["pairs"]
-    torque = afmcalc("torque", target, "--json").json["result"]
+    again = afmcalc("torque", target, "--json").json
+    assert again["spec"] == chosen.json["spec"]
+    torque = again["result"]
     assert torque["nominal_torque"] == pytest.approx(200)
-    assert torque["closing_force"] == front_[6]["closing_force"]
+    assert torque["closing_force"] == pytest.approx(front_[6]["closing_force"], rel=1e-11)
     assert afmcalc("check", target).code == 0
     assert afmcalc("check", "-", stdin=chosen.out).code == 0
     for format_ in ("csv", "markdown", "table"):
         assert afmcalc("design", CONFIGS / "requirements.toml", "--format", format_).code == 0
-    rows = afmcalc("design", CONFIGS / "requirements.toml", "--format", "csv").out.splitlines()
-    assert len(rows) == len(front_) + 1
+    rows = list(csv.DictReader(io.StringIO(afmcalc("design", CONFIGS / "requirements.toml", "--format", "csv").out)))
+    assert [(int(row["number"]), float(row["closing_force [N]"])) for row in rows] == [
+        (row["number"], row["closing_force"]) for row in front_
+    ]
+    few = afmcalc("design", CONFIGS / "requirements.toml", "--sort", "accuracy_factor", "--top", 3, "--json").json
+    best = sorted(front_, key=lambda row: row["accuracy_factor"])[:3]
+    assert [row["number"] for row in few["result"]["front"]] == [row["number"] for row in best]
+    table = afmcalc("design", CONFIGS / "requirements.toml")
+    assert f"30 of {len(front_)} shown" in table.err
+    assert afmcalc("design", CONFIGS / "requirements.toml", "--sort", "closing_forc").code == 2
     assert afmcalc("design", CONFIGS / "requirements.toml", "--pick", 10**6).code == 2
 
 
@@ -366,12 +490,24 @@ def test_an_empty_result_says_why(afmcalc, tmp_path):
     run = afmcalc("design", CONFIGS / "requirements.toml", "--set", "wanted.accuracy_factor=1.01", "--pick", "1",
                   "--json", "-o", target)  # fmt: skip
     assert run.code == 2
-    assert not target.exists() or json.loads(target.read_text())["result"]["front"] == []
+    assert not target.exists()
     shown = afmcalc("design", CONFIGS / "requirements.toml", "--set", "wanted.accuracy_factor=1.01", "--json")
     assert shown.code == 2
     assert shown.json["result"]["front"] == []
     assert shown.json["result"]["excluded"]["accuracy_factor"] == shown.json["result"]["candidates"] == 132020
     assert "none of 132,020 candidates meets every requirement: accuracy_factor excludes 132,020" in shown.err
+    (row,) = shown.json["result"]["attainable"]
+    assert (row["requirement"], row["sense"], row["limit"], row["together"]) == (
+        "accuracy_factor",
+        "at most",
+        1.01,
+        None,
+    )
+    assert f"give up accuracy_factor (at most 1.01; there is {row['best']:.5g})" in shown.err
+    narrow = ["--set", "wanted.accuracy_factor=1.01", "--set", "limits.surface_pressure=1 kPa"]
+    rows = afmcalc("design", CONFIGS / "requirements.toml", *narrow, "--json").json["result"]["attainable"]
+    assert {row["together"] for row in rows} == {"accuracy_factor + surface_pressure"}
+    assert [row["requirement"] for row in rows] == ["accuracy_factor", "surface_pressure"]
 
 
 @pytest.mark.parametrize(
@@ -412,6 +548,12 @@ def test_an_empty_result_says_why(afmcalc, tmp_path):
         ({"objectives": ["mass"]}, "must be one of"),
         ({"friction": {"min": None, "max": None, "mean": None}}, "a material, or both groups"),
         ({"fixed": {"face_width": None}}, "required beside limits.surface_pressure"),
+        ({"fixed": {"face_width": None}, "limits": {"surface_pressure": None, "outer_diameter": 0.2}}, "beside limits.outer_diameter"),
+        ({"search": {"mean_radius": None}}, "give mean_radius, or inner_radius and outer_radius"),
+        ({"search": {"outer_radius": 0.2}}, "give mean_radius, or inner_radius and outer_radius"),
+        ({"search": {"mean_radius": None, "inner_radius": 0.1}}, "give mean_radius, or inner_radius and outer_radius"),
+        ({"search": {"mean_radius": None, "inner_radius": 0.1, "outer_radius": 0.2}}, 'fixed.face_width = "30 mm": follows from'),
+        ({"search": {"mean_radius": None, "inner_radius": 0.2, "outer_radius": [0.1, 0.2]}, "fixed": {"face_width": None}}, "must reach beyond"),
         ({"wanted": {"nominal_torque": None}}, "wanted.nominal_torque: required"),
         ({"wanted": {"machine_torque": 100}}, "nominal_torque of the clutch or machine_torque, one of them"),
     ],

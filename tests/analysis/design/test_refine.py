@@ -8,7 +8,8 @@ import pytest
 from conftest import CONFIGS
 from scipy.optimize import minimize
 
-from afmcalc.analysis.design.design import design
+from afmcalc.analysis.design.design import refinement
+from afmcalc.analysis.design.search import search
 from afmcalc.spec.requirements import make_requirements
 
 BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
@@ -165,13 +166,13 @@ def restarts(need, row, starts, generator):
 @pytest.mark.filterwarnings("ignore:Values in x were outside bounds")
 def test_no_restart_finds_better(case):
     need = requirements(*CASES[case])
-    result, _ = design(need)
-    assert result.front, case
+    both = refinement(need, search(need))
+    assert both, case
     generator = np.random.default_rng(len(case))
     # elsewhere the grid has the optimum: the largest radius, and the gain that the others allow
     goal, moved, reached = need.objectives[0], 0, 0
-    for number in generator.permutation(len(result.front))[:4]:
-        grid, fine = result.front[number], result.refined[number]
+    for number in generator.permutation(len(both))[:4]:
+        grid, fine = both[number]
         best = restarts(need, grid, 16, generator)
         assert fine.objective(goal) <= best * (1 + 1e-6), number
         moved += fine.objective(goal) < grid.objective(goal) * (1 - 1e-6)

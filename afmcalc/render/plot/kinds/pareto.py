@@ -1,4 +1,4 @@
-"""The Pareto front of a design: the first objective against the others, on the grid and refined between its points."""
+"""The Pareto front of a design: the first objective against the others, each clutch with its number."""
 
 from ....analysis.design.design import DesignResult
 from ....analysis.design.rows import DesignRow
@@ -59,17 +59,39 @@ def _chart(result: DesignResult, x: str, y: str, *, by_pairs: bool) -> Chart:
         marker = variants.index(variant) if len(variants) > 1 else place
         style = _COLOURED[place % len(_COLOURED)]
         lines.append(
-            Line(", ".join(named), _values(rows, x), _values(rows, y), style=style, points=True, marker=marker)
+            Line(
+                ", ".join(named),
+                _values(rows, x),
+                _values(rows, y),
+                style=style,
+                points=True,
+                marker=marker,
+                names=[str(row.number) for row in rows],
+            )
         )
     if len(pairs) > 1:
         lines = _tagged(lines, [z for _, z in sorted(groups)])
-    fine = Line(
-        translate("refined between the grid points"), _values(result.refined, x), _values(result.refined, y),
-        style=_INK, points=True, marker=0, filled=True,
-    )  # fmt: skip
-    every = [*result.front, *result.refined]
-    bounds = (*_ends(_values(every, x)), *_ends(_values(every, y)))
-    return Chart(_axis(x), _axis(y), [*lines, fine], bounds=bounds)
+    bounds = (*_ends(_values(result.front, x)), *_ends(_values(result.front, y)))
+    return Chart(_axis(x), _axis(y), [*lines, *_knee(result, x, y)], bounds=bounds)
+
+
+def _knee(result: DesignResult, x: str, y: str) -> list[Line]:
+    rows = [row for row in result.front if row.number == result.knee]
+    if not rows:
+        return []
+    at = _values(rows, x), _values(rows, y)
+    named = [str(row.number) for row in rows]
+    return [
+        Line(
+            told("knee: no. {number}", number=named[0]),
+            *at,
+            style=_INK,
+            points=True,
+            marker=0,
+            filled=True,
+            names=named,
+        )
+    ]
 
 
 _INK = 4
@@ -113,7 +135,7 @@ def _caption(result: DesignResult) -> str:
     variants = say("all {variant}", variant=term(next(iter(counts)))) if len(counts) == 1 else variants
     said = told(
         "{feasible:,} of {candidates:,} candidates meet every requirement; the {front:,} drawn are beaten by no other "
-        "in {listed} together ({variants}).",
+        "in {listed} together ({variants}). Numbers are those of --pick.",
         feasible=result.feasible, candidates=result.candidates, front=len(result.front), listed=listed,
         variants=variants,
     )  # fmt: skip

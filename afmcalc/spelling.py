@@ -1,0 +1,53 @@
+"""Texts for streams that lack their letters: ``T_н`` becomes T_n, not an escape."""
+
+import codecs
+import re
+
+NAME = "afmcalc.spelled"
+"""Of the error handler, for streams."""
+
+_CYRILLIC = {
+    "а": "a", "б": "b", "в": "v", "г": "g", "д": "d", "е": "e", "ё": "e", "ж": "zh", "з": "z", "и": "i", "й": "y",
+    "к": "k", "л": "l", "м": "m", "н": "n", "о": "o", "п": "p", "р": "r", "с": "s", "т": "t", "у": "u", "ф": "f",
+    "х": "kh", "ц": "ts", "ч": "ch", "ш": "sh", "щ": "shch", "ъ": "'", "ы": "y", "ь": "'", "э": "e", "ю": "yu",
+    "я": "ya",
+}  # fmt: skip
+_GREEK = {
+    "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "eps", "ζ": "zeta", "η": "eta", "θ": "theta",
+    "ι": "iota", "κ": "kappa", "λ": "lambda", "μ": "mu", "ν": "nu", "ξ": "xi", "ο": "o", "π": "pi", "ρ": "rho",
+    "σ": "sigma", "ς": "s", "τ": "tau", "υ": "upsilon", "φ": "phi", "χ": "chi", "ψ": "psi", "ω": "omega",
+    "ϑ": "theta", "ϕ": "phi",
+}  # fmt: skip
+_SIGNS = {
+    "–": "-", "—": "-", "−": "-", "…": "...", "·": "*", "•": "*", "×": "x", "≤": "<=", "≥": ">=", "≈": "~", "≠": "!=",
+    "±": "+-", "°": "deg", "√": "sqrt", "∞": "inf", "→": "->", "∂": "d", "∝": "~", "₊": "+",
+    "₋": "-", "′": "'", "‘": "'", "’": "'", "“": '"', "”": '"', "«": '"', "»": '"', "\u00a0": " ", "\u2009": " ",
+}  # fmt: skip
+_LETTERS = _CYRILLIC | _GREEK
+_SPELLED = _LETTERS | {letter.upper(): spelled.capitalize() for letter, spelled in _LETTERS.items()} | _SIGNS
+# a difference, not a letter: ΔT is dT, as --sweep calls it
+_SPELLED["Δ"] = "d"
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+_POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+")
+
+
+def _spelled(error: UnicodeError) -> tuple[str, int]:
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    lacking = _POWER.sub(lambda power: f"^{power[0].translate(_RAISED)}", error.object[error.start : error.end])
+    return "".join(
+        sign if sign.isascii() else _SPELLED.get(sign) or sign.encode("ascii", "backslashreplace").decode()
+        for sign in lacking
+    ), error.end
+
+
+codecs.register_error(NAME, _spelled)
+
+
+def fitting(text: str, encoding: str) -> str:
+    """Return a text as a stream of an encoding shows it.
+
+    >>> fitting("ΔT = 10⁻³ T_н, °C", "ascii"), fitting("T_н", "koi8-r"), fitting("漢", "ascii")
+    ('dT = 10^-3 T_n, degC', 'T_н', '\\\\u6f22')
+    """
+    return text.encode(encoding, NAME).decode(encoding)

@@ -1,0 +1,201 @@
+"""The help: groups, examples one can copy from a narrow terminal, names; completion in real shells."""
+
+import os
+import pty
+import re
+import select
+import shutil
+import subprocess
+import sys
+import time
+
+import pytest
+from conftest import ROOT
+
+from afmcalc.cli import names
+from afmcalc.cli.help import SECTIONS, example_lines
+from afmcalc.cli.main import COMMANDS
+
+
+def test_commands_stand_in_groups_and_are_told_in_full(afmcalc):
+    groups = dict(re.findall(r"^([A-Z][a-z ]+):\n((?:  .*\n)+)", afmcalc("--help").out, re.MULTILINE))
+    listed = [
+        name
+        for title in (*SECTIONS.values(), "Files")
+        for name in re.findall(r"^  (\S+)", groups.get(title, ""), re.MULTILINE)
+    ]
+    assert sorted(listed) == sorted(COMMANDS)
+    assert {"torque", "check"} <= set(re.findall(r"^  (\S+)", groups["Calculate"], re.MULTILINE))
+    assert {"init", "plot", "report", "schema"} <= set(re.findall(r"^  (\S+)", groups["Files"], re.MULTILINE))
+    assert "..." not in "".join(groups.values()), "nothing is cut"
+
+
+@pytest.mark.parametrize("width", [60, 80, 120])
+@pytest.mark.parametrize("command", ["", *COMMANDS])
+def test_examples_are_whole_on_any_terminal(command, width, afmcalc, monkeypatch):
+    monkeypatch.setenv("COLUMNS", str(width))
+    monkeypatch.setenv("TERMINAL_WIDTH", str(width))
+    shown = afmcalc(*filter(None, [command]), "--help").out
+    monkeypatch.setenv("COLUMNS", "200")
+    whole = [
+        line for line in sys.modules["inspect"].getdoc(_function(command)).split("\n") if line.startswith("afmcalc ")
+    ]
+    assert whole
+    assert max(map(len, shown.split("\n"))) <= width
+    joined = re.sub(r" \\\n +", " ", shown)
+    for example in whole:
+        assert example.partition("  ")[0] in joined
+    assert "[[" not in shown
+    assert "..." not in shown.replace("[SPEC]...", "").replace("[ARGS]...", "").replace("v2,...", "").replace(
+        "S22-3, ...", ""
+    ).replace("[...]", "")
+
+
+def _function(command):
+    from importlib import import_module
+
+    from afmcalc.cli import main
+
+    return getattr(import_module(f"afmcalc.cli.{COMMANDS[command]}"), command) if command else main._afmcalc
+
+
+def test_words_in_quotes_stay_together():
+    lines = list(
+        example_lines('afmcalc solve --for F nominal_torque="250 N*m" clutch.toml --json | afmcalc torque -', 40)
+    )
+    assert all(len(line) <= 40 for line in lines)
+    assert any('"250 N*m"' in line for line in lines)
+    assert subprocess.run(["bash", "-n", "-c", "\n".join(lines)], check=False).returncode == 0
+
+
+@pytest.mark.parametrize(
+    ("command", "listed"),
+    [
+        ("solve", [names.parameters, names.targets]),
+        ("accuracy", [names.swept]),
+        ("life", [names.swept]),
+        ("plot", [names.plots, names.swept]),
+        ("explain", [names.explained]),
+    ],
+)
+def test_the_help_lists_the_names_that_can_be_given(command, listed, afmcalc):
+    shown = afmcalc(command, "--help").out
+    for each in listed:
+        for name, _ in each():
+            assert re.search(rf"^  {re.escape(name)}(?: |$)", shown, re.MULTILINE), name
+
+
+@pytest.fixture(scope="module")
+def home(tmp_path_factory):
+    """A home in which completion is installed for every shell there is, the program on its path."""
+    home = tmp_path_factory.mktemp("home")
+    program = home / "bin" / "afmcalc"
+    program.parent.mkdir()
+    program.write_text(f'#!/bin/sh\nexec {sys.executable} -m afmcalc "$@"\n')
+    program.chmod(0o755)
+    (home / "my-clutch.toml").touch()
+    for shell in ("bash", "zsh", "fish"):
+        if shutil.which(shell):
+            subprocess.run(
+                [shell, "-c", "afmcalc --install-completion; true"],
+                env=environment(home),
+                check=True,
+                capture_output=True,
+            )
+    with (home / ".zshrc").open("a") as file:
+        file.write(f"PS1='{_READY}'; unsetopt zle_bracketed_paste\n")
+    return home
+
+
+def environment(home):
+    path = f"{home}/bin:{os.environ['PATH']}"
+    return {
+        **os.environ,
+        "HOME": str(home),
+        "PATH": path,
+        "PYTHONPATH": str(ROOT),
+        "TERM": "dumb",
+        "XDG_CONFIG_HOME": f"{home}/.config",
+    }
+
+
+TYPED = {
+    "afmcalc tor": {"torque"},
+    "afmcalc accuracy --sw": {"--sweep"},
+    "afmcalc accuracy --sweep f_": {"f_min", "f_mean", "f_max"},
+    "afmcalc solve --for c": {"c1", "c2"},
+    "afmcalc plot pare": {"pareto"},
+    "afmcalc torque my": {"my-clutch.toml"},
+}
+
+
+def needs(shell):
+    return pytest.mark.skipif(not shutil.which(shell), reason=f"{shell} is not installed")
+
+
+@needs("bash")
+def test_completion_in_bash(home):
+    script = "source ~/.bashrc; for line; do COMP_WORDS=($line); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); COMPREPLY=()\n"
+    script += "entry=$(complete -p afmcalc); name=${entry##*-F }; ${name% *} afmcalc\n"
+    script += (
+        '[[ $entry == *"-o default"* && ${#COMPREPLY[@]} = 0 ]] && COMPREPLY=($(compgen -f -- ${COMP_WORDS[-1]}))\n'
+    )
+    script += 'echo "${COMPREPLY[*]}"; done'
+    run = subprocess.run(
+        ["bash", "-c", script, "bash", *TYPED],
+        env=environment(home),
+        cwd=home,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    for line, wanted in zip(run.stdout.splitlines(), TYPED.values(), strict=True):
+        assert wanted <= set(line.split())
+
+
+@needs("fish")
+def test_completion_in_fish(home):
+    script = "\n".join(f"echo (complete -C '{typed}' | string replace -r '\\t.*' '')" for typed in TYPED)
+    run = subprocess.run(
+        ["fish", "-c", script], env=environment(home), cwd=home, capture_output=True, text=True, check=True
+    )
+    for line, wanted in zip(run.stdout.splitlines(), TYPED.values(), strict=True):
+        assert wanted <= set(line.split())
+
+
+@needs("zsh")
+def test_completion_in_zsh(home):
+    """An interactive one, since completion is part of its line editor; each line is typed, completed and shown."""
+    child, person = pty.fork()
+    if not child:
+        os.chdir(home)
+        os.execvpe("zsh", ["zsh", "-i"], environment(home))
+    try:
+        _said(person, 20, [_READY])
+        os.write(person, b"afmcalc \t")  # the first time zsh only loads the function
+        _said(person, 20, ["\a"])
+        os.write(person, b"\x03")
+        _said(person, 20, [_READY])
+        for typed, wanted in TYPED.items():
+            os.write(person, f"{typed}\t".encode())
+            shown = _said(person, 20, wanted)
+            assert all(name in shown for name in wanted), shown
+            os.write(person, b"\x03")
+            _said(person, 20, [_READY])
+    finally:
+        os.write(person, b"\x03exit\n")
+        os.close(person)
+        os.waitpid(child, 0)
+
+
+_READY = "ready> "
+
+
+def _said(terminal, seconds, wanted=()):
+    """What is shown within a time, or until what is wanted is."""
+    shown, end = "", time.monotonic() + seconds
+    while time.monotonic() < end and not (wanted and all(name in shown for name in wanted)):
+        if select.select([terminal], [], [], 0.1)[0]:
+            shown += os.read(terminal, 65536).decode(errors="replace")
+    time.sleep(0.3)  # the line editor takes over after the prompt
+    return shown

@@ -1,0 +1,59 @@
+"""Specs as they are written for people: units, comments, no digits but those that count."""
+
+import re
+import tomllib
+
+import pytest
+from conftest import CONFIGS
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import direct_specs, indirect_specs
+
+from afmcalc.engines import build
+from afmcalc.spec import make_spec, read_spec, resolved, to_toml
+from afmcalc.spec.edit import as_written
+from afmcalc.spec.paths import keys
+
+LINE = re.compile(r"(?P<key>\w+) = (?P<value>.+?)\s+# .+")
+
+
+@given(st.one_of(direct_specs(), indirect_specs()))
+def test_a_written_spec_has_few_digits_and_answers_the_same(spec):
+    text = to_toml(resolved(spec))
+    digits = [each.replace(".", "").lstrip("0") for each in re.findall(r"\d+\.?\d*", re.sub(r"#.*", "", text))]
+    assert max(map(len, digits)) <= 12
+    again = make_spec(tomllib.loads(text))
+    assert again == as_written(spec) == as_written(again)
+    before, after = build(spec), build(again)
+    for own, old in zip(after.friction, before.friction, strict=True):
+        assert own == pytest.approx(old, rel=1e-11)
+    for name in ("nominal_torque", "torque_max", "accuracy_factor", "reduced_gain"):
+        assert getattr(after, name) == pytest.approx(getattr(before, name), rel=1e-8), name
+
+
+@pytest.mark.parametrize("name", ["default", "indirect", "unlike-materials", "tolerance"])
+def test_every_key_has_its_unit_and_says_what_it_is(name):
+    text = to_toml(resolved(read_spec(CONFIGS / f"{name}.toml")), "What it is.")
+    assert text.startswith("# What it is.\n# A quantity is a number in SI or a string with a unit")
+    table = ""
+    for line in filter(None, text.splitlines()[2:]):
+        if line.startswith("["):
+            table = line.strip("[]") + "."
+        elif table != "tolerance.fields.":
+            matched = LINE.fullmatch(line)
+            assert matched, line
+            key = keys()[table + matched["key"]]
+            assert matched["value"].startswith('"') == (key.unit not in (None, "1") or not key.unit and matched["value"][0] not in "[0123456789")  # fmt: skip
+
+
+@pytest.mark.parametrize(("given", "written"), [
+    (0.5, "0.5 rad"), (0.5235987755982988, "30 deg"), (0.24497866312686414, "14.0362434679 deg"), (0.0, "0 deg"),
+])  # fmt: skip
+def test_what_was_given_is_read_back_to_the_last_bit(given, written):
+    text = to_toml({"control_unit": {"wall_angle": given}})
+    assert f'wall_angle = "{written}"' in text
+
+
+def test_text_stays_text():
+    name = 'a "b" \\ c # d é Ф'
+    assert tomllib.loads(to_toml({"name": name})) == {"name": name}
