@@ -127,6 +127,8 @@ def _help() -> Iterator[Key]:
     """Paragraphs of the help of commands, and what is said of their arguments."""
     import typer
 
+    from afmcalc.analysis.solve.targets import TARGETS
+    from afmcalc.cli import help, names
     from afmcalc.cli.main import application
     from afmcalc.cli.speech import LABELS, SAID, paragraphs
 
@@ -139,7 +141,10 @@ def _help() -> Iterator[Key]:
         for parameter in command.params:
             if parameter.help:
                 yield ("", parameter.help)
-    yield from (("", text) for text in (*LABELS, *SAID))
+    sections = {*help.SECTIONS.values(), *help._APART.values(), help._FILES}
+    yield from (("", text) for text in (*LABELS, *SAID, *sections))
+    yield from (("", target.description) for target in TARGETS.values())
+    yield from (("", about) for _, about in names.plots())
 
 
 def _registry() -> Iterator[Key]:
