@@ -113,10 +113,13 @@ def models() -> list[type]:
 
 def _fields() -> Iterator[Key]:
     """Descriptions of what results and specs hold, and their symbols of more than letters."""
+    yield ("", "parameter")
     for model in models():
         for name, info in model.model_fields.items():  # type: ignore[attr-defined]
             yield ("", info.description or name)
             about = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+            if about.get("of"):
+                yield ("", str(about["of"]))
             if null := about.get("null"):
                 yield ("value", str(null))
             if re.search(r" (from|to|of|at) |\b(from|to)$", str(about.get("symbol") or "")):

@@ -64,7 +64,7 @@ def blocks(laid_out: Document) -> list[TextTable]:
 
 def _single(row: Entry, error: float | None) -> str:
     if row.said or row.values[0] is None:
-        return row.said or worded(row.null)
+        return translate(row.said) or worded(row.null)
     unit = row.shown_unit or row.unit
     return display(row.values[0], unit) if error is None else estimate(row.values[0], error, unit)
 
@@ -121,7 +121,8 @@ def _cells(column: Column, errors: list[float] | None) -> list[str]:
         return [estimate(*each) for each in zip(column.values, errors, units, strict=True)]
     said = column.said or [None] * len(column.values)
     return [
-        told or _shown(value, unit, column.null) for value, unit, told in zip(column.values, units, said, strict=True)
+        translate(own or "") or _shown(value, unit, column.null)
+        for value, unit, own in zip(column.values, units, said, strict=True)
     ]
 
 
