@@ -144,7 +144,7 @@ def _help() -> Iterator[Key]:
         for parameter in command.params:
             if parameter.help:
                 yield ("", parameter.help)
-    sections = {*help.SECTIONS.values(), *help._APART.values(), help._FILES}
+    sections = {*help.SECTIONS.values(), *help._APART.values(), help.FILES}
     yield from (("", text) for text in (*LABELS, *SAID, *sections))
     yield from (("", target.description) for target in TARGETS.values())
     yield from (("", about) for _, about in names.plots())
@@ -231,9 +231,13 @@ def _choices(annotation: object) -> Iterator[str]:
 def _units() -> Iterator[Key]:
     from afmcalc.messages import SCALES
     from afmcalc.render.units import _DISPLAY, display_unit
+    from afmcalc.spec.units import EXAMPLES
 
     yield from (("unit", unit) for unit in SCALES)
     yield from (("unit", shown) for shown, *_ in _DISPLAY.values() if re.search("[A-Za-z]", shown))
+    written = {*_DISPLAY, *EXAMPLES}
+    si = {unit.replace("*", "·").replace("^2", "²").replace("^3", "³").removesuffix(" abs") for unit in written}
+    yield from (("unit", unit) for unit in sorted(si | written) if re.search("[A-Za-z]", unit) and "abs" not in unit)
     for model in models():
         for info in model.model_fields.values():  # type: ignore[attr-defined]
             about = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}

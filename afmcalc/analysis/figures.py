@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
     from .design.design import DesignResult
     from .effects.curve import EffectsCurve
+    from .simulate.history import MomentRow
+    from .simulate.result import SimulateResult
     from .springs.curve import SpringsCurve
     from .synthesize import SynthesisResult
     from .tolerance.study import Study
@@ -50,6 +52,19 @@ class ToleranceFigure(NamedTuple):
     share: float
     """Share of the distribution that the bars of the histogram hold."""
     study: "Study"
+
+
+class SimulateFigure(NamedTuple):
+    """An event of the drive, until its peak has passed."""
+
+    name: str | None
+    kind: str
+    """Of event."""
+    load: float
+    """Before it, N·m."""
+    result: "SimulateResult"
+    courses: "list[list[MomentRow]]"
+    """At f_min, mean friction and f_max."""
 
 
 class ParetoFigure(NamedTuple):
@@ -171,6 +186,19 @@ def _tolerance(request: Request) -> ToleranceFigure:
     return ToleranceFigure(
         spec.name, float(answers.clutch.nominal_torque), spec.tolerance.seed, CENTRAL[1] - CENTRAL[0], study
     )
+
+
+def _simulate(request: Request) -> SimulateFigure:
+    from itertools import groupby
+
+    from .simulate.history import history
+    from .simulate.result import SimulateResult
+
+    (answers,) = request.subjects
+    clutch, result = answers.clutch, answers.of(SimulateResult)
+    rows = history(clutch, short=True).moments
+    courses = [list(own) for _, own in groupby(rows, lambda row: (row.friction, row.friction_driving))]
+    return SimulateFigure(clutch.spec.name, clutch.spec.drive.event.kind, result.load_torque, result, courses)
 
 
 def _pareto(request: Request) -> ParetoFigure:

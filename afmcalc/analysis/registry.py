@@ -222,6 +222,8 @@ ANALYSES: dict[str, Analysis] = {
                 "At the largest friction the torque in the shaft reaches {peak_torque.max:.5g N·m}, with an ordinary "
                 "clutch {peak_torque_conventional.max:.5g N·m}.",
             ),
+            judged=True,
+            plot=Plot("simulate", "torques, speeds and travel over time when the clutch trips", "clutch"),
         ),
         Analysis(
             "heat", "analysis.heat.heat", "HeatResult", "parts", _heat_is_known, ("answers",), explained=True,

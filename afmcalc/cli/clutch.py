@@ -72,7 +72,7 @@ def accuracy(
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, _curve(plot, sweep, common))
+    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, curve_of(plot, sweep, common))
 
 
 @with_common
@@ -95,7 +95,7 @@ def overload(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOpt
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, _curve(plot, sweep, common))
+    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, curve_of(plot, sweep, common))
 
 
 @with_common
@@ -155,7 +155,7 @@ def life(
     afmcalc life clutch.toml --model amplitude --set fatigue.mean_stress_sensitivity=0.1
     afmcalc life clutch.toml --sweep dT=500:1100:13
     """  # noqa: D301
-    curve = _curve(plot, sweep, common)
+    curve = curve_of(plot, sweep, common)
     calculate(common, spec, lambda clutch: {"model": model, "sweeps": axes_of(sweep, clutch, band=True)}, curve)
 
 
@@ -199,7 +199,7 @@ def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) ->
     return [axis(text) for text in sweep or ()]
 
 
-def _curve(plot: bool, sweep: list[str] | None, common: Common) -> "SweepDrawing | None":
+def curve_of(plot: bool, sweep: list[str] | None, common: Common) -> "SweepDrawing | None":
     """How to draw a sweep; refuse where there is none to draw, or no table to draw it under."""
     if not plot:
         return None

@@ -10,9 +10,15 @@ from typer.core import TyperCommand, TyperGroup
 from ..messages import say
 from . import names
 
-SECTIONS = {"clutch": "Calculate", "design": "Design", "drive": "Drive and parts", "papers": "Papers"}
+SECTIONS = {
+    "clutch": "Calculate",
+    "design": "Design",
+    "drive": "Drive and parts",
+    "parts": "Drive and parts",
+    "papers": "Papers",
+}
 """Module of a command → its group in the help; what is in no other has to do with files."""
-_FILES = "Files"
+FILES = "Files"
 _APART = {"check": "Calculate"}
 """Command → its group, where it is not that of its module."""
 
@@ -80,13 +86,13 @@ class Program(TyperGroup):
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
         """Write the commands group by group, what each does in full."""
-        groups: dict[str, list[tuple[str, str]]] = {title: [] for title in (*SECTIONS.values(), _FILES)}
+        groups: dict[str, list[tuple[str, str]]] = {title: [] for title in (*SECTIONS.values(), FILES)}
         for name in self.list_commands(ctx):
             command = self.get_command(ctx, name)
             assert command is not None
             home = str(getattr(command.callback, "__module__", "")).rpartition(".")[2]
             about = inspect.cleandoc(command.help or "").partition("\n\n")[0].replace("\n", " ")
-            groups[_APART.get(name) or SECTIONS.get(home, _FILES)].append((name, about.rstrip(".")))
+            groups[_APART.get(name) or SECTIONS.get(home, FILES)].append((name, about.rstrip(".")))
         for title, rows in groups.items():
             if rows:
                 with formatter.section(title):

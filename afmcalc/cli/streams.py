@@ -6,6 +6,7 @@ import os
 import sys
 from typing import Any
 
+from ..errors import LONGEST_LINE
 from ..messages import printable
 
 
@@ -87,5 +88,7 @@ def drop_output() -> None:
 
 
 def tell(text: str) -> None:
-    """Say something on standard error; lines of a text stay lines, nothing in them acts on the terminal."""
-    print(printable(text, lines=True), file=sys.stderr)
+    """Say something on standard error: lines of a text stay lines, are not endless, and do not act on the terminal."""
+    for line in text.split("\n"):
+        shown = printable(line)
+        print(shown if len(shown) <= LONGEST_LINE else f"{shown[: LONGEST_LINE - 3]}...", file=sys.stderr)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from ..arrays import Values, chosen, greatest, smaller
+from ..arrays import Values, chosen, greatest, larger, smaller
 from ..equations import springs as law
 from ..spec.models import Spec
 from ..spec.springs import CoilSprings, DiscStack
@@ -19,20 +19,27 @@ SHEAR_MODULUS = 81.5e9
 """Of patented drawn wire (EN 13906-1), Pa."""
 LEAST_USED, MOST_USED = 0.15, 0.75
 """Shares of the cone height that a disc spring is used in (DIN EN 16984)."""
-_HALVINGS = 60
 _STEPS = 60
-_CLOSE = 1e-15
+_CLOSE = 1e-13
 """Relative to the whole deflection."""
 
 
-def root(rising: Callable[[Values], Values], end: Values) -> Values:
-    """Where a function that rises from 0 to ``end`` is 0, number by number; the nearer end where it is not."""
-    low, high = 0.0 * end, end
-    for _ in range(_HALVINGS):
-        middle = (low + high) / 2
-        below = rising(middle) < 0
-        low, high = chosen(below, _is(middle), _is(low)), chosen(below, _is(high), _is(middle))
-    return low
+def root(rising: Callable[[Values], Values], slope: Callable[[Values], Values], end: Values) -> Values:
+    """Where a function that rises from 0 to ``end`` is 0, number by number; the nearer end where it is not.
+
+    Newton's steps, and halves of what is left where one would leave it.
+    """
+    at, low, high = 0.0 * end, 0.0 * end, end
+    for _ in range(_STEPS):
+        value = rising(at)
+        below = value < 0
+        low, high = chosen(below, _is(at), _is(low)), chosen(below, _is(high), _is(at))
+        step = at - value / slope(at)
+        there: Values = chosen((step >= low) & (step <= high), _is(step), _is((low + high) / 2))
+        moved, at = greatest(larger(there - at, at - there)), there
+        if not moved > _CLOSE * greatest(end):
+            break
+    return at
 
 
 def _is(value: Values) -> Callable[[], Values]:

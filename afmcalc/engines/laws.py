@@ -202,5 +202,10 @@ class IndirectLaw:
                 return held + self.control_stiffness * travel
             return control.force(start + travel)
 
-        travel = root(lambda at: pushed(at) - pressed(at) * loop, reach + 0.0 * loop)
+        def slope(travel: Values) -> Values:
+            first = self.closing_stiffness if closing is None else closing.stiffness(reach - travel)
+            second = self.control_stiffness if control is None or start is None else control.stiffness(start + travel)
+            return second + first * loop
+
+        travel = root(lambda at: pushed(at) - pressed(at) * loop, slope, reach + 0.0 * loop)
         return travel, pressed(travel)

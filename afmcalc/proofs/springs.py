@@ -15,7 +15,8 @@ __all__ = [
 
 E, nu, a, b, t, h, s, k4 = sp.symbols("E nu a b t h s K_4", positive=True)
 x, y, w, n, i, F, G, d, D, rho, force = sp.symbols("x y w n i F G d D rho F_1", positive=True)
-RATIO, LOG = a / b, sp.log(a / b)
+RATIO, LOG = a / b, sp.Symbol("Lambda", positive=True)
+"""δ, and ln δ, which nothing but the integrals knows to be that."""
 
 
 def _cross_section() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
@@ -36,14 +37,14 @@ def cone_that_turns() -> Steps:
     centre, turn, cone = _cross_section()
     lever = 2 * sp.pi * E / ((1 - nu**2) * (a - b))
     # hoop strain φ[(c − r)(β − φ/2) + y]/r at r and height y, with its lever (c − r)(β − φ) + y; terms odd in y vanish
-    squares = sp.integrate((centre - x) ** 2 / x, (x, b, a))
+    squares = centre**2 * LOG - 2 * centre * (a - b) + (a**2 - b**2) / 2
+    yield Identity("∫ (c − r)²/r dr", sp.diff(y**2 * sp.log(x) - 2 * y * x + x**2 / 2, x) - (y - x) ** 2 / x)
     turned = lever * turn * (cone - turn / 2) * (cone - turn) * t * squares
-    bent = lever * turn * t**3 / 12 * sp.integrate(1 / x, (x, b, a))
+    bent = lever * turn * t**3 / 12 * LOG
     whole = sp.expand(_force())
-    thin = whole.coeff(t, 1) * t
-    yield Identity("the part that is linear in t", sp.simplify(sp.expand_log(thin - turned)))
+    yield Identity("the part that is linear in t", whole.coeff(t, 1) * t - turned)
     # the standard takes the same factor for the bending part: exact for narrow rings
-    ratio = (whole.coeff(t, 3) * t**3 / bent).subs(a, b * (1 + w))
+    ratio = sp.factor(sp.together(whole.coeff(t, 3) * t**3 / bent)).subs({a: b * sp.exp(w), LOG: w})
     yield Identity("the part in t³ for narrow rings", sp.limit(sp.simplify(ratio), w, 0) - 1)
     yield Refutation("only for those", sp.simplify(ratio.subs(w, 1)) - 1)
     stiffness = springs.disc_stiffness(E, nu, _k1(), k4, 2 * a, t, h, s)
@@ -53,21 +54,24 @@ def cone_that_turns() -> Steps:
 def disc_with_flats() -> Steps:
     """K_4 is what keeps the force at ¾ of the cone height of the disc without flats."""
     thinner, height = sp.symbols("t_r l_0", positive=True)
-    factor = sp.nsimplify(springs.disc_factor_flats(t, thinner, height), rational=True)
-    square = sp.expand(factor**2)
+    square = sp.nsimplify(springs.disc_factor_flats(t, thinner, height), rational=True) ** 2
+    (under,) = (part.base for part in square.atoms(sp.Pow) if part.exp == sp.Rational(1, 2))
+    half = sp.sqrt(under) - square
     deflection = sp.Rational(3, 4) * (height - t)
     plain = springs.disc_force(E, nu, 1, 1, 2 * a, t, height - t, deflection)
+    own = springs.disc_force(E, nu, 1, 1, 2 * a, thinner, height - thinner, deflection)
+    bending = 4 * E * thinner**3 * deflection / ((1 - nu**2) * (2 * a) ** 2)
+    turning = own - bending
 
     def made(of: sp.Expr) -> sp.Expr:
-        own = springs.disc_force(E, nu, 1, 1, 2 * a, thinner, height - thinner, deflection)
-        rigid = 4 * E * thinner * deflection / ((1 - nu**2) * (2 * a) ** 2)
-        bending = rigid * thinner**2
-        return of * (of * (own - bending) + bending)
+        return of * (of * turning + bending)
 
-    yield Identity("F(¾ h_0) is kept", sp.simplify(made(square) - plain))
+    # K_4² = √D − h in (K_4²)² turning + K_4² bending = plain: what stands with the root, and what without
+    yield Identity("F(¾ h_0) is kept: with the root", bending - 2 * half * turning)
+    yield Identity("F(¾ h_0) is kept: without", turning * (half**2 + under) - bending * half - plain)
     root = sp.Symbol("q", positive=True)
-    own = springs.disc_force(E, nu, 1, root, 2 * a, thinner, height - thinner, deflection)
-    yield Identity("K_4 in the force", own - made(root**2))
+    stiffer = springs.disc_force(E, nu, 1, root, 2 * a, thinner, height - thinner, deflection)
+    yield Identity("K_4 in the force", stiffer - made(root**2))
     yield Identity("no flats", square.subs({thinner: t, height: sp.Rational(7, 5) * t}) - 1)
 
 

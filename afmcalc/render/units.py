@@ -31,7 +31,8 @@ _ZEROS = {"K abs": 273.15}
 
 def display_unit(unit: str) -> str:
     """Unit shown to people for an SI unit."""
-    return translate(_DISPLAY.get(unit, (unit, 1.0))[0], "unit")
+    shown = _DISPLAY[unit][0] if unit in _DISPLAY else unit.replace("*", "·").replace("^2", "²").replace("^3", "³")
+    return translate(shown, "unit")
 
 
 def factor(unit: str) -> float:

@@ -81,7 +81,7 @@ class CoilSprings(Block):
     coil_diameter: Length = Field(description="mean diameter of the coil", json_schema_extra={"symbol": "D"})
     turns: Turns = Field(description="active turns", json_schema_extra={"symbol": "n"})
     free_length: Length = Field(description="length without load", json_schema_extra={"symbol": "L_0"})
-    count: Count = key_field("springs around the shaft", "m", default=1)
+    count: Count = key_field("springs around the shaft", "j", default=1)
 
     @model_validator(mode="after")
     def _a_coil(self) -> "CoilSprings":

@@ -13,7 +13,7 @@ import pytest
 from conftest import ROOT
 
 from afmcalc.cli import names
-from afmcalc.cli.help import SECTIONS, example_lines
+from afmcalc.cli.help import FILES, SECTIONS, example_lines
 from afmcalc.cli.main import COMMANDS
 
 
@@ -21,7 +21,7 @@ def test_commands_stand_in_groups_and_are_told_in_full(afmcalc):
     groups = dict(re.findall(r"^([A-Z][a-z ]+):\n((?:  .*\n)+)", afmcalc("--help").out, re.MULTILINE))
     listed = [
         name
-        for title in (*SECTIONS.values(), "Files")
+        for title in (*dict.fromkeys(SECTIONS.values()), FILES)
         for name in re.findall(r"^  (\S+)", groups.get(title, ""), re.MULTILINE)
     ]
     assert sorted(listed) == sorted(COMMANDS)

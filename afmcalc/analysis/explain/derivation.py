@@ -146,7 +146,7 @@ def _misprints() -> dict[str, str]:
     for entry in register():
         if entry.status == "mended" and entry.printed and entry.function:
             told = say(
-                "{id}: {printed} ({misprint})", id=entry.id, printed=term(entry.printed), misprint=entry.misprint
+                "{id}: {printed} ({misprint})", id=term(entry.id), printed=term(entry.printed), misprint=entry.misprint
             )
             found.setdefault(entry.function, []).append(told)
     return {name: joined(printed, "; ") for name, printed in found.items()}

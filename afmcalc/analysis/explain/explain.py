@@ -91,7 +91,7 @@ def _note(call: Call) -> str | None:
 
 def _printed(mended: list[Formula]) -> str | None:
     differing = [
-        say("{id} prints {printed} ({misprint})", id=each.id, printed=term(each.printed), misprint=each.misprint)
+        say("{id} prints {printed} ({misprint})", id=term(each.id), printed=term(each.printed), misprint=each.misprint)
         for each in mended
         if each.printed
     ]

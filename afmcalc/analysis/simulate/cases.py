@@ -1,22 +1,16 @@
 """Which events are simulated: the clutch at a friction, an ordinary clutch in its place, and for how long."""
 
-import math
-from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple, cast
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
 
 from ...arrays import Values
-from ...engines import setting
-from ...engines.laws import DirectLaw
 from ...engines.protocol import Clutch
-from ...equations import adjustment
 from ...equations.heat import run_down_time
-from ...errors import CalculationError
 from ...extras import need
-from ...messages import say
-from .direct import DirectPack, DirectPlant
-from .indirect import IndirectPlant
+from .direct import DirectPlant
+from .packs import ordinary_pack, pack_of, plant_of, without_hub
 from .plant import Plant
-from .sleeve import Sleeve
 from .train import Train, train_of
 
 if TYPE_CHECKING:
@@ -24,6 +18,8 @@ if TYPE_CHECKING:
 
 _SWINGS = 6.0
 """Swings of the driven half after an event within which its peak has come."""
+_LONG = 20.0
+"""Times the run-down at T(f) that is waited for where the key may hold the sleeve so far off that the slip lasts."""
 
 
 class Case(NamedTuple):
@@ -32,8 +28,6 @@ class Case(NamedTuple):
     plant: Plant
     horizon: float
     """Time within which the slip ends, or at least the peak has passed, s."""
-    endless: bool
-    """Whether the motor is strong enough to slip for ever."""
 
     def run(self, *, recorded: bool = False) -> "Trip":
         """Simulate.
@@ -46,38 +40,6 @@ class Case(NamedTuple):
         from .machine import trip
 
         return trip(self.plant, self.horizon, recorded=recorded)
-
-
-def case_of(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Case:
-    """Return the event at one friction.
-
-    Args:
-        clutch: a clutch with float parameters and an event in its [drive] block.
-        friction: f, or f_1 of the driving pairs.
-        friction_driven: f_2; None for f.
-
-    Raises:
-        SpecError: no event.
-    """
-    train = train_of(clutch)
-    plant = _plant(clutch, train, friction, friction if friction_driven is None else friction_driven)
-    duration = _duration(train, plant.sliding)
-    event = clutch.spec.drive.event
-    assert event is not None
-    horizon = event.duration or (_peak_time(train) if duration is None else duration)
-    return Case(plant, horizon, duration is None)
-
-
-def ordinary_case(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Case:
-    """Return the event with an ordinary clutch of equal T_н in place, until its peak; arguments as ``case_of``."""
-    whole = _without_hub(train_of(clutch))
-    own = DirectLaw(
-        clutch.mean_radius, clutch.bypass_pairs, clutch.spec.friction_group.pairs - clutch.bypass_pairs, 0.0
-    )
-    per_force = own.torque_per_force(*setting.friction_at_setting(clutch.spec))
-    force = adjustment.closing_force(clutch.nominal_torque, setting.margin(clutch.spec), per_force)
-    pack = _pack(clutch, own, force, friction, friction if friction_driven is None else friction_driven)
-    return Case(DirectPlant(whole, replace(pack, lag=0.0)), _peak_time(whole), endless=False)
 
 
 class Outcome(NamedTuple):
@@ -104,6 +66,53 @@ class Outcome(NamedTuple):
         """Heat in the pack; None where it does not end."""
         return self.trip.heat if self.trip.ended else None
 
+    @property
+    def endless(self) -> bool:
+        """Whether the motor is what keeps it slipping."""
+        plant = self.case.plant
+        strong = plant.train.cut_off is None and abs(self.trip.last) <= plant.train.engine.torque
+        return not self.trip.ended and (self.trip.endless or strong)
+
+    @property
+    def potential(self) -> float | None:
+        """T_п, at which it would slip if the release force did not follow the load; None of an indirect clutch."""
+        plant = self.case.plant
+        if not isinstance(plant, DirectPlant):
+            return None
+        return plant.pack.potential(plant.train.load, plant.pack.static_ratio)
+
+    @property
+    def trip_position(self) -> float | None:
+        """Where the trip lies between T_муф (0) and T_п (1); None without slip, or where the two are one."""
+        expected, held, at = self.case.plant.breakaway, self.potential, self.trip.trip_torque
+        return None if at is None or held is None or held <= expected else (at - expected) / (held - expected)
+
+
+def case_of(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Case:
+    """Return the event at one friction.
+
+    Args:
+        clutch: a clutch with float parameters and an event in its [drive] block.
+        friction: f, or f_1 of the driving pairs.
+        friction_driven: f_2; None for f.
+
+    Raises:
+        SpecError: no event.
+    """
+    train = train_of(clutch)
+    plant = plant_of(train, pack_of(clutch, friction, friction if friction_driven is None else friction_driven))
+    event = clutch.spec.drive.event
+    assert event is not None
+    return Case(plant, event.duration or float(peak_time(plant.train, plant.sliding)) + _slip_time(plant))
+
+
+def ordinary_case(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Case:
+    """Return the event with an ordinary clutch of equal T_н in place, until its peak; arguments as ``case_of``."""
+    train = without_hub(train_of(clutch))
+    pack = ordinary_pack(clutch, friction, friction if friction_driven is None else friction_driven)
+    plant = plant_of(train, pack)
+    return Case(plant, float(peak_time(train, plant.sliding)))
+
 
 def outcome_of(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Outcome:
     """Simulate the clutch, and an ordinary one in its place, at one friction; arguments as ``case_of``."""
@@ -112,87 +121,32 @@ def outcome_of(clutch: Clutch, friction: float, friction_driven: float | None = 
     return Outcome(case, case.run(), ordinary.plant, ordinary.run().peak)
 
 
-def _plant(clutch: Clutch, train: Train, driving: float, driven: float) -> Plant:
-    own = clutch.law
-    if isinstance(own, DirectLaw):
-        return DirectPlant(train, _pack(clutch, own, clutch.closing_force, driving, driven))
-    if not own.net_gain:
-        # feedback that the key just holds: an ordinary clutch
-        ordinary = DirectLaw(own.mean_radius, own.pairs, 0.0, 0.0)
-        return DirectPlant(_without_hub(train), _pack(clutch, ordinary, clutch.closing_force, driving, driven))
-    control = float(own.control_force(clutch.closing_force))
-    if control < clutch.closing_force:
-        raise CalculationError(
-            say(
-                "simulate: the control spring ({control:.5g N}) must press more than the closing spring "
-                "({closing:.5g N}), else the sleeve is off its stop without load",
-                control=control,
-                closing=clutch.closing_force,
-            )
-        )
-    friction, unit = clutch.spec.friction, clutch.spec.control_unit
-    ratio, decay, radius = friction.static_ratio or 1.0, friction.stribeck_speed, cast(float, own.mean_radius)
-    sleeve = Sleeve(
-        friction_pairs=cast(float, own.pairs) * driving,
-        mean_radius=radius,
-        gain=cast(float, own.gain),
-        net_gain=cast(float, own.net_gain),
-        net_gain_returning=cast(float, own.net_gain_returning),
-        closing_force=cast(float, clutch.closing_force),
-        control_force=control,
-        closing_stiffness=cast(float, own.closing_stiffness),
-        control_stiffness=cast(float, own.control_stiffness),
-        mass=(unit.sleeve_mass if unit else None) or 0.0,
-        static_ratio=ratio,
-        decay_rate=radius / decay if decay else 0.0,
-    )
-    return IndirectPlant(train, sleeve, float(clutch.torque(driving)), float(clutch.torque(ratio * driving)))
+def peak_time(train: Train, sliding: Values) -> Values:
+    """Time within which the peak has come, s: some swings of the driven half, one of the stuck drive.
 
-
-def _without_hub(train: Train) -> Train:
-    """Without control unit the hub belongs to the driven half."""
-    return replace(train, driven_inertia=train.driven_inertia + train.hub_inertia, hub_inertia=0.0)
-
-
-def _pack(clutch: Clutch, own: DirectLaw, force: Values, driving: float, driven: float) -> DirectPack:
-    friction, unit = clutch.spec.friction, clutch.spec.control_unit
-    radius = cast(float, own.mean_radius)
-    ratio, decay = friction.static_ratio or 1.0, friction.stribeck_speed
-    return DirectPack(
-        closing_force=cast(float, force),
-        mean_radius=radius,
-        bypass_pairs=cast(float, own.bypass_pairs),
-        controlled_pairs=cast(float, own.controlled_pairs),
-        gain=cast(float, own.gain),
-        driving=driving,
-        driven=driven,
-        static_ratio=ratio,
-        decay_rate=radius / decay if decay else 0.0,
-        lag=(unit.release_lag if unit else None) or 0.0,
-    )
-
-
-def _swing(inertia: float, stiffness: float) -> float:
-    return 2 * math.pi * math.sqrt(inertia / stiffness)
-
-
-def _peak_time(train: Train) -> float:
-    """Time within which the peak has come, s: some swings of the driven half, one of the stuck drive."""
-    stuck = train.motor_inertia + train.hub_inertia + train.driven_inertia
-    return float(train.time + _SWINGS * _swing(train.driven_inertia, train.stiffness) + _swing(stuck, train.stiffness))
-
-
-def _duration(train: Train, sliding: float) -> float | None:
-    """Time within which the slip ends, s; None where it need not."""
-    drive, speed = train.engine.torque, train.speed
-    if sliding > drive:
-        slip = run_down_time(train.motor_inertia, speed, sliding, drive)
-    elif train.cut_off is not None:
-        gained = speed + (drive - sliding) * train.cut_off / train.motor_inertia
-        slip = train.cut_off + run_down_time(train.motor_inertia, gained, sliding, 0.0)
-    else:
-        return None
+    Where the tool has an inertia of its own, that within which its load has stopped it comes before.
+    """
+    before = train.motor_inertia + train.hub_inertia + train.driven_inertia
+    swings = (_swing(inertia, train.stiffness) for inertia in (train.driven_inertia, before))
+    found: Values = train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
     if train.kind == "load":
-        # until the tool stands, or has caught up
-        slip += (train.driven_inertia + train.tool_inertia) * speed / max(abs(train.overload - sliding), 0.01 * sliding)
-    return float(slip) + _peak_time(train)
+        behind = train.driven_inertia + train.tool_inertia
+        found = found + behind * train.speed / np.maximum(np.abs(train.overload - sliding), 0.05 * sliding)
+    return found
+
+
+def _swing(inertia: Values, stiffness: Values) -> Values:
+    return 2 * np.pi * (inertia / stiffness) ** 0.5
+
+
+def _slip_time(plant: Plant) -> float:
+    """Time within which the slip ends, s, if it does."""
+    train, drive = plant.train, plant.train.engine.torque
+    if train.cut_off is not None:
+        gained = train.speed + max(drive - plant.least, 0.0) * train.cut_off / train.motor_inertia
+        return train.cut_off + float(run_down_time(train.motor_inertia, gained, plant.least, 0.0))
+    if plant.least > drive:
+        return float(run_down_time(train.motor_inertia, train.speed, plant.least, drive))
+    if plant.sliding > drive:
+        return _LONG * float(run_down_time(train.motor_inertia, train.speed, plant.sliding, drive))
+    return 0.0

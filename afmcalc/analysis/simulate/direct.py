@@ -8,7 +8,7 @@ from functools import cached_property
 from ...arrays import V
 from ...equations import direct
 from ...equations import drive as law
-from .plant import DECAYED, Mode, Plant, Sliding, State, Tool, Torques, sign
+from .plant import DECAYED, FAST, Mode, Plant, Sliding, State, Tool, Torques, sign
 from .train import Train
 
 
@@ -61,6 +61,10 @@ class DirectPack:
         )
         return force
 
+    def potential(self, torque: float, ratio: float) -> float:
+        """T_п: torque at which it slips with the release force of ``torque``, friction times ``ratio``."""
+        return self.carried(self.under(torque), ratio)
+
     def carried(self, normal_force: V, ratio: V) -> V:
         """Torque at which a normal force slips, friction times ``ratio``."""
         torque: V = direct.group_torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
@@ -86,6 +90,11 @@ class DirectPlant(Plant):
     def sliding(self) -> float:  # type: ignore[override]
         """T(f)."""
         return self.pack.torque(1.0)
+
+    @cached_property
+    def least(self) -> float:  # type: ignore[override]
+        """T(f)."""
+        return self.sliding
 
     @cached_property
     def breakaway(self) -> float:  # type: ignore[override]
@@ -171,6 +180,12 @@ class DirectPlant(Plant):
             self.tool.power(t, mode, shaft, tool),
             0.0,
         ]
+
+    @property
+    def stiff(self) -> bool:
+        """A short lag decays fast too."""
+        natural = (self.train.stiffness / self.train.driven_inertia) ** 0.5
+        return super().stiff or 0 < self.pack.lag * natural < 1 / FAST
 
     def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:
         """Sliding friction alone, and a normal force that has come to its balance."""

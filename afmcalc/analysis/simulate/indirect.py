@@ -22,8 +22,6 @@ class IndirectPlant(SleevePlant):
 
     train: Train
     sleeve: Sleeve
-    sliding: float
-    breakaway: float
 
     size = 7
 
@@ -31,6 +29,21 @@ class IndirectPlant(SleevePlant):
     def tool(self) -> Tool:  # type: ignore[override]
         """What stands behind the shaft."""
         return Tool(self.train)
+
+    @cached_property
+    def sliding(self) -> float:  # type: ignore[override]
+        """T(f), friction rising."""
+        return float(self.sleeve.torque(1.0, self.sleeve.net_gain))
+
+    @cached_property
+    def least(self) -> float:  # type: ignore[override]
+        """T(f) as the sleeve returns."""
+        return float(self.sleeve.torque(1.0, self.sleeve.net_gain_returning))
+
+    @cached_property
+    def breakaway(self) -> float:  # type: ignore[override]
+        """T(r_s f)."""
+        return float(self.sleeve.torque(self.sleeve.static_ratio, self.sleeve.net_gain))
 
     @property
     def growth(self) -> float:

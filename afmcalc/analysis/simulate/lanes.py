@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...arrays import Floats, Values
+from ...equations import direct
 from ...equations import drive as law
 from ...equations import sleeve as unit
 from .direct import DirectPack
@@ -30,8 +31,8 @@ class DirectLanes:
         self._trend = np.zeros(h.size)
         self.torque = np.broadcast_to(train.load, h.shape).astype(float)
         self.normal = np.broadcast_to(pack.under(train.load), h.shape).astype(float)
-        self._balance: Values = self.normal
-        self._half = np.exp(-h / (2 * np.asarray(pack.lag))) if np.all(np.asarray(pack.lag) > 0) else None
+        lag = np.broadcast_to(np.asarray(pack.lag, float), h.shape)
+        self._half = np.exp(-h / (2 * np.where(lag > 0, lag, np.inf))) * (lag > 0) if np.any(lag > 0) else None
         """What is left of a deviation after half a step; None without lag."""
 
     @property
@@ -51,15 +52,17 @@ class DirectLanes:
             self._trend = np.where(slip == 0, 0.0, slip - self.slip)
         self.slip = slip
         if self._half is not None:
-            self._balance = own.under(np.abs(self.torque))
-            self.normal = self._balance + (self.normal - self._balance) * self._half**2
+            balance = own.under(np.abs(self.torque))
+            self.normal = balance + (self.normal - balance) * self._half**2
 
     def _capacity(self, ratio: Values) -> Values:
-        """Largest torque of the pack; where the normal force is late, with that of the middle of the step."""
+        """Largest torque of the pack; a late normal force is that of the middle of the step, its own torque in it."""
         own = self.pack
         if self._half is None:
             return own.torque(ratio)
-        middle: Values = self._balance + (self.normal - self._balance) * self._half
+        loop = own.gain * own.controlled_pairs * own.driven * (1 - self._half)
+        alone: Values = own.closing_force * (1 - self._half) + self.normal * self._half
+        middle: Values = direct.normal_force(alone, 1.0, loop, ratio)
         return own.carried(middle, ratio)
 
 
@@ -78,6 +81,12 @@ class SleeveLanes:
         self.turn = np.broadcast_to(np.maximum(off, 0.0) * pack.gain / pack.mean_radius, h.shape).astype(float)
         self.held = np.broadcast_to(pack.pressed_at_stop(train.load, pack.net_gain), h.shape).astype(float)
         self.travel = pack.travel(self.turn)
+        springs = pack.closing_stiffness, pack.control_stiffness, pack.mean_radius
+        self._stiff = [
+            h / 4 * unit.torsional_stiffness(*springs, net, pack.gain)
+            for net in (pack.net_gain, pack.net_gain_returning)
+        ]
+        """Torque of the springs per speed of the balls in a step, moving out and back."""
 
     @property
     def passed(self) -> Floats:
@@ -128,12 +137,15 @@ class SleeveLanes:
     def _moving(self, joint: "_Joint", pairs: Values) -> "_Found":
         """Off the stop: the key holds between S/κ₊ and S/κ."""
         own = self.pack
-        turn = self.turn + self.h / 2 * self.rate
-        travel, side = own.travel(turn), np.where(self.turn < 0, -1.0, 1.0)
-        moment = own.moment(travel)
+        side, ahead = np.where(self.turn < 0, -1.0, 1.0), self.h / 2 * self.rate
+        travel = own.travel(self.turn + ahead)
+        # implicit midpoint: half of the way on is that of the speed before, the other half that of the speed to come
+        moment = own.moment(own.travel(self.turn + ahead / 2))
         least, most = side * moment / own.net_gain_returning, side * moment / own.net_gain
         normal = np.maximum(own.closing_force - own.closing_stiffness * travel, 0.0)
-        return joint.boxed(pairs * own.mean_radius * normal, np.minimum(least, most), np.maximum(least, most), normal)
+        found = joint.boxed(pairs * own.mean_radius * normal, np.minimum(least, most), np.maximum(least, most), normal)
+        stiff = np.where(np.abs(found.balls) == np.abs(most), self._stiff[0], self._stiff[1])
+        return joint.yielding(found, np.where(found.rate == 0, 0.0, stiff), pairs * own.mean_radius * normal)
 
     def _still(self, joint: "_Joint", pairs: Values) -> "_Found":
         """At the stop: N falls along κ, rises along κ₊, is held between; beyond S(0)/κ the sleeve lifts off."""
@@ -210,6 +222,23 @@ class _Joint(NamedTuple):
         slip = np.where(clutch == needed, 0.0, self.slip - self.pack * clutch + self.across * balls)
         rate = np.where(balls == wanted, 0.0, self.rate + self.across * clutch - self.balls * balls)
         return _Found(clutch, balls, slip, rate, normal)
+
+    def yielding(self, found: _Found, stiff: Floats, capacity: Values) -> _Found:
+        """The same with a torque of the balls that grows with their speed, where they move."""
+        whole = 1 + self.balls * stiff
+        slip = self.slip + self.across * (found.balls + stiff * (self.rate - self.balls * found.balls) / whole)
+        pack = self.pack - self.across * self.across * stiff / whole
+        needed = slip / pack
+        clutch = np.clip(needed, -capacity, capacity)
+        rate = (self.rate + self.across * clutch - self.balls * found.balls) / whole
+        moves = stiff > 0
+        return _Found(
+            np.where(moves, clutch, found.clutch),
+            np.where(moves, found.balls + stiff * rate, found.balls),
+            np.where(moves, np.where(clutch == needed, 0.0, slip - pack * clutch), found.slip),
+            np.where(moves, rate, found.rate),
+            found.normal,
+        )
 
 
 def ratio_of(pack: DirectPack | Sleeve, slip: Floats) -> Values:

@@ -6,7 +6,7 @@ from functools import partial
 from typing import NamedTuple
 
 import numpy as np
-from scipy.integrate import DOP853
+from scipy.integrate import DOP853, OdeSolver, Radau
 from scipy.optimize import brentq
 
 from ...errors import CalculationError
@@ -58,6 +58,10 @@ class Trip(NamedTuple):
     """Whether the slip ended."""
     endless: bool
     """Whether the motor drives it for ever."""
+    last: float
+    """Torque of the clutch at the end, N·m."""
+    state: State
+    """States and work at the end."""
     residual: float
     """Error of the energy balance, relative to the largest energy in it."""
     history: list[Moment]
@@ -125,6 +129,8 @@ class _Run:
             self.trip_torque,
             mode.pack == 0,
             self.endless,
+            plant.torques(t, y, mode).clutch,
+            y,
             residual,
             history,
         )
@@ -198,7 +204,8 @@ class _Run:
     def _integrate(self, t: float, y: State, mode: Mode, bound: float) -> tuple[float, State, int | None]:
         """Step until a guard falls to 0 or to the bound; which guard, None at the bound."""
         plant = self.plant
-        solver = DOP853(
+        method = Radau if plant.stiff else DOP853
+        solver = method(
             lambda at, states: plant.rates(at, states.tolist(), mode),
             t,
             np.array(y),
@@ -223,7 +230,7 @@ class _Run:
             self._note(solver.t, states, mode)
         return bound, solver.y.tolist(), None
 
-    def _inside(self, solver: DOP853, mode: Mode, turned: list[int]) -> tuple[float, State, int] | None:
+    def _inside(self, solver: OdeSolver, mode: Mode, turned: list[int]) -> tuple[float, State, int] | None:
         """Look into a step: note the peaks up to the first guard that falls to 0, and return that."""
         plant, dense, start = self.plant, solver.dense_output(), float(solver.t_old)
 

@@ -48,6 +48,8 @@ class Sliding(NamedTuple):
     """Slip above which static friction is nothing, rad/s."""
 
 
+FAST = 20.0
+"""Decays in a radian of the shaft's swing beyond which an implicit method is taken."""
 DECAYED = 20.0
 """Exponent at which static friction is nothing, e^−20 = 2e-9."""
 
@@ -123,6 +125,8 @@ class Plant(ABC):
     sliding: float
     """Sliding torque T(f)."""
 
+    least: float
+    """Sliding torque at least: that of a sleeve that its key holds back."""
     breakaway: float
     """Torque at which the clutch at rest slips under a load that rises slowly, T(r_s f)."""
 
@@ -162,6 +166,12 @@ class Plant(ABC):
     @abstractmethod
     def motor_speed(self, y: Sequence[float]) -> float:
         """ω_1, rad/s."""
+
+    @property
+    def stiff(self) -> bool:
+        """Whether something decays so much faster than the shaft swings that an explicit method would crawl."""
+        train = self.train
+        return train.damping > FAST * math.sqrt(train.stiffness * train.driven_inertia)
 
     @abstractmethod
     def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:

@@ -20,6 +20,7 @@ def remarks_of(clutch: Clutch, train: Train, found: Sequence[Outcome]) -> list[F
         _inertia(train, found),
         *_before(train, found),
         *_endless(train, found),
+        *_lag(clutch, found),
         *_dynamic_factor(clutch, found),
         *_judder(clutch, train, found),
     ]
@@ -49,28 +50,40 @@ def _before(train: Train, found: Sequence[Outcome]) -> list[Finding]:
 def _endless(train: Train, found: Sequence[Outcome]) -> list[Finding]:
     """Does the motor stop, and does the slip end within the time that is simulated?"""
     said = []
-    strongest = float(train.engine.torque)
-    going = [(end, each) for end, each in zip(_ENDS, found, strict=True) if each.case.plant.sliding <= strongest]
-    if going and any(each.trip.slip_time for _, each in going):
-        path, at = "drive.cut_off", ", ".join(end for end, _ in going)
-        least = min(each.case.plant.sliding for _, each in going)
-        if train.cut_off is None:
-            said.append(
-                finding("motor-never-stops", "error", value=least, limit=strongest, path="drive.cut_off", at=at)
+    strongest, path = float(train.engine.torque), "drive.cut_off"
+    going = [(end, each) for end, each in zip(_ENDS, found, strict=True) if each.endless]
+    if going:
+        at, least = ", ".join(end for end, _ in going), min(abs(each.trip.last) for _, each in going)
+        said.append(finding("motor-never-stops", "error", value=least, limit=strongest, path=path, at=at))
+    cut = [
+        (end, each)
+        for end, each in zip(_ENDS, found, strict=True)
+        if train.cut_off is not None and each.heat and each.case.plant.sliding <= strongest
+    ]
+    if cut and train.cut_off is not None:
+        at, least = ", ".join(end for end, _ in cut), min(each.case.plant.sliding for _, each in cut)
+        heat = max(each.heat or 0.0 for _, each in cut)
+        said.append(
+            finding(
+                "motor-stops-at-cut-off", "warning", value=least, limit=strongest, path=path, at=at, heat=heat,
+                off=train.cut_off,
             )
-        else:
-            heat = max((each.heat for _, each in going if each.heat is not None), default=0.0)
-            said.append(
-                finding(
-                    "motor-stops-at-cut-off", "warning", value=least, limit=strongest, path=path, at=at,
-                    heat=heat, off=train.cut_off,
-                )
-            )  # fmt: skip
+        )  # fmt: skip
     for end, each in zip(_ENDS, found, strict=True):
-        if not each.trip.ended and not each.case.endless:
+        if not each.trip.ended and not each.endless:
             path, lasted = "drive.event.duration", each.case.horizon
             said.append(finding("slip-outlasts-duration", "warning", value=lasted, path=path, at=end))
     return said
+
+
+def _lag(clutch: Clutch, found: Sequence[Outcome]) -> list[Finding]:
+    """S22's open question, as a number: where between T_муф and T_п does this drive trip?"""
+    unit, each = clutch.spec.control_unit, found[-1]
+    share, at, held = each.trip_position, each.trip.trip_torque, each.potential
+    if unit is None or not unit.release_lag or share is None:
+        return []
+    expected, path = each.case.plant.breakaway, "control_unit.release_lag"
+    return [finding("release-lag", "info", value=at, limit=expected, path=path, share=share, held=held)]
 
 
 def _dynamic_factor(clutch: Clutch, found: Sequence[Outcome]) -> list[Finding]:

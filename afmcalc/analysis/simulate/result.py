@@ -12,22 +12,22 @@ class SimulatePoint(Result):
     friction_driving: float | None = quantity("1", "f_1", "friction of the driving pairs", optional=True)
     friction_driven: float | None = quantity("1", "f_2", "friction of the driven pairs", optional=True)
     sliding_torque: float = quantity("N*m", "T", "sliding torque")
-    peak_torque: float = quantity("N*m", "T_max", "peak torque in the shaft")
-    peak_torque_clutch: float = quantity("N*m", "T_c,max", "peak torque at the clutch")
+    peak_torque: float = quantity("N*m", "T_peak", "peak torque in the shaft")
+    peak_torque_clutch: float = quantity("N*m", "T_peak,c", "peak torque at the clutch")
     dynamic_factor: float = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
     slip_time: float | None = quantity("s", "t_s", "time of slip", null=ENDLESS)
     slip_energy: float | None = quantity("J", "Q", "heat in the pack", null=ENDLESS)
     travel_max: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
-    peak_torque_conventional: float = quantity("N*m", "T_max,0", "peak torque with an ordinary clutch of equal T_н")
+    peak_torque_conventional: float = quantity("N*m", "T_peak,0", "peak torque with an ordinary clutch of equal T_н")
 
 
 class SimulateSweep(Series):
     """Peaks over a swept key."""
 
-    peak_torque_min: list[float] = quantity("N*m", "T_max(f_min)", "peak torque in the shaft at f_min")
-    peak_torque_mean: list[float] = quantity("N*m", "T_max(f_cp)", "peak torque in the shaft at the mean friction")
-    peak_torque_max: list[float] = quantity("N*m", "T_max(f_max)", "peak torque in the shaft at f_max")
-    peak_torque_clutch: list[float] = quantity("N*m", "T_c,max", "peak torque at the clutch at f_max")
+    peak_torque_max: list[float] = quantity("N*m", "T_peak(f_max)", "peak torque in the shaft at f_max")
+    peak_torque_mean: list[float] = quantity("N*m", "T_peak(f_cp)", "peak torque in the shaft at the mean friction")
+    peak_torque_min: list[float] = quantity("N*m", "T_peak(f_min)", "peak torque in the shaft at f_min")
+    peak_torque_clutch: list[float] = quantity("N*m", "T_peak,c", "peak torque at the clutch at f_max")
     dynamic_factor: list[float] = quantity("1", "k_д", "peak torque in the shaft over sliding torque at f_max")
     inertia_torque: list[float] = quantity("N*m", "T_J", "inertia torque ω_0 √(k J_2)")
 
@@ -36,15 +36,15 @@ class SimulateResult(Result):
     """The event in the drive at f_min, mean friction and f_max; friction is constant during one event."""
 
     sliding_torque: Triple = quantity("N*m", "T", "sliding torque")
-    peak_torque: Triple = quantity("N*m", "T_max", "peak torque in the shaft")
-    peak_torque_clutch: Triple = quantity("N*m", "T_c,max", "peak torque at the clutch")
+    peak_torque: Triple = quantity("N*m", "T_peak", "peak torque in the shaft")
+    peak_torque_clutch: Triple = quantity("N*m", "T_peak,c", "peak torque at the clutch")
     dynamic_factor: Triple = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
-    peak_over_machine: Triple | None = quantity("1", "T_max/T_0", "peak torque over the load before it", optional=True)
+    peak_over_machine: Triple | None = quantity("1", "T_peak/T_0", "peak torque over the load before it", optional=True)
     slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=ENDLESS)
     slip_energy: OpenTriple = quantity("J", "Q", "heat in the pack", null=ENDLESS)
     travel_max: Triple | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     peak_torque_conventional: Triple = quantity(
-        "N*m", "T_max,0", "peak torque in the shaft with an ordinary clutch of equal T_н"
+        "N*m", "T_peak,0", "peak torque in the shaft with an ordinary clutch of equal T_н"
     )
     trip_torque: OpenTriple | None = quantity(
         "N*m", "T_trip", "torque at which the clutch begins to slip", optional=True, null="no slip"

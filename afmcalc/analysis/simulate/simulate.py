@@ -1,17 +1,20 @@
 """The drive in time: what happens when the clutch trips, against an ordinary clutch of equal nominal torque."""
 
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 from ...engines.protocol import Clutch
 from ...errors import CalculationError
 from ...findings import Finding
 from ...messages import say
 from ...result import OpenTriple, Triple
+from ...spec import Spec, resolved
 from ..sweep.grid import Axis
 from ..torque import Pair, friction_fields, outside_range, pairs_asked
 from .cases import outcome_of
 from .remarks import remarks_of
 from .result import SimulatePoint, SimulateResult
+from .sweep import swept
 from .train import train_of
 
 __all__ = ["SimulateResult", "simulate"]
@@ -35,7 +38,8 @@ def simulate(
     ends = list(zip(*clutch.friction, strict=True))
     found = [outcome_of(clutch, *end) for end in ends]
     peaks = [each.trip.peak for each in found]
-    travels = clutch.spec.kind.travels
+    travels, unit = clutch.spec.kind.travels, clutch.spec.control_unit
+    late = unit is not None and bool(unit.release_lag)
     result = SimulateResult(
         sliding_torque=_triple([each.case.plant.sliding for each in found]),
         peak_torque=_triple(peaks),
@@ -46,16 +50,27 @@ def simulate(
         slip_energy=_open([each.heat for each in found]),
         travel_max=_triple([each.trip.travel_max for each in found]) if travels else None,
         peak_torque_conventional=_triple([each.ordinary_peak for each in found]),
+        trip_torque=_open([each.trip.trip_torque for each in found]) if late else None,
+        trip_position=_open([each.trip_position for each in found]) if late else None,
         inertia_torque=train.inertia_torque,
         load_torque=train.load,
         energy_residual=max(each.trip.residual for each in found),
         points=[_point(clutch, *pair) for pair in points] or None,
+        sweep=swept(clutch, sweeps),
     )
     return result, [
         *clutch.findings(),
         *remarks_of(clutch, train, found),
         *(remark for pair in points for remark in outside_range(clutch, *pair)),
     ]
+
+
+def with_dynamic_factor(spec: Spec, result: SimulateResult) -> dict[str, Any]:
+    """Return the spec with the largest dynamic factor found, for the life of the unprotected side."""
+    data = resolved(spec)
+    factor = result.dynamic_factor
+    data["drive"]["dynamic_factor"] = max(factor.min, factor.mean, factor.max)
+    return data
 
 
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> SimulatePoint:

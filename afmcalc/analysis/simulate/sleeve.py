@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 from functools import cached_property
 
-from ...arrays import V
-from ...equations import sleeve
+from ...arrays import V, Values, chosen
+from ...equations import direct, indirect, sleeve
 
 
 @dataclass(frozen=True)
@@ -48,6 +48,20 @@ class Sleeve:
         """N at the stop for a gain κ or κ₊, N."""
         force: V = sleeve.normal_force_at_stop(self.control_force, net_gain, abs(ball_torque), self.mean_radius)
         return force
+
+    def torque(self, ratio: float, net_gain: float) -> Values:
+        """Slip torque that lasts with friction times ``ratio``, the key counted in the gain κ or κ₊, N·m."""
+        pairs = self.friction_pairs * ratio
+        off = self.control_force < self.closing_force * (1 + pairs * net_gain)
+        stiffness = indirect.sleeve_stiffness(self.closing_stiffness, self.control_stiffness, pairs, 1.0, net_gain)
+        springs = self.closing_force, self.closing_stiffness, self.control_force, self.control_stiffness
+        normal = chosen(
+            off,
+            lambda: indirect.normal_force_moving(*springs, stiffness),
+            lambda: indirect.normal_force_seated(self.control_force, 1.0, net_gain, pairs),
+        )
+        torque: Values = direct.group_torque(normal, self.mean_radius, 1.0, pairs)
+        return torque
 
     @cached_property
     def lift(self) -> float:

@@ -35,34 +35,34 @@ def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int) -> 
     """Step events from start to ``steps`` times ``step``.
 
     Args:
-        train: drives, numbers or arrays (n,).
+        train: drives, numbers or arrays that broadcast to the shape of ``step``.
         pack: clutches, likewise.
-        step: time step of each, s (n,).
+        step: time step of each, s.
         steps: how many.
 
     Returns:
-        Peaks, heat, slip and travel (n,).
+        Peaks, heat, slip and travel, in the shape of ``step``.
     """
     parts = []
     for start in range(0, step.size, _LANES):
         lanes = slice(start, start + _LANES)
-        own = _cut(train, lanes, step.size)
+        own, h = _cut(train, lanes, step.shape), step.ravel()[lanes]
         if isinstance(pack, DirectPack):
-            clutch: DirectLanes | SleeveLanes = DirectLanes(own, _cut(pack, lanes, step.size), step[lanes])
+            clutch: DirectLanes | SleeveLanes = DirectLanes(own, _cut(pack, lanes, step.shape), h)
         else:
-            clutch = SleeveLanes(own, _cut(pack, lanes, step.size), step[lanes])
-        parts.append(_march(own, clutch, step[lanes], steps))
-    return Marched(*(np.concatenate(each) for each in zip(*parts, strict=True)))
+            clutch = SleeveLanes(own, _cut(pack, lanes, step.shape), h)
+        parts.append(_march(own, clutch, h, steps))
+    return Marched(*(np.concatenate(each).reshape(step.shape) for each in zip(*parts, strict=True)))
 
 
 D = TypeVar("D", Train, DirectPack, Sleeve)
 
 
-def _cut(whole: D, lanes: slice, size: int) -> D:
+def _cut(whole: D, lanes: slice, shape: tuple[int, ...]) -> D:
     """Take some lanes of every array."""
 
     def cut(value: Any) -> Any:
-        return np.broadcast_to(value, size)[lanes] if isinstance(value, np.ndarray) else value
+        return np.broadcast_to(value, shape).reshape(-1)[lanes] if isinstance(value, np.ndarray) else value
 
     own = {each.name: getattr(whole, each.name) for each in fields(whole)}
     if isinstance(whole, Train):

@@ -73,10 +73,14 @@ class Model:
 
     def torque_of(self, clutch: Clutch, named: Mapping[str, Values]) -> Values:
         """Slip torque of a clutch, N·m, at the frictions named; at the mean where none is."""
-        first, second = (friction.mean for friction in self.spec.friction.groups)
-        torque: Values
-        if self.spec.friction.unlike:
-            torque = clutch.torque(named.get("friction.driving", first), named.get("friction.driven", second))
-        else:
-            torque = clutch.torque(named.get("friction", first))
+        first, second = self.frictions(named)
+        torque: Values = clutch.torque(first, second) if self.spec.friction.unlike else clutch.torque(first)
         return torque
+
+    def frictions(self, named: Mapping[str, Values]) -> tuple[Values, Values]:
+        """f_1 and f_2 as named, twice the same with one material; the mean where none is."""
+        first, second = (friction.mean for friction in self.spec.friction.groups)
+        if self.spec.friction.unlike:
+            return named.get("friction.driving", first), named.get("friction.driven", second)
+        alike = named.get("friction", first)
+        return alike, alike

@@ -76,6 +76,14 @@ class LifeRow(Estimated):
     unprotected_standard_error: float = error("unprotected", "1", "± N'_ц,p", "standard error of N'_ц,p")
 
 
+class PeakRow(Estimated):
+    """One quantile of the peak torque in the shaft."""
+
+    probability: float = quantity("1", "p", "probability")
+    peak_torque: float = quantity("N*m", "T_peak,p", "peak torque not exceeded with this probability")
+    standard_error: float = error("peak_torque", "N*m", "±", "standard error")
+
+
 class IndexRow(Estimated):
     """Sobol indices of one input."""
 
@@ -138,6 +146,24 @@ class ToleranceResult(Estimated):
     life_quantiles: list[LifeRow] | None = quantity(
         "", None, "life over the clutches, each in the whole friction of its service", optional=True
     )
+    peak_samples: int | None = quantity("", None, "drives simulated", optional=True)
+    peak_torque_mean: float | None = quantity("N*m", "T_peak,m", "mean peak torque in the shaft", optional=True)
+    peak_torque_mean_standard_error: float | None = error(
+        "peak_torque_mean", "N*m", "± T_peak,m", "standard error of it", optional=True
+    )
+    peak_torque_deviation: float | None = quantity(
+        "N*m", "s_peak", "standard deviation of the peak torque", optional=True
+    )
+    peak_torque_deviation_standard_error: float | None = error(
+        "peak_torque_deviation", "N*m", "± s_peak", "standard error of it", optional=True
+    )
+    probability_peak_above: float | None = quantity(
+        "1", "P(T_peak)", "probability of a peak above requirements.peak_torque", optional=True
+    )
+    probability_peak_above_standard_error: float | None = error(
+        "probability_peak_above", "1", "± P(T_peak)", "standard error of it", optional=True
+    )
+    peak_quantiles: list[PeakRow] | None = quantity("", None, "quantiles of the peak torque", optional=True)
     inputs: list[InputRow] = quantity("", None, "what scatters")
     sobol: list[IndexRow] = quantity("", None, "share in the variance of the torque")
     quantiles: list[QuantileRow] = quantity("", None, "quantiles of the torque")

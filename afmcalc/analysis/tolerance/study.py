@@ -14,8 +14,9 @@ from .distributions import Input, inputs_of
 from .exact import exact_of
 from .figures import LIFE_PROBABILITIES, Figures, exact_figures, sampled_figures
 from .model import Model
+from .peaks import PeakFigures, peak_figures
 from .remarks import findings_of
-from .result import IndexRow, InputRow, LifeRow, QuantileRow, Study, ToleranceResult
+from .result import IndexRow, InputRow, LifeRow, PeakRow, QuantileRow, Study, ToleranceResult
 from .run import Plan, simulate
 from .setting import with_setting
 from .sobol import sobol_indices
@@ -49,7 +50,8 @@ def study(clutch: Clutch, *, threads: int | None = None, progress: Progress = un
     machine = float(clutch.machine_torque)
     figures = _figures(model, given, machine, _threads(threads), progress)
     findings = [*clutch.findings(), *findings_of(model, given, figures)]
-    return Study(_result(figures, model.inputs, given, machine), figures.histogram, findings)
+    result = _result(figures, model.inputs, given, machine, peak_figures(model, given, clutch))
+    return Study(result, figures.histogram, findings)
 
 
 def _figures(model: Model, given: Tolerance, machine: float, threads: int, progress: Progress) -> Figures:
@@ -93,7 +95,9 @@ def _block(spec: Spec) -> Tolerance:
     return given
 
 
-def _result(figures: Figures, inputs: Sequence[Input], given: Tolerance, machine: float) -> ToleranceResult:
+def _result(
+    figures: Figures, inputs: Sequence[Input], given: Tolerance, machine: float, peaks: PeakFigures | None
+) -> ToleranceResult:
     some = {
         "probability_no_clutch": figures.no_clutch,
         "probability_above_limit": figures.above_limit,
@@ -111,6 +115,7 @@ def _result(figures: Figures, inputs: Sequence[Input], given: Tolerance, machine
         probability_below_machine=figures.below_machine,
         **{name: figure for name, figure in some.items() if figure is not None},
         life_quantiles=_life_rows(figures),
+        **_peak_fields(peaks, given),
         inputs=[
             InputRow(
                 path=each.path,
@@ -128,6 +133,19 @@ def _result(figures: Figures, inputs: Sequence[Input], given: Tolerance, machine
             for p, torque in zip(given.quantiles, figures.quantiles, strict=True)
         ],
     )
+
+
+def _peak_fields(peaks: PeakFigures | None, given: Tolerance) -> dict[str, object]:
+    if peaks is None:
+        return {}
+    rows = zip(given.quantiles, peaks.quantiles, strict=True)
+    return {
+        "peak_samples": peaks.samples,
+        "peak_torque_mean": peaks.mean,
+        "peak_torque_deviation": peaks.deviation,
+        **({} if peaks.above is None else {"probability_peak_above": peaks.above}),
+        "peak_quantiles": [PeakRow.of(probability=p, peak_torque=torque) for p, torque in rows],
+    }
 
 
 def _life_rows(figures: Figures) -> list[LifeRow] | None:

@@ -4,7 +4,10 @@ from dataclasses import replace
 from typing import Any
 
 from afmcalc.analysis.simulate.direct import DirectPack, DirectPlant
+from afmcalc.analysis.simulate.indirect import IndirectPlant
 from afmcalc.analysis.simulate.machine import Trip, trip
+from afmcalc.analysis.simulate.plant import Plant
+from afmcalc.analysis.simulate.sleeve import Sleeve
 from afmcalc.analysis.simulate.train import Engine, Train
 from afmcalc.engines import Clutch, build
 
@@ -91,8 +94,44 @@ def begun(own: DirectPlant, *state: float) -> Begun:
     return found
 
 
-def run(own: DirectPlant, horizon: float, *, recorded: bool = False) -> Trip:
+def run(own: Plant, horizon: float, *, recorded: bool = False) -> Trip:
     """Simulate; the energy must close, whatever is asked."""
     found = trip(own, horizon, recorded=recorded)
     assert found.residual < 1e-6
+    return found
+
+
+SLEEVE = Sleeve(
+    friction_pairs=8 * 0.3,
+    mean_radius=0.1,
+    gain=1.0,
+    net_gain=0.4,
+    net_gain_returning=1.6,
+    closing_force=2500.0,
+    control_force=2500.0 * 1.32,
+    closing_stiffness=2e4,
+    control_stiffness=1e4,
+)
+"""Data of P5 with T_н = 200 N·m at f 0.1: key friction 0.15 on 50 mm, springs 20 and 10 N/mm."""
+
+
+def indirect(friction: float = 0.3, *, sleeve: dict[str, Any] | None = None, **changes: Any) -> IndirectPlant:
+    """An indirect clutch (P5) in a drive with changes."""
+    own = replace(SLEEVE, friction_pairs=8 * friction, **(sleeve or {}))
+    return IndirectPlant(replace(TRAIN, hub_inertia=0.02, **changes), own)
+
+
+class BegunIndirect(IndirectPlant):
+    """A drive that begins in a state of its own."""
+
+    state: tuple[float, ...]
+
+    def start(self) -> list[float]:
+        return list(self.state)
+
+
+def begun_indirect(own: IndirectPlant, *state: float) -> BegunIndirect:
+    """The same drive, begun elsewhere: v, ω_2, φ of the shaft, ω_3, w, φ of the balls, N held."""
+    found = BegunIndirect(own.train, own.sleeve)
+    object.__setattr__(found, "state", state)
     return found

@@ -48,6 +48,7 @@ PICTURES = {
     "pocket-indirect": ("pocket", ["indirect"], {}),
     "effects": ("effects", ["effects"], {}),
     "springs": ("springs", ["springs"], {}),
+    "simulate": ("simulate", ["drive"], {}),
     "tolerance": ("tolerance", ["tolerance"], {}),
     "tolerance-exact": ("tolerance", ["exact"], {}),
     "pareto": ("pareto", ["requirements"], {}),

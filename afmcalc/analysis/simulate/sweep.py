@@ -1,0 +1,119 @@
+"""Peaks of many drives at once: swept keys, samples of tolerances."""
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from ...arrays import Floats, Values
+from ...engines.protocol import Clutch
+from ...equations import sleeve as unit
+from ...errors import CalculationError
+from ...messages import say
+from ...spec.models import Range
+from ..sweep.grid import Axis, series
+from .cases import peak_time
+from .direct import DirectPack
+from .packs import pack_of, without_hub
+from .result import SimulateSweep
+from .sleeve import Sleeve
+from .stepping import march
+from .train import Train, train_of
+
+STEPS_A_SWING = 200
+"""Steps in a swing of the driven half on its shaft: they miss a peak by 0.01 % of the swing."""
+_BALLS = 40
+"""Steps in a swing of the balls on their springs."""
+_FINEST = 4
+"""Times that their swing may shorten a step: springs that the key all but locks are stiff, and still."""
+_MOST_STEPS = 400_000
+
+
+class Peaks(NamedTuple):
+    """What an event does to many clutches, until its peak has passed."""
+
+    sliding: Floats
+    shaft: Floats
+    clutch: Floats
+
+
+def peaks_of(clutch: Clutch, driving: Values, driven: Values, steps_a_swing: int = STEPS_A_SWING) -> Peaks:
+    """Return the peaks of an event.
+
+    Args:
+        clutch: a clutch whose parameters are numbers or arrays.
+        driving: f of all pairs or f_1; shapes broadcast.
+        driven: f_2, likewise.
+        steps_a_swing: time steps in a free swing of the driven half.
+
+    Raises:
+        SpecError: no event.
+        CalculationError: drives so unlike that one needs too many steps.
+    """
+    train, pack = train_of(clutch), pack_of(clutch, driving, driven)
+    if isinstance(pack, DirectPack) and np.any(train.hub_inertia):
+        train = without_hub(train)
+    sliding = pack.torque(1.0) if isinstance(pack, DirectPack) else pack.torque(1.0, pack.net_gain)
+    numbers = [value for part in (train, train.engine, pack) for value in vars(part).values()]
+    shape = np.broadcast_shapes((1,), *(np.shape(value) for value in numbers))
+    time = np.broadcast_to(peak_time(train, sliding), shape).astype(float)
+    steps = int(np.ceil(np.max(time / _step(train, pack, steps_a_swing))))
+    if steps > _MOST_STEPS:
+        raise CalculationError(
+            say(
+                "simulate: {steps} time steps are needed, at most {most} are made: the drive's parts swing too unlike "
+                "(control unit and hub against the shaft)",
+                steps=steps,
+                most=_MOST_STEPS,
+            )
+        )
+    found = march(train, pack, time / steps, steps)
+    return Peaks(np.broadcast_to(sliding, shape), found.peak, found.peak_clutch)
+
+
+def _step(train: Train, pack: DirectPack | Sleeve, steps_a_swing: int) -> Values:
+    """Longest time step, s."""
+    fastest = (train.stiffness / train.driven_inertia) ** 0.5
+    step: Values = 2 * np.pi / (fastest * steps_a_swing)
+    if isinstance(pack, Sleeve):
+        stiffness = unit.torsional_stiffness(
+            pack.closing_stiffness, pack.control_stiffness, pack.mean_radius, pack.net_gain, pack.gain
+        )
+        swinging = (stiffness * (1 / train.hub_inertia + 1 / train.driven_inertia)) ** 0.5
+        step = np.clip(2 * np.pi / (swinging * _BALLS), step / _FINEST, step)
+    return step
+
+
+def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> list[SimulateSweep] | None:
+    """Peaks over swept keys; None without any."""
+    found = _Found()
+    outputs: dict[str, Callable[[Clutch], Values]] = {
+        "peak_torque_max": lambda own: found.of(own).shaft[2],
+        "peak_torque_mean": lambda own: found.of(own).shaft[1],
+        "peak_torque_min": lambda own: found.of(own).shaft[0],
+        "peak_torque_clutch": lambda own: found.of(own).clutch[2],
+        "dynamic_factor": lambda own: found.of(own).shaft[2] / found.of(own).sliding[2],
+        "inertia_torque": lambda own: train_of(own).inertia_torque,
+    }
+    return series(SimulateSweep, clutch, sweeps, outputs)
+
+
+class _Found:
+    """The peaks of the clutch that was asked last, each clutch calculated once."""
+
+    def __init__(self) -> None:
+        self._clutch: Clutch | None = None
+        self._peaks: Peaks | None = None
+
+    def of(self, clutch: Clutch) -> Peaks:
+        """Peaks at f_min, mean friction and f_max, a row each."""
+        if clutch is not self._clutch or self._peaks is None:
+            first, second = (_rows(friction) for friction in clutch.friction)
+            self._clutch, self._peaks = clutch, peaks_of(clutch, first, second)
+        return self._peaks
+
+
+def _rows(friction: Range) -> Floats:
+    """The three frictions as rows, (3, 1) or (3, n)."""
+    stacked: Floats = np.stack(np.broadcast_arrays(*friction))
+    return stacked if stacked.ndim > 1 else stacked[:, np.newaxis]

@@ -1,0 +1,212 @@
+"""The command: what it tells of a spec, its findings and refusals, sweeps, tolerances, history, the spec it writes."""
+
+import csv
+import io
+import json
+import math
+
+import numpy as np
+import pytest
+from conftest import CONFIGS
+from drives import REFERENCE, VARIANTS, begun, clutch, merged, plant, run
+
+from afmcalc.analysis.simulate.cases import outcome_of
+from afmcalc.analysis.simulate.simulate import simulate
+from afmcalc.analysis.sweep.axes import parse_axis
+from afmcalc.analysis.tolerance.peaks import SAMPLES
+from afmcalc.analysis.tolerance.study import tolerance
+from afmcalc.equations import drive as law
+
+FATIGUE = {"endurance_limit": 4e8, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7}
+INDIRECT = {
+    "variant": "indirect",
+    "closing_spring": {"stiffness": 2e4},
+    "control_spring": {"stiffness": 1e4},
+    "control_unit": {"gain": 1.0, "hub_diameter": 0.05, "key_friction": 0.15},
+    "drive": {"hub_inertia": 0.02},
+}
+
+
+def codes(own, **options):
+    return {found.code: found for found in simulate(own, **options)[1]}
+
+
+@pytest.fixture(scope="module")
+def reference():
+    return simulate(clutch())
+
+
+def test_what_is_told_of_the_reference_drive(reference):
+    result, findings = reference
+    assert result.inertia_torque == pytest.approx(15 * math.sqrt(8000 * 0.05))
+    assert result.load_torque == 150
+    assert result.energy_residual < 1e-6
+    for end in ("min", "mean", "max"):
+        peak, sliding = getattr(result.peak_torque, end), getattr(result.sliding_torque, end)
+        assert getattr(result.dynamic_factor, end) == peak / sliding
+        assert getattr(result.peak_over_machine, end) == peak / 150
+    assert result.travel_max is None
+    assert result.trip_torque is None
+    told = {found.code: found for found in findings}
+    assert told["inertia-torque"].value == result.inertia_torque
+    assert told["judder"].limit == pytest.approx(law.shaft_damping(0.03, 8000, 0.05))
+    assert {found.level for found in findings} == {"info"}
+
+
+def test_friction_asked_for(reference):
+    result, findings = simulate(clutch(), [(0.3, None), (0.9, None)])
+    assert result.points is not None
+    assert result.points[0].peak_torque == reference[0].peak_torque.mean
+    assert [found.code for found in findings][-1] == "friction-outside-range"
+
+
+def test_motor_too_strong_for_the_clutch():
+    told = codes(clutch(drive={"motor_torque": 210.0}))
+    assert (told["motor-never-stops"].level, told["motor-never-stops"].path) == ("error", "drive.cut_off")
+    result, findings = simulate(clutch(drive={"motor_torque": 210.0, "cut_off": 0.3}))
+    told = {found.code: found for found in findings}
+    assert told["motor-stops-at-cut-off"].level == "warning"
+    assert "motor-never-stops" not in told
+    assert result.slip_energy.min > 200 * 15 * 0.3
+
+
+def test_kloss_motor_runs_at_the_speed_of_its_load():
+    motor = {"breakdown_torque": 180.0, "breakdown_slip": 0.2, "synchronous_speed": 16.0}
+    own = clutch(drive={"motor_torque": None, "speed": None, "motor": motor})
+    speed = outcome_of(own, 0.8).case.plant.train.speed
+    slip = 1 - speed / 16
+    assert 2 * 180 / (slip / 0.2 + 0.2 / slip) == pytest.approx(150)
+    assert "drive-not-in-balance" not in codes(own)
+    assert codes(clutch(drive={"motor_torque": None, "motor": motor}))["drive-not-in-balance"].path == "drive.speed"
+
+
+def test_dynamic_factor_that_life_assumes():
+    told = codes(clutch(fatigue=FATIGUE, drive={"dynamic_factor": 1.5}))
+    assert told["dynamic-factor-exceeded"].value == pytest.approx(1.9867, rel=1e-4)
+    assert "dynamic-factor-exceeded" not in codes(clutch(fatigue=FATIGUE, drive={"dynamic_factor": 2.0}))
+
+
+def test_slip_that_outlasts_what_is_simulated():
+    own = clutch(drive={"event": {"duration": 0.5}})
+    result, findings = simulate(own)
+    assert result.slip_time.min is None
+    assert result.slip_energy.max is None
+    assert {found.code for found in findings if found.level == "warning"} == {"slip-outlasts-duration"}
+
+
+def test_a_clutch_that_slips_before_the_event():
+    assert codes(clutch(drive={"load_torque": 250.0, "motor_torque": 250.0}))["slips-before-event"].level == "error"
+
+
+def test_indirect_clutch(reference):
+    own = clutch(**INDIRECT)
+    result, _ = simulate(own)
+    assert result.travel_max is not None
+    assert result.sliding_torque.max == pytest.approx(own.torque(0.8))
+    # its hub swings with the driven half of an ordinary clutch
+    assert result.peak_torque_conventional.max > reference[0].peak_torque_conventional.max
+
+
+@pytest.mark.parametrize("changes", [*VARIANTS.values(), INDIRECT], ids=[*VARIANTS, "indirect"])
+def test_sweep_is_what_single_runs_give(changes):
+    own = clutch(**changes)
+    axis = parse_axis("drive.shaft_stiffness=5000,8000,12000", own.spec)
+    sweep = simulate(own, sweeps=[axis])[0].sweep
+    assert sweep is not None
+    for number, stiffness in enumerate((5000.0, 8000.0, 12000.0)):
+        single = clutch(**merged(changes, {"drive": {**changes.get("drive", {}), "shaft_stiffness": stiffness}}))
+        assert sweep[0].peak_torque_max[number] == pytest.approx(outcome_of(single, 0.8).trip.peak, rel=2e-3)
+        assert sweep[0].inertia_torque[number] == pytest.approx(15 * math.sqrt(stiffness * 0.05))
+
+
+def test_peaks_over_tolerances():
+    """Samples of the peak against single runs at their quantiles: the peak rises with friction alone."""
+    spread = {"friction": {"distribution": "uniform"}}
+    own = clutch(tolerance={"fields": spread, "quantiles": [0.25, 0.5, 0.75]}, requirements={"peak_torque": 600.0})
+    result, _ = tolerance(own)
+    assert result.method == "exact"
+    assert result.peak_samples == SAMPLES
+    assert result.peak_quantiles is not None
+    for row in result.peak_quantiles:
+        single = outcome_of(own, 0.1 + 0.7 * row.probability).trip.peak
+        assert row.peak_torque == pytest.approx(single, abs=4 * row.standard_error + 1e-3 * single)
+    frictions = np.linspace(0.1, 0.8, 8)
+    peaks = [outcome_of(own, float(friction)).trip.peak for friction in frictions]
+    share = 1 - (np.interp(600.0, peaks, frictions) - 0.1) / 0.7
+    assert result.probability_peak_above == pytest.approx(share, abs=0.03)
+
+
+def test_drive_keys_scatter():
+    fields = {"drive.shaft_stiffness": {"distribution": "normal", "spread": "10 %"}}
+    own = clutch(tolerance={"fields": fields, "samples": 1000, "sobol_base": 64})
+    result, _ = tolerance(own)
+    assert result.peak_torque_deviation > 0
+    assert result.standard_deviation == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize(("share", "grows"), [(0.9, True), (1.1, False)])
+def test_v6_judder(share, grows):
+    """A slow slip on a falling characteristic: swings grow where the shaft damps less than the friction drives."""
+    pack = {"static_ratio": 1.2, "decay_rate": 0.1 / 0.3}
+    sliding = 200.0
+    needed = law.judder_damping(sliding, 0.1, 1.2, 0.3)
+    drive = plant(sliding, pack=pack, motor_inertia=1e12, time=0.0, damping=share * needed)
+    creep, swing = 0.02, 1e-4
+    torque = sliding * (1 + 0.2 * math.exp(-creep / 3))
+    found = run(begun(drive, creep, 0.0, (torque + swing) / 8000, 0.0, 4000.0), 0.2, recorded=True)
+    late = max(abs(row.torque_shaft - torque) for row in found.history if row.time > 0.17)
+    early = max(abs(row.torque_shaft - torque) for row in found.history if row.time < 0.03)
+    assert (late > early) == grows
+    assert found.slip_time == pytest.approx(0.2), "and slips all the time"
+
+
+REFUSED = {
+    "drive.shaft_stiffness=0": "greater than 0",
+    "drive.motor_inertia=": "drive.motor_inertia: required beside drive.event",
+    "drive.event.stop_time=-1 ms": "at least 0",
+    "drive.speed=0": "greater than 0",
+    "drive.speed=": "drive.speed: required beside drive.event",
+    "drive.hub_inertia=1": "only for indirect",
+    "drive.event.kind=brake": "must be one of stop, load",
+    "drive.event.torque=1": "only for an event of kind load",
+    "drive.tool_inertia=1": "only with an event of kind load",
+    "friction.stribeck_speed=": "required beside friction.static_ratio",
+    "friction.static_ratio=0.9": "at least 1",
+    "drive.event=": "drive.event: required by simulate",
+    "drive.speed=10 Hz": "unknown unit",
+}
+
+
+@pytest.mark.parametrize("change", REFUSED)
+def test_refused(change, afmcalc):
+    ended = afmcalc("simulate", CONFIGS / "drive.toml", "--set", change)
+    assert (ended.code, ended.out) == (2, "")
+    assert REFUSED[change] in ended.err
+
+
+def test_the_command(afmcalc, tmp_path):
+    spec = tmp_path / "drive.json"
+    spec.write_text(json.dumps(merged(REFERENCE, {"name": "x"})), encoding="utf-8")
+    history, written = tmp_path / "history.csv", tmp_path / "factor.toml"
+    ended = afmcalc("simulate", spec, "--json", "--history", history, "--output", written)
+    assert ended.code == 0
+    rows = list(csv.DictReader(io.StringIO(history.read_text(encoding="utf-8"))))
+    assert {row["friction [1]"] for row in rows} == {"0.1", "0.3", "0.8"}
+    last = [row for row in rows if row["friction [1]"] == "0.8"]
+    peak = ended.json["result"]["peak_torque"]["max"]
+    assert max(float(row["torque_shaft [N*m]"]) for row in last) == pytest.approx(peak, rel=1e-9)
+    assert float(last[-1]["speed_motor [rad/s]"]) == pytest.approx(0, abs=0.5)
+    factor = ended.json["result"]["dynamic_factor"]["min"]
+    assert afmcalc("torque", written, "--json").json["spec"]["drive"]["dynamic_factor"] == pytest.approx(factor)
+    assert afmcalc("simulate", spec, "--history", spec).code == 2
+    assert "Travel" not in afmcalc("simulate", spec, "--plot").out
+    assert "Torque in the shaft" in afmcalc("simulate", spec, "--plot").out
+
+
+def test_check_holds_the_peak_against_the_requirement(afmcalc):
+    ended = afmcalc("check", CONFIGS / "drive.toml", "--set", "requirements.peak_torque=300", "--json")
+    (row,) = ended.json["result"]["requirements"]
+    assert ended.code == 1
+    assert row["value"] == pytest.approx(
+        afmcalc("simulate", CONFIGS / "drive.toml", "--json").json["result"]["peak_torque"]["max"]
+    )

@@ -1,0 +1,114 @@
+"""Time stepping against located events: random drives of all kinds, and how the error falls with the step."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from drives import SLEEVE, TRAIN, run
+
+from afmcalc.analysis.simulate.direct import DirectPack
+from afmcalc.analysis.simulate.packs import plant_of
+from afmcalc.analysis.simulate.sleeve import Sleeve
+from afmcalc.analysis.simulate.stepping import march
+from afmcalc.analysis.simulate.train import Engine
+
+EACH = 25
+"""Drives of a kind: 200 in all."""
+END = 0.05
+
+
+def random_drives(variant: str, kind: str, rng: np.random.Generator):
+    """Drives and clutches as arrays."""
+    u = rng.uniform
+    inertia, stiffness, load = 10 ** u(-2, -0.5, EACH), 10 ** u(3.3, 4.7, EACH), u(60, 150, EACH)
+    kloss = variant in ("differentiated", "indirect")
+    breakdown, slip, speed = load * u(1.1, 2.5, EACH), u(0.05, 0.3, EACH), u(5, 40, EACH)
+    ratio = breakdown / load
+    synchronous = speed / (1 - slip * (ratio - np.sqrt(ratio**2 - 1)))
+    train = replace(
+        TRAIN,
+        motor_inertia=10 ** u(-0.5, 1, EACH),
+        hub_inertia=10 ** u(-2.3, -1, EACH) if variant == "indirect" else 0.0,
+        driven_inertia=inertia,
+        tool_inertia=10 ** u(-1, 0.5, EACH) if kind == "load" else 0.0,
+        stiffness=stiffness,
+        damping=2 * u(0, 0.1, EACH) * np.sqrt(stiffness * inertia),
+        speed=speed,
+        load=load,
+        engine=Engine(breakdown, slip, synchronous) if kloss else Engine(load, None, 0.0),
+        kind=kind,
+        time=np.where(u(size=EACH) < 0.3, 0.0, 10 ** u(-2.5, -1.5, EACH)),
+        overload=u(300, 1600, EACH) if kind == "load" else load,
+        cut_off=u(0.01, 0.1, EACH) if variant == "all-driving" else None,
+    )
+    friction, static, decay = u(0.1, 0.8, EACH), np.where(u(size=EACH) < 0.5, 1.0, u(1, 1.3, EACH)), 0.1 / u(0.1, 0.5, EACH)  # fmt: skip
+    if variant == "indirect":
+        gain = u(0.3, 1.5, EACH)
+        threshold = u(0, 0.8, EACH) * gain
+        control = 2500 * (1 + 0.8 * (gain - threshold))
+        stiff = 10 ** u(3.7, 4.7, (2, EACH))
+        pack = Sleeve(8 * friction, 0.1, gain, gain - threshold, gain + threshold, 2500.0, control, *stiff, np.where(u(size=EACH) < 0.5, 0.0, u(0, 3, EACH)), static, decay)  # fmt: skip
+        return train, pack
+    bypass = {"conventional": 8, "differentiated": 1, "all-driving": 0}[variant]
+    gain = u(0.1, 1.25, EACH)
+    force = 200 * (1 + 0.1 * gain * (8 - bypass)) / (0.1 * 8 * 0.1)
+    lag = np.where(u(size=EACH) < 0.5, 0.0, 10 ** u(-3, -1, EACH)) if variant == "differentiated" else 0.0
+    return train, DirectPack(force, 0.1, bypass, 8 - bypass, gain, friction, friction, static, decay, lag)
+
+
+def one(whole, number: int):
+    """A drive or a clutch of the many."""
+    picked = {name: float(value[number]) if isinstance(value, np.ndarray) else value for name, value in vars(whole).items()}  # fmt: skip
+    if "engine" in picked:
+        picked["engine"] = one(picked["engine"], number)
+    return replace(whole, **picked)
+
+
+@pytest.mark.parametrize("kind", ["stop", "load"])
+@pytest.mark.parametrize("variant", ["conventional", "differentiated", "all-driving", "indirect"])
+def test_random_drives(variant, kind):
+    """Peak within 0.2 %, heat within 0.2 % (where hardly anything slips: of 1 % of the drive's energy)."""
+    rng = np.random.default_rng(["conventional", "differentiated", "all-driving", "indirect"].index(variant) * 2 + (kind == "load"))  # fmt: skip
+    train, pack = random_drives(variant, kind, rng)
+    fastest = np.sqrt(train.stiffness / train.driven_inertia)
+    if variant == "indirect":
+        springs = (pack.closing_stiffness + pack.control_stiffness) * 0.01 / (pack.net_gain * pack.gain)
+        fastest = np.maximum(fastest, np.sqrt(springs * (1 / train.hub_inertia + 1 / train.driven_inertia)) / 4)
+    steps = int(np.ceil(END * fastest.max() * 600 / (2 * np.pi)))
+    found = march(train, pack, np.full(EACH, END / steps), steps)
+    slips = 0
+    for number in range(EACH):
+        plant = plant_of(one(train, number), one(pack, number))
+        exact = run(plant, END)
+        assert found.peak[number] == pytest.approx(exact.peak, rel=2e-3), number
+        # an event that is over ends the run; what slips later is nothing
+        energy = plant.stored(plant.start())
+        assert found.heat[number] == pytest.approx(exact.heat, rel=2e-3, abs=2e-3 * 0.01 * energy), number
+        slips += exact.heat > 0
+    assert slips > EACH / 2
+
+
+def test_the_error_falls_with_the_step():
+    """Of the second order while it slips all along, and at least of the first over every switch."""
+    pack = DirectPack(3000.0, 0.1, 0.0, 8.0, 0.5, 0.4, 0.4, 1.2, 0.1 / 0.3)
+    sleeve = replace(SLEEVE, friction_pairs=8 * 0.4)
+    for own, hub in ((pack, 0.0), (sleeve, 0.02)):
+        train = replace(TRAIN, hub_inertia=hub, damping=1.0)
+        exact = run(plant_of(train, own), 0.05)
+        errors = []
+        for steps in (400, 800, 1600, 3200):
+            found = march(train, own, np.array([0.05 / steps]), steps)
+            errors.append(abs(found.heat[0] - exact.heat) / exact.heat)
+        order = np.log2(errors[0] / errors[-1]) / 3
+        assert order > 0.9, errors
+        assert errors[-1] < 1e-4
+        assert abs(found.peak[0] - exact.peak) < 1e-5 * exact.peak
+
+
+def test_arrays_of_any_shape():
+    pack = DirectPack(3000.0, 0.1, 0.0, 8.0, 0.5, np.array([[0.2], [0.4]]), np.array([[0.2], [0.4]]))
+    train = replace(TRAIN, stiffness=np.array([6e3, 8e3, 1e4]))
+    found = march(train, pack, np.full((2, 3), 1e-4), 500)
+    alone = march(replace(TRAIN, stiffness=8e3), replace(pack, driving=0.4, driven=0.4), np.array([1e-4]), 500)
+    assert found.peak.shape == (2, 3)
+    assert found.peak[1, 1] == alone.peak[0]
