@@ -48,8 +48,8 @@ def afmcalc():
     """Run the program in this process: ``afmcalc("torque", "x.toml", stdin="…")``."""
     from afmcalc.cli.entry import main
 
-    def run(*arguments: object, stdin: str = "") -> Run:
-        out, err = io.TextIOWrapper(io.BytesIO(), "utf-8"), io.TextIOWrapper(io.BytesIO(), "utf-8")
+    def run(*arguments: object, stdin: str = "", encoding: str = "utf-8") -> Run:
+        out, err = io.TextIOWrapper(io.BytesIO(), encoding), io.TextIOWrapper(io.BytesIO(), encoding)
         with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             patch.setattr("afmcalc.cli.entry._tune", lambda: None)
             patch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(stdin.encode()), "utf-8"))

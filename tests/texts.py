@@ -230,12 +230,12 @@ def _choices(annotation: object) -> Iterator[str]:
 
 def _units() -> Iterator[Key]:
     from afmcalc.messages import SCALES
-    from afmcalc.render.units import _DISPLAY, display_unit
+    from afmcalc.render.units import ENGINEER, display_unit
     from afmcalc.spec.units import EXAMPLES
 
     yield from (("unit", unit) for unit in SCALES)
-    yield from (("unit", shown) for shown, *_ in _DISPLAY.values() if re.search("[A-Za-z]", shown))
-    written = {*_DISPLAY, *EXAMPLES}
+    yield from (("unit", shown) for shown, *_ in ENGINEER.values() if re.search("[A-Za-z]", shown))
+    written = {*ENGINEER, *EXAMPLES}
     si = {unit.replace("*", "·").replace("^2", "²").replace("^3", "³").removesuffix(" abs") for unit in written}
     yield from (("unit", unit) for unit in sorted(si | written) if re.search("[A-Za-z]", unit) and "abs" not in unit)
     for model in models():

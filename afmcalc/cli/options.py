@@ -2,6 +2,7 @@
 
 import inspect
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from copy import copy
 from dataclasses import dataclass, fields, replace
 from functools import wraps
@@ -43,6 +44,10 @@ class Common:
         typer.Option("--format", help="How to print. JSON and CSV are SI in full precision.  [default: table]"),
     ] = None
     json: Annotated[bool, typer.Option("--json", help="The same as --format json.")] = False
+    units: Annotated[
+        Literal["engineer", "si"],
+        typer.Option("--units", help="Units of tables and Markdown: mm, kN, MPa, deg, or SI."),
+    ] = "engineer"
     output: Annotated[
         str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
     ] = None
@@ -61,6 +66,14 @@ class Common:
     def to_standard_output(self) -> "Common":
         """The same options with the result on standard output, for a command whose FILE is something else."""
         return replace(self, output=None)
+
+    def shown(self) -> AbstractContextManager[None]:
+        """Show quantities in the units asked for."""
+        if self.units == "engineer":
+            return nullcontext()
+        from ..render.units import shown_in
+
+        return shown_in(self.units)
 
     def keep(self, *sources: str | None, kind: Kind | None = None) -> None:
         """Refuse to write over what is read or what is not to be replaced; before anything is calculated."""
@@ -118,7 +131,9 @@ def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]],
         @wraps(function)
         def command(**arguments: Any) -> None:
             given = {option.name: arguments.pop(option.name) for option in options}
-            function(**arguments, common=Common(function.__name__, **given))
+            common = Common(function.__name__, **given)
+            with common.shown():
+                function(**arguments, common=common)
 
         command.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
         command.__annotations__ = {p.name: p.annotation for p in parameters}

@@ -1,38 +1,69 @@
-"""Engineer's units and significant figures for people; JSON and CSV stay in SI."""
+"""Engineer's units (or SI) and significant figures for people; JSON and CSV stay in SI."""
 
 import math
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import NamedTuple
 
 from ..messages import localized, printable, spoken, translate
 
-_DISPLAY = {
-    "N": ("kN", 1e-3),
-    "m": ("mm", 1e3),
-    "m^3": ("cm³", 1e6),
-    "N/m": ("N/mm", 1e-3),
-    "N*m": ("N·m", 1.0),
-    "rad": ("deg", 180 / math.pi),
-    "Pa": ("MPa", 1e-6),
-    "J": ("kJ", 1e-3),
-    "J/m^2": ("J/mm²", 1e-6),
-    "W/m^2": ("W/mm²", 1e-6),
-    "1/m": ("1/mm", 1e-3),
-    "K abs": ("°C", 1.0),
-    "1/(N*m)": ("1/(N·m)", 1.0),
-    "degC": ("°C", 1.0),
-    "1": ("–", 1.0),
-    "": ("", 1.0),
+
+class Unit(NamedTuple):
+    """A unit as it is shown."""
+
+    name: str
+    factor: float = 1.0
+    """What a value in SI is multiplied by."""
+    zero: float = 0.0
+    """Where its scale begins, in SI."""
+
+
+ENGINEER = {
+    "N": Unit("kN", 1e-3),
+    "m": Unit("mm", 1e3),
+    "m^3": Unit("cm³", 1e6),
+    "N/m": Unit("N/mm", 1e-3),
+    "rad": Unit("deg", 180 / math.pi),
+    "Pa": Unit("MPa", 1e-6),
+    "J": Unit("kJ", 1e-3),
+    "J/m^2": Unit("J/mm²", 1e-6),
+    "W/m^2": Unit("W/mm²", 1e-6),
+    "1/m": Unit("1/mm", 1e-3),
+    "K abs": Unit("°C", zero=273.15),
+    "degC": Unit("°C"),
+    "1": Unit("–"),
+    "": Unit(""),
 }
+"""SI unit → the one people in the trade read."""
+SI = {unit: ENGINEER[unit] for unit in ("", "1", "degC")} | {"K abs": Unit("K")}
+"""The same where SI is shown; of both, what is in neither is set as it is."""
+CHOICES = {"engineer": ENGINEER, "si": SI}
+_chosen = ContextVar("units", default=ENGINEER)
 
 
-_ZEROS = {"K abs": 273.15}
-"""Units shown on a scale that begins elsewhere: what is taken off first."""
+@contextmanager
+def shown_in(name: str) -> Iterator[None]:
+    """Show quantities in the units of that name, one of ``CHOICES``, until the end of the block."""
+    before = _chosen.set(CHOICES[name])
+    try:
+        yield
+    finally:
+        _chosen.reset(before)
+
+
+def _unit(unit: str) -> Unit:
+    return _chosen.get().get(unit) or Unit(unit.replace("*", "·").replace("^2", "²").replace("^3", "³"))
 
 
 def display_unit(unit: str) -> str:
-    """Unit shown to people for an SI unit."""
-    shown = _DISPLAY[unit][0] if unit in _DISPLAY else unit.replace("*", "·").replace("^2", "²").replace("^3", "³")
-    return translate(shown, "unit")
+    """Unit shown to people for an SI unit.
+
+    >>> display_unit("N"), display_unit("kg*m^2")
+    ('kN', 'kg·m²')
+    """
+    return translate(_unit(unit).name, "unit")
 
 
 def factor(unit: str) -> float:
@@ -41,14 +72,17 @@ def factor(unit: str) -> float:
     >>> factor("N"), factor("N*m")
     (0.001, 1.0)
     """
-    return _DISPLAY.get(unit, (unit, 1.0))[1]
+    return _unit(unit).factor
 
 
 def display(value: object, unit: str) -> str:
-    """Return ``value`` (SI) in the engineer's unit, to 5 significant figures.
+    """Return ``value`` (SI) in the unit shown to people, to 5 significant figures.
 
     >>> display(2000.0, "N"), display(0.1, "m"), display(None, "1"), display(123456.7, "1")
     ('2', '100', '–', '123460')
+    >>> with shown_in("si"):
+    ...     display(2000.0, "N"), display_unit("N"), display(293.15, "K abs")
+    ('2000', 'N', '293.15')
     """
     if value is None:
         return "–"
@@ -62,7 +96,7 @@ def display(value: object, unit: str) -> str:
         return translate("yes" if value else "no", "value")
     if not isinstance(value, int | float):
         return printable(worded(str(value)))
-    return significant((value - _ZEROS.get(unit, 0.0)) * factor(unit))
+    return significant((value - _unit(unit).zero) * factor(unit))
 
 
 def worded(text: str) -> str:
@@ -73,7 +107,7 @@ def worded(text: str) -> str:
     return "; ".join(map(translate, text.split("; ")))
 
 
-_NUMBER = re.compile(r"(?<![\w.,])(\d+(?:\.\d+)?(?:e[+-]\d+)?)(?: ([A-Za-z°][\w·/²³]*))?(?![\w.])")
+_NUMBER = re.compile(r"(?<![\w.,])(\d+(?:\.\d+)?(?:e[+-]\d+)?)(?: ((?:[·/]?[A-Za-z°]+[²³]?)+))?(?![\w.])")
 
 
 def in_numbers(formula: str) -> str:
@@ -81,7 +115,7 @@ def in_numbers(formula: str) -> str:
     if spoken() == "en":
         return formula
     return _NUMBER.sub(
-        lambda found: " ".join([localized(found[1]), *([display_unit(found[2])] if found[2] else [])]), formula
+        lambda found: " ".join([localized(found[1]), *([translate(found[2], "unit")] if found[2] else [])]), formula
     )
 
 

@@ -71,6 +71,7 @@ def accepted_back(run: Run, case, afmcalc) -> None:
 
 def test_nothing_breaks_it(afmcalc, request, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
+    monkeypatch.setattr("afmcalc.analysis.simulate.machine.MOST_STEPS", 2000)  # the same refusal, sooner
     asked = request.config.getoption("--fuzz")
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 

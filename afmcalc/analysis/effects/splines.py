@@ -4,12 +4,15 @@ from collections.abc import Callable
 
 from ...engines.protocol import Clutch
 from ...equations import effects as law
+from ...errors import CalculationError
+from ...messages import say
 from .springs_held import with_pairs
 
 Shares = Callable[[float, int], float]
 """``(friction of a pair, number of the disc)`` → share of its normal force that the disc's spline can hold."""
 
 _HALVINGS = 100
+_MOST_PAIRS = 1000
 
 
 def closing(clutch: Clutch, shares: Shares) -> Callable[[float, float], float]:
@@ -57,8 +60,12 @@ def _chain(
     clutch: Clutch, shares: Shares, ratio: Callable[[float, float], float], driving: float, driven: float
 ) -> list[float]:
     """Forces on the pairs over that of the first, from the spring on: the controlled pairs, then the others."""
-    bypass = int(clutch.bypass_pairs)
-    frictions = [driven] * (clutch.spec.friction_group.pairs - bypass) + [driving] * bypass
+    bypass, pairs = int(clutch.bypass_pairs), clutch.spec.friction_group.pairs
+    if pairs > _MOST_PAIRS:
+        raise CalculationError(
+            say("effects: splines are followed disc by disc, at most {most:,} pairs", most=_MOST_PAIRS)
+        )
+    frictions = [driven] * (pairs - bypass) + [driving] * bypass
     forces = [1.0]
     for disc, (near, far) in enumerate(zip(frictions, frictions[1:], strict=False)):
         forces.append(forces[-1] * ratio(shares(near, disc), shares(far, disc)))

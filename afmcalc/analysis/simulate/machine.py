@@ -16,6 +16,8 @@ from .plant import Mode, Plant, State
 
 TOLERANCE = 1e-9
 MOST_SWITCHES = 20_000
+MOST_STEPS = 40_000
+"""Of an event: twice what a history of seconds takes of a drive that hardly damps."""
 _STEPS_A_PERIOD = 4
 _WORKS = 5
 """Energies that are summed along with the states: of motor, pack, shaft, tool, key."""
@@ -93,6 +95,7 @@ class _Run:
         """When the motor is switched off."""
         self.stuck_since: float | None = 0.0
         self.endless = False
+        self.steps = 0
         self.look = math.inf
         """When to see whether the slip can be taken in one stride."""
         natural = math.sqrt(float(plant.train.stiffness / plant.train.driven_inertia))
@@ -217,6 +220,17 @@ class _Run:
         slopes = self._slopes(t, y, mode)
         while solver.status == "running":
             solver.step()
+            self.steps += 1
+            if self.steps > MOST_STEPS:
+                raise CalculationError(
+                    say(
+                        "simulate: at {time:.3g} s of {horizon:.3g} s {most:,} steps are taken: a shorter "
+                        "drive.event.duration, or inertias, stiffness and times that lie less far apart",
+                        time=solver.t,
+                        horizon=self.horizon,
+                        most=MOST_STEPS,
+                    )
+                )
             if solver.status == "failed":
                 raise CalculationError(say("simulate: the integration fails at t = {time:g} s", time=solver.t))
             states = solver.y.tolist()

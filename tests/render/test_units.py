@@ -1,0 +1,76 @@
+"""What is shown in SI is what JSON has; a stream without our letters gets them spelled, in columns."""
+
+import json
+import re
+
+import pytest
+from conftest import CONFIGS
+
+from afmcalc.render.units import display, display_unit, shown_in
+
+ASKED = [
+    ("torque", "indirect"), ("synthesize", "indirect"), ("accuracy", "unlike-materials"), ("adjust", "all-driving"),
+    ("life", "default"), ("overload", "all-driving"), ("tolerance", "tolerance"), ("explain torque", "default"),
+]  # fmt: skip
+
+
+def numbers(value):
+    """Every number of a JSON value."""
+    if isinstance(value, dict | list):
+        for each in value.values() if isinstance(value, dict) else value:
+            yield from numbers(each)
+    elif isinstance(value, int | float) and not isinstance(value, bool):
+        yield value
+
+
+@pytest.mark.parametrize(("command", "name"), ASKED[:-2])
+def test_every_number_shown_in_si_is_one_of_the_result(command, name, afmcalc):
+    path = CONFIGS / f"{name}.toml"
+    known = list(numbers(afmcalc(command, path, "--json").json["result"]))
+    table = afmcalc(command, path, "--units", "si").out.partition("\nwarning:")[0].partition("\ninfo:")[0]
+    shown = [
+        float(cell)
+        for line in table.splitlines()[3:]
+        for cell in re.split(r"\s{2,}", line)
+        if re.fullmatch(r"-?[\d.]+(e[+-]\d+)?", cell)
+    ]
+    assert len(shown) >= 4
+    assert all(any(abs(each - value) <= 1e-4 * abs(value) for value in known) for each in shown)
+    assert not re.search(r"\b(kN|mm|MPa|deg|N/mm)\b", table)
+    assert afmcalc(command, path).out == afmcalc(command, path, "--units", "engineer").out
+
+
+def test_units_hold_until_the_end_of_the_block():
+    with shown_in("si"):
+        assert (display(0.1, "m"), display_unit("m"), display(300.0, "K abs"), display_unit("K abs")) == (
+            "0.1",
+            "m",
+            "300",
+            "K",
+        )
+        with shown_in("engineer"):
+            assert display(0.1, "m") == "100"
+        assert display(0.1, "m") == "0.1"
+    assert (display(0.1, "m"), display(300.0, "K abs")) == ("100", "26.85")
+
+
+@pytest.mark.parametrize(("command", "name"), ASKED)
+def test_an_ascii_stream_gets_letters_and_columns(command, name, afmcalc):
+    path = CONFIGS / f"{name}.toml"
+    whole = afmcalc(*command.split(), path, "--quiet")
+    ascii_ = afmcalc(*command.split(), path, "--quiet", encoding="ascii")
+    assert ascii_.out.isascii()
+    assert "\\u" not in ascii_.out
+    assert "T_n" in ascii_.out or "T_н" not in whole.out
+    assert len(ascii_.out.splitlines()) == len(whole.out.splitlines())
+    header = next(line for line in ascii_.out.splitlines() if line.startswith("Symbol"))
+    at = header.index("Quantity")
+    table = ascii_.out.split(header)[1].split("\n\n")[0].splitlines()[1:]
+    assert all(line[at - 2 : at] == "  " and line[at] != " " for line in table)
+
+
+def test_json_for_an_ascii_stream_says_the_same(afmcalc):
+    arguments = "torque", CONFIGS / "default.toml", "--json", "--set", 'name="Муфта 😀 ½"'
+    whole, ascii_ = afmcalc(*arguments), afmcalc(*arguments, encoding="ascii")
+    assert ascii_.out.isascii()
+    assert json.loads(ascii_.out) == json.loads(whole.out)
