@@ -195,7 +195,7 @@ def _papers() -> Iterator[Key]:
     for each in equations().values():
         yield ("", each.source)
     for material in catalogue().values():
-        yield from (("", text) for text in (material.description, material.condition))
+        yield from (("value", text) for text in (material.description, material.condition))
     for name in FIGURES:
         figure = paper_figure(name)
         yield from (("", text) for text in (figure.name, figure.title, figure.inputs, figure.assumed))

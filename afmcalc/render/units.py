@@ -101,7 +101,8 @@ def display(value: object, unit: str) -> str:
 
 def worded(text: str) -> str:
     """Return a text of a result in the language of the user; one made of several may be known in its parts only."""
-    for context in ("value", "", "unit", "comment"):
+    # one word may be a name; a sentence is none
+    for context in ("value", "", "comment") if " " in text else ("value", "unit"):
         if (told := translate(text, context)) != text:
             return told
     return "; ".join(map(translate, text.split("; ")))
