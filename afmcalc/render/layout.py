@@ -227,7 +227,9 @@ def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[Tex
     if width is None or sum(whole) + sum(widths) + gap * (len(widths) + 2) <= width:
         rows = [[*name, *columns[number], unit] for name, number, unit in zip(names, rest, units, strict=True)]
         numeric = [False, False, *(True for _ in heads), False]
-        return [TextTable(title, [translate("Symbol"), translate("Quantity"), *heads, "Unit"], rows, numeric)]
+        return [
+            TextTable(title, [translate("Symbol"), translate("Quantity"), *heads, translate("Unit")], rows, numeric)
+        ]
     labels = [block.header[number] for number in rest]
     corner = block.header[first]
     room = width - max(map(len, (corner, *labels)))
