@@ -117,7 +117,9 @@ def _symbols(found: list[Chapter]) -> list[tuple[str, str]]:
         for each in block.where:
             if each.text:
                 told.setdefault(each.symbol, each.text)
-        told.setdefault(block.symbol, block.name)
+        # the heading of its step begins with a capital
+        first = block.name[:1].lower() if block.name[1:2].islower() else block.name[:1]
+        told.setdefault(block.symbol, first + block.name[1:])
     return sorted(told.items(), key=lambda item: item[0].casefold())
 
 
