@@ -10,6 +10,7 @@ MODULES = {
     "explain": ("sympy",),
     "plot": ("matplotlib",),
     "ru": ("babel",),
+    "cad": ("ezdxf",),
     "report": ("jinja2", "matplotlib", "latex2mathml"),
 }
 """Extra → modules it brings."""

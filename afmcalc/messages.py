@@ -103,6 +103,16 @@ FINDINGS: Mapping[str, str] = {
     "springs, gap or list",
     "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
     "clearance need",
+    "wall-undercut": "no curved wall for this ball: travel, gap and clearance need a ball of at least "
+    "{needed:.5g mm}, it is {value:.5g mm}, and from {limit:.5g mm} on the ball undercuts the wall: softer springs, a "
+    "smaller gap or clearance make it possible",
+    "wall-undercut/gain": "no curved wall for this ball: travel, gap and clearance need a ball of at least "
+    "{needed:.5g mm}, it is {value:.5g mm}, and from {limit:.5g mm} on the ball undercuts the wall: a gain of "
+    "{gain:.4g} makes it possible; so do softer springs, a smaller gap or clearance",
+    "both-sleeves-unstable": "with the curved wall in both sleeves nothing makes the ball share the travel equally: "
+    "F_o (tan α_1 − tan α_2) drives it on into the steeper wall. Give it a cage, or profile one sleeve",
+    "ball-slides-in-seat": "the ball stays seated in the sleeve with the straight walls and slides there: the gain is "
+    "that of rolling only as far as its friction is small",
     "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
     "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
@@ -165,6 +175,8 @@ FINDINGS: Mapping[str, str] = {
     "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
     "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
     "any-stiffness": "{path} is not given: any stiffness will do",
+    "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g N}, more than the "
+    "allowable {limit:.5g N}: the curved wall pushes the ball across it",
     # surface pressure
     "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
     "above the allowable {low:g kPa…}{high:g kPa} of {name}",
@@ -180,6 +192,9 @@ FINDINGS: Mapping[str, str] = {
     "below the allowable {low:g kPa} of {name}",
     "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
     "no-candidate/attainable": "none of {candidates:,} candidates meets every requirement: {listed}; give up {names}",
+    "returning-covered": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
+    "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m} and within its margin over the machine's "
+    "{machine:.5g N·m}: the friction at the key holds the sleeve back",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
     "unexpected-verdict": "{row}: {verdict}; on record is: {record}",
@@ -194,6 +209,15 @@ FINDINGS: Mapping[str, str] = {
     "hysteresis": (
         "the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction has "
         "fallen {value:.4g} times, and the torque then stays below the rising branch; full unloading reseats it"
+    ),
+    "torque-falls-with-travel": (
+        "C_1 = {value:.4g} 1/m is above C_1* = {limit:.4g} 1/m, at which the pockets hold the torque: a load that "
+        "reaches {most:.5g N·m} makes the sleeve run off its stop, and the torque jumps, to {falls:.5g N·m} at f_max"
+    ),
+    "torque-jumps": (
+        "C_1 = {value:.4g} 1/m is above C_1* = {limit:.4g} 1/m, at which the pockets hold the torque, and above "
+        "{jumping:.4g} 1/m: the sleeve jumps off its stop even as friction rises in slip, and the torque jumps down "
+        "from {most:.5g N·m}, to {falls:.5g N·m} at f_max"
     ),
     "material": "{name}: friction {low:g}…{high:g} from the catalogue ({source})",
     "nominal-torque-missed": (

@@ -14,7 +14,7 @@ from ..result import Result, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import as_variant, with_force, with_nominal_torque
 from ..variants import VARIANTS
-from .torque import scatter, triple
+from .torque import triple
 
 
 class ComparedClutch(Result):
@@ -98,7 +98,7 @@ def _row(clutch: Clutch, basis: str | None, name: str | None) -> ComparedClutch:
         gain=clutch.gain,
         reduced_gain=clutch.reduced_gain,
         torque=torque,
-        scatter=scatter(clutch),
+        scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         gain_limit=clutch.gain_limit,

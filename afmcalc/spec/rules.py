@@ -44,6 +44,7 @@ def problems(data: Table) -> list[Problem]:
         *_friction(data),
         *_radii(data),
         *_gain(data),
+        *_pocket(data),
         *_force(data),
         *_contact(data),
         *_variant(data),
@@ -135,6 +136,16 @@ def _gain(data: Table) -> Iterable[Problem]:
         yield wrong(f"{block}.gain", say("required (or give wall_angle and ball_circle_radius)"))
     elif angle and not has(data, block, "ball_circle_radius"):
         yield beside(f"{block}.ball_circle_radius", f"{block}.wall_angle")
+
+
+def _pocket(data: Table) -> Iterable[Problem]:
+    block = "control_unit"
+    slope, pocket = has(data, block, "gain_slope"), has(data, block, "pocket")
+    if slope and pocket:
+        message = say("excludes control_unit.pocket: give the slope, or the pocket that it follows from")
+        yield wrong(f"{block}.gain_slope", message)
+    if has(data, block, "profiled") and not slope and not pocket:
+        yield wrong(f"{block}.profiled", say("is of a curved wall: give gain_slope or pocket with it"))
 
 
 def _contact(data: Table) -> Iterable[Problem]:

@@ -12,7 +12,7 @@ from ...spec.edit import value_at
 from ..answers import Answers
 from ..life import LifeResult
 from ..registry import ANALYSES
-from ..synthesize import SynthesisResult
+from ..unit import SynthesisResult
 from .pressure import pressure_findings
 
 Grade = Literal["pass", "note", "warning", "fail"]
@@ -82,13 +82,12 @@ def _of_clutch(clutch: Clutch) -> Iterator[_Held]:
         yield _Held(
             "feedback-idle", term("gain against key friction"), "C ≥ 2R f_1/d", "1", gain, threshold, least=True
         )
-    first, second = clutch.friction
-    lowest = float(min(clutch.torque(first.min, second.min), clutch.torque(first.max, second.max)))
-    nominal, name = float(clutch.nominal_torque), term("least torque in service")
+    lowest, nominal = float(clutch.torque_min), float(clutch.nominal_torque)
+    name = term("least torque in service")
     yield _Held("below-nominal-torque", name, "T_min ≥ T_н", "N*m", lowest, nominal, least=True)
-    if (returned := clutch.torque_returning(first.min)) is not None:
-        name = term("least torque, friction falling under load")
-        yield _Held("returning-below-nominal", name, "T_ret ≥ T_н", "N*m", float(returned), nominal, least=True)
+    if (returned := clutch.torque_returning_min) is not None:
+        name, machine = term("least torque, friction falling under load"), float(clutch.machine_torque)
+        yield _Held("returning-below-nominal", name, "T_ret ≥ T_н.маш", "N*m", float(returned), machine, least=True)
 
 
 def _of_synthesis(answers: Answers) -> Iterator[_Held]:
@@ -99,6 +98,9 @@ def _of_synthesis(answers: Answers) -> Iterator[_Held]:
         yield _Held("no-standard-ball", term("ball needed"), "2 r_ш ≤ largest of the list", "m", needed, largest)
     else:
         yield _Held("ball-too-small", term("ball diameter"), "d_ш ≥ 2 r_ш", "m", diameter, needed, least=True)
+    if found.undercut_radius is not None:
+        limit = found.undercut_radius
+        yield _Held("wall-undercut", term("ball runs on the curved wall"), "r_ш < ρ_0", "m", diameter / 2, limit)
     if found.ball_pitch is None:
         yield _Held(
             "ball-reaches-axis", term("ball clear of the axis"), "r_ш ≤ r", "m", diameter / 2, found.ball_circle_radius
@@ -114,6 +116,9 @@ def _of_synthesis(answers: Answers) -> Iterator[_Held]:
     if found.contact_force is not None and found.contact_force_allowable is not None:
         force, allowable = found.contact_force, found.contact_force_allowable
         yield _Held("contact-force-exceeded", term("contact force on one ball"), "F_n ≤ [F_n]", "N", force, allowable)
+    if found.seat_force is not None and found.seat_utilisation:
+        force, allowable = found.seat_force, found.seat_force / found.seat_utilisation
+        yield _Held("seat-force-exceeded", term("force of a seat on one ball"), "F_s ≤ [F_n]", "N", force, allowable)
 
 
 def _of_life(found: LifeResult) -> Iterator[_Held]:

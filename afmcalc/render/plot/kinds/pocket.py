@@ -4,7 +4,7 @@ import math
 from typing import Any, NamedTuple
 
 from ....analysis.figures import PocketSection
-from ....analysis.synthesize import SynthesisResult
+from ....analysis.unit import SynthesisResult
 from ....messages import localized, told, translate
 from ...symbols import mathtext
 from ...units import display
@@ -26,6 +26,24 @@ class _Sizes(NamedTuple):
     cut: float
     width: float
     travel: float
+    angle_max: float
+    """At the largest travel."""
+    sleeves: int
+    """That the ball moves in: 1 where the other seats it."""
+    curve: tuple[tuple[float, float], ...]
+    """Of a curved wall, from the face to where the ball touches at the stop: depth, and distance from the middle."""
+
+
+class _Side(NamedTuple):
+    """One sleeve where it is: its face off the ball's centre, its pocket's middle, the upper wall below the face."""
+
+    face: float
+    middle: float
+    wall: tuple[tuple[float, float], ...]
+    angle: float
+    """Where the ball touches."""
+    seats: bool
+    """Whether both walls touch it."""
 
 
 def sheet(section: PocketSection) -> Sheet:
@@ -39,6 +57,12 @@ def sheet(section: PocketSection) -> Sheet:
         cut=found.pocket_depth_cut * _MM,
         width=found.pocket_width * _MM,
         travel=found.travel_max * _MM,
+        angle_max=found.wall_angle if found.wall_angle_max is None else found.wall_angle_max,
+        sleeves=1 if found.profiled == "one" else 2,
+        curve=tuple(
+            (-(each.wall_axial + found.face_gap / 2) * _MM, each.wall_around * _MM)
+            for each in reversed(found.wall or [])
+        ),
     )
     positions = {
         0.0: translate("at the stop, x = 0"),
@@ -70,7 +94,7 @@ def _caption(section: PocketSection) -> str:
         said.append(told("The web between pockets is {web}.", web=_stated("e", found.web)))
     elif found.web is not None:
         said.append(told("{pockets} pockets cut into each other.", pockets=section.balls))
-    return " ".join(said)
+    return " ".join(filter(None, [*said, _of_the_curve(found)]))
 
 
 def _ball(found: SynthesisResult) -> str:
@@ -83,6 +107,15 @@ def _ball(found: SynthesisResult) -> str:
     return told("Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=clearance)
 
 
+def _of_the_curve(found: SynthesisResult) -> str:
+    """What a curved wall adds to the caption."""
+    if found.wall_angle_max is None:
+        return ""
+    if found.wall is None:
+        return translate("The ball undercuts the curved wall, which cannot be cut: straight walls are drawn.")
+    return told("Curved wall: at the largest travel α = {angle:.4g deg}.", angle=found.wall_angle_max)
+
+
 class Position:
     """One position of the sleeve."""
 
@@ -91,17 +124,30 @@ class Position:
         self.sizes = sizes
         self.travel = travel
         self.title = title
-        self.half_gap = (sizes.gap + travel) / 2
-        self.apex = self.half_gap + sizes.depth
         self.mouth = sizes.width / 2
-        self.floor = self.mouth * (1 - sizes.cut / sizes.depth)
-        # moved apart by x, the pockets turn against each other until the ball bears on one wall of each again
-        self.shift = travel / 2 * math.tan(sizes.angle)
+        self.sides = {hand: self._placed(hand) for hand in (-1, 1)}
         # the same frame for every position, so that they are drawn to one scale
-        reach = (sizes.gap + sizes.travel) / 2 + sizes.depth
+        reach = sizes.gap / 2 + sizes.travel / sizes.sleeves + sizes.depth
         self.back = 1.18 * reach
-        self.side = 1.12 * (self.mouth + sizes.travel / 2 * math.tan(sizes.angle)) + 0.12 * reach
+        self.side = 1.12 * (self.mouth + self._turned(sizes.travel)) + 0.12 * reach
         self.step = 0.1 * reach
+
+    def _turned(self, travel: float) -> float:
+        """How far a sleeve that the ball moves in has turned: its walls bear on the ball again."""
+        sizes = self.sizes
+        tangents = math.tan(sizes.angle) + math.tan(sizes.angle_max if travel else sizes.angle)
+        return travel / sizes.sleeves * tangents / 2
+
+    def _placed(self, hand: int) -> _Side:
+        """The sleeve on one side: the ball moves in the right one, and in the left unless that seats it."""
+        sizes, moves = self.sizes, hand > 0 or self.sizes.sleeves == 2
+        floor = sizes.cut, (sizes.depth - sizes.cut) * math.tan(sizes.angle)
+        straight = ((0.0, sizes.depth * math.tan(sizes.angle)), floor)
+        wall = (*sizes.curve, floor) if sizes.curve and moves else straight
+        if not (self.travel and moves):
+            return _Side(sizes.gap / 2, 0.0, wall, sizes.angle, seats=True)
+        face = sizes.gap / 2 + self.travel / sizes.sleeves
+        return _Side(face, self._turned(self.travel), wall, sizes.angle_max, seats=False)
 
     @property
     def height(self) -> float:
@@ -135,61 +181,66 @@ class Position:
 
     def _half(self, hand: int) -> list[tuple[float, float]]:
         """Outline of one half: the face with its pocket, the back cut off."""
-        face, floor, middle = hand * self.half_gap, hand * (self.half_gap + self.sizes.cut), hand * self.shift
+        own = self.sides[hand]
+        face, middle = hand * own.face, hand * own.middle
+        upper = [(hand * (own.face + depth), middle + half) for depth, half in own.wall]
+        lower = [(hand * (own.face + depth), middle - half) for depth, half in reversed(own.wall)]
         return [
             (hand * self.back, self.side),
             (face, self.side),
-            (face, middle + self.mouth),
-            (floor, middle + self.floor),
-            (floor, middle - self.floor),
-            (face, middle - self.mouth),
+            *upper,
+            *lower,
             (face, -self.side),
             (hand * self.back, -self.side),
         ]
 
     def _contacts(self) -> list[tuple[float, float]]:
-        """Where ball and walls touch: at rest both walls of both pockets, under way one of each."""
-        along = self.sizes.radius * math.sin(self.sizes.angle)
-        across = self.sizes.radius * math.cos(self.sizes.angle)
-        if self.travel:
-            return [(along, -across), (-along, across)]
-        return [(a * along, b * across) for a in (-1, 1) for b in (-1, 1)]
+        """Where ball and walls touch: at rest and in a seat both walls of a pocket, under way one."""
+        found = []
+        for hand, own in self.sides.items():
+            along = hand * self.sizes.radius * math.sin(own.angle)
+            across = hand * self.sizes.radius * math.cos(own.angle)
+            found += [(along, -across), *([(along, across)] if own.seats else [])]
+        return found
 
     def _centre_lines(self, axes: Any) -> None:
         style: dict[str, Any] = {"color": INK, "linewidth": 0.7, "linestyle": (0, (10, 3, 2, 3))}
         reach = self.sizes.radius * 1.18
-        axes.plot([-self.apex, self.apex], [0, 0], **style)
+        axes.plot([hand * (own.face + self.sizes.depth) for hand, own in self.sides.items()], [0, 0], **style)
         axes.plot([0, 0], [-reach, reach], **style)
-        for hand in (-1, 1):
-            floor, middle = hand * (self.half_gap + self.sizes.cut), hand * self.shift
-            walls = [middle + self.floor, middle, middle - self.floor]
-            axes.plot([floor, hand * self.apex, floor], walls, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+        for hand, own in self.sides.items():
+            (cut, half), middle = own.wall[-1], hand * own.middle
+            floor, apex = hand * (own.face + cut), hand * (own.face + self.sizes.depth)
+            walls = [middle + half, middle, middle - half]
+            axes.plot([floor, apex, floor], walls, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
 
     def _dimensions(self, axes: Any) -> None:
-        sizes, top, floor = self.sizes, self.side, self.half_gap + self.sizes.cut
-        corner = self.shift + self.floor
-        self._measure(axes, self.half_gap, floor, top + self.step, f"h_c = {_mm(sizes.cut)}", corner)
-        self._measure(axes, self.half_gap, self.apex, top + 2.6 * self.step, f"h_1 = {_mm(sizes.depth)}", self.shift)
+        sizes, top, right, left = self.sizes, self.side, self.sides[1], self.sides[-1]
+        floor, apex, corner = right.face + sizes.cut, right.face + sizes.depth, right.middle + right.wall[-1][1]
+        self._measure(axes, right.face, floor, top + self.step, f"h_c = {_mm(sizes.cut)}", corner)
+        self._measure(axes, right.face, apex, top + 2.6 * self.step, f"h_1 = {_mm(sizes.depth)}", right.middle)
         gap = "s + x" if self.travel else "s"
-        self._measure(axes, -self.half_gap, self.half_gap, -top - self.step, f"{gap} = {_mm(2 * self.half_gap)}", -top)
+        self._measure(axes, -left.face, right.face, -top - self.step, f"{gap} = {_mm(left.face + right.face)}", -top)
         self._mouth(axes)
         self._diameter(axes)
         self._angle(axes)
 
     def _mouth(self, axes: Any) -> None:
         """Width of the right pocket's mouth, beside the section."""
-        x, low, high = self.back + self.step, self.shift - self.mouth, self.shift + self.mouth
+        own = self.sides[1]
+        x, low, high = self.back + self.step, own.middle - self.mouth, own.middle + self.mouth
         for y in (low, high):
-            axes.plot([self.half_gap, x + 0.25 * self.step], [y, y], color=INK, linewidth=0.6)
+            axes.plot([own.face, x + 0.25 * self.step], [y, y], color=INK, linewidth=0.6)
         arrow = {"color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
         axes.annotate("", (x, low), (x, high), arrowprops={"arrowstyle": "<|-|>", **arrow})
         text = mathtext(f"b = {_mm(self.sizes.width)}")
-        axes.text(x + 0.3 * self.step, self.shift, text, ha="left", va="center")
+        axes.text(x + 0.3 * self.step, own.middle, text, ha="left", va="center")
 
     def _diameter(self, axes: Any) -> None:
         """Leader from the ball to its diameter."""
         reach = self.sizes.radius * math.sqrt(0.5)
-        text = (-self.half_gap - 0.35 * self.apex, self.side + self.step)
+        left = self.sides[-1].face
+        text = (-left - 0.35 * (left + self.sizes.depth), self.side + self.step)
         axes.annotate(
             mathtext(told("ball d_ш = {diameter}", diameter=_mm(2 * self.sizes.radius))),
             (-reach, reach), xytext=text, ha="right", va="center",
@@ -200,7 +251,8 @@ class Position:
         """The wall angle at the apex of the left pocket, between wall and axis."""
         from matplotlib.patches import Arc
 
-        apex, degrees = (-self.apex, -self.shift), math.degrees(self.sizes.angle)
+        own, degrees = self.sides[-1], math.degrees(self.sizes.angle)
+        apex = (-own.face - self.sizes.depth, -own.middle)
         size = 0.9 * self.sizes.depth
         axes.plot([apex[0], apex[0] + size * 0.6], [apex[1]] * 2, color=INK, linewidth=0.7)
         axes.add_patch(Arc(apex, size, size, theta1=0, theta2=degrees, color=INK, linewidth=0.9))
