@@ -155,7 +155,7 @@ def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
         if key
         else translate("scatter of the friction in service")
     )
-    value = "; ".join([worded(given["distribution"]), *numbers])
+    value = (", " if spoken() == "en" else "; ").join([worded(given["distribution"]), *numbers])
     return _SpecLine(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, display_unit(unit), False)
 
 
