@@ -5,6 +5,7 @@ import re
 import string
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from babel.messages.pofile import read_po
@@ -183,6 +184,50 @@ CODES = {*VARIANTS, *re.findall(r"[a-z]+", " ".join(keys())), "overload", "synth
     "adjust", "explain", "compare", "adjustment", "spring", "drive"
 }  # fmt: skip
 """Commands and keys of one word."""
+
+
+SNAPSHOTS = Path(__file__).parent / "render" / "formats" / "snapshots"
+SHOWN = {
+    "torque": ["torque", CONFIGS / "indirect.toml"],
+    "accuracy": ["accuracy", CONFIGS / "default.toml", "--sweep", "C=0:1:3"],
+    "check": ["check", CONFIGS / "default.toml", "--set", "C=2"],
+    "explain": ["explain", "synthesize", CONFIGS / "indirect.toml"],
+}
+
+
+@pytest.mark.parametrize("format_", ["table", "markdown"])
+@pytest.mark.parametrize("name", SHOWN)
+def test_snapshot(name, format_, afmcalc, russian):
+    run = afmcalc(*SHOWN[name], "--format", format_)
+    path = SNAPSHOTS / f"{name}.ru.{'txt' if format_ == 'table' else 'md'}"
+    if os.environ.get("AFMCALC_UPDATE"):
+        path.write_text(run.out, encoding="utf-8")
+    assert run.out == path.read_text(encoding="utf-8"), f"{path.name} differs; AFMCALC_UPDATE=1 writes it anew: read it"
+
+
+def test_the_report_has_the_form_of_a_calculation(afmcalc, russian):
+    page = afmcalc("report", CONFIGS / "default.toml").out
+    sections = re.findall(r'<h2><span class="count">\d+</span> ([^<]*)</h2>', page)
+    first = [
+        "Задание",
+        "Исходные данные",
+        "Условия и проверки",
+        "Расчёт",
+        "Графики",
+        "Заключение",
+        "Список обозначений",
+    ]
+    assert sections == [*first, "Список использованных источников"]
+    assert re.findall(r"<dt>([^<]*)</dt>", page)[:1] == ["Обозначение"]
+    for entry in ("Разработал", "Проверил", "Н. контр.", "Утв."):
+        assert f"<dt>{entry}</dt>" in page
+    assert 'lang="ru"' in page
+    numbers = "".join(re.findall(r"<mn>([^<]*)</mn>", page))
+    assert "," in numbers
+    assert "." not in numbers
+    words = re.sub(r"(?s)<(style|math|pre|code|svg|sub).*?</\1>|<[^>]*>", " ", page)
+    known = CODES | {"afmcalc", "misprints", "equations", "configs", "amplitude", "goodman", "model", "Base", "clutch"}
+    assert set(re.findall(r"(?<![\w.-])[A-Za-z]{4,}(?![\w.])", words)) <= known
 
 
 def test_help_fits_a_narrow_terminal(afmcalc, russian, monkeypatch):
