@@ -17,8 +17,7 @@ import afmcalc
 Key = tuple[str, str]
 """Context and text."""
 
-SAYING = ("say", "told", "translate", "term", "heard")
-FUNCTIONS = {"say_many": 2}
+SAYING = ("say", "told", "message", "translate", "term", "heard")
 
 
 def texts() -> dict[Key, str]:

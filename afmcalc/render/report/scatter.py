@@ -1,7 +1,8 @@
 """Tables of the torque over tolerances: each value beside its standard error, inputs in the engineer's units."""
 
 from ...analysis.tolerance.result import Estimate, IndexRow, InputRow, LifeRow, ToleranceResult
-from ...messages import localized, term, told, translate
+from ...messages import localized, term, translate
+from ...messages import told as message
 from ...spec.paths import keys
 from ..document import document
 from ..layout import TextTable
@@ -47,7 +48,7 @@ def _quantiles(result: ToleranceResult, errors: bool) -> TextTable:
     rows = [
         [
             f"T_{100 * row.probability:g}",
-            told("torque not exceeded with probability {percent:g} %", percent=100 * row.probability),
+            message("torque not exceeded with probability {percent:g} %", percent=100 * row.probability),
             *_with_error(row.estimate("torque"), "N*m", errors),
             display_unit("N*m"),
         ]
