@@ -3,13 +3,13 @@
 English needs nothing of it. A catalogue is a file of gettext, ``locale/NAME.po``, read as it is.
 """
 
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from pathlib import Path
 
 ENGLISH = "en"
-FOLDER = Path(__file__).parent / "locale"
+FOLDER = os.path.join(os.path.dirname(__file__), "locale")
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Language:
 
 def known() -> list[str]:
     """Names of the languages."""
-    return [ENGLISH, *sorted(path.stem for path in FOLDER.glob("*.po"))]
+    return [ENGLISH, *sorted(name.removesuffix(".po") for name in os.listdir(FOLDER) if name.endswith(".po"))]
 
 
 def language(name: str) -> Language | None:
@@ -53,7 +53,7 @@ def _read(
     from babel import Locale
     from babel.messages.pofile import read_po
 
-    with (FOLDER / f"{name}.po").open("rb") as file:
+    with open(os.path.join(FOLDER, f"{name}.po"), "rb") as file:
         catalogue = read_po(file, abort_invalid=True)
     texts = {}
     for each in catalogue:

@@ -24,7 +24,7 @@ EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem != "
 
 @pytest.fixture(scope="module")
 def catalogue():
-    with (FOLDER / "ru.po").open("rb") as file:
+    with open(os.path.join(FOLDER, "ru.po"), "rb") as file:
         read = read_po(file)
     return {(each.context or "", each.id if isinstance(each.id, str) else each.id[0]): each for each in read if each.id}
 

@@ -24,15 +24,19 @@ def chosen(arguments: list[str], environment: Mapping[str, str]) -> Language | N
     for name, by in ((asked, OPTION), (environment.get("AFMCALC_LANG"), "AFMCALC_LANG")):
         if not name:
             continue
+        if name == ENGLISH:
+            return None
         if name not in known():
             languages = ", ".join(known())
             raise AfmcalcError(say("{by} {name:.40}: known are {languages}", by=by, name=name, languages=languages))
-        if name != ENGLISH:
-            need(name)
+        need(name)
         return language(name)
     locale = next(filter(None, map(environment.get, _LOCALE)), "")
     name = re.split("[_.@]", locale)[0]
-    return language(name) if name in known() and (name == ENGLISH or installed(name)) else None
+    # most locales ask for English, or for nothing: no folder is looked into
+    if name in ("", "C", "POSIX", ENGLISH) or name not in known() or not installed(name):
+        return None
+    return language(name)
 
 
 def _option(arguments: list[str]) -> str | None:
