@@ -6,7 +6,7 @@ from typing import TypeAlias, TypeGuard
 from pydantic import ValidationError
 
 from ..errors import Problem
-from ..messages import say
+from ..messages import say, say_many
 from ..variants import VARIANTS, Path
 
 Table: TypeAlias = Mapping[str, object]
@@ -212,10 +212,9 @@ def _pairs(data: Table) -> Iterable[Problem]:
     variant = VARIANTS.get(str(get(data, "variant")))
     if driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()) > 1:
         default = say(" (the default)") if variant.chooses_bypass else ""
-        if least == 2:
-            bypass = say("1 driving pair{default}", default=default)
-        else:
-            bypass = say("{count} driving pairs{default}", count=least - 1, default=default)
+        bypass = say_many(
+            "{count} driving pair{default}", "{count} driving pairs{default}", count=least - 1, default=default
+        )
         yield wrong(
             "friction_group.pairs",
             say(

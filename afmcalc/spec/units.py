@@ -6,7 +6,7 @@ the two reads a unit. What is not here is pint's.
 
 from decimal import Decimal
 
-from ..messages import say, translate
+from ..messages import say, term
 
 EXAMPLES = {
     "N": ("a force", "2 kN"),
@@ -103,10 +103,10 @@ def allowed(unit: str) -> str:
     """Say what may stand in a field of the SI unit ``unit``."""
     kind, example = EXAMPLES[unit]
     if unit == "1":
-        return say("give {kind} such as {example}", kind=translate(kind), example=example)
+        return say("give {kind} such as {example}", kind=term(kind), example=example)
     return say(
         'give {kind}: a number in SI ({unit}) or a string with a unit such as "{example}"',
-        kind=translate(kind),
+        kind=term(kind),
         unit=unit,
         example=example,
     )

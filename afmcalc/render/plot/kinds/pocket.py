@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 from ....analysis.figures import PocketSection
 from ....analysis.unit import SynthesisResult
+from ....messages import localized, told, translate
 from ...symbols import mathtext
 from ...units import display
 from ..chart import Sheet, stated
@@ -63,9 +64,12 @@ def sheet(section: PocketSection) -> Sheet:
             for each in reversed(found.wall or [])
         ),
     )
-    positions = {0.0: "at the stop, x = 0", sizes.travel: f"at f_max, {_stated('x_max', found.travel_max)}"}
+    positions = {
+        0.0: translate("at the stop, x = 0"),
+        sizes.travel: told("at f_max, {stated}", stated=_stated("x_max", found.travel_max)),
+    }
     panels = [Position(sizes, travel, title if sizes.travel else "") for travel, title in positions.items()]
-    return Sheet("Ball and pockets, section A–A", panels, _caption(section), name=section.name or "")
+    return Sheet(translate("Ball and pockets, section A–A"), panels, _caption(section), name=section.name or "")
 
 
 def _stated(symbol: str, value: float) -> str:
@@ -74,26 +78,33 @@ def _stated(symbol: str, value: float) -> str:
 
 def _caption(section: PocketSection) -> str:
     found = section.synthesis
-    smallest = f"smallest ball {_stated('r_ш', found.ball_radius)}"
-    ball = f"drawn with {_stated('d_ш', found.ball_diameter)}"
+    circle, smallest = _stated("r", found.ball_circle_radius), _stated("r_ш", found.ball_radius)
+    said = [
+        told(
+            "To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch horizontal, "
+            "dots: contact. S21 (20), (23), (24): smallest ball {smallest}.",
+            circle=circle, smallest=smallest,
+        ),
+        _ball(found),
+        translate("Cut to h_c, where the ball ends; h_1 is to the virtual apex of the walls."),
+    ]  # fmt: skip
+    if found.contact_force is not None:
+        said.append(told("On one ball {force}.", force=stated("F_n", found.contact_force, "N")))
+    if found.web is not None and found.web > 0:
+        said.append(told("The web between pockets is {web}.", web=_stated("e", found.web)))
+    elif found.web is not None:
+        said.append(told("{pockets} pockets cut into each other.", pockets=section.balls))
+    return " ".join(filter(None, [*said, _of_the_curve(found)]))
+
+
+def _ball(found: SynthesisResult) -> str:
+    ball = _stated("d_ш", found.ball_diameter)
     if found.ball_diameter_standard is None:
-        ball += ", for no standard ball is that large"
-    elif found.edge_clearance_standard is not None:
-        ball += f", which leaves {_stated('y', found.edge_clearance_standard)} to the edge"
-    force = "" if found.contact_force is None else f", {stated('F_n', found.contact_force, 'N')} on one ball"
-    circle = _stated("r", found.ball_circle_radius)
-    web = ""
-    if found.web is not None:
-        web = (
-            f" {section.balls} pockets leave a web {_stated('e', found.web)}."
-            if found.web > 0
-            else f" {section.balls} pockets cut into each other."
-        )
-    return (
-        f"To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch horizontal, "
-        f"dots: contact{force}. S21 (20), (23), (24): {smallest}; {ball}. Cut to h_c, where the ball ends; h_1 is to "
-        f"the virtual apex of the walls.{web}{_of_the_curve(found)}"
-    )
+        return told("Drawn with {ball}, for no standard ball is that large.", ball=ball)
+    if found.edge_clearance_standard is None:
+        return told("Drawn with {ball}.", ball=ball)
+    clearance = _stated("y", found.edge_clearance_standard)
+    return told("Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=clearance)
 
 
 def _of_the_curve(found: SynthesisResult) -> str:
@@ -101,9 +112,8 @@ def _of_the_curve(found: SynthesisResult) -> str:
     if found.wall_angle_max is None:
         return ""
     if found.wall is None:
-        return " The ball undercuts the curved wall, which cannot be cut: straight walls are drawn."
-    most = f"α = {math.degrees(found.wall_angle_max):.4g}°"
-    return f" Curved wall: at the largest travel {most}."
+        return translate("The ball undercuts the curved wall, which cannot be cut: straight walls are drawn.")
+    return told("Curved wall: at the largest travel α = {angle:.4g deg}.", angle=found.wall_angle_max)
 
 
 class Position:
@@ -232,7 +242,8 @@ class Position:
         left = self.sides[-1].face
         text = (-left - 0.35 * (left + self.sizes.depth), self.side + self.step)
         axes.annotate(
-            mathtext(f"ball d_ш = {_mm(2 * self.sizes.radius)}"), (-reach, reach), xytext=text, ha="right", va="center",
+            mathtext(told("ball d_ш = {diameter}", diameter=_mm(2 * self.sizes.radius))),
+            (-reach, reach), xytext=text, ha="right", va="center",
             arrowprops={"arrowstyle": "-|>", "color": INK, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 0},
         )  # fmt: skip
 
@@ -249,7 +260,7 @@ class Position:
         tip = (apex[0] + size / 2 * math.cos(middle), apex[1] + size / 2 * math.sin(middle))
         text = (-self.back - 0.2 * self.step, tip[1])
         axes.annotate(
-            mathtext(f"α = {degrees:.4g}°"), tip, xytext=text, ha="right", va="center",
+            mathtext(f"α = {localized(f'{degrees:.4g}')}°"), tip, xytext=text, ha="right", va="center",
             arrowprops={"arrowstyle": "-", "color": INK, "linewidth": 0.6, "shrinkA": 1, "shrinkB": 0},
         )  # fmt: skip
 
