@@ -133,6 +133,8 @@ FINDINGS: Mapping[str, str] = {
     "the slip does not end; give a cut-off (drive.cut_off)",
     "motor-stops-at-cut-off": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
     "({value:.5g N·m}): the slip lasts until the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
+    "energy-not-closed": "the energy of the event does not close, {value:.2g} of it is missing: do not trust this "
+    "result, and report the spec",
     "release-lag": "at f_max the drive trips at {value:.5g N·m}: {share:.0%} of the way from T_муф = {limit:.5g N·m}, "
     "where the release force follows at once, to T_п = {held:.5g N·m}, where it does not follow (S22)",
     "slip-outlasts-duration": "at {at} the slip has not ended within the {value:.4g s} that are simulated",

@@ -161,7 +161,7 @@ def constant_torque_slope(
 
 
 def jumping_slope(sleeve_stiffness: Number, pairs: Number, leaving_friction: Number, closing_force: Number) -> Number:
-    """Slope above which the sleeve, slipping, jumps off its stop as friction rises, D(f_L)/(z f_L F_п1).
+    """Slope above which the sleeve jumps off its stop as friction rises in slip, D(f_L)/(z f_L F_п1).
 
     Source: Theory, section 12: there b = 0 at the stop.
 

@@ -11,7 +11,7 @@ def report(capsys: pytest.CaptureFixture[str]) -> Callable[[str, float, float], 
 
     def hold(name: str, ratio: float, limit: float) -> None:
         with capsys.disabled():
-            print(f"\n{name}: {ratio:.2f} (limit {limit:g})", end="")
+            print(f"\n{name}: {ratio:.4g} (limit {limit:g})", end="")
         assert ratio <= limit
 
     return hold

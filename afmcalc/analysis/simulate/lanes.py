@@ -13,19 +13,12 @@ from .sleeve import Sleeve
 from .train import Train
 
 
-class Halves(NamedTuple):
-    """The driven half over one step: its speed without the clutch, and what a torque of the clutch adds."""
-
-    free: Floats
-    per_torque: Floats
-
-
 class DirectLanes:
     """Packs of direct clutches."""
 
-    def __init__(self, train: Train, pack: DirectPack, h: Floats) -> None:
-        """Begin stuck, the release force that of the load."""
-        self.pack, self._motor = pack, h / train.motor_inertia
+    def __init__(self, train: Train, pack: DirectPack, h: Floats, per_torque: Floats) -> None:
+        """Begin stuck, the release force that of the load; ``per_torque`` is what it adds to the driven half."""
+        self.pack, self._each = pack, h / train.motor_inertia + per_torque
         self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
         self.slip, self.travel = np.zeros(h.size), np.zeros(h.size)
         self._trend = np.zeros(h.size)
@@ -40,16 +33,16 @@ class DirectLanes:
         """Torque on the driven half: that of the pack."""
         return self.torque
 
-    def step(self, halves: Halves, motor: Floats, driven: Floats) -> None:
-        """Find the torque of the pack."""
-        own, alone = self.pack, motor - halves.free
-        each = self._motor + halves.per_torque
-        capacity = self._capacity(ratio_of(own, self.slip + self._trend / 2) if self._static else 1.0)
-        needed = alone / each
+    def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
+        """Find the torque of the pack, from the speeds of both halves without it."""
+        own = self.pack
+        capacity = self._capacity(ratio_of(own, self.slip + self._trend) if self._static else 1.0)
+        needed = (motor - free) / self._each
         self.torque = np.maximum(np.minimum(needed, capacity), -capacity)
-        slip = np.where(self.torque == needed, 0.0, alone - each * self.torque)
+        # exactly 0 where it sticks
+        slip = self._each * (needed - self.torque)
         if self._static:
-            self._trend = np.where(slip == 0, 0.0, slip - self.slip)
+            self._trend = np.where(slip == 0, 0.0, (slip - self.slip) / 2)
         self.slip = slip
         if self._half is not None:
             balance = own.under(np.abs(self.torque))
@@ -69,9 +62,12 @@ class DirectLanes:
 class SleeveLanes:
     """Packs, hubs and balls of indirect clutches."""
 
-    def __init__(self, train: Train, pack: Sleeve, h: Floats) -> None:
+    def __init__(self, train: Train, pack: Sleeve, h: Floats, per_torque: Floats) -> None:
         """Begin stuck, the key as after a torque that has risen to the load; beyond T_н off the stop."""
-        self.train, self.pack, self.h = train, pack, h
+        self.pack, self.h = pack, h
+        self._across = h / train.hub_inertia
+        """What a torque adds to the speed of the hub in a step."""
+        self._pack, self._balls = h / train.motor_inertia + self._across, self._across + per_torque
         self.slip, self.rate, self._trend = (np.zeros(h.size) for _ in range(3))
         self.torque = np.broadcast_to(train.load, h.shape).astype(float)
         self.balls = self.torque.copy()
@@ -93,11 +89,11 @@ class SleeveLanes:
         """Torque on the driven half: that of the balls."""
         return self.balls
 
-    def step(self, halves: Halves, motor: Floats, driven: Floats) -> None:
-        """Find the torques of pack and balls."""
+    def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
+        """Find the torques of pack and balls, from the speeds of both halves without them."""
         own, h = self.pack, self.h
         pairs = own.friction_pairs * ratio_of(own, self.slip + self._trend / 2)
-        joint, mass = self._joint(halves, motor, driven)
+        joint, mass = self._joint(free, motor, driven)
         at_stop = self.turn == 0
         moving = self._moving(joint, pairs)
         still = self._still(joint, pairs)
@@ -114,22 +110,20 @@ class SleeveLanes:
         self.slip, self.rate = slip, rate
         self.travel = np.maximum(self.travel, own.travel(self.turn))
 
-    def _joint(self, halves: Halves, motor: Floats, driven: Floats) -> "tuple[_Joint, Values]":
+    def _joint(self, free: Floats, motor: Floats, driven: Floats) -> "tuple[_Joint, Values]":
         """Slip of pack and balls without their torques, and what these do; the sleeve's mass counted in."""
-        train, own, h = self.train, self.pack, self.h
+        own, across, balls = self.pack, self._across, self._balls
         hub = driven + self.rate
-        slip, rate = motor - hub, hub - halves.free
-        across = h / train.hub_inertia
-        pack, balls = h / train.motor_inertia + across, across + halves.per_torque
+        slip, rate = motor - hub, hub - free
         out = self.turn * self.rate >= 0
         net = np.where(out, own.net_gain, own.net_gain_returning)
-        mass = unit.sleeve_inertia(own.mass, own.mean_radius, own.gain, net) / h
+        mass = unit.sleeve_inertia(own.mass, own.mean_radius, own.gain, net) / self.h
         whole = 1 + balls * mass
         slowed = (rate + balls * mass * self.rate) / whole
         return _Joint(
             slip + across * mass * (slowed - self.rate),
             slowed,
-            pack - across * across * mass / whole,
+            self._pack - across * across * mass / whole,
             across / whole,
             balls / whole,
         ), mass

@@ -10,6 +10,7 @@ from .plant import Plant
 from .train import Train
 
 _ENDS = ("f_min", "f_cp", "f_max")
+_CLOSED = 1e-6
 _NEAR = 1e-3
 """Relative difference below which a figure of the spec is what the simulation gives."""
 
@@ -20,6 +21,7 @@ def remarks_of(clutch: Clutch, train: Train, found: Sequence[Outcome]) -> list[F
         _inertia(train, found),
         *_before(train, found),
         *_endless(train, found),
+        *_unclosed(found),
         *_lag(clutch, found),
         *_dynamic_factor(clutch, found),
         *_judder(clutch, train, found),
@@ -74,6 +76,12 @@ def _endless(train: Train, found: Sequence[Outcome]) -> list[Finding]:
             path, lasted = "drive.event.duration", each.case.horizon
             said.append(finding("slip-outlasts-duration", "warning", value=lasted, path=path, at=end))
     return said
+
+
+def _unclosed(found: Sequence[Outcome]) -> list[Finding]:
+    """Does the energy close? It always has."""
+    worst = max(each.trip.residual for each in found)
+    return [finding("energy-not-closed", "error", value=worst, limit=_CLOSED)] if worst > _CLOSED else []
 
 
 def _lag(clutch: Clutch, found: Sequence[Outcome]) -> list[Finding]:

@@ -11,11 +11,11 @@ import numpy as np
 
 from ...arrays import Floats
 from .direct import DirectPack
-from .lanes import DirectLanes, Halves, SleeveLanes
+from .lanes import DirectLanes, SleeveLanes
 from .sleeve import Sleeve
 from .train import Train
 
-_LANES = 4096
+_LANES = 8192
 """Drives stepped at a time: their states stay in the processor's cache."""
 
 
@@ -25,7 +25,6 @@ class Marched(NamedTuple):
     peak: Floats
     peak_clutch: Floats
     heat: Floats
-    slip_time: Floats
     travel: Floats
     slip: Floats
     """Slip of the pack at the end, rad/s."""
@@ -41,17 +40,18 @@ def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int) -> 
         steps: how many.
 
     Returns:
-        Peaks, heat, slip and travel, in the shape of ``step``.
+        Peaks, heat and travel, in the shape of ``step``.
     """
     parts = []
     for start in range(0, step.size, _LANES):
         lanes = slice(start, start + _LANES)
         own, h = _cut(train, lanes, step.shape), step.ravel()[lanes]
+        shaft = Shaft(own, h)
         if isinstance(pack, DirectPack):
-            clutch: DirectLanes | SleeveLanes = DirectLanes(own, _cut(pack, lanes, step.shape), h)
+            clutch: DirectLanes | SleeveLanes = DirectLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
         else:
-            clutch = SleeveLanes(own, _cut(pack, lanes, step.shape), h)
-        parts.append(_march(own, clutch, h, steps))
+            clutch = SleeveLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
+        parts.append(_march(own, shaft, clutch, h, steps))
     return Marched(*(np.concatenate(each).reshape(step.shape) for each in zip(*parts, strict=True)))
 
 
@@ -71,29 +71,25 @@ def _cut(whole: D, lanes: slice, shape: tuple[int, ...]) -> D:
     return replace(whole, **{name: cut(value) for name, value in own.items()})
 
 
-def _march(train: Train, clutch: DirectLanes | SleeveLanes, h: Floats, steps: int) -> Marched:
-    shaft = Shaft(train, h)
+def _march(train: Train, shaft: "Shaft", clutch: DirectLanes | SleeveLanes, h: Floats, steps: int) -> Marched:
     motor, each = shaft.driven, h / train.motor_inertia
-    peak, peak_clutch, heat, slipped = (np.zeros(h.size) for _ in range(4))
+    peak, peak_clutch, heat = (np.zeros(h.size) for _ in range(3))
     off = np.full(h.size, np.inf)
     for number in range(steps):
-        time = number * h
         driving = train.engine.at(motor)
         if train.cut_off is not None:
-            driving = np.where(time < off, driving, 0.0)
-        halves = shaft.free(time, clutch.passed)
+            driving = np.where(number * h < off, driving, 0.0)
+        free = shaft.free(number, clutch.passed)
         before, motor = clutch.slip, motor + each * driving
-        clutch.step(halves, motor, shaft.driven)
+        clutch.step(free, motor, shaft.driven)
         motor = motor - each * clutch.torque
-        shaft.take(halves.free + halves.per_torque * clutch.passed)
+        shaft.take(free + shaft.per_torque * clutch.passed)
         np.maximum(peak, np.abs(shaft.torque), out=peak)
         np.maximum(peak_clutch, np.abs(clutch.torque), out=peak_clutch)
         heat += clutch.torque * (before + clutch.slip)
-        slips = clutch.slip != 0
-        slipped += slips
         if train.cut_off is not None:
-            off = np.where(slips & np.isinf(off), time + train.cut_off, off)
-    return Marched(peak, peak_clutch, h / 2 * heat, h * slipped, clutch.travel, clutch.slip)
+            off = np.where((clutch.slip != 0) & np.isinf(off), number * h + train.cut_off, off)
+    return Marched(peak, peak_clutch, h / 2 * heat, clutch.travel, clutch.slip)
 
 
 class Shaft:
@@ -104,7 +100,7 @@ class Shaft:
         self.train, self.h = train, h
         self.driven, self.tool = (np.broadcast_to(train.speed, h.shape).astype(float) for _ in range(2))
         self.torque = self.elastic = np.broadcast_to(train.load, h.shape).astype(float)
-        self._until = float(np.max(train.time))
+        self._until = float(np.max(train.time / h)) + 1
         if train.kind == "stop":
             self.tool = self._led(0 * h)
         self._after, self._rate = self.tool, self.driven - self.tool
@@ -114,6 +110,10 @@ class Shaft:
         own = train.driven_inertia + self._coupling
         self._kept, self._lost = (train.driven_inertia - self._coupling) / own, h / own
         self._drawn = self._coupling / own
+        other = train.tool_inertia + self._coupling
+        self._joint = own, other, own * other - self._coupling * self._coupling
+        self.per_torque = self._lost if train.kind == "stop" else h * other / self._joint[2]
+        """What a torque on the driven half adds to its speed in a step."""
 
     def _led(self, time: Floats) -> Floats:
         """Speed of a tool that is being stopped."""
@@ -121,23 +121,22 @@ class Shaft:
         led: Floats = np.where(time < self.train.time, self.train.speed * left, 0.0)
         return led
 
-    def free(self, time: Floats, passed: Floats) -> Halves:
+    def free(self, number: int, passed: Floats) -> Floats:
         """Speed of the driven half without the clutch; moves the tool on, under the torque ``passed`` before."""
-        self._rate = self.driven - self.tool
         if self.train.kind == "load":
-            return self._loaded(time + self.h / 2, passed)
-        speed = self._kept * self.driven - self._lost * self.elastic
-        if float(np.min(time)) < self._until:
-            self._after = self._led(time + self.h)
+            self._rate = self.driven - self.tool
+            return self._loaded((number + 0.5) * self.h, passed)
+        speed: Floats = self._kept * self.driven - self._lost * self.elastic
+        if number < self._until:
+            self._after = self._led((number + 1) * self.h)
             speed = speed + self._drawn * (self.tool + self._after)
-        return Halves(speed, self._lost)
+        return speed
 
-    def _loaded(self, middle: Floats, passed: Floats) -> Halves:
+    def _loaded(self, middle: Floats, passed: Floats) -> Floats:
         """Tool with an inertia of its own, held by its load where that can hold it."""
         train, h, coupling = self.train, self.h, self._coupling
         impulse = h * self.elastic + coupling * self._rate
-        own, other = train.driven_inertia + coupling, train.tool_inertia + coupling
-        det = own * other - coupling * coupling
+        own, other, det = self._joint
         first, second = train.driven_inertia * self.driven - impulse, train.tool_inertia * self.tool + impulse
         risen = np.where(train.time > 0, np.minimum(middle / np.where(train.time > 0, train.time, 1.0), 1.0), 1.0)
         load = train.load + (train.overload - train.load) * risen
@@ -145,11 +144,12 @@ class Shaft:
         alone = coupling * (first + h * passed) + own * second
         held = np.clip(alone / (h * own), -load, load)
         self._after = (alone - own * h * held) / det
-        return Halves((other * first + coupling * (second - h * held)) / det, h * other / det)
+        left: Floats = (other * first + coupling * (second - h * held)) / det
+        return left
 
     def take(self, driven: Floats) -> None:
         """Move on with the speed the driven half has come to."""
         rate = driven - self._after
         self.elastic = self.elastic + self._stretch * (self._rate + rate)
-        self.driven, self.tool = driven, self._after
+        self.driven, self.tool, self._rate = driven, self._after, rate
         self.torque = self.elastic + self.train.damping * rate

@@ -165,7 +165,12 @@ def test_a_name_is_text(afmcalc, tmp_path):
 
 @pytest.mark.parametrize("what", sorted(set(PLOTS) - {"pocket"}))
 def test_without_a_file_it_is_drawn_as_text(what, afmcalc):
-    own = {"paper": "S22-3", "pareto": WISHES, "tolerance": CONFIGS / "tolerance.toml"}
+    own = {
+        "paper": "S22-3",
+        "pareto": WISHES,
+        "tolerance": CONFIGS / "tolerance.toml",
+        "simulate": CONFIGS / "drive.toml",
+    }
     more = ["--set", "control_unit.wall_friction=0.1"] if what == "effects" else []
     run = afmcalc("plot", what, own.get(what, CONFIGS / "all-driving.toml"), *more)
     assert run.code == 0

@@ -1,0 +1,49 @@
+"""One event by located switches; many drives by time stepping against one such event after the other."""
+
+import time
+import tracemalloc
+from dataclasses import replace
+
+import numpy as np
+from conftest import CONFIGS
+from drives import clutch
+
+import afmcalc
+from afmcalc.analysis.simulate.cases import case_of
+from afmcalc.analysis.simulate.machine import trip
+from afmcalc.analysis.simulate.packs import pack_of
+from afmcalc.analysis.simulate.stepping import march
+from afmcalc.analysis.simulate.train import train_of
+
+DRIVES, STEPS = 10_000, 10_000
+SAMPLE = 100
+"""Steps that are timed of them; the rest takes as long."""
+
+
+def seconds(action) -> float:
+    """Of the processor: other work on the machine is not counted."""
+    start = time.process_time()
+    action()
+    return time.process_time() - start
+
+
+def test_one_event(report):
+    case = case_of(afmcalc.load(CONFIGS / "drive.toml"), 0.3)
+    case.run()
+    report("one event of configs/drive.toml, s", min(seconds(case.run) for _ in range(5)), 0.3)
+
+
+def test_many_drives(report):
+    """The reference drive, 10⁴ clutches × 10⁴ steps: each at least 200 times faster than its event, over the same time."""
+    own = clutch()
+    friction, rng = np.linspace(0.1, 0.8, DRIVES), np.random.default_rng(1)
+    train = replace(train_of(own), stiffness=8000 * rng.uniform(0.8, 1.2, DRIVES))
+    step = 2 * np.pi / np.sqrt(8000 / 0.05) / 200
+    tracemalloc.start()
+    march(train, pack_of(own, friction, friction), np.full(DRIVES, step), 5)
+    report("memory of 10⁴ drives, MiB", tracemalloc.get_traced_memory()[1] / 2**20, 200)
+    tracemalloc.stop()
+    steps = seconds(lambda: march(train, pack_of(own, friction, friction), np.full(DRIVES, step), SAMPLE))
+    plant = case_of(own, 0.3).plant
+    alone = min(seconds(lambda: trip(plant, STEPS * step)) for _ in range(3))
+    report("10⁴ steps of one of 10⁴ drives against its event alone", steps * STEPS / SAMPLE / DRIVES / alone, 1 / 200)
