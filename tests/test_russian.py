@@ -206,7 +206,7 @@ def test_snapshot(name, format_, afmcalc, russian):
 
 
 def test_the_report_has_the_form_of_a_calculation(afmcalc, russian):
-    page = afmcalc("report", CONFIGS / "default.toml").out
+    page = afmcalc("report", "example:default").out
     sections = re.findall(r'<h2><span class="count">\d+</span> ([^<]*)</h2>', page)
     first = [
         "Задание",
