@@ -226,7 +226,19 @@ def test_the_report_has_the_form_of_a_calculation(afmcalc, russian):
     assert "," in numbers
     assert "." not in numbers
     words = re.sub(r"(?s)<(style|math|pre|code|svg|sub).*?</\1>|<[^>]*>", " ", page)
-    known = CODES | {"afmcalc", "misprints", "equations", "configs", "amplitude", "goodman", "model", "Base", "clutch", "example", "default"}
+    known = CODES | {
+        "afmcalc",
+        "misprints",
+        "equations",
+        "configs",
+        "amplitude",
+        "goodman",
+        "model",
+        "Base",
+        "clutch",
+        "example",
+        "default",
+    }
     assert set(re.findall(r"(?<![\w.-])[A-Za-z]{4,}(?![\w.])", words)) <= known
 
 

@@ -19,7 +19,7 @@ _EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.examp
 )
 """Clutch to start from → its example, where the names differ."""
 _DEFAULT = next(name for name, example in _EXAMPLES.items() if example == "default")
-_KINDS = {"clutch": "torque", "requirements": "design", "tolerance": "tolerance"}
+_KINDS = {"clutch": "torque", "requirements": "design", "tolerance": "tolerance", "drive": "simulate"}
 """What a file is for → the command that calculates it; all but a clutch are the example of that name."""
 
 if TYPE_CHECKING:
