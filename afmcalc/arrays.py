@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard, TypeVar
 
 from .messages import say
 
@@ -21,7 +21,7 @@ V = TypeVar("V", bound=Values)
 """What a function takes and gives alike: numbers or arrays."""
 
 
-def is_array(value: object) -> bool:
+def is_array(value: object) -> "TypeGuard[Floats]":
     """Whether ``value`` is a NumPy array (asked without importing NumPy)."""
     return hasattr(value, "__array__") and not isinstance(value, float)
 
@@ -71,13 +71,13 @@ def quiet_division(value: Values) -> AbstractContextManager[object]:
     return nullcontext()
 
 
-def through_math(function: Any, value: Any) -> Any:
+def through_math(function: Callable[[float], float], value: Values) -> Values:
     """Apply a function of ``math`` element by element: NumPy's own may differ in the last bit."""
     if is_array(value):
         import numpy as np
 
         return np.fromiter(map(function, value.ravel()), float, value.size).reshape(value.shape)
-    return function(value)
+    return function(float(value))
 
 
 def square_root(value: Values) -> Values:
@@ -89,12 +89,12 @@ def square_root(value: Values) -> Values:
     return math.sqrt(value)
 
 
-def tangent(angle: Any) -> Any:
+def tangent(angle: Values) -> Values:
     """Tangent, the same to the last bit for floats and arrays."""
     return through_math(math.tan, angle)
 
 
-def finite(value: Any) -> Any:
+def finite(value: Values) -> Values:
     """Return a number, or an array in which NaN may stand for no value.
 
     Raises:
@@ -111,7 +111,7 @@ def finite(value: Any) -> Any:
     return value
 
 
-def all_nonzero(value: Any) -> bool:
+def all_nonzero(value: Values) -> bool:
     """Whether a number, or every one of an array, is other than 0."""
     return bool(value.all() if is_array(value) else value)
 

@@ -151,7 +151,7 @@ def least_contact_force_gain(clutch: Clutch) -> float | None:
     ratio = unit.ball_circle_radius / float(clutch.mean_radius)
     cubic = law.least_contact_force_cubic(a0, a1, b0, b1, ratio)
     with np.errstate(over="raise", divide="raise", invalid="raise"):
-        roots = np.roots([finite(each) for each in cubic])
+        roots = np.roots([float(finite(each)) for each in cubic])
     real = sorted(root.real for root in roots if abs(root.imag) < 1e-9 * abs(root) and root.real > start)
     return float(real[0]) if real else None
 

@@ -1,9 +1,8 @@
 """Mean radius and feedback gain from what a spec gives."""
 
 import math
-from typing import Any
 
-from ..arrays import tangent
+from ..arrays import Values, tangent
 from ..equations import direct, geometry
 from ..spec.models import Spec
 
@@ -13,22 +12,25 @@ _MEAN_RADIUS = {
 }
 
 
-def mean_radius(spec: Spec) -> Any:
+def mean_radius(spec: Spec) -> Values:
     """R_cp, given or from the two radii."""
     group = spec.friction_group
     if group.mean_radius is not None:
         return group.mean_radius
-    return _MEAN_RADIUS[group.radius_model or "uniform-wear"](group.inner_radius, group.outer_radius)
+    found: Values = _MEAN_RADIUS[group.radius_model or "uniform-wear"](group.inner_radius, group.outer_radius)
+    return found
 
 
-def feedback_gain(spec: Spec) -> Any:
+def feedback_gain(spec: Spec) -> Values:
     """C, given or from the wall angle; 0 without a control unit."""
     unit = spec.control_unit
     if unit is None:
         return 0.0
     if unit.gain is not None:
         return unit.gain
-    return direct.gain(mean_radius(spec), unit.ball_circle_radius, tangent(unit.wall_angle))
+    assert unit.wall_angle is not None
+    found: Values = direct.gain(mean_radius(spec), unit.ball_circle_radius, tangent(unit.wall_angle))
+    return found
 
 
 def angle_given(spec: Spec) -> bool:

@@ -290,7 +290,7 @@ def _given(value: Any) -> Any:
     return value
 
 
-def _one(friction: Values, friction_driven: Any) -> Any:
+def _one(friction: Values, friction_driven: Values | None) -> Values:
     """Return the one friction of all pairs."""
     friction = checked_friction(friction)
     if friction_driven is None or friction_driven is friction:

@@ -41,7 +41,7 @@ def resolved(spec: Spec) -> dict[str, Any]:
     return data
 
 
-def to_toml(data: Mapping[str, Any], about: str = "") -> str:
+def to_toml(data: Mapping[str, object], about: str = "") -> str:
     """Write plain spec data as TOML for people: quantities with their units, what each key is beside it.
 
     Args:
@@ -52,7 +52,7 @@ def to_toml(data: Mapping[str, Any], about: str = "") -> str:
     return "\n".join([*heading, "", *_table(data, "")]) + "\n"
 
 
-def _table(data: Mapping[str, Any], path: str) -> Iterator[str]:
+def _table(data: Mapping[str, object], path: str) -> Iterator[str]:
     """Lines of a table: its keys, then the tables in it."""
     inner = {name: value for name, value in data.items() if isinstance(value, Mapping) and not _scatters(path)}
     for name, value in data.items():
@@ -63,7 +63,7 @@ def _table(data: Mapping[str, Any], path: str) -> Iterator[str]:
         yield from _table(value, f"{path}{name}.")
 
 
-def _has_keys(data: Mapping[str, Any]) -> bool:
+def _has_keys(data: Mapping[str, object]) -> bool:
     return any(not isinstance(value, Mapping) for value in data.values())
 
 
