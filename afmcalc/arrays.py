@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from .messages import say
@@ -61,6 +62,15 @@ def chosen(condition: Any, yes: Callable[[], Values], no: Callable[[], Values]) 
     return yes() if condition else no()
 
 
+def quiet_division(value: Values) -> AbstractContextManager[object]:
+    """Context in which arrays such as ``value`` divide by zero without a warning."""
+    if is_array(value):
+        import numpy as np
+
+        return np.errstate(divide="ignore", invalid="ignore")
+    return nullcontext()
+
+
 def through_math(function: Any, value: Any) -> Any:
     """Apply a function of ``math`` element by element: NumPy's own may differ in the last bit."""
     if is_array(value):
@@ -68,6 +78,15 @@ def through_math(function: Any, value: Any) -> Any:
 
         return np.fromiter(map(function, value.ravel()), float, value.size).reshape(value.shape)
     return function(value)
+
+
+def square_root(value: Values) -> Values:
+    """Square root, the same to the last bit for floats and arrays."""
+    if is_array(value):
+        import numpy as np
+
+        return np.sqrt(value)
+    return math.sqrt(value)
 
 
 def tangent(angle: Any) -> Any:

@@ -1,8 +1,9 @@
 """Errors meant for people: what is wrong, where, what was given, what is allowed."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
-from .messages import say
+from .messages import say, translate
 from .source import Place, Source
 
 MOST_SHOWN = 20
@@ -17,9 +18,21 @@ class AfmcalcError(Exception):
     exit_code = 2
 
     def __str__(self) -> str:
-        """The message, no line of it too long to read."""
-        lines = super().__str__().split("\n")
-        return "\n".join(line if len(line) <= LONGEST_LINE else line[: LONGEST_LINE - 1] + "…" for line in lines)
+        """The message in English, no line of it too long to read."""
+        return _cut(self.text(lambda text: text))
+
+    def told(self) -> str:
+        """The same in the language of the user."""
+        return _cut(self.text(translate))
+
+    def text(self, tell: Callable[[str], str]) -> str:
+        """The message, each sentence as ``tell`` tells it."""
+        return tell(self.args[0]) if self.args else ""
+
+
+def _cut(text: str) -> str:
+    lines = text.split("\n")
+    return "\n".join(line if len(line) <= LONGEST_LINE else line[: LONGEST_LINE - 1] + "…" for line in lines)
 
 
 class FileError(AfmcalcError):
@@ -63,15 +76,15 @@ class Problem(NamedTuple):
         where = self.path
         if self.given is not None:
             where = f"{where} = {self.given}" if where else self.given
-        return f"{where}: {self.message}" if where else self.message
+        return say("{where}: {message}", where=where, message=self.message) if where else self.message
 
     def where(self, source: str) -> str:
         """File, line and column, as far as they are known."""
         return f"{source}:{self.place}" if self.place else source
 
-    def lines(self, source: str) -> list[str]:
+    def lines(self, source: str, tell: Callable[[str], str]) -> list[str]:
         """What is said of it: with the place, and the line of the text."""
-        return [f"{self.where(source)}: {self}", *(self.place.shown() if self.place else ())]
+        return [f"{self.where(source)}: {tell(str(self))}", *(self.place.shown() if self.place else ())]
 
 
 class SpecError(AfmcalcError, ValueError):
@@ -81,10 +94,14 @@ class SpecError(AfmcalcError, ValueError):
         """Collect ``problems`` of the spec read from ``source``; ``more`` are there that nobody looked into."""
         self.source, self.more = source, more
         self.problems = [_placed(problem, source) for problem in problems]
-        shown = [line for problem in self.problems[:MOST_SHOWN] for line in problem.lines(source)]
-        hidden = len(problems[MOST_SHOWN:]) + more
-        rest = [say("{source}: and {hidden:,} more", source=source, hidden=hidden)] if hidden else []
-        super().__init__("\n".join([*shown, *rest]))
+        super().__init__(self.text(lambda text: text))
+
+    def text(self, tell: Callable[[str], str]) -> str:
+        """Every problem on a line of its own, and how many more there are."""
+        shown = [line for problem in self.problems[:MOST_SHOWN] for line in problem.lines(self.source, tell)]
+        hidden = len(self.problems[MOST_SHOWN:]) + self.more
+        rest = [tell(say("{source}: and {hidden:,} more", source=self.source, hidden=hidden))] if hidden else []
+        return "\n".join([*shown, *rest])
 
 
 def _placed(problem: Problem, source: str) -> Problem:

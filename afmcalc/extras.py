@@ -9,9 +9,16 @@ MODULES = {
     "drive": ("scipy",),
     "explain": ("sympy",),
     "plot": ("matplotlib",),
+    "ru": ("babel",),
+    "cad": ("ezdxf",),
     "report": ("jinja2", "matplotlib", "latex2mathml"),
 }
 """Extra → modules it brings."""
+
+
+def installed(extra: str) -> bool:
+    """Whether the modules of an extra are there."""
+    return all(find_spec(name) for name in MODULES[extra])
 
 
 def need(extra: str) -> None:

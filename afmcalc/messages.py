@@ -3,101 +3,51 @@
 A message is a template of ``str.format`` whose fields may end in a unit people use: ``{force:.5g kN}`` sets a force
 given in N. So a template holds no arithmetic and a value stays SI. The English template is the key of the message, as
 in gettext: an error says it where it arises, ``say("{path}: is no table", path=path)``, always a literal so that it can
-be collected; the sentences of findings stand below, by code; descriptions and labels stand beside what they describe
-and are shown through ``translate``.
+be collected; the sentences of findings stand below, by code; descriptions and labels stand beside what they describe.
+
+Inside everything is English. A sentence remembers what it was made of, so that the edge, which alone knows to whom it
+speaks, says it again in the language of the user: ``translate``.
 """
 
-import math
-import re
-import string
 from collections.abc import Mapping
-from typing import SupportsFloat
 
-SCALES = {
-    "N": 1.0,
-    "kN": 1e-3,
-    "mm": 1e3,
-    "N·m": 1.0,
-    "N/mm": 1e-3,
-    "kPa": 1e-3,
-    "MPa": 1e-6,
-    "deg": 180 / math.pi,
-    "kJ": 1e-3,
-    "s": 1.0,
-    "ms": 1e3,
-    "N·m·s": 1.0,
-    "J/mm²": 1e-6,
-    "K": 1.0,
-}
-"""Unit of a field → what a value in SI is multiplied by."""
-
-
-class _Sentence(string.Formatter):
-    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once.
-
-    What is cut off a text, ``{name:.80}``, is marked.
-    """
-
-    def format_field(self, value: object, format_spec: str) -> str:
-        number, _, unit = format_spec.partition(" ")
-        if isinstance(value, str):
-            shown = format(value, number)
-            return shown if len(shown) >= len(value) else f"{shown}…"
-        if not unit:
-            return format(value, number)
-        assert isinstance(value, SupportsFloat)
-        shown = format(float(value) * SCALES[unit.removesuffix("…")], number)
-        return f"{shown}…" if unit.endswith("…") else f"{shown} {unit}"
-
-
-def translate(text: str) -> str:
-    """Return a text in the language of the user; English, so far the only one, is the text itself."""
-    return text
-
-
-def filled(template: str, values: Mapping[str, object]) -> str:
-    """Fill a template that stands in a table, in the language of the user."""
-    return _Sentence().vformat(translate(template), (), values)
-
-
-def say(template: str, /, **values: object) -> str:
-    """Fill a template, in the language of the user.
-
-    >>> say("the force is {force:.5g kN}, {times:g} times too much", force=2000.0, times=2)
-    'the force is 2 kN, 2 times too much'
-    """
-    return filled(template, values)
-
-
-_HIDDEN = re.compile(
-    "[\x00-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb"
-    "\ud800-\udfff\U000e0000-\U000e007f]"
+from .text import (
+    RAISED,
+    SCALES,
+    Text,
+    escaped,
+    filled,
+    joined,
+    localized,
+    printable,
+    say,
+    say_many,
+    speaking,
+    spoken,
+    term,
+    told,
+    translate,
 )
-"""Characters that act on a terminal, turn the direction of writing, are not seen, or are none (undecodable bytes)."""
 
-
-def printable(text: str, *, lines: bool = False) -> str:
-    r"""Return a text that may hold anything (names, keys, arguments) such that it shows what it is, and only that.
-
-    The escapes are those of JSON: a JSON text so treated says the same as before.
-
-    Args:
-        text: any text.
-        lines: whether ends of lines are meant as such.
-
-    >>> print(printable("a\x1b[31m \u202eb\n"))
-    a\u001b[31m \u202eb\n
-    """
-    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else escaped(sign[0]), text)
-
-
-def escaped(sign: str) -> str:
-    """Return a character as JSON escapes it."""
-    if sign in "\n\r\t":
-        return repr(sign)[1:-1]
-    words = sign.encode("utf-16-be", "surrogatepass").hex()
-    return "".join(f"\\u{words[at : at + 4]}" for at in range(0, len(words), 4))
-
+__all__ = [
+    "FINDINGS",
+    "RAISED",
+    "SCALES",
+    "Text",
+    "escaped",
+    "filled",
+    "joined",
+    "localized",
+    "printable",
+    "say",
+    "say_many",
+    "sentence",
+    "speaking",
+    "spoken",
+    "term",
+    "told",
+    "translate",
+]
 
 FINDINGS: Mapping[str, str] = {
     "slips-averaged": "every slip swings the load from {value:.5g N·m} (fatigue.load_low) to T(f) and back; every "
@@ -155,6 +105,16 @@ FINDINGS: Mapping[str, str] = {
     "springs, gap or list",
     "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
     "clearance need",
+    "wall-undercut": "no curved wall for this ball: travel, gap and clearance need a ball of at least "
+    "{needed:.5g mm}, it is {value:.5g mm}, and from {limit:.5g mm} on the ball undercuts the wall: softer springs, a "
+    "smaller gap or clearance make it possible",
+    "wall-undercut/gain": "no curved wall for this ball: travel, gap and clearance need a ball of at least "
+    "{needed:.5g mm}, it is {value:.5g mm}, and from {limit:.5g mm} on the ball undercuts the wall: a gain of "
+    "{gain:.4g} makes it possible; so do softer springs, a smaller gap or clearance",
+    "both-sleeves-unstable": "with the curved wall in both sleeves nothing makes the ball share the travel equally: "
+    "F_o (tan α_1 − tan α_2) drives it on into the steeper wall. Give it a cage, or profile one sleeve",
+    "ball-slides-in-seat": "the ball stays seated in the sleeve with the straight walls and slides there: the gain is "
+    "that of rolling only as far as its friction is small",
     "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
     "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
     "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
@@ -217,6 +177,8 @@ FINDINGS: Mapping[str, str] = {
     "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
     "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
     "any-stiffness": "{path} is not given: any stiffness will do",
+    "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g N}, more than the "
+    "allowable {limit:.5g N}: the curved wall pushes the ball across it",
     # surface pressure
     "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
     "above the allowable {low:g kPa…}{high:g kPa} of {name}",
@@ -232,6 +194,9 @@ FINDINGS: Mapping[str, str] = {
     "below the allowable {low:g kPa} of {name}",
     "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
     "no-candidate/attainable": "none of {candidates:,} candidates meets every requirement: {listed}; give up {names}",
+    "returning-covered": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
+    "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m} and within its margin over the machine's "
+    "{machine:.5g N·m}: the friction at the key holds the sleeve back",
     "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
     "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
     "unexpected-verdict": "{row}: {verdict}; on record is: {record}",
@@ -246,6 +211,15 @@ FINDINGS: Mapping[str, str] = {
     "hysteresis": (
         "the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction has "
         "fallen {value:.4g} times, and the torque then stays below the rising branch; full unloading reseats it"
+    ),
+    "torque-falls-with-travel": (
+        "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold the torque: a load that "
+        "reaches {most:.5g N·m} makes the sleeve run off its stop, and the torque jumps, to {falls:.5g N·m} at f_max"
+    ),
+    "torque-jumps": (
+        "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold the torque, and above "
+        "{jumping:.4g 1/mm}: the sleeve jumps off its stop even as friction rises in slip, and the torque jumps down "
+        "from {most:.5g N·m}, to {falls:.5g N·m} at f_max"
     ),
     "material": "{name}: friction {low:g}…{high:g} from the catalogue ({source})",
     "nominal-torque-missed": (

@@ -165,7 +165,13 @@ VARIANTS: dict[str, Variant] = {
                 ("control_spring",),
             ),
             requires=(("closing_spring", "stiffness"),),
-            takes=(("control_unit", "sleeve_mass"), ("drive", "hub_inertia")),
+            takes=(
+                ("control_unit", "gain_slope"),
+                ("control_unit", "pocket"),
+                ("control_unit", "profiled"),
+                ("control_unit", "sleeve_mass"),
+                ("drive", "hub_inertia"),
+            ),
             example="indirect",
         ),
     )

@@ -17,6 +17,7 @@ settings.register_profile("person", deadline=None)
 settings.register_profile("machine", deadline=None, derandomize=True)
 settings.load_profile("machine" if os.environ.get("CI") else "person")
 
+os.environ["AFMCALC_LANG"] = "en"  # whoever runs the tests
 os.environ.pop("COLUMNS", None)  # tables are as wide as they need to be, whoever runs the tests
 
 ROOT = Path(__file__).parents[1]

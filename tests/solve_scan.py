@@ -24,7 +24,8 @@ POINTS = 4001
 LEVEL = 1e-11
 """Relative difference below which nothing depends on the parameter."""
 WHOLE = ("z", "z1")
-ONLY = {"C": "differentiated unlike all-driving indirect", "z1": "differentiated unlike", "c1": "indirect", "c2": "indirect"}  # fmt: skip
+ONLY = {"C": "differentiated unlike all-driving indirect", "z1": "differentiated unlike"}
+ONLY |= dict.fromkeys(("c1", "c2", "gain_slope"), "indirect")
 VARIANTS = "conventional differentiated unlike all-driving indirect"
 
 
@@ -84,6 +85,9 @@ def random_spec(rng: np.random.Generator, name: str) -> dict[str, Any]:
         unit["wall_angle"] = math.atan(gain * unit["ball_circle_radius"] / radius)
     else:
         unit["gain"] = gain
+    # with both forces as made steep pockets make the torque jump over values: no scan sees how
+    if variant == "indirect" and "force" not in data["control_spring"] and rng.random() < 0.3:
+        unit |= {"pocket": "constant-torque"} if rng.random() < 0.3 else {"gain_slope": 10 ** rng.uniform(-1, 3)}
     return data
 
 
@@ -104,7 +108,7 @@ def scan(case: Case) -> Scan:
             x = x[x > spec.bypass_pairs]
     else:
         x = np.geomspace(1e-6, 1e13, POINTS)
-        x = np.concatenate([[0.0], x]) if case.name in ("C", "c2") else x
+        x = np.concatenate([[0.0], x]) if case.name in ("C", "c2", "gain_slope") else x
     unit, angle = spec.control_unit, spec.control_unit is not None and spec.control_unit.wall_angle is not None
     if spec.variant == "indirect":
         threshold = 2 * clutch.mean_radius * unit.key_friction / unit.hub_diameter

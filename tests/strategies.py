@@ -40,24 +40,36 @@ def direct_specs(
 
 
 @st.composite
-def indirect_specs(draw: st.DrawFn, methods: tuple[str, ...] = ("min-friction", "mean-friction")) -> Any:
-    """A spec of an indirect clutch whose gain overcomes the key."""
+def indirect_specs(
+    draw: st.DrawFn, methods: tuple[str, ...] = ("min-friction", "mean-friction"), *, curved: bool = False
+) -> Any:
+    """A spec of an indirect clutch whose gain overcomes the key; curved: with pockets about those that hold the torque."""
     radius, key, hub = draw(st.floats(0.05, 0.3)), draw(st.floats(0, 0.3)), draw(st.floats(0.03, 0.2))
     threshold = 2 * radius * key / hub
+    own, method = draw(ranges()), draw(st.sampled_from(methods))
+    pairs, force = draw(st.integers(1, 20)), draw(st.floats(100, 1e4))
+    closing, control = draw(st.floats(1e3, 1e5)), draw(st.floats(0, 1e5))
+    unit = {
+        "gain": threshold + draw(st.floats(1e-3, 5)),
+        "ball_circle_radius": draw(st.floats(0.02, 0.2)),
+        "hub_diameter": hub,
+        "key_friction": key,
+        "balls": draw(st.integers(3, 12)),
+    }
+    if curved:
+        at_set = own["min" if method == "min-friction" else "mean"]
+        holding = (closing + control) / (pairs * at_set * force)
+        unit["gain_slope"] = holding * draw(
+            st.one_of(st.just(0.0), st.just(1.0), st.floats(1e-3, 1.1), st.floats(1, 4))
+        )
     return make_spec(
         {
             "variant": "indirect",
-            "friction": draw(ranges()),
-            "friction_group": {"pairs": draw(st.integers(1, 20)), "mean_radius": radius},
-            "closing_spring": {"force": draw(st.floats(100, 1e4)), "stiffness": draw(st.floats(1e3, 1e5))},
-            "control_spring": {"stiffness": draw(st.floats(0, 1e5))},
-            "control_unit": {
-                "gain": threshold + draw(st.floats(1e-3, 5)),
-                "ball_circle_radius": draw(st.floats(0.02, 0.2)),
-                "hub_diameter": hub,
-                "key_friction": key,
-                "balls": draw(st.integers(3, 12)),
-            },
-            "adjustment": {"method": draw(st.sampled_from(methods)), "margin": draw(st.floats(1, 2))},
+            "friction": own,
+            "friction_group": {"pairs": pairs, "mean_radius": radius},
+            "closing_spring": {"force": force, "stiffness": closing},
+            "control_spring": {"stiffness": control},
+            "control_unit": unit,
+            "adjustment": {"method": method, "margin": draw(st.floats(1, 2))},
         }
     )

@@ -1,8 +1,12 @@
 """What the README shows is what the program prints."""
 
+import os
 import re
+import subprocess
+import sys
+import tomllib
 
-from conftest import CONFIGS, ROOT
+from conftest import ROOT
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -26,9 +30,30 @@ def test_the_spec_and_every_command_are_there(afmcalc, tmp_path):
         assert f"`afmcalc {name} " in README or f"`afmcalc {name}`" in README, name
 
 
-def test_python_example(tmp_path, monkeypatch, afmcalc):
+def test_line_by_line_in_an_empty_folder(tmp_path, monkeypatch):
+    """Every shell line in the order of the page, then the Python, with nothing but the installed package."""
     monkeypatch.chdir(tmp_path)
-    afmcalc("init", "clutch.toml")
-    (tmp_path / "requirements.toml").write_bytes((CONFIGS / "requirements.toml").read_bytes())
+    program = tmp_path / "bin"
+    program.mkdir()
+    (program / "afmcalc").write_text(f'#!/bin/sh\nexec {sys.executable} -m afmcalc "$@"\n')
+    (program / "afmcalc").chmod(0o755)
+    environment = {**os.environ, "PATH": f"{program}:{os.environ['PATH']}", "PYTHONPATH": str(ROOT)}
+    lines = [line for block in re.findall(r"```sh\n(.*?)```", README, re.DOTALL) for line in block.splitlines()]
+    ours = [line.split("&& ")[-1] for line in lines if "afmcalc" in line.split("#")[0] and "pytest" not in line]
+    assert len(ours) > 10
+    for line in ours:
+        run = subprocess.run(line, shell=True, env=environment, capture_output=True, text=True, check=False)
+        assert run.returncode == 0, (line, run.stderr)
+        assert "rror" not in run.stderr, line
     (code,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     exec(code, {})
+    extras = set(
+        tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    )
+    assert set(re.findall(r"\[([a-z,]+)\]'", README)) <= extras
+
+
+def test_the_pictures_are_those_that_are_drawn_today():
+    pictures = re.findall(r"!\[[^]]+\]\(([^)]+)\)", README)
+    assert len(pictures) == 2
+    assert all((ROOT / picture).parent.name == "baseline" and (ROOT / picture).is_file() for picture in pictures)

@@ -13,7 +13,10 @@ PACKAGE = Path(afmcalc.__file__).parent
 LINE = ("equations", "ground", "variants", "proofs", "spec", "engines", "papers", "analysis", "render", "cli", "door")
 """A room imports from itself and from rooms to its left."""
 
-GROUND = {"result", "findings", "errors", "messages", "arrays", "extras", "source", "spans", "spelling", "watch"}
+GROUND = {
+    *("result", "findings", "errors", "messages", "text", "language", "arrays", "extras"),
+    *("source", "spans", "spelling", "watch"),
+}
 MAY_ONLY = {"equations": set(), "ground": set(), "proofs": {"equations"}}
 """Rooms that know less than what is left of them."""
 

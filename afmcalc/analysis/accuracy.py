@@ -37,6 +37,9 @@ class AccuracyResult(Result):
     equivalent_gain: float | None = quantity(
         "1", "C_eff", "gain of the all-driving clutch with the same torque curve", optional=True
     )
+    constant_torque_slope: float | None = quantity(
+        "1/m", "C_1*", "growth of the gain with travel at which pockets hold the torque", optional=True
+    )
     nominal_torque_ratio: float | None = quantity(
         "1",
         "K_п",
@@ -69,6 +72,7 @@ def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyRes
         gain_limit=clutch.gain_limit,
         gain_threshold=clutch.gain_threshold,
         equivalent_gain=clutch.equivalent_gain,
+        constant_torque_slope=clutch.constant_torque_slope,
         nominal_torque_ratio=clutch.nominal_torque_ratio,
         sensitivity=clutch.sensitivity(),
         sweep=swept,

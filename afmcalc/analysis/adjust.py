@@ -11,7 +11,7 @@ from ..result import Result, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import with_nominal_torque
 from ..spec.models import Method
-from .torque import scatter, triple
+from .torque import triple
 
 METHODS: tuple[Method, Method] = ("min-friction", "mean-friction")
 
@@ -56,7 +56,9 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     bands = [result.scatter for result in results]
     ratio = _ratio(clutch, first, bands)
     narrower: Literal["min-friction", "mean-friction", "equal"] = "equal"
-    if ratio is not None and abs(ratio - 1) > 1e-12:
+    if ratio is None and bands[1] > 1e-12 * nominal:
+        narrower = METHODS[0]
+    elif ratio is not None and abs(ratio - 1) > 1e-12:
         narrower = METHODS[0] if ratio > 1 else METHODS[1]
     rule = clutch.spec.kind.gain_limit
     # a limit of the reduced gain follows the pairs asked for
@@ -80,14 +82,14 @@ def _method(clutch: Clutch) -> MethodResult:
     return MethodResult(
         closing_force=clutch.closing_force,
         torque=torque,
-        scatter=scatter(clutch),
+        scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
     )
 
 
 def _ratio(clutch: Clutch, set_at_min: Clutch, bands: list[float]) -> float | None:
-    """ΔT_2/ΔT_1; None when friction does not wander at all."""
-    if bands[0] == 0:
+    """ΔT_2/ΔT_1; None when the torque does not wander at all, for friction does not, or pockets hold it."""
+    if bands[0] <= 1e-12 * float(set_at_min.torque_max):
         return None
     if clutch.friction_set is not None:
         # the stop moves with the setting, and K_т with it

@@ -9,11 +9,12 @@ from ..engines import build
 from ..engines.protocol import Clutch
 from ..errors import SpecError
 from ..findings import Finding, finding
+from ..messages import joined, say, term
 from ..result import Result, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import as_variant, with_force, with_nominal_torque
 from ..variants import VARIANTS
-from .torque import scatter, triple
+from .torque import triple
 
 
 class ComparedClutch(Result):
@@ -65,7 +66,8 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
         except SpecError as error:
             missing.append(_missing(variant, error))
             continue
-        rows += [_row(by_force, "spring force", spec.name), _row(by_torque, "nominal torque", spec.name)]
+        by_name = term("spring force"), term("nominal torque")
+        rows += [_row(own, basis, spec.name) for own, basis in zip((by_force, by_torque), by_name, strict=True)]
         remarks += [_named(remark, variant) for each in (by_force, by_torque) for remark in each.findings()]
     rows.sort(key=lambda row: row.basis != "spring force")
     return CompareResult(clutches=rows), [*dict.fromkeys(remarks), *missing]
@@ -82,7 +84,7 @@ def _names(specs: Sequence[Spec]) -> list[str | None]:
 
 def _named(remark: Finding, name: str) -> Finding:
     """Say which clutch a finding is about."""
-    return replace(remark, message=f"{name}: {remark.message}")
+    return replace(remark, message=say("{name}: {message}", name=name, message=remark.message))
 
 
 def _row(clutch: Clutch, basis: str | None, name: str | None) -> ComparedClutch:
@@ -96,7 +98,7 @@ def _row(clutch: Clutch, basis: str | None, name: str | None) -> ComparedClutch:
         gain=clutch.gain,
         reduced_gain=clutch.reduced_gain,
         torque=torque,
-        scatter=scatter(clutch),
+        scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         gain_limit=clutch.gain_limit,
@@ -106,5 +108,5 @@ def _row(clutch: Clutch, basis: str | None, name: str | None) -> ComparedClutch:
 
 
 def _missing(variant: str, error: SpecError) -> Finding:
-    lacks = "; ".join(str(problem) for problem in error.problems)
-    return finding("variant-not-possible", "info", variant=variant, lacks=lacks)
+    lacks = joined(map(str, error.problems), "; ")
+    return finding("variant-not-possible", "info", variant=term(variant), lacks=lacks)

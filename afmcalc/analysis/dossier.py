@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from ..engines import build
 from ..errors import CalculationError
 from ..findings import Finding
-from ..messages import filled, translate
+from ..messages import filled, term
 from ..result import Result
 from ..spec import Spec
 from ..watch import Progress, unwatched
@@ -105,7 +105,7 @@ def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> T
     assert section is not None
     return Topic(
         name=analysis.name,
-        title=translate(section.title),
+        title=section.title,
         about=_said(section.about, result),
         conclusion=_said(section.conclusion, result),
         sources=section.sources_indirect or section.sources if answers.clutch.spec.kind.travels else section.sources,
@@ -118,7 +118,10 @@ def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> T
 
 def _said(told: Told, result: Result) -> str:
     """Fill what a section says with the fields of its result."""
-    return filled(told(result) if callable(told) else told, dict(result))
+    return filled(
+        told(result) if callable(told) else told,
+        {name: term(each) if isinstance(each, str) else each for name, each in dict(result).items()},
+    )
 
 
 def _figure(plot: Plot, answers: Answers) -> Any:

@@ -10,7 +10,7 @@ from ..spec import builtin
 class ExampleRow(Result):
     """One file: any SPEC argument takes ``example:`` with its name."""
 
-    name: str = quantity("", None, "name after example:")
+    name: str = quantity("", None, "name after example:", code=True)
     variant: str | None = quantity("", None, "variant of the clutch", optional=True)
     about: str = quantity("", None, "what it is")
 

@@ -14,11 +14,12 @@ if TYPE_CHECKING:
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
     from .design.design import DesignResult
     from .effects.curve import EffectsCurve
+    from .shop import ShopDrawing
     from .simulate.history import MomentRow
     from .simulate.result import SimulateResult
     from .springs.curve import SpringsCurve
-    from .synthesize import SynthesisResult
     from .tolerance.study import Study
+    from .unit import SynthesisResult
 
 _SINGLE = {"clutch": "SPEC", "names": "NAME", "requirements": "REQUIREMENTS"}
 """What stands alone, as the help calls it."""
@@ -31,6 +32,12 @@ class Request(NamedTuple):
     """``Answers`` of clutches, names of the papers' figures, or requirements."""
     sweep: str | None = None
     model: StressRule | None = None
+    profile: str | None = None
+    """File for the wall of a pocket, as CSV."""
+    cutter: float | None = None
+    """Diameter of the cutter that cuts it, m."""
+    chord: float | None = None
+    """How far a chord may lie off it, m."""
     progress: Progress = unwatched
     """Is told how many candidates of a design are behind."""
 
@@ -108,7 +115,7 @@ def check_request(name: str, request: Request) -> None:
                 count=len(request.subjects),
             )
         )
-    for option in ("sweep", "model"):
+    for option in ("sweep", "model", "profile", "cutter", "chord"):
         if getattr(request, option) is not None and option not in plot.options:
             raise AfmcalcError(say("plot {name} has no use for --{option}", name=name, option=option))
 
@@ -174,6 +181,21 @@ def _springs(request: Request) -> "SpringsCurve":
     from .springs.curve import springs_curve
 
     return springs_curve(request.subjects[0].clutch)
+
+
+def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
+    """Lay out the pockets of a clutch for the shop; ``name``: the plot that was asked.
+
+    Raises:
+        AfmcalcError: no one clutch with a control unit, or a pocket that cannot be cut.
+    """
+    from .shop import shop_drawing
+    from .wall import CHORD
+
+    check_request(name, request)
+    (answers,) = request.subjects
+    found, _ = answers.ask("synthesize")
+    return shop_drawing(answers.clutch, found, request.cutter, CHORD if request.chord is None else request.chord)
 
 
 def _tolerance(request: Request) -> ToleranceFigure:

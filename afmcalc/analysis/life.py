@@ -7,7 +7,7 @@ from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..errors import AfmcalcError, Problem, SpecError
 from ..findings import Finding, finding
-from ..messages import say
+from ..messages import joined, say, term
 from ..result import Result, Series, quantity
 from ..spec.fatigue import Fatigue
 from ..spec.models import Method
@@ -218,11 +218,11 @@ def _unlimited(
     each_slip, found = RULES[model].each_slip, []
     for side, factor in sides.items():
         if below := _below(part, model, {method: load.times(factor) for method, load in loads.items()}):
-            listed = ", ".join(say("{stress:.4g MPa} ({method})", stress=s, method=m) for m, s in below.items())
+            listed = joined(say("{stress:.4g MPa} ({method})", stress=s, method=term(m)) for m, s in below.items())
             found.append(
                 finding(
                     "life-not-limited/no-number" if each_slip else "life-not-limited/extrapolated", "info",
-                    value=min(below.values()), limit=limit, path=path, side=side, listed=listed,
+                    value=min(below.values()), limit=limit, path=path, side=term(side), listed=listed,
                 )
             )  # fmt: skip
     return found
@@ -241,5 +241,7 @@ def _static(part: Fatigue, load: Load, sides: Mapping[str, float | None]) -> lis
     for side, factor in sides.items():
         if is_static(part, load.times(factor)):
             top = float(law.shear_stress(load.times(factor).most, part.polar_section_modulus))
-            found.append(finding("static-strength-exceeded", "error", value=top, limit=limit, path=path, side=side))
+            found.append(
+                finding("static-strength-exceeded", "error", value=top, limit=limit, path=path, side=term(side))
+            )
     return found

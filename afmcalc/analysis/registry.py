@@ -200,7 +200,10 @@ ANALYSES: dict[str, Analysis] = {
                 _ball,
                 ("S21",),
             ),
-            plot=Plot("pocket", "section through ball and pockets, to scale", "clutch"),
+            plot=Plot(
+                "pocket", "section through ball and pockets, to scale; .dxf and .svg for the shop", "clutch",
+                ("profile", "cutter", "chord"),
+            ),
         ),
         Analysis(
             "life", "analysis.life", "LifeResult", "clutch", lambda clutch: clutch.spec.fatigue is not None,

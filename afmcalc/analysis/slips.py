@@ -7,6 +7,7 @@ every one of its range as likely as another, and the life is that of the mean da
 
 import math
 from collections.abc import Callable
+from functools import reduce
 from typing import NamedTuple
 
 from ..arrays import Values, all_nonzero, finite, is_array, larger, smaller
@@ -48,7 +49,7 @@ class Load(NamedTuple):
     """Torque of a clutch along its friction range."""
 
     torque: Callable[[Values], Values]
-    """Share (0…1) of the way along the range → slip torque, N·m; monotone."""
+    """Share (0…1) of the way along the range → slip torque, N·m; monotone between its kinks."""
     kinks: tuple[Values, ...] = ()
     """Shares of the way at which it is not smooth: where the sleeve of an indirect clutch leaves its stop."""
     factor: Values | None = None
@@ -56,13 +57,14 @@ class Load(NamedTuple):
 
     @property
     def least(self) -> Values:
-        """Smallest torque, N·m."""
+        """Smallest torque, N·m: at a kink there is none."""
         return smaller(self.torque(0.0), self.torque(1.0))
 
     @property
     def most(self) -> Values:
         """Largest torque, N·m."""
-        return larger(self.torque(0.0), self.torque(1.0))
+        ends = larger(self.torque(0.0), self.torque(1.0))
+        return reduce(larger, (self.torque(_within(kink)) for kink in self.kinks), ends)
 
     def low(self, torque: Values) -> Values:
         """Torque T_low from which a slip swings the load, on this side, N·m."""
@@ -96,7 +98,7 @@ def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
         found: Values = clutch.torque(driving, driven)
         return found
 
-    leaving = clutch.friction_set
+    leaving = clutch.leaving_friction
     if leaving is None:
         return Load(torque)
     way = first.max - starts[0]
@@ -164,30 +166,46 @@ def _line(part: Fatigue, stress: Values) -> Values:
 def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Values, ...]) -> Values:
     """Slips to failure, 1/E[1/N] over the friction range; NaN where no slip comes above the endurance limit.
 
-    The stress is monotone, so that it crosses the endurance limit once: what lies above is integrated, piece by piece.
+    Between its kinks the stress is monotone, and crosses the endurance limit once: what lies above is integrated.
     """
     import numpy as np
 
     limit, line = part.endurance_limit, (part.exponent, part.base_cycles)
-    least, most = (np.asarray(stress(end)) for end in (0.0, 1.0))
-    least, most = np.broadcast_arrays(least, most)
-    rising = most >= least
-    low, high = np.zeros(rising.shape), np.ones(rising.shape)
+    edges = [0.0, *map(_within, kinks), 1.0]
+    damage, most = np.zeros(()), np.full((), -np.inf)
+    for left, right in zip(edges, edges[1:], strict=False):
+        if np.any(left != right):
+            added, largest = _piece(stress, limit, line, left, right)
+            damage, most = damage + added, np.maximum(most, largest)
+    with np.errstate(all="ignore"):
+        found = np.where((most > limit) & (damage > 0), 1 / damage, np.nan)
+    if found.ndim:
+        return found
+    return math.nan if np.isnan(found) else float(law.cycles_of_mean_damage(float(damage)))
+
+
+def _piece(
+    stress: Callable[[Values], Values], limit: float, line: tuple[float, float], left: Values, right: Values
+) -> tuple[Values, Values]:
+    """Damage of the slips between two shares, between which the stress is monotone, and the largest stress."""
+    import numpy as np
+
+    first, last = np.broadcast_arrays(*(np.asarray(stress(end)) for end in (left, right)))
+    rising = last >= first
+    low, high = (np.broadcast_to(np.asarray(end, float), rising.shape) for end in (left, right))
     for _ in range(_HALVINGS):
         middle = (low + high) / 2
         below = (stress(middle) > limit) == rising
         low, high = np.where(below, low, middle), np.where(below, middle, high)
-    begin, end = np.where(rising, low, 0.0), np.where(rising, 1.0, high)
-    edges = [begin, *(np.clip(kink, begin, end) for kink in kinks), end]
+    begin, end = np.where(rising, low, left), np.where(rising, right, high)
+    half = (end - begin) / 2
     x, weights = np.polynomial.legendre.leggauss(_NODES)
-    damage = np.zeros(rising.shape)
+    at = begin + half * (1 + x.reshape(-1, *(1,) * half.ndim))
     with np.errstate(all="ignore"):
-        for left, right in zip(edges, edges[1:], strict=False):
-            half = (right - left) / 2
-            at = left + half * (1 + x.reshape(-1, *(1,) * half.ndim))
-            rates = 1 / np.asarray(law.cycles(limit, stress(at), *line))
-            damage = damage + half * np.tensordot(weights, np.broadcast_to(rates, at.shape), axes=1)
-        found = np.where((np.maximum(least, most) > limit) & (damage > 0), 1 / damage, np.nan)
-    if found.ndim:
-        return found
-    return math.nan if np.isnan(found) else float(law.cycles_of_mean_damage(float(damage)))
+        rates = 1 / np.asarray(law.cycles(limit, stress(at), *line))
+        return half * np.tensordot(weights, np.broadcast_to(rates, at.shape), axes=1), np.maximum(first, last)
+
+
+def _within(kink: Values) -> Values:
+    """A kink as a share of the way, moved to the end it lies beyond."""
+    return larger(smaller(kink, 1.0), 0.0)

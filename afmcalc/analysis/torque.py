@@ -3,9 +3,7 @@
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from ..arrays import larger, smaller
 from ..engines.protocol import Clutch
-from ..equations import accuracy
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
@@ -33,6 +31,7 @@ class TorqueResult(Result):
     control_force: float | None = quantity("N", "F_п2", "control-spring force as set", optional=True)
     pack_force_at_rest: float | None = quantity("N", "N(0)", "force on the pack of the clutch at rest", optional=True)
     gain: float = quantity("1", "C", "feedback gain")
+    gain_slope: float | None = quantity("1/m", "C_1", "how the gain grows with the sleeve's travel", optional=True)
     reduced_gain: float = quantity("1", "z_2 C", "reduced gain")
     friction: Triple | None = quantity("1", "f", "coefficient of friction", optional=True)
     friction_driving: Triple | None = quantity("1", "f_1", "friction of the driving pairs", optional=True)
@@ -73,6 +72,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         machine_torque=clutch.machine_torque,
         closing_force=clutch.closing_force,
         gain=clutch.gain,
+        gain_slope=clutch.gain_slope or None,
         reduced_gain=clutch.reduced_gain,
         **friction_triples(clutch),
         torque=_triple(torques),
@@ -82,7 +82,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         pack_force_at_rest=None if clutch.control_force is None else clutch.pack_force_at_rest,
         travel=_triple_or_none(travels),
         torque_returning=_triple_or_none([clutch.torque_returning(end[0]) for end in ends]),
-        scatter=scatter(clutch),
+        scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
         points=asked or None,
     )
@@ -115,13 +115,6 @@ def triple(clutch: Clutch, function: Callable[..., Any]) -> Triple:
     """Evaluate ``function(f_1, f_2)`` at the smallest, mean and largest friction."""
     first, second = clutch.friction
     return _triple([function(a, b) for a, b in zip(first, second, strict=True)])
-
-
-def scatter(clutch: Clutch) -> float:
-    """ΔT between the torques at the ends of the friction range, whichever is the larger."""
-    first, second = clutch.friction
-    ends = clutch.torque(first.min, second.min), clutch.torque(first.max, second.max)
-    return float(accuracy.scatter_band(larger(*ends), smaller(*ends)))
 
 
 def _triple(values: list[float]) -> Triple:

@@ -5,8 +5,9 @@ import sys
 import warnings
 from typing import NoReturn
 
-from ..messages import say
+from ..messages import speaking, told
 from .signals import watch
+from .speech import chosen, heard, without_lang
 from .streams import drop_output, prepare, tell
 
 FAULT = 70
@@ -18,15 +19,28 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     _tune()
     prepare()
     given = sys.argv[1:] if arguments is None else arguments
+    from ..errors import AfmcalcError
+
+    try:
+        language = chosen(given, os.environ)
+    except AfmcalcError as error:
+        _complain(str(error))
+        sys.exit(error.exit_code)
+    with speaking(language):
+        _end(without_lang(given))
+
+
+def _end(given: list[str]) -> NoReturn:
+    """Run a command line and end with its exit code."""
     try:
         sys.exit(_run(given))
     except OSError as error:
         drop_output()
-        named = error.filename or say("standard output")
-        _complain(say("{named}: cannot be written: {why}", named=named, why=error.strerror or error))
+        named = error.filename or told("standard output")
+        _complain(told("{named}: cannot be written: {why}", named=named, why=error.strerror or error))
         sys.exit(3)
     except MemoryError:
-        _complain(say("not enough memory for what was asked"))
+        _complain(told("not enough memory for what was asked"))
         sys.exit(2)
     except KeyboardInterrupt:
         sys.exit(130)
@@ -44,7 +58,7 @@ def _run(given: list[str]) -> int:
     try:
         code = application(given)(given, prog_name="afmcalc", standalone_mode=False)
     except AfmcalcError as error:
-        for line in str(error).split("\n"):
+        for line in error.told().split("\n"):
             _complain(line)
         return error.exit_code
     except Exception as error:
@@ -63,20 +77,20 @@ def _misused(error: Exception, given: list[str]) -> int:
         context = getattr(error, "ctx", None)
         if context is not None:
             tell(context.get_usage())
-            tell(say("Try '{path} --help' for help.", path=context.command_path))
-        _complain(said().rstrip("."))
+            tell(told("Try '{path} --help' for help.", path=context.command_path))
+        _complain(heard(said().rstrip(".")))
     return 2
 
 
 def _complain(text: str) -> None:
     """Say what is wrong; a line of a text that is shown belongs to what was said before."""
-    tell(text if text.startswith(" ") else say("error: {text}", text=text))
+    tell(text if text.startswith(" ") else told("error: {text}", text=text))
 
 
 def _unexpected(error: Exception) -> int:
     """Say that a calculation left the range of numbers, or that afmcalc is at fault."""
     if _is_beyond_numbers(error):
-        _complain(say("a result is not finite (beyond the range of numbers): check the magnitudes in the spec"))
+        _complain(told("a result is not finite (beyond the range of numbers): check the magnitudes in the spec"))
         return 2
     import traceback
 
@@ -86,7 +100,7 @@ def _unexpected(error: Exception) -> int:
         tell("".join(traceback.format_exception(error)))
     at = traceback.extract_tb(error.__traceback__)[-1]
     _complain(
-        say(
+        told(
             "this is a fault of afmcalc {version}, not of what it was given: {kind}: {why} ({file}, line {line})",
             version=__version__,
             kind=type(error).__name__,
@@ -96,7 +110,7 @@ def _unexpected(error: Exception) -> int:
         )
     )
     _complain(
-        say(
+        told(
             "please report it: this line, the command line and the spec; AFMCALC_TRACEBACK=1 before the command shows "
             "where it comes from"
         )

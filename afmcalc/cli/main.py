@@ -1,13 +1,16 @@
 """The afmcalc program: its commands and its help."""
 
 from importlib import import_module
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
+from ..language import ENGLISH
+from ..messages import spoken
 from .help import Command, Program
+from .options import LANG
 
 COMMANDS = {
     **{name: analysis.group for name, analysis in ANALYSES.items()},
@@ -19,7 +22,7 @@ COMMANDS = {
 """Command → module of this package that holds the function of that name, in the order of the help."""
 
 
-def application(arguments: list[str]) -> typer.Typer:
+def application(arguments: list[str]) -> Any:
     """Build the program for a command line.
 
     Only the command that is called is imported and registered; all of them when none is (help, a misspelt name).
@@ -38,7 +41,11 @@ def application(arguments: list[str]) -> typer.Typer:
     for name in [called] if called else COMMANDS:
         module = import_module(f".{COMMANDS[name]}", __package__)
         app.command(name, cls=Command)(getattr(module, name))
-    return app
+    if spoken() == ENGLISH:
+        return app
+    from .speech import translated
+
+    return translated(typer.main.get_command(app))
 
 
 def _version(asked: bool) -> None:
@@ -51,6 +58,7 @@ def _afmcalc(
     version: Annotated[
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version.")
     ] = False,
+    lang: Annotated[str | None, typer.Option("--lang", metavar="NAME", help=LANG)] = None,
 ) -> None:
     """Design calculator for adaptive friction clutches (torque limiters with feedback).
 

@@ -11,11 +11,13 @@ from typing import Annotated, Any, Literal, get_args
 import typer
 
 from ..errors import AfmcalcError
-from ..messages import say
+from ..messages import say, told
 from .files import SPEC, Kind, format_of, format_of_spec, refuse, result_kind, write
 from .names import completing, paths
 from .signals import unreported
 from .streams import tell
+
+LANG = "Language: en or ru; else by AFMCALC_LANG or the locale."
 
 SpecArgument = Annotated[
     str | None,
@@ -52,6 +54,7 @@ class Common:
     force: Annotated[bool, typer.Option("--force", help="Replace FILE, whatever it is.")] = False
     yes: Annotated[bool, typer.Option("--yes", help="Go on with what takes longer than a minute.")] = False
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False
+    lang: Annotated[str | None, typer.Option("--lang", metavar="NAME", help=LANG)] = None
 
     @property
     def chosen_format(self) -> str:
@@ -91,7 +94,7 @@ class Common:
     def note(self, text: str) -> None:
         """Say something beside the result."""
         if not self.quiet:
-            tell(say("note: {text}", text=text))
+            tell(told("note: {text}", text=text))
 
     def wrote(self, text: str) -> None:
         """Report what was written."""

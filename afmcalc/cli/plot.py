@@ -11,19 +11,29 @@ from .files import PLOT, write, write_file
 from .names import completing, plots, swept
 from .options import Common, common_options
 from .progress import Bar
-from .run import build_from, need_drawing
+from .run import need_drawing
+from .shop import answers_of, for_the_shop, length
 
 if TYPE_CHECKING:
     from ..analysis.figures import Request
     from ..render.plot.chart import Sheet
 
-_ENDINGS = ("png", "svg", "pdf")
+_ENDINGS = ("png", "svg", "pdf", "dxf")
+_SHOP = ("dxf", "svg")
+"""Drawings of the pocket for the shop."""
 
 
 _KINDS = [name for name in PLOTS if name != "paper"]
 
 
-@common_options("set", "output", "force", "yes", "quiet", output="File, .png, .svg or .pdf; without it drawn as text.")
+@common_options(
+    "set",
+    "output",
+    "force",
+    "yes",
+    "quiet",
+    output="File, .png, .svg, .pdf (pocket: .dxf); without it drawn as text.",
+)
 def plot(
     what: Annotated[
         str,
@@ -48,6 +58,15 @@ def plot(
         ),
     ] = None,
     model: Annotated[StressRule | None, typer.Option("--model", help="life: rule for the damaging stress.")] = None,
+    profile: Annotated[
+        str | None, typer.Option("--profile", metavar="FILE.csv", help="pocket: path, wall and cutter path, mm.")
+    ] = None,
+    cutter: Annotated[
+        str | None, typer.Option("--cutter", metavar="DIAMETER", help="pocket: cutter, such as 10mm (the ball's).")
+    ] = None,
+    chord: Annotated[
+        str | None, typer.Option("--chord", metavar="LENGTH", help="pocket: chords within this of the wall (0.001mm).")
+    ] = None,
     *,
     common: Common,
 ) -> None:
@@ -57,6 +76,7 @@ def plot(
     afmcalc plot torque clutch.toml -o torque.svg
     afmcalc plot accuracy a.toml b.toml --sweep C=0:1.25:101 -o accuracy.png
     afmcalc plot pocket clutch.toml -o pocket.pdf
+    afmcalc plot pocket clutch.toml -o pocket.dxf --profile wall.csv --cutter 10mm
     afmcalc plot tolerance clutch.toml -o tolerance.svg
     afmcalc plot pareto requirements.toml -o front.svg
     afmcalc plot paper S22-3 -o figure.png
@@ -66,9 +86,14 @@ def plot(
 
     takes = plot_of(what).takes
     ending = _ending(common.output)
+    request = Request(subjects or (), sweep, model, profile, length("cutter", cutter), length("chord", chord))
+    if (what == "pocket" and ending in _SHOP) or profile is not None:
+        for_the_shop(what, request, ending, common)
+        return
+    if ending == "dxf":
+        raise AfmcalcError(say("--output {output}: only plot pocket is drawn as .dxf", output=common.output))
     if ending:
         need_drawing("plot")
-    request = Request(subjects or (), sweep, model)
     if takes == "names":
         found = gathered(what, request)
     else:
@@ -78,17 +103,10 @@ def plot(
 
 def _of_clutches(what: str, request: "Request", common: Common) -> Any:
     """Read and build the clutches, and calculate what is drawn of them."""
-    from ..analysis.answers import Answers
     from ..analysis.figures import gathered
 
-    if request.subjects.count("-") > 1:
-        raise AfmcalcError(say("standard input (-) can be read once only"))
-    common.keep(*request.subjects, kind=PLOT)
-    sources = list(request.subjects) or [None]
-    clutches = [build_from(source, common) for source in sources]
     with Bar(quiet=common.quiet, agreed=common.yes) as bar:
-        answers = [Answers(each, model=request.model or "mean-stress", progress=bar.advance) for each in clutches]
-        return gathered(what, request._replace(subjects=answers))
+        return gathered(what, request._replace(subjects=answers_of(request, common, bar)))
 
 
 def _of_requirements(what: str, request: "Request", common: Common) -> Any:
@@ -111,7 +129,7 @@ def _ending(output: str | None) -> str | None:
     assert output is not None
     ending = output.rpartition(".")[2].lower() if "." in output else ""
     if ending not in _ENDINGS:
-        raise AfmcalcError(say("--output {output}: end it in .png, .svg or .pdf", output=output))
+        raise AfmcalcError(say("--output {output}: end it in .png, .svg or .pdf (plot pocket: or .dxf)", output=output))
     return ending
 
 
@@ -122,7 +140,7 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
         from ..render.plot.text import draw_sheet
 
         if not any(isinstance(panel, Chart) for panel in sheet.panels):
-            raise AfmcalcError(say("this is a drawing, no curve: give a file, -o FILE.svg (or .png, .pdf)"))
+            raise AfmcalcError(say("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)"))
         write(draw_sheet(sheet, unicode=is_unicode()), None, PLOT)
         return
     from ..render.plot.figure import save

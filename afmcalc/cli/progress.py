@@ -7,7 +7,7 @@ from types import TracebackType
 from typing import Any
 
 from ..errors import AfmcalcError
-from ..messages import say
+from ..messages import say, say_many
 
 PATIENCE = 1.0
 """Seconds before the bar appears, and before it is known how long the whole takes."""
@@ -94,5 +94,5 @@ def _in_words(seconds: float) -> str:
     return (
         say("{count:.0f} h", count=seconds / 3600)
         if seconds < 172800
-        else say("{count:.0f} days", count=seconds / 86400)
+        else say_many("{count} day", "{count} days", count=round(seconds / 86400))
     )

@@ -39,6 +39,7 @@ def report(
     revision: Annotated[str | None, _entry("Title block: revision of the calculation.")] = None,
     author: Annotated[str | None, _entry("Title block: who calculated.")] = None,
     checked: Annotated[str | None, _entry("Title block: who checked.")] = None,
+    norm_control: Annotated[str | None, _entry("Title block: who checked it against the standards.")] = None,
     approved: Annotated[str | None, _entry("Title block: who approved.")] = None,
     date: Annotated[str | None, _entry("Title block: date of the calculation.  [default: today]")] = None,
     *,
@@ -67,7 +68,8 @@ def report(
     raw, given, read = _read(spec, common)
     options = {
         "organisation": organisation, "project": project, "drawing": drawing, "revision": revision,
-        "author": author, "checked": checked, "approved": approved, "date": date,
+        "author": author, "checked": checked, "norm_control": norm_control,
+        "approved": approved, "date": date,
     }  # fmt: skip
     title, digest = _title_block(read, options), hashlib.sha256(raw).hexdigest()
     steps = 3 if browser else 2

@@ -19,7 +19,7 @@ _EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.examp
 )
 """Clutch to start from → its example, where the names differ."""
 _DEFAULT = next(name for name, example in _EXAMPLES.items() if example == "default")
-_KINDS = {"clutch": "torque", "requirements": "design", "tolerance": "tolerance"}
+_KINDS = {"clutch": "torque", "requirements": "design", "tolerance": "tolerance", "drive": "simulate"}
 """What a file is for → the command that calculates it; all but a clutch are the example of that name."""
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ def init(
     afmcalc init indirect.toml --variant indirect
     afmcalc init wanted.toml --kind requirements --schema
     """  # noqa: D301
-    from ..spec.builtin import example_text
+    from ..spec.builtin import annotated, example_text
 
     if output and file:
         raise AfmcalcError(say("give FILE or --output, not both"))
@@ -62,7 +62,7 @@ def init(
     target = output or file or ("requirements.toml" if kind == "requirements" else "clutch.toml")
     if schema and target == "-":
         raise AfmcalcError(say("--schema writes a file beside FILE: name one"))
-    text = example_text(_EXAMPLES[variant or _DEFAULT] or str(variant) if kind == "clutch" else kind)
+    text = annotated(example_text(_EXAMPLES[variant or _DEFAULT] or str(variant) if kind == "clutch" else kind))
     written = {target: (text, SPEC)}
     if schema:
         beside, described = _schema_beside(target, kind)

@@ -142,7 +142,7 @@ class DirectClutch(Clutch):
         if self.spec.kind.chooses_bypass:
             found["friction_group.driving_pairs"] = shared["driving_pairs"]
         found |= geometry.gain_elasticities(self.spec, shared["gain"])
-        return found | geometry.force_elasticity(self.spec)
+        return found | {geometry.force_path(self.spec): 0.0}
 
     def _elasticities(self, at_driving: float, at_driven: float) -> dict[str, float]:
         """∂ln T/∂ln p at one point."""

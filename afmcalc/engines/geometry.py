@@ -74,10 +74,9 @@ def _radius_elasticities(spec: Spec, in_radius: float) -> dict[str, float]:
     }
 
 
-def force_elasticity(spec: Spec) -> dict[str, float]:
-    """K_т does not depend on the spring force, by whichever key it is set."""
-    given = spec.closing_spring.force is not None
-    return {"closing_spring.force" if given else "adjustment.nominal_torque": 0.0}
+def force_path(spec: Spec) -> str:
+    """Key of the spec that the force of the closing spring follows from."""
+    return "closing_spring.force" if spec.closing_spring.force is not None else "adjustment.nominal_torque"
 
 
 def _tangent_elasticity(angle: float) -> float:

@@ -3,13 +3,12 @@
 from dataclasses import replace
 from typing import Any
 
-from ..arrays import Values, checked_friction, is_array
+from ..arrays import Values, checked_friction, is_array, larger, smaller
 from ..equations import indirect
-from ..errors import Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec
-from . import geometry, setting
+from . import geometry, pockets, setting
 from .characteristic import DiscCharacteristic, curved
 from .laws import IndirectLaw
 from .protocol import ByGain, Clutch
@@ -43,9 +42,10 @@ class IndirectClutch(Clutch):
             made_control_force=control.force,
             curved=curved(spec),
         )
-        _refuse_negative_net_gain(spec, law)
+        pockets.refuse_negative_net_gain(spec, law)
+        pockets.refuse_curved_springs(spec, law)
         force = setting.closing_force(spec, lambda: law.torque_per_force)
-        return cls(spec, law, spec.friction.groups, force)
+        return cls(spec, replace(law, gain_slope=pockets.gain_slope(spec, law, force)), spec.friction.groups, force)
 
     @property
     def pairs(self) -> Values:
@@ -83,9 +83,24 @@ class IndirectClutch(Clutch):
         return self.law.net_gain_returning
 
     @property
+    def gain_slope(self) -> Values:
+        """C_1 of the pockets, 1/m."""
+        return self.law.gain_slope
+
+    @property
+    def constant_torque_slope(self) -> Values:
+        """C_1* at which torque would not depend on friction once the sleeve is off its stop, 1/m."""
+        return self.law.constant_torque_slope(self.closing_force)
+
+    @property
     def friction_set(self) -> Values:
         """Friction at the setting."""
         return self.law.friction_set
+
+    @property
+    def leaving_friction(self) -> Values:
+        """Friction at which the sleeve leaves its stop."""
+        return self.law.leaving_friction(self.closing_force)
 
     def torque_per_force(self, method: Method | None = None) -> Any:
         """T/F_п1 at the friction of a setting, m; by default the spec's own."""
@@ -104,8 +119,8 @@ class IndirectClutch(Clutch):
 
     @property
     def equivalent_gain(self) -> Values | None:
-        """Gain of the all-driving clutch with the same torque curve; with curved springs there is none."""
-        if self.law.curved is not None:
+        """Gain of the all-driving clutch with the same torque curve; curved springs or pockets have no such twin."""
+        if self.law.curved is not None or not self.law.straight:
             return None
         gain: Values = indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
         return gain
@@ -133,7 +148,10 @@ class IndirectClutch(Clutch):
 
     def release_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Release force F_p of the balls on the sleeve, N."""
-        return indirect.release_force(self.torque(friction, friction_driven), self.gain, self.mean_radius)
+        torque = self.torque(friction, friction_driven)
+        if self.law.straight:
+            return indirect.release_force(torque, self.gain, self.mean_radius)
+        return indirect.release_force(torque, self.law.gain_at(self.travel(friction)), self.mean_radius)
 
     def travel(self, friction: Values, friction_driven: Values | None = None) -> Any:
         """Axial travel x of the sleeve, m; 0 at the stop (S21 (16))."""
@@ -148,8 +166,8 @@ class IndirectClutch(Clutch):
     def accuracy_factor(self) -> Values:
         """K_т (S21 (15), with the stop)."""
         own = self.friction[0]
-        if self.law.made_control_force is not None or self.law.curved is not None:
-            ratio: Values = self.torque(own.max) / self.torque(own.min)
+        if self.law.made_control_force is not None or self.law.curved is not None or not self.law.straight:
+            ratio: Values = self.torque_max / self.torque_min
             return ratio
         factor: Values = indirect.accuracy_factor(
             own.min,
@@ -165,15 +183,40 @@ class IndirectClutch(Clutch):
     @property
     def accuracy_factor_hysteresis(self) -> Values:
         """K_т under a load that lasts: friction falls from f_max to f_min, the key holding the sleeve back."""
-        own = self.friction[0]
-        factor: Values = indirect.accuracy_factor_hysteresis(self.torque(own.max), self.torque_returning(own.min))
+        factor: Values = indirect.accuracy_factor_hysteresis(self.torque_max, self.torque_returning_min)
         return factor
 
     @property
     def torque_max(self) -> Values:
-        """T(f_max), N·m: the torque rises with friction."""
-        torque: Values = self.torque(self.friction[0].max)
-        return torque
+        """Largest torque, friction rising, N·m: at f_max, unless a curved pocket lets it fall from where it begins."""
+        own = self.friction[0]
+        most: Values = self.torque(own.max)
+        if self.law.straight:
+            return most
+        leaving = smaller(larger(self.leaving_friction, own.min), own.max)
+        first: Values = indirect.torque(
+            self.law.normal_force(self.closing_force, leaving), self.mean_radius, self.pairs, leaving
+        )
+        return larger(most, first)
+
+    @property
+    def torque_returning_min(self) -> Values:
+        """Smallest torque as friction falls from f_max to f_min under load, N·m.
+
+        At f_min, unless a curved pocket lets the torque rise from where the sleeve begins to return.
+        """
+        own = self.friction[0]
+        least: Values = self.torque_returning(own.min)
+        if self.law.straight:
+            return least
+        return smaller(least, self.torque_returning(larger(own.max / self.hysteresis_ratio, own.min)))
+
+    @property
+    def hysteresis_ratio(self) -> Values:
+        """How many times friction must fall from f_max before the sleeve returns, κ₊/κ where it is."""
+        there = self.law if self.law.straight else self.law.steepened(self.travel(self.friction[0].max))
+        ratio: Values = indirect.hysteresis_ratio(there.net_gain, there.net_gain_returning)
+        return ratio
 
     @property
     def nominal_torque_ratio(self) -> Values:
@@ -181,8 +224,10 @@ class IndirectClutch(Clutch):
         ratio: Values = indirect.nominal_torque_ratio(self.pairs, self.gain, self.friction_set)
         return ratio
 
-    def ball_torque_by_gain(self) -> ByGain:
+    def ball_torque_by_gain(self) -> ByGain | None:
         """T ∝ D(f_set)/D(f_max), with F_п2 as made 1/D(f_max); D = (c_1 + c_2 − z c_1 f·threshold) + (z c_1 f)·C."""
+        if not self.law.straight:
+            return None
         springs = float(self.closing_stiffness + self.control_stiffness)
         start = float(self.gain_threshold)
         slopes = [
@@ -196,45 +241,47 @@ class IndirectClutch(Clutch):
         return sensitivity(self.spec, self.law, self.closing_force)
 
     def _law_findings(self) -> list[Finding]:
-        """Idle feedback, the key's hysteresis."""
+        """Springs that are curved, idle feedback, the key's hysteresis, a pocket that lets the torque fall."""
         springs = [] if self.law.curved is None else [finding("curved-springs", "info", path=self._curved_path)]
-        return [*springs, *self._key_findings()]
+        gain, threshold = float(self.gain), float(self.gain_threshold)
+        if self.net_gain == 0:
+            path = geometry.gain_path(self.spec)
+            return [*springs, finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)]
+        return [*springs, *self._slope_findings(), *self._key_findings()]
 
     @property
     def _curved_path(self) -> str:
         assert self.law.curved is not None
         return "control_spring.disc" if self.law.curved.closing is None else "closing_spring.disc"
 
+    def _slope_findings(self) -> list[Finding]:
+        """Beyond C_1* the sleeve runs off under a load that reaches T_н, and the torque falls."""
+        slope, path = float(self.gain_slope), "control_unit.gain_slope"
+        leaving = float(self.leaving_friction)
+        if slope == 0 or not 0 < leaving < self.friction[0].max:
+            return []
+        best, jumping = float(self.constant_torque_slope), float(self.law.jumping_slope(self.closing_force))
+        if slope <= best * (1 + 1e-9):
+            return []
+        falls, most = float(self.torque(self.friction[0].max)), float(self.torque_max)
+        code = "torque-jumps" if slope > jumping else "torque-falls-with-travel"
+        return [finding(code, "warning", value=slope, limit=best, path=path, most=most, falls=falls, jumping=jumping)]
+
     def _key_findings(self) -> list[Finding]:
-        gain, threshold = float(self.gain), float(self.gain_threshold)
-        if self.net_gain == 0:
-            path = geometry.gain_path(self.spec)
-            return [finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)]
+        """How the key holds the sleeve back; a warning where the machine's torque is then no longer transmitted."""
         if self.law.key_friction == 0:
             return []
-        returning, nominal = float(self.torque_returning(self.friction[0].min)), float(self.nominal_torque)
-        ratio = indirect.hysteresis_ratio(self.net_gain, self.net_gain_returning)
+        returning, nominal = float(self.torque_returning_min), float(self.nominal_torque)
         key = "control_unit.key_friction"
-        found = [finding("hysteresis", "info", value=ratio, limit=1.0, path=key)]
-        if returning < nominal * (1 - 1e-12):
+        found = [finding("hysteresis", "info", value=float(self.hysteresis_ratio), limit=1.0, path=key)]
+        machine = float(self.machine_torque)
+        if returning < machine * (1 - 1e-12):
             found.append(finding("returning-below-nominal", "warning", value=returning, limit=nominal, path=key))
+        elif returning < nominal * (1 - 1e-12):
+            found.append(
+                finding("returning-covered", "info", value=returning, limit=nominal, path=key, machine=machine)
+            )
         return found
-
-
-def _refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
-    """Below the threshold the sleeve leaves its stop at zero torque: no clutch at all."""
-    net = law.net_gain
-    if not _where_least(net, net) < 0:
-        return
-    threshold, gain = (_where_least(net, each) for each in (law.gain_threshold, law.gain))
-    message = say(
-        "must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
-        "force, and the sleeve leaves its stop at zero torque",
-        threshold=threshold,
-    )
-    path = geometry.gain_path(spec)
-    given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
-    raise SpecError(spec.label, [Problem(path, given, message)])
 
 
 def _given(value: Any) -> Any:
@@ -252,12 +299,3 @@ def _one(friction: Values, friction_driven: Any) -> Any:
     if not (bool(same.all()) if is_array(same) else same):
         raise ValueError(say("an indirect clutch has one friction for all pairs"))
     return friction
-
-
-def _where_least(value: Values, other: Values) -> float:
-    """Where the first is least, the other, so that numbers named together belong together."""
-    if not is_array(value):
-        return float(other)
-    import numpy as np
-
-    return float(np.broadcast_to(other, np.shape(value)).flat[int(np.argmin(value))])

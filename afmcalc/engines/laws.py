@@ -3,11 +3,12 @@
 A law knows neither a spec nor how the spring is set: engines, sweeps and searches ask the same one.
 """
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 from typing import Any
 
-from ..arrays import Values, chosen, larger, smaller
-from ..equations import direct, indirect
+from ..arrays import Values, chosen, is_array, larger, quiet_division, smaller, square_root
+from ..equations import direct, indirect, pocket
 from .characteristic import CurvedSprings, root
 
 
@@ -84,6 +85,13 @@ class IndirectLaw:
     """F_п2 as made, N; None where it is set by S21 (14)."""
     curved: CurvedSprings | None = None
     """Springs whose force is not proportional to their deflection; None where both are straight."""
+    gain_slope: Values = 0.0
+    """C_1, 1/m: how the gain grows with the travel of the sleeve; 0 for a straight wall (theory, section 12)."""
+
+    @property
+    def straight(self) -> bool:
+        """Whether the walls are straight: the gain is the same wherever the sleeve is."""
+        return not is_array(self.gain_slope) and bool(self.gain_slope == 0)
 
     @property
     def reduced_gain(self) -> Values:
@@ -96,17 +104,28 @@ class IndirectLaw:
         threshold: Values = indirect.gain_threshold(self.mean_radius, self.key_friction, self.hub_diameter)
         return threshold
 
+    def gain_at(self, travel: Values) -> Values:
+        """C where the sleeve has travelled to."""
+        if self.straight:
+            return self.gain
+        gain: Values = pocket.gain_at(self.gain, self.gain_slope, travel)
+        return gain
+
     @property
     def net_gain(self) -> Values:
-        """κ, moving off the stop."""
+        """κ at the stop, moving off it."""
         net: Values = indirect.net_gain(self.gain, self.mean_radius, self.key_friction, self.hub_diameter)
         return net
 
     @property
     def net_gain_returning(self) -> Values:
-        """κ₊, moving back."""
+        """κ₊ at the stop, moving back."""
         net: Values = indirect.net_gain_returning(self.gain, self.mean_radius, self.key_friction, self.hub_diameter)
         return net
+
+    def steepened(self, travel: Values) -> "IndirectLaw":
+        """The law with the gain of the place where the sleeve has travelled to."""
+        return self if self.straight else replace(self, gain=self.gain_at(travel))
 
     @property
     def torque_per_force(self) -> Values:
@@ -121,37 +140,115 @@ class IndirectLaw:
         force: Values = indirect.control_force(closing_force, self.pairs, self.net_gain, self.friction_set)
         return force
 
-    def stiffness(self, friction: Values, net_gain: Values) -> Values:
-        """D(f), N/m."""
+    def leaving_friction(self, closing_force: Values) -> Values:
+        """Friction at which the sleeve leaves its stop."""
+        if self.made_control_force is None:
+            return self.friction_set
+        made, net = self.made_control_force, self.net_gain
+        if not is_array(net) and net == 0:
+            # the balls move nothing: it rests for ever, or never
+            return chosen(made >= closing_force, lambda: math.inf, lambda: -math.inf)
+        with quiet_division(net):  # arrays come to the same
+            friction: Values = pocket.leaving_friction(closing_force, made, self.pairs, net)
+        return friction
+
+    def constant_torque_slope(self, closing_force: Values) -> Values:
+        """C_1* at which torque does not depend on friction once the sleeve is off its stop, 1/m."""
+        leaving = self.leaving_friction(closing_force)
+        slope: Values = pocket.constant_torque_slope(
+            self.closing_stiffness, self.control_stiffness, self.pairs, leaving, closing_force
+        )
+        return slope
+
+    def jumping_slope(self, closing_force: Values) -> Values:
+        """C_1 above which the sleeve jumps off its stop as friction rises, 1/m."""
+        leaving = self.leaving_friction(closing_force)
+        slope: Values = pocket.jumping_slope(
+            self._straight_stiffness(leaving, self.net_gain), self.pairs, leaving, closing_force
+        )
+        return slope
+
+    def _straight_stiffness(self, friction: Values, net_gain: Values) -> Values:
+        """D(f) with the gain of the stop, N/m."""
         stiffness: Values = indirect.sleeve_stiffness(
             self.closing_stiffness, self.control_stiffness, self.pairs, friction, net_gain
         )
         return stiffness
 
-    def is_seated(self, closing_force: Values, friction: Values, *, returning: bool = False) -> Any:
-        """Whether the stop carries: the control spring has more over the closing one than the balls take."""
-        if self.made_control_force is None and not returning:
-            return friction < self.friction_set
-        net = self.net_gain_returning if returning else self.net_gain
-        return self.control_force(closing_force) > closing_force * (1 + self.pairs * net * friction)
+    def _squared(self, closing_force: Values, friction: Values, net_gain: Values) -> Values:
+        """k_t², N²/m²: negative where the sleeve has no place but its stop."""
+        squared: Values = pocket.tangent_stiffness_squared(
+            closing_force,
+            self.closing_stiffness,
+            self.control_force(closing_force),
+            self.control_stiffness,
+            self._straight_stiffness(friction, net_gain),
+            pocket.slope_feedback(self.pairs, friction, self.gain_slope),
+        )
+        return squared
 
-    def normal_force(self, closing_force: Values, friction: Values, *, returning: bool = False) -> Values:
-        """Normal force N on the pairs, N: F_п2/(1 + zκf) at the stop, then S21 (9); ``returning`` has κ₊ for κ."""
-        net = self.net_gain_returning if returning else self.net_gain
+    def tangent_stiffness(self, closing_force: Values, friction: Values, net_gain: Values) -> Values:
+        """k_t, N/m: how stiff the balance is where the sleeve, off its stop, is; D(f) of a straight pocket."""
+        if self.straight:
+            return self._straight_stiffness(friction, net_gain)
+        # at the verge of a jump rounding may take the square below 0
+        return square_root(larger(self._squared(closing_force, friction, net_gain), 0.0))
+
+    def _stiffness(self, closing_force: Values, friction: Values, net_gain: Values) -> Values:
+        """(F_п1 c_2 + F_п2 c_1)/N with the sleeve off its stop, N/m; D(f) of a straight pocket."""
+        straight = self._straight_stiffness(friction, net_gain)
+        if self.straight:
+            return straight
+        slope = pocket.slope_feedback(self.pairs, friction, self.gain_slope)
+        tangent = self.tangent_stiffness(closing_force, friction, net_gain)
+        stiffness: Values = pocket.sleeve_stiffness(straight, closing_force, slope, tangent)
+        return stiffness
+
+    def is_seated(self, closing_force: Values, friction: Values) -> Any:
+        """Whether, friction rising, the stop carries: the control spring has more than closing spring and balls."""
+        if self.made_control_force is None:
+            # just at the setting both branches meet, unless a steep wall lets the sleeve jump off from there
+            return friction < self.friction_set if self.straight else friction <= self.friction_set
+        return self._holds(closing_force, friction, self.net_gain)
+
+    def _holds(self, closing_force: Values, friction: Values, net_gain: Values) -> Any:
+        """Whether the control spring holds a sleeve that is at its stop."""
+        return self.control_force(closing_force) > closing_force * (1 + self.pairs * net_gain * friction)
+
+    def _is_reseated(self, closing_force: Values, friction: Values, locked: Values) -> Any:
+        """Whether, friction falling, the sleeve is back at its stop; ``locked``: the normal force it returns from.
+
+        A wall so steep that the sleeve jumps off its stop also holds it off until it jumps back.
+        """
+        net = self.net_gain_returning
+        home = self._holds(closing_force, friction, net)
+        if self.straight:
+            return home
+        weight = pocket.slope_feedback(self.pairs, friction, self.gain_slope) * closing_force
+        off = (self._straight_stiffness(friction, net) < weight) & (locked < closing_force)
+        # True > False: home, and not held off
+        return home > (off & (self._squared(closing_force, friction, net) >= 0))
+
+    def _pressed(self, closing_force: Values, friction: Values, net_gain: Values, seated: Any) -> Values:
+        """Normal force, N: F_п2/(1 + zκf) at the stop, else S21 (9)."""
         control = self.control_force(closing_force)
 
-        def seated() -> Values:
-            force: Values = indirect.normal_force_seated(control, self.pairs, net, friction)
+        def at_stop() -> Values:
+            force: Values = indirect.normal_force_seated(control, self.pairs, net_gain, friction)
             return force
 
         def moving() -> Values:
             if self.curved is not None:
-                return smaller(closing_force, self._balanced(closing_force, friction, net)[1])
+                return smaller(closing_force, self._balanced(closing_force, friction, net_gain)[1])
             springs = closing_force, self.closing_stiffness, control, self.control_stiffness
-            force: Values = indirect.normal_force_moving(*springs, self.stiffness(friction, net))
+            force: Values = indirect.normal_force_moving(*springs, self._stiffness(closing_force, friction, net_gain))
             return smaller(closing_force, force)
 
-        return chosen(self.is_seated(closing_force, friction, returning=returning), seated, moving)
+        return chosen(seated, at_stop, moving)
+
+    def normal_force(self, closing_force: Values, friction: Values) -> Values:
+        """Normal force N on the pairs, N, friction rising."""
+        return self._pressed(closing_force, friction, self.net_gain, self.is_seated(closing_force, friction))
 
     def torque(self, closing_force: Values, friction: Values) -> Values:
         """Slip torque T, N·m, friction rising (S21 (11); theory, section 5)."""
@@ -165,7 +262,8 @@ class IndirectLaw:
         The key locks the sleeve where ``friction_max`` put it until f has fallen by κ₊/κ.
         """
         locked = self.normal_force(closing_force, friction_max)
-        moving = self.normal_force(closing_force, friction, returning=True)
+        seated = self._is_reseated(closing_force, friction, locked)
+        moving = self._pressed(closing_force, friction, self.net_gain_returning, seated)
         torque: Values = indirect.torque(larger(locked, moving), self.mean_radius, self.pairs, friction)
         return torque
 
@@ -176,12 +274,15 @@ class IndirectLaw:
             if self.curved is not None:
                 return self._balanced(closing_force, friction, self.net_gain)[0]
             net, made = self.net_gain, self.made_control_force
-            stiffness = self.stiffness(friction, net)
-            travel: Values = (
-                indirect.travel(self.pairs, closing_force, friction, self.friction_set, net, stiffness)
-                if made is None
-                else indirect.travel_as_made(closing_force, made, self.pairs, friction, net, stiffness)
-            )
+            stiffness = self._straight_stiffness(friction, net)
+            travel: Values
+            if not self.straight:
+                pressed = self.normal_force(closing_force, friction)
+                travel = pocket.travel(closing_force, pressed, self.closing_stiffness)
+            elif made is None:
+                travel = indirect.travel(self.pairs, closing_force, friction, self.friction_set, net, stiffness)
+            else:
+                travel = indirect.travel_as_made(closing_force, made, self.pairs, friction, net, stiffness)
             return travel
 
         return chosen(self.is_seated(closing_force, friction), lambda: 0.0, moved)

@@ -4,8 +4,8 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from ..arrays import Values, larger
-from ..equations import adjustment, effects, overload
+from ..arrays import Values, larger, smaller
+from ..equations import accuracy, adjustment, effects, overload
 from ..findings import Finding
 from ..spec.models import Method, Range, Spec
 from . import setting
@@ -118,7 +118,27 @@ class Clutch(ABC):
 
     @property
     def friction_set(self) -> Values | None:
-        """Friction at which the sleeve just stays at its stop: the law bends there."""
+        """Friction at which the control spring is set so that the sleeve just stays at its stop."""
+        return None
+
+    @property
+    def torque_returning_min(self) -> Values | None:
+        """Smallest torque as friction falls from f_max to f_min under load, N·m."""
+        return None
+
+    @property
+    def leaving_friction(self) -> Values | None:
+        """Friction at which the sleeve leaves its stop: the law bends there."""
+        return None
+
+    @property
+    def gain_slope(self) -> Values | None:
+        """C_1, how the gain grows with the travel of the sleeve, 1/m."""
+        return None
+
+    @property
+    def constant_torque_slope(self) -> Values | None:
+        """C_1* at which torque does not depend on friction once the sleeve is off its stop, 1/m."""
         return None
 
     @property
@@ -143,6 +163,18 @@ class Clutch(ABC):
     @abstractmethod
     def torque_max(self) -> Values:
         """Largest sustained torque along the common path, N·m."""
+
+    @property
+    def torque_min(self) -> Values:
+        """Smallest sustained torque along the common path, N·m: between its ends the torque is never smaller."""
+        first, second = self.friction
+        return smaller(self.torque(first.min, second.min), self.torque(first.max, second.max))
+
+    @property
+    def scatter(self) -> Values:
+        """Width of the torque scatter band ΔT, N·m."""
+        band: Values = accuracy.scatter_band(self.torque_max, self.torque_min)
+        return band
 
     @property
     @abstractmethod
@@ -218,8 +250,8 @@ class Clutch(ABC):
         )
 
     @abstractmethod
-    def ball_torque_by_gain(self) -> ByGain:
-        """How the torque on the balls at f_max depends on the gain."""
+    def ball_torque_by_gain(self) -> ByGain | None:
+        """How the torque on the balls at f_max depends on the gain; None where not by a ratio of linear functions."""
 
     @abstractmethod
     def sensitivity(self) -> dict[str, float]:
@@ -228,9 +260,7 @@ class Clutch(ABC):
     def findings(self) -> list[Finding]:
         """What a designer should know: what the law says of it, and the setting."""
         found, nominal = self._law_findings(), float(self.nominal_torque)
-        first, second = self.friction
-        lowest = min(float(self.torque(first.min, second.min)), float(self.torque(first.max, second.max)))
-        return [*found, *setting.findings(self.spec, nominal, lowest), *self._part_findings()]
+        return [*found, *setting.findings(self.spec, nominal, float(self.torque_min)), *self._part_findings()]
 
     def _part_findings(self) -> list[Finding]:
         if not any(spring and spring.part for spring in (self.spec.closing_spring, self.spec.control_spring)):

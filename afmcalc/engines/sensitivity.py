@@ -1,81 +1,146 @@
 """What the accuracy of the indirect clutch is sensitive to: elasticities from the derivatives of its law."""
 
-from typing import Any
+from collections.abc import Callable
+from dataclasses import dataclass
 
 from ..arrays import Values
-from ..equations import indirect
+from ..equations import indirect, pocket
 from ..spec.models import Spec
 from . import geometry
 from .laws import IndirectLaw
 
+_SAME = 1 + 1e-12
+
+
+@dataclass(frozen=True)
+class _Torque:
+    """Elasticities of one torque, but those in R and z themselves, which a quotient of two does not have."""
+
+    friction: float
+    """In the friction it is at."""
+    end: str | None
+    """End of the range that this friction is; None where the forces fix it."""
+    in_feedback: Callable[[Values], float]
+    """In a parameter to which a part of κ is proportional; of κ where the sleeve is."""
+    travel: float = 0.0
+    """Of the sleeve, m."""
+    closing_stiffness: float = 0.0
+    control_stiffness: float = 0.0
+    closing_force: float = 0.0
+    control_force: float = 0.0
+
 
 def sensitivity(spec: Spec, law: IndirectLaw, closing_force: Values) -> dict[str, float]:
-    """Elasticities ∂ln K_т/∂ln p by spec path.
+    """Elasticities ∂ln K_т/∂ln p by spec path, the slope of a curved pocket as it is cut.
 
-    With the sleeve leaving its stop at f_L: ln K = ln f_max − ln f_min + ln D(f_L) − ln D(f_max) + ln(1 + zκf_min)
-    − ln(1 + zκf_L). Set by S21 (14), f_L is the friction of the setting; with both forces as made, 1 + zκf_L is their
-    ratio; and where the sleeve never rests or never moves, f_L is f_min or f_max.
+    K_т is the quotient of two torques: at f_max, or where the sleeve leaves its stop if a curved pocket lets the
+    torque fall from there; and at the end of the range with the smaller one. What F_п2 follows from by S21 (14) it
+    passes on, and F_п1 passes on what it follows from.
     """
     own = spec.friction.groups[0]
-    leaving, follows = _leaving(spec, law, closing_force)
+    ends = {end: _at(law, closing_force, getattr(own, end), end) for end in ("min", "max")}
+    values = {end: law.torque(closing_force, getattr(own, end)) for end in ends}
+    # where the pockets hold the torque the two are alike but for rounding: there K_т only grows, either way
+    low = "min" if values["min"] <= values["max"] * _SAME else "max"
+    high = ends["max" if low == "min" else "min"]
+    leaving = law.leaving_friction(closing_force)
+    if not law.straight and own.min < leaving < own.max:
+        at_leaving = law.pairs * law.mean_radius * leaving * closing_force
+        high = _leaving(law, closing_force) if at_leaving > max(values.values()) * _SAME else high
+    return _by_path(spec, law, high, ends[low], closing_force)
 
-    def moving(part: Values, f: Values) -> Any:
-        stiffness = law.stiffness(f, law.net_gain)
-        return indirect.stiffness_elasticity_in_feedback(law.closing_stiffness, law.pairs, f, part, stiffness)
 
-    def seated(part: Values, f: Values) -> Any:
-        return indirect.seated_elasticity_in_feedback(law.pairs, f, part, law.net_gain)
+def _by_path(spec: Spec, law: IndirectLaw, high: _Torque, low: _Torque, closing_force: Values) -> dict[str, float]:
+    set_here = law.made_control_force is None
+    in_control = high.control_force - low.control_force
 
-    def at_leaving(part: Values) -> Any:
-        return 0.0 if follows is None else moving(part, leaving) - seated(part, leaving)
+    def passed_on(part: Values) -> float:
+        """What F_п2 = F_п1 (1 + z f_set κ) passes on."""
+        if not set_here:
+            return 0.0
+        own = indirect.seated_elasticity_in_feedback(law.pairs, law.friction_set, part, law.net_gain)
+        return float(in_control * own)
 
-    def in_feedback(part: Values) -> Any:
-        return seated(part, own.min) + at_leaving(part) - moving(part, own.max)
+    def in_feedback(part: Values, slope: Values = 0.0) -> float:
+        """``part`` of κ at the stop, and what the slope adds where the sleeve is."""
+        ends = (each.in_feedback(part + slope * each.travel) for each in (high, low))
+        return float(next(ends) - next(ends)) + passed_on(part)
 
-    def in_closing_stiffness(f: Values) -> Any:
-        return indirect.stiffness_elasticity_in_closing_stiffness(
-            law.closing_stiffness, law.pairs, f, law.net_gain, law.stiffness(f, law.net_gain)
-        )
-
-    def in_control_stiffness(f: Values) -> Any:
-        return indirect.stiffness_elasticity_in_control_stiffness(law.control_stiffness, law.stiffness(f, law.net_gain))
-
-    found = {
-        "friction.min": seated(law.net_gain, own.min) - 1.0,
-        "friction.max": 1.0 - moving(law.net_gain, own.max),
-    }
-    for end, share in _shares(spec, follows).items():
-        found[f"friction.{end}"] = found.get(f"friction.{end}", 0.0) + share * at_leaving(law.net_gain)
+    in_force = high.closing_force - low.closing_force + (in_control if set_here else 0.0)
+    if set_here and law.straight:
+        in_force = 0.0  # of a straight pocket every torque is proportional to it, whatever rounding says
+    # with the spring set for a torque, F_п1 goes with 1/(z R f_set)
+    follows = -in_force if spec.closing_spring.force is None else 0.0
+    found = {"friction.min": 0.0, "friction.max": 0.0}
+    for each, sign in ((high, 1.0), (low, -1.0)):
+        _spread(found, spec, each.end, sign * each.friction)
+    at_set = "mean" if spec.adjustment.method == "mean-friction" else "min"
+    _spread(found, spec, at_set, passed_on(law.net_gain) + follows)
     in_gain, in_key = in_feedback(law.gain), in_feedback(-law.gain_threshold)
     found |= {
-        "friction_group.pairs": in_feedback(law.net_gain),
-        **geometry.gain_elasticities(spec, in_gain, in_radius=in_key),
+        "friction_group.pairs": in_feedback(law.net_gain, law.gain_slope) + follows,
+        **geometry.gain_elasticities(spec, in_gain, in_radius=in_key + follows),
         "control_unit.key_friction": in_key,
         "control_unit.hub_diameter": -in_key,
-        "closing_spring.stiffness": in_closing_stiffness(leaving) - in_closing_stiffness(own.max),
-        "control_spring.stiffness": in_control_stiffness(leaving) - in_control_stiffness(own.max),
-        **geometry.force_elasticity(spec),
+        "closing_spring.stiffness": high.closing_stiffness - low.closing_stiffness,
+        "control_spring.stiffness": high.control_stiffness - low.control_stiffness,
+        geometry.force_path(spec): in_force,
     }
-    if law.made_control_force is not None:
-        in_forces = in_control_stiffness(leaving) if follows is None else 0.0
-        found |= {"closing_spring.force": in_forces, "control_spring.force": -in_forces}
+    if not law.straight:
+        found["control_unit.gain_slope"] = in_feedback(0.0, law.gain_slope)
+    if not set_here:
+        found["control_spring.force"] = in_control
     return found
 
 
-def _leaving(spec: Spec, law: IndirectLaw, closing_force: Values) -> tuple[Any, str | None]:
-    """Friction at which the sleeve leaves its stop, and the friction it follows; None where the forces alone fix it."""
-    own = spec.friction.groups[0]
-    if law.made_control_force is None:
-        return law.friction_set, "mean" if spec.adjustment.method == "mean-friction" else "min"
-    over, loop = law.made_control_force / closing_force - 1, law.pairs * law.net_gain
-    if over <= loop * own.min:
-        return own.min, "min"
-    return (own.max, "max") if over >= loop * own.max else (over / loop, None)
+def _at(law: IndirectLaw, closing_force: Values, friction: Values, end: str) -> _Torque:
+    """Elasticities of the torque at one end of the range."""
+    # at the bend itself the range lies on one side: what f_min moves along is below it, what f_max does above
+    leaving = law.leaving_friction(closing_force)
+    if friction <= leaving if end == "min" else friction < leaving:
+
+        def seated(part: Values) -> float:
+            return -float(indirect.seated_elasticity_in_feedback(law.pairs, friction, part, law.net_gain))
+
+        return _Torque(1 + seated(law.net_gain), end, seated, control_force=1.0)
+    tangent = law.tangent_stiffness(closing_force, friction, law.net_gain)
+    pressed, travel = law.normal_force(closing_force, friction), law.travel(closing_force, friction)
+    slope = pocket.slope_feedback(law.pairs, friction, law.gain_slope)
+    c1, c2, control = law.closing_stiffness, law.control_stiffness, law.control_force(closing_force)
+
+    def moving(part: Values) -> float:
+        return float(pocket.force_elasticity_in_feedback(c1, law.pairs, friction, part, tangent))
+
+    def in_closing(part: Values) -> float:
+        return float(pocket.force_elasticity_in_closing_spring(part, c2, slope, tangent, pressed))
+
+    return _Torque(
+        friction=1 + moving(law.steepened(travel).net_gain),
+        end=end,
+        in_feedback=moving,
+        travel=float(travel),
+        closing_stiffness=in_closing(-c1 * travel),
+        control_stiffness=float(pocket.force_elasticity_in_control_stiffness(c1, c2, travel, tangent, pressed)),
+        closing_force=in_closing(closing_force),
+        control_force=float(pocket.force_elasticity_in_control_force(c1, control, tangent, pressed)),
+    )
 
 
-def _shares(spec: Spec, follows: str | None) -> dict[str, float]:
-    """How a friction moves with the keys of the range, relative; a mean that is not given moves with both ends."""
+def _leaving(law: IndirectLaw, closing_force: Values) -> _Torque:
+    """Elasticities of T = z R f_L F_п1, where the sleeve leaves its stop."""
+    control = law.control_force(closing_force)
+    over = float(control / (control - closing_force))
+    # as if at a friction of its own: F_п2 passes on what f_set would
+    return _Torque(0.0, None, lambda part: -float(part / law.net_gain), closing_force=1 - over, control_force=over)
+
+
+def _spread(found: dict[str, float], spec: Spec, end: str | None, elasticity: float) -> None:
+    """Add an elasticity in one friction to the keys it follows; a mean that is not given moves with both ends."""
     own = spec.friction.groups[0]
-    if follows == "mean" and spec.friction.mean is None:
-        return {"min": own.min / (2 * own.mean), "max": own.max / (2 * own.mean)}
-    return {} if follows is None else {follows: 1.0}
+    if end is None or elasticity == 0:
+        return
+    shares = {end: 1.0}
+    if end == "mean" and spec.friction.mean is None:
+        shares = {"min": own.min / (2 * own.mean), "max": own.max / (2 * own.mean)}
+    for each, share in shares.items():
+        found[f"friction.{each}"] = found.get(f"friction.{each}", 0.0) + share * elasticity

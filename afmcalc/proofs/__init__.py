@@ -12,7 +12,10 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from sympy import Expr
 
-MODULES = ("direct", "adjustment", "indirect", "overload", "parts", "inverse", "motion", "heat", "springs", "numbers")
+MODULES = (
+    "direct", "adjustment", "indirect", "pocket", "overload", "parts", "wall", "inverse", "motion", "heat", "springs",
+    "numbers",
+)  # fmt: skip
 
 
 class Identity(NamedTuple):

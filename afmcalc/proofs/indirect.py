@@ -17,7 +17,6 @@ __all__ = [
     "signs_of_the_derivatives",
     "sleeve_returning",
     "spring_mass_argument",
-    "stiffness_elasticities",
     "travel_and_torque_from_the_balance",
     "travel_stays_within_the_spring",
 ]
@@ -168,23 +167,6 @@ def signs_of_the_derivatives() -> Steps:
     yield Identity("∂C_eff/∂c_1 > 0, 0 if c_2 = 0", sp.diff(equivalent, c1) - q * c2 / (c1 + c2) ** 2)
     yield Identity("∂C_eff/∂c_2 < 0", sp.diff(equivalent, c2) + q * c1 / (c1 + c2) ** 2)
     yield Identity("∂C_eff/∂κ > 0", sp.diff(equivalent, q) - c1 / (c1 + c2))
-
-
-def stiffness_elasticities() -> Steps:
-    """The elasticities of D(f) are its logarithmic derivatives."""
-    stiffness = _stiffness(f)
-
-    def elasticity(symbol: sp.Symbol) -> sp.Expr:
-        return sp.diff(stiffness, symbol) * symbol / stiffness
-
-    yield Identity(
-        "in c_1", indirect.stiffness_elasticity_in_closing_stiffness(c1, z, f, KAPPA, stiffness) - elasticity(c1)
-    )
-    yield Identity("in c_2", indirect.stiffness_elasticity_in_control_stiffness(c2, stiffness) - elasticity(c2))
-    parts = {C: C, fk: KAPPA - C, d: C - KAPPA, R: KAPPA - C, z: KAPPA, f: KAPPA}
-    for symbol, part in parts.items():
-        feedback = indirect.stiffness_elasticity_in_feedback(c1, z, f, part, stiffness)
-        yield Identity(f"in {symbol}", feedback - elasticity(symbol))
 
 
 def load_capacity_against_the_base_clutch() -> Steps:

@@ -47,6 +47,8 @@ class Column(NamedTuple):
     """Path of the column whose standard errors these are."""
     is_unit: bool = False
     """Whether the values are units."""
+    code: bool = False
+    """Whether the values are names that a user types."""
     said: list[str | None] | None = None
     """What people are told instead of some of the values."""
 
@@ -165,14 +167,15 @@ def _records(title: str, items: list[BaseModel]) -> Table:
         if any(isinstance(value, Triple | OpenTriple) for value in values):
             for end in ("min", "mean", "max"):
                 ends = [getattr(value, end, None) for value in values]
-                columns.append(Column(f"{name}_{end}", f"{symbol} {end}", f"{label}, {end}", unit, ends))
+                columns.append(
+                    Column(f"{name}_{end}", f"{symbol} {translate(end, 'value')}", f"{label}, {end}", unit, ends)
+                )
         else:
             own = [str(getattr(item, str(extra["unit_in"]))) for item in items] if "unit_in" in extra else None
             columns.append(
                 Column(
                     name, symbol, label, unit, values, bool(extra.get("detail")), str(extra.get("null", "–")), own,
-                    str(extra.get("error_of") or ""), bool(extra.get("is_unit")),
-                    said,
+                    str(extra.get("error_of") or ""), bool(extra.get("is_unit")), bool(extra.get("code")), said,
                 )
             )  # fmt: skip
     return Table(title, columns)

@@ -6,10 +6,10 @@ from itertools import compress
 from typing import Any, NamedTuple
 
 from ..findings import Finding
-from ..messages import printable
+from ..messages import printable, term, told, translate
 from ..result import Output
 from .document import Column, Document, Entry, Table
-from .units import display, display_unit, estimate
+from .units import display, display_unit, estimate, in_numbers, worded
 
 
 class TextTable(NamedTuple):
@@ -32,7 +32,8 @@ SweepDrawing = Callable[[TextTable, bool], list[str]]
 def title(output: Output) -> str:
     """Heading of an output: what was calculated, for which clutch."""
     spec = {} if output.result.of_several else output.spec or {}
-    about = " – ".join(printable(str(part)) for part in (spec.get("name"), spec.get("variant")) if part)
+    variant = translate(str(spec.get("variant") or ""), "value")
+    about = " – ".join(printable(str(part)) for part in (spec.get("name"), variant) if part)
     return f"{output.command}: {about}" if about else output.command
 
 
@@ -46,13 +47,15 @@ def blocks(laid_out: Document) -> list[TextTable]:
             [row.symbol, row.name, _single(row, errors.get(row.path)), display_unit(row.shown_unit or row.unit)]
             for row in singles
         ]
-        found.append(TextTable("", ["Symbol", "Quantity", "Value", "Unit"], rows, [False, False, True, False]))
+        found.append(
+            TextTable("", [*map(translate, ("Symbol", "Quantity", "Value", "Unit"))], rows, [False, False, True, False])
+        )
     if laid_out.triples:
         rows = [
             [row.symbol, row.name, *(_shown(value, row.unit, row.null) for value in row.values), display_unit(row.unit)]
             for row in laid_out.triples
         ]
-        header = ["Symbol", "Quantity", "at f_min", "at mean f", "at f_max", "Unit"]
+        header = [*map(translate, ("Symbol", "Quantity", "at f_min", "at mean f", "at f_max", "Unit"))]
         found.append(TextTable("", header, rows, [False, False, True, True, True, False]))
     if not laid_out.steps:
         found += [_table(part) for table in laid_out.tables if not table.data for part in _parts(table)]
@@ -61,7 +64,7 @@ def blocks(laid_out: Document) -> list[TextTable]:
 
 def _single(row: Entry, error: float | None) -> str:
     if row.said or row.values[0] is None:
-        return row.said or row.null
+        return translate(row.said) or worded(row.null)
     unit = row.shown_unit or row.unit
     return display(row.values[0], unit) if error is None else estimate(row.values[0], error, unit)
 
@@ -89,16 +92,16 @@ def step_lines(laid_out: Document) -> list[str]:
     """Steps of an explanation as lines: what, formula, numbers, value with source, what the print has instead."""
     lines = []
     for step in laid_out.steps:
-        at = f" at {step.at}" if step.at else ""
-        lines += ["", f"{step.symbol}{at}: {step.name}", f"    {step.symbol} = {step.formula}"]
+        at = told(" at {place}", place=term(step.at)) if step.at else ""
+        lines += ["", f"{step.symbol}{at}: {translate(step.name)}", f"    {step.symbol} = {in_numbers(step.formula)}"]
         indent = " " * (5 + len(step.symbol))
         if step.substituted != step.formula:
-            lines.append(f"{indent}= {step.substituted}")
-        lines.append(f"{indent}= {step_value(step)}    [{step.source.rstrip('.')}]")
+            lines.append(f"{indent}= {in_numbers(step.substituted)}")
+        lines.append(f"{indent}= {step_value(step)}    [{translate(step.source).rstrip('.')}]")
         if step.note:
-            lines.append(f"    {step.note}")
+            lines.append(f"    {translate(step.note)}")
         if step.print_differs:
-            lines.append(f"    print differs: {step.print_differs}")
+            lines.append(told("    print differs: {what}", what=term(step.print_differs)))
     return lines
 
 
@@ -111,17 +114,20 @@ def step_value(step: Any) -> str:
 def _cells(column: Column, errors: list[float] | None) -> list[str]:
     if column.is_unit:
         return [display_unit(unit) for unit in column.values]
+    if column.code:
+        return [printable(str(value)) for value in column.values]
     units = column.units or [column.unit] * len(column.values)
     if errors:
         return [estimate(*each) for each in zip(column.values, errors, units, strict=True)]
     said = column.said or [None] * len(column.values)
     return [
-        told or _shown(value, unit, column.null) for value, unit, told in zip(column.values, units, said, strict=True)
+        translate(own or "") or _shown(value, unit, column.null)
+        for value, unit, own in zip(column.values, units, said, strict=True)
     ]
 
 
 def _shown(value: Any, unit: str, null: str) -> str:
-    return null if value is None else display(value, unit)
+    return worded(null) if value is None else display(value, unit)
 
 
 def _table(table: Table) -> TextTable:
@@ -141,7 +147,7 @@ def _table(table: Table) -> TextTable:
 
 def _heading(column: Column) -> str:
     unit = display_unit(column.unit)
-    name = column.symbol or column.name
+    name = translate(column.symbol or column.name)
     return f"{name}, {unit}" if unit not in ("", "–") else name
 
 
@@ -221,7 +227,9 @@ def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[Tex
     if width is None or sum(whole) + sum(widths) + gap * (len(widths) + 2) <= width:
         rows = [[*name, *columns[number], unit] for name, number, unit in zip(names, rest, units, strict=True)]
         numeric = [False, False, *(True for _ in heads), False]
-        return [TextTable(title, ["Symbol", "Quantity", *heads, "Unit"], rows, numeric)]
+        return [
+            TextTable(title, [translate("Symbol"), translate("Quantity"), *heads, translate("Unit")], rows, numeric)
+        ]
     labels = [block.header[number] for number in rest]
     corner = block.header[first]
     room = width - max(map(len, (corner, *labels)))
@@ -249,4 +257,7 @@ def findings_lines(findings: list[Finding]) -> list[str]:
     """One line per finding, gravest first."""
     order = {"error": 0, "warning": 1, "info": 2}
     ranked = sorted(findings, key=lambda finding: order[finding.level])
-    return [printable(f"{f.level}: {f.message} [{f.code}{', ' + f.path if f.path else ''}]") for f in ranked]
+    return [
+        printable(f"{translate(f.level, 'value')}: {translate(f.message)} [{f.code}{', ' + f.path if f.path else ''}]")
+        for f in ranked
+    ]

@@ -2,7 +2,7 @@
 
 import re
 
-from ..messages import printable
+from ..messages import printable, spoken, translate
 
 _SUBSCRIPT = re.compile(r"(?<![^\W_]{3})_([^\W_]+(?:[.,][^\W_]+)*)")
 """A symbol has a letter or two before its subscript: ``control_unit.gain`` is a key."""
@@ -41,5 +41,20 @@ def value_latex(text: str) -> str:
     """Return a value as shown to people, such as ``1.2e+07 N·m``, in LaTeX."""
     number, _, unit = text.partition(" ")
     mantissa, _, exponent = number.partition("e")
+    if power := _POWER.fullmatch(number):
+        mantissa, exponent = power[1] or "1", power[2].translate(_LOWERED)
+    mantissa = mantissa.replace(",", "{,}")
     shown = f"{mantissa} \\cdot 10^{{{int(exponent)}}}" if exponent else mantissa
     return f"{shown}\\,\\text{{{unit}}}" if unit else shown
+
+
+_POWER = re.compile("(?:(.+)·)?10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)")
+_LOWERED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+
+def latex_in_numbers(latex: str) -> str:
+    """Return LaTeX of ours with its numbers and units as people of the user's language write them."""
+    if spoken() == "en":
+        return latex
+    latex = re.sub(r"\\text\{([^}]*)\}", lambda found: f"\\text{{{translate(found[1], 'unit')}}}", latex)
+    return re.sub(r"(?<=\d)\.(?=\d)", "{,}", latex)

@@ -1,12 +1,13 @@
 """Engineer's units (or SI) and significant figures for people; JSON and CSV stay in SI."""
 
 import math
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import NamedTuple
 
-from ..messages import printable
+from ..messages import localized, printable, spoken, translate
 
 
 class Unit(NamedTuple):
@@ -62,7 +63,7 @@ def display_unit(unit: str) -> str:
     >>> display_unit("N"), display_unit("kg*m^2")
     ('kN', 'kg·m²')
     """
-    return _unit(unit).name
+    return translate(_unit(unit).name, "unit")
 
 
 def factor(unit: str) -> float:
@@ -89,13 +90,34 @@ def display(value: object, unit: str) -> str:
         return (
             " … ".join(display(item, unit) for item in value)
             if unit
-            else "; ".join(printable(str(item)) for item in value)
+            else "; ".join(printable(worded(str(item))) for item in value)
         )
     if isinstance(value, bool):
-        return "yes" if value else "no"
+        return translate("yes" if value else "no", "value")
     if not isinstance(value, int | float):
-        return printable(str(value))
+        return printable(worded(str(value)))
     return significant((value - _unit(unit).zero) * factor(unit))
+
+
+def worded(text: str) -> str:
+    """Return a text of a result in the language of the user; one made of several may be known in its parts only."""
+    # one word may be a name; a sentence is none
+    for context in ("value", "", "comment") if " " in text else ("value", "unit"):
+        if (told := translate(text, context)) != text:
+            return told
+    return "; ".join(map(translate, text.split("; ")))
+
+
+_NUMBER = re.compile(r"(?<![\w.,])(\d+(?:\.\d+)?(?:e[+-]\d+)?)(?: ((?:[·/]?[A-Za-z°]+[²³]?)+))?(?![\w.])")
+
+
+def in_numbers(formula: str) -> str:
+    """Return a formula with numbers and units put in as people of the user's language write it."""
+    if spoken() == "en":
+        return formula
+    return _NUMBER.sub(
+        lambda found: " ".join([localized(found[1]), *([translate(found[2], "unit")] if found[2] else [])]), formula
+    )
 
 
 def significant(value: float) -> str:
@@ -108,8 +130,8 @@ def significant(value: float) -> str:
         return "0" if value == 0 else str(value)
     rounded = float(f"{value:.5g}")
     if 1e-4 <= abs(rounded) < 1e7:
-        return f"{rounded:.10f}".rstrip("0").rstrip(".")
-    return f"{value:.5g}"
+        return localized(f"{rounded:.10f}".rstrip("0").rstrip("."))
+    return localized(f"{value:.5g}")
 
 
 def estimate(value: float, error: float, unit: str) -> str:
@@ -130,4 +152,4 @@ def estimate(value: float, error: float, unit: str) -> str:
     value, error = value / 10.0**power, float(f"{error:.2g}") / 10.0**power
     places = 1 - math.floor(math.log10(error) + 1e-9)
     shown = " ± ".join(f"{round(each, places):.{max(places, 0)}f}" for each in (value, error))
-    return f"({shown})e{power:+03d}" if power else shown
+    return localized(f"({shown})e{power:+03d}" if power else shown)

@@ -94,3 +94,8 @@ def _diameter(item: object, label: str) -> float:
             say("{label}: diameters: {item!r} must be greater than 0 and finite", label=label, item=item)
         )
     return value
+
+
+def next_size(sizes: Sequence[float], wanted: float) -> float | None:
+    """Smallest size not below the wanted one; None when the list ends before it."""
+    return next((size for size in sizes if size >= wanted * (1 - 1e-12)), None)

@@ -1,9 +1,10 @@
 """The example specs, which ship with the package; one of them is the built-in default."""
 
+import re
 from pathlib import Path
 
 from ..errors import AfmcalcError
-from ..messages import say
+from ..messages import say, translate
 
 DEFAULT = "default"
 PREFIX = "example:"
@@ -38,3 +39,28 @@ def example_text(name: str) -> str:
         hint = did_you_mean(name, known) or say("; there are: {names}", names=", ".join(known))
         raise AfmcalcError(say("{prefix}{name}: no such example{hint}", prefix=PREFIX, name=name, hint=hint))
     return (folder() / f"{name}.toml").read_text(encoding="utf-8")
+
+
+_OPTIONAL = re.compile(r"# (?=\[|[\w.\"]+ = )")
+"""Before a key or block that is there to be taken up."""
+
+
+def comment(line: str) -> str:
+    """Return the comment of a line of an example, or nothing.
+
+    >>> comment('# sleeve_depth = "25 mm"     # of the sleeve'), comment("# A clutch."), comment("[drive]")
+    ('of the sleeve', 'A clutch.', '')
+    """
+    if optional := _OPTIONAL.match(line):
+        line = line[optional.end() :]
+    before, mark, said = line.partition("# ")
+    return said if mark and before.count('"') % 2 == 0 else ""
+
+
+def annotated(text: str) -> str:
+    """Return an example with its comments in the language of the user."""
+    return "".join(
+        line.removesuffix(said) + translate(said, "comment") + "\n"
+        for line in text.splitlines()
+        for said in (comment(line),)
+    )

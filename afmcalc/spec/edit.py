@@ -15,6 +15,8 @@ from .writing import resolved, to_toml
 _REPLACED = {
     "control_unit.gain": ("control_unit.wall_angle",),
     "control_unit.wall_angle": ("control_unit.gain",),
+    "control_unit.gain_slope": ("control_unit.pocket",),
+    "control_unit.pocket": ("control_unit.gain_slope",),
     "friction_group.mean_radius": (
         "friction_group.inner_radius",
         "friction_group.outer_radius",

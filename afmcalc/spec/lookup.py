@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pint
 
-from ..messages import say, translate
+from ..messages import say, term
 from .suggest import did_you_mean
 from .units import EXAMPLES, KNOWN, SCALES, SIGNS, allowed
 
@@ -63,7 +63,7 @@ def looked_up(unit_text: str, unit: str) -> Decimal:
                 "{text} is {other}, not {kind}; {allowed}",
                 text=unit_text,
                 other=_dimension_name(given),
-                kind=translate(EXAMPLES[unit][0]),
+                kind=term(EXAMPLES[unit][0]),
                 allowed=allowed(unit),
             )
         )
@@ -83,7 +83,7 @@ def _dimension_name(unit: pint.Unit) -> str:
     kinds = {si: name for si, (name, _) in EXAMPLES.items() if si != "1" and si not in SCALES} | _FOREIGN
     names = {registry.parse_units(si).dimensionality: name for si, name in kinds.items()}
     if name := names.get(unit.dimensionality):
-        return translate(name)
+        return term(name)
     return say("of dimension {dimension}", dimension=unit.dimensionality)
 
 

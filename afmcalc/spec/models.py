@@ -34,6 +34,7 @@ from .fields import (
     Length,
     Name,
     Ratio,
+    Slope,
     Torque,
     WallAngle,
     key_field,
@@ -66,6 +67,8 @@ def _registered(value: object) -> object:
 
 VariantName = Annotated[str, _Registered()]
 Method = Literal["min-friction", "mean-friction"]
+PocketShape = Literal["constant-torque"]
+Profiled = Literal["one", "both"]
 RadiusModel = Literal["uniform-wear", "uniform-pressure"]
 
 
@@ -165,6 +168,13 @@ class ControlUnit(Block):
     """Balls in pockets with inclined walls."""
 
     gain: Ratio | None = key_field("feedback gain", "C")
+    gain_slope: Slope | None = key_field(
+        "how the gain grows with the sleeve's travel, pockets with a curved wall (indirect only); default 0", "C_1"
+    )
+    pocket: PocketShape | None = key_field(
+        "constant-torque: the curved wall that holds the torque, instead of gain_slope (indirect only)"
+    )
+    profiled: Profiled | None = key_field("sleeves with the curved wall (indirect only); default one")
     ball_circle_radius: Length | None = key_field("radius of the ball circle", "r")
     wall_angle: WallAngle | None = key_field("wall angle of the pockets, from the axis", "α")
     balls: Count | None = key_field("number of balls", "n")

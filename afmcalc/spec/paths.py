@@ -24,6 +24,7 @@ ALIASES = {
     "alpha": "control_unit.wall_angle",
     "f1": "control_unit.key_friction",
     "d": "control_unit.hub_diameter",
+    "gain_slope": "control_unit.gain_slope",
 }
 """Symbols that stand for a path on the command line."""
 

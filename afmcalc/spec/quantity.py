@@ -4,7 +4,7 @@ import math
 import re
 from decimal import Decimal
 
-from ..messages import say, translate
+from ..messages import say, term
 from .units import EXAMPLES, KNOWN, SCALES, SIGNS, allowed
 
 _LONGEST = 100
@@ -42,7 +42,7 @@ def parse_quantity(value: object, unit: str) -> float:
 
 
 def _kind(unit: str) -> str:
-    return translate(EXAMPLES[unit][0])
+    return term(EXAMPLES[unit][0])
 
 
 def _as_float(value: int | float) -> float:

@@ -26,6 +26,7 @@ class TitleBlock(Block):
     revision: Entry | None = key_field("revision of the calculation")
     author: Entry | None = key_field("who calculated")
     checked: Entry | None = key_field("who checked")
+    norm_control: Entry | None = key_field("who checked it against the standards")
     approved: Entry | None = key_field("who approved")
     date: Entry | None = key_field("date of the calculation")
     organisation: Entry | None = key_field("who answers for the calculation")

@@ -12,7 +12,7 @@ from ..variants import VARIANTS
 from . import rules
 from .choices import Angles, Choice, Diameters, Forces, Lengths, Pairs, Ratios, Stiffnesses, StiffnessesOrNone
 from .fields import AtLeastOne, Block, Count, Force, Gap, Length, Name, Ratio, Stress, Torque, key_field
-from .models import Friction, Method, VariantName
+from .models import Friction, Method, PocketShape, Profiled, VariantName
 from .overrides import apply_overrides, overridden
 from .parsing import parse, text_of
 from .reading import validated
@@ -123,6 +123,10 @@ class Fixed(Block):
     face_width: Length | None = key_field("radial width of the friction faces, for pressure and outer diameter")
     hub_diameter: Length | None = key_field("hub diameter d (indirect)")
     key_friction: Ratio | None = key_field("friction f_1 at the key (indirect)")
+    pocket: PocketShape | None = key_field(
+        "constant-torque: pockets with the curved wall that holds the torque (indirect)"
+    )
+    profiled: Profiled | None = key_field("sleeves with the curved wall (indirect); default one")
 
 
 class Limits(Block):
@@ -189,6 +193,11 @@ class Requirements(Block):
         for each in (each for each in variants if each.travels):
             for path in (path for path, given in springs_and_hub.items() if given is None):
                 yield rules.wrong(path, say("required for variant {variant!r}", variant=each.name))
+        if fixed.pocket is not None and not any(each.travels for each in variants):
+            able = ", ".join(repr(each.name) for each in VARIANTS.values() if each.travels)
+            yield rules.wrong("fixed.pocket", say("is of variant {able}", able=able))
+        if fixed.profiled is not None and fixed.pocket is None:
+            yield rules.wrong("fixed.profiled", say("is of a curved wall: give fixed.pocket with it"))
 
     def _radii_problems(self) -> Iterable[Problem]:
         width, mean, inner, outer = (

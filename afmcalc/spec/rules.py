@@ -6,7 +6,7 @@ from typing import TypeAlias, TypeGuard
 from pydantic import ValidationError
 
 from ..errors import Problem
-from ..messages import say
+from ..messages import say, say_many
 from ..variants import VARIANTS, Path
 
 Table: TypeAlias = Mapping[str, object]
@@ -44,6 +44,7 @@ def problems(data: Table) -> list[Problem]:
         *_friction(data),
         *_radii(data),
         *_gain(data),
+        *_pocket(data),
         *_force(data),
         *_contact(data),
         *_variant(data),
@@ -137,6 +138,16 @@ def _gain(data: Table) -> Iterable[Problem]:
         yield beside(f"{block}.ball_circle_radius", f"{block}.wall_angle")
 
 
+def _pocket(data: Table) -> Iterable[Problem]:
+    block = "control_unit"
+    slope, pocket = has(data, block, "gain_slope"), has(data, block, "pocket")
+    if slope and pocket:
+        message = say("excludes control_unit.pocket: give the slope, or the pocket that it follows from")
+        yield wrong(f"{block}.gain_slope", message)
+    if has(data, block, "profiled") and not slope and not pocket:
+        yield wrong(f"{block}.profiled", say("is of a curved wall: give gain_slope or pocket with it"))
+
+
 def _contact(data: Table) -> Iterable[Problem]:
     if has(data, "control_unit", "allowable_contact_force") and has(data, "control_unit", "contact"):
         yield wrong(
@@ -201,10 +212,9 @@ def _pairs(data: Table) -> Iterable[Problem]:
     variant = VARIANTS.get(str(get(data, "variant")))
     if driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()) > 1:
         default = say(" (the default)") if variant.chooses_bypass else ""
-        if least == 2:
-            bypass = say("1 driving pair{default}", default=default)
-        else:
-            bypass = say("{count} driving pairs{default}", count=least - 1, default=default)
+        bypass = say_many(
+            "{count} driving pair{default}", "{count} driving pairs{default}", count=least - 1, default=default
+        )
         yield wrong(
             "friction_group.pairs",
             say(

@@ -6,13 +6,14 @@ the two reads a unit. What is not here is pint's.
 
 from decimal import Decimal
 
-from ..messages import say, translate
+from ..messages import say, term
 
 EXAMPLES = {
     "N": ("a force", "2 kN"),
     "m": ("a length", "100 mm"),
     "N*m": ("a torque", "200 N*m"),
     "N/m": ("a stiffness", "20 N/mm"),
+    "1/m": ("a slope of the gain", "18.75 1/m"),
     "rad": ("an angle", "30 deg"),
     "Pa": ("a pressure or stress", "400 MPa"),
     "m^3": ("a section modulus", "15 cm^3"),
@@ -66,6 +67,7 @@ KNOWN: dict[str, dict[str, Decimal]] = {
         for length, metres in _LENGTHS.items()
         if _alike(force, length)
     },
+    "1/m": {f"1/{unit}": 1 / Decimal(factor) for unit, factor in _LENGTHS.items()},
     "rad": {"rad": Decimal(1), "рад": Decimal(1)} | dict.fromkeys(("deg", "°", "degree", "град"), Decimal(_DEGREE)),
     "Pa": {unit: Decimal(factor) for unit, factor in _PRESSURES.items()},
     "rad/s": {"rad/s": Decimal(1), "рад/с": Decimal(1)} | dict.fromkeys(("rpm", "об/мин"), Decimal(_RPM)),
@@ -101,10 +103,10 @@ def allowed(unit: str) -> str:
     """Say what may stand in a field of the SI unit ``unit``."""
     kind, example = EXAMPLES[unit]
     if unit == "1":
-        return say("give {kind} such as {example}", kind=translate(kind), example=example)
+        return say("give {kind} such as {example}", kind=term(kind), example=example)
     return say(
         'give {kind}: a number in SI ({unit}) or a string with a unit such as "{example}"',
-        kind=translate(kind),
+        kind=term(kind),
         unit=unit,
         example=example,
     )

@@ -92,7 +92,8 @@ def test_a_deleted_working_directory_is_named(tmp_path):
 
 AIMED = """
     import atexit, os, signal, sys
-    def strike(*ignored): os.kill(os.getpid(), signal.SIGINT)
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a background job would ignore it
+    def strike(*ignored): signal.raise_signal(signal.SIGINT)
     {aim}
     sys.argv[0] = "afmcalc"
     from afmcalc.__main__ import program
@@ -108,7 +109,7 @@ MOMENTS = {
     **{name: ON_IMPORT.format(name) for name in ("afmcalc.cli.entry", "typer", "pydantic", "afmcalc.engines.laws", "numpy", "matplotlib")},
     "before a file is replaced": "replace = os.replace; os.replace = lambda *names: (strike(), replace(*names))",
     "after a file is replaced": "replace = os.replace; os.replace = lambda *names: (replace(*names), strike())",
-    "while a destructor runs": "class Lost: __del__ = strike\nsys.modules['lost'] = Lost(); atexit.register(lambda: sys.modules.pop('lost', 0))",
+    "while a destructor runs": "class Lost: __del__ = strike\nkept = [Lost()]; atexit.register(kept.clear)",
     "at the end": "atexit.register(strike)",
 }  # fmt: skip
 

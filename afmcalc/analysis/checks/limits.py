@@ -5,13 +5,14 @@ from typing import Literal, NamedTuple
 
 from ...engines.protocol import Clutch
 from ...findings import Finding, Level
+from ...messages import term
 from ...result import Result, quantity
 from ...spec.balls import diameters
 from ...spec.edit import value_at
 from ..answers import Answers
 from ..life import LifeResult
 from ..registry import ANALYSES
-from ..synthesize import SynthesisResult
+from ..unit import SynthesisResult
 from .pressure import pressure_findings
 
 Grade = Literal["pass", "note", "warning", "fail"]
@@ -78,14 +79,15 @@ def _of_clutch(clutch: Clutch) -> Iterator[_Held]:
         yield _Held(rule.code, rule.quantity, rule.symbol, "1", float(value), float(bound))
     if clutch.gain_threshold:
         threshold = float(clutch.gain_threshold)
-        yield _Held("feedback-idle", "gain against key friction", "C ≥ 2R f_1/d", "1", gain, threshold, least=True)
-    first, second = clutch.friction
-    lowest = float(min(clutch.torque(first.min, second.min), clutch.torque(first.max, second.max)))
-    nominal, name = float(clutch.nominal_torque), "least torque in service"
+        yield _Held(
+            "feedback-idle", term("gain against key friction"), "C ≥ 2R f_1/d", "1", gain, threshold, least=True
+        )
+    lowest, nominal = float(clutch.torque_min), float(clutch.nominal_torque)
+    name = term("least torque in service")
     yield _Held("below-nominal-torque", name, "T_min ≥ T_н", "N*m", lowest, nominal, least=True)
-    if (returned := clutch.torque_returning(first.min)) is not None:
-        name = "least torque, friction falling under load"
-        yield _Held("returning-below-nominal", name, "T_ret ≥ T_н", "N*m", float(returned), nominal, least=True)
+    if (returned := clutch.torque_returning_min) is not None:
+        name, machine = term("least torque, friction falling under load"), float(clutch.machine_torque)
+        yield _Held("returning-below-nominal", name, "T_ret ≥ T_н.маш", "N*m", float(returned), machine, least=True)
 
 
 def _of_synthesis(answers: Answers) -> Iterator[_Held]:
@@ -93,38 +95,48 @@ def _of_synthesis(answers: Answers) -> Iterator[_Held]:
     diameter, needed = found.ball_diameter, 2 * found.ball_radius
     if found.ball_diameter_standard is None:
         largest = max(diameters())
-        yield _Held("no-standard-ball", "ball needed", "2 r_ш ≤ largest of the list", "m", needed, largest)
+        yield _Held("no-standard-ball", term("ball needed"), "2 r_ш ≤ largest of the list", "m", needed, largest)
     else:
-        yield _Held("ball-too-small", "ball diameter", "d_ш ≥ 2 r_ш", "m", diameter, needed, least=True)
+        yield _Held("ball-too-small", term("ball diameter"), "d_ш ≥ 2 r_ш", "m", diameter, needed, least=True)
+    if found.undercut_radius is not None:
+        limit = found.undercut_radius
+        yield _Held("wall-undercut", term("ball runs on the curved wall"), "r_ш < ρ_0", "m", diameter / 2, limit)
     if found.ball_pitch is None:
         yield _Held(
-            "ball-reaches-axis", "ball clear of the axis", "r_ш ≤ r", "m", diameter / 2, found.ball_circle_radius
+            "ball-reaches-axis", term("ball clear of the axis"), "r_ш ≤ r", "m", diameter / 2, found.ball_circle_radius
         )
     else:
-        yield _Held("balls-overlap", "balls side by side", "d_ш ≤ t_ш", "m", diameter, found.ball_pitch)
-        yield _Held("pockets-overlap", "pockets side by side", "b ≤ t_ш", "m", found.pocket_width, found.ball_pitch)
+        yield _Held("balls-overlap", term("balls side by side"), "d_ш ≤ t_ш", "m", diameter, found.ball_pitch)
+        yield _Held(
+            "pockets-overlap", term("pockets side by side"), "b ≤ t_ш", "m", found.pocket_width, found.ball_pitch
+        )
     if (sleeve := value_at(answers.clutch.spec, "control_unit.sleeve_depth")) is not None:
         depth = found.pocket_depth_cut
-        yield _Held("depth-beyond-sleeve", "pocket within the sleeve", "h_c ≤ B", "m", depth, sleeve)
+        yield _Held("depth-beyond-sleeve", term("pocket within the sleeve"), "h_c ≤ B", "m", depth, sleeve)
     if found.contact_force is not None and found.contact_force_allowable is not None:
         force, allowable = found.contact_force, found.contact_force_allowable
-        yield _Held("contact-force-exceeded", "contact force on one ball", "F_n ≤ [F_n]", "N", force, allowable)
+        yield _Held("contact-force-exceeded", term("contact force on one ball"), "F_n ≤ [F_n]", "N", force, allowable)
+    if found.seat_force is not None and found.seat_utilisation:
+        force, allowable = found.seat_force, found.seat_force / found.seat_utilisation
+        yield _Held("seat-force-exceeded", term("force of a seat on one ball"), "F_s ≤ [F_n]", "N", force, allowable)
 
 
 def _of_life(found: LifeResult) -> Iterator[_Held]:
-    sides = (("protected", "τ_eq", found.stress_protected), ("unprotected", "τ'_eq", found.stress_unprotected))
-    for side, symbol, stress in sides:
+    protected = term("damaging stress, protected side (beyond: limited life)")
+    unprotected = term("damaging stress, unprotected side (beyond: limited life)")
+    sides = ((protected, "τ_eq", found.stress_protected), (unprotected, "τ'_eq", found.stress_unprotected))
+    for name, symbol, stress in sides:
         if stress is not None:
-            name = f"damaging stress, {side} side (beyond: limited life)"
             yield _Held("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
 
 
 def _pressure(finding: Finding) -> Utilisation:
     assert finding.value is not None
     assert finding.limit is not None
-    where = "at the inner edge" if finding.code.startswith("peak") else "in the mean"
+    inner, mean = term("surface pressure at the inner edge"), term("surface pressure in the mean")
     grade: Grade = "pass" if finding.level == "info" else _GRADES[finding.level]
     return Utilisation(
-        name=f"surface pressure {where}", symbol="p ≤ [p]", unit="Pa", value=finding.value, limit=finding.limit,
+        name=inner if finding.code.startswith("peak") else mean,
+        symbol="p ≤ [p]", unit="Pa", value=finding.value, limit=finding.limit,
         utilisation=finding.value / finding.limit, verdict=grade,
     )  # fmt: skip

@@ -13,7 +13,7 @@ from ...spec.edit import value_at
 from ...spec.materials import catalogue
 from ..answers import Answers
 from ..registry import ANALYSES
-from ..synthesize import SynthesisResult
+from ..unit import SynthesisResult
 
 FRICTION = (0.02, 1.0)
 """The papers have 0.1 to 0.8; dry rubber and clean metal in a vacuum are beyond, neither is a friction lining."""

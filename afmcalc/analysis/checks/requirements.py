@@ -6,7 +6,7 @@ from typing import Any, Literal, NamedTuple
 
 from ...engines.protocol import Clutch
 from ...findings import Finding, finding
-from ...messages import translate
+from ...messages import term, translate
 from ...result import OpenTriple, Result, Triple, quantity
 from ...spec.paths import keys
 from ..answers import Answers
@@ -113,11 +113,11 @@ def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Findi
         path = f"requirements.{name}"
         if row.passed is None:
             needs = JUDGED[name].needs or f"`{JUDGED[name].analysis}`"
-            own = finding("requirement-not-judged", "warning", limit=limit, path=path, name=row.name, needs=needs)
+            own = finding("requirement-not-judged", "warning", limit=limit, path=path, name=term(row.name), needs=needs)
             found.append(own)
         elif not row.passed:
-            code, bound = _MISSED[row.unit], translate(row.bound)
-            own = finding(code, "error", value=row.value, limit=limit, path=path, name=row.name, bound=bound)
+            code, bound = _MISSED[row.unit], term(row.bound)
+            own = finding(code, "error", value=row.value, limit=limit, path=path, name=term(row.name), bound=bound)
             found.append(own)
     return rows, found
 
@@ -134,7 +134,7 @@ def _row(name: str, limit: float, value: float | None) -> RequirementRow:
     over, under = (limit, value) if least else (value, limit)
     return RequirementRow(
         requirement=name,
-        name=translate(key.description).partition(",")[0],
+        name=key.description.partition(",")[0],
         symbol=key.symbol or "",
         value=None if value is None or math.isinf(value) else value,
         bound="at least" if least else "at most",

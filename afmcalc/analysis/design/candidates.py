@@ -207,6 +207,11 @@ class Candidates(ABC):
         """Largest normal force on one ball, N."""
         return self.ball_torque * self.force_per_ball
 
+    @property
+    def most_per_ball(self) -> Numbers:
+        """Largest force that any wall puts on a ball, per torque, 1/m."""
+        return self.force_per_ball
+
     @cached_property
     def travel(self) -> Numbers:
         """Largest travel of the sleeve, m; 0 without one."""
@@ -249,6 +254,16 @@ class Candidates(ABC):
         left = synthesis.edge_clearance(diameter / 2, 0.0, fixed.face_gap, sine) - fixed.edge_clearance
         # gain 0 has no pockets to speak of
         return np.where(self.tangent > 0, 2 * left, np.inf)
+
+    @property
+    def ball_fits(self) -> Mask:
+        """Whether a standard ball is large enough, and has room with its pocket."""
+        return np.asarray(self.travel <= self.travel_room(self.largest_ball * (1 + SAME)))
+
+    @property
+    def gain_slope(self) -> Numbers:
+        """C_1 of the pockets, 1/m."""
+        return np.zeros(1)
 
     @cached_property
     def ball_needed(self) -> Numbers:

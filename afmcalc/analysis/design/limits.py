@@ -77,12 +77,12 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
         yield _at_most("reduced_gain", lambda c: c.reduced_gain, reduced, "1", (0, -1))
     if (force := limits.contact_force) is not None:
         yield Constraint(
-            "contact_force", lambda c: c.ball_torque <= force * OVER / c.force_per_ball, (1, 1),
-            lambda c: c.contact_force, force, "N",
+            "contact_force", lambda c: c.ball_torque <= force * OVER / c.most_per_ball, (1, 1),
+            lambda c: c.ball_torque * c.most_per_ball, force, "N",
         )  # fmt: skip
     # what a ball lacks in size: the largest that is listed or has room may differ from candidate to candidate
     yield Constraint(
-        "standard_ball", lambda c: c.travel <= c.travel_room(c.largest_ball * OVER), (-1, int(variant.travels)),
+        "standard_ball", lambda c: c.ball_fits, (-1, int(variant.travels)),
         lambda c: c.ball_needed - c.largest_ball, 0.0, "m",
     )  # fmt: skip
     if variant.travels and (travel := limits.travel) is not None:
@@ -125,6 +125,11 @@ def feasible(found: Candidates) -> Mask:
     return np.broadcast_to(good, found.at.pairs.shape)
 
 
+def curved(need: Requirements, variant: Variant) -> bool:
+    """Whether the pockets have a curved wall: what holds along an axis of straight ones need not of them."""
+    return variant.travels and need.fixed.pocket is not None
+
+
 def unimodal(need: Requirements) -> bool:
     """Whether K_т falls as the gain grows, all the way: beyond its limit unlike materials may turn T(f) round."""
     return need.limits.gain_limit or not need.friction.unlike
@@ -133,7 +138,10 @@ def unimodal(need: Requirements) -> bool:
 def never_worse(need: Requirements, variant: Variant) -> dict[str, int]:
     """Axes along which a feasible candidate is never beaten: by its larger (1) or its smaller (−1) neighbour."""
     angle, aims = need.search.gain is None, set(need.objectives)
-    found = {}
+    found: dict[str, int] = {}
+    if curved(need, variant):
+        # a stiffer spring, a larger radius may want a wall that cannot be cut
+        return found
     if variant.controlled and not angle:
         # a gain knows no ball circle: but for the balls all are alike
         found["ball_circle_radius"] = 1 if "ball_diameter" in aims else -1

@@ -14,7 +14,7 @@ from .by_law import candidates
 from .candidates import Candidates
 from .found import Found
 from .grid import Tile, tiles
-from .limits import Constraint, constraints, unimodal
+from .limits import Constraint, constraints, curved, unimodal
 from .room import never_meet
 from .space import SAME, Mask, Numbers, Places, balls, grids
 
@@ -24,7 +24,7 @@ ROWS = 32768
 
 def separable(need: Requirements, variant: Variant) -> bool:
     """Whether the bounds of a variant are one-sided along the radius."""
-    if need.search.closing_force is None:
+    if need.search.closing_force is None or curved(need, variant):
         return False
     if need.search.gain is None:
         return unimodal(need) or not variant.controlled

@@ -17,7 +17,7 @@ from ...spec.requirements import Requirements
 from ...variants import Variant
 from .by_law import candidates
 from .candidates import Candidates
-from .limits import feasible, objectives
+from .limits import curved, feasible, objectives
 from .space import Axes, Mask, Numbers, searched
 
 FIRST, LATER, ROUNDS = 256, 32, 10
@@ -37,7 +37,7 @@ def refined(
     """Move candidates between the grid points of the parameters that were given as ranges.
 
     Each continuous objective in turn is made as small as it goes without a rise of the others. Whole numbers,
-    lists and balls stay; so does a spring force from a catalogue, and then all the rest.
+    lists and balls stay; so do a spring force from a catalogue and pockets with a curved wall, and then all the rest.
 
     Args:
         need: the requirements.
@@ -49,7 +49,8 @@ def refined(
         Candidates of the same number, each no worse than its own in any objective.
     """
     count = at.pairs.size
-    if need.search.closing_force is None or not any(choice.between for choice in _free(need, variant).values()):
+    between = any(choice.between for choice in _free(need, variant).values())
+    if need.search.closing_force is None or curved(need, variant) or not between:
         return at
     parts = []
     for start in range(0, count, ROWS):

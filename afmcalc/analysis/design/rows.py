@@ -10,6 +10,7 @@ from ...spec import Spec, make_spec
 from ...spec.edit import as_written
 from ...spec.requirements import Requirements
 from .candidates import Candidates
+from .limits import curved
 
 
 class DesignRow(Result):
@@ -24,6 +25,7 @@ class DesignRow(Result):
     inner_radius: float | None = quantity("m", "r_i", "inner radius of the friction faces", optional=True, detail=True)
     outer_diameter: float | None = quantity("m", "2 r_o", "outer diameter of the friction faces", optional=True)
     gain: float | None = quantity("1", "C", "feedback gain", optional=True)
+    gain_slope: float | None = quantity("1/m", "C_1", "how the gain grows with the sleeve's travel", optional=True)
     wall_angle: float | None = quantity("rad", "α", "wall angle", optional=True)
     ball_circle_radius: float | None = quantity("m", "r", "ball-circle radius", optional=True)
     closing_stiffness: float | None = quantity("N/m", "c_1", "stiffness of the closing spring", optional=True)
@@ -73,6 +75,8 @@ def rows(found: Candidates) -> list[DesignRow]:
         columns |= {"gain": found.gain, "ball_diameter": found.ball_diameter, "contact_force": found.contact_force}
         if need.search.wall_angle is not None:
             columns["wall_angle"] = at.steering
+    if curved(need, found.variant):
+        columns["gain_slope"] = found.gain_slope
     if found.variant.travels:
         columns |= {name: getattr(found, name) for name in _OF_A_SLEEVE if name != "pack_force_at_rest"}
         columns["pack_force_at_rest"] = found.pack_force
@@ -125,6 +129,7 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
                 if row.closing_stiffness is None
                 else {"hub_diameter": fixed.hub_diameter, "key_friction": fixed.key_friction}
             ),
+            **({} if row.gain_slope is None else {"pocket": fixed.pocket, "profiled": fixed.profiled or "one"}),
         }
     if row.closing_stiffness is not None:
         spring["stiffness"] = row.closing_stiffness

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import NamedTuple
 
+from ...messages import joined, say, term
 from ...papers.register import register
 from ...spec.paths import keys
 from .formula import FormulaText, symbol_latex
@@ -120,7 +121,7 @@ def _derivation(calls: list[Call], told: _Told) -> Derivation:
         formula="" if shown else _text(calls[0]).latex(),
         where=list(_meanings(calls, told)),
         rows=[_row(call, line=len(calls) > _FEW) for call in calls],
-        source="" if shown else equation.source.rstrip("."),
+        source="" if shown else equation.source,
         differs="" if shown else _misprints().get(equation.name, ""),
         below_one=below,
     )
@@ -144,8 +145,11 @@ def _misprints() -> dict[str, str]:
     found: dict[str, list[str]] = {}
     for entry in register():
         if entry.status == "mended" and entry.printed and entry.function:
-            found.setdefault(entry.function, []).append(f"{entry.id}: {entry.printed} ({entry.misprint})")
-    return {name: "; ".join(printed) for name, printed in found.items()}
+            told = say(
+                "{id}: {printed} ({misprint})", id=term(entry.id), printed=term(entry.printed), misprint=entry.misprint
+            )
+            found.setdefault(entry.function, []).append(told)
+    return {name: joined(printed, "; ") for name, printed in found.items()}
 
 
 def _text(call: Call) -> FormulaText:

@@ -5,8 +5,8 @@ from typing import Any
 from ...engines import build
 from ...errors import AfmcalcError
 from ...findings import Finding
-from ...messages import say
-from ...papers.register import register
+from ...messages import joined, say, term
+from ...papers.register import Formula, register
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.models import Method
@@ -82,8 +82,20 @@ def steps_of(calls: list[Call]) -> list[Step]:
 def _note(call: Call) -> str | None:
     """Say what is done with a value before it is shown as a result."""
     if call.equation.name == "accuracy.accuracy_factor" and call.value < 1:
-        return f"the torque falls along the path: largest over smallest is the inverse, {1 / call.value:.5g}"
+        inverse = 1 / call.value
+        return say(
+            "the torque falls along the path: largest over smallest is the inverse, {inverse:.5g}", inverse=inverse
+        )
     return None
+
+
+def _printed(mended: list[Formula]) -> str | None:
+    differing = [
+        say("{id} prints {printed} ({misprint})", id=term(each.id), printed=term(each.printed), misprint=each.misprint)
+        for each in mended
+        if each.printed
+    ]
+    return joined(differing, "; ") if differing else None
 
 
 def _step(call: Call) -> Step:
@@ -106,7 +118,7 @@ def _step(call: Call) -> Step:
         unit=result.unit,
         source=call.equation.source,
         note=_note(call),
-        print_differs="; ".join(f"{e.id} prints {e.printed} ({e.misprint})" for e in mended if e.printed) or None,
+        print_differs=_printed(mended),
         function=call.equation.name,
         formula_latex=formula.latex(),
         substituted_latex=formula.latex_with_numbers(),

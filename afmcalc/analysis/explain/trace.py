@@ -8,6 +8,7 @@ from inspect import signature
 from typing import Any, Literal, NamedTuple, get_args
 
 from ...equations.catalogue import Equation, equations
+from ...messages import say
 from ...spec import Spec
 from ...spec.edit import with_value
 from ...spec.models import Friction, Method, Range
@@ -49,8 +50,10 @@ class Circumstance(NamedTuple):
     def at(self) -> str | None:
         """Friction and branch in one."""
         if self.branch == "returning":
-            return f"{self.friction}, returning"
-        return f"{self.friction} after {self.after}" if self.branch == "held" else self.friction
+            return say("{friction}, returning", friction=self.friction)
+        if self.branch == "held":
+            return say("{friction} after {after}", friction=self.friction, after=self.after)
+        return self.friction
 
 
 class Marked(float):

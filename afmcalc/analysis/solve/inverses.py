@@ -17,19 +17,28 @@ Inverse: TypeAlias = Callable[[float], float]
 
 PROPORTIONAL = ("nominal_torque", "torque_min", "torque_max", "scatter", "travel_max", "closing_force")
 """Targets proportional to the spring force."""
+AT_SETTING = ("nominal_torque", "closing_force")
+"""Those that are so with any pocket: the sleeve is at its stop."""
 
 
 def closed_inverse(clutch: Clutch, name: str, target: str) -> Inverse | None:
     """Return the closed inverse for a parameter and a target; None where only a root search answers."""
-    if name == "F" and target in PROPORTIONAL:
+    straight = not clutch.gain_slope
+    if name == "F" and target in (PROPORTIONAL if straight or _follows(clutch) else AT_SETTING):
         per_force = float(TARGETS[target].value(clutch)) / float(clutch.closing_force)
         return lambda wanted: float(adjustment.closing_force(wanted, 1.0, per_force))
     inverses: dict[str, Inverse] = {}
     if isinstance(clutch, DirectClutch):
         inverses = _for_accuracy(clutch) if target == "accuracy_factor" else _for_torque(clutch, target)
-    elif isinstance(clutch, IndirectClutch) and target == "accuracy_factor":
+    elif isinstance(clutch, IndirectClutch) and straight and target == "accuracy_factor":
         inverses = _for_indirect_accuracy(clutch)
     return inverses.get(name)
+
+
+def _follows(clutch: Clutch) -> bool:
+    """Whether the slope of the gain goes with the force as the travel does: pockets that hold the torque."""
+    unit = clutch.spec.control_unit
+    return unit is not None and unit.pocket is not None
 
 
 def _for_accuracy(clutch: DirectClutch) -> dict[str, Inverse]:

@@ -21,12 +21,12 @@ from ...spec.suggest import did_you_mean
 from .domain import SAME, Domain, domain_of
 from .inverses import closed_inverse
 from .search import Curve, Function, explore, roots
-from .targets import TARGETS, scatter
+from .targets import TARGETS
 
-NAMES = ("C", "F", "z", "z1", "R", "c1", "c2")
+NAMES = ("C", "F", "z", "z1", "R", "c1", "c2", "gain_slope")
 """Parameters that can be solved for, by symbol."""
 
-_UNITS = {"C": "1", "F": "N", "z": "1", "z1": "1", "R": "m", "c1": "N/m", "c2": "N/m"}
+_UNITS = {"C": "1", "F": "N", "z": "1", "z1": "1", "R": "m", "c1": "N/m", "c2": "N/m", "gain_slope": "1/m"}
 
 
 class NotAttainableError(CalculationError):
@@ -124,7 +124,7 @@ def solve(
         closing_force=solved.closing_force,
         nominal_torque=solved.nominal_torque,
         torque_max=solved.torque_max,
-        scatter=scatter(solved),
+        scatter=solved.scatter,
         accuracy_factor=solved.accuracy_factor,
     )
     gone = [finding("solve-replaces", "info", path=other, by=path) for other in replaced(clutch.spec, [path])]
@@ -237,15 +237,14 @@ def _not_attainable(
         value = function(at)
     if not len(at):
         return CalculationError(refusal(say("no value of {name} gives a clutch", name=name)))
-    # nothing reaches the wanted value, so all lie on one side of it
-    side = np.sign(wanted - value[0])
-    rank = side * value
-    tied = np.flatnonzero(rank >= rank.max() - 1e-13 * abs(rank.max()))
+    # all on one side of the wanted value, unless the quantity jumps over it
+    gap = np.abs(value - wanted)
+    tied = np.flatnonzero(gap <= gap.min() + 1e-13 * abs(value[np.argmin(gap)]))
     best = tied[-1] if at[tied[-1]] == domain.high else tied[0]
     nearest, place = float(value[best]), float(at[best])
 
     def nearer(limit: float | None) -> TypeGuard[float]:
-        return limit is not None and bool(side * (limit - nearest) > 1e-12 * abs(limit))
+        return limit is not None and abs(nearest - wanted) - abs(limit - wanted) > 1e-12 * abs(limit)
 
     if nearer(limit := curve.limit_low):
         where = say("the best is {best}, approached as {name} goes to 0", best=_with_unit(limit, unit), name=name)

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Literal, NamedTuple
 
-from ...arrays import Values, larger, smaller
+from ...arrays import Values
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
 from ...messages import say
@@ -23,22 +23,6 @@ class Target(NamedTuple):
     """What else it is called: symbols, and the path of the key that sets it."""
 
 
-def _ends(clutch: Clutch) -> tuple[Values, Values]:
-    first, second = clutch.friction
-    return clutch.torque(first.min, second.min), clutch.torque(first.max, second.max)
-
-
-def torque_min(clutch: Clutch) -> Values:
-    """Smallest sustained torque along the common path, N·m."""
-    return smaller(*_ends(clutch))
-
-
-def scatter(clutch: Clutch) -> Values:
-    """Width of the torque scatter band ΔT, N·m."""
-    low, high = _ends(clutch)
-    return larger(low, high) - smaller(low, high)
-
-
 def _travel(clutch: Clutch) -> Values:
     travel: Values | None = clutch.travel(clutch.friction[0].max)
     if travel is None:
@@ -54,9 +38,9 @@ TARGETS: dict[str, Target] = {
     "nominal_torque": Target(
         "N*m", "nominal torque of the clutch", lambda c: c.nominal_torque, "high", ("T_н", "adjustment.nominal_torque")
     ),
-    "torque_min": Target("N*m", "smallest torque", torque_min, "high", ("T_min",)),
+    "torque_min": Target("N*m", "smallest torque", lambda c: c.torque_min, "high", ("T_min",)),
     "torque_max": Target("N*m", "largest torque", lambda c: c.torque_max, "low", ("T_max",)),
-    "scatter": Target("N*m", "torque scatter band", scatter, "low", ("ΔT",)),
+    "scatter": Target("N*m", "torque scatter band", lambda c: c.scatter, "low", ("ΔT",)),
     "reduced_gain": Target("1", "reduced gain", lambda c: c.reduced_gain, "low", ("zC", "z_2 C", "z_2C")),
     "closing_force": Target(
         "N", "closing-spring force", lambda c: c.closing_force, "low", ("F_п", "F", "closing_spring.force")

@@ -69,6 +69,8 @@ def default_range(key: Key, spec: Spec) -> Floats:
         limit = clutch.gain_limit
         start = float(clutch.gain_threshold or 0.0)
         return np.linspace(start, limit if limit is not None else max(2 * float(clutch.gain), start + 5.0), 26)
+    if key.path == "control_unit.gain_slope":
+        return np.linspace(0.0, 2 * float(build(spec).constant_torque_slope or 0.0), 41)
     if key.path == "friction_group.driving_pairs":
         return _whole(1, max(group.pairs - 1, 1))
     if key.path == "friction_group.pairs":

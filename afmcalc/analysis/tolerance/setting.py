@@ -4,7 +4,7 @@ from ...engines import Clutch
 from ...errors import Problem, SpecError
 from ...messages import say
 from ...spec import Spec
-from ...spec.edit import with_force, with_value
+from ...spec.edit import with_force, with_key, with_value
 from ...spec.tolerance import Tolerance
 
 _ONLY_SETTING = (
@@ -45,4 +45,7 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
     if clutch.control_force is not None:
         made = float(clutch.control_force) if setting == "as-made" else None
         spec = with_value(spec, _CONTROL_FORCE, made)
+    if clutch.gain_slope:
+        # pockets are cut once, for the nominal clutch
+        spec = with_key(spec, "control_unit.gain_slope", float(clutch.gain_slope))
     return spec

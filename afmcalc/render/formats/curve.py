@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from ...messages import told
 from ..canvas import Trace, bounds, drawn
 from ..layout import TextTable
 from ..units import significant
@@ -23,7 +24,7 @@ def curve(x: Sequence[float], y: Sequence[float | None], title: str, *, unicode:
     """
     trace = Trace("•" if unicode else "*", [(a, b) for a, b in zip(x, y, strict=True) if b is not None])
     if not trace.points:
-        return [f"{title}: no values to draw"]
+        return [told("{title}: no values to draw", title=title)]
     (left, right), (bottom, top) = ([significant(end) for end in ends] for ends in bounds([trace]))
     beside = {0: top} | ({HEIGHT - 1: bottom} if bottom != top else {})
     return [title, *drawn([trace], SIZE, beside, {0: left, WIDTH - 1: right}, unicode=unicode)]
@@ -36,4 +37,4 @@ def curve_lines(block: TextTable, unicode: bool) -> list[str]:
     x, y = block.source.columns[:2]
     if len(x.values) < 3:
         return []
-    return ["", *curve(x.values, y.values, f"{y.symbol} against {x.symbol}", unicode=unicode)]
+    return ["", *curve(x.values, y.values, told("{y} against {x}", y=y.symbol, x=x.symbol), unicode=unicode)]

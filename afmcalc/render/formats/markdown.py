@@ -3,11 +3,11 @@
 import re
 from collections.abc import Sequence
 
-from ...messages import printable
+from ...messages import printable, told, translate
 from ...result import Output
 from ..document import Document, document
 from ..layout import blocks, findings_lines, step_value, title, unfolded
-from ..symbols import value_latex
+from ..symbols import latex_in_numbers, value_latex
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -23,7 +23,7 @@ def render(output: Output, terminal: bool) -> str:
     lines += _steps(document(output.result))
     remarks = findings_lines(output.findings)
     if remarks:
-        lines += ["### Findings", "", *(f"- {_escape(line)}" for line in remarks), ""]
+        lines += [f"### {translate('Findings')}", "", *(f"- {_escape(line)}" for line in remarks), ""]
     return "\n".join(lines)
 
 
@@ -34,16 +34,16 @@ def _steps(laid_out: Document) -> list[str]:
     lines = []
     for step in laid_out.steps:
         at = f" ({_escape(step.at)})" if step.at else ""
-        equals = " = ".join(dict.fromkeys((step.formula_latex, step.substituted_latex)))
-        lines += [f"### {_escape(step.symbol)}{at}: {_escape(step.name)}", ""]
+        equals = " = ".join(dict.fromkeys(map(latex_in_numbers, (step.formula_latex, step.substituted_latex))))
+        lines += [f"### {_escape(step.symbol)}{at}: {_escape(translate(step.name))}", ""]
         lines += [
             f"$${step.symbol_latex} = {equals} = {value_latex(step_value(step))}$$",
             "",
-            f"Source: {_escape(step.source)}",
+            told("Source: {source}", source=_escape(translate(step.source))),
             "",
         ]
         if step.print_differs:
-            lines += [f"*Print differs:* {_escape(step.print_differs)}", ""]
+            lines += [told("*Print differs:* {what}", what=_escape(translate(step.print_differs))), ""]
     return lines
 
 

@@ -7,6 +7,7 @@ from rich.console import Console, Group
 from rich.table import Table
 from rich.text import Text
 
+from ...messages import translate
 from ...result import Output
 from ..layout import SweepDrawing, TextTable, findings_lines, is_across, may_turn, padded, title, turned
 
@@ -52,8 +53,9 @@ def render_rich(
         console.print(Text(line, style="" if line.startswith(" ") else "bold"))
     if output.findings:
         console.print()
+        styles = {translate(level, "value"): style for level, style in _STYLES.items()}
         for line in findings_lines(output.findings):
-            console.print(Text(line, style=_STYLES[line.partition(":")[0]]))
+            console.print(Text(line, style=styles[line.partition(":")[0]]))
     return buffer.getvalue()
 
 

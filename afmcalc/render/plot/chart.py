@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
-from ...messages import translate
+from ...messages import RAISED, localized, translate
 from ..units import display, display_unit
 
 
@@ -139,11 +139,8 @@ def power(value: float) -> str:
     ('10⁷', '2.5·10¹²')
     """
     mantissa, _, exponent = f"{value:.3e}".partition("e")
-    ten = "10" + str(int(exponent)).translate(_RAISED)
-    return ten if float(mantissa) == 1 else f"{float(mantissa):g}·{ten}"
-
-
-_RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+    ten = "10" + str(int(exponent)).translate(RAISED)
+    return ten if float(mantissa) == 1 else f"{localized(f'{float(mantissa):g}')}·{ten}"
 
 
 def stated(symbol: str, value: float, unit: str) -> str:

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, Literal
 
+from ...messages import spoken
 from ..symbols import literal, mathtext
 from .chart import Chart, Sheet
 from .paint import paint
@@ -133,7 +134,9 @@ def _legend(axes: Any, columns: int) -> None:
 
 
 def _wrapped(caption: str) -> list[str]:
-    return [line for part in caption.splitlines() for line in textwrap.wrap(part, 118)]
+    # Cyrillic letters are wider
+    columns = 118 if spoken() == "en" else 100
+    return [line for part in caption.splitlines() for line in textwrap.wrap(part, columns)]
 
 
 _CREATOR = "afmcalc plot"

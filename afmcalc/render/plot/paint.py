@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+from ...messages import localized, spoken
 from ..symbols import literal, mathtext
 from ..units import factor
 from .chart import Chart, Line
@@ -36,6 +37,22 @@ def paint(axes: Any, chart: Chart) -> None:
         _span(axes, number, span, high)
     axes.set_xlabel(mathtext(chart.x.label))
     axes.set_ylabel(mathtext(chart.y.label))
+    _ticks(axes)
+
+
+def _ticks(axes: Any) -> None:
+    """Write the numbers on the axes as people of the user's language do."""
+    if spoken() == "en":
+        return
+    from matplotlib.ticker import ScalarFormatter
+
+    class Ticks(ScalarFormatter):
+        def __call__(self, value: float, place: int | None = None) -> str:
+            return localized(str(super().__call__(value, place)))
+
+    for axis in (axes.xaxis, axes.yaxis):
+        if isinstance(axis.get_major_formatter(), ScalarFormatter):
+            axis.set_major_formatter(Ticks())
 
 
 def _line(axes: Any, line: Line, style: int, wide: float, high: float, named: bool) -> None:

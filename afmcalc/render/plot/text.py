@@ -5,7 +5,7 @@ import textwrap
 from collections.abc import Sequence
 from typing import Any
 
-from ...messages import printable
+from ...messages import localized, printable, told
 from ..canvas import Ends, Trace, bounds, drawn, place, ticks
 from ..document import Table
 from ..layout import TextTable
@@ -41,7 +41,7 @@ def draw(chart: Chart, *, unicode: bool) -> list[str]:
             mark = _FILLED[not unicode] if line.filled else marks[number % len(marks)]
             traces[number] = Trace(mark, points, joined=not line.points)
     if not traces:
-        return [f"{chart.y.label}: no values to draw"]
+        return [told("{title}: no values to draw", title=chart.y.label)]
     x, y = bounds(list(traces.values()))
     heights = {value: power(10**value) for value in _decades(*y)} if chart.y.log else _named(y, HEIGHT // 3)
     beside = {HEIGHT - 1 - place(value, y, HEIGHT): text for value, text in heights.items()}
@@ -88,7 +88,10 @@ def _chart(table: Table) -> Chart | None:
     if not outer:
         return Chart(x, y, [Line(y.symbol, inner.values, answer.values)])
     lines = [
-        Line(f"{outer[0].symbol} = {value:g}", *_part(value, outer[0].values, inner.values, answer.values))
+        Line(
+            f"{outer[0].symbol} = {localized(f'{value:g}')}",
+            *_part(value, outer[0].values, inner.values, answer.values),
+        )
         for value in dict.fromkeys(outer[0].values)
     ]
     return Chart(x, y, lines)

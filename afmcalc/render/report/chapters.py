@@ -26,8 +26,8 @@ def _chapter(topic: Topic, method: str) -> Chapter:
     lay_out = _BLOCKS.get(topic.name, lambda found: blocks(document(found)))
     return Chapter(
         key=topic.name,
-        title=topic.title,
-        about=topic.about,
+        title=translate(topic.title),
+        about=translate(topic.about),
         tables=lay_out(topic.result),
         blocks=blocks_of(topic.derivations, method),
         sheets=[] if topic.figure is None else [sheet_of(topic.plot, topic.figure)],
@@ -38,7 +38,9 @@ def _chapter(topic: Topic, method: str) -> Chapter:
 def _both_settings(found: AdjustResult) -> list[TextTable]:
     laid_out = document(found)
     own = [row for row in laid_out.singles if not row.path.startswith(("min_friction.", "mean_friction."))]
-    methods = _side_by_side({"set at f_min": found.min_friction, "set at mean f": found.mean_friction})
+    methods = _side_by_side(
+        {translate("set at f_min"): found.min_friction, translate("set at mean f"): found.mean_friction}
+    )
     return [methods, *blocks(Document(own, [], [], []))]
 
 
@@ -51,7 +53,7 @@ def _side_by_side(results: dict[str, Result]) -> TextTable:
     columns = [_rows(result) for result in results.values()]
     rows = [[*about, *(column[number][1] for column in columns)] for number, (about, _) in enumerate(columns[0])]
     lined = [[symbol, name, *values, unit] for symbol, name, unit, *values in rows]
-    header = ["Symbol", "Quantity", *results, "Unit"]
+    header = [translate("Symbol"), translate("Quantity"), *results, translate("Unit")]
     return TextTable("", header, lined, [False, False, *(True for _ in results), False])
 
 
@@ -65,7 +67,11 @@ def _rows(result: Result) -> list[tuple[tuple[str, str, str], str]]:
         if isinstance(value, Triple):
             found += [
                 ((symbol, f"{title} {at}", shown), display(each, unit))
-                for at, each in (("at f_min", value.min), ("at mean f", value.mean), ("at f_max", value.max))
+                for at, each in (
+                    (translate("at f_min"), value.min),
+                    (translate("at mean f"), value.mean),
+                    (translate("at f_max"), value.max),
+                )
             ]
         else:
             found.append(((symbol, title, shown), display(value, unit)))

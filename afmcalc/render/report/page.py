@@ -5,14 +5,18 @@ from typing import Any, NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from ...messages import printable, translate
+from ...analysis.dossier import Dossier
+from ...messages import localized, printable, spoken, translate
+from ...messages import told as message
 from ...papers.references import REFERENCES
 from ...spec import resolved
 from ...spec.paths import keys, unit_at
+from ...spec.report import TitleBlock
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
-from ..units import display, display_unit
+from ..units import display, display_unit, worded
 from .chapters import chapters
+from .form import FORMS
 from .interface import Chapter, Subject
 from .markup import cell, css_string, drawing, mathml, symbol
 from .verdict import verdict
@@ -61,9 +65,12 @@ def render(subject: Subject) -> str:
         "display_unit": display_unit,
         "css": css_string,
         "translate": translate,
+        "told": worded,
+        "three": lambda value: localized(f"{value:.3g}"),
     }
     dossier = subject.dossier
     found = chapters(dossier)
+    figures = _figures(found)
     name = dossier.spec.name or told("unnamed")
     page: str = environment.get_template("page.html").render(
         subject=subject,
@@ -74,7 +81,11 @@ def render(subject: Subject) -> str:
         verdict=verdict(dossier),
         keys=_keys(subject),
         chapters=found,
-        figures=_figures(found),
+        figures=figures,
+        sections=_sections(dossier, figures),
+        symbols=_symbols(found),
+        form=FORMS[spoken()],
+        language=spoken(),
         most_used=max(dossier.limits, key=lambda each: each.utilisation, default=None),
         findings=sorted(dossier.findings, key=lambda finding: _LEVELS[finding.level]),
         references=_references(found),
@@ -86,14 +97,30 @@ def _entries(subject: Subject) -> list[tuple[str, str]]:
     """Title block: what is given of it, and what every report has."""
     title, spec = subject.title, subject.dossier.spec
     program = f"afmcalc {subject.version}"
-    own = {name: getattr(title, name) for name in ("organisation", "project", "drawing", "revision", "date")}
-    own |= {"variant": spec.variant, "author": title.author, "checked": title.checked, "approved": title.approved}
-    own["program"] = program
-    return [(name, value) for name, value in own.items() if value or name in _SIGNED]
+    own = {"variant": translate(spec.variant, "value"), "program": program}
+    own |= {name: getattr(title, name) for name in TitleBlock.model_fields}
+    form = FORMS[spoken()]
+    return [(name, own[name]) for name in form.entries if own[name] or name in form.signed]
 
 
-_SIGNED = ("author", "checked", "approved")
-"""Entries that have a place in every title block: one may sign there."""
+def _sections(dossier: Dossier, figures: list["_Figure"]) -> list[str]:
+    """Sections of the report, in their order."""
+    form = FORMS[spoken()]
+    empty = {"requirements": not dossier.requirements, "plots": not figures}
+    return [name for name in form.sections if name in form.always or not empty.get(name)]
+
+
+def _symbols(found: list[Chapter]) -> list[tuple[str, str]]:
+    """Symbols of the formulas, each with what it stands for where it is first told."""
+    told: dict[str, str] = {}
+    for block in (block for chapter in found for block in chapter.blocks):
+        for each in block.where:
+            if each.text:
+                told.setdefault(each.symbol, each.text)
+        # the heading of its step begins with a capital
+        first = block.name[:1].lower() if block.name[1:2].islower() else block.name[:1]
+        told.setdefault(block.symbol, first + block.name[1:])
+    return sorted(told.items(), key=lambda item: item[0].casefold())
 
 
 def _keys(subject: Subject) -> list[_SpecLine]:
@@ -123,8 +150,12 @@ def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
     unit = unit_at(name) or ""
     numbers = [f"{part} {display(value, unit)}" for part, value in given.items() if part != "distribution"]
     key = keys().get(name)
-    about = f"scatter: {translate(key.description).partition(';')[0]}" if key else "scatter of the friction in service"
-    value = ", ".join([given["distribution"], *numbers])
+    about = (
+        message("scatter: {about}", about=translate(key.description).partition(";")[0])
+        if key
+        else translate("scatter of the friction in service")
+    )
+    value = (", " if spoken() == "en" else "; ").join([worded(given["distribution"]), *numbers])
     return _SpecLine(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, display_unit(unit), False)
 
 

@@ -1,7 +1,8 @@
 """Tables of the torque over tolerances: each value beside its standard error, inputs in the engineer's units."""
 
 from ...analysis.tolerance.result import Estimate, IndexRow, InputRow, LifeRow, ToleranceResult
-from ...messages import translate
+from ...messages import localized, term, translate
+from ...messages import told as message
 from ...spec.paths import keys
 from ..document import document
 from ..layout import TextTable
@@ -34,7 +35,7 @@ def _figures(result: ToleranceResult, errors: bool) -> TextTable:
         for row in document(result).singles
         if row.path not in names.values()
     ]
-    header = ["Symbol", "Quantity", "Value", *(["±"] if errors else []), "Unit"]
+    header = [*map(translate, ("Symbol", "Quantity", "Value")), *(["±"] if errors else []), translate("Unit")]
     return TextTable("", header, lined, [False, False, True, *([True] if errors else []), False])
 
 
@@ -47,27 +48,29 @@ def _quantiles(result: ToleranceResult, errors: bool) -> TextTable:
     rows = [
         [
             f"T_{100 * row.probability:g}",
-            f"torque not exceeded with probability {100 * row.probability:g} %",
+            message("torque not exceeded with probability {percent:g} %", percent=100 * row.probability),
             *_with_error(row.estimate("torque"), "N*m", errors),
             display_unit("N*m"),
         ]
         for row in result.quantiles
     ]
-    header = ["Symbol", "Quantity", "Value", *(["±"] if errors else []), "Unit"]
-    return TextTable("Quantiles of the torque", header, rows, [False, False, True, *([True] if errors else []), False])
+    header = [*map(translate, ("Symbol", "Quantity", "Value")), *(["±"] if errors else []), translate("Unit")]
+    return TextTable(
+        translate("Quantiles of the torque"), header, rows, [False, False, True, *([True] if errors else []), False]
+    )
 
 
 def _lives(rows: list[LifeRow], errors: bool) -> TextTable:
     lined = [
         [
-            f"{100 * row.probability:g} %",
+            f"{localized(f'{100 * row.probability:g}')} %",
             *(text for side in ("protected", "unprotected") for text in _with_error(row.estimate(side), "1", errors)),
         ]
         for row in rows
     ]
-    sides = (["Slips, protected side"], ["Slips, unprotected side"])
-    header = ["Clutches failed", *(name for side in sides for name in (side + ["±"] if errors else side))]
-    return TextTable("Life over the clutches", header, lined, [False, *[True] * (len(header) - 1)])
+    sides = ([translate("Slips, protected side")], [translate("Slips, unprotected side")])
+    header = [translate("Clutches failed"), *(name for side in sides for name in (side + ["±"] if errors else side))]
+    return TextTable(translate("Life over the clutches"), header, lined, [False, *[True] * (len(header) - 1)])
 
 
 def _with_error(estimate: Estimate, unit: str, errors: bool) -> list[str]:
@@ -79,15 +82,15 @@ def _inputs(inputs: list[InputRow]) -> TextTable:
     rows = [
         [
             *_named(each.path),
-            each.distribution,
+            translate(each.distribution, "value"),
             display(each.center, each.unit),
             display(each.spread, each.unit),
             display_unit(each.unit),
         ]
         for each in inputs
     ]
-    header = ["Symbol", "Quantity", "Distribution", "Center", "Spread", "Unit"]
-    return TextTable("What scatters", header, rows, [False, False, False, True, True, False])
+    header = [*map(translate, ("Symbol", "Quantity", "Distribution", "Center", "Spread", "Unit"))]
+    return TextTable(translate("What scatters"), header, rows, [False, False, False, True, True, False])
 
 
 def _shares(rows: list[IndexRow]) -> TextTable:
@@ -99,21 +102,22 @@ def _shares(rows: list[IndexRow]) -> TextTable:
         ]
         for each in sorted(rows, key=lambda each: -each.total)
     ]
-    header = ["Symbol", "Quantity", "S_1, first order", "±", "S_T, total", "±"]
-    title = "Share in the variance of the torque (Sobol indices)"
+    header = [*map(translate, ("Symbol", "Quantity", "S_1, first order")), "±", translate("S_T, total"), "±"]
+    title = translate("Share in the variance of the torque (Sobol indices)")
     return TextTable(title, header, lined, [False, False, True, True, True, True])
 
 
 def _named(path: str) -> tuple[str, str]:
     """Symbol and name of what scatters."""
     if path in _FRICTION:
-        return _FRICTION[path]
+        symbol, name = _FRICTION[path]
+        return symbol, translate(name)
     key = keys()[path]
     return key.symbol or "", translate(key.description).partition(";")[0]
 
 
 _FRICTION = {
-    "friction": ("f", "friction in service"),
-    "friction.driving": ("f_1", "friction of the driving pairs in service"),
-    "friction.driven": ("f_2", "friction of the driven pairs in service"),
+    "friction": ("f", term("friction in service")),
+    "friction.driving": ("f_1", term("friction of the driving pairs in service")),
+    "friction.driven": ("f_2", term("friction of the driven pairs in service")),
 }

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from latex2mathml.converter import convert
 
 from ...analysis.explain.derivation import CaseRow, Derivation, Meaning
-from ...messages import translate
+from ...messages import localized, spoken, term, translate
 from ..symbols import value_latex
 from ..units import display, display_unit
 from .words import told
@@ -79,7 +79,7 @@ def _block(own: Derivation, method: str) -> Derived:
         CaseLine([labels[index] for _, labels in named], _math(f"{symbol} = {row.numbers}"), _value(row, own.unit))
         for index, row in enumerate([] if joined else own.rows)
     ]
-    notes = [told("differs", printed=own.differs)] if own.differs else []
+    notes = [told("differs", printed=term(own.differs))] if own.differs else []
     if own.below_one is not None:
         notes.append(told("inverse", value=own.below_one))
     return Derived(
@@ -87,7 +87,7 @@ def _block(own: Derivation, method: str) -> Derived:
         first=bool(own.formula),
         symbol=own.symbol,
         name=translate(own.name),
-        source=own.source,
+        source=translate(own.source).rstrip("."),
         formula=_math(" = ".join(parts)) if len(parts) > 1 else "",
         where=[_explained(each) for each in own.where],
         header=[told(name) for name, _ in named] if len(named) > 1 else [],
@@ -113,7 +113,7 @@ def _after(row: CaseRow) -> dict[str, object]:
 
 
 def _explained(own: Meaning) -> Explained:
-    unit = "" if own.unit == "1" else own.unit.replace("*", "·").replace("^3", "³")
+    unit = "" if own.unit == "1" else translate(own.unit.replace("*", "·").replace("^3", "³"), "unit")
     text = ", ".join(part for part in (translate(own.text) if own.text else "", unit if own.text else "") if part)
     if own.number is None:
         return Explained(own.symbol, text, "", None)
@@ -130,8 +130,20 @@ def _size(latex: str) -> int:
     return len(re.sub(r"\\(?:text|left|right|frac|cdot)|[{}\\_^ ]", "", latex))
 
 
-@cache
 def _math(latex: str) -> str:
+    """Set LaTeX in the numbers and units of the user's language."""
+    text = _mathml(latex.replace("{,}", "."))
+    if spoken() == "en":
+        return text
+    text = _NUMERAL.sub(lambda found: f"<mn>{localized(found[1])}</mn>", text)
+    return _UNIT.sub(lambda found: f"<mtext>{translate(found[1], 'unit')}</mtext>", text)
+
+
+_NUMERAL, _UNIT = re.compile("<mn>([^<]*)</mn>"), re.compile("<mtext>([^<]*)</mtext>")
+
+
+@cache
+def _mathml(latex: str) -> str:
     # a prime is raised already, and MathML leaves no room round the name of a function
     latex = _PRIME.sub(r"\\text{′}", _FUNCTION.sub(r"\\,\\\1\\,", latex))
     return str(convert(latex, display="block"))

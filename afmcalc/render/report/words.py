@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from ...messages import filled
+from ...messages import filled, translate
 
 REPORT: Mapping[str, str] = {
     "kind": "Calculation report",
@@ -16,6 +16,7 @@ REPORT: Mapping[str, str] = {
     "date": "Date",
     "author": "Calculated by",
     "checked": "Checked by",
+    "norm_control": "Standards checked by",
     "approved": "Approved by",
     "program": "Program",
     "file": "Spec",
@@ -39,6 +40,7 @@ REPORT: Mapping[str, str] = {
     # chapters
     "contents": "Contents",
     "requirements": "Requirements",
+    "requirements/none": "The spec states no requirements; the clutch is calculated as it is given.",
     "requirements/about": "What the clutch is to hold, by the block [requirements] of the spec.",
     "checks": "Checks",
     "checks/about": "Every limit the clutch is held against; utilisation 1 is the limit.",
@@ -56,6 +58,7 @@ REPORT: Mapping[str, str] = {
     "plots": "Plots",
     "conclusion": "Conclusion",
     "most-used": "Of all checks the one most used is “{name}” ({symbol}): utilisation {utilisation:.3g}.",
+    "symbols": "Symbols",
     "references": "References",
     "misprints": "M with a number is a misprint of a paper, mended here; afmcalc equations --misprints lists them.",
     # a derivation
@@ -109,4 +112,4 @@ REPORT: Mapping[str, str] = {
 
 def told(key: str, **values: object) -> str:
     """Say what stands under a key, in the language of the user."""
-    return filled(REPORT[key], values)
+    return translate(filled(REPORT[key], values))

@@ -582,7 +582,9 @@ def test_ctrl_c_leaves_no_file(tmp_path):
     source.write_text(json.dumps(changed(variants=["indirect"], search=wide, fixed=INDIRECT["fixed"])))
     command = [sys.executable, "-m", "afmcalc", "design", str(source), "--pick", "1", "-o", str(target), "--yes"]
     person, terminal = os.openpty()
-    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=terminal) as process:
+    # started from a background job it would ignore the signal from the outset
+    heeding = {"preexec_fn": lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)}
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=terminal, **heeding) as process:
         os.close(terminal)
         shown = b""
         while b"searching" not in shown:  # the bar: the work is under way

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from ....analysis.accuracy import AccuracySweep
 from ....analysis.curves import AccuracyCurve
-from ....messages import translate
+from ....messages import told, translate
 from ....spec.paths import is_whole, keys
 from ..chart import Chart, ChartAxis, Guide, Line, Sheet, axis_of, describe, stated
 
@@ -12,9 +12,9 @@ from ..chart import Chart, ChartAxis, Guide, Line, Sheet, axis_of, describe, sta
 def sheet(curves: Sequence[AccuracyCurve]) -> Sheet:
     """Draw K_т over the gain, or over the key asked for; of one clutch also what it is and where its limit lies."""
     x, y = _abscissa(curves[0]), axis_of(AccuracySweep, "accuracy_factor")
-    title = f"Accuracy factor K_т against {x.quantity} {x.symbol}".rstrip()
+    title = told("Accuracy factor K_т against {quantity} {symbol}", quantity=x.quantity, symbol=x.symbol).rstrip()
     if len(curves) > 1:
-        lines = [_line(curve.name or curve.variant, curve) for curve in curves]
+        lines = [_line(curve.name or translate(curve.variant, "value"), curve) for curve in curves]
         return Sheet(title, [Chart(x, y, lines, named=True)])
     (curve,) = curves
     return Sheet(title, [Chart(x, y, _lines(curve), guides=_guides(curve, x))], name=curve.name or "")
@@ -22,7 +22,7 @@ def sheet(curves: Sequence[AccuracyCurve]) -> Sheet:
 
 def _abscissa(curve: AccuracyCurve) -> ChartAxis:
     if curve.series.parameter == "zC":
-        return ChartAxis("reduced gain", "zC")
+        return ChartAxis(translate("reduced gain"), "zC")
     key = keys()[curve.series.path]
     return ChartAxis(translate(key.description).partition(";")[0], key.symbol or "", key.unit or "1")
 
@@ -45,8 +45,13 @@ def _guides(curve: AccuracyCurve, x: ChartAxis) -> list[Guide]:
     found = []
     symbol = x.symbol or curve.series.path
     if curve.own is not None:
-        label = f"this clutch: {stated(symbol, curve.own, x.unit)}, {stated('K_т', curve.accuracy_factor, '1')}"
+        own, factor = stated(symbol, curve.own, x.unit), stated("K_т", curve.accuracy_factor, "1")
+        label = told("this clutch: {own}, {factor}", own=own, factor=factor)
         found.append(Guide(label, curve.own, across=False))
     if curve.limit is not None:
-        found.append(Guide(stated(f"limit of the gain, {symbol}", curve.limit, "1"), curve.limit, across=False))
+        found.append(
+            Guide(
+                told("limit of the gain, {stated}", stated=stated(symbol, curve.limit, "1")), curve.limit, across=False
+            )
+        )
     return found

@@ -1,14 +1,14 @@
 """Torque against friction, by the law and between what each neglected effect makes of it."""
 
 from ....analysis.effects.curve import EffectsCurve
-from ....messages import translate
+from ....messages import term, translate
 from ..chart import Chart, Line, Sheet, axis_of, describe
 
 NAMES = {
-    "spline-friction": "discs held in their splines",
-    "sliding-cams": "cams that slide",
-    "centrifugal": "balls thrown against conical pockets",
-    "wear": "lining worn",
+    "spline-friction": term("discs held in their splines"),
+    "sliding-cams": term("cams that slide"),
+    "centrifugal": term("balls thrown against conical pockets"),
+    "wear": term("lining worn"),
 }
 
 
@@ -19,6 +19,8 @@ def sheet(curve: EffectsCurve) -> Sheet:
         for field, end in (("T_high", own.high), ("T_low", own.low)):
             if end != curve.torque:
                 lines.append(Line(f"{translate(NAMES[own.effect])}, {field}", curve.friction, end, style=style))
-    x, y = axis_of(EffectsCurve, "friction"), axis_of(EffectsCurve, "torque", quantity="slip torque")
-    caption = "Springs as set. Of each effect both ends: the torque lies between, by what happened before."
-    return Sheet("What the law neglects", [Chart(x, y, lines, from_zero=True)], caption, name=curve.name or "")
+    x, y = axis_of(EffectsCurve, "friction"), axis_of(EffectsCurve, "torque", quantity=translate("slip torque"))
+    caption = translate("Springs as set. Of each effect both ends: the torque lies between, by what happened before.")
+    return Sheet(
+        translate("What the law neglects"), [Chart(x, y, lines, from_zero=True)], caption, name=curve.name or ""
+    )

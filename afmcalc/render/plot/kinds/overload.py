@@ -2,17 +2,18 @@
 
 from ....analysis.curves import OverloadCurve
 from ....analysis.overload import OverloadSweep
+from ....messages import told, translate
 from ..chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, describe, stated
 
 
 def sheet(curve: OverloadCurve) -> Sheet:
     """Draw both panels for one clutch."""
-    caption = (
+    caption = translate(
         "Equilibrium: at slip the load equals the expected torque for every margin; the published T_ср = T_п − ΔT' "
         "(S22 (14)) swaps the weights of T_п and T_н.маш (misprint M12). Where the release force lags the load "
         "(impact), the trip lies in the shaded bracket. Curves of K_т as S22 fig. 3, its optimum at zC = 1/f_max (M13)."
     )
-    title = f"Overload with the margin {stated('β_н', curve.margin, '1')}"
+    title = told("Overload with the margin {stated}", stated=stated("β_н", curve.margin, "1"))
     return Sheet(title, [_trip(curve), _accuracy(curve)], caption, name=curve.name or "")
 
 
@@ -24,11 +25,22 @@ def _trip(curve: OverloadCurve) -> Chart:
     lines.append(
         Line(describe(OverloadCurve, equilibrium), curve.friction[few], getattr(curve, equilibrium)[few], points=True)
     )
-    bracket = Area("trip bracket, T_муф to T_п", curve.friction, curve.expected_torque, curve.potential_torque)
-    machine = Guide(stated("machine's nominal torque T_н.маш", curve.machine_torque, "N*m"), curve.machine_torque)
-    x, y = axis_of(OverloadCurve, "friction"), axis_of(OverloadCurve, "expected_torque", quantity="torque")
+    bracket = Area(
+        translate("trip bracket, T_муф to T_п"), curve.friction, curve.expected_torque, curve.potential_torque
+    )
+    machine = Guide(
+        told("machine's nominal torque {stated}", stated=stated("T_н.маш", curve.machine_torque, "N*m")),
+        curve.machine_torque,
+    )
+    x, y = axis_of(OverloadCurve, "friction"), axis_of(OverloadCurve, "expected_torque", quantity=translate("torque"))
     return Chart(
-        x, y._replace(symbol="T"), lines, title="Torque at the trip", guides=[machine], areas=[bracket], from_zero=True
+        x,
+        y._replace(symbol="T"),
+        lines,
+        title=translate("Torque at the trip"),
+        guides=[machine],
+        areas=[bracket],
+        from_zero=True,
     )
 
 
@@ -40,8 +52,14 @@ def _accuracy(curve: OverloadCurve) -> Chart:
     ]
     own, best = curve.reduced_gain, curve.optimal_reduced_gain
     guides = [
-        Guide(stated("this clutch: zC", own, "1"), own, across=False),
-        Guide(stated("best actual accuracy, zC", best, "1"), best, across=False),
+        Guide(told("this clutch: {stated}", stated=stated("zC", own, "1")), own, across=False),
+        Guide(told("best actual accuracy, {stated}", stated=stated("zC", best, "1")), best, across=False),
     ]
-    x = ChartAxis("reduced gain", "zC" if curve.bypass_pairs == 0 else "z_2 C")
-    return Chart(x, ChartAxis("accuracy factor", "K_т"), lines, title="Accuracy over the reduced gain", guides=guides)
+    x = ChartAxis(translate("reduced gain"), "zC" if curve.bypass_pairs == 0 else "z_2 C")
+    return Chart(
+        x,
+        ChartAxis(translate("accuracy factor"), "K_т"),
+        lines,
+        title=translate("Accuracy over the reduced gain"),
+        guides=guides,
+    )

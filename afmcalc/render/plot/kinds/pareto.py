@@ -3,17 +3,18 @@
 from ....analysis.design.design import DesignResult
 from ....analysis.design.rows import DesignRow
 from ....analysis.figures import ParetoFigure
+from ....messages import joined, say, term, told, translate
 from ..chart import Chart, ChartAxis, Line, Sheet, axis_of
 
 _QUANTITIES = {
-    "closing_force": "closing force",
-    "accuracy_factor": "accuracy factor",
-    "pairs": "friction pairs",
-    "ball_diameter": "standard ball",
-    "travel": "travel of the sleeve",
-    "control_force": "control-spring force",
-    "closing_deflection": "deflection of the closing spring",
-    "control_deflection": "deflection of the control spring",
+    "closing_force": term("closing force"),
+    "accuracy_factor": term("accuracy factor"),
+    "pairs": term("friction pairs"),
+    "ball_diameter": term("standard ball"),
+    "travel": term("travel of the sleeve"),
+    "control_force": term("control-spring force"),
+    "closing_deflection": term("deflection of the closing spring"),
+    "control_deflection": term("deflection of the control spring"),
 }
 
 
@@ -23,7 +24,7 @@ def sheet(found: ParetoFigure) -> Sheet:
     x, *others = _axes(result.objectives)
     by_pairs = _name_points(result, x, others)
     charts = [_chart(result, x, y, by_pairs=by_pairs) for y in others if not (by_pairs and y == "pairs")]
-    return Sheet("Pareto front", charts, _caption(result), name=found.name or "")
+    return Sheet(translate("Pareto front"), charts, _caption(result), name=found.name or "")
 
 
 def _name_points(result: DesignResult, x: str, others: list[str]) -> bool:
@@ -52,7 +53,9 @@ def _chart(result: DesignResult, x: str, y: str, *, by_pairs: bool) -> Chart:
     for (variant, z), rows in sorted(groups.items()):
         # colour tells the pairs, shape the variant; where there is one of either, both tell the other
         place = pairs.index(z) if by_pairs else variants.index(variant)
-        named = ([variant] if len(variants) > 1 or not by_pairs else []) + ([f"z = {z}"] if by_pairs else [])
+        named = ([translate(variant, "value")] if len(variants) > 1 or not by_pairs else []) + (
+            [f"z = {z}"] if by_pairs else []
+        )
         marker = variants.index(variant) if len(variants) > 1 else place
         style = _COLOURED[place % len(_COLOURED)]
         lines.append(
@@ -78,7 +81,17 @@ def _knee(result: DesignResult, x: str, y: str) -> list[Line]:
         return []
     at = _values(rows, x), _values(rows, y)
     named = [str(row.number) for row in rows]
-    return [Line(f"knee: no. {named[0]}", *at, style=_INK, points=True, marker=0, filled=True, names=named)]
+    return [
+        Line(
+            told("knee: no. {number}", number=named[0]),
+            *at,
+            style=_INK,
+            points=True,
+            marker=0,
+            filled=True,
+            names=named,
+        )
+    ]
 
 
 _INK = 4
@@ -97,7 +110,7 @@ def _tagged(lines: list[Line], pairs: list[int]) -> list[Line]:
 
 
 def _axis(name: str) -> ChartAxis:
-    return axis_of(DesignRow, name, quantity=_QUANTITIES[name])
+    return axis_of(DesignRow, name, quantity=translate(_QUANTITIES[name]))
 
 
 def _values(rows: list[DesignRow], name: str) -> list[float]:
@@ -112,15 +125,20 @@ def _ends(values: list[float]) -> tuple[float, float]:
 
 def _caption(result: DesignResult) -> str:
     names = [_axis(name).symbol for name in result.objectives]
-    listed = ", ".join(names[:-1]) + f" and {names[-1]}"
+    listed = told("{names} and {last}", names=", ".join(names[:-1]), last=names[-1])
     counts: dict[str, int] = {}
     for row in result.front:
         counts[row.variant] = counts.get(row.variant, 0) + 1
-    variants = ", ".join(f"{count:,} {variant}" for variant, count in sorted(counts.items()))
-    variants = f"all {next(iter(counts))}" if len(counts) == 1 else variants
-    said = (
-        f"{result.feasible:,} of {result.candidates:,} candidates meet every requirement; the {len(result.front):,} "
-        f"drawn are beaten by no other in {listed} together ({variants}). Numbers are those of --pick."
+    variants = joined(
+        say("{count:,} {variant}", count=count, variant=term(variant)) for variant, count in sorted(counts.items())
     )
+    variants = say("all {variant}", variant=term(next(iter(counts)))) if len(counts) == 1 else variants
+    said = told(
+        "{feasible:,} of {candidates:,} candidates meet every requirement; the {front:,} drawn are beaten by no other "
+        "in {listed} together ({variants}). Numbers are those of --pick.",
+        feasible=result.feasible, candidates=result.candidates, front=len(result.front), listed=listed,
+        variants=variants,
+    )  # fmt: skip
     lacking = any(getattr(row, name) is None for row in result.front for name in result.objectives)
-    return said + (" What a variant does not have costs nothing: it lies at 0." if lacking else "")
+    free = translate("What a variant does not have costs nothing: it lies at 0.")
+    return f"{said} {free}" if lacking else said

@@ -4,6 +4,8 @@ import math
 from typing import Any, NamedTuple
 
 from ....analysis.figures import PocketSection
+from ....analysis.unit import SynthesisResult
+from ....messages import localized, told, translate
 from ...symbols import mathtext
 from ...units import display
 from ..chart import Sheet, stated
@@ -24,6 +26,24 @@ class _Sizes(NamedTuple):
     cut: float
     width: float
     travel: float
+    angle_max: float
+    """At the largest travel."""
+    sleeves: int
+    """That the ball moves in: 1 where the other seats it."""
+    curve: tuple[tuple[float, float], ...]
+    """Of a curved wall, from the face to where the ball touches at the stop: depth, and distance from the middle."""
+
+
+class _Side(NamedTuple):
+    """One sleeve where it is: its face off the ball's centre, its pocket's middle, the upper wall below the face."""
+
+    face: float
+    middle: float
+    wall: tuple[tuple[float, float], ...]
+    angle: float
+    """Where the ball touches."""
+    seats: bool
+    """Whether both walls touch it."""
 
 
 def sheet(section: PocketSection) -> Sheet:
@@ -37,10 +57,19 @@ def sheet(section: PocketSection) -> Sheet:
         cut=found.pocket_depth_cut * _MM,
         width=found.pocket_width * _MM,
         travel=found.travel_max * _MM,
+        angle_max=found.wall_angle if found.wall_angle_max is None else found.wall_angle_max,
+        sleeves=1 if found.profiled == "one" else 2,
+        curve=tuple(
+            (-(each.wall_axial + found.face_gap / 2) * _MM, each.wall_around * _MM)
+            for each in reversed(found.wall or [])
+        ),
     )
-    positions = {0.0: "at the stop, x = 0", sizes.travel: f"at f_max, {_stated('x_max', found.travel_max)}"}
+    positions = {
+        0.0: translate("at the stop, x = 0"),
+        sizes.travel: told("at f_max, {stated}", stated=_stated("x_max", found.travel_max)),
+    }
     panels = [Position(sizes, travel, title if sizes.travel else "") for travel, title in positions.items()]
-    return Sheet("Ball and pockets, section A–A", panels, _caption(section), name=section.name or "")
+    return Sheet(translate("Ball and pockets, section A–A"), panels, _caption(section), name=section.name or "")
 
 
 def _stated(symbol: str, value: float) -> str:
@@ -49,26 +78,42 @@ def _stated(symbol: str, value: float) -> str:
 
 def _caption(section: PocketSection) -> str:
     found = section.synthesis
-    smallest = f"smallest ball {_stated('r_ш', found.ball_radius)}"
-    ball = f"drawn with {_stated('d_ш', found.ball_diameter)}"
+    circle, smallest = _stated("r", found.ball_circle_radius), _stated("r_ш", found.ball_radius)
+    said = [
+        told(
+            "To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch horizontal, "
+            "dots: contact. S21 (20), (23), (24): smallest ball {smallest}.",
+            circle=circle, smallest=smallest,
+        ),
+        _ball(found),
+        translate("Cut to h_c, where the ball ends; h_1 is to the virtual apex of the walls."),
+    ]  # fmt: skip
+    if found.contact_force is not None:
+        said.append(told("On one ball {force}.", force=stated("F_n", found.contact_force, "N")))
+    if found.web is not None and found.web > 0:
+        said.append(told("The web between pockets is {web}.", web=_stated("e", found.web)))
+    elif found.web is not None:
+        said.append(told("{pockets} pockets cut into each other.", pockets=section.balls))
+    return " ".join(filter(None, [*said, _of_the_curve(found)]))
+
+
+def _ball(found: SynthesisResult) -> str:
+    ball = _stated("d_ш", found.ball_diameter)
     if found.ball_diameter_standard is None:
-        ball += ", for no standard ball is that large"
-    elif found.edge_clearance_standard is not None:
-        ball += f", which leaves {_stated('y', found.edge_clearance_standard)} to the edge"
-    force = "" if found.contact_force is None else f", {stated('F_n', found.contact_force, 'N')} on one ball"
-    circle = _stated("r", found.ball_circle_radius)
-    web = ""
-    if found.web is not None:
-        web = (
-            f" {section.balls} pockets leave a web {_stated('e', found.web)}."
-            if found.web > 0
-            else f" {section.balls} pockets cut into each other."
-        )
-    return (
-        f"To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch horizontal, "
-        f"dots: contact{force}. S21 (20), (23), (24): {smallest}; {ball}. Cut to h_c, where the ball ends; h_1 is to "
-        f"the virtual apex of the walls.{web}"
-    )
+        return told("Drawn with {ball}, for no standard ball is that large.", ball=ball)
+    if found.edge_clearance_standard is None:
+        return told("Drawn with {ball}.", ball=ball)
+    clearance = _stated("y", found.edge_clearance_standard)
+    return told("Drawn with {ball}, which leaves {clearance} to the edge.", ball=ball, clearance=clearance)
+
+
+def _of_the_curve(found: SynthesisResult) -> str:
+    """What a curved wall adds to the caption."""
+    if found.wall_angle_max is None:
+        return ""
+    if found.wall is None:
+        return translate("The ball undercuts the curved wall, which cannot be cut: straight walls are drawn.")
+    return told("Curved wall: at the largest travel α = {angle:.4g deg}.", angle=found.wall_angle_max)
 
 
 class Position:
@@ -79,17 +124,30 @@ class Position:
         self.sizes = sizes
         self.travel = travel
         self.title = title
-        self.half_gap = (sizes.gap + travel) / 2
-        self.apex = self.half_gap + sizes.depth
         self.mouth = sizes.width / 2
-        self.floor = self.mouth * (1 - sizes.cut / sizes.depth)
-        # moved apart by x, the pockets turn against each other until the ball bears on one wall of each again
-        self.shift = travel / 2 * math.tan(sizes.angle)
+        self.sides = {hand: self._placed(hand) for hand in (-1, 1)}
         # the same frame for every position, so that they are drawn to one scale
-        reach = (sizes.gap + sizes.travel) / 2 + sizes.depth
+        reach = sizes.gap / 2 + sizes.travel / sizes.sleeves + sizes.depth
         self.back = 1.18 * reach
-        self.side = 1.12 * (self.mouth + sizes.travel / 2 * math.tan(sizes.angle)) + 0.12 * reach
+        self.side = 1.12 * (self.mouth + self._turned(sizes.travel)) + 0.12 * reach
         self.step = 0.1 * reach
+
+    def _turned(self, travel: float) -> float:
+        """How far a sleeve that the ball moves in has turned: its walls bear on the ball again."""
+        sizes = self.sizes
+        tangents = math.tan(sizes.angle) + math.tan(sizes.angle_max if travel else sizes.angle)
+        return travel / sizes.sleeves * tangents / 2
+
+    def _placed(self, hand: int) -> _Side:
+        """The sleeve on one side: the ball moves in the right one, and in the left unless that seats it."""
+        sizes, moves = self.sizes, hand > 0 or self.sizes.sleeves == 2
+        floor = sizes.cut, (sizes.depth - sizes.cut) * math.tan(sizes.angle)
+        straight = ((0.0, sizes.depth * math.tan(sizes.angle)), floor)
+        wall = (*sizes.curve, floor) if sizes.curve and moves else straight
+        if not (self.travel and moves):
+            return _Side(sizes.gap / 2, 0.0, wall, sizes.angle, seats=True)
+        face = sizes.gap / 2 + self.travel / sizes.sleeves
+        return _Side(face, self._turned(self.travel), wall, sizes.angle_max, seats=False)
 
     @property
     def height(self) -> float:
@@ -123,63 +181,69 @@ class Position:
 
     def _half(self, hand: int) -> list[tuple[float, float]]:
         """Outline of one half: the face with its pocket, the back cut off."""
-        face, floor, middle = hand * self.half_gap, hand * (self.half_gap + self.sizes.cut), hand * self.shift
+        own = self.sides[hand]
+        face, middle = hand * own.face, hand * own.middle
+        upper = [(hand * (own.face + depth), middle + half) for depth, half in own.wall]
+        lower = [(hand * (own.face + depth), middle - half) for depth, half in reversed(own.wall)]
         return [
             (hand * self.back, self.side),
             (face, self.side),
-            (face, middle + self.mouth),
-            (floor, middle + self.floor),
-            (floor, middle - self.floor),
-            (face, middle - self.mouth),
+            *upper,
+            *lower,
             (face, -self.side),
             (hand * self.back, -self.side),
         ]
 
     def _contacts(self) -> list[tuple[float, float]]:
-        """Where ball and walls touch: at rest both walls of both pockets, under way one of each."""
-        along = self.sizes.radius * math.sin(self.sizes.angle)
-        across = self.sizes.radius * math.cos(self.sizes.angle)
-        if self.travel:
-            return [(along, -across), (-along, across)]
-        return [(a * along, b * across) for a in (-1, 1) for b in (-1, 1)]
+        """Where ball and walls touch: at rest and in a seat both walls of a pocket, under way one."""
+        found = []
+        for hand, own in self.sides.items():
+            along = hand * self.sizes.radius * math.sin(own.angle)
+            across = hand * self.sizes.radius * math.cos(own.angle)
+            found += [(along, -across), *([(along, across)] if own.seats else [])]
+        return found
 
     def _centre_lines(self, axes: Any) -> None:
         style: dict[str, Any] = {"color": INK, "linewidth": 0.7, "linestyle": (0, (10, 3, 2, 3))}
         reach = self.sizes.radius * 1.18
-        axes.plot([-self.apex, self.apex], [0, 0], **style)
+        axes.plot([hand * (own.face + self.sizes.depth) for hand, own in self.sides.items()], [0, 0], **style)
         axes.plot([0, 0], [-reach, reach], **style)
-        for hand in (-1, 1):
-            floor, middle = hand * (self.half_gap + self.sizes.cut), hand * self.shift
-            walls = [middle + self.floor, middle, middle - self.floor]
-            axes.plot([floor, hand * self.apex, floor], walls, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+        for hand, own in self.sides.items():
+            (cut, half), middle = own.wall[-1], hand * own.middle
+            floor, apex = hand * (own.face + cut), hand * (own.face + self.sizes.depth)
+            walls = [middle + half, middle, middle - half]
+            axes.plot([floor, apex, floor], walls, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
 
     def _dimensions(self, axes: Any) -> None:
-        sizes, top, floor = self.sizes, self.side, self.half_gap + self.sizes.cut
-        corner = self.shift + self.floor
-        self._measure(axes, self.half_gap, floor, top + self.step, f"h_c = {_mm(sizes.cut)}", corner)
-        self._measure(axes, self.half_gap, self.apex, top + 2.6 * self.step, f"h_1 = {_mm(sizes.depth)}", self.shift)
+        sizes, top, right, left = self.sizes, self.side, self.sides[1], self.sides[-1]
+        floor, apex, corner = right.face + sizes.cut, right.face + sizes.depth, right.middle + right.wall[-1][1]
+        self._measure(axes, right.face, floor, top + self.step, f"h_c = {_mm(sizes.cut)}", corner)
+        self._measure(axes, right.face, apex, top + 2.6 * self.step, f"h_1 = {_mm(sizes.depth)}", right.middle)
         gap = "s + x" if self.travel else "s"
-        self._measure(axes, -self.half_gap, self.half_gap, -top - self.step, f"{gap} = {_mm(2 * self.half_gap)}", -top)
+        self._measure(axes, -left.face, right.face, -top - self.step, f"{gap} = {_mm(left.face + right.face)}", -top)
         self._mouth(axes)
         self._diameter(axes)
         self._angle(axes)
 
     def _mouth(self, axes: Any) -> None:
         """Width of the right pocket's mouth, beside the section."""
-        x, low, high = self.back + self.step, self.shift - self.mouth, self.shift + self.mouth
+        own = self.sides[1]
+        x, low, high = self.back + self.step, own.middle - self.mouth, own.middle + self.mouth
         for y in (low, high):
-            axes.plot([self.half_gap, x + 0.25 * self.step], [y, y], color=INK, linewidth=0.6)
+            axes.plot([own.face, x + 0.25 * self.step], [y, y], color=INK, linewidth=0.6)
         arrow = {"color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
         axes.annotate("", (x, low), (x, high), arrowprops={"arrowstyle": "<|-|>", **arrow})
         text = mathtext(f"b = {_mm(self.sizes.width)}")
-        axes.text(x + 0.3 * self.step, self.shift, text, ha="left", va="center")
+        axes.text(x + 0.3 * self.step, own.middle, text, ha="left", va="center")
 
     def _diameter(self, axes: Any) -> None:
         """Leader from the ball to its diameter."""
         reach = self.sizes.radius * math.sqrt(0.5)
-        text = (-self.half_gap - 0.35 * self.apex, self.side + self.step)
+        left = self.sides[-1].face
+        text = (-left - 0.35 * (left + self.sizes.depth), self.side + self.step)
         axes.annotate(
-            mathtext(f"ball d_ш = {_mm(2 * self.sizes.radius)}"), (-reach, reach), xytext=text, ha="right", va="center",
+            mathtext(told("ball d_ш = {diameter}", diameter=_mm(2 * self.sizes.radius))),
+            (-reach, reach), xytext=text, ha="right", va="center",
             arrowprops={"arrowstyle": "-|>", "color": INK, "linewidth": 0.8, "shrinkA": 1, "shrinkB": 0},
         )  # fmt: skip
 
@@ -187,7 +251,8 @@ class Position:
         """The wall angle at the apex of the left pocket, between wall and axis."""
         from matplotlib.patches import Arc
 
-        apex, degrees = (-self.apex, -self.shift), math.degrees(self.sizes.angle)
+        own, degrees = self.sides[-1], math.degrees(self.sizes.angle)
+        apex = (-own.face - self.sizes.depth, -own.middle)
         size = 0.9 * self.sizes.depth
         axes.plot([apex[0], apex[0] + size * 0.6], [apex[1]] * 2, color=INK, linewidth=0.7)
         axes.add_patch(Arc(apex, size, size, theta1=0, theta2=degrees, color=INK, linewidth=0.9))
@@ -195,7 +260,7 @@ class Position:
         tip = (apex[0] + size / 2 * math.cos(middle), apex[1] + size / 2 * math.sin(middle))
         text = (-self.back - 0.2 * self.step, tip[1])
         axes.annotate(
-            mathtext(f"α = {degrees:.4g}°"), tip, xytext=text, ha="right", va="center",
+            mathtext(f"α = {localized(f'{degrees:.4g}')}°"), tip, xytext=text, ha="right", va="center",
             arrowprops={"arrowstyle": "-", "color": INK, "linewidth": 0.6, "shrinkA": 1, "shrinkB": 0},
         )  # fmt: skip
 

@@ -1,16 +1,18 @@
 """Force of the springs over their deflection, with what the clutch uses of it."""
 
 from ....analysis.springs.curve import SpringCurve, SpringsCurve
-from ....messages import translate
+from ....messages import term, told, translate
 from ..chart import Chart, Guide, Line, Sheet, axis_of, describe, stated
 
-NAMES = {"closing": "closing spring", "control": "control spring"}
+NAMES = {"closing": term("closing spring"), "control": term("control spring")}
 
 
 def sheet(curve: SpringsCurve) -> Sheet:
     """Draw a panel for each spring."""
-    caption = "Upright: ends of the range of use, and of what service takes of it. Friction between discs is left out."
-    return Sheet("Springs", [_panel(each) for each in curve.springs], caption, name=curve.name or "")
+    caption = translate(
+        "Upright: ends of the range of use, and of what service takes of it. Friction between discs is left out."
+    )
+    return Sheet(translate("Springs"), [_panel(each) for each in curve.springs], caption, name=curve.name or "")
 
 
 def _panel(own: SpringCurve) -> Chart:
@@ -21,7 +23,12 @@ def _panel(own: SpringCurve) -> Chart:
             own.deflection,
             [force if force >= 0 else None for force in own.tangent],
         ),
-        Line(stated("as set: F", own.set_force, "N"), [own.set_deflection], [own.set_force], points=True),
+        Line(
+            told("as set: {stated}", stated=stated("F", own.set_force, "N")),
+            [own.set_deflection],
+            [own.set_force],
+            points=True,
+        ),
     ]
     guides = [Guide(translate("range of use"), end, across=False, style=0) for end in own.usable if end > 0]
     low, high = own.service

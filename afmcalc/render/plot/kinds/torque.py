@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from ....analysis.curves import TorqueCurve
+from ....messages import term, told, translate
 from ..chart import Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, describe, stated
 
 _EXTRA = ("breakaway_torque", "torque_returning")
@@ -12,9 +13,10 @@ def sheet(curves: Sequence[TorqueCurve]) -> Sheet:
     """Draw one clutch in detail, or several as one curve each."""
     if len(curves) == 1:
         return _one(curves[0])
-    lines = [Line(curve.name or curve.variant, curve.friction, curve.torque) for curve in curves]
+    lines = [Line(curve.name or translate(curve.variant, "value"), curve.friction, curve.torque) for curve in curves]
     return Sheet(
-        "Slip torque against friction", [Chart(_friction(curves), _torque(), lines, from_zero=True, named=True)]
+        translate("Slip torque against friction"),
+        [Chart(_friction(curves), _torque(), lines, from_zero=True, named=True)],
     )
 
 
@@ -27,14 +29,21 @@ def _one(curve: TorqueCurve) -> Sheet:
         if getattr(curve, name)
     ]
     spans = [_band(number, getattr(curve, name)) for number, name in enumerate(methods)]
-    guides = [Guide(stated("clutch's nominal torque T_н", curve.nominal_torque, "N*m"), curve.nominal_torque)]
+    guides = [
+        Guide(
+            told("clutch's nominal torque {stated}", stated=stated("T_н", curve.nominal_torque, "N*m")),
+            curve.nominal_torque,
+        )
+    ]
     chart = Chart(_friction([curve]), _torque(), lines, guides=guides, spans=spans, from_zero=True)
-    caption = (
-        f"Both settings for the same nominal torque; margin β_н = {curve.margin:g} in the second. "
-        f"ΔT is the scatter band of each. The spec sets it by {curve.method}."
-        + (" f_2 moves with f_1." if curve.friction_driving else "")
-    )
-    return Sheet("Slip torque against friction", [chart], caption, name=curve.name or "")
+    caption = told(
+        "Both settings for the same nominal torque; margin β_н = {margin:g} in the second. ΔT is the scatter band of "
+        "each. The spec sets it by {method}.",
+        margin=curve.margin, method=term(curve.method),
+    )  # fmt: skip
+    if curve.friction_driving:
+        caption += " " + translate("f_2 moves with f_1.")
+    return Sheet(translate("Slip torque against friction"), [chart], caption, name=curve.name or "")
 
 
 def _band(number: int, torque: list[float]) -> Dimension:
@@ -48,4 +57,4 @@ def _friction(curves: Sequence[TorqueCurve]) -> ChartAxis:
 
 
 def _torque() -> ChartAxis:
-    return axis_of(TorqueCurve, "torque", quantity="slip torque")
+    return axis_of(TorqueCurve, "torque", quantity=translate("slip torque"))

@@ -1,0 +1,235 @@
+"""Sentences that remember what they were made of, so that they can be said again in another language.
+
+A template is one of ``str.format`` whose fields may end in a unit people use: ``{force:.5g kN}`` sets a force in N.
+"""
+
+import math
+import re
+import string
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import TYPE_CHECKING, SupportsFloat
+
+if TYPE_CHECKING:
+    from .language import Language
+
+SCALES = {
+    "N": 1.0,
+    "kN": 1e-3,
+    "mm": 1e3,
+    "N·m": 1.0,
+    "N/mm": 1e-3,
+    "1/mm": 1e-3,
+    "kPa": 1e-3,
+    "MPa": 1e-6,
+    "deg": 180 / math.pi,
+    "kJ": 1e-3,
+    "s": 1.0,
+    "ms": 1e3,
+    "N·m·s": 1.0,
+    "J/mm²": 1e-6,
+    "K": 1.0,
+}
+"""Unit of a field → what a value in SI is multiplied by."""
+
+
+_LANGUAGE: "ContextVar[Language | None]" = ContextVar("language", default=None)
+
+
+class Text(str):
+    """An English sentence that remembers what it was made of."""
+
+    template: str
+    values: Mapping[str, object] | None
+    """What fills it; None where it is no template."""
+    amount: int
+    """Number that decides the plural form, where there is one."""
+
+    def __new__(
+        cls, template: str, values: Mapping[str, object] | None = None, many: str = "", count: int = 1
+    ) -> "Text":
+        """Fill a template, or the one for many where ``count`` is not 1."""
+        chosen = many if many and count != 1 else template
+        text = super().__new__(cls, _SENTENCE.vformat(chosen, (), values) if values is not None else chosen)
+        text.template, text.values, text.amount = template, values, count
+        if own := _LANGUAGE.get():
+            own.said[str.__str__(text)] = text
+        return text
+
+    def __str__(self) -> str:
+        """Itself: it is not to forget."""
+        return self
+
+    def __reduce__(self) -> "tuple[type[str], tuple[str]]":
+        """Copies are plain texts."""
+        return str, (str.__str__(self),)
+
+
+class _Sentence(string.Formatter):
+    """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once.
+
+    What is cut off a text, ``{name:.80}``, is marked.
+    """
+
+    def format_field(self, value: object, format_spec: str) -> str:
+        number, _, unit = format_spec.partition(" ")
+        if isinstance(value, str):
+            shown = format(value, number)
+            return shown if len(shown) >= len(value) else f"{shown}…"
+        if not unit:
+            return self.number(format(value, number)) if _is_number(value) else format(value, number)
+        assert isinstance(value, SupportsFloat)
+        shown = self.number(format(float(value) * SCALES[unit.removesuffix("…")], number))
+        return f"{shown}…" if unit.endswith("…") else f"{shown} {self.unit(unit)}"
+
+    def number(self, shown: str) -> str:
+        return shown
+
+    def unit(self, name: str) -> str:
+        return name
+
+
+class _Translated(_Sentence):
+    """The same in the language of the user."""
+
+    def format_field(self, value: object, format_spec: str) -> str:
+        return super().format_field(_again(value), format_spec)
+
+    def number(self, shown: str) -> str:
+        return localized(shown)
+
+    def unit(self, name: str) -> str:
+        return translate(name, "unit")
+
+
+_SENTENCE, _TRANSLATED = _Sentence(), _Translated()
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, SupportsFloat) and not isinstance(value, bool)
+
+
+def _again(value: object) -> object:
+    """Say a value again that was itself said."""
+    own = _LANGUAGE.get()
+    known = own and isinstance(value, str) and (isinstance(value, Text) or value in own.said)
+    return translate(str(value)) if known else value
+
+
+@contextmanager
+def speaking(language: "Language | None") -> Iterator[None]:
+    """Speak a language for a while; None is English."""
+    before = _LANGUAGE.set(language)
+    try:
+        yield
+    finally:
+        _LANGUAGE.reset(before)
+
+
+def spoken() -> str:
+    """Name of the language of the user."""
+    own = _LANGUAGE.get()
+    return own.name if own else "en"
+
+
+def translate(text: str, context: str = "") -> str:
+    """Return an English text in the language of the user: a sentence that was said, or one of the catalogue.
+
+    Args:
+        text: the text; one that is not known is returned as it is.
+        context: what tells it from others of the same letters: ``unit``, ``value``.
+    """
+    own = _LANGUAGE.get()
+    if own is None:
+        return text
+    said = text if isinstance(text, Text) else own.said.get(text)
+    if isinstance(said, Text):
+        template = own.found(said.template, context, said.amount) or said.template
+        return template if said.values is None else _TRANSLATED.vformat(template, (), said.values)
+    return own.found(text, context) or text
+
+
+def localized(number: str) -> str:
+    """Return a number, as Python writes it, as people write it in the language of the user."""
+    own = _LANGUAGE.get()
+    if own is None:
+        return number
+    mantissa, ten, exponent = number.translate(own.signs).partition("e")
+    if not ten:
+        return mantissa
+    return f"{'' if mantissa == '1' else f'{mantissa}·'}10{str(int(exponent)).translate(RAISED)}"
+
+
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def say(template: str, /, **values: object) -> str:
+    """Fill a template.
+
+    >>> say("the force is {force:.5g kN}, {times:g} times too much", force=2000.0, times=2)
+    'the force is 2 kN, 2 times too much'
+    """
+    return Text(template, values)
+
+
+def say_many(one: str, many: str, /, *, count: int, **values: object) -> str:
+    """Fill the template for one or that for many; another language may have more forms.
+
+    >>> say_many("{count} line", "{count} lines", count=3)
+    '3 lines'
+    """
+    return Text(one, {"count": count, **values}, many, count)
+
+
+def told(template: str, /, **values: object) -> str:
+    """Say something at the edge, in the language of the user."""
+    return translate(Text(template, values))
+
+
+def filled(template: str, values: Mapping[str, object]) -> str:
+    """Fill a template that stands in a table."""
+    return Text(template, values)
+
+
+def joined(parts: Iterable[object], sign: str = ", ") -> str:
+    """Set texts one after the other, each of which may be translated."""
+    listed = {f"part{number}": part for number, part in enumerate(parts)}
+    return Text(sign.join(f"{{{name}}}" for name in listed), listed)
+
+
+def term(text: str) -> str:
+    """Return a text of a table (a kind, a name) such that a sentence that names it is translated with it."""
+    own = _LANGUAGE.get()
+    known = own.said.get(text) if own else None
+    return text if isinstance(text, Text) else known or Text(text)
+
+
+_HIDDEN = re.compile(
+    "[\x00-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f\ufeff\ufff9-\ufffb"
+    "\ud800-\udfff\U000e0000-\U000e007f]"
+)
+"""Characters that act on a terminal, turn the direction of writing, are not seen, or are none (undecodable bytes)."""
+
+
+def printable(text: str, *, lines: bool = False) -> str:
+    r"""Return a text that may hold anything (names, keys, arguments) such that it shows what it is, and only that.
+
+    The escapes are those of JSON: a JSON text so treated says the same as before.
+
+    Args:
+        text: any text.
+        lines: whether ends of lines are meant as such.
+
+    >>> print(printable("a\x1b[31m \u202eb\n"))
+    a\u001b[31m \u202eb\n
+    """
+    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else escaped(sign[0]), text)
+
+
+def escaped(sign: str) -> str:
+    """Return a character as JSON escapes it."""
+    if sign in "\n\r\t":
+        return repr(sign)[1:-1]
+    words = sign.encode("utf-16-be", "surrogatepass").hex()
+    return "".join(f"\\u{words[at : at + 4]}" for at in range(0, len(words), 4))

@@ -1,0 +1,196 @@
+"""The wall of a pocket: against the distance from the path, against what a ball needs, and its elliptic contact."""
+
+import math
+
+import numpy as np
+import pytest
+from conftest import CONFIGS
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from scipy.integrate import dblquad
+from scipy.special import ellipe, ellipk, elliprd, elliprf
+
+from afmcalc.analysis import hertz
+from afmcalc.analysis.synthesize import synthesize
+from afmcalc.analysis.wall import CHORD, Wall
+from afmcalc.engines import build
+from afmcalc.spec import read_spec
+from afmcalc.spec.contact import Contact
+from afmcalc.spec.edit import with_key
+
+STEEL = Contact(
+    ball_modulus=210e9, ball_poisson=0.3, wall_modulus=206e9, wall_poisson=0.28, allowable_pressure=4e9
+)  # fmt: skip
+
+
+@st.composite
+def walls(draw):
+    """A wall that a ball can run on, the ball touching it below the face at the stop."""
+    tangent, sleeves = draw(st.floats(0.1, 2)), draw(st.sampled_from([1, 2]))
+    radius = draw(st.floats(2e-3, 30e-3))
+    limit = (1 + tangent**2) ** 1.5
+    wall = Wall(tangent, draw(st.floats(0.01, 0.95)) * limit / radius, sleeves, draw(st.floats(0, 3e-3)), radius)
+    assume(wall.contact_depth(0.0) > 1e-4)
+    return wall
+
+
+def path(wall, depth):
+    return np.array([depth, depth * wall.tangent + wall.steepening * depth**2 / 2])
+
+
+@given(walls())
+def test_the_wall_is_a_ball_s_radius_from_the_path(wall):
+    """1e-9 mm: no place of the ball reaches into it, and one touches it; chords lie within a micrometre."""
+    points = wall.points()
+    assert wall.can_be_cut
+    for point in points:
+        at = np.array([point.wall_axial, point.wall_around])
+
+        ways = np.array([0, *np.linspace(-1e-3, 1e-3, 9), *np.linspace(0, wall.mouth, 9)])
+        ways = np.clip(point.path_axial + ways, 0, None)  # the path begins at the stop
+        distances = np.hypot(*(path(wall, ways) - at[:, None]))
+        assert distances[0] == pytest.approx(wall.ball_radius, abs=1e-12)
+        assert distances.min() >= wall.ball_radius - 1e-12
+    assert points[-1].wall_axial == pytest.approx(-wall.face_gap / 2, abs=1e-12), "it ends at the face"
+    for first, last in zip(points, points[1:], strict=False):
+        ends = np.array([[p.wall_axial, p.wall_around] for p in (first, last)])
+        along = np.diff(ends, axis=0)[0] / np.hypot(*np.diff(ends, axis=0)[0])
+        for share in np.linspace(0, 1, 23):
+            between = wall.at(first.path_axial + share * (last.path_axial - first.path_axial))
+            off = np.array([between.wall_axial, between.wall_around]) - ends[0]
+            assert abs(along[0] * off[1] - along[1] * off[0]) <= CHORD * (1 + 1e-3)
+
+
+@given(walls(), st.floats(1.01, 3))
+def test_a_larger_ball_undercuts(wall, times):
+    """The wall of a ball beyond ρ_0 runs back on itself, and the contact sinks as the ball rises."""
+    large = wall._replace(ball_radius=wall.undercut_radius * times)
+    assert not large.can_be_cut
+    step = 1e-7
+    assert large.at(step).wall_axial < large.at(0.0).wall_axial
+    assert wall.at(step).wall_axial > wall.at(0.0).wall_axial
+
+
+def constant_torque(**keys):
+    spec = read_spec(CONFIGS / "constant-torque.toml")
+    for name, value in keys.items():
+        spec = with_key(spec, f"control_unit.{name}", value)
+    return build(spec)
+
+
+@pytest.mark.parametrize("profiled", ["one", "both"])
+def test_the_contact_stays_below_the_face(profiled):
+    """One sleeve: r_ш sin α ≥ x + s/2 + y; both: 2 r_ш sin α ≥ x + s + 2y; for every x, with equality where it is least."""
+    clutch = constant_torque(profiled=profiled, gain=2.0)
+    found, findings = synthesize(clutch)
+    gap, clearance = found.face_gap, found.edge_clearance
+    travel = np.linspace(0, found.travel_max, 400)
+    gain = clutch.gain + clutch.gain_slope * travel
+    sine = np.sin(np.arctan(gain * found.ball_circle_radius / clutch.mean_radius))
+    room = {"one": found.ball_radius * sine - travel - gap / 2, "both": found.ball_radius * sine - (travel + gap) / 2}
+    assert room[profiled].min() == pytest.approx(clearance, rel=1e-9)
+    own = found.ball_diameter / 2
+    assert found.edge_clearance_standard == pytest.approx(clearance + (own - found.ball_radius) * sine[-1])
+    assert own < found.undercut_radius
+    assert found.wall[-1].wall_around * 2 == pytest.approx(found.pocket_width)
+    assert found.web == pytest.approx(found.ball_pitch - found.pocket_width)
+    codes = {finding.code: finding.level for finding in findings}
+    assert codes.get("both-sleeves-unstable") == {"one": None, "both": "warning"}[profiled]
+
+
+def test_the_path_turns_the_sleeves_as_far_as_the_law():
+    """r dφ = tan α dx with tan α = (r/R)(C_0 + C_1 x), whichever sleeves are profiled."""
+    clutch = constant_torque()
+    ratio = 0.5
+    turned = ratio * (clutch.gain * 3e-3 + clutch.gain_slope * 3e-3**2 / 2)
+    for profiled, sleeves in (("one", 1), ("both", 2)):
+        found, _ = synthesize(constant_torque(profiled=profiled))
+        wall = Wall(
+            math.tan(found.wall_angle), sleeves * clutch.gain_slope * ratio, sleeves, 2e-3, found.ball_diameter / 2
+        )
+        assert sleeves * wall.at(3e-3 / sleeves).path_around == pytest.approx(turned)
+
+
+def test_what_cannot_be_cut_says_what_would():
+    clutch = constant_torque(gain=1.0)
+    found, findings = synthesize(clutch)
+    (refusal,) = [each for each in findings if each.code == "wall-undercut"]
+    assert refusal.level == "error"
+    assert found.wall is None
+    gain = float(refusal.message.partition("a gain of ")[2].partition(" ")[0])
+    again, after = synthesize(constant_torque(gain=gain))
+    assert again.wall is not None
+    assert not any(each.level == "error" for each in after)
+
+
+@given(st.floats(1e-6, 1))
+def test_elliptic_integrals(k):
+    """𝐃 is Carlson's R_D/3, K his R_F."""
+    own_b, own_d = hertz.integrals(k)
+    assert own_d == pytest.approx(elliprd(0, k * k, 1) / 3, rel=1e-14)
+    assert own_b + own_d == pytest.approx(elliprf(0, k * k, 1), rel=1e-14)
+    assert hertz.axis_ratio(own_b / (k * k * own_d)) == pytest.approx(k, rel=1e-9)
+
+
+@given(st.floats(1.02, 50), st.floats(1e-3, 0.05))
+def test_the_ellipse_carries_the_allowable_pressure(ratio, ball):
+    """Johnson (4.26), (4.28) with the ellipse's own axes: R_e, K and E from SciPy."""
+    rho = ball * ratio
+    force = hertz.ball_on_convex_wall(STEEL, ball, rho)
+    modulus = 1 / ((1 - 0.3**2) / 210e9 + (1 - 0.28**2) / 206e9)
+    a_over_b = rho / (rho - ball)
+    k = hertz.axis_ratio(a_over_b)
+    e2 = 1 - k * k
+    first, second = ellipk(e2), ellipe(e2)
+    assert (second / k**2 - first) / (first - second) == pytest.approx(a_over_b, rel=1e-6)
+    factor = 4 / (math.pi * e2) * k**1.5 * math.sqrt((second / k**2 - first) * (first - second))
+    size = (3 * force * ball / math.sqrt(a_over_b) / (4 * modulus) * factor) ** (1 / 3)
+    assert 3 * force / (2 * math.pi * size**2) == pytest.approx(4e9, rel=1e-6)
+    assert force < hertz.ball_on_flat(STEEL, ball)
+
+
+def test_the_pressure_makes_the_surfaces_meet():
+    """Boussinesq over the ellipse: the surfaces' gap closes as A x² + B y² (no formula of Johnson's but the ellipse)."""
+    ball, rho = 10e-3, 25e-3
+    force = hertz.ball_on_convex_wall(STEEL, ball, rho)
+    modulus = 1 / ((1 - 0.3**2) / 210e9 + (1 - 0.28**2) / 206e9)
+    area = 3 * force / (2 * math.pi * 4e9)
+    k = hertz.axis_ratio(rho / (rho - ball))
+    minor, major = math.sqrt(area * k), math.sqrt(area / k)
+
+    def sinks(x, y):
+        """Displacement at a place, in polar coordinates about it: ∫∫ p dr dθ/(π E_c)."""
+
+        def reach(angle):
+            dx, dy = math.cos(angle) / minor, math.sin(angle) / major
+            a, b, c = dx * dx + dy * dy, dx * x / minor + dy * y / major, (x / minor) ** 2 + (y / major) ** 2 - 1
+            return (-b + math.sqrt(b * b - a * c)) / a
+
+        def pressure(r, angle):
+            inside = 1 - ((x + r * math.cos(angle)) / minor) ** 2 - ((y + r * math.sin(angle)) / major) ** 2
+            return 4e9 * math.sqrt(max(inside, 0.0))
+
+        return dblquad(pressure, 0, 2 * math.pi, 0, reach, epsrel=1e-7)[0] / (math.pi * modulus)
+
+    along, across = (1 / ball + 1 / (rho - ball)) / 2, 1 / (2 * ball)
+    middle = sinks(0, 0)
+    assert middle - sinks(minor / 2, 0) == pytest.approx(along * (minor / 2) ** 2, rel=1e-4)
+    assert middle - sinks(0, major / 2) == pytest.approx(across * (major / 2) ** 2, rel=1e-4)
+
+
+def test_the_contact_where_it_is_used_most():
+    clutch = constant_torque(allowable_contact_force=None, contact=STEEL)
+    found, _ = synthesize(clutch)
+    assert found.contact_basis == "hertz-ball-on-curved-wall"
+    used = []
+    for friction in np.linspace(0.1, 0.8, 200):
+        angle = math.atan((clutch.gain + clutch.gain_slope * clutch.travel(friction)) * 0.5)
+        force = clutch.torque(friction) / (6 * 0.05 * math.cos(angle))
+        rho = 1 / (375 * 0.5 * math.cos(angle) ** 3)
+        used.append(force / hertz.ball_on_convex_wall(STEEL, found.ball_diameter / 2, rho))
+    assert found.contact_utilisation == pytest.approx(max(used), rel=1e-3)
+    assert found.contact_force / found.contact_force_allowable == pytest.approx(found.contact_utilisation)
+    at_end = 160 / (6 * 0.05) * math.sqrt(1 + math.tan(found.wall_angle_max) ** 2)
+    straight = found.wall_angle
+    seat = at_end * math.sin(found.wall_angle_max + straight) / math.sin(2 * straight)
+    assert found.seat_force == pytest.approx(seat, rel=1e-9)

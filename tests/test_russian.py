@@ -1,0 +1,283 @@
+"""Russian: everything has it, in whole sentences, and only people see it."""
+
+import os
+import re
+import string
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from babel.messages.pofile import read_po
+from conftest import CONFIGS, ROOT
+from texts import texts
+
+from afmcalc.cli.speech import chosen, without_lang
+from afmcalc.errors import AfmcalcError
+from afmcalc.language import FOLDER, language
+from afmcalc.messages import joined, localized, say, say_many, speaking, term, translate
+from afmcalc.spec.paths import keys
+from afmcalc.variants import VARIANTS
+
+EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem != "requirements")
+
+
+@pytest.fixture(scope="module")
+def catalogue():
+    with open(os.path.join(FOLDER, "ru.po"), "rb") as file:
+        read = read_po(file)
+    return {(each.context or "", each.id if isinstance(each.id, str) else each.id[0]): each for each in read if each.id}
+
+
+@pytest.fixture
+def russian(monkeypatch):
+    monkeypatch.setenv("AFMCALC_LANG", "ru")
+
+
+def test_every_text_has_russian_and_nothing_is_left_over(catalogue):
+    found = texts()
+    assert not {key: where for key, where in found.items() if key not in catalogue}
+    assert not {key for key in catalogue if key not in found}
+
+
+def fields(template: str) -> set[str]:
+    try:
+        return {name for _, name, _, _ in string.Formatter().parse(template) if name is not None}
+    except ValueError:  # no template: what is shown may hold braces
+        return set()
+
+
+def test_a_translation_is_whole(catalogue):
+    """The fields of the English, each plural form, and letters of its own."""
+    for (context, text), each in catalogue.items():
+        forms = [each.string] if isinstance(each.string, str) else each.string
+        assert len(forms) == (1 if isinstance(each.id, str) else 3), text
+        for form in forms:
+            assert form, text
+            if context != "comment":
+                assert fields(form) == fields(text), text
+
+
+@pytest.mark.parametrize(
+    ("count", "said"), [(1, "1 день"), (3, "3 дня"), (5, "5 дней"), (11, "11 дней"), (21, "21 день")]
+)
+def test_plural_forms(count, said):
+    with speaking(language("ru")):
+        assert translate(say_many("{count} day", "{count} days", count=count)) == said
+
+
+def test_a_sentence_is_said_again_with_all_that_it_names():
+    with speaking(language("ru")):
+        inner = say("{stress:.4g MPa} ({method})", stress=1.25e6, method=term("min-friction"))
+        outer = say("not told, as these are not given: {listed}", listed=joined([inner, inner]))
+        assert outer == "not told, as these are not given: 1.25 MPa (min-friction), 1.25 MPa (min-friction)"
+        expected = "не сказано, так как не задано: 1,25 МПа (при f_min), 1,25 МПа (при f_min)"
+        assert translate(outer) == expected
+        assert translate(f"{outer}") == expected, "what has lost its type on the way"
+        assert translate("no such text") == "no such text"
+    assert translate(outer) == outer
+
+
+@pytest.mark.parametrize(
+    ("number", "shown"),
+    [("1.5", "1,5"), ("1,234", "1\xa0234"), ("1e+12", "10¹²"), ("2.5e-07", "2,5·10⁻⁷"), ("-3", "-3")],
+)
+def test_numbers(number, shown):
+    with speaking(language("ru")):
+        assert localized(number) == shown
+    assert localized(number) == number
+
+
+@pytest.mark.parametrize(
+    ("arguments", "environment", "name"),
+    [
+        ([], {}, None),
+        ([], {"LANG": "ru_RU.UTF-8"}, "ru"),
+        ([], {"LANG": "ru_RU.UTF-8", "LC_ALL": "C.UTF-8"}, None),
+        ([], {"LANG": "de_DE.UTF-8"}, None),
+        ([], {"LANG": "ru_RU.UTF-8", "AFMCALC_LANG": "en"}, None),
+        ([], {"AFMCALC_LANG": "ru"}, "ru"),
+        (["torque", "--lang", "ru"], {"AFMCALC_LANG": "en"}, "ru"),
+        (["--lang=en", "torque"], {"AFMCALC_LANG": "ru"}, None),
+        (["torque", "--", "--lang", "ru"], {}, None),
+    ],
+)
+def test_the_language_is_the_options_else_the_variables_else_the_locales(arguments, environment, name):
+    own = chosen(arguments, environment)
+    assert (own.name if own else None) == name
+
+
+def test_an_unknown_language_is_refused():
+    for arguments, environment in ((["--lang", "xx"], {}), (["--lang"], {}), ([], {"AFMCALC_LANG": "Russian"})):
+        with pytest.raises(AfmcalcError, match="known are en, ru"):
+            chosen(arguments, environment)
+
+
+def test_without_its_library_a_wish_is_refused_and_a_locale_is_not(monkeypatch):
+    monkeypatch.setattr("afmcalc.extras.find_spec", lambda name: None)
+    assert chosen([], {"LANG": "ru_RU.UTF-8"}) is None
+    with pytest.raises(AfmcalcError, match=r"afmcalc\[ru\]"):
+        chosen(["--lang", "ru"], {})
+
+
+def test_the_option_may_stand_anywhere():
+    assert without_lang(["--lang", "ru", "torque", "a.toml", "--lang=en"]) == ["torque", "a.toml"]
+    assert without_lang(["report", "--", "--lang", "ru"]) == ["report", "--", "--lang", "ru"]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["torque", CONFIGS / "indirect.toml"],
+        ["check", CONFIGS / "default.toml", "--set", "C=2"],
+        ["compare", CONFIGS / "default.toml", "--variants"],
+        ["explain", "life", CONFIGS / "default.toml"],
+        ["check", CONFIGS / "default.toml", "--set", "friction.max=2 N"],
+        ["reproduce", "--paper", "S21"],
+    ],
+)
+@pytest.mark.parametrize("format_", ["json", "csv"])
+def test_programs_read_the_same_in_every_language(arguments, format_, afmcalc):
+    english, russian = (afmcalc(*arguments, "--format", format_, "--lang", name) for name in ("en", "ru"))
+    assert (russian.code, russian.out) == (english.code, english.out)
+
+
+COMMANDS = [
+    *(["torque"], ["accuracy", "--sweep", "C"], ["adjust"], ["overload"], ["synthesize"], ["life"], ["check"]),
+    *(["compare", "--variants"], ["explain", "torque"], ["explain", "accuracy"], ["simulate"], ["heat"], ["effects"]),
+    ["tolerance", "--set", "tolerance.samples=500"],
+]
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_no_latin_words_but_names_and_codes(name, afmcalc, russian):
+    """In the output, notes and errors of every command for every example."""
+    for command in COMMANDS:
+        run = (
+            afmcalc(command[0], *command[1:2], f"example:{name}", *command[2:])
+            if command[0] == "explain"
+            else (afmcalc(command[0], f"example:{name}", *command[1:]))
+        )
+        assert not latin(run.out + run.err, name), command
+
+
+NAMES = re.compile(
+    r"^\S+: .* – .*$"  # heading: command and name
+    r"|^  *(\d+)? \| .*$"  # lines of the spec
+    r"|\[[^\]]*\]"  # codes of findings, sources
+    r"|'[^']*'|\"[^\"]*\"|«[^»]*»"
+    r"|\b\w+(?:[.-]\w+)+\b|--[\w-]+|\b\w*_\w*(?:[.,]\w+)*"  # keys, files, options, symbols
+    r"|\bafmcalc \w+|\bexample:\S+|\bAFMCALC_\w+"
+    r"|\b(?:TOML|JSON|HTML|CSV|SPEC|FILE|NAME|SI|DIN|EN|Miner|arctan|sin|cos|tan|zC|simulate|amplitude|goodman|auto)\b",
+    re.MULTILINE,
+)
+
+
+def latin(text: str, name: str) -> set[str]:
+    """Words in Latin letters that are no names."""
+    clutch = re.search(r'(?m)^name = "(.*)"', (CONFIGS / f"{name}.toml").read_text(encoding="utf-8"))
+    bare = NAMES.sub(" ", text.replace(clutch[1] if clutch else name, ""))
+    return set(re.findall(r"\b[A-Za-z]{4,}\b", bare)) - CODES
+
+
+CODES = {*VARIANTS, *re.findall(r"[a-z]+", " ".join(keys())), "overload", "synthesize", "life", "tolerance", "heat", "effects", "centrifugal", "friction", "accuracy", "torque", "check"} | {
+    "adjust", "explain", "compare", "adjustment", "spring", "drive"
+}  # fmt: skip
+"""Commands and keys of one word."""
+
+
+SNAPSHOTS = Path(__file__).parent / "render" / "formats" / "snapshots"
+SHOWN = {
+    "torque": ["torque", CONFIGS / "indirect.toml"],
+    "accuracy": ["accuracy", CONFIGS / "default.toml", "--sweep", "C=0:1:3"],
+    "check": ["check", CONFIGS / "default.toml", "--set", "C=2"],
+    "explain": ["explain", "synthesize", CONFIGS / "indirect.toml"],
+}
+
+
+@pytest.mark.parametrize("format_", ["table", "markdown"])
+@pytest.mark.parametrize("name", SHOWN)
+def test_snapshot(name, format_, afmcalc, russian):
+    run = afmcalc(*SHOWN[name], "--format", format_)
+    path = SNAPSHOTS / f"{name}.ru.{'txt' if format_ == 'table' else 'md'}"
+    if os.environ.get("AFMCALC_UPDATE"):
+        path.write_text(run.out, encoding="utf-8")
+    assert run.out == path.read_text(encoding="utf-8"), f"{path.name} differs; AFMCALC_UPDATE=1 writes it anew: read it"
+
+
+def test_the_report_has_the_form_of_a_calculation(afmcalc, russian):
+    page = afmcalc("report", "example:default").out
+    sections = re.findall(r'<h2><span class="count">\d+</span> ([^<]*)</h2>', page)
+    first = [
+        "Задание",
+        "Исходные данные",
+        "Условия и проверки",
+        "Расчёт",
+        "Графики",
+        "Заключение",
+        "Список обозначений",
+    ]
+    assert sections == [*first, "Список использованных источников"]
+    assert re.findall(r"<dt>([^<]*)</dt>", page)[:1] == ["Обозначение"]
+    for entry in ("Разработал", "Проверил", "Н. контр.", "Утв."):
+        assert f"<dt>{entry}</dt>" in page
+    assert 'lang="ru"' in page
+    numbers = "".join(re.findall(r"<mn>([^<]*)</mn>", page))
+    assert "," in numbers
+    assert "." not in numbers
+    words = re.sub(r"(?s)<(style|math|pre|code|svg|sub).*?</\1>|<[^>]*>", " ", page)
+    known = CODES | {
+        "afmcalc",
+        "misprints",
+        "equations",
+        "configs",
+        "amplitude",
+        "goodman",
+        "model",
+        "Base",
+        "clutch",
+        "example",
+        "default",
+    }
+    assert set(re.findall(r"(?<![\w.-])[A-Za-z]{4,}(?![\w.])", words)) <= known
+
+
+def test_help_fits_a_narrow_terminal(afmcalc, russian, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "60")
+    for arguments in ([], ["torque"], ["report"], ["plot"]):
+        run = afmcalc(*arguments, "--help")
+        assert run.code == 0
+        assert "Ключи" in run.out
+        assert not re.search(r"\b(Usage|Options|Show|the)\b", run.out)
+
+
+def test_what_is_wrong_is_told_in_russian(afmcalc, russian):
+    for arguments, said in (
+        (["torque", "--hepl"], "нет ключа --hepl"),
+        (["solve"], "не хватает аргумента"),
+        (["torque", "example:default", "--set", "friction.max=2 N"], "безразмерно"),
+        (["torque", "example:defualt"], "возможно, 'default'"),
+    ):
+        run = afmcalc(*arguments)
+        assert run.code == 2
+        assert run.err.splitlines()[-1].startswith(("ошибка: ", " ")), run.err
+        assert said in run.err, run.err
+
+
+def test_a_russian_spec_is_the_english_one_with_other_comments(afmcalc):
+    import tomllib
+
+    for kind in ("clutch", "tolerance", "requirements"):
+        english, russian = (afmcalc("init", "-", "--kind", kind, "--lang", name).out for name in ("en", "ru"))
+        assert tomllib.loads(english) == tomllib.loads(russian)
+        assert len(english.splitlines()) == len(russian.splitlines())
+        assert "коэффициент трения" in russian or kind == "requirements"
+        assert english != russian
+
+
+def test_english_loads_nothing_of_it():
+    program = "import sys; from afmcalc.cli.entry import main\ntry: main(['torque'])\nexcept SystemExit: pass\n"
+    asked = "print('babel' in sys.modules, file=sys.stderr)"
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "AFMCALC_LANG": "en"}
+    run = subprocess.run([sys.executable, "-c", program + asked], capture_output=True, env=environment, check=True)
+    assert run.stderr.split()[-1] == b"False"

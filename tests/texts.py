@@ -1,0 +1,272 @@
+"""Every English text of the program that people read: what a catalogue has to hold."""
+
+import ast
+import inspect
+import pkgutil
+import re
+import string
+import textwrap
+from collections.abc import Iterator
+from importlib import import_module
+from typing import Literal, get_args, get_origin
+
+from conftest import CONFIGS, ROOT
+
+import afmcalc
+
+Key = tuple[str, str]
+"""Context and text."""
+
+SAYING = ("say", "told", "message", "translate", "term", "heard")
+
+
+def texts() -> dict[Key, str]:
+    """Context and text → where it is from."""
+    found: dict[Key, str] = {}
+    for where, each in (
+        ("literals", _literals()),
+        ("findings", _findings()),
+        ("report", _report()),
+        ("fields", _fields()),
+        ("help", _help()),
+        ("registry", _registry()),
+        ("equations", _equations()),
+        ("papers", _papers()),
+        ("values", _values()),
+        ("units", _units()),
+        ("names", _names()),
+        ("examples", _examples()),
+    ):
+        for key in each:
+            if worded(key[1]) or key[0] == "unit":
+                found.setdefault(key, where)
+    return found
+
+
+def worded(text: str) -> bool:
+    """Whether a text has words of its own beside its fields."""
+    bare = "".join(part for part, *_ in string.Formatter().parse(text)) if "{" in text else text
+    bare = re.sub(r"\w+_\w+|\b(sin|cos|tan|ln|zC|pi)\b|\b[FSM]\d+\b", "", bare)
+    return re.search(r"[A-Za-z]{2}", bare) is not None
+
+
+def _literals() -> Iterator[Key]:
+    """First arguments of what says something, wherever it is called."""
+    for path in sorted((ROOT / "afmcalc").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if not isinstance(node, ast.Call) or not node.args:
+                continue
+            name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+            if name == "map" and getattr(node.args[0], "id", "") == "translate":
+                yield from (("", text) for each in ast.walk(node.args[1]) for text in _strings(each))
+            in_table = name == "told" and "/report/" in path.as_posix()
+            if name in (*SAYING, "say_many") and not in_table:
+                for text in _strings(node.args[0]):
+                    yield (_context(node), text)
+
+
+def _context(node: ast.Call) -> str:
+    second = node.args[1] if len(node.args) > 1 else None
+    name = getattr(node.func, "id", "")
+    if name == "translate" and isinstance(second, ast.Constant):
+        return str(second.value)
+    return ""
+
+
+def _strings(node: ast.AST) -> Iterator[str]:
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        yield node.value
+    elif isinstance(node, ast.IfExp):
+        yield from _strings(node.body)
+        yield from _strings(node.orelse)
+
+
+def _findings() -> Iterator[Key]:
+    from afmcalc.messages import FINDINGS
+
+    yield from (("", text) for text in FINDINGS.values())
+
+
+def _report() -> Iterator[Key]:
+    from afmcalc.render.report.words import REPORT
+
+    yield from (("", text) for text in REPORT.values())
+
+
+def modules() -> Iterator[object]:
+    for each in pkgutil.walk_packages(afmcalc.__path__, "afmcalc."):
+        if not each.name.endswith("__main__"):
+            yield import_module(each.name)
+
+
+def models() -> list[type]:
+    from pydantic import BaseModel
+
+    found: dict[type, None] = {}
+    for module in modules():
+        for each in vars(module).values():
+            if inspect.isclass(each) and issubclass(each, BaseModel) and each.__module__.startswith("afmcalc"):
+                found[each] = None
+    return list(found)
+
+
+def _fields() -> Iterator[Key]:
+    """Descriptions of what results and specs hold, and their symbols of more than letters."""
+    yield ("", "parameter")
+    for model in models():
+        for name, info in model.model_fields.items():  # type: ignore[attr-defined]
+            yield ("", info.description or name)
+            about = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+            if about.get("of"):
+                yield ("", str(about["of"]))
+            if null := about.get("null"):
+                yield ("value", str(null))
+            if re.search(r" (from|to|of|at) |\b(from|to)$", str(about.get("symbol") or "")):
+                yield ("", str(about["symbol"]))
+
+
+def _help() -> Iterator[Key]:
+    """Paragraphs of the help of commands, and what is said of their arguments."""
+    import typer
+
+    from afmcalc.analysis.solve.targets import TARGETS
+    from afmcalc.cli import help, names
+    from afmcalc.cli.main import application
+    from afmcalc.cli.speech import LABELS, SAID, paragraphs
+
+    program = typer.main.get_command(application([]))
+    for command in (program, *program.commands.values()):  # type: ignore[attr-defined]
+        for part in paragraphs(command.help or ""):
+            lines = part.splitlines()[1:] if part.startswith("\b") else [part]
+            if not all(re.fullmatch(r"\s*(\S+ )?(afmcalc|export|eval|source)\b(?!.*   ).*", line) for line in lines):
+                yield ("", part)
+        for parameter in command.params:
+            if parameter.help:
+                yield ("", parameter.help)
+    sections = {*help.SECTIONS.values(), *help._APART.values(), help.FILES}
+    yield from (("", text) for text in (*LABELS, *SAID, *sections))
+    yield from (("", target.description) for target in TARGETS.values())
+    yield from (("", about) for _, about in names.plots())
+
+
+def _registry() -> Iterator[Key]:
+    from afmcalc.analysis import registry
+
+    for each in registry.ANALYSES.values():
+        if each.section:
+            for text in (each.section.title, each.section.about, each.section.conclusion):
+                if isinstance(text, str):
+                    yield ("", text)
+                else:
+                    yield from (("", said) for said in _returned(inspect.getsource(text)))
+        if each.plot:
+            yield ("", each.plot.about)
+
+
+def _returned(source: str) -> Iterator[str]:
+    """Sentences in the source of a function, each a whole one."""
+    for node in ast.walk(ast.parse(textwrap.dedent(source))):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and " " in node.value:
+            yield node.value
+
+
+def _equations() -> Iterator[Key]:
+    """What the equations calculate, as steps and reports name it, and what their symbols mean."""
+    from afmcalc.analysis.explain.derivation import _OF_TANGENT
+    from afmcalc.equations.catalogue import equations
+
+    for each in equations().values():
+        yield ("", each.summary.partition(",")[0].rstrip("."))
+        yield ("", re.split("[,:;]", each.summary)[0].rstrip("."))
+        for term in each.arguments.values():
+            if term.meaning:
+                yield ("", term.meaning)
+    yield from (("", text) for text in _OF_TANGENT.values())
+
+
+def _papers() -> Iterator[Key]:
+    """What the lists of the papers say, and what is said of their figures."""
+    from afmcalc.equations.catalogue import equations
+    from afmcalc.papers import register
+    from afmcalc.papers.figures import FIGURES, paper_figure
+    from afmcalc.spec.materials import catalogue
+
+    for each in equations().values():
+        yield ("", each.source)
+    for material in catalogue().values():
+        yield from (("value", text) for text in (material.description, material.condition))
+    for name in FIGURES:
+        figure = paper_figure(name)
+        yield from (("", text) for text in (figure.name, figure.title, figure.inputs, figure.assumed))
+        yield from (("", text) for text in figure.corrections)
+        yield from (("", axis.name) for axis in (figure.x, *figure.y))
+        yield from (("", curve.label) for panel in figure.panels for curve in panel)
+    for entry in register.misprints():
+        yield from (("", text) for text in (entry.where, entry.printed, entry.correct, entry.why))
+    for formula in register.register():
+        said = (formula.id, formula.says, formula.printed, formula.covered_by, formula.correct)
+        yield from (("", text) for text in said if text)
+    for claim in register.data("claims.toml")["claim"]:
+        yield from (("", claim[part]) for part in ("source", "inputs", "printed", "why") if part in claim)
+
+
+def _values() -> Iterator[Key]:
+    """Words that a result may hold: those of its types."""
+    for model in models():
+        if not model.__name__.startswith("_"):
+            for info in model.model_fields.values():  # type: ignore[attr-defined]
+                yield from (("value", word) for word in _choices(info.annotation))
+    yield from (("value", word) for word in ("error", "warning", "info", "min", "mean", "max"))
+
+
+def _choices(annotation: object) -> Iterator[str]:
+    if get_origin(annotation) is Literal:
+        yield from (word for word in get_args(annotation) if isinstance(word, str))
+    for each in get_args(annotation):
+        if not isinstance(each, str):
+            yield from _choices(each)
+
+
+def _units() -> Iterator[Key]:
+    from afmcalc.messages import SCALES
+    from afmcalc.render.units import ENGINEER, display_unit
+    from afmcalc.spec.units import EXAMPLES
+
+    yield from (("unit", unit) for unit in SCALES)
+    yield from (("unit", shown) for shown, *_ in ENGINEER.values() if re.search("[A-Za-z]", shown))
+    written = {*ENGINEER, *EXAMPLES}
+    si = {unit.replace("*", "·").replace("^2", "²").replace("^3", "³").removesuffix(" abs") for unit in written}
+    yield from (("unit", unit) for unit in sorted(si | written) if re.search("[A-Za-z]", unit) and "abs" not in unit)
+    for model in models():
+        for info in model.model_fields.values():  # type: ignore[attr-defined]
+            about = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
+            shown = display_unit(str(about.get("unit") or ""))
+            if re.search("[A-Za-z]", shown):
+                yield ("unit", shown)
+
+
+def _names() -> Iterator[Key]:
+    """What tables hold: names of limits, kinds of quantities, variants."""
+    from afmcalc.analysis.checks.requirements import JUDGED
+    from afmcalc.spec.paths import keys
+    from afmcalc.spec.units import EXAMPLES
+    from afmcalc.variants import VARIANTS
+
+    yield from (("", kind) for kind, _ in EXAMPLES.values())
+    yield from (("", keys()[f"requirements.{name}"].description.partition(",")[0]) for name in JUDGED)
+    yield from (("value", name) for name in VARIANTS)
+
+
+def _examples() -> Iterator[Key]:
+    """Comments of the specs that ship."""
+    for path in sorted(CONFIGS.glob("*.toml")):
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if comment := comment_of(line):
+                yield ("comment", comment)
+
+
+def comment_of(line: str) -> str:
+    """Words of a line's comment; nothing of a line that is an optional key alone."""
+    from afmcalc.spec.builtin import comment
+
+    return comment(line)
