@@ -1,6 +1,6 @@
 """Recording which equations a calculation ran, with what arguments: an explanation cannot drift from the code."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from functools import wraps
 from importlib import import_module
@@ -199,17 +199,40 @@ def recording() -> Iterator[list[Call]]:
     """
     calls: list[Call] = []
     depth = [0]
-    wrapped = []
-    for equation in equations().values():
-        module_name, _, name = equation.name.partition(".")
-        module = import_module(f"...equations.{module_name}", __package__)
-        wrapped.append((module, name, equation.function))
-        setattr(module, name, _recorder(equation, calls, depth))
+    recorders = {each.name: _recorder(each, calls, depth) for each in equations().values()}
+    _RUNNING.append(recorders)
+    _put(recorders)
     try:
         yield calls
     finally:
-        for module, name, function in wrapped:
-            setattr(module, name, function)
+        _RUNNING.pop()
+        _put({each.name: each.function for each in equations().values()})
+
+
+_RUNNING: list[dict[str, Callable[..., Any]]] = []
+"""Recorders that are in place, the innermost last; none while they are taken out."""
+
+
+@contextmanager
+def unrecorded() -> Iterator[None]:
+    """Take the recorders out within the block, where equations run a hundred thousand times and explain nothing."""
+    if not (_RUNNING and _RUNNING[-1]):
+        yield
+        return
+    _RUNNING.append({})
+    _put({each.name: each.function for each in equations().values()})
+    try:
+        yield
+    finally:
+        _RUNNING.pop()
+        _put(_RUNNING[-1])
+
+
+def _put(functions: Mapping[str, Callable[..., Any]]) -> None:
+    """Put functions into the equation modules, by ``module.function``."""
+    for path, function in functions.items():
+        module, _, name = path.partition(".")
+        setattr(import_module(f"...equations.{module}", __package__), name, function)
 
 
 def _recorder(equation: Equation, calls: list[Call], depth: list[int]) -> Callable[..., Any]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...arrays import Values
 from ...engines.protocol import Clutch
-from ...equations.heat import run_down_time
+from ...equations import heat
 from ...extras import need
 from .direct import DirectPlant
 from .packs import ordinary_pack, pack_of, plant_of, without_hub
@@ -62,7 +62,7 @@ class Outcome(NamedTuple):
         return self.trip.slip_time if self.trip.ended else None
 
     @property
-    def heat(self) -> float | None:
+    def energy(self) -> float | None:
         """Heat in the pack; None where it does not end."""
         return self.trip.heat if self.trip.ended else None
 
@@ -144,9 +144,9 @@ def _slip_time(plant: Plant) -> float:
     train, drive = plant.train, plant.train.engine.torque
     if train.cut_off is not None:
         gained = train.speed + max(drive - plant.least, 0.0) * train.cut_off / train.motor_inertia
-        return train.cut_off + float(run_down_time(train.motor_inertia, gained, plant.least, 0.0))
+        return train.cut_off + float(heat.run_down_time(train.motor_inertia, gained, plant.least, 0.0))
     if plant.least > drive:
-        return float(run_down_time(train.motor_inertia, train.speed, plant.least, drive))
+        return float(heat.run_down_time(train.motor_inertia, train.speed, plant.least, drive))
     if plant.sliding > drive:
-        return _LONG * float(run_down_time(train.motor_inertia, train.speed, plant.sliding, drive))
+        return _LONG * float(heat.run_down_time(train.motor_inertia, train.speed, plant.sliding, drive))
     return 0.0

@@ -60,11 +60,11 @@ def _endless(train: Train, found: Sequence[Outcome]) -> list[Finding]:
     cut = [
         (end, each)
         for end, each in zip(_ENDS, found, strict=True)
-        if train.cut_off is not None and each.heat and each.case.plant.sliding <= strongest
+        if train.cut_off is not None and each.energy and each.case.plant.sliding <= strongest
     ]
     if cut and train.cut_off is not None:
         at, least = ", ".join(end for end, _ in cut), min(each.case.plant.sliding for _, each in cut)
-        heat = max(each.heat or 0.0 for _, each in cut)
+        heat = max(each.energy or 0.0 for _, each in cut)
         said.append(
             finding(
                 "motor-stops-at-cut-off", "warning", value=least, limit=strongest, path=path, at=at, heat=heat,

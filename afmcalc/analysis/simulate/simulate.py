@@ -9,6 +9,7 @@ from ...findings import Finding
 from ...messages import say
 from ...result import OpenTriple, Triple
 from ...spec import Spec, resolved
+from ..explain.trace import unrecorded
 from ..sweep.grid import Axis
 from ..torque import Pair, friction_fields, outside_range, pairs_asked
 from .cases import outcome_of
@@ -20,6 +21,7 @@ from .train import train_of
 __all__ = ["SimulateResult", "simulate"]
 
 
+@unrecorded()
 def simulate(
     clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = ()
 ) -> tuple[SimulateResult, list[Finding]]:
@@ -47,7 +49,7 @@ def simulate(
         dynamic_factor=_triple([each.dynamic_factor for each in found]),
         peak_over_machine=_triple([peak / train.load for peak in peaks]) if train.load else None,
         slip_time=_open([each.slip_time for each in found]),
-        slip_energy=_open([each.heat for each in found]),
+        slip_energy=_open([each.energy for each in found]),
         travel_max=_triple([each.trip.travel_max for each in found]) if travels else None,
         peak_torque_conventional=_triple([each.ordinary_peak for each in found]),
         trip_torque=_open([each.trip.trip_torque for each in found]) if late else None,
@@ -84,7 +86,7 @@ def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> Si
         peak_torque_clutch=found.trip.peak_clutch,
         dynamic_factor=found.dynamic_factor,
         slip_time=found.slip_time,
-        slip_energy=found.heat,
+        slip_energy=found.energy,
         travel_max=found.trip.travel_max if clutch.spec.kind.travels else None,
         peak_torque_conventional=found.ordinary_peak,
     )

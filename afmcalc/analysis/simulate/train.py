@@ -14,6 +14,7 @@ from ...equations import drive as law
 from ...errors import Problem, SpecError
 from ...messages import say
 from ...spec.drive import Drive, EventKind
+from ..explain.trace import unrecorded
 
 
 @dataclass(frozen=True)
@@ -63,6 +64,7 @@ class Train:
         return torque
 
 
+@unrecorded()
 def train_of(clutch: Clutch) -> Train:
     """Return the drive of a clutch.
 

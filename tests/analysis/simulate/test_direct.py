@@ -109,7 +109,7 @@ def test_a_motor_as_strong_as_the_clutch_never_stops():
     found = outcome_of(clutch(drive={"motor_torque": 201.0}), 0.1)
     assert found.endless
     assert found.slip_time is None
-    assert found.heat is None
+    assert found.energy is None
     cut = outcome_of(clutch(drive={"motor_torque": 201.0, "cut_off": 0.5}), 0.1)
     # T ω t_off, then the run-down of what is left
     assert cut.trip.ended
