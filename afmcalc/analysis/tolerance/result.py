@@ -79,7 +79,7 @@ class LifeRow(Estimated):
 class PeakRow(Estimated):
     """One quantile of the peak torque in the shaft."""
 
-    probability: float = quantity("1", "P", "probability")
+    probability: float = quantity("1", None, "probability")
     peak_torque: float = quantity("N*m", "T_peak,p", "peak torque not exceeded with this probability")
     standard_error: float = error("peak_torque", "N*m", "±", "standard error")
 
