@@ -9,6 +9,7 @@ import numpy as np
 from scipy.integrate import DOP853, OdeSolver, Radau
 from scipy.optimize import brentq
 
+from ...arrays import finite
 from ...errors import CalculationError
 from ...messages import say
 from .coast import stride
@@ -211,7 +212,7 @@ class _Run:
         solver = method(
             lambda at, states: plant.rates(at, states.tolist(), mode),
             t,
-            np.array(y),
+            np.array([finite(each) for each in y]),
             bound,
             rtol=TOLERANCE,
             atol=self.scales * TOLERANCE,
