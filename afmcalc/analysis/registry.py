@@ -83,6 +83,11 @@ class Analysis(NamedTuple):
         return getattr(import_module(f"..{self.home}", __package__), self.result)
 
 
+def _can_be_simulated(clutch: "Clutch") -> bool:
+    proportional = not clutch.spec.kind.travels or getattr(clutch.law, "curved", None) is None
+    return clutch.spec.drive.event is not None and proportional
+
+
 def _can_be_synthesized(clutch: "Clutch") -> bool:
     unit = clutch.spec.control_unit
     return unit is not None and unit.ball_circle_radius is not None and bool(clutch.gain > 0)
@@ -217,8 +222,7 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
         ),
         Analysis(
-            "simulate", "analysis.simulate.simulate", "SimulateResult", "drive",
-            lambda clutch: clutch.spec.drive.event is not None,
+            "simulate", "analysis.simulate.simulate", "SimulateResult", "drive", _can_be_simulated,
             section=Section(
                 "Drive",
                 "The event of the block [drive] in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",

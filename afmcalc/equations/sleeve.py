@@ -1,29 +1,89 @@
 """The control unit of an indirect clutch in motion: a torsion spring that loses a share of every swing (section 9).
 
-φ is the turn of the balls' one half against the other, x = R φ/C the travel of the sleeve. While the sleeve moves off
-its stop the friction at the key counts as κ, while it returns as κ₊ (``indirect.net_gain``). Arguments may be arrays.
+φ is the turn of the balls' one half against the other, x the travel of the sleeve, R φ/C of a straight wall. While the
+sleeve moves off its stop the friction at the key counts as κ, while it returns as κ₊ (``indirect.net_gain``).
 """
 
 from ._types import Number
 
 
-def travel(turn: Number, mean_radius: Number, gain: Number) -> Number:
-    """Travel of the sleeve for a turn of the balls, x = R φ/C.
+def travel(turn: Number, mean_radius: Number, gain: Number, gain_slope: Number) -> Number:
+    """Travel of the sleeve for a turn of the balls, x = 2 R φ/[C + √(C² + 2 C_1 R φ)]; R φ/C of a straight wall.
 
-    Source: Theory, section 9: derived: balls roll down the wall, r dφ = tan α dx, and C = (R/r) tan α.
+    Source: Theory, section 9: balls roll down the wall, r dφ = tan α dx, with tan α = (r/R)(C + C_1 x) (section 12).
 
     Args:
         turn: φ [rad].
         mean_radius: R_cp, mean friction radius [m].
-        gain: C, feedback gain [1].
+        gain: C, feedback gain at the stop [1].
+        gain_slope: C_1, how the gain grows with travel [1/m].
 
     Returns:
         x [m].
 
     Validity:
-        C > 0, straight pockets.
+        C > 0, C_1 ≥ 0.
     """
-    return mean_radius * turn / gain
+    reached = (gain * gain + 2 * gain_slope * mean_radius * turn) ** 0.5
+    return 2 * mean_radius * turn / (gain + reached)
+
+
+def turn(travel: Number, mean_radius: Number, gain: Number, gain_slope: Number) -> Number:
+    """Turn of the balls for a travel of the sleeve, φ = (C + ½ C_1 x) x/R.
+
+    Source: Theory, section 9: inverse of ``travel``.
+
+    Args:
+        travel: x [m].
+        mean_radius: R_cp, mean friction radius [m].
+        gain: C, feedback gain at the stop [1].
+        gain_slope: C_1, how the gain grows with travel [1/m].
+
+    Returns:
+        φ [rad].
+
+    Validity:
+        x ≥ 0.
+    """
+    return (gain + gain_slope * travel / 2) * travel / mean_radius
+
+
+def travel_rate(turn_rate: Number, mean_radius: Number, gain: Number) -> Number:
+    """Speed of the sleeve for a speed of the turn, x' = R φ'/C.
+
+    Source: Theory, section 9: balls roll down the wall, r dφ = tan α dx.
+
+    Args:
+        turn_rate: φ' [rad/s].
+        mean_radius: R_cp, mean friction radius [m].
+        gain: C, feedback gain where the sleeve is [1].
+
+    Returns:
+        x' [m/s].
+
+    Validity:
+        C > 0.
+    """
+    return mean_radius * turn_rate / gain
+
+
+def slackened_force(closing_force: Number, closing_stiffness: Number, travel: Number) -> Number:
+    """Normal force with the sleeve off its stop, N = F_п1 − c_1 x.
+
+    Source: S21 (9).
+
+    Args:
+        closing_force: F_п1, closing-spring force at the stop [N].
+        closing_stiffness: c_1 [N/m].
+        travel: x, travel of the sleeve [m].
+
+    Returns:
+        N [N].
+
+    Validity:
+        x > 0; where it would be negative the springs leave the pack.
+    """
+    return closing_force - closing_stiffness * travel
 
 
 def spring_moment(
@@ -118,18 +178,26 @@ def damped_share(net_gain: Number, net_gain_returning: Number) -> Number:
 
 
 def torsional_stiffness(
-    closing_stiffness: Number, control_stiffness: Number, mean_radius: Number, net_gain: Number, gain: Number
+    closing_stiffness: Number,
+    control_stiffness: Number,
+    mean_radius: Number,
+    net_gain: Number,
+    gain: Number,
+    gain_slope: Number,
+    ball_torque: Number,
 ) -> Number:
-    """Stiffness of the control unit as a torsion spring, k_T = (c_1 + c_2) R²/(κ C).
+    """Stiffness of the control unit as a torsion spring, k_T = R [(c_1 + c_2) R − C_1 T_b]/(κ C).
 
-    Source: Theory, section 9: derived: d(S/κ)/dφ.
+    Source: Theory, section 9: d(S/κ)/dφ; of a wall that holds the torque (section 12) it is 0.
 
     Args:
         closing_stiffness: c_1 [N/m].
         control_stiffness: c_2 [N/m].
         mean_radius: R_cp, mean friction radius [m].
-        net_gain: κ while the sleeve moves off, κ₊ while it returns [1].
-        gain: C, feedback gain [1].
+        net_gain: κ while the sleeve moves off, κ₊ while it returns, where it is [1].
+        gain: C, feedback gain where the sleeve is [1].
+        gain_slope: C_1, how the gain grows with travel [1/m].
+        ball_torque: T_b = S/κ [N*m].
 
     Returns:
         k_T [N*m/rad].
@@ -137,7 +205,8 @@ def torsional_stiffness(
     Validity:
         Sleeve off its stop.
     """
-    return (closing_stiffness + control_stiffness) * mean_radius * mean_radius / (net_gain * gain)
+    springs = (closing_stiffness + control_stiffness) * mean_radius - gain_slope * ball_torque
+    return mean_radius * springs / (net_gain * gain)
 
 
 def sleeve_inertia(mass: Number, mean_radius: Number, gain: Number, net_gain: Number) -> Number:
@@ -245,3 +314,26 @@ def slip_torque_at_stop(
     both = hub_inertia + load_inertia
     pressed = control_force * mean_radius - net_gain * hub_inertia * load_torque / both
     return friction_pairs * pressed / (1 + friction_pairs * net_gain * load_inertia / both)
+
+
+def centrifugal_moment(
+    mass: Number, mean_radius: Number, gain: Number, gain_slope: Number, travel_rate: Number
+) -> Number:
+    """Moment that a steepening wall takes from a moving sleeve, M_m = m R C_1 x'²/C, beside S.
+
+    Source: Theory, section 9: x'' = (R φ'' − C_1 x'²)/C, from C x' = R φ' with C = C_0 + C_1 x.
+
+    Args:
+        mass: m, mass of the sleeve [kg].
+        mean_radius: R_cp, mean friction radius [m].
+        gain: C, feedback gain where the sleeve is [1].
+        gain_slope: C_1, how the gain grows with travel [1/m].
+        travel_rate: x' [m/s].
+
+    Returns:
+        M_m [N*m].
+
+    Validity:
+        The balls stay on the wall.
+    """
+    return mass * mean_radius * gain_slope * travel_rate * travel_rate / gain

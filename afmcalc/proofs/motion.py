@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import direct, drive, heat, indirect, overload, sleeve
+from ..equations import direct, drive, heat, indirect, overload, pocket, sleeve
 from . import Identity, Steps
 from .symbols import C, F, R, beta, c1, c2, d, f, f1, f2, fk, fmin, solved, x, z, z1, z2
 
@@ -120,7 +120,7 @@ def judder() -> Steps:
 
 def swing_of_the_control_unit() -> Steps:
     """The control unit as a torsion spring with friction: stiffness, loop, the sleeve's mass (V7)."""
-    F1, F2, m = sp.symbols("F_1 F_2 m", positive=True)
+    F1, F2 = sp.symbols("F_1 F_2", positive=True)
     net, back = indirect.net_gain(C, R, fk, d), indirect.net_gain_returning(C, R, fk, d)
     moment = sleeve.spring_moment(R, F1, F2, c1, c2, x)
     # S21 (6)–(8): F_п1 − c_1 x + T tan α/r − F_п2 − c_2 x ∓ 2 T f_1/d = 0, tan α/r = C/R
@@ -130,24 +130,37 @@ def swing_of_the_control_unit() -> Steps:
     work = sleeve.spring_work(F1, F2, c1, c2, x)
     yield Identity("S = R dW/dx", sp.diff(work, x) * R - moment)
     yield Identity("no work without travel", work.subs(x, 0))
-    per_turn = sleeve.travel(phi, R, C)
-    r, t = sp.symbols("r t", positive=True)
-    yield Identity("x tan α = r φ", (per_turn * t - r * phi).subs(C, direct.gain(R, r, t)))
-    stored = work.subs(x, per_turn)
-    out = sp.integrate((moment / net).subs(x, per_turn), (phi, 0, x * C / R))
-    home = sp.integrate((moment / back).subs(x, per_turn), (phi, 0, x * C / R))
+    r, t, slope = sp.symbols("r t C_1", positive=True)
+    per_turn = sleeve.turn(x, R, C, slope)
+    # r dφ = tan α dx with tan α = (r/R)(C + C_1 x)
+    gain = pocket.gain_at(C, slope, x)
+    yield Identity("R dφ/dx = C + C_1 x", R * sp.diff(per_turn, x) - gain)
+    yield Identity("straight: r φ = x tan α", (sleeve.turn(x, R, C, 0) * r - x * t).subs(C, direct.gain(R, r, t)))
+    back_again = sp.nsimplify(sleeve.travel(per_turn, R, C, slope), rational=True)
+    back_again = back_again.replace(lambda part: part.is_Pow and part.exp == sp.Rational(1, 2), _rooted)
+    yield Identity("x of φ is the inverse", sp.simplify(back_again) - x)
+    out = sp.integrate(moment / net * C / R, (x, 0, x))
+    home = sp.integrate(moment / back * C / R, (x, 0, x))
     yield Identity("V7: loop energy", sleeve.loop_energy(work, C, net, back) - (out - home))
     yield Identity("share of a swing", sleeve.damped_share(net, back) - (out - home) / out)
-    stiffness = sp.diff((moment / net).subs(x, per_turn), phi)
-    yield Identity("k_T", sleeve.torsional_stiffness(c1, c2, R, net, C) - stiffness)
-    ideal = sp.diff(stored, phi, 2)
-    yield Identity("k_T without friction is that of the stored work", (stiffness - ideal).subs(fk, 0))
-    inertia = sleeve.sleeve_inertia(m, R, C, net)
+    steep = pocket.gain_at(net, slope, x)
+    stiffness = sleeve.torsional_stiffness(c1, c2, R, steep, gain, slope, moment / steep)
+    yield Identity("k_T = d(S/κ)/dφ", stiffness - sp.diff(moment / steep, x) / sp.diff(per_turn, x))
+    m, rate = sp.symbols("m xdot", positive=True)
     acceleration = sp.Symbol("phi_ddot")
-    pushed = solved(T * net / R - moment / R - m * sleeve.travel(acceleration, R, C), T)
-    yield Identity("the sleeve's mass: T = S/κ + μ φ''", pushed - moment / net - inertia * acceleration)
-    kinetic = m * sleeve.travel(rate, R, C) ** 2 / 2
-    yield Identity("without friction it is m (R/C)²", (inertia * rate**2 / 2 - kinetic).subs(fk, 0))
+    turning = sp.Symbol("phi_dot")
+    yield Identity("x' = φ' dx/dφ", sleeve.travel_rate(turning, R, gain) * sp.diff(per_turn, x) - turning)
+    # C x' = R φ', differentiated
+    xddot = (R * acceleration - slope * rate**2) / gain
+    pushed = solved(T * steep / R - moment / R - m * xddot, T)
+    inertia = sleeve.sleeve_inertia(m, R, gain, steep)
+    taken = sleeve.centrifugal_moment(m, R, gain, slope, rate)
+    yield Identity(
+        "the sleeve's mass: T = (S − M_m)/κ + μ φ''", pushed - (moment - taken) / steep - inertia * acceleration
+    )
+    kinetic = m * sleeve.travel(phi, R, C, 0) ** 2 / 2
+    ideal = sp.nsimplify((sleeve.sleeve_inertia(m, R, C, net) * phi**2 / 2 - kinetic).subs(fk, 0), rational=True)
+    yield Identity("straight, without friction it is m (R/C)²", sp.simplify(ideal))
 
 
 def balls_off_their_stop() -> Steps:
@@ -169,6 +182,10 @@ def pack_at_the_stop() -> Steps:
     yield Identity(
         "steady: the law of S21 at the stop", sleeve.slip_torque_at_stop(z * f, R, F2, kappa, 0, L, J2) - seated
     )
+    off = indirect.sleeve_stiffness(c1, c2, z, f, kappa)
+    moved = indirect.travel_as_made(F1, F2, z, f, kappa, off)
+    steady = indirect.normal_force_moving(F1, c1, F2, c2, off)
+    yield Identity("off it: N where the sleeve is", sleeve.slackened_force(F1, c1, moved) - steady)
     balls = drive.sticking_torque(T, Jh, L, J2)
     slipping = solved(T - z * f * R * sleeve.normal_force_at_stop(F2, kappa, balls, R), T)
     yield Identity("with the hub's inertia", sleeve.slip_torque_at_stop(z * f, R, F2, kappa, Jh, L, J2) - slipping)

@@ -12,6 +12,7 @@ from ...findings import Finding
 from ...messages import say
 from ...spec.drive import Drive
 from ...spec.heat import missing_of
+from ..registry import ANALYSES
 
 if TYPE_CHECKING:
     from ..answers import Answers
@@ -54,7 +55,7 @@ def trips(clutch: Clutch, answers: "Answers | None" = None) -> HeatedSlips:
         SpecError: the [drive] block says too little.
     """
     drive = clutch.spec.drive
-    if drive.event is not None and (drive.motor is not None or find_spec("scipy")):
+    if ANALYSES["simulate"].applies(clutch) and (drive.motor is not None or find_spec("scipy")):
         return _simulated(clutch, answers)
     if missing := missing_of(drive):
         problems = [Problem(f"drive.{key}", None, say("required by heat (or give drive.event)")) for key in missing]

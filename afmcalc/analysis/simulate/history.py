@@ -14,7 +14,7 @@ class MomentRow(Result):
     friction: float | None = quantity("1", "f", "coefficient of friction of all pairs", optional=True)
     friction_driving: float | None = quantity("1", "f_1", "friction of the driving pairs", optional=True)
     friction_driven: float | None = quantity("1", "f_2", "friction of the driven pairs", optional=True)
-    time: float = quantity("s", "t", "time")
+    time: float = quantity("s", None, "time")
     torque_shaft: float = quantity("N*m", "T_s", "torque in the shaft")
     torque_clutch: float = quantity("N*m", "T_c", "torque of the clutch")
     speed_motor: float = quantity("rad/s", "ω_1", "speed of the motor side")

@@ -33,17 +33,17 @@ class IndirectPlant(SleevePlant):
     @cached_property
     def sliding(self) -> float:  # type: ignore[override]
         """T(f), friction rising."""
-        return float(self.sleeve.torque(1.0, self.sleeve.net_gain))
+        return float(self.sleeve.torque(1.0))
 
     @cached_property
     def least(self) -> float:  # type: ignore[override]
         """T(f) as the sleeve returns."""
-        return float(self.sleeve.torque(1.0, self.sleeve.net_gain_returning))
+        return float(self.sleeve.least)
 
     @cached_property
     def breakaway(self) -> float:  # type: ignore[override]
         """T(r_s f)."""
-        return float(self.sleeve.torque(self.sleeve.static_ratio, self.sleeve.net_gain))
+        return float(self.sleeve.torque(self.sleeve.static_ratio))
 
     @property
     def growth(self) -> float:
@@ -59,10 +59,7 @@ class IndirectPlant(SleevePlant):
         """Running under the load; beyond T_н the sleeve is off its stop."""
         train, own = self.train, self.sleeve
         locked = train.kind == "stop" and not train.time
-        off = train.load * own.net_gain / own.mean_radius - (own.control_force - own.closing_force)
-        travel = max(0.0, off / (own.closing_stiffness + own.control_stiffness)) if off > 0 else 0.0
-        held = own.pressed_at_stop(train.load, own.net_gain)
-        turn = travel * own.gain / own.mean_radius
+        turn, held = float(own.turn_under(train.load)), own.pressed_at_stop(train.load, own.net_gain)
         return [0.0, train.speed, train.load / train.stiffness, 0.0 if locked else train.speed, 0.0, turn, held]
 
     def scales(self) -> State:
@@ -95,7 +92,7 @@ class IndirectPlant(SleevePlant):
         """Normal force on the pairs; a pack that the springs leave has none."""
         own = self.sleeve
         if mode.balls != "seat":
-            return max(0.0, own.closing_force - own.closing_stiffness * self.travel(y))
+            return max(0.0, own.pressed(self.travel(y)))
         return own.pressed_at_stop(balls, self._net(mode)) if mode.hold else y[self.HELD]
 
     def torques(self, t: float, y: Sequence[float], mode: Mode) -> Torques:
@@ -123,10 +120,11 @@ class IndirectPlant(SleevePlant):
 
     def _moving(self, y: Sequence[float], mode: Mode, drive: float, inertia: float, load: float) -> float:
         """Torque of the balls on the wall they are on, while the sleeve moves."""
-        own, net = self.sleeve, self._net(mode)
-        mass = sleeve.sleeve_inertia(own.mass, own.mean_radius, own.gain, net)
+        own, travel = self.sleeve, self.travel(y)
+        net = own.steeper(self._net(mode), travel)
+        moment = own.moment(travel) - own.taken(travel, y[self.RATE])
         torque: float = sleeve.ball_torque_moving(
-            own.moment(self.travel(y)), net, mass, drive, inertia, load, self.train.driven_inertia
+            moment, net, own.inertia(travel, net), drive, inertia, load, self.train.driven_inertia
         )
         return torque
 
@@ -152,7 +150,9 @@ class IndirectPlant(SleevePlant):
         turning = (
             law.slip_acceleration(clutch, train.hub_inertia, balls, shaft, train.driven_inertia) if moving else 0.0
         )
-        speed, growth = (mode.side * own.mean_radius / own.gain * each for each in (rate, turning))
+        travel = self.travel(y)
+        moment = own.moment(travel) - own.taken(travel, rate)
+        speed, growth = (mode.side * own.speed(travel, each) for each in (rate, turning))
         return [
             law.slip_acceleration(motor, train.motor_inertia, clutch, balls, train.hub_inertia) if mode.pack else 0.0,
             (balls - shaft) / train.driven_inertia,
@@ -165,7 +165,7 @@ class IndirectPlant(SleevePlant):
             clutch * slip,
             train.damping * twisting * twisting,
             self.tool.power(t, mode, shaft, tool),
-            balls * rate - (own.moment(self.travel(y)) / own.mean_radius + own.mass * growth) * speed,
+            balls * rate - (moment / own.mean_radius + own.mass * growth) * speed,
         ]
 
     def stored(self, y: Sequence[float]) -> float:
@@ -176,7 +176,7 @@ class IndirectPlant(SleevePlant):
             + train.hub_inertia * (y[self.DRIVEN] + y[self.RATE]) ** 2
             + train.driven_inertia * y[self.DRIVEN] ** 2
             + train.tool_inertia * y[self.TOOL] ** 2
-            + own.mass * own.travel(y[self.RATE]) ** 2
+            + own.mass * own.speed(self.travel(y), y[self.RATE]) ** 2
         )
         return float(moving + train.stiffness * y[self.TWIST] ** 2) / 2 + own.work(self.travel(y))
 
@@ -226,8 +226,10 @@ class IndirectPlant(SleevePlant):
     def limits(self, y: Sequence[float]) -> tuple[float, float]:
         """Torques between which the key holds the sleeve off its stop."""
         own = self.sleeve
-        moment = own.moment(self.travel(y))
-        return moment / own.net_gain_returning, moment / own.net_gain
+        travel = self.travel(y)
+        moment, nets = own.moment(travel), (own.net_gain_returning, own.net_gain)
+        low, high = (moment / own.steeper(net, travel) for net in nets)
+        return low, high
 
     def bounds(self, balls: float) -> tuple[float, float]:
         """Normal forces between which the key holds the sleeve at its stop."""

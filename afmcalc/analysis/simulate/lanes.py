@@ -7,7 +7,6 @@ import numpy as np
 from ...arrays import Floats, Values
 from ...equations import direct
 from ...equations import drive as law
-from ...equations import sleeve as unit
 from .direct import DirectPack
 from .sleeve import Sleeve
 from .train import Train
@@ -71,18 +70,9 @@ class SleeveLanes:
         self.slip, self.rate, self._trend = (np.zeros(h.size) for _ in range(3))
         self.torque = np.broadcast_to(train.load, h.shape).astype(float)
         self.balls = self.torque.copy()
-        off = (train.load * pack.net_gain / pack.mean_radius - (pack.control_force - pack.closing_force)) / (
-            pack.closing_stiffness + pack.control_stiffness
-        )
-        self.turn = np.broadcast_to(np.maximum(off, 0.0) * pack.gain / pack.mean_radius, h.shape).astype(float)
+        self.turn = np.broadcast_to(pack.turn_under(train.load), h.shape).astype(float)
         self.held = np.broadcast_to(pack.pressed_at_stop(train.load, pack.net_gain), h.shape).astype(float)
         self.travel = pack.travel(self.turn)
-        springs = pack.closing_stiffness, pack.control_stiffness, pack.mean_radius
-        self._stiff = [
-            h / 4 * unit.torsional_stiffness(*springs, net, pack.gain)
-            for net in (pack.net_gain, pack.net_gain_returning)
-        ]
-        """Torque of the springs per speed of the balls in a step, moving out and back."""
 
     @property
     def passed(self) -> Floats:
@@ -116,8 +106,9 @@ class SleeveLanes:
         hub = driven + self.rate
         slip, rate = motor - hub, hub - free
         out = self.turn * self.rate >= 0
-        net = np.where(out, own.net_gain, own.net_gain_returning)
-        mass = unit.sleeve_inertia(own.mass, own.mean_radius, own.gain, net) / self.h
+        travel = own.travel(self.turn)
+        net = own.steeper(np.where(out, own.net_gain, own.net_gain_returning), travel)
+        mass = own.inertia(travel, net) / self.h
         whole = 1 + balls * mass
         slowed = (rate + balls * mass * self.rate) / whole
         return _Joint(
@@ -134,12 +125,16 @@ class SleeveLanes:
         side, ahead = np.where(self.turn < 0, -1.0, 1.0), self.h / 2 * self.rate
         travel = own.travel(self.turn + ahead)
         # implicit midpoint: half of the way on is that of the speed before, the other half that of the speed to come
-        moment = own.moment(own.travel(self.turn + ahead / 2))
-        least, most = side * moment / own.net_gain_returning, side * moment / own.net_gain
-        normal = np.maximum(own.closing_force - own.closing_stiffness * travel, 0.0)
-        found = joint.boxed(pairs * own.mean_radius * normal, np.minimum(least, most), np.maximum(least, most), normal)
-        stiff = np.where(np.abs(found.balls) == np.abs(most), self._stiff[0], self._stiff[1])
-        return joint.yielding(found, np.where(found.rate == 0, 0.0, stiff), pairs * own.mean_radius * normal)
+        halfway = own.travel(self.turn + ahead / 2)
+        moment = own.moment(halfway) - own.taken(halfway, self.rate)
+        nets = [own.steeper(net, halfway) for net in (own.net_gain, own.net_gain_returning)]
+        most, least = (side * (moment / net) for net in nets)
+        normal = np.maximum(own.pressed(travel), 0.0)
+        capacity = pairs * own.mean_radius * normal
+        found = joint.boxed(capacity, np.minimum(least, most), np.maximum(least, most), normal)
+        outwards = found.balls == most
+        stiff = self.h / 4 * own.torsional(halfway, np.where(outwards, *nets), np.abs(found.balls))
+        return joint.yielding(found, np.where(found.rate == 0, 0.0, np.maximum(stiff, 0.0)), capacity)
 
     def _still(self, joint: "_Joint", pairs: Values) -> "_Found":
         """At the stop: N falls along κ, rises along κ₊, is held between; beyond S(0)/κ the sleeve lifts off."""

@@ -18,9 +18,6 @@ from .plant import Plant
 from .sleeve import Sleeve
 from .train import Train
 
-_IDLE = 1e-9
-"""κ in an array that stands for none: the law's own limit, an ordinary clutch."""
-
 
 def pack_of(clutch: Clutch, driving: Values, driven: Values) -> DirectPack | Sleeve:
     """Return the clutch at one friction.
@@ -77,6 +74,8 @@ def _discs(clutch: Clutch, own: DirectLaw, force: Values, driving: Values, drive
 
 
 def _sleeve(clutch: Clutch, own: IndirectLaw, friction: Values) -> Sleeve:
+    if own.curved is not None:
+        raise CalculationError(say("simulate: only springs whose force is proportional to their deflection"))
     unit, control = clutch.spec.control_unit, own.control_force(clutch.closing_force)
     below = np.asarray(control < clutch.closing_force)
     if below.any():
@@ -90,15 +89,9 @@ def _sleeve(clutch: Clutch, own: IndirectLaw, friction: Values) -> Sleeve:
         )
     ratio, decay = _static(clutch)
     return Sleeve(
-        friction_pairs=cast(float, own.pairs * friction),
-        mean_radius=cast(float, own.mean_radius),
-        gain=cast(float, own.gain),
-        net_gain=cast(float, np.maximum(own.net_gain, _IDLE) if is_array(own.net_gain) else own.net_gain),
-        net_gain_returning=cast(float, own.net_gain_returning),
+        law=own,
         closing_force=cast(float, clutch.closing_force),
-        control_force=cast(float, control),
-        closing_stiffness=cast(float, own.closing_stiffness),
-        control_stiffness=cast(float, own.control_stiffness),
+        friction=cast(float, friction),
         mass=0.0 if unit is None or unit.sleeve_mass is None else unit.sleeve_mass,
         static_ratio=ratio,
         decay_rate=decay,

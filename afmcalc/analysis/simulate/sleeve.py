@@ -2,68 +2,142 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import cast
 
-from ...arrays import V, Values, chosen
-from ...equations import direct, indirect, sleeve
+from ...arrays import V, Values, is_array, larger
+from ...engines.laws import IndirectLaw
+from ...equations import pocket, sleeve
+
+_IDLE = 1e-9
+"""κ in an array that stands for none: the law's own limit, an ordinary clutch."""
+_FAR = 1e6
+"""Friction from which a sleeve returns that has been as far off as it can be."""
 
 
 @dataclass(frozen=True)
 class Sleeve:
-    """Discs, springs, key and balls of an indirect clutch at one friction; numbers, or arrays in a sweep."""
+    """An indirect clutch at one friction; typed as numbers, in a sweep arrays stand in their place."""
 
-    friction_pairs: float
-    """z f."""
-    mean_radius: float
-    gain: float
-    net_gain: float
-    """κ."""
-    net_gain_returning: float
-    """κ₊."""
+    law: IndirectLaw
     closing_force: float
-    control_force: float
-    closing_stiffness: float
-    control_stiffness: float
+    friction: float
     mass: float = 0.0
     static_ratio: float = 1.0
     decay_rate: float = 0.0
+    """R/v_s, s/rad."""
+
+    @cached_property
+    def friction_pairs(self) -> float:
+        """z f."""
+        return cast(float, self.law.pairs * self.friction)
+
+    @cached_property
+    def mean_radius(self) -> float:
+        """R_cp."""
+        return cast(float, self.law.mean_radius)
+
+    @cached_property
+    def net_gain(self) -> float:
+        """κ at the stop."""
+        net = self.law.net_gain
+        return cast(float, larger(net, _IDLE) if is_array(net) else net)
+
+    @cached_property
+    def net_gain_returning(self) -> float:
+        """κ₊ at the stop."""
+        return cast(float, self.law.net_gain_returning)
+
+    @cached_property
+    def control_force(self) -> float:
+        """F_п2."""
+        return cast(float, self.law.control_force(self.closing_force))
+
+    @cached_property
+    def lift(self) -> float:
+        """Torque at which the sleeve leaves its stop, S(0)/κ."""
+        return self.moment(0.0) / self.net_gain
+
+    @cached_property
+    def _springs(self) -> tuple[float, float, float, float]:
+        stiffness = self.law.closing_stiffness, self.law.control_stiffness
+        return self.closing_force, self.control_force, cast(float, stiffness[0]), cast(float, stiffness[1])
+
+    @cached_property
+    def stiffness(self) -> float:
+        """c_1 + c_2."""
+        return self._springs[2] + self._springs[3]
+
+    def torque(self, ratio: float) -> Values:
+        """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
+        return self.law.torque(self.closing_force, ratio * self.friction)
+
+    @property
+    def least(self) -> Values:
+        """Slip torque of a sleeve that returns from far off, N·m."""
+        return self.law.torque_returning(self.closing_force, self.friction, _FAR)
+
+    def steeper(self, net_gain: Values, travel: V) -> V:
+        """A gain at the stop, where the sleeve has travelled to."""
+        gain: V = pocket.gain_at(net_gain, self.law.gain_slope, travel)
+        return gain
+
+    def gain(self, travel: V) -> V:
+        """C where the sleeve is."""
+        return self.steeper(cast(float, self.law.gain), travel)
 
     def moment(self, travel: V) -> V:
         """S(x), N·m."""
-        springs = self.closing_force, self.control_force, self.closing_stiffness, self.control_stiffness
-        moment: V = sleeve.spring_moment(self.mean_radius, *springs, travel)
+        moment: V = sleeve.spring_moment(self.mean_radius, *self._springs, travel)
         return moment
 
     def work(self, travel: V) -> V:
         """Work stored in both springs, J."""
-        springs = self.closing_force, self.control_force, self.closing_stiffness, self.control_stiffness
-        work: V = sleeve.spring_work(*springs, travel)
+        work: V = sleeve.spring_work(*self._springs, travel)
         return work
 
     def travel(self, turn: V) -> V:
         """Travel for a turn either way, m."""
-        travel: V = sleeve.travel(abs(turn), self.mean_radius, self.gain)
+        travel: V = sleeve.travel(abs(turn), self.mean_radius, self.law.gain, self.law.gain_slope)
         return travel
+
+    def turn_under(self, torque: float) -> Values:
+        """Turn of the balls, at rest under a torque that has risen to it; 0 up to T_н."""
+        lifted = torque * self.net_gain / self.mean_radius - (self.control_force - self.closing_force)
+        yielding = self.stiffness - torque * self.law.gain_slope / self.mean_radius
+        travel = larger(lifted / yielding, 0.0)
+        turn: Values = sleeve.turn(travel, self.mean_radius, self.law.gain, self.law.gain_slope)
+        return turn
+
+    def pressed(self, travel: V) -> V:
+        """N off the stop, N: that of the closing spring, which has been slackened."""
+        force: V = sleeve.slackened_force(self.closing_force, self._springs[2], travel)
+        return force
 
     def pressed_at_stop(self, ball_torque: V, net_gain: float) -> V:
         """N at the stop for a gain κ or κ₊, N."""
         force: V = sleeve.normal_force_at_stop(self.control_force, net_gain, abs(ball_torque), self.mean_radius)
         return force
 
-    def torque(self, ratio: float, net_gain: float) -> Values:
-        """Slip torque that lasts with friction times ``ratio``, the key counted in the gain κ or κ₊, N·m."""
-        pairs = self.friction_pairs * ratio
-        off = self.control_force < self.closing_force * (1 + pairs * net_gain)
-        stiffness = indirect.sleeve_stiffness(self.closing_stiffness, self.control_stiffness, pairs, 1.0, net_gain)
-        springs = self.closing_force, self.closing_stiffness, self.control_force, self.control_stiffness
-        normal = chosen(
-            off,
-            lambda: indirect.normal_force_moving(*springs, stiffness),
-            lambda: indirect.normal_force_seated(self.control_force, 1.0, net_gain, pairs),
-        )
-        torque: Values = direct.group_torque(normal, self.mean_radius, 1.0, pairs)
-        return torque
+    def inertia(self, travel: V, net_gain: V) -> V:
+        """Inertia of the sleeve's mass in the turn, kg·m²."""
+        inertia: V = sleeve.sleeve_inertia(self.mass, self.mean_radius, self.gain(travel), net_gain)
+        return inertia
 
-    @cached_property
-    def lift(self) -> float:
-        """Torque at which the sleeve leaves its stop, S(0)/κ."""
-        return self.moment(0.0) / self.net_gain
+    def speed(self, travel: V, rate: V) -> V:
+        """Speed of the sleeve for a rate of the turn, m/s."""
+        speed: V = sleeve.travel_rate(rate, self.mean_radius, self.gain(travel))
+        return speed
+
+    def taken(self, travel: V, rate: V) -> V:
+        """Moment that a steepening wall takes from a moving sleeve, N·m; ``rate`` is that of the turn."""
+        moment: V = sleeve.centrifugal_moment(
+            self.mass, self.mean_radius, self.gain(travel), self.law.gain_slope, self.speed(travel, rate)
+        )
+        return moment
+
+    def torsional(self, travel: V, net_gain: V, torque: V) -> V:
+        """Stiffness against a turn, N·m/rad."""
+        stiffness: V = sleeve.torsional_stiffness(
+            *self._springs[2:], self.mean_radius, net_gain, self.gain(travel), self.law.gain_slope, torque
+        )
+        return stiffness

@@ -4,8 +4,8 @@ Every step takes the velocities that the clutch would leave alone and asks which
 beyond the capacity slips. The shaft is stepped by the implicit midpoint rule: accuracy alone bounds the step.
 """
 
-from dataclasses import fields, replace
-from typing import Any, NamedTuple, TypeVar
+from dataclasses import fields, is_dataclass, replace
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 
@@ -55,20 +55,17 @@ def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int) -> 
     return Marched(*(np.concatenate(each).reshape(step.shape) for each in zip(*parts, strict=True)))
 
 
-D = TypeVar("D", Train, DirectPack, Sleeve)
+D = TypeVar("D")
 
 
 def _cut(whole: D, lanes: slice, shape: tuple[int, ...]) -> D:
-    """Take some lanes of every array."""
-
-    def cut(value: Any) -> Any:
-        return np.broadcast_to(value, shape).reshape(-1)[lanes] if isinstance(value, np.ndarray) else value
-
-    own = {each.name: getattr(whole, each.name) for each in fields(whole)}
-    if isinstance(whole, Train):
-        engine = whole.engine
-        own["engine"] = replace(engine, **{e.name: cut(getattr(engine, e.name)) for e in fields(engine)})
-    return replace(whole, **{name: cut(value) for name, value in own.items()})
+    """Take some lanes of every array, in a record of records too."""
+    if isinstance(whole, np.ndarray):
+        return cast(D, np.broadcast_to(whole, shape).reshape(-1)[lanes])
+    if not is_dataclass(whole) or isinstance(whole, type):
+        return whole
+    cut: Any = replace(whole, **{own.name: _cut(getattr(whole, own.name), lanes, shape) for own in fields(whole)})
+    return cast(D, cut)
 
 
 def _march(train: Train, shaft: "Shaft", clutch: DirectLanes | SleeveLanes, h: Floats, steps: int) -> Marched:

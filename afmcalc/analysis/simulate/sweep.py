@@ -1,13 +1,13 @@
 """Peaks of many drives at once: swept keys, samples of tolerances."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import fields, is_dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from ...arrays import Floats, Values
 from ...engines.protocol import Clutch
-from ...equations import sleeve as unit
 from ...errors import CalculationError
 from ...messages import say
 from ...spec.models import Range
@@ -26,6 +26,8 @@ _BALLS = 40
 """Steps in a swing of the balls on their springs."""
 _FINEST = 4
 """Times that their swing may shorten a step: springs that the key all but locks are stiff, and still."""
+_YIELDING = 1e-3
+"""Stiffness of a control unit, of the shaft's, below which it is no spring: its wall holds the torque."""
 _MOST_STEPS = 400_000
 
 
@@ -53,9 +55,8 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values, steps_a_swing: int
     train, pack = train_of(clutch), pack_of(clutch, driving, driven)
     if isinstance(pack, DirectPack) and np.any(train.hub_inertia):
         train = without_hub(train)
-    sliding = pack.torque(1.0) if isinstance(pack, DirectPack) else pack.torque(1.0, pack.net_gain)
-    numbers = [value for part in (train, train.engine, pack) for value in vars(part).values()]
-    shape = np.broadcast_shapes((1,), *(np.shape(value) for value in numbers))
+    sliding = pack.torque(1.0)
+    shape = np.broadcast_shapes((1,), *_shapes(train), *_shapes(pack))
     time = np.broadcast_to(peak_time(train, sliding), shape).astype(float)
     steps = int(np.ceil(np.max(time / _step(train, pack, steps_a_swing))))
     if steps > _MOST_STEPS:
@@ -76,12 +77,19 @@ def _step(train: Train, pack: DirectPack | Sleeve, steps_a_swing: int) -> Values
     fastest = (train.stiffness / train.driven_inertia) ** 0.5
     step: Values = 2 * np.pi / (fastest * steps_a_swing)
     if isinstance(pack, Sleeve):
-        stiffness = unit.torsional_stiffness(
-            pack.closing_stiffness, pack.control_stiffness, pack.mean_radius, pack.net_gain, pack.gain
-        )
-        swinging = (stiffness * (1 / train.hub_inertia + 1 / train.driven_inertia)) ** 0.5
+        stiffness = pack.torsional(0.0, pack.net_gain, pack.lift)
+        straight = np.maximum(stiffness, _YIELDING * train.stiffness)
+        swinging = (straight * (1 / train.hub_inertia + 1 / train.driven_inertia)) ** 0.5
         step = np.clip(2 * np.pi / (swinging * _BALLS), step / _FINEST, step)
     return step
+
+
+def _shapes(record: object) -> list[tuple[int, ...]]:
+    """Shapes of the arrays in a record."""
+    own = [getattr(record, each.name) for each in fields(record)] if is_dataclass(record) else []
+    return [np.shape(value) for value in own if isinstance(value, np.ndarray)] + [
+        shape for value in own for shape in _shapes(value)
+    ]
 
 
 def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> list[SimulateSweep] | None:

@@ -10,6 +10,7 @@ from ...errors import CalculationError
 from ...messages import say
 from ...spec.edit import with_value
 from ...spec.tolerance import Tolerance
+from ..registry import ANALYSES
 from ..simulate.sweep import peaks_of
 from .distributions import Array
 from .model import Model
@@ -34,7 +35,7 @@ class PeakFigures(NamedTuple):
 
 
 def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> PeakFigures | None:
-    """Simulate the drives of a sample of its own; None without an event.
+    """Simulate the drives of a sample of its own; None where the clutch cannot be simulated, or has no event.
 
     Args:
         model: the clutch and what of it scatters.
@@ -45,7 +46,7 @@ def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> PeakFigures 
         CalculationError: hardly any sample is a clutch.
     """
     drive = clutch.spec.drive
-    if drive.event is None:
+    if not ANALYSES["simulate"].applies(clutch):
         return None
     load = float(clutch.machine_torque) if drive.load_torque is None else drive.load_torque
     own = replace(model, spec=with_value(model.spec, ("drive", "load_torque"), load))

@@ -10,6 +10,7 @@ from afmcalc.analysis.simulate.plant import Plant
 from afmcalc.analysis.simulate.sleeve import Sleeve
 from afmcalc.analysis.simulate.train import Engine, Train
 from afmcalc.engines import Clutch, build
+from afmcalc.engines.laws import IndirectLaw
 
 REFERENCE: dict[str, Any] = {
     "variant": "differentiated",
@@ -101,23 +102,24 @@ def run(own: Plant, horizon: float, *, recorded: bool = False) -> Trip:
     return found
 
 
-SLEEVE = Sleeve(
-    friction_pairs=8 * 0.3,
+SPRINGS = IndirectLaw(
     mean_radius=0.1,
+    pairs=8,
     gain=1.0,
-    net_gain=0.4,
-    net_gain_returning=1.6,
-    closing_force=2500.0,
-    control_force=2500.0 * 1.32,
     closing_stiffness=2e4,
     control_stiffness=1e4,
+    key_friction=0.15,
+    hub_diameter=0.05,
+    friction_set=0.1,
 )
-"""Data of P5 with T_н = 200 N·m at f 0.1: key friction 0.15 on 50 mm, springs 20 and 10 N/mm."""
+"""Data of P5: κ 0.4, κ₊ 1.6, springs 20 and 10 N/mm."""
+SLEEVE = Sleeve(SPRINGS, closing_force=2500.0, friction=0.3)
+"""With T_н = 200 N·m at f 0.1: F_п2 3300 N."""
 
 
-def indirect(friction: float = 0.3, *, sleeve: dict[str, Any] | None = None, **changes: Any) -> IndirectPlant:
+def indirect(friction: float = 0.3, *, law: dict[str, Any] | None = None, mass: float = 0.0, **changes: Any) -> IndirectPlant:  # fmt: skip
     """An indirect clutch (P5) in a drive with changes."""
-    own = replace(SLEEVE, friction_pairs=8 * friction, **(sleeve or {}))
+    own = replace(SLEEVE, law=replace(SPRINGS, **(law or {})), friction=friction, mass=mass)
     return IndirectPlant(replace(TRAIN, hub_inertia=0.02, **changes), own)
 
 

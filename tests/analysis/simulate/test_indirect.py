@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from drives import SLEEVE, begun_indirect, indirect, run
+from drives import begun_indirect, indirect, run
 from scipy.optimize import brentq
 
 from afmcalc.analysis.simulate.plant import Mode
@@ -16,8 +16,8 @@ FREE = {"time": 0.0, "stiffness": 1e-6, "load": 0.0, "engine": Engine(0.0, None,
 
 def swing(rate: float, mass: float = 0.0, **changes):
     """The hub, immovable, is turned against the driven half: the balls climb their wall and come back."""
-    drive = indirect(0.3, sleeve={"mass": mass}, motor_inertia=1e12, **(FREE | changes))
-    return begun_indirect(drive, 0.0, -rate, 0.0, 0.0, rate, 0.0, SLEEVE.control_force)
+    drive = indirect(0.3, mass=mass, motor_inertia=1e12, **(FREE | changes))
+    return begun_indirect(drive, 0.0, -rate, 0.0, 0.0, rate, 0.0, 3300.0)
 
 
 @pytest.mark.parametrize("rate", [2.0, 10.0])
@@ -38,7 +38,7 @@ def test_v7_one_swing_of_the_control_unit(rate):
 
 
 def test_a_key_without_friction_gives_all_back():
-    drive = indirect(0.3, sleeve={"net_gain": 1.0, "net_gain_returning": 1.0, "control_force": 2500 * 1.8}, motor_inertia=1e12, **FREE)  # fmt: skip
+    drive = indirect(0.3, law={"key_friction": 0.0}, motor_inertia=1e12, **FREE)  # fmt: skip
     found = run(begun_indirect(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, 4500.0), 0.3, recorded=True)
     back = [abs(row.speed_driven) for row in found.history if row.travel == 0]
     assert min(back) == pytest.approx(5.0, rel=1e-7)
@@ -51,7 +51,7 @@ def test_a_heavy_sleeve_swings_as_far():
     mass = 2.0
     drive = swing(5.0, mass)
     kinetic = 0.5 * drive.train.driven_inertia * 5.0**2
-    own = 0.5 * mass * law.travel(5.0, 0.1, 1.0) ** 2
+    own = 0.5 * mass * law.travel_rate(5.0, 0.1, 1.0) ** 2
     found = run(drive, 0.05)
     work = law.spring_work(2500.0, 3300.0, 2e4, 1e4, found.travel_max)
     # T dφ = (C/κ)(dW + m x'' dx): the sleeve's own energy counts C/κ times as well
@@ -128,11 +128,39 @@ def test_the_stop_carries_what_the_springs_do_not():
 
 def test_kappa_is_a_torsion_spring():
     """Small swings of the driven half about a sleeve off its stop have the frequency of k_T."""
-    kT = law.torsional_stiffness(2e4, 1e4, 0.1, 1.0, 1.0)
-    free = {"net_gain": 1.0, "net_gain_returning": 1.0, "control_force": 2500.0}
-    drive = indirect(0.3, sleeve=free, motor_inertia=1e12, **FREE)
+    kT = law.torsional_stiffness(2e4, 1e4, 0.1, 1.0, 1.0, 0.0, 0.0)
+    free = {"key_friction": 0.0, "made_control_force": 2500.0}
+    drive = indirect(0.3, law=free, motor_inertia=1e12, **FREE)
     found = run(begun_indirect(drive, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 2500.0), 0.5, recorded=True)
     pairs = zip(found.history, found.history[1:], strict=False)
     top = next(row.time for row, after in pairs if after.travel < row.travel)
     # without preload the balls swing through their stop: half a period from wall to wall
     assert top == pytest.approx(math.pi / 2 / math.sqrt(kT / drive.train.driven_inertia), rel=1e-6)
+
+
+CURVED = {"gain_slope": 3e4 / (8 * 0.1 * 2500)}
+"""C_1* of a wall that holds the torque (theory, section 12)."""
+
+
+@pytest.mark.parametrize("friction", [0.2, 0.5])
+def test_a_wall_that_holds_the_torque(friction):
+    """Whatever the friction, quasi-static loading trips at T_н: the control unit is a spring without stiffness."""
+    drive = indirect(friction, law=CURVED, stiffness=2000.0, driven_inertia=2000.0, motor_inertia=1e12, damping=2000.0, speed=8e-3, time=600.0)  # fmt: skip
+    assert drive.sliding == pytest.approx(200.0, rel=1e-12)
+    found = run(drive, 600.0)
+    assert found.trip_torque == pytest.approx(200.0, rel=1e-6)
+    # off its stop the sleeve is driven on by what the torque has over T_н, until the pack slips
+    assert found.travel_max >= 2500 / 2e4 * (1 - 0.1 / friction) * (1 - 1e-6)
+
+
+@pytest.mark.parametrize("mass", [0.0, 2.0])
+def test_a_swing_against_a_curved_wall(mass):
+    """Energy: T κ(x)/R = F + m x'' on the way, so that dE = (C/κ)(dW + m x'' dx) with gains of the place."""
+    drive = indirect(0.3, law=CURVED | {"key_friction": 0.0}, mass=mass, motor_inertia=1e12, **FREE)
+    found = run(begun_indirect(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, drive.sleeve.control_force), 0.2, recorded=True)
+    kinetic = 0.5 * 0.05 * 25 + 0.5 * mass * law.travel_rate(5.0, 0.1, 1.0) ** 2
+    own = drive.sleeve
+    assert own.work(found.travel_max) == pytest.approx(kinetic, rel=1e-6)
+    back = [abs(row.speed_driven) for row in found.history if row.travel == 0]
+    assert min(back) == pytest.approx(5.0, rel=1e-6)
+    assert abs(found.key_heat) < 1e-6

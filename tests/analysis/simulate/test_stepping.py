@@ -1,6 +1,6 @@
 """Time stepping against located events: random drives of all kinds, and how the error falls with the step."""
 
-from dataclasses import replace
+from dataclasses import fields, is_dataclass, replace
 
 import numpy as np
 import pytest
@@ -11,6 +11,7 @@ from afmcalc.analysis.simulate.packs import plant_of
 from afmcalc.analysis.simulate.sleeve import Sleeve
 from afmcalc.analysis.simulate.stepping import march
 from afmcalc.analysis.simulate.train import Engine
+from afmcalc.engines.laws import IndirectLaw
 
 EACH = 25
 """Drives of a kind: 200 in all."""
@@ -43,12 +44,11 @@ def random_drives(variant: str, kind: str, rng: np.random.Generator):
     )
     friction, static, decay = u(0.1, 0.8, EACH), np.where(u(size=EACH) < 0.5, 1.0, u(1, 1.3, EACH)), 0.1 / u(0.1, 0.5, EACH)  # fmt: skip
     if variant == "indirect":
-        gain = u(0.3, 1.5, EACH)
-        threshold = u(0, 0.8, EACH) * gain
-        control = 2500 * (1 + 0.8 * (gain - threshold))
-        stiff = 10 ** u(3.7, 4.7, (2, EACH))
-        pack = Sleeve(8 * friction, 0.1, gain, gain - threshold, gain + threshold, 2500.0, control, *stiff, np.where(u(size=EACH) < 0.5, 0.0, u(0, 3, EACH)), static, decay)  # fmt: skip
-        return train, pack
+        gain, slope = u(0.3, 1.5, EACH), np.where(u(size=EACH) < 0.5, 0.0, u(0, 15, EACH))
+        springs = 10 ** u(3.7, 4.7, (2, EACH))
+        law = IndirectLaw(0.1, 8, gain, *springs, u(0, 0.8, EACH) * gain / 2, 0.1, 0.1, gain_slope=slope)
+        mass = np.where(u(size=EACH) < 0.5, 0.0, u(0, 3, EACH))
+        return train, Sleeve(law, 2500.0, friction, mass, static, decay)
     bypass = {"conventional": 8, "differentiated": 1, "all-driving": 0}[variant]
     gain = u(0.1, 1.25, EACH)
     force = 200 * (1 + 0.1 * gain * (8 - bypass)) / (0.1 * 8 * 0.1)
@@ -58,10 +58,11 @@ def random_drives(variant: str, kind: str, rng: np.random.Generator):
 
 def one(whole, number: int):
     """A drive or a clutch of the many."""
-    picked = {name: float(value[number]) if isinstance(value, np.ndarray) else value for name, value in vars(whole).items()}  # fmt: skip
-    if "engine" in picked:
-        picked["engine"] = one(picked["engine"], number)
-    return replace(whole, **picked)
+    if isinstance(whole, np.ndarray):
+        return float(whole[number])
+    if not is_dataclass(whole):
+        return whole
+    return replace(whole, **{each.name: one(getattr(whole, each.name), number) for each in fields(whole)})
 
 
 @pytest.mark.parametrize("kind", ["stop", "load"])
@@ -72,7 +73,7 @@ def test_random_drives(variant, kind):
     train, pack = random_drives(variant, kind, rng)
     fastest = np.sqrt(train.stiffness / train.driven_inertia)
     if variant == "indirect":
-        springs = (pack.closing_stiffness + pack.control_stiffness) * 0.01 / (pack.net_gain * pack.gain)
+        springs = pack.stiffness * 0.01 / (pack.net_gain * pack.law.gain)
         fastest = np.maximum(fastest, np.sqrt(springs * (1 / train.hub_inertia + 1 / train.driven_inertia)) / 4)
     steps = int(np.ceil(END * fastest.max() * 600 / (2 * np.pi)))
     found = march(train, pack, np.full(EACH, END / steps), steps)
@@ -85,13 +86,13 @@ def test_random_drives(variant, kind):
         energy = plant.stored(plant.start())
         assert found.heat[number] == pytest.approx(exact.heat, rel=2e-3, abs=2e-3 * 0.01 * energy), number
         slips += exact.heat > 0
-    assert slips > EACH / 2
+    assert slips > EACH / 4
 
 
 def test_the_error_falls_with_the_step():
     """Of the second order while it slips all along, and at least of the first over every switch."""
     pack = DirectPack(3000.0, 0.1, 0.0, 8.0, 0.5, 0.4, 0.4, 1.2, 0.1 / 0.3)
-    sleeve = replace(SLEEVE, friction_pairs=8 * 0.4)
+    sleeve = replace(SLEEVE, friction=0.4)
     for own, hub in ((pack, 0.0), (sleeve, 0.02)):
         train = replace(TRAIN, hub_inertia=hub, damping=1.0)
         exact = run(plant_of(train, own), 0.05)
