@@ -30,6 +30,10 @@ SCALES = {
     "N·m·s": 1.0,
     "J/mm²": 1e-6,
     "K": 1.0,
+    "m": 1.0,
+    "rad": 1.0,
+    "N/m": 1.0,
+    "1/m": 1.0,
 }
 """Unit of a field → what a value in SI is multiplied by."""
 
@@ -69,10 +73,12 @@ class Text(str):
 class _Sentence(string.Formatter):
     """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once.
 
-    What is cut off a text, ``{name:.80}``, is marked.
+    What is cut off a text, ``{name:.80}``, is marked. Of a list every member is set so.
     """
 
     def format_field(self, value: object, format_spec: str) -> str:
+        if isinstance(value, list | tuple):
+            return self.listed([self.format_field(each, format_spec) for each in value])
         number, _, unit = format_spec.partition(" ")
         if isinstance(value, str):
             shown = format(value, number)
@@ -82,6 +88,9 @@ class _Sentence(string.Formatter):
         assert isinstance(value, SupportsFloat)
         shown = self.number(format(float(value) * SCALES[unit.removesuffix("…")], number))
         return f"{shown}…" if unit.endswith("…") else f"{shown} {self.unit(unit)}"
+
+    def listed(self, shown: list[str]) -> str:
+        return ", ".join(shown)
 
     def number(self, shown: str) -> str:
         return shown
@@ -95,6 +104,10 @@ class _Translated(_Sentence):
 
     def format_field(self, value: object, format_spec: str) -> str:
         return super().format_field(_again(value), format_spec)
+
+    def listed(self, shown: list[str]) -> str:
+        # a decimal comma does not separate as well
+        return ("; " if any("," in each for each in shown) else ", ").join(shown)
 
     def number(self, shown: str) -> str:
         return localized(shown)
@@ -192,10 +205,19 @@ def filled(template: str, values: Mapping[str, object]) -> str:
     return Text(template, values)
 
 
+def measured(value: float, unit: str, digits: int = 6) -> str:
+    """Say a value in SI with the unit of ``SCALES``, none for a pure number.
+
+    >>> measured(2000.0, "kN")
+    '2 kN'
+    """
+    return Text(f"{{value:.{digits}g {unit}}}" if unit else f"{{value:.{digits}g}}", {"value": value})
+
+
 def joined(parts: Iterable[object], sign: str = ", ") -> str:
     """Set texts one after the other, each of which may be translated."""
     listed = {f"part{number}": part for number, part in enumerate(parts)}
-    return Text(sign.join(f"{{{name}}}" for name in listed), listed)
+    return Text("{sign}".join(f"{{{name}}}" for name in listed), {**listed, "sign": sign})
 
 
 def term(text: str) -> str:

@@ -7,7 +7,7 @@ from contextlib import suppress
 from typing import NamedTuple
 
 from ..errors import AfmcalcError, FileError, reason
-from ..messages import say
+from ..messages import say, term
 from .signals import put_off, unreported
 
 
@@ -23,11 +23,11 @@ class Kind(NamedTuple):
         return content.startswith(self.starts) if self.starts else bool(self.holds) and self.holds in content
 
 
-SPEC = Kind("spec")
-REPORT = Kind("report", holds=b'<meta name="generator" content="afmcalc ')
-REPORT_PDF = Kind("report as PDF", holds=b"\n%afmcalc report\n")
-PLOT = Kind("plot", holds=b"afmcalc plot")
-SCHEMA = Kind("schema", (b'{\n  "$schema": ',))
+SPEC = Kind(say("spec"))
+REPORT = Kind(say("report"), holds=b'<meta name="generator" content="afmcalc ')
+REPORT_PDF = Kind(say("report as PDF"), holds=b"\n%afmcalc report\n")
+PLOT = Kind(say("plot"), holds=b"afmcalc plot")
+SCHEMA = Kind(say("schema"), (b'{\n  "$schema": ',))
 
 _ENDINGS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
 _NO_RESULT = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
@@ -100,7 +100,9 @@ def result_kind(command: str, format_: str, text: str = "") -> Kind:
         "json": (f'{{\n  "command": "{command}",',),
         "csv": (text.partition("\n")[0] + "\n",) if text else ("",),
     }[format_]
-    return Kind(f"{format_} of {command}", tuple(start.encode() for start in starts))
+    return Kind(
+        say("{format} of {command}", format=format_, command=command), tuple(start.encode() for start in starts)
+    )
 
 
 def refuse(path: str | None, kind: Kind, *, force: bool, inputs: Iterable[str | None] = ()) -> None:
@@ -126,7 +128,7 @@ def refuse(path: str | None, kind: Kind, *, force: bool, inputs: Iterable[str | 
     if not known:
         raise AfmcalcError(
             say("{path}: exists already, and not as a {kind} that afmcalc wrote; --force replaces it",
-                path=path, kind=kind.name)
+                path=path, kind=term(kind.name))
             if kind is not SPEC
             else say("{path}: exists already, and may have been edited; --force replaces it", path=path)
         )  # fmt: skip

@@ -76,11 +76,11 @@ LABELS = (
 """What the parser itself says in a help."""
 
 SAID = (
-    "No such option: {name}",
     "No such option: {name} Did you mean {near}?",
     "No such option: {name} (Possible options: {near})",
-    "No such command {name}",
+    "No such option: {name}",
     "No such command {name}. Did you mean {near}?",
+    "No such command {name}",
     "Missing argument {name}",
     "Missing option {name}",
     "Missing command",
@@ -92,7 +92,7 @@ SAID = (
     "Invalid value: {message}",
     "{value} is not one of {choices}",
 )
-"""What it says where a command line is wrong, as templates."""
+"""What it says where a command line is wrong, as templates; of two that fit the first is meant."""
 
 
 def heard(message: str) -> str:

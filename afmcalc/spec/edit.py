@@ -6,6 +6,7 @@ from typing import Any, TypeVar
 from pydantic import BaseModel
 
 from ..arrays import Values
+from ..messages import say
 from .models import Method, Spec
 from .paths import is_whole
 from .reading import make_spec
@@ -114,7 +115,7 @@ def as_variant(spec: Spec, variant: str) -> Spec:
     data["variant"] = variant
     for path in foreign_keys(data):
         put(data, ".".join(path), None)
-    return make_spec(data, f"as {variant}")
+    return make_spec(data, say("as {variant}", variant=variant))
 
 
 def with_force(spec: Spec, force: float) -> Spec:

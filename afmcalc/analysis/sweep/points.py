@@ -10,7 +10,7 @@ from ...arrays import Floats, Values
 from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, SpecError
-from ...messages import say
+from ...messages import joined, say
 from ...spec import Spec
 from ...spec.edit import respecified, with_value
 from ...spec.paths import is_whole
@@ -70,7 +70,7 @@ def _validated(spec: Spec, corner: dict[str, float]) -> Spec:
         valid = respecified(spec, corner)
         build(valid)
     except SpecError as error:
-        where = ", ".join(f"{path} = {value:g}" for path, value in corner.items())
+        where = joined(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
         raise SpecError(say("sweep at {where}", where=where), error.problems) from None
     return valid
 
