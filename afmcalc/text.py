@@ -158,9 +158,15 @@ def translate(text: str, context: str = "") -> str:
         return text
     said = text if isinstance(text, Text) else own.said.get(text)
     if isinstance(said, Text):
-        template = own.found(said.template, context, said.amount) or said.template
+        contexts = dict.fromkeys((context, ""))
+        template = next(filter(None, (own.found(said.template, each, said.amount) for each in contexts)), said.template)
         return template if said.values is None else _TRANSLATED.vformat(template, (), said.values)
     return own.found(text, context) or text
+
+
+def named(name: str | None) -> str:
+    """Return the name of a clutch; one that ships with the program has one in every language."""
+    return translate(name, "name") if name else ""
 
 
 def localized(number: str) -> str:

@@ -72,6 +72,11 @@ LABELS = (
     "Show this message and exit.",
     "[default: {}]",
     "[required]",
+    "[OPTIONS]",
+    "[ARGS]",
+    "<int range>",
+    "<float range>",
+    "TEXT",
 )
 """What the parser itself says in a help."""
 
@@ -122,13 +127,13 @@ def translated(command: Any) -> Any:
 
     class Formatter(HelpFormatter):
         def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
-            super().write_usage(prog, args, translate(prefix or "Usage: "))
+            super().write_usage(prog, _labels(args), translate(prefix or "Usage: "))
 
         def write_heading(self, heading: str) -> None:
             super().write_heading(translate(heading))
 
         def write_dl(self, rows: Any, *more: Any, **options: Any) -> None:
-            super().write_dl([(first, _labels(second)) for first, second in rows], *more, **options)
+            super().write_dl([(_labels(first), _labels(translate(second))) for first, second in rows], *more, **options)
 
     class Context(command.context_class):  # type: ignore[misc]
         formatter_class = Formatter
@@ -144,6 +149,6 @@ def translated(command: Any) -> Any:
 
 def _labels(text: str) -> str:
     """Put what the parser adds to a help in the language of the user."""
-    default = translate("[default: {}]").partition("{")[0]
-    shown = translate(text).replace("[default: ", default)
-    return shown.replace("[required]", translate("[required]"))
+    for label in LABELS[-6:]:
+        text = text.replace(label, translate(label))
+    return text.replace("[default: ", translate("[default: {}]").partition("{")[0])

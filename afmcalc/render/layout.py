@@ -6,7 +6,7 @@ from itertools import compress
 from typing import Any, NamedTuple
 
 from ..findings import Finding
-from ..messages import printable, term, told, translate
+from ..messages import named, printable, term, told, translate
 from ..result import Output
 from .document import Column, Document, Entry, Table
 from .units import display, display_unit, estimate, in_numbers, worded
@@ -33,7 +33,7 @@ def title(output: Output) -> str:
     """Heading of an output: what was calculated, for which clutch."""
     spec = {} if output.result.of_several else output.spec or {}
     variant = translate(str(spec.get("variant") or ""), "value")
-    about = " – ".join(printable(str(part)) for part in (spec.get("name"), variant) if part)
+    about = " – ".join(printable(str(part)) for part in (named(spec.get("name")), variant) if part)
     return f"{output.command}: {about}" if about else output.command
 
 

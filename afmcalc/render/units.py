@@ -102,7 +102,7 @@ def display(value: object, unit: str) -> str:
 def worded(text: str) -> str:
     """Return a text of a result in the language of the user; one made of several may be known in its parts only."""
     # one word may be a name; a sentence is none
-    for context in ("value", "", "comment") if " " in text else ("value", "unit"):
+    for context in ("value", "", "comment", "name") if " " in text else ("value", "unit"):
         if (told := translate(text, context)) != text:
             return told
     return "; ".join(map(translate, text.split("; ")))

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from ...analysis.dossier import Dossier
-from ...messages import localized, printable, spoken, translate
+from ...messages import localized, named, printable, spoken, translate
 from ...messages import told as message
 from ...papers.references import REFERENCES
 from ...spec import resolved
@@ -71,7 +71,7 @@ def render(subject: Subject) -> str:
     dossier = subject.dossier
     found = chapters(dossier)
     figures = _figures(found)
-    name = dossier.spec.name or told("unnamed")
+    name = named(dossier.spec.name) or told("unnamed")
     page: str = environment.get_template("page.html").render(
         subject=subject,
         told=told,
