@@ -29,6 +29,7 @@ from .text import (
     term,
     told,
     translate,
+    with_unit,
 )
 
 __all__ = [
@@ -51,6 +52,7 @@ __all__ = [
     "term",
     "told",
     "translate",
+    "with_unit",
 ]
 
 FINDINGS: Mapping[str, str] = {

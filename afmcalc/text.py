@@ -87,7 +87,7 @@ class _Sentence(string.Formatter):
             return self.number(format(value, number)) if _is_number(value) else format(value, number)
         assert isinstance(value, SupportsFloat)
         shown = self.number(format(float(value) * SCALES[unit.removesuffix("…")], number))
-        return f"{shown}…" if unit.endswith("…") else f"{shown} {self.unit(unit)}"
+        return f"{shown}…" if unit.endswith("…") else with_unit(shown, self.unit(unit))
 
     def listed(self, shown: list[str]) -> str:
         return ", ".join(shown)
@@ -114,6 +114,11 @@ class _Translated(_Sentence):
 
     def unit(self, name: str) -> str:
         return translate(name, "unit")
+
+
+def with_unit(number: str, unit: str) -> str:
+    """Set a number with its unit, none where it is pure; only the sign of a degree stands close to its number."""
+    return number if unit in ("", "–") else f"{number}{unit if unit == '°' else f' {unit}'}"
 
 
 _SENTENCE, _TRANSLATED = _Sentence(), _Translated()

@@ -47,7 +47,7 @@ def texts() -> dict[Key, str]:
         ("examples", _examples()),
     ):
         for key in each:
-            if worded(key[1]) or key[0] == "unit":
+            if worded(key[1]) or key[0] in ("unit", "date"):
                 found.setdefault(key, where)
     return found
 
@@ -266,6 +266,7 @@ def _names() -> Iterator[Key]:
     yield from (("", keys()[f"requirements.{name}"].description.partition(",")[0]) for name in JUDGED)
     yield from (("value", name) for name in VARIANTS)
     yield from (("end", end) for end in ("min", "mean", "max"))
+    yield from (("value", part) for part in ("center", "spread"))
     yield from (("", each.needs) for each in JUDGED.values() if " " in each.needs)
     yield from (("", about) for about, *_ in LAYERS.values())
     yield from (("", os.strerror(number)) for number in FAILURES)

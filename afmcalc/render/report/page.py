@@ -1,5 +1,6 @@
 """From subject to page."""
 
+from datetime import date
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -98,9 +99,17 @@ def _entries(subject: Subject) -> list[tuple[str, str]]:
     title, spec = subject.title, subject.dossier.spec
     program = f"afmcalc {subject.version}"
     own = {"variant": translate(spec.variant, "value"), "program": program}
-    own |= {name: getattr(title, name) for name in TitleBlock.model_fields}
+    own |= {name: getattr(title, name) for name in TitleBlock.model_fields} | {"date": _dated(title.date)}
     form = FORMS[spoken()]
     return [(name, own[name]) for name in form.entries if own[name] or name in form.signed]
+
+
+def _dated(given: str | None) -> str | None:
+    """A date of ISO 8601 as the language writes it; any other as it is."""
+    try:
+        return date.fromisoformat(given or "").strftime(translate("%Y-%m-%d", "date"))
+    except ValueError:
+        return given
 
 
 def _sections(dossier: Dossier, figures: list["_Figure"]) -> list[str]:
@@ -148,7 +157,9 @@ def _keys(subject: Subject) -> list[_SpecLine]:
 def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
     """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of what scatters."""
     unit = unit_at(name) or ""
-    numbers = [f"{part} {display(value, unit)}" for part, value in given.items() if part != "distribution"]
+    numbers = [
+        f"{translate(part, 'value')} {display(value, unit)}" for part, value in given.items() if part != "distribution"
+    ]
     key = keys().get(name)
     about = (
         message("scatter: {about}", about=translate(key.description).partition(";")[0])
