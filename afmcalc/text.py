@@ -110,7 +110,7 @@ class _Translated(_Sentence):
         return ("; " if any("," in each for each in shown) else ", ").join(shown)
 
     def number(self, shown: str) -> str:
-        return localized(shown)
+        return localized(shown).replace("%", "\xa0%")
 
     def unit(self, name: str) -> str:
         return translate(name, "unit")
@@ -129,10 +129,10 @@ def _is_number(value: object) -> bool:
 
 
 def _again(value: object) -> object:
-    """Say a value again that was itself said."""
+    """Say a value again that was itself said, or is the name of a clutch that ships."""
     own = _LANGUAGE.get()
     known = own and isinstance(value, str) and (isinstance(value, Text) or value in own.said)
-    return translate(str(value)) if known else value
+    return translate(str(value)) if known else named(value) if isinstance(value, str) else value
 
 
 @contextmanager

@@ -10,6 +10,7 @@ import string
 import textwrap
 import tomllib
 from collections.abc import Iterator
+from functools import cache
 from importlib import import_module
 from typing import Literal, get_args, get_origin
 
@@ -29,6 +30,7 @@ FAILURES = (
 SAYING = ("say", "told", "message", "translate", "term", "heard")
 
 
+@cache
 def texts() -> dict[Key, str]:
     """Context and text → where it is from."""
     found: dict[Key, str] = {}
@@ -257,6 +259,7 @@ def _units() -> Iterator[Key]:
 def _names() -> Iterator[Key]:
     """What tables hold: names of limits, kinds of quantities, variants."""
     from afmcalc.analysis.checks.requirements import JUDGED
+    from afmcalc.analysis.springs.candidates import MISSES
     from afmcalc.render.shop.layers import LAYERS
     from afmcalc.spec.paths import keys
     from afmcalc.spec.units import EXAMPLES
@@ -267,6 +270,7 @@ def _names() -> Iterator[Key]:
     yield from (("value", name) for name in VARIANTS)
     yield from (("end", end) for end in ("min", "mean", "max"))
     yield from (("value", part) for part in ("center", "spread"))
+    yield from (("", name) for name in MISSES)
     yield from (("", each.needs) for each in JUDGED.values() if " " in each.needs)
     yield from (("", about) for about, *_ in LAYERS.values())
     yield from (("", os.strerror(number)) for number in FAILURES)
