@@ -211,3 +211,15 @@ def _glues(node: ast.AST) -> bool:
         return False
     calls = (each for part in inside for each in ast.walk(part) if isinstance(each, ast.Call))
     return any(isinstance(each.func, ast.Name) and each.func.id in ("say", "say_many", "term") for each in calls)
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1251", "koi8-r"])
+def test_streams_that_have_not_all_letters(encoding, afmcalc, russian):
+    """Tables, helps and errors are spelled in what there is; a spec is UTF-8, so that it can be read again."""
+    for arguments in (["explain", "torque", "example:indirect"], ["torque", "--help"], ["plot", "life"], ["solve"]):
+        run = afmcalc(*arguments, encoding=encoding)
+        assert run.code in (0, 2)
+        assert "\\u" not in run.out + run.err
+    spec = afmcalc("init", "-", encoding=encoding).out
+    assert spec == afmcalc("init", "-").out
+    assert afmcalc("torque", "-", stdin=spec).code == 0

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from ..errors import AfmcalcError, FileError, reason
 from ..messages import say, term
 from .signals import put_off, unreported
+from .streams import is_unicode
 
 
 class Kind(NamedTuple):
@@ -137,7 +138,12 @@ def refuse(path: str | None, kind: Kind, *, force: bool, inputs: Iterable[str | 
 def write(text: str, path: str | None, kind: Kind, *, force: bool = False) -> None:
     """Write text to standard output, or to a file that is either whole or untouched."""
     if path is None or path == "-":
-        sys.stdout.write(text)
+        if kind is SPEC and not is_unicode(sys.stdout) and not sys.stdout.isatty():
+            # a spec is read as UTF-8, whatever the locale of the one who writes it
+            sys.stdout.flush()
+            sys.stdout.buffer.write(text.encode())
+        else:
+            sys.stdout.write(text)
         sys.stdout.flush()
         return
     write_file(path, text.encode("utf-8", "backslashreplace"), kind, force=force)

@@ -2,6 +2,7 @@
 
 import re
 import string
+import sys
 from collections.abc import Mapping
 from typing import Any
 
@@ -125,7 +126,13 @@ def translated(command: Any) -> Any:
     """Return a command, with all below it, whose help is in the language of the user."""
     from typer._click import HelpFormatter
 
+    from ..spelling import fitting
+
     class Formatter(HelpFormatter):
+        def getvalue(self) -> str:
+            # the parser takes a stream in ASCII for a mistake and writes UTF-8 there
+            return fitting(super().getvalue(), getattr(sys.stdout, "encoding", None) or "utf-8")
+
         def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
             super().write_usage(prog, _labels(args), translate(prefix or "Usage: "))
 
