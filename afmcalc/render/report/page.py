@@ -157,9 +157,10 @@ def _keys(subject: Subject) -> list[_SpecLine]:
 def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
     """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of what scatters."""
     unit = unit_at(name) or ""
-    numbers = [
-        f"{translate(part, 'value')} {display(value, unit)}" for part, value in given.items() if part != "distribution"
-    ]
+    given_as = {part: value for part, value in given.items() if part != "distribution"}
+    numbers = [f"{translate(part, 'value')} {display(value, unit)}" for part, value in given_as.items()]
+    # a spread in percent has no other unit
+    shown_unit = "" if all(isinstance(value, str) for value in given_as.values()) else display_unit(unit)
     key = keys().get(name)
     about = (
         message("scatter: {about}", about=translate(key.description).partition(";")[0])
@@ -167,7 +168,7 @@ def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
         else translate("scatter of the friction in service")
     )
     value = (", " if spoken() == "en" else "; ").join([worded(given["distribution"]), *numbers])
-    return _SpecLine(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, display_unit(unit), False)
+    return _SpecLine(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, shown_unit, False)
 
 
 def _flat(data: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:
