@@ -15,8 +15,9 @@ from .by_law import candidates
 from .found import Found
 from .limits import OBJECTIVES
 from .pareto import front
+from .parts import spec_with_parts, springs_miss, with_parts
 from .refine import refined
-from .rows import DesignRow, as_spec, rows
+from .rows import DesignRow, rows
 from .search import search
 from .space import Numbers, total
 
@@ -68,6 +69,7 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
         )
     found = search(need, lambda done: progress("searching", done, count))
     best = numbered(need, [fine for _, fine in refinement(need, found, progress)])
+    best = [with_parts(need, row) for row in best]
     missing = None
     if not best:
         missing = attainable(need, lambda done, of: progress("looking for what is attainable", done, of))
@@ -81,7 +83,7 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
         attainable=missing,
         front=best,
     )
-    return result, _findings(result)
+    return result, [*_findings(result), *springs_miss(need, best)]
 
 
 def refinement(need: Requirements, found: Found, progress: Progress = unwatched) -> list[tuple[DesignRow, DesignRow]]:
@@ -194,4 +196,4 @@ def picked(need: Requirements, result: DesignResult, number: int) -> Spec:
         raise CalculationError(
             say("--pick {number}: the front has the numbers 1 to {count}", number=number, count=len(result.front))
         )
-    return as_spec(need, result.front[number - 1])
+    return spec_with_parts(need, result.front[number - 1])

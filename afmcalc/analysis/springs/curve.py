@@ -7,7 +7,7 @@ from ...engines.protocol import Clutch
 from ...errors import CalculationError
 from ...messages import say
 from ...result import Result, quantity
-from .springs import TOLERANCE, best_of
+from .springs import part_of, ranked
 from .wish import SpringName, Wish, wishes
 
 POINTS = 121
@@ -47,10 +47,10 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
 def _curve(clutch: Clutch, wish: Wish) -> SpringCurve:
     named = getattr(clutch.spec, f"{wish.name}_spring").part
     if named is None:
-        best = best_of(wish, TOLERANCE)
-        if best is None:
+        best = ranked(wish)
+        if not best:
             raise CalculationError(say("plot springs: there is no part for the {name} spring", name=wish.name))
-        part, own = best.label, characteristic(best.part)
+        part, own = best[0].part, characteristic(part_of(best[0]))
     else:
         part, own = say("as in the spec"), characteristic(named)
     return _drawn(wish, part, own)

@@ -12,10 +12,12 @@ from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...messages import say, translate
 from ...spec import resolved
+from ...spec.discs import discs
 from ...spec.springs import CoilSprings, DiscStack
 from ..registry import SpringKind, SpringOrder
-from .candidates import STEEL, Candidate, coil_candidates, disc_candidates, stack_of
+from .candidates import STEEL, Candidate, coil_candidates, disc_candidates, disc_springs
 from .result import SpringOption, SpringsResult
+from .stacks import TOLERANCE, stack_of
 from .wish import Wish, wishes
 
 _BY: Mapping[SpringOrder, Callable[[SpringOption], float]] = {
@@ -24,7 +26,6 @@ _BY: Mapping[SpringOrder, Callable[[SpringOption], float]] = {
     "mass": lambda option: option.mass,
 }
 TOP = 10
-TOLERANCE = 0.1
 SETTING = 0.05
 """Share of the force that the nut is to set more or less."""
 
@@ -76,11 +77,12 @@ def springs(
     return result, [*clutch.findings(), *said]
 
 
-def best_of(wish: Wish, tolerance: float) -> Candidate | None:
-    """The part that would be told first."""
-    every = [each for each in _candidates(wish, "any", tolerance) if not each.misses]
-    order = _BY["length" if wish.stiffness else "wear"]
-    return min(every, key=lambda each: order(_option(wish, each)), default=None)
+def ranked(wish: Wish, kind: SpringKind = "any", tolerance: float = TOLERANCE) -> list[SpringOption]:
+    """Every part that does, in the order they are told in."""
+    every = [] if kind == "coil" else list(disc_springs(wish, tolerance))
+    if kind != "disc":
+        every += [each for each in coil_candidates(wish, tolerance) if not each.misses]
+    return sorted((_option(wish, each) for each in every), key=_BY["length" if wish.stiffness else "wear"])
 
 
 def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> dict[str, Any]:
@@ -103,7 +105,8 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> dic
         taken.add(block)
         for other in ("disc", "coil"):
             data[block].pop(other, None)
-        data[block] |= {"force": option.force, "stiffness": option.stiffness, option.kind: _part_of(option)}
+        part = part_of(option).model_dump(exclude_none=True)
+        data[block] |= {"force": option.force, "stiffness": option.stiffness, option.kind: part}
     if "control_spring" in taken:
         data["closing_spring"].setdefault("force", float(clutch.closing_force))
     return data
@@ -205,15 +208,13 @@ def _friction(wish: Wish, force: float, parallel: int) -> dict[str, float | None
     }
 
 
-def _part_of(option: SpringOption) -> dict[str, Any]:
+def part_of(option: SpringOption) -> DiscStack | CoilSprings:
     """The part as a spec says it."""
     if option.kind == "disc":
-        from ...spec.discs import discs
-
         (disc,) = (each for each in discs() if option.part.endswith(f" {each.name}"))
         assert option.parallel is not None
         assert option.series is not None
-        return stack_of(disc, option.parallel, option.series).model_dump(exclude_none=True)
+        return stack_of(disc, option.parallel, option.series)
     wire = (option.outer_diameter - option.inner_diameter) / 2
     return CoilSprings(
         wire_diameter=wire,
@@ -221,7 +222,7 @@ def _part_of(option: SpringOption) -> dict[str, Any]:
         turns=option.turns,
         free_length=option.free_length,
         count=option.count,
-    ).model_dump()
+    )
 
 
 def _none(wish: Wish, close: Candidate) -> Finding:
