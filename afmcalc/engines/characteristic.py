@@ -145,13 +145,13 @@ class DiscCharacteristic(Characteristic):
 
     def force(self, deflection: Values) -> Values:
         """Force of the stack, N."""
-        force: Values = self.part.parallel * law.disc_force(*self._disc, deflection / self.part.series)
+        force: Values = self.part.parallel * law.disc_force(*self.shape, deflection / self.part.series)
         return force
 
     def stiffness(self, deflection: Values) -> Values:
         """Slope of the force, N/m."""
         own = self.part
-        slope: Values = own.parallel / own.series * law.disc_stiffness(*self._disc, deflection / own.series)
+        slope: Values = own.parallel / own.series * law.disc_stiffness(*self.shape, deflection / own.series)
         return slope
 
     def stresses(self, deflection: float) -> tuple[float, float]:
@@ -159,12 +159,13 @@ class DiscCharacteristic(Characteristic):
         logarithm, each = math.log(self.ratio), deflection / self.part.series
         membrane = law.disc_factor_membrane(self.ratio, logarithm, math.pi)
         bending = law.disc_factor_bending(self.ratio, logarithm, math.pi)
-        middle = law.disc_stress(*self._disc, each, 0.0, 3 / math.pi)
+        middle = law.disc_stress(*self.shape, each, 0.0, 3 / math.pi)
         edges = (membrane, -bending), ((membrane - 2 * bending) / self.ratio, -bending / self.ratio)
-        return float(middle), max(float(law.disc_stress(*self._disc, each, *edge)) for edge in edges)
+        return float(middle), max(float(law.disc_stress(*self.shape, each, *edge)) for edge in edges)
 
     @cached_property
-    def _disc(self) -> tuple[float, float, float, float, float, float, float]:
+    def shape(self) -> tuple[float, float, float, float, float, float, float]:
+        """E, ν, K_1, K_4, D_e, t and h_0 of a disc, with flats t' and l_0 − t'."""
         height = self.part.free_height - self.thickness
         return (MODULUS, POISSON, *self.factors, self.part.outer_diameter, self.thickness, height)
 

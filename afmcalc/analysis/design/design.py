@@ -1,5 +1,7 @@
 """Which clutch is needed: the Pareto front of everything that meets the requirements."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from ...errors import AfmcalcError, CalculationError
@@ -69,7 +71,8 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
         )
     found = search(need, lambda done: progress("searching", done, count))
     best = numbered(need, [fine for _, fine in refinement(need, found, progress)])
-    best = [with_parts(need, row) for row in best]
+    if need.springs is not None:
+        best = list(_sprung(need, best, progress))
     missing = None
     if not best:
         missing = attainable(need, lambda done, of: progress("looking for what is attainable", done, of))
@@ -150,6 +153,12 @@ def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResu
     """Return the result with so many rows of its front, ordered by an objective; their numbers stay."""
     found = result.front if sort is None else sorted(result.front, key=lambda row: row.objective(sort))
     return result.model_copy(update={"front": found[:top]})
+
+
+def _sprung(need: Requirements, front: list[DesignRow], progress: Progress) -> Iterator[DesignRow]:
+    for number, row in enumerate(front, 1):
+        yield with_parts(need, row)
+        progress("choosing springs", number, len(front))
 
 
 def _findings(result: DesignResult) -> list[Finding]:

@@ -1,6 +1,8 @@
 """What every candidate must hold, and what it is judged by: one list for every way through the space."""
 
 from collections.abc import Callable, Iterable
+from functools import reduce
+from operator import and_
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -10,7 +12,7 @@ from ...spec.springs import Room
 from ...variants import Variant
 from ..springs.stacks import holds_force, travel_held
 from .candidates import Candidates
-from .space import SAME, Mask, Numbers, given
+from .space import SAME, Axes, Mask, Numbers, given
 
 OVER, UNDER = 1 + SAME, 1 - SAME
 
@@ -137,12 +139,14 @@ def objectives(found: Candidates) -> Numbers:
     return np.moveaxis(np.stack(np.broadcast_arrays(*columns, found.at.pairs)[:-1]), 0, -1)
 
 
-def feasible(found: Candidates) -> Mask:
-    """Candidates that hold every constraint."""
-    good = found.is_clutch
-    for constraint in constraints(found.need, found.variant):
-        good = good & constraint.holds(found)
-    return np.broadcast_to(good, found.at.pairs.shape)
+def feasible(found: Candidates, among: Mask) -> Mask:
+    """Those of some candidates that hold every constraint; what costs most is asked of those that hold the others."""
+    held = constraints(found.need, found.variant)
+    good = reduce(and_, (each.holds(found) for each in held if each.value), among & found.is_clutch)
+    few = Axes(*(column[good] for column in found.at))
+    own = type(found)(found.need, found.variant, few)
+    good[good] = reduce(and_, (each.holds(own) for each in held if not each.value), np.ones(few.pairs.shape, bool))
+    return good
 
 
 def curved(need: Requirements, variant: Variant) -> bool:

@@ -20,8 +20,6 @@ _TRIED = 5
 
 def with_parts(need: Requirements, row: DesignRow) -> DesignRow:
     """Name the stacks of a row, and the K_т that an indirect clutch has with them, whose force is no straight line."""
-    if need.springs is None:
-        return row
     plain = as_spec(need, row)
     found = _stacks(plain)
     named = row.model_copy(update={f"{name}_part": _name(option) for name, option in found.items()})

@@ -77,12 +77,13 @@ def _series(wish: Wish, own: DiscCharacteristic, each: float) -> set[int]:
     low, high = own.range
     needs = max(
         1,
-        math.ceil(wish.relaxes / (each - low)) if each > low else 1,
-        math.ceil(wish.compresses / (high - each)) if each < high else 1,
+        math.ceil(wish.relaxes / (each - low) * (1 - _ROUNDING)) if each > low else 1,
+        math.ceil(wish.compresses / (high - each) * (1 - _ROUNDING)) if each < high else 1,
     )
     most = MOST_SERIES
     if wish.room.length is not None:
-        most = max(1, math.floor((wish.room.length - wish.relaxes) / (own.free_length - each)))
+        left = wish.room.length - wish.relaxes
+        most = max(1, math.floor(left / (own.free_length - each) * (1 + _ROUNDING)))
     found = {needs}
     if wish.stiffness is not None:
         wanted = float(own.stiffness(each)) / wish.stiffness

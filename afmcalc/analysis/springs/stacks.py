@@ -1,12 +1,14 @@
 """Which forces and travels stacks of disc springs give within a room, for arrays of forces at once."""
 
 from functools import cache
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Values
-from ...engines.characteristic import LEAST_USED, MOST_USED, DiscCharacteristic
+from ...engines.characteristic import DiscCharacteristic
+from ...equations import springs as law
 from ...spec.discs import Disc, discs
 from ...spec.springs import DiscStack, Room
 
@@ -51,20 +53,15 @@ def packs(room: Room) -> tuple[tuple[Disc, DiscCharacteristic], ...]:
 
 def used(pack: DiscCharacteristic, room: Room) -> tuple[float, float]:
     """Deflections between which a single pack may rest: of its range, those for which it is short enough."""
-    low, high = LEAST_USED * pack.cone_height, MOST_USED * pack.cone_height
+    low, high = pack.range
     return (low if room.length is None else max(low, pack.free_length - room.length)), high
 
 
 @cache
 def forces_held(room: Room) -> Numbers:
     """Ends of the intervals of force that a stack holds as set, whatever its stiffness, N: ascending, low and high."""
-    spans = []
-    for _, pack in packs(room):
-        low, high = used(pack, room)
-        if low <= high:
-            spans.append((float(pack.force(low)), float(pack.force(high))))
     merged: list[tuple[float, float]] = []
-    for low, high in sorted(spans):
+    for low, high in sorted(zip(_rows(room)["least"], _rows(room)["most"], strict=True)):
         if merged and low <= merged[-1][1]:
             merged[-1] = (merged[-1][0], max(high, merged[-1][1]))
         else:
@@ -89,25 +86,24 @@ def travel_held(
         tolerance: how far the stiffness may be off, relative.
         relaxes: whether it lengthens or is pressed together.
     """
-    found = np.full(np.broadcast_shapes(force.shape, stiffness.shape), NONE)
-    for _, pack in packs(room):
-        low, high = used(pack, room)
-        within = (force >= pack.force(low)) & (force <= pack.force(high))
-        if not within.any():
-            continue
-        each = np.where(within, pack.deflection(np.where(within, force, pack.force(low))), np.nan)
-        np.fmax(found, _travel(pack, each, stiffness, room, tolerance, relaxes=relaxes), out=found)
+    shape = np.broadcast_shapes(force.shape, stiffness.shape)
+    found = np.full(shape, NONE)
+    every = _rows(room)
+    near = every[(every["most"] >= np.nanmin(force)) & (every["least"] <= np.nanmax(force))]
+    for start in range(0, near.size, step := max(1, _AT_ONCE // found.size)):
+        rows = near[start : start + step].reshape(-1, *(1 for _ in shape))
+        np.fmax(found, _travel(rows, force, stiffness, room, tolerance, relaxes=relaxes).max(axis=0), out=found)
     return found
 
 
-def _travel(
-    pack: DiscCharacteristic, each: Numbers, stiffness: Numbers, room: Room, tolerance: float, *, relaxes: bool
-) -> Numbers:
+def _travel(row: Any, force: Numbers, stiffness: Numbers, room: Room, tolerance: float, *, relaxes: bool) -> Numbers:
     """The largest over the numbers of packs that give the stiffness: it grows with them until the length is used up."""
-    least, most = fewest_and_most(pack.stiffness(each) / stiffness, tolerance)
-    free = pack.free_length
-    per = each - LEAST_USED * pack.cone_height if relaxes else MOST_USED * pack.cone_height - each
-    rest = free - each
+    held = (force >= row["least"]) & (force <= row["most"])
+    each = _deflection(row, np.where(held, force, row["least"]))
+    slope = row["parallel"] * law.disc_stiffness(**{name: row[name] for name in _SHAPE}, deflection=each)
+    least, most = fewest_and_most(slope / stiffness, tolerance)
+    per = each - row["low"] if relaxes else row["high"] - each
+    rest = row["free"] - each
 
     def reached(series: Numbers) -> Numbers:
         moves: Numbers = series * per
@@ -121,7 +117,40 @@ def _travel(
     else:
         longest = np.floor(room.length / (rest + per if relaxes else rest) * (1 + _ROUNDING))
         best = np.fmax(*(reached(np.clip(longest + more, least, most)) for more in (0, 1)))
-    return np.where(least <= most, best, NONE)
+    return np.where(held & (least <= most), best, NONE)
+
+
+def _deflection(row: Any, force: Numbers) -> Numbers:
+    """Deflection of a single pack, m: about flat the force is a cubic u³ + p u = q, p > 0 where no disc snaps through.
+
+    With T = t/K_4, u = s − h_0: p = 2 T² − h_0², q = 2 T² h_0 (F/F_c − 1), F_c flat.
+    """
+    square, height = (row["thickness"] / row["factor_flats"]) ** 2, row["cone_height"]
+    steep = (2 * square - height**2) / 3
+    q = square * height * (force / row["flat"] - 1)
+    found: Numbers = height + 2 * np.sqrt(steep) * np.sinh(np.arcsinh(q / steep**1.5) / 3)
+    return found
+
+
+@cache
+def _rows(room: Room) -> NDArray[Any]:
+    """Every single pack that goes into a room, as a row of numbers."""
+    names = ("parallel", "free", "low", "high", "least", "most", "flat", *_SHAPE)
+    rows = []
+    for _, pack in packs(room):
+        low, high = used(pack, room)
+        if low <= high:
+            forces = (float(pack.force(s)) for s in (low, high, pack.end))
+            rows.append((pack.part.parallel, pack.free_length, *pack.range, *forces, *pack.shape))
+    return np.array(rows, dtype=[(name, float) for name in names])
+
+
+_SHAPE = (
+    "modulus", "poisson", "factor_load", "factor_flats", "outer_diameter", "thickness", "cone_height",
+)  # fmt: skip
+"""What the force of a disc depends on."""
+_AT_ONCE = 1 << 20
+"""Numbers worked on together."""
 
 
 def fewest_and_most(wanted: Values, tolerance: float) -> tuple[Numbers, Numbers]:

@@ -17,7 +17,7 @@ from afmcalc.spec.springs import DiscStack
 
 FRICTION = {"min": 0.1, "mean": 0.3, "max": 0.8}
 CLOSING = {"inner_diameter": 0.02, "outer_diameter": 0.08, "length": 0.08}
-NARROW = {"inner_diameter": 0.04, "outer_diameter": 0.082, "length": 0.0051}
+NARROW = {"inner_diameter": 0.04, "outer_diameter": 0.082, "length": 0.004}
 CONTROL = {"inner_diameter": 0.05, "outer_diameter": 0.2}
 SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
 INDIRECT = {
