@@ -8,8 +8,9 @@ from ...findings import Finding, finding
 from ...spec import Spec
 from ...spec.edit import as_written
 from ...spec.requirements import Requirements
+from ..springs.options import part_of
 from ..springs.result import SpringOption
-from ..springs.springs import part_of, ranked
+from ..springs.springs import ranked
 from ..springs.wish import wishes
 from .limits import OVER
 from .rows import DesignRow, as_spec

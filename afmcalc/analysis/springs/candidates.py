@@ -11,7 +11,8 @@ from ...engines.characteristic import (
     characteristic,
 )
 from ...equations import springs as law
-from ...spec.discs import Disc
+from ...messages import say
+from ...spec.discs import Disc, discs
 from ...spec.springs import CoilSprings, DiscStack, Room
 from .stacks import MOST_SERIES, packs, stack_of
 from .wish import Wish
@@ -69,6 +70,17 @@ def _stacks(disc: Disc, own: DiscCharacteristic, wish: Wish, tolerance: float) -
         yield _judged(part, f"DIN EN 16983 {disc.name}", wish, tolerance)
 
 
+def label_of(part: DiscStack | CoilSprings) -> str:
+    """What a part is called: a disc by its standard, if it is of one."""
+    if isinstance(part, CoilSprings):
+        return say("coil {wire:g} × {coil:g}", wire=part.wire_diameter * 1e3, coil=part.coil_diameter * 1e3)
+    for disc in discs():
+        if stack_of(disc, part.parallel, part.series) == part:
+            return f"DIN EN 16983 {disc.name}"
+    outer, inner, thickness = (each * 1e3 for each in (part.outer_diameter, part.inner_diameter, part.thickness))
+    return say("disc {outer:g} × {inner:g} × {thickness:g}", outer=outer, inner=inner, thickness=thickness)
+
+
 def _series(wish: Wish, own: DiscCharacteristic, each: float) -> set[int]:
     """How many packs are worth a look: as few as the travel allows, as many as the length does or the stiffness asks.
 
@@ -98,9 +110,10 @@ def coil_candidates(wish: Wish, tolerance: float) -> Iterator[Candidate]:
     for count in COUNTS:
         for wire in WIRES:
             for coil in _coils(wish, count, wire):
+                label = say("coil {wire:g} × {coil:g}", wire=wire * 1e3, coil=coil * 1e3)
                 for turns in _turns(wish, count, wire, coil):
                     part = _spring(wish, count, wire, coil, turns)
-                    yield _judged(part, f"coil {wire * 1e3:g} × {coil * 1e3:g}", wish, tolerance)
+                    yield _judged(part, label, wish, tolerance)
 
 
 def _coils(wish: Wish, count: int, wire: float) -> list[float]:
