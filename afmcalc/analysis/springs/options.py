@@ -20,7 +20,9 @@ OM_STRENGTH = 1600e6
 
 def named(wish: Wish, part: DiscStack | CoilSprings) -> SpringOption:
     """The part that a spec names."""
-    return option_of(wish, Candidate(part, label_of(part), float(characteristic(part).deflection(wish.force)), {}))
+    deflection = float(characteristic(part).deflection(wish.force))
+    found = option_of(wish, Candidate(part, label_of(part), deflection, {}))
+    return found.model_copy(update={"spring": wish.name})
 
 
 def option_of(wish: Wish, found: Candidate) -> SpringOption:
@@ -31,7 +33,6 @@ def option_of(wish: Wish, found: Candidate) -> SpringOption:
     setting = float(own.deflection((1 + SETTING) * force) - own.deflection((1 - SETTING) * force))
     common = {
         "number": None,
-        "spring": wish.name,
         "part": found.label,
         "force": force,
         "force_least": float(own.force(low)),

@@ -11,8 +11,8 @@ Kind = Literal["disc", "coil"]
 class SpringOption(Result):
     """A part that gives the force, and what else it gives."""
 
-    number: int | None = quantity("", None, "number, for --pick", null="")
-    spring: SpringName = quantity("", None, "spring", detail=True)
+    number: int | None = quantity("", None, "number", optional=True)
+    spring: SpringName | None = quantity("", None, "spring", optional=True)
     kind: Kind = quantity("", None, "kind", detail=True)
     part: str = quantity("", None, "part")
     parallel: int | None = quantity("1", "n", "discs laid into each other")

@@ -49,7 +49,7 @@ def _both_settings(found: AdjustResult) -> list[TextTable]:
 def _named_springs(found: SpringsResult) -> list[TextTable]:
     """The springs of the spec; what could take their place is no part of a report."""
     springs = found.named or []
-    table = _side_by_side({translate(NAMES[each.spring]): each for each in springs})
+    table = _side_by_side({translate(NAMES[each.spring]): each for each in springs if each.spring})
     left_out = {translate(SpringOption.model_fields[name].description or "") for name in ("number", "spring", "kind")}
     unknown = display(None, "1")
     rows = [row for row in table.rows if row[1] not in left_out and set(row[2:-1]) != {unknown}]
