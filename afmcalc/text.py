@@ -34,6 +34,9 @@ SCALES = {
 """Unit of a field → what a value in SI is multiplied by."""
 
 
+ENGLISH = "en"
+"""The language that everything is written in."""
+
 _LANGUAGE: "ContextVar[Language | None]" = ContextVar("language", default=None)
 
 
@@ -130,7 +133,7 @@ def speaking(language: "Language | None") -> Iterator[None]:
 def spoken() -> str:
     """Name of the language of the user."""
     own = _LANGUAGE.get()
-    return own.name if own else "en"
+    return own.name if own else ENGLISH
 
 
 def translate(text: str, context: str = "") -> str:

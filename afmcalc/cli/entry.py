@@ -3,6 +3,7 @@
 import os
 import sys
 import warnings
+from types import ModuleType
 from typing import NoReturn
 
 from ..messages import speaking, told
@@ -138,5 +139,12 @@ def _tune() -> None:
     watch()
     gc.set_threshold(100_000, 50, 50)
     atexit.register(gc.freeze)
-    # pydantic would look through every installed distribution for plugins
-    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    # pydantic would import what looks through every installed distribution for plugins
+    sys.modules.setdefault("pydantic.plugin._loader", _without_plugins())
+
+
+def _without_plugins() -> ModuleType:
+    """Stand in for the loader of pydantic's plugins: there are none."""
+    loader = ModuleType("pydantic.plugin._loader")
+    loader.__dict__["get_plugins"] = tuple
+    return loader

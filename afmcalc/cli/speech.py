@@ -3,40 +3,42 @@
 import re
 import string
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..errors import AfmcalcError
-from ..extras import installed, need
-from ..language import ENGLISH, Language, known, language
 from ..messages import filled, say, translate
+from ..text import ENGLISH
+
+if TYPE_CHECKING:
+    from ..language import Language
 
 OPTION = "--lang"
 _LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
 
 
-def chosen(arguments: list[str], environment: Mapping[str, str]) -> Language | None:
+def chosen(arguments: list[str], environment: Mapping[str, str]) -> "Language | None":
     """The language asked for: by the option, else by AFMCALC_LANG, else by the locale; None is English.
 
     Raises:
         AfmcalcError: there is no such language, or what it needs is not installed; a locale asks for nothing.
     """
-    asked = _option(arguments)
-    for name, by in ((asked, OPTION), (environment.get("AFMCALC_LANG"), "AFMCALC_LANG")):
-        if not name:
-            continue
-        if name == ENGLISH:
+    asked = ((_option(arguments), OPTION), (environment.get("AFMCALC_LANG"), "AFMCALC_LANG"))
+    by_locale = re.split("[_.@]", next(filter(None, map(environment.get, _LOCALE)), ""))[0]
+    name, by = next(filter(lambda each: each[0], asked), (by_locale, ""))
+    if name == ENGLISH or not by and name in ("", "C", "POSIX"):
+        return None  # without what other languages need
+
+    from ..extras import installed, need
+    from ..language import known, language
+
+    if name not in known():
+        if not by:
             return None
-        if name not in known():
-            languages = ", ".join(known())
-            raise AfmcalcError(say("{by} {name:.40}: known are {languages}", by=by, name=name, languages=languages))
+        languages = ", ".join([ENGLISH, *known()])
+        raise AfmcalcError(say("{by} {name:.40}: known are {languages}", by=by, name=name, languages=languages))
+    if by:
         need(name)
-        return language(name)
-    locale = next(filter(None, map(environment.get, _LOCALE)), "")
-    name = re.split("[_.@]", locale)[0]
-    # most locales ask for English, or for nothing: no folder is looked into
-    if name in ("", "C", "POSIX", ENGLISH) or name not in known() or not installed(name):
-        return None
-    return language(name)
+    return language(name) if installed(name) else None
 
 
 def _option(arguments: list[str]) -> str | None:

@@ -1,6 +1,6 @@
 """The points of a sweep: one array expression of the engines for all of them."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import product
 from types import EllipsisType
 
@@ -59,10 +59,17 @@ def _checked(spec: Spec, arrays: Mapping[str, Floats]) -> Spec:
         if is_whole(path) and bool(np.any(array != np.floor(array))):
             wrong = float(array[array != np.floor(array)].ravel()[0])
             raise AfmcalcError(say("--sweep {path}: {wrong:g} is not a whole number", path=path, wrong=wrong))
-    ends = [dict.fromkeys((float(array.min()), float(array.max()))) for array in arrays.values()]
-    for corner in product(*ends):
+    for corner in product(*map(_ends, arrays.values())):
         valid = _validated(spec, dict(zip(arrays, corner, strict=True)))
     return valid
+
+
+def _ends(array: Floats) -> Iterable[float]:
+    """Smallest and largest element, one where they are equal."""
+    flat = array.ravel()
+    # stretch by stretch: the second look finds it in the cache
+    ends = [(part.min(), part.max()) for part in np.array_split(flat, -(-flat.size // _BLOCK))]
+    return dict.fromkeys((float(min(low for low, _ in ends)), float(max(high for _, high in ends))))
 
 
 def _validated(spec: Spec, corner: dict[str, float]) -> Spec:
