@@ -24,12 +24,15 @@ _CLOSE = 1e-13
 """Relative to the whole deflection."""
 
 
-def root(rising: Callable[[Values], Values], slope: Callable[[Values], Values], end: Values) -> Values:
-    """Where a function that rises from 0 to ``end`` is 0, number by number; the nearer end where it is not.
+def root(
+    rising: Callable[[Values], Values], slope: Callable[[Values], Values], end: Values, start: Values = 0.0
+) -> Values:
+    """Where a function that rises from ``start`` to ``end`` is 0, number by number; the nearer end where it is not.
 
     Newton's steps, and halves of what is left where one would leave it.
     """
-    at, low, high = 0.0 * end, 0.0 * end, end
+    at = low = start + 0.0 * end
+    high = end
     for _ in range(_STEPS):
         value = rising(at)
         below = value < 0

@@ -42,17 +42,6 @@ def refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
     raise SpecError(spec.label, [Problem(path, given, message)])
 
 
-def refuse_curved_springs(spec: Spec, law: IndirectLaw) -> None:
-    """A curved wall is laid out for springs that are straight: both at once have no law here."""
-    unit = spec.control_unit
-    assert unit is not None
-    if law.curved is None or (unit.pocket is None and not unit.gain_slope):
-        return
-    path = "control_unit.pocket" if unit.gain_slope is None else "control_unit.gain_slope"
-    message = say("a curved pocket takes straight springs: leave out the disc springs, or the curve of the wall")
-    raise SpecError(spec.label, [Problem(path, None, message)])
-
-
 def _where_least(value: Values, other: Values) -> float:
     """Where the first is least, the other, so that numbers named together belong together."""
     if not is_array(value):

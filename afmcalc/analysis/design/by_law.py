@@ -5,7 +5,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ...engines.laws import DirectLaw, IndirectLaw
+from ...engines.direct_law import DirectLaw
+from ...engines.laws import IndirectLaw
 from ...equations import synthesis, wall
 from ...spec.requirements import Requirements
 from ...variants import Variant
