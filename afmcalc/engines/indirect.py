@@ -264,7 +264,7 @@ class IndirectClutch(Clutch):
 
     def _law_findings(self) -> list[Finding]:
         """Springs that are curved, idle feedback, the key's hysteresis, a pocket that lets the torque fall."""
-        return sleeve_findings(self)
+        return sleeve_findings(self, self.law, lambda: self.hysteresis_ratio)
 
 
 def _given(value: Any) -> Any:
