@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from ..arrays import Values, chosen, greatest, larger, smaller
+from ..equations import coils
 from ..equations import springs as law
 from ..spec.models import Spec
 from ..spec.springs import CoilSprings, DiscStack
@@ -188,19 +189,19 @@ class CoilCharacteristic(Characteristic):
     def rate(self) -> float:
         """Stiffness of all together, N/m."""
         own = self.part
-        return own.count * float(law.coil_stiffness(SHEAR_MODULUS, own.wire_diameter, own.coil_diameter, own.turns))
+        return own.count * float(coils.coil_stiffness(SHEAR_MODULUS, own.wire_diameter, own.coil_diameter, own.turns))
 
     @property
     def range(self) -> tuple[float, float]:
         """From nothing to where the gaps between the turns are the least that must stay, m."""
         own = self.part
-        gap = law.coil_least_gap(own.wire_diameter, own.coil_diameter, own.turns)
+        gap = coils.coil_least_gap(own.wire_diameter, own.coil_diameter, own.turns)
         return 0.0, self.end - float(gap)
 
     @property
     def end(self) -> float:
         """Pressed solid, m."""
-        return self.part.free_length - float(law.coil_solid_length(self.part.wire_diameter, self.part.turns))
+        return self.part.free_length - float(coils.coil_solid_length(self.part.wire_diameter, self.part.turns))
 
     @property
     def straight(self) -> bool:
@@ -219,7 +220,7 @@ class CoilCharacteristic(Characteristic):
         """Shear stress of the wire, without the correction for the curve as for a spring that rests, Pa."""
         own = self.part
         each = self.rate * deflection / own.count
-        return float(law.coil_stress(each, own.wire_diameter, own.coil_diameter, 1.0, math.pi))
+        return float(coils.coil_stress(each, own.wire_diameter, own.coil_diameter, 1.0, math.pi))
 
 
 def characteristic(part: DiscStack | CoilSprings) -> DiscCharacteristic | CoilCharacteristic:

@@ -4,6 +4,7 @@ import math
 from typing import Any
 
 from ...engines.characteristic import CoilCharacteristic, DiscCharacteristic, characteristic
+from ...equations import coils
 from ...equations import springs as law
 from ...spec.discs import discs
 from ...spec.springs import CoilSprings, DiscStack
@@ -73,7 +74,7 @@ def option_of(wish: Wish, found: Candidate) -> SpringOption:
 
 def _coil(own: CoilCharacteristic, high: float) -> dict[str, Any]:
     part = own.part
-    mass = law.coil_mass(STEEL, part.wire_diameter, part.coil_diameter, part.turns, math.pi)
+    mass = coils.coil_mass(STEEL, part.wire_diameter, part.coil_diameter, part.turns, math.pi)
     return {
         "kind": "coil",
         "parallel": None,

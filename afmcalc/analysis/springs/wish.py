@@ -1,14 +1,11 @@
 """What a clutch wants of its springs."""
 
-from collections.abc import Mapping
 from typing import Literal, NamedTuple
 
 from ...engines.protocol import Clutch
-from ...messages import term
 from ...spec.springs import ClosingSpring, ControlSpring, Room
 
 SpringName = Literal["closing", "control"]
-NAMES: Mapping[SpringName, str] = {"closing": term("closing spring"), "control": term("control spring")}
 
 
 class Wish(NamedTuple):

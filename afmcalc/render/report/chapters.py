@@ -6,12 +6,12 @@ from typing import Any
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
 from ...analysis.springs.result import SpringOption, SpringsResult
-from ...analysis.springs.wish import NAMES
 from ...messages import translate
 from ...result import Result, Triple
 from ..document import Document, document
 from ..layout import TextTable, blocks
 from ..plot import sheet_of
+from ..plot.kinds.springs import NAMES
 from ..units import display, display_unit
 from .interface import Chapter
 from .scatter import scatter_blocks

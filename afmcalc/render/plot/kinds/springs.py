@@ -1,9 +1,10 @@
 """Force of the springs over their deflection, with what the clutch uses of it."""
 
 from ....analysis.springs.curve import SpringCurve, SpringsCurve
-from ....analysis.springs.wish import NAMES
-from ....messages import told, translate
+from ....messages import term, told, translate
 from ..chart import Chart, Guide, Line, Sheet, axis_of, describe, stated
+
+NAMES = {"closing": term("closing spring"), "control": term("control spring")}
 
 
 def sheet(curve: SpringsCurve) -> Sheet:
