@@ -39,6 +39,18 @@ class SetSpring:
         """Slope of the force there, N/m."""
         return self.straight_stiffness if self.disc is None else self.disc.stiffness(self.deflection + further)
 
+    def secant(self, further: Values) -> Values:
+        """Change of the force per deflection from as set, N/m."""
+        if self.disc is None:
+            return self.straight_stiffness
+        return (self.force(further) - self.set_force) / further
+
+    def slackens(self, force: Values) -> Values:
+        """How far it lengthens until so much force is left, m."""
+        if self.disc is None:
+            return (self.set_force - force) / self.straight_stiffness
+        return self.deflection - self.disc.deflection(force)
+
 
 @dataclass(frozen=True)
 class Balance:

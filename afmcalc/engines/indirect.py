@@ -91,7 +91,7 @@ class IndirectClutch(Clutch):
     @property
     def constant_torque_slope(self) -> Values:
         """C_1* at which torque would not depend on friction once the sleeve is off its stop, 1/m."""
-        return self.law.constant_torque_slope(self.closing_force)
+        return self.law.constant_torque_slope(self.closing_force, self.friction[0].max)
 
     @property
     def friction_set(self) -> Values:

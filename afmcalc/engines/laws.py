@@ -104,14 +104,19 @@ class IndirectLaw:
             friction: Values = pocket.leaving_friction(closing_force, made, self.pairs, net)
         return friction
 
-    def constant_torque_slope(self, closing_force: Values) -> Values:
+    def constant_torque_slope(self, closing_force: Values, friction_max: Values) -> Values:
         """C_1* at which torque does not depend on friction once the sleeve is off its stop, 1/m.
 
-        Of disc springs that of their stiffness as set: the torque is held where the sleeve leaves, and nearly beyond.
+        With disc springs no C_1 does: that at which it is the same at ``friction_max`` as where the sleeve leaves.
         """
         leaving = self.leaving_friction(closing_force)
-        first, second = (spring.stiffness(0.0) for spring in self.set_springs(closing_force))
-        slope: Values = pocket.constant_torque_slope(first, second, self.pairs, leaving, closing_force)
+        stiffness = self.closing_stiffness, self.control_stiffness
+        if self.curved is not None:
+            first, second = self.set_springs(closing_force)
+            # a little beyond where it leaves at least, so that there is a way to go
+            travel = first.slackens(closing_force * leaving / larger(friction_max, leaving * (1 + 1e-6)))
+            stiffness = first.secant(-travel), second.secant(travel)
+        slope: Values = pocket.constant_torque_slope(*stiffness, self.pairs, leaving, closing_force)
         return slope
 
     def jumping_slope(self, closing_force: Values) -> Values:

@@ -31,10 +31,8 @@ def _slope_findings(clutch: Clutch, law: IndirectLaw) -> list[Finding]:
     leaving = float(law.leaving_friction(clutch.closing_force))
     if slope == 0 or not 0 < leaving < clutch.friction[0].max:
         return []
-    best, jumping = (
-        float(law.constant_torque_slope(clutch.closing_force)),
-        float(law.jumping_slope(clutch.closing_force)),
-    )
+    force, friction_max = clutch.closing_force, clutch.friction[0].max
+    best, jumping = float(law.constant_torque_slope(force, friction_max)), float(law.jumping_slope(force))
     if slope <= best * (1 + 1e-9):
         return []
     falls, most = float(clutch.torque(clutch.friction[0].max)), float(clutch.torque_max)

@@ -112,9 +112,7 @@ def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
         },
     }  # fmt: skip
     clutch = build(own)
-    assert 1 < clutch.accuracy_factor < 1.1
-    step = 1e-6
-    first, second = (float(clutch.torque(0.1 + each)) for each in (0.0, step))
-    assert second == pytest.approx(first, rel=1e-8), "held where the sleeve leaves its stop"
+    assert 1 < clutch.accuracy_factor < 1.03
+    assert clutch.torque(0.8) == pytest.approx(clutch.torque(0.1), rel=1e-9), "the same at both ends"
     found, _ = synthesize(clutch)
     assert found.travel_max == pytest.approx(float(clutch.travel(0.8)))
