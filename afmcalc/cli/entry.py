@@ -6,7 +6,7 @@ import warnings
 from types import ModuleType
 from typing import NoReturn
 
-from ..messages import speaking, told
+from ..messages import speaking, term, told
 from .signals import watch
 from .speech import chosen, heard, without_lang
 from .streams import drop_output, prepare, tell
@@ -38,7 +38,7 @@ def _end(given: list[str]) -> NoReturn:
     except OSError as error:
         drop_output()
         named = error.filename or told("standard output")
-        _complain(told("{named}: cannot be written: {why}", named=named, why=error.strerror or error))
+        _complain(told("{named}: cannot be written: {why}", named=named, why=term(error.strerror or str(error))))
         sys.exit(3)
     except MemoryError:
         _complain(told("not enough memory for what was asked"))

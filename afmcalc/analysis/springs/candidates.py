@@ -38,6 +38,8 @@ _FREE_TURNS = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
 """Active turns to choose from where any stiffness will do."""
 _STEPS = 24
 _ROUNDING = 1e-9
+MISSES = ("force", "preload", "deflection", "stiffness", "length", "inner diameter", "outer diameter", "stress")
+"""What a part may not have as wished."""
 
 
 class Candidate(NamedTuple):

@@ -7,7 +7,7 @@ from typing import Any
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
-from ...messages import say, translate
+from ...messages import joined, say, term
 from ...spec import resolved
 from ...spec.springs import DiscStack
 from ..registry import SpringKind, SpringOrder
@@ -136,7 +136,7 @@ def _numbered(options: list[SpringOption], first: int) -> list[SpringOption]:
 
 def _none(wish: Wish, close: Candidate) -> Finding:
     ranked = sorted(close.misses.items(), key=lambda each: -each[1])
-    misses = ", ".join(_missed(name, by) for name, by in ranked)
+    misses = joined(_missed(name, by) for name, by in ranked)
     part = close.part
     size = f"{part.parallel} × {part.series}" if isinstance(part, DiscStack) else f"{part.count} × {part.turns:g}"
     path = f"{wish.name}_spring"
@@ -145,8 +145,8 @@ def _none(wish: Wish, close: Candidate) -> Finding:
 
 def _missed(name: str, by: float) -> str:
     if by < 1:
-        return say("{name} by {by:.1%}", name=translate(name), by=by)
-    return say("{name} by {by:.3g} times", name=translate(name), by=by)
+        return say("{name} by {by:.1%}", name=term(name), by=by)
+    return say("{name} by {by:.3g} times", name=term(name), by=by)
 
 
 def _remarks(wish: Wish) -> list[Finding]:

@@ -10,9 +10,9 @@ from ...arrays import Floats, Values
 from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, SpecError
-from ...messages import say
+from ...messages import joined, say
 from ...spec import Spec
-from ...spec.edit import respecified, with_value
+from ...spec.edit import respecified, with_values
 from ...spec.paths import is_whole
 
 _BLOCK = 1 << 16
@@ -46,9 +46,7 @@ def _arrays(values: Mapping[str, Floats]) -> dict[str, Floats]:
 
 
 def _over(spec: Spec, arrays: Mapping[str, Floats]) -> Clutch:
-    for path, array in arrays.items():
-        spec = with_value(spec, path.split("."), array)
-    return build(spec)
+    return build(with_values(spec, ((path.split("."), array) for path, array in arrays.items())))
 
 
 def _checked(spec: Spec, arrays: Mapping[str, Floats]) -> Spec:
@@ -77,7 +75,7 @@ def _validated(spec: Spec, corner: dict[str, float]) -> Spec:
         valid = respecified(spec, corner)
         build(valid)
     except SpecError as error:
-        where = ", ".join(f"{path} = {value:g}" for path, value in corner.items())
+        where = joined(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
         raise SpecError(say("sweep at {where}", where=where), error.problems) from None
     return valid
 

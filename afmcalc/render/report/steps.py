@@ -8,9 +8,9 @@ from typing import NamedTuple
 from latex2mathml.converter import convert
 
 from ...analysis.explain.derivation import CaseRow, Derivation, Meaning
-from ...messages import localized, spoken, term, translate
+from ...messages import localized, spoken, term, translate, with_unit
 from ..symbols import value_latex
-from ..units import display, display_unit
+from ..units import display, display_unit, in_numbers
 from .words import told
 
 
@@ -99,7 +99,7 @@ def _block(own: Derivation, method: str) -> Derived:
 def _labels(rows: Sequence[CaseRow], name: str, method: str) -> tuple[str, list[str]]:
     """One column of labels; empty where it would say of each line what goes without saying."""
     found = {
-        "friction": [row.case.friction or "" for row in rows],
+        "friction": [in_numbers(row.case.friction or "") for row in rows],
         "branch": [told(f"branch/{row.case.branch}", **_after(row)) for row in rows],
         "setting": [told(f"setting/{row.case.setting or method}") for row in rows],
         "side": [told(f"side/{row.case.side}") if row.case.side else "" for row in rows],
@@ -122,7 +122,7 @@ def _explained(own: Meaning) -> Explained:
 
 
 def _value(row: CaseRow, unit: str) -> str:
-    return f"{display(row.value, unit)} {display_unit(unit)}".removesuffix(" –")
+    return with_unit(display(row.value, unit), display_unit(unit))
 
 
 def _size(latex: str) -> int:
@@ -136,10 +136,10 @@ def _math(latex: str) -> str:
     if spoken() == "en":
         return text
     text = _NUMERAL.sub(lambda found: f"<mn>{localized(found[1])}</mn>", text)
-    return _UNIT.sub(lambda found: f"<mtext>{translate(found[1], 'unit')}</mtext>", text)
+    return _UNIT.sub(lambda found: f"{found[1]}<mtext>{translate(found[2], 'unit')}</mtext>", text)
 
 
-_NUMERAL, _UNIT = re.compile("<mn>([^<]*)</mn>"), re.compile("<mtext>([^<]*)</mtext>")
+_NUMERAL, _UNIT = re.compile("<mn>([^<]*)</mn>"), re.compile("(<mspace [^>]*>)<mtext>([^<]*)</mtext>")
 
 
 @cache
