@@ -7,7 +7,8 @@ import numpy as np
 
 from ...arrays import Values, is_array
 from ...engines import setting
-from ...engines.laws import DirectLaw, IndirectLaw
+from ...engines.direct_law import DirectLaw
+from ...engines.laws import IndirectLaw
 from ...engines.protocol import Clutch
 from ...equations import adjustment
 from ...errors import CalculationError
