@@ -1,6 +1,7 @@
 """Shared by all tests: running the program in-process, random clutches."""
 
 import contextlib
+import gc
 import io
 import json
 import os
@@ -18,6 +19,8 @@ settings.register_profile("machine", deadline=None, derandomize=True)
 settings.load_profile("machine" if os.environ.get("CI") else "person")
 
 os.environ["AFMCALC_LANG"] = "en"  # whoever runs the tests
+sys.dont_write_bytecode = False  # else every worker, and every start of the program, compiles all of it anew
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 os.environ.pop("COLUMNS", None)  # tables are as wide as they need to be, whoever runs the tests
 
 ROOT = Path(__file__).parents[1]
@@ -64,7 +67,11 @@ def afmcalc():
     return run
 
 
+def pytest_collection_finish():
+    gc.freeze()  # what is imported by now stays: not to be looked through again at every collection
+
+
 def pytest_addoption(parser):
     parser.addoption(
-        "--fuzz", type=int, metavar="N", help="try N new hostile specs and command lines, not the usual 2000"
+        "--fuzz", type=int, metavar="N", help="try N new hostile specs and command lines, not the usual ones"
     )

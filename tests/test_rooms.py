@@ -2,13 +2,9 @@
 
 import ast
 from graphlib import CycleError, TopologicalSorter
-from pathlib import Path
 
 import pytest
-
-import afmcalc
-
-PACKAGE = Path(afmcalc.__file__).parent
+from sources import FILES, nodes, tree
 
 LINE = ("equations", "ground", "variants", "proofs", "spec", "engines", "papers", "analysis", "render", "cli", "door")
 """A room imports from itself and from rooms to its left."""
@@ -24,14 +20,6 @@ EXCEPTIONS: set[tuple[str, str]] = set()
 """Arrows that go back nevertheless, each with its reason."""
 
 
-def name_of(file: Path) -> str:
-    parts = file.relative_to(PACKAGE).with_suffix("").parts
-    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
-
-
-FILES = {name_of(file): file for file in sorted(PACKAGE.rglob("*.py"))}
-
-
 def room(module: str) -> str:
     first = module.partition(".")[0]
     return "door" if first in ("", "__main__", "python") else "ground" if first in GROUND else first
@@ -40,7 +28,7 @@ def room(module: str) -> str:
 def imported(module: str) -> set[str]:
     """Modules of the package that a module imports anywhere in it."""
     found = set()
-    for node in ast.walk(ast.parse(FILES[module].read_text(encoding="utf-8"))):
+    for node in nodes(module):
         if isinstance(node, ast.ImportFrom) and (node.level or (node.module or "").startswith("afmcalc")):
             home = [*module.split(".")] if FILES[module].stem == "__init__" else module.split(".")[:-1]
             base = home[: len(home) - node.level + 1] if node.level else []
@@ -55,8 +43,7 @@ def imported(module: str) -> set[str]:
 
 def named(module: str) -> set[str]:
     """Modules that a module names in a string, to import them when they are asked for."""
-    tree = ast.parse(FILES[module].read_text(encoding="utf-8"))
-    texts = {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant) and isinstance(node.value, str)}
+    texts = {node.value for node in nodes(module) if isinstance(node, ast.Constant) and isinstance(node.value, str)}
     return {text.strip(".").removeprefix("afmcalc.") for text in texts if "." in text} & set(FILES) - {""}
 
 
@@ -95,8 +82,8 @@ SHARED = {"Found"}
 def test_a_class_name_means_one_thing():
     """What a module keeps to itself (``_Rows``) may be called as elsewhere."""
     homes: dict[str, set[str]] = {}
-    for module, file in FILES.items():
-        for node in ast.parse(file.read_text(encoding="utf-8")).body:
+    for module in FILES:
+        for node in tree(module).body:
             if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
                 homes.setdefault(node.name, set()).add(module)
     assert {name for name, own in homes.items() if len(own) > 1} == SHARED
