@@ -13,11 +13,6 @@ from typing import Any
 import pytest
 from hypothesis import settings
 
-# the same examples every time where a machine judges, new ones where a person looks; no verdict by the clock
-settings.register_profile("person", deadline=None)
-settings.register_profile("machine", deadline=None, derandomize=True)
-settings.load_profile("machine" if os.environ.get("CI") else "person")
-
 os.environ["AFMCALC_LANG"] = "en"  # whoever runs the tests
 sys.dont_write_bytecode = False  # else every worker, and every start of the program, compiles all of it anew
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
@@ -65,6 +60,20 @@ def afmcalc():
         return Run(code if isinstance(code, int) else 0, *texts)
 
     return run
+
+
+def pytest_configure(config):
+    """Some random examples of each kind, many with what is exhaustive; no verdict by the clock."""
+    many = "not exhaustive" not in config.option.markexpr
+    # the same ones every time where a machine judges, new ones where a person looks
+    machine = bool(os.environ.get("CI"))
+    settings.register_profile("ours", deadline=None, derandomize=machine, max_examples=200 if many else 30)
+    settings.load_profile("ours")
+
+
+def fewer(parts: int) -> settings:
+    """A part of the examples others take, for what is slow: half, a third."""
+    return settings(max_examples=settings.default.max_examples // parts)
 
 
 def pytest_collection_finish():

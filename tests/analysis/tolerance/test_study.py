@@ -5,8 +5,8 @@ import sys
 
 import numpy as np
 import pytest
-from conftest import CONFIGS, S21
-from hypothesis import given, settings
+from conftest import CONFIGS, S21, fewer
+from hypothesis import given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
@@ -77,7 +77,7 @@ def test_quantiles_map_to_quantiles(spec, p):
     assert result.quantiles[0].torque == pytest.approx(build(spec).torque(friction), rel=1e-9)
 
 
-@settings(max_examples=15)
+@fewer(2)
 @given(direct_specs(("differentiated", "unlike", "all-driving")), st.sampled_from(METHODS))
 def test_small_tolerances_propagate_linearly(spec, method):
     """σ_T² = Σ (∂T/∂p σ_p)², by central differences of the law."""
