@@ -1,5 +1,6 @@
 """Full disks, readers that leave, closed streams, Ctrl-C, folders that are gone, browsers that fail: never a traceback."""
 
+import json
 import os
 import resource
 import subprocess
@@ -51,16 +52,16 @@ def test_a_full_device_is_said():
 
 
 LEFT = [
-    f"afmcalc check {SPEC}",
-    "afmcalc --help",
-    "afmcalc schema",
-    f"afmcalc accuracy {SPEC} --sweep C=0:1:20000 --format csv",
-    f"afmcalc plot torque {SPEC}",
+    f"afmcalc check {SPEC} | true",
+    "afmcalc --help | true",
+    "afmcalc schema | true",
+    f"afmcalc accuracy {SPEC} --sweep C=0:1:5000 --format csv | head -1 >/dev/null",
+    f"afmcalc plot torque {SPEC} | true",
 ]
 
 
 def test_a_reader_that_leaves_early_is_nothing_to_speak_of():
-    each = "; ".join(f"({command} | true; echo ${{PIPESTATUS[0]}} >&3) & wait $!" for command in LEFT)
+    each = "; ".join(f"({command}; echo ${{PIPESTATUS[0]}} >&3) & wait $!" for command in LEFT)
     run = shell(f"exec 3>&1; {each}")
     assert (run.stdout.split(), run.stderr) == (["0"] * len(LEFT), "")
 
@@ -116,17 +117,18 @@ MOMENTS = {
 
 @pytest.mark.parametrize("moment", MOMENTS)
 def test_ctrl_c_at_any_moment(moment, tmp_path):
-    target = tmp_path / "x.svg"
+    target = tmp_path / ("x.svg" if moment in ("numpy", "matplotlib") else "x.json")
+    command = ["plot", "torque"] if target.suffix == ".svg" else ["torque"]
     code = textwrap.dedent(AIMED).format(aim=textwrap.dedent(MOMENTS[moment]))
     run = subprocess.run(
-        [sys.executable, "-c", code, "plot", "torque", str(SPEC), "-o", str(target)],
+        [sys.executable, "-c", code, *command, str(SPEC), "-o", str(target)],
         capture_output=True, text=True, env=ENVIRONMENT, check=False,
     )  # fmt: skip
     assert run.returncode == 130
     assert run.stderr in ("", f"note: wrote {target}\n")
-    assert os.listdir(tmp_path) == (["x.svg"] if run.stderr else [])
+    assert os.listdir(tmp_path) == (["x.json"] if run.stderr else [])
     assert bool(run.stderr) == (moment in list(MOMENTS)[-4:])
-    assert not run.stderr or target.read_text().rstrip().endswith("</svg>")
+    assert not run.stderr or json.loads(target.read_text())["result"]
 
 
 BROWSERS = {
