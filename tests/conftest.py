@@ -62,6 +62,15 @@ def afmcalc():
     return run
 
 
+FRAME = "<svg viewBox='0 0 7 4'></svg>"
+
+
+@pytest.fixture
+def undrawn(monkeypatch):
+    """Reports have frames in place of their drawings, which take most of their time."""
+    monkeypatch.setattr("afmcalc.render.report.page.inline_svg", lambda sheet: FRAME)
+
+
 def pytest_configure(config):
     """Some random examples of each kind, many with what is exhaustive; no verdict by the clock."""
     many = "not exhaustive" not in config.option.markexpr

@@ -140,7 +140,7 @@ BROWSERS = {
 
 
 @pytest.mark.parametrize("case", BROWSERS)
-def test_a_pdf_is_whole_or_none(case, tmp_path, afmcalc, monkeypatch):
+def test_a_pdf_is_whole_or_none(case, tmp_path, undrawn, afmcalc, monkeypatch):
     browser = tmp_path / "browser"
     browser.write_text(
         f"#!/bin/bash\nfor each; do case $each in --print-to-pdf=*) file=${{each#*=}};; esac; done\n{BROWSERS[case]}\n"

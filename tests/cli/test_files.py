@@ -37,7 +37,7 @@ SPECS = {
 
 
 @pytest.mark.parametrize("case", [*WRITERS, *SPECS])
-def test_only_what_the_same_command_wrote_is_replaced(case, afmcalc, tmp_path):
+def test_only_what_the_same_command_wrote_is_replaced(case, undrawn, afmcalc, tmp_path):
     arguments, name = (WRITERS | SPECS)[case]
     target = tmp_path / name
     assert afmcalc(*arguments, "-o", target).code == 0

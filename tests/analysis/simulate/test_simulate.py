@@ -205,7 +205,7 @@ def test_the_command(afmcalc, tmp_path):
 
 
 def test_check_holds_the_peak_against_the_requirement(afmcalc):
-    light = [CONFIGS / "drive.toml", "--set", "drive.motor_inertia=0.8", "--json"]
+    light = [CONFIGS / "drive.toml", "--set", "drive.motor_inertia=0.2", "--json"]
     ended = afmcalc("check", *light, "--set", "requirements.peak_torque=300")
     (row,) = ended.json["result"]["requirements"]
     assert ended.code == 1
