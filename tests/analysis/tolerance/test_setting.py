@@ -98,11 +98,11 @@ def single_torques(base, fields, setting, count, seed):
     return np.array(torques), failed
 
 
+@pytest.mark.parametrize("count", [1000, pytest.param(4000, marks=pytest.mark.exhaustive)])
 @pytest.mark.parametrize("setting", SETTINGS)
 @pytest.mark.parametrize("name", CASES)
-def test_against_single_clutches(name, setting):
+def test_against_single_clutches(name, setting, count):
     base, fields = CASES[name]
-    count = 4000
     torques, failed = single_torques(base, fields, setting, count, seed=11)
     given = {path: {"distribution": kind, "spread": spread} for path, (kind, spread) in fields.items()}
     found, _ = tolerance(build(scattering(base, given, samples=100_000, seed=5, setting=setting)))

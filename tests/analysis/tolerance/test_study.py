@@ -121,7 +121,7 @@ def test_sobol_indices_of_a_product(quasi):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_same_seed_same_digits_for_any_threads(method):
-    spec = read_spec(CONFIGS / "tolerance.toml", [f"tolerance.method={method}", "tolerance.samples=300_000",
+    spec = read_spec(CONFIGS / "tolerance.toml", [f"tolerance.method={method}", "tolerance.samples=100_000",
                                                   "tolerance.sobol_base=4096"])  # fmt: skip
     first = run(spec, threads=1)
     assert run(spec, threads=2) == run(spec, threads=3) == first
@@ -133,7 +133,7 @@ def test_standard_errors_are_those_of_repeated_runs():
     spec = read_spec(CONFIGS / "tolerance.toml", ["tolerance.samples=5_000", "tolerance.sobol_base=64"])
     runs = [
         run(spec.model_copy(update={"tolerance": spec.tolerance.model_copy(update={"seed": seed})}))
-        for seed in range(40)
+        for seed in range(20)
     ]
     for field in ("mean", "standard_deviation", "accuracy_factor_robust", "probability_above_limit", "life_protected"):
         seen = np.std([getattr(each, field) for each in runs], ddof=1)
