@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from hypothesis import settings
 
+gc.disable()  # nothing imported is ever garbage
 os.environ["AFMCALC_LANG"] = "en"  # whoever runs the tests
 sys.dont_write_bytecode = False  # else every worker, and every start of the program, compiles all of it anew
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
@@ -86,7 +87,8 @@ def fewer(parts: int) -> settings:
 
 
 def pytest_collection_finish():
-    gc.freeze()  # what is imported by now stays: not to be looked through again at every collection
+    gc.freeze()  # what is imported by now stays
+    gc.enable()
 
 
 def pytest_addoption(parser):

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, ROOT
 from PIL import Image
 
 import afmcalc as package
@@ -119,22 +119,21 @@ def test_styles_can_be_told_apart_without_colour():
 
 
 def test_same_spec_same_bytes(tmp_path):
-    """From this process and from one with another hash seed and another backend."""
-    again = f"""
-import afmcalc
-from afmcalc.analysis.curves import torque_curve
-from afmcalc.render.plot import sheet_of
-from afmcalc.render.plot.figure import save
-for ending in {list(ENDINGS)!r}:
-    with open("again." + ending, "wb") as file:
-        file.write(save(sheet_of("torque", [torque_curve(afmcalc.load({str(CONFIGS / "default.toml")!r}))]), ending))
-"""
-    environment = {**os.environ, "PYTHONHASHSEED": "7", "MPLBACKEND": "svg"}
-    subprocess.run([sys.executable, "-c", again], check=True, env=environment, cwd=tmp_path)
-    for ending, start in {"png": b"\x89PNG", "svg": b"<?xml", "pdf": b"%PDF"}.items():
-        made = save(sheet_of("torque", [torque_curve(package.load(CONFIGS / "default.toml"))]), ending)
-        assert made.startswith(start)
-        assert made == (tmp_path / f"again.{ending}").read_bytes()
+    """From this process and from one with another hash seed, without a backend or a home of matplotlib."""
+    code = "import sys; from afmcalc.cli.entry import main\nfor each in sys.argv[2:]:\n"
+    code += " try: main(['plot', 'torque', sys.argv[1], '-o', each, '--quiet'])\n except SystemExit as end: assert not end.code"
+    nowhere = {"MPLBACKEND": "nonsense", "MPLCONFIGDIR": "/proc/none", "HOME": "/proc/none"}
+    again = [tmp_path / f"again.{ending}" for ending in ENDINGS]
+    run = subprocess.run(
+        [sys.executable, "-c", code, CONFIGS / "default.toml", *again],
+        check=True, capture_output=True, env={**os.environ, **nowhere, "PYTHONHASHSEED": "7", "PYTHONPATH": str(ROOT)},
+    )  # fmt: skip
+    assert (run.stdout, run.stderr) == (b"", b"")
+    starts = {".png": b"\x89PNG", ".svg": b"<?xml", ".pdf": b"%PDF"}
+    for each in again:
+        made = save(sheet_of("torque", [torque_curve(package.load(CONFIGS / "default.toml"))]), each.suffix[1:])
+        assert made.startswith(starts[each.suffix])
+        assert made == each.read_bytes()
 
 
 def test_a_users_settings_change_nothing(monkeypatch):

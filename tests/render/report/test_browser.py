@@ -6,7 +6,6 @@ import subprocess
 
 import chromium
 import pytest
-from conftest import CONFIGS
 
 SHOWN = ["default", "indirect", "tolerance"]
 """Specs whose pages have a section, a formula, a drawing of every kind between them."""
@@ -114,12 +113,6 @@ def test_on_paper(opened, drawn, tmp_path):
     for own in pages[:-1]:
         assert not own[-2].endswith(tuple(headings)), own[-2]
     assert min([*used(printed)][:-1]) > 0.5
-
-
-@browser
-def test_pdf_beside_the_report(undrawn, afmcalc, tmp_path):
-    assert afmcalc("report", CONFIGS / "conventional.toml", "-o", tmp_path / "r.html", "--pdf").code == 0
-    assert (tmp_path / "r.pdf").read_bytes().startswith(b"%PDF")
 
 
 def test_pdf_refusals(afmcalc, monkeypatch, tmp_path):
