@@ -19,9 +19,9 @@ WRITERS = {
     "markdown": (["torque", SPEC], "x.md"),
     "no spec": (["materials"], "x.json"),
     "schema": (["schema"], "x.json"),
-    "svg": (["plot", "torque", SPEC], "x.svg"),
-    "png": (["plot", "torque", SPEC], "x.png"),
-    "pdf": (["plot", "torque", SPEC], "x.pdf"),
+    "svg": (["plot", "accuracy", SPEC], "x.svg"),
+    "png": (["plot", "accuracy", SPEC], "x.png"),
+    "pdf": (["plot", "accuracy", SPEC], "x.pdf"),
     "report": (["report", SPEC, "--set", "adjustment.margin=1"], "x.html"),
 }
 """Commands whose file may be replaced by the same command."""

@@ -127,6 +127,8 @@ TYPED = {
     "afmcalc torque my": {"my-clutch.toml"},
 }
 """A command, an option, a value of one, a file: what a shell may get wrong."""
+FEW = {typed: TYPED[typed] for typed in list(TYPED)[-2:]}
+"""For shells that start the program more than once for each: a value, which the program gives, and a file, which the shell does."""
 
 
 @pytest.mark.parametrize(
@@ -171,11 +173,11 @@ def test_completion_in_bash(home):
 
 @needs("fish")
 def test_completion_in_fish(home):
-    script = "\n".join(f"echo (complete -C '{typed}' | string replace -r '\\t.*' '')" for typed in TYPED)
+    script = "\n".join(f"echo (complete -C '{typed}' | string replace -r '\\t.*' '')" for typed in FEW)
     run = subprocess.run(
         ["fish", "-c", script], env=environment(home), cwd=home, capture_output=True, text=True, check=True
     )
-    for line, wanted in zip(run.stdout.splitlines(), TYPED.values(), strict=True):
+    for line, wanted in zip(run.stdout.splitlines(), FEW.values(), strict=True):
         assert wanted <= set(line.split())
 
 
@@ -190,7 +192,7 @@ def test_completion_in_zsh(home):
         _said(person, [_READY])
         os.write(person, b"afmcalc \t")  # the first time zsh only loads the function
         _said(person, ["\a"])
-        for typed, wanted in TYPED.items():
+        for typed, wanted in FEW.items():
             os.write(person, b"\x07")
             _said(person, [_READY])
             os.write(person, f"{typed}\t".encode())

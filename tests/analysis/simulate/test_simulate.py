@@ -81,13 +81,14 @@ def test_kloss_motor_runs_at_the_speed_of_its_load():
 
 
 def test_dynamic_factor_that_life_assumes():
-    told = codes(clutch(fatigue=FATIGUE, drive={"dynamic_factor": 1.5}))
-    assert told["dynamic-factor-exceeded"].value == pytest.approx(1.9867, rel=1e-4)
+    result, findings = simulate(light(fatigue=FATIGUE, drive={"dynamic_factor": 1.5}))
+    (told,) = (found for found in findings if found.code == "dynamic-factor-exceeded")
+    assert told.value == max(getattr(result.dynamic_factor, end) for end in ("min", "mean", "max"))
     assert "dynamic-factor-exceeded" not in codes(light(fatigue=FATIGUE, drive={"dynamic_factor": 2.0}))
 
 
 def test_slip_that_outlasts_what_is_simulated():
-    own = clutch(drive={"event": {"duration": 0.5}})
+    own = light(drive={"event": {"duration": 0.05}})
     result, findings = simulate(own)
     assert result.slip_time.min is None
     assert result.slip_energy.max is None

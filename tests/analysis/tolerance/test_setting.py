@@ -128,7 +128,7 @@ def test_the_two_settings_differ():
 @pytest.mark.parametrize("method", ["monte-carlo", "quasi-monte-carlo"])
 def test_what_is_no_clutch_is_counted(method, setting):
     """C uniform on 0.45…1.55 against 2 R f_1/d = 0.6: P(κ ≤ 0) = 0.15/1.1, and torques as of C in 0.6…1.55."""
-    options = {"samples": 100_000, "method": method, "setting": setting}
+    options = {"samples": 50_000, "method": method, "setting": setting}
     whole = {"control_unit.gain": {"distribution": "uniform", "spread": 0.55}}
     some = {"control_unit.gain": {"distribution": "uniform", "min": 0.6, "max": 1.55}}
     base = {**S21, "fatigue": FATIGUE}

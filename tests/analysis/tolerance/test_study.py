@@ -38,13 +38,19 @@ FRICTIONS = [
 ]
 
 
+SOURCES = [CONFIGS / "default.toml", CONFIGS / "all-driving.toml", CONFIGS / "conventional.toml", S21]
+PAIRED = [
+    pytest.param(
+        source, friction, id=f"{source.stem}-{friction['distribution']}", marks=[] if few else pytest.mark.exhaustive
+    )
+    for number, source in enumerate(SOURCES)
+    for few, friction in ((number in (0, place), friction) for place, friction in enumerate(FRICTIONS))
+]
+"""Every clutch and every distribution, and all of one with all of the other."""
+
+
 @pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("friction", FRICTIONS)
-@pytest.mark.parametrize(
-    "source",
-    [CONFIGS / "default.toml", CONFIGS / "all-driving.toml", CONFIGS / "conventional.toml", S21],
-    ids=lambda path: path.stem,
-)
+@pytest.mark.parametrize(("source", "friction"), PAIRED)
 def test_the_sampler_against_the_exact_answer(source, friction, method):
     base = read_spec(source)
     limit = float(build(base).torque(base.friction.range.mean * 1.1))

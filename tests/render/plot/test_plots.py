@@ -90,7 +90,14 @@ def difference(first, second):
     return float(np.sqrt(np.mean((first - second) ** 2)))
 
 
-@pytest.mark.parametrize("name", PICTURES)
+AGAIN = {"torque-several", "accuracy-several", "accuracy-pairs", "life-several", "pareto-two"}
+AGAIN |= {"paper-S21-4", "paper-S22-1", "paper-S22-3", "paper-S22-4"}
+"""Drawn by the same code as another one here."""
+
+
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=pytest.mark.exhaustive if name in AGAIN else []) for name in PICTURES]
+)
 def test_picture(name):
     path = BASELINE / f"{name}.png"
     made = save(sheet(name), "png", DPI)

@@ -25,7 +25,13 @@ from afmcalc.spec import read_spec
 EVIL = "<script>alert(1)</script>"
 MATH = "{http://www.w3.org/1998/Math/MathML}math"
 PANDOC = shutil.which("pandoc")
-VARIANTS = ["default", "conventional", "unlike-materials", "all-driving", "indirect", "tolerance"]
+VARIANTS = [
+    "default",
+    "conventional",
+    "indirect",
+    "tolerance",
+    *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("unlike-materials", "all-driving")),
+]
 
 
 def text_of(element):
