@@ -29,7 +29,7 @@ WRITERS = {
     "x.json": ["torque", SPEC, "--format", "json"],
     "x.toml": ["init"],
     "y.toml": ["synthesize", SPEC],
-    "x.svg": ["plot", "torque", SPEC],
+    "x.svg": ["plot", "accuracy", SPEC],
 }
 
 
