@@ -38,13 +38,13 @@ FRICTIONS = [
 ]
 
 
-SOURCES = [CONFIGS / "default.toml", CONFIGS / "all-driving.toml", CONFIGS / "conventional.toml", S21]
+SOURCES = [CONFIGS / f"{name}.toml" for name in ("default", "all-driving", "conventional", "indirect")] + [S21]
 PAIRED = [
     pytest.param(
         source, friction, id=f"{source.stem}-{friction['distribution']}", marks=[] if few else pytest.mark.exhaustive
     )
     for number, source in enumerate(SOURCES)
-    for few, friction in ((number in (0, place), friction) for place, friction in enumerate(FRICTIONS))
+    for few, friction in ((not number or number % 4 == place, each) for place, each in enumerate(FRICTIONS))
 ]
 """Every clutch and every distribution, and all of one with all of the other."""
 
