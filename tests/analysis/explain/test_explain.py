@@ -3,7 +3,7 @@
 import pytest
 import sympy
 from conftest import CONFIGS, S21
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
@@ -141,7 +141,6 @@ def coinciding(draw):
 
 
 @given(coinciding())
-@settings(max_examples=60)
 def test_every_result_has_its_steps_whatever_numbers_coincide(spec):
     """Torque and forces at the smallest, mean and largest friction: a step for each, with its value and symbols."""
     steps = explain("torque", spec)[0].steps

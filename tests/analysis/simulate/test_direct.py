@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from drives import VARIANTS, begun, clutch, plant, run
+from drives import VARIANTS, begun, clutch, light, plant, run
 
 from afmcalc.analysis.simulate.cases import outcome_of
 from afmcalc.analysis.simulate.train import Engine
@@ -101,8 +101,8 @@ def test_reference_drive(variant):
 def test_the_ordinary_clutch_is_the_conventional_variant():
     """What stands beside every result is what the variant itself gives."""
     for friction in (0.1, 0.8):
-        beside = outcome_of(clutch(), friction).ordinary_peak
-        assert beside == pytest.approx(outcome_of(clutch(**VARIANTS["conventional"]), friction).trip.peak, rel=1e-9)
+        beside = outcome_of(light(), friction).ordinary_peak
+        assert beside == pytest.approx(outcome_of(light(**VARIANTS["conventional"]), friction).trip.peak, rel=1e-9)
 
 
 def test_a_motor_as_strong_as_the_clutch_never_stops():

@@ -56,37 +56,38 @@ def random_drives(variant: str, kind: str, rng: np.random.Generator):
     return train, DirectPack(force, 0.1, bypass, 8 - bypass, gain, friction, friction, static, decay, lag)
 
 
-def one(whole, number: int):
-    """A drive or a clutch of the many."""
+def part(whole, place: int | slice):
+    """A drive or a clutch of the many, or some of them."""
     if isinstance(whole, np.ndarray):
-        return float(whole[number])
+        return whole[place] if isinstance(place, slice) else float(whole[place])
     if not is_dataclass(whole):
         return whole
-    return replace(whole, **{each.name: one(getattr(whole, each.name), number) for each in fields(whole)})
+    return replace(whole, **{each.name: part(getattr(whole, each.name), place) for each in fields(whole)})
 
 
+@pytest.mark.parametrize("count", [8, pytest.param(EACH, marks=pytest.mark.exhaustive)])
 @pytest.mark.parametrize("kind", ["stop", "load"])
 @pytest.mark.parametrize("variant", ["conventional", "differentiated", "all-driving", "indirect"])
-def test_random_drives(variant, kind):
+def test_random_drives(variant, kind, count):
     """Peak within 0.2 %, heat within 0.2 % (where hardly anything slips: of 1 % of the drive's energy)."""
     rng = np.random.default_rng(["conventional", "differentiated", "all-driving", "indirect"].index(variant) * 2 + (kind == "load"))  # fmt: skip
-    train, pack = random_drives(variant, kind, rng)
+    train, pack = (part(each, slice(count)) for each in random_drives(variant, kind, rng))
     fastest = np.sqrt(train.stiffness / train.driven_inertia)
     if variant == "indirect":
         springs = pack.stiffness * 0.01 / (pack.net_gain * pack.law.gain)
         fastest = np.maximum(fastest, np.sqrt(springs * (1 / train.hub_inertia + 1 / train.driven_inertia)) / 4)
     steps = int(np.ceil(END * fastest.max() * 600 / (2 * np.pi)))
-    found = march(train, pack, np.full(EACH, END / steps), steps)
+    found = march(train, pack, np.full(count, END / steps), steps)
     slips = 0
-    for number in range(EACH):
-        plant = plant_of(one(train, number), one(pack, number))
+    for number in range(count):
+        plant = plant_of(part(train, number), part(pack, number))
         exact = run(plant, END)
         assert found.peak[number] == pytest.approx(exact.peak, rel=2e-3), number
         # an event that is over ends the run; what slips later is nothing
         energy = plant.stored(plant.start())
         assert found.heat[number] == pytest.approx(exact.heat, rel=2e-3, abs=2e-3 * 0.01 * energy), number
         slips += exact.heat > 0
-    assert slips > EACH / 4
+    assert slips >= count / 4
 
 
 def test_the_error_falls_with_the_step():
@@ -97,7 +98,7 @@ def test_the_error_falls_with_the_step():
         train = replace(TRAIN, hub_inertia=hub, damping=1.0)
         exact = run(plant_of(train, own), 0.05)
         errors = []
-        for steps in (400, 800, 1600, 3200):
+        for steps in (400, 3200):
             found = march(train, own, np.array([0.05 / steps]), steps)
             errors.append(abs(found.heat[0] - exact.heat) / exact.heat)
         order = np.log2(errors[0] / errors[-1]) / 3
