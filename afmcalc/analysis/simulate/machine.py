@@ -22,6 +22,8 @@ MOST_STEPS = 40_000
 _STEPS_A_PERIOD = 4
 _WORKS = 5
 """Energies that are summed along with the states: of motor, pack, shaft, tool, key."""
+_TORQUES = 2
+"""Torques whose peaks are located, before the guards in what is looked at."""
 _LOOKED_AT = (0.0, *(2.0**-power for power in range(30, 0, -3)))
 """Places in a step at which a guard that begins at 0 is looked for above it."""
 _LOOK = 3.0
@@ -65,6 +67,8 @@ class Trip(NamedTuple):
     """Torque of the clutch at the end, N·m."""
     state: State
     """States and work at the end."""
+    time: float
+    """From which nothing more could come, s."""
     residual: float
     """Error of the energy balance, relative to the largest energy in it."""
     history: list[Moment]
@@ -135,6 +139,7 @@ class _Run:
             self.endless,
             plant.torques(t, y, mode).clutch,
             y,
+            t,
             residual,
             history,
         )
@@ -142,11 +147,13 @@ class _Run:
     def _quiet(self, mode: Mode) -> float:
         """When it has stuck for so long after the event that nothing more can come.
 
-        On a standing tool half a swing: its torque then has had its top, or had it as it stuck. Else a whole one.
+        On a standing tool half a swing: its torque then has had its top, or had it as it stuck. Else a whole one,
+        unless the motor pulls harder as its speed falls.
         """
-        if not mode.over or self.stuck_since is None:
-            return math.inf
         train = self.plant.train
+        slowing = train.kind == "load" and mode.tool and train.engine.slip is not None
+        if not mode.over or self.stuck_since is None or slowing:
+            return math.inf
         inertia = train.motor_inertia + train.hub_inertia + train.driven_inertia
         share = 0.5
         if train.kind == "load" and mode.tool:
@@ -236,7 +243,7 @@ class _Run:
                 raise CalculationError(say("simulate: the integration fails at t = {time:g} s", time=solver.t))
             states = solver.y.tolist()
             before, slopes = slopes, self._slopes(solver.t, states, mode)
-            turned = [i for i in range(len(slopes)) if before[i] * slopes[i] < 0]
+            turned = _turned(before, slopes)
             fallen = min(plant.guards(solver.t, states, mode)) < 0
             if turned or fallen or self.history is not None:
                 crossed = self._inside(solver, mode, turned)
@@ -272,13 +279,25 @@ class _Run:
         return None
 
     def _slopes(self, t: float, y: State, mode: Mode) -> list[float]:
-        """By how much the torques of shaft and clutch grow in a moment; 0 where rounding decides."""
+        """By how much the torques of shaft and clutch and the guards grow in a moment; 0 where rounding decides."""
         plant = self.plant
-        now = plant.torques(t, y, mode)
         ahead = [own + self.moment * rate for own, rate in zip(y, plant.rates(t, y, mode), strict=True)]
-        then = plant.torques(t + self.moment, ahead, mode)
-        grown = [(now.shaft, then.shaft), (now.clutch, then.clutch)]
-        return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in grown]
+        now, then = (
+            (own.shaft, own.clutch, *plant.guards(at, states, mode))
+            for at, states, own in (
+                (at, states, plant.torques(at, states, mode)) for at, states in ((t, y), (t + self.moment, ahead))
+            )
+        )
+        return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in zip(now, then, strict=True)]
+
+
+def _turned(before: list[float], after: list[float]) -> list[int]:
+    """Which torque had a peak in a step, and which guard a trough: it may have fallen to 0 there, and be above again."""
+    return [
+        number
+        for number, (first, last) in enumerate(zip(before, after, strict=True))
+        if first * last < 0 and (number < _TORQUES or first < 0)
+    ]
 
 
 def _still(mode: Mode) -> bool:
