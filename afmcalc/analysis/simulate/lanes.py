@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arrays import Floats, Values
 from ...equations import direct
@@ -35,13 +36,17 @@ class DirectLanes:
     def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
         """Find the torque of the pack, from the speeds of both halves without it."""
         own = self.pack
-        capacity = self._capacity(ratio_of(own, self.slip + self._trend) if self._static else 1.0)
         needed = (motor - free) / self._each
-        self.torque = np.maximum(np.minimum(needed, capacity), -capacity)
-        # exactly 0 where it sticks
-        slip = self._each * (needed - self.torque)
+        slip, self.top = self.slip + self._trend, np.zeros(needed.shape)
+        for _ in range(2 if self._static else 1):
+            # static friction is that of the middle of the step: foretold, then mended
+            capacity = self._capacity(ratio_of(own, (self.slip + slip) / 2) if self._static else 1.0)
+            self.torque = np.maximum(np.minimum(needed, capacity), -capacity)
+            self.top = np.maximum(self.top, np.abs(self.torque))
+            # exactly 0 where it sticks
+            slip = self._each * (needed - self.torque)
         if self._static:
-            self._trend = np.where(slip == 0, 0.0, (slip - self.slip) / 2)
+            self._trend = np.where(slip == 0, 0.0, slip - self.slip)
         self.slip = slip
         if self._half is not None:
             balance = own.under(np.abs(self.torque))
@@ -64,10 +69,12 @@ class SleeveLanes:
     def __init__(self, train: Train, pack: Sleeve, h: Floats, per_torque: Floats) -> None:
         """Begin stuck, the key as after a torque that has risen to the load; beyond T_н off the stop."""
         self.pack, self.h = pack, h
+        self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
+        self._mass_at_stop: Values = pack.inertia(0.0, pack.net_gain) / h
         self._across = h / train.hub_inertia
         """What a torque adds to the speed of the hub in a step."""
         self._pack, self._balls = h / train.motor_inertia + self._across, self._across + per_torque
-        self.slip, self.rate, self._trend = (np.zeros(h.size) for _ in range(3))
+        self.slip, self.rate, self._trend, self._gained = (np.zeros(h.size) for _ in range(4))
         self.torque = np.broadcast_to(train.load, h.shape).astype(float)
         self.balls = self.torque.copy()
         self.turn = np.broadcast_to(pack.turn_under(train.load), h.shape).astype(float)
@@ -81,10 +88,22 @@ class SleeveLanes:
 
     def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
         """Find the torques of pack and balls, from the speeds of both halves without them."""
-        own, h = self.pack, self.h
-        pairs = own.friction_pairs * ratio_of(own, self.slip + self._trend / 2)
         hub = driven + self.rate
         joint = _Joint(motor - hub, hub - free, self._pack, self._across, self._balls)
+        slip, self.top = self.slip + self._trend, np.zeros(self.slip.shape)
+        for _ in range(2 if self._static else 1):
+            pairs = self.pack.friction_pairs * ratio_of(self.pack, (self.slip + slip) / 2)
+            found, turn = self._found(joint, pairs)
+            self.top, slip = np.maximum(self.top, np.abs(found.clutch)), found.slip
+        self._trend = np.where(slip == 0, 0.0, slip - self.slip)
+        self._gained = found.rate - self.rate
+        self.torque, self.balls, self.slip, self.rate, _ = found
+        self.held, self.turn = np.asarray(found.normal), turn
+        self.travel = np.maximum(self.travel, self.pack.travel(turn))
+
+    def _found(self, joint: "_Joint", pairs: Values) -> "tuple[_Found, Floats]":
+        """Torques and speeds after a step, and the turn of the balls."""
+        own, h = self.pack, self.h
         at_stop = self.turn == 0
         moving = self._moving(joint, pairs)
         still = self._still(joint, pairs)
@@ -97,16 +116,10 @@ class SleeveLanes:
             # a swing between the walls that turns within a step is over
             stays |= crosses & (still.rate == 0) & (rolled.rate * self.rate <= 0)
             moving = _picked(crosses, rolled, moving)
-        pick = at_stop | stays
-        found = _picked(pick, still, moving)
-        self.torque, self.balls = found.clutch, found.balls
-        self.held = np.where(pick, found.normal, own.closing_force)
-        self.turn = np.where(stays, 0.0, np.where(at_stop, h / 2 * (self.rate + found.rate), after))
-        self._trend = np.where(found.slip == 0, 0.0, found.slip - self.slip)
-        self.slip, self.rate = found.slip, found.rate
-        self.travel = np.maximum(self.travel, own.travel(self.turn))
+        found = _picked(at_stop | stays, still, moving._replace(normal=own.closing_force))
+        return found, np.where(stays, 0.0, np.where(at_stop, h / 2 * (self.rate + found.rate), after))
 
-    def _mass(self, travel: Floats, out: Values) -> Values:
+    def _mass(self, travel: Floats, out: NDArray[np.bool_]) -> Values:
         """Torque that the sleeve's mass takes for a speed of the balls gained in a step."""
         own = self.pack
         net = own.steeper(np.where(out, own.net_gain, own.net_gain_returning), travel)
@@ -114,11 +127,11 @@ class SleeveLanes:
         return mass
 
     def _rolled(self, joint: "_Joint", moving: "_Found", pairs: Values) -> "tuple[_Found, Floats]":
-        """Through the stop to the other wall, each for its share of the step, and where to; ``moving``: on the first."""
+        """Through the stop to the other wall, each for its share of the step, and where to; ``moving`` on the first."""
         own, side = self.pack, np.where(self.turn < 0, -1.0, 1.0)
         normal = own.closing_force
         capacity = pairs * own.mean_radius * normal
-        mass = self._mass(0 * self.turn, True)
+        mass = self._mass_at_stop
         other = joint.heavier(mass, self.rate).pushed(capacity, -side * own.lift, normal)
         balls = other.balls + mass * (other.rate - self.rate)
         # the time to the stop at the acceleration of the first wall
@@ -139,7 +152,7 @@ class SleeveLanes:
         joint = joint.heavier(mass, self.rate)
         # implicit midpoint: half of the way on is that of the speed before, the other half that of the speed to come
         halfway = own.travel(self.turn + ahead / 2)
-        moment = own.moment(halfway) - own.taken(halfway, self.rate)
+        moment = own.moment(halfway) - own.taken(halfway, self.rate + self._gained / 2)
         nets = [own.steeper(net, halfway) for net in (own.net_gain, own.net_gain_returning)]
         most, least = (side * (moment / net) for net in nets)
         normal = np.maximum(own.pressed(travel), 0.0)
@@ -147,7 +160,8 @@ class SleeveLanes:
         found = joint.boxed(capacity, np.minimum(least, most), np.maximum(least, most), normal)
         outwards = found.balls == most
         stiff = self.h / 4 * own.torsional(halfway, np.where(outwards, *nets), np.abs(found.balls))
-        found = joint.yielding(found, np.where(found.rate == 0, 0.0, np.maximum(stiff, 0.0)), capacity)
+        # a wall may yield the more the further it gives way, but never faster than what is on it can follow
+        found = joint.yielding(found, np.where(found.rate == 0, 0.0, np.maximum(stiff, -0.5 / joint.balls)), capacity)
         return found._replace(balls=found.balls + mass * (found.rate - self.rate))
 
     def _still(self, joint: "_Joint", pairs: Values) -> "_Found":
@@ -170,7 +184,7 @@ class SleeveLanes:
         clutch = np.where(sticks, stuck, way * slipping)
         balls = alone + share * clutch
         lifted = np.abs(balls) > own.lift
-        mass = self._mass(0 * self.turn, True)
+        mass = self._mass_at_stop
         off = joint.heavier(mass, 0.0).pushed(
             pairs * radius * own.closing_force, np.copysign(own.lift, balls), own.closing_force
         )
@@ -205,7 +219,7 @@ class _Found(NamedTuple):
     normal: Values
 
 
-def _picked(which: Floats, first: _Found, second: _Found) -> _Found:
+def _picked(which: NDArray[np.bool_], first: _Found, second: _Found) -> _Found:
     return _Found(*(np.where(which, one, other) for one, other in zip(first, second, strict=True)))
 
 
@@ -259,7 +273,7 @@ class _Joint(NamedTuple):
         needed = slip / pack
         clutch = np.clip(needed, -capacity, capacity)
         rate = (self.rate + self.across * clutch - self.balls * found.balls) / whole
-        moves = stiff > 0
+        moves = stiff != 0
         return _Found(
             np.where(moves, clutch, found.clutch),
             np.where(moves, found.balls + stiff * rate, found.balls),

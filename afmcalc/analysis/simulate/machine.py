@@ -1,19 +1,18 @@
 """The drive through an event: smooth phases between located switches, every peak an event of its own."""
 
 import math
-from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from scipy.integrate import DOP853, OdeSolver, Radau
-from scipy.optimize import brentq
 
 from ...arrays import finite
 from ...errors import CalculationError
 from ...messages import say
 from .coast import stride
 from .plant import Mode, Plant, State
+from .roots import TORQUES, crossing, root, turned_in
 
 TOLERANCE = 1e-9
 MOST_SWITCHES = 20_000
@@ -22,10 +21,10 @@ MOST_STEPS = 40_000
 _STEPS_A_PERIOD = 4
 _WORKS = 5
 """Energies that are summed along with the states: of motor, pack, shaft, tool, key."""
-_TORQUES = 2
-"""Torques whose peaks are located, before the guards in what is looked at."""
-_LOOKED_AT = (0.0, *(2.0**-power for power in range(30, 0, -3)))
-"""Places in a step at which a guard that begins at 0 is looked for above it."""
+_SLIPPING = 3
+"""Guards that are speeds while something slips, the first ones: of pack, tool, balls."""
+_REVERSED = 1e-9
+"""Speed, relative to that before the event, with which something has turned back and is no rounding."""
 _LOOK = 3.0
 """Swings of the driven half after which a slip may be taken in one stride: its peak has come."""
 _UNSEEN = 1e-3
@@ -243,7 +242,7 @@ class _Run:
                 raise CalculationError(say("simulate: the integration fails at t = {time:g} s", time=solver.t))
             states = solver.y.tolist()
             before, slopes = slopes, self._slopes(solver.t, states, mode)
-            turned = _turned(before, slopes)
+            turned = turned_in(before, slopes)
             fallen = min(plant.guards(solver.t, states, mode)) < 0
             if turned or fallen or self.history is not None:
                 crossed = self._inside(solver, mode, turned)
@@ -266,24 +265,29 @@ class _Run:
         def guard(number: int, time: float) -> float:
             return plant.guards(time, at(time), mode)[number]
 
-        marks = [_root(partial(slope, number), start, solver.t) for number in turned]
+        marks = []
+        for number in turned:
+            mark = root(partial(slope, number), start, solver.t)
+            # what turns back and on again within a step has stood still in it; rounding has not
+            if number < TORQUES or guard(number - TORQUES, mark) < -_REVERSED * plant.train.speed:
+                marks.append(mark)
         if self.history is not None:
             marks += [start + share * (solver.t - start) for share in _INSIDE]
         for mark in [*sorted(marks), float(solver.t)]:
             states = at(mark)
             fallen = [i for i, value in enumerate(plant.guards(mark, states, mode)) if value < 0]
             if fallen:
-                time, first = min((_crossing(partial(guard, number), start, mark), number) for number in fallen)
+                time, first = min((crossing(partial(guard, number), start, mark), number) for number in fallen)
                 return time, at(time), first
             self._note(mark, states, mode)
         return None
 
     def _slopes(self, t: float, y: State, mode: Mode) -> list[float]:
-        """By how much the torques of shaft and clutch and the guards grow in a moment; 0 where rounding decides."""
+        """By how much the torques of shaft and clutch and some guards grow in a moment; 0 where rounding decides."""
         plant = self.plant
         ahead = [own + self.moment * rate for own, rate in zip(y, plant.rates(t, y, mode), strict=True)]
         now, then = (
-            (own.shaft, own.clutch, *plant.guards(at, states, mode))
+            (own.shaft, own.clutch, *plant.guards(at, states, mode)[:_SLIPPING])
             for at, states, own in (
                 (at, states, plant.torques(at, states, mode)) for at, states in ((t, y), (t + self.moment, ahead))
             )
@@ -291,28 +295,6 @@ class _Run:
         return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in zip(now, then, strict=True)]
 
 
-def _turned(before: list[float], after: list[float]) -> list[int]:
-    """Which torque had a peak in a step, and which guard a trough: it may have fallen to 0 there, and be above again."""
-    return [
-        number
-        for number, (first, last) in enumerate(zip(before, after, strict=True))
-        if first * last < 0 and (number < _TORQUES or first < 0)
-    ]
-
-
 def _still(mode: Mode) -> bool:
     """Whether the drive before the shaft turns as one."""
     return not mode.pack and mode.balls in ("seat", "lock")
-
-
-def _root(function: Callable[[float], float], start: float, end: float) -> float:
-    """Return where a function changes sign."""
-    first = function(start)
-    return float(brentq(function, start, end, xtol=1e-14, rtol=1e-14)) if first * function(end) < 0 else start
-
-
-def _crossing(guard: Callable[[float], float], start: float, end: float) -> float:
-    """Return where a guard that begins at 0 or above and ends below last falls to 0."""
-    ends = [start + share * (end - start) for share in _LOOKED_AT]
-    above = [each for each in ends if guard(each) > 0]
-    return float(brentq(guard, above[-1], end, xtol=1e-14, rtol=1e-14)) if above else start

@@ -84,7 +84,7 @@ def _march(train: Train, shaft: "Shaft", clutch: DirectLanes | SleeveLanes, h: F
         motor = motor - each * clutch.torque
         shaft.take(free + shaft.per_torque * clutch.passed)
         np.maximum(peak, np.abs(shaft.torque), out=peak)
-        np.maximum(peak_clutch, np.abs(clutch.torque), out=peak_clutch)
+        np.maximum(peak_clutch, clutch.top, out=peak_clutch)
         heat += clutch.torque * (before + clutch.slip)
         if train.cut_off is not None:
             off = np.where((clutch.slip != 0) & np.isinf(off), number * h + train.cut_off, off)
