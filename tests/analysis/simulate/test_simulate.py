@@ -205,8 +205,8 @@ def test_the_command(afmcalc, tmp_path):
 
 def test_check_holds_the_peak_against_the_requirement(afmcalc):
     ended = afmcalc("check", CONFIGS / "drive.toml", "--set", "requirements.peak_torque=300", "--json")
-    (row,) = ended.json["result"]["requirements"]
-    assert ended.code == 1
+    row, *_ = ended.json["result"]["requirements"]
+    assert (ended.code, row["requirement"]) == (1, "peak_torque")
     assert row["value"] == pytest.approx(
         afmcalc("simulate", CONFIGS / "drive.toml", "--json").json["result"]["peak_torque"]["max"]
     )
