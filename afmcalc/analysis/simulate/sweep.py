@@ -11,6 +11,7 @@ from ...engines.protocol import Clutch
 from ...errors import CalculationError
 from ...messages import say
 from ...spec.models import Range
+from ...watch import Progress, unwatched
 from ..sweep.grid import Axis, series
 from .cases import peak_time
 from .direct import DirectPack
@@ -40,14 +41,14 @@ class Peaks(NamedTuple):
     clutch: Floats
 
 
-def peaks_of(clutch: Clutch, driving: Values, driven: Values, steps_a_swing: int = STEPS_A_SWING) -> Peaks:
+def peaks_of(clutch: Clutch, driving: Values, driven: Values, progress: Progress = unwatched) -> Peaks:
     """Return the peaks of an event.
 
     Args:
         clutch: a clutch whose parameters are numbers or arrays.
         driving: f of all pairs or f_1; shapes broadcast.
         driven: f_2, likewise.
-        steps_a_swing: time steps in a free swing of the driven half.
+        progress: is told how many steps are behind.
 
     Raises:
         SpecError: no event.
@@ -59,7 +60,7 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values, steps_a_swing: int
     sliding = pack.torque(1.0)
     shape = np.broadcast_shapes((1,), *_shapes(train), *_shapes(pack))
     time = np.broadcast_to(peak_time(train, sliding), shape).astype(float)
-    steps = int(np.ceil(np.max(time / step_of(train, pack, steps_a_swing))))
+    steps = int(np.ceil(np.max(time / step_of(train, pack))))
     if steps > _MOST_STEPS:
         raise CalculationError(
             say(
@@ -69,7 +70,7 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values, steps_a_swing: int
                 most=_MOST_STEPS,
             )
         )
-    found = march(train, pack, time / steps, steps)
+    found = march(train, pack, time / steps, steps, progress)
     return Peaks(np.broadcast_to(sliding, shape), found.peak, found.peak_clutch)
 
 
@@ -99,9 +100,9 @@ def _shapes(record: object) -> list[tuple[int, ...]]:
     ]
 
 
-def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> list[SimulateSweep] | None:
+def swept(clutch: Clutch, sweeps: Sequence[Axis], progress: Progress = unwatched) -> list[SimulateSweep] | None:
     """Peaks over swept keys; None without any."""
-    found = _Found()
+    found = _Found(progress)
     outputs: dict[str, Callable[[Clutch], Values]] = {
         "peak_torque_max": lambda own: found.of(own).shaft[2],
         "peak_torque_mean": lambda own: found.of(own).shaft[1],
@@ -116,7 +117,8 @@ def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> list[SimulateSweep] | None:
 class _Found:
     """The peaks of the clutch that was asked last, each clutch calculated once."""
 
-    def __init__(self) -> None:
+    def __init__(self, progress: Progress) -> None:
+        self._progress = progress
         self._clutch: Clutch | None = None
         self._peaks: Peaks | None = None
 
@@ -124,7 +126,7 @@ class _Found:
         """Peaks at f_min, mean friction and f_max, a row each."""
         if clutch is not self._clutch or self._peaks is None:
             first, second = (_rows(friction) for friction in clutch.friction)
-            self._clutch, self._peaks = clutch, peaks_of(clutch, first, second)
+            self._clutch, self._peaks = clutch, peaks_of(clutch, first, second, self._progress)
         return self._peaks
 
 
