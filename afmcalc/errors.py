@@ -3,8 +3,8 @@
 from collections.abc import Callable
 from typing import NamedTuple
 
-from .messages import say, translate
-from .source import Place, Source
+from .messages import Text, say, term, translate
+from .source import LABELS, Place, Source
 
 MOST_SHOWN = 20
 """Problems of a spec that are shown; of the others the number."""
@@ -50,7 +50,7 @@ def reason(error: OSError) -> str:
             os.getcwd()
         except FileNotFoundError:
             return say("the working directory {path} does not exist any more", path=os.environ.get("PWD", "."))
-    return error.strerror or str(error)
+    return term(error.strerror or str(error))
 
 
 class CalculationError(AfmcalcError, ValueError):
@@ -98,9 +98,11 @@ class SpecError(AfmcalcError, ValueError):
 
     def text(self, tell: Callable[[str], str]) -> str:
         """Every problem on a line of its own, and how many more there are."""
-        shown = [line for problem in self.problems[:MOST_SHOWN] for line in problem.lines(self.source, tell)]
+        said = LABELS.get(self.source, self.source)
+        source = tell(said) if isinstance(said, Text) else said
+        shown = [line for problem in self.problems[:MOST_SHOWN] for line in problem.lines(source, tell)]
         hidden = len(self.problems[MOST_SHOWN:]) + self.more
-        rest = [tell(say("{source}: and {hidden:,} more", source=self.source, hidden=hidden))] if hidden else []
+        rest = [tell(say("{source}: and {hidden:,} more", source=source, hidden=hidden))] if hidden else []
         return "\n".join([*shown, *rest])
 
 

@@ -3,7 +3,7 @@
 from importlib.util import find_spec
 
 from .errors import AfmcalcError
-from .messages import say
+from .messages import joined, say
 
 MODULES = {
     "drive": ("scipy",),
@@ -35,7 +35,7 @@ def need(extra: str) -> None:
         raise AfmcalcError(
             say(
                 "this needs {missing}, not installed here: pip install 'afmcalc[{extra}]'",
-                missing=say(" and ").join(missing),
+                missing=joined(missing, say(" and ")),
                 extra=extra,
             )
         )

@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 
-ENGLISH = "en"
 FOLDER = os.path.join(os.path.dirname(__file__), "locale")
 
 
@@ -33,14 +32,12 @@ class Language:
 
 
 def known() -> list[str]:
-    """Names of the languages."""
-    return [ENGLISH, *sorted(name.removesuffix(".po") for name in os.listdir(FOLDER) if name.endswith(".po"))]
+    """Names of the languages that there is a catalogue of."""
+    return sorted(name.removesuffix(".po") for name in os.listdir(FOLDER) if name.endswith(".po"))
 
 
-def language(name: str) -> Language | None:
-    """Return a language by its name; None for English, which is what everything is written in."""
-    if name == ENGLISH:
-        return None
+def language(name: str) -> Language:
+    """Return a language by its name."""
     return Language(name, *_read(name))
 
 

@@ -19,6 +19,8 @@ from .text import (
     filled,
     joined,
     localized,
+    measured,
+    named,
     printable,
     say,
     say_many,
@@ -27,6 +29,7 @@ from .text import (
     term,
     told,
     translate,
+    with_unit,
 )
 
 __all__ = [
@@ -38,6 +41,8 @@ __all__ = [
     "filled",
     "joined",
     "localized",
+    "measured",
+    "named",
     "printable",
     "say",
     "say_many",
@@ -47,6 +52,7 @@ __all__ = [
     "term",
     "told",
     "translate",
+    "with_unit",
 ]
 
 FINDINGS: Mapping[str, str] = {

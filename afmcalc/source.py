@@ -4,6 +4,8 @@ from collections.abc import Iterable
 from functools import cached_property
 from typing import TYPE_CHECKING, NamedTuple
 
+from .messages import say
+
 if TYPE_CHECKING:
     from .spans import Span
 
@@ -34,6 +36,11 @@ class Place(NamedTuple):
         carets = "^" * max(1, min(self.width, _WIDTH - before))
         number = str(self.line)
         return f"  {number} | {cut.rstrip()}", f"  {' ' * len(number)} | {' ' * before}{carets}"
+
+
+STANDARD_INPUT, BUILT_IN = say("standard input"), say("built-in default")
+LABELS = {str.__str__(each): each for each in (STANDARD_INPUT, BUILT_IN)}
+"""What a text is called that is in no file."""
 
 
 class Source(str):

@@ -30,9 +30,16 @@ SCALES = {
     "N·m·s": 1.0,
     "J/mm²": 1e-6,
     "K": 1.0,
+    "m": 1.0,
+    "rad": 1.0,
+    "N/m": 1.0,
+    "1/m": 1.0,
 }
 """Unit of a field → what a value in SI is multiplied by."""
 
+
+ENGLISH = "en"
+"""The language that everything is written in."""
 
 _LANGUAGE: "ContextVar[Language | None]" = ContextVar("language", default=None)
 
@@ -69,10 +76,12 @@ class Text(str):
 class _Sentence(string.Formatter):
     """``str.format`` whose numbers may carry a unit; ``{low:g mm…}{high:g mm}`` is a range that names it once.
 
-    What is cut off a text, ``{name:.80}``, is marked.
+    What is cut off a text, ``{name:.80}``, is marked. Of a list every member is set so.
     """
 
     def format_field(self, value: object, format_spec: str) -> str:
+        if isinstance(value, list | tuple):
+            return self.listed([self.format_field(each, format_spec) for each in value])
         number, _, unit = format_spec.partition(" ")
         if isinstance(value, str):
             shown = format(value, number)
@@ -81,7 +90,10 @@ class _Sentence(string.Formatter):
             return self.number(format(value, number)) if _is_number(value) else format(value, number)
         assert isinstance(value, SupportsFloat)
         shown = self.number(format(float(value) * SCALES[unit.removesuffix("…")], number))
-        return f"{shown}…" if unit.endswith("…") else f"{shown} {self.unit(unit)}"
+        return f"{shown}…" if unit.endswith("…") else with_unit(shown, self.unit(unit))
+
+    def listed(self, shown: list[str]) -> str:
+        return ", ".join(shown)
 
     def number(self, shown: str) -> str:
         return shown
@@ -96,11 +108,20 @@ class _Translated(_Sentence):
     def format_field(self, value: object, format_spec: str) -> str:
         return super().format_field(_again(value), format_spec)
 
+    def listed(self, shown: list[str]) -> str:
+        # a decimal comma does not separate as well
+        return ("; " if any("," in each for each in shown) else ", ").join(shown)
+
     def number(self, shown: str) -> str:
-        return localized(shown)
+        return localized(shown).replace("%", "\xa0%")
 
     def unit(self, name: str) -> str:
         return translate(name, "unit")
+
+
+def with_unit(number: str, unit: str) -> str:
+    """Set a number with its unit, none where it is pure; only the sign of a degree stands close to its number."""
+    return number if unit in ("", "–") else f"{number}{unit if unit == '°' else f' {unit}'}"
 
 
 _SENTENCE, _TRANSLATED = _Sentence(), _Translated()
@@ -111,10 +132,10 @@ def _is_number(value: object) -> bool:
 
 
 def _again(value: object) -> object:
-    """Say a value again that was itself said."""
+    """Say a value again that was itself said, or is the name of a clutch that ships."""
     own = _LANGUAGE.get()
     known = own and isinstance(value, str) and (isinstance(value, Text) or value in own.said)
-    return translate(str(value)) if known else value
+    return translate(str(value)) if known else named(value) if isinstance(value, str) else value
 
 
 @contextmanager
@@ -130,7 +151,7 @@ def speaking(language: "Language | None") -> Iterator[None]:
 def spoken() -> str:
     """Name of the language of the user."""
     own = _LANGUAGE.get()
-    return own.name if own else "en"
+    return own.name if own else ENGLISH
 
 
 def translate(text: str, context: str = "") -> str:
@@ -145,9 +166,15 @@ def translate(text: str, context: str = "") -> str:
         return text
     said = text if isinstance(text, Text) else own.said.get(text)
     if isinstance(said, Text):
-        template = own.found(said.template, context, said.amount) or said.template
+        contexts = dict.fromkeys((context, ""))
+        template = next(filter(None, (own.found(said.template, each, said.amount) for each in contexts)), said.template)
         return template if said.values is None else _TRANSLATED.vformat(template, (), said.values)
     return own.found(text, context) or text
+
+
+def named(name: str | None) -> str:
+    """Return the name of a clutch; one that ships with the program has one in every language."""
+    return translate(name, "name") if name else ""
 
 
 def localized(number: str) -> str:
@@ -192,10 +219,19 @@ def filled(template: str, values: Mapping[str, object]) -> str:
     return Text(template, values)
 
 
+def measured(value: float, unit: str, digits: int = 6) -> str:
+    """Say a value in SI with the unit of ``SCALES``, none for a pure number.
+
+    >>> measured(2000.0, "kN")
+    '2 kN'
+    """
+    return Text(f"{{value:.{digits}g {unit}}}" if unit else f"{{value:.{digits}g}}", {"value": value})
+
+
 def joined(parts: Iterable[object], sign: str = ", ") -> str:
     """Set texts one after the other, each of which may be translated."""
     listed = {f"part{number}": part for number, part in enumerate(parts)}
-    return Text(sign.join(f"{{{name}}}" for name in listed), listed)
+    return Text("{sign}".join(f"{{{name}}}" for name in listed), {**listed, "sign": sign})
 
 
 def term(text: str) -> str:

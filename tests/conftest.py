@@ -39,6 +39,14 @@ class Run:
         return json.loads(self.out, parse_constant=_refuse)
 
 
+def _decoded(written: bytes, encoding: str) -> str:
+    """A text in the encoding of its stream; a spec is UTF-8 whatever the stream."""
+    try:
+        return written.decode()
+    except UnicodeDecodeError:
+        return written.decode(encoding)
+
+
 def _refuse(constant: str) -> None:
     raise AssertionError(f"{constant} in JSON")
 
@@ -57,7 +65,7 @@ def afmcalc():
                 main([str(argument) for argument in arguments])
         for stream in (out, err):
             stream.flush()
-        texts = [stream.buffer.getvalue().decode() for stream in (out, err)]  # type: ignore[attr-defined]
+        texts = [_decoded(stream.buffer.getvalue(), encoding) for stream in (out, err)]  # type: ignore[attr-defined]
         code = ended.value.code
         return Run(code if isinstance(code, int) else 0, *texts)
 

@@ -1,12 +1,16 @@
 """Every English text of the program that people read: what a catalogue has to hold."""
 
 import ast
+import errno
 import inspect
+import os
 import pkgutil
 import re
 import string
 import textwrap
+import tomllib
 from collections.abc import Iterator
+from functools import cache
 from importlib import import_module
 from typing import Literal, get_args, get_origin
 
@@ -17,9 +21,16 @@ import afmcalc
 Key = tuple[str, str]
 """Context and text."""
 
+FAILURES = (
+    errno.ENOENT, errno.EACCES, errno.EPERM, errno.EISDIR, errno.ENOTDIR, errno.ENOSPC, errno.EROFS, errno.ENAMETOOLONG,
+    errno.ELOOP, errno.EBADF, errno.EIO, errno.EPIPE,
+)  # fmt: skip
+"""Why files cannot be read or written, as the system says it."""
+
 SAYING = ("say", "told", "message", "translate", "term", "heard")
 
 
+@cache
 def texts() -> dict[Key, str]:
     """Context and text → where it is from."""
     found: dict[Key, str] = {}
@@ -38,16 +49,16 @@ def texts() -> dict[Key, str]:
         ("examples", _examples()),
     ):
         for key in each:
-            if worded(key[1]) or key[0] == "unit":
+            if worded(key[1]) or key[0] in ("unit", "date"):
                 found.setdefault(key, where)
     return found
 
 
 def worded(text: str) -> bool:
-    """Whether a text has words of its own beside its fields."""
+    """Whether a text has words, units or decimal points of its own beside its fields."""
     bare = "".join(part for part, *_ in string.Formatter().parse(text)) if "{" in text else text
     bare = re.sub(r"\w+_\w+|\b(sin|cos|tan|ln|zC|pi)\b|\b[FSM]\d+\b", "", bare)
-    return re.search(r"[A-Za-z]{2}", bare) is not None
+    return re.search(r"[A-Za-z]{2}|\d\.\d|N·m|N/mm", bare) is not None
 
 
 def _literals() -> Iterator[Key]:
@@ -121,7 +132,7 @@ def _fields() -> Iterator[Key]:
                 yield ("", str(about["of"]))
             if null := about.get("null"):
                 yield ("value", str(null))
-            if re.search(r" (from|to|of|at) |\b(from|to)$", str(about.get("symbol") or "")):
+            if re.search(r" (from|to|of|at) |\b(from|to)$|^[a-z]+\.$", str(about.get("symbol") or "")):
                 yield ("", str(about["symbol"]))
 
 
@@ -207,7 +218,7 @@ def _papers() -> Iterator[Key]:
         said = (formula.id, formula.says, formula.printed, formula.covered_by, formula.correct)
         yield from (("", text) for text in said if text)
     for claim in register.data("claims.toml")["claim"]:
-        yield from (("", claim[part]) for part in ("source", "inputs", "printed", "why") if part in claim)
+        yield from (("", claim[part]) for part in ("source", "inputs", "printed", "why", "correction") if part in claim)
 
 
 def _values() -> Iterator[Key]:
@@ -248,6 +259,8 @@ def _units() -> Iterator[Key]:
 def _names() -> Iterator[Key]:
     """What tables hold: names of limits, kinds of quantities, variants."""
     from afmcalc.analysis.checks.requirements import JUDGED
+    from afmcalc.analysis.springs.candidates import MISSES
+    from afmcalc.render.shop.layers import LAYERS
     from afmcalc.spec.paths import keys
     from afmcalc.spec.units import EXAMPLES
     from afmcalc.variants import VARIANTS
@@ -255,12 +268,20 @@ def _names() -> Iterator[Key]:
     yield from (("", kind) for kind, _ in EXAMPLES.values())
     yield from (("", keys()[f"requirements.{name}"].description.partition(",")[0]) for name in JUDGED)
     yield from (("value", name) for name in VARIANTS)
+    yield from (("end", end) for end in ("min", "mean", "max"))
+    yield from (("value", part) for part in ("center", "spread"))
+    yield from (("", name) for name in MISSES)
+    yield from (("", each.needs) for each in JUDGED.values() if " " in each.needs)
+    yield from (("", about) for about, *_ in LAYERS.values())
+    yield from (("", os.strerror(number)) for number in FAILURES)
 
 
 def _examples() -> Iterator[Key]:
-    """Comments of the specs that ship."""
+    """Names and comments of the specs that ship."""
     for path in sorted(CONFIGS.glob("*.toml")):
-        for line in path.read_text(encoding="utf-8").splitlines():
+        text = path.read_text(encoding="utf-8")
+        yield ("name", tomllib.loads(text)["name"])
+        for line in text.splitlines():
             if comment := comment_of(line):
                 yield ("comment", comment)
 

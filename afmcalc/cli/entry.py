@@ -3,9 +3,10 @@
 import os
 import sys
 import warnings
+from types import ModuleType
 from typing import NoReturn
 
-from ..messages import speaking, told
+from ..messages import speaking, term, told
 from .signals import watch
 from .speech import chosen, heard, without_lang
 from .streams import drop_output, prepare, tell
@@ -37,7 +38,7 @@ def _end(given: list[str]) -> NoReturn:
     except OSError as error:
         drop_output()
         named = error.filename or told("standard output")
-        _complain(told("{named}: cannot be written: {why}", named=named, why=error.strerror or error))
+        _complain(told("{named}: cannot be written: {why}", named=named, why=term(error.strerror or str(error))))
         sys.exit(3)
     except MemoryError:
         _complain(told("not enough memory for what was asked"))
@@ -138,5 +139,12 @@ def _tune() -> None:
     watch()
     gc.set_threshold(100_000, 50, 50)
     atexit.register(gc.freeze)
-    # pydantic would look through every installed distribution for plugins
-    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    # pydantic would import what looks through every installed distribution for plugins
+    sys.modules.setdefault("pydantic.plugin._loader", _without_plugins())
+
+
+def _without_plugins() -> ModuleType:
+    """Stand in for the loader of pydantic's plugins: there are none."""
+    loader = ModuleType("pydantic.plugin._loader")
+    loader.__dict__["get_plugins"] = tuple
+    return loader

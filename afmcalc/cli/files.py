@@ -7,8 +7,9 @@ from contextlib import suppress
 from typing import NamedTuple
 
 from ..errors import AfmcalcError, FileError, reason
-from ..messages import say
+from ..messages import say, term
 from .signals import put_off, unreported
+from .streams import is_unicode
 
 
 class Kind(NamedTuple):
@@ -23,11 +24,11 @@ class Kind(NamedTuple):
         return content.startswith(self.starts) if self.starts else bool(self.holds) and self.holds in content
 
 
-SPEC = Kind("spec")
-REPORT = Kind("report", holds=b'<meta name="generator" content="afmcalc ')
-REPORT_PDF = Kind("report as PDF", holds=b"\n%afmcalc report\n")
-PLOT = Kind("plot", holds=b"afmcalc plot")
-SCHEMA = Kind("schema", (b'{\n  "$schema": ',))
+SPEC = Kind(say("spec"))
+REPORT = Kind(say("report"), holds=b'<meta name="generator" content="afmcalc ')
+REPORT_PDF = Kind(say("report as PDF"), holds=b"\n%afmcalc report\n")
+PLOT = Kind(say("plot"), holds=b"afmcalc plot")
+SCHEMA = Kind(say("schema"), (b'{\n  "$schema": ',))
 
 _ENDINGS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
 _NO_RESULT = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
@@ -100,7 +101,9 @@ def result_kind(command: str, format_: str, text: str = "") -> Kind:
         "json": (f'{{\n  "command": "{command}",',),
         "csv": (text.partition("\n")[0] + "\n",) if text else ("",),
     }[format_]
-    return Kind(f"{format_} of {command}", tuple(start.encode() for start in starts))
+    return Kind(
+        say("{format} of {command}", format=format_, command=command), tuple(start.encode() for start in starts)
+    )
 
 
 def refuse(path: str | None, kind: Kind, *, force: bool, inputs: Iterable[str | None] = ()) -> None:
@@ -126,7 +129,7 @@ def refuse(path: str | None, kind: Kind, *, force: bool, inputs: Iterable[str | 
     if not known:
         raise AfmcalcError(
             say("{path}: exists already, and not as a {kind} that afmcalc wrote; --force replaces it",
-                path=path, kind=kind.name)
+                path=path, kind=term(kind.name))
             if kind is not SPEC
             else say("{path}: exists already, and may have been edited; --force replaces it", path=path)
         )  # fmt: skip
@@ -135,7 +138,12 @@ def refuse(path: str | None, kind: Kind, *, force: bool, inputs: Iterable[str | 
 def write(text: str, path: str | None, kind: Kind, *, force: bool = False) -> None:
     """Write text to standard output, or to a file that is either whole or untouched."""
     if path is None or path == "-":
-        sys.stdout.write(text)
+        if kind is SPEC and not is_unicode(sys.stdout) and not sys.stdout.isatty():
+            # a spec is read as UTF-8, whatever the locale of the one who writes it
+            sys.stdout.flush()
+            sys.stdout.buffer.write(text.encode())
+        else:
+            sys.stdout.write(text)
         sys.stdout.flush()
         return
     write_file(path, text.encode("utf-8", "backslashreplace"), kind, force=force)

@@ -7,8 +7,8 @@ import typer
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
-from ..language import ENGLISH
 from ..messages import spoken
+from ..text import ENGLISH
 from .help import Command, Program
 from .options import LANG
 

@@ -62,7 +62,7 @@ def explained() -> Named:
 
     for name in EXPLAINED:
         section = ANALYSES[name].section
-        yield name, section.title if section else ""
+        yield name, section.title if section else "Checks"
 
 
 def described() -> Named:

@@ -1,6 +1,5 @@
 """The command that writes a calculation report."""
 
-import hashlib
 import os
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -55,6 +54,8 @@ def report(
     The block [report] of the spec says the same; an option goes before it.
     """  # noqa: D301
     need_drawing("report")
+    from hashlib import sha256
+
     from ..analysis.dossier import dossier
     from ..render.report import Subject, render
     from ..render.report.browser import find_browser, print_pdf
@@ -71,7 +72,7 @@ def report(
         "author": author, "checked": checked, "norm_control": norm_control,
         "approved": approved, "date": date,
     }  # fmt: skip
-    title, digest = _title_block(read, options), hashlib.sha256(raw).hexdigest()
+    title, digest = _title_block(read, options), sha256(raw).hexdigest()
     steps = 3 if browser else 2
     with Bar(quiet=common.quiet, agreed=common.yes) as bar:
         found = dossier(read, model, progress=bar.advance)

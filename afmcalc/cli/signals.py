@@ -54,7 +54,9 @@ def _end(number: int) -> None:
     for each in _SIGNALS:
         _signal.signal(each, _signal.SIG_IGN)
     for path in unreported:
-        print(f"note: wrote {path}", file=sys.stderr)
+        from ..messages import say, told
+
+        print(told("note: {text}", text=say("wrote {output}", output=path)), file=sys.stderr)
     leave(128 + number)
 
 

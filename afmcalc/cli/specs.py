@@ -1,6 +1,5 @@
 """Commands about the spec itself: init, check, schema."""
 
-import json
 import os
 from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
@@ -80,12 +79,17 @@ def init(
 
 def _schema_beside(target: str, kind: str) -> tuple[str, str]:
     """Path and text of the schema of a kind of file."""
-    from ..analysis.schema import schema as describe
-
     of = "requirements" if kind == "requirements" else None
     name = f"afmcalc.{of}.schema.json" if of else "afmcalc.schema.json"
-    text = json.dumps(describe(of), indent=2, ensure_ascii=False) + "\n"
-    return os.path.join(os.path.dirname(target), name), text
+    return os.path.join(os.path.dirname(target), name), _schema_of(of)
+
+
+def _schema_of(kind: str | None) -> str:
+    import json
+
+    from ..analysis.schema import schema
+
+    return json.dumps(schema(kind), indent=2, ensure_ascii=False) + "\n"
 
 
 @with_common
@@ -163,6 +167,4 @@ def schema(
     afmcalc schema > clutch.schema.json
     afmcalc schema torque
     """  # noqa: D301
-    from ..analysis.schema import schema as describe
-
-    write(json.dumps(describe(command), indent=2, ensure_ascii=False) + "\n", output, SCHEMA, force=force)
+    write(_schema_of(command), output, SCHEMA, force=force)

@@ -2,41 +2,44 @@
 
 import re
 import string
+import sys
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..errors import AfmcalcError
-from ..extras import installed, need
-from ..language import ENGLISH, Language, known, language
 from ..messages import filled, say, translate
+from ..text import ENGLISH
+
+if TYPE_CHECKING:
+    from ..language import Language
 
 OPTION = "--lang"
 _LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
 
 
-def chosen(arguments: list[str], environment: Mapping[str, str]) -> Language | None:
+def chosen(arguments: list[str], environment: Mapping[str, str]) -> "Language | None":
     """The language asked for: by the option, else by AFMCALC_LANG, else by the locale; None is English.
 
     Raises:
         AfmcalcError: there is no such language, or what it needs is not installed; a locale asks for nothing.
     """
-    asked = _option(arguments)
-    for name, by in ((asked, OPTION), (environment.get("AFMCALC_LANG"), "AFMCALC_LANG")):
-        if not name:
-            continue
-        if name == ENGLISH:
+    asked = ((_option(arguments), OPTION), (environment.get("AFMCALC_LANG"), "AFMCALC_LANG"))
+    by_locale = re.split("[_.@]", next(filter(None, map(environment.get, _LOCALE)), ""))[0]
+    name, by = next(filter(lambda each: each[0], asked), (by_locale, ""))
+    if name == ENGLISH or not by and name in ("", "C", "POSIX"):
+        return None  # without what other languages need
+
+    from ..extras import installed, need
+    from ..language import known, language
+
+    if name not in known():
+        if not by:
             return None
-        if name not in known():
-            languages = ", ".join(known())
-            raise AfmcalcError(say("{by} {name:.40}: known are {languages}", by=by, name=name, languages=languages))
+        languages = ", ".join([ENGLISH, *known()])
+        raise AfmcalcError(say("{by} {name:.40}: known are {languages}", by=by, name=name, languages=languages))
+    if by:
         need(name)
-        return language(name)
-    locale = next(filter(None, map(environment.get, _LOCALE)), "")
-    name = re.split("[_.@]", locale)[0]
-    # most locales ask for English, or for nothing: no folder is looked into
-    if name in ("", "C", "POSIX", ENGLISH) or name not in known() or not installed(name):
-        return None
-    return language(name)
+    return language(name) if installed(name) else None
 
 
 def _option(arguments: list[str]) -> str | None:
@@ -72,15 +75,20 @@ LABELS = (
     "Show this message and exit.",
     "[default: {}]",
     "[required]",
+    "[OPTIONS]",
+    "[ARGS]",
+    "<int range>",
+    "<float range>",
+    "TEXT",
 )
 """What the parser itself says in a help."""
 
 SAID = (
-    "No such option: {name}",
     "No such option: {name} Did you mean {near}?",
     "No such option: {name} (Possible options: {near})",
-    "No such command {name}",
+    "No such option: {name}",
     "No such command {name}. Did you mean {near}?",
+    "No such command {name}",
     "Missing argument {name}",
     "Missing option {name}",
     "Missing command",
@@ -92,7 +100,7 @@ SAID = (
     "Invalid value: {message}",
     "{value} is not one of {choices}",
 )
-"""What it says where a command line is wrong, as templates."""
+"""What it says where a command line is wrong, as templates; of two that fit the first is meant."""
 
 
 def heard(message: str) -> str:
@@ -120,15 +128,21 @@ def translated(command: Any) -> Any:
     """Return a command, with all below it, whose help is in the language of the user."""
     from typer._click import HelpFormatter
 
+    from ..spelling import fitting
+
     class Formatter(HelpFormatter):
+        def getvalue(self) -> str:
+            # the parser takes a stream in ASCII for a mistake and writes UTF-8 there
+            return fitting(super().getvalue(), getattr(sys.stdout, "encoding", None) or "utf-8")
+
         def write_usage(self, prog: str, args: str = "", prefix: str | None = None) -> None:
-            super().write_usage(prog, args, translate(prefix or "Usage: "))
+            super().write_usage(prog, _labels(args), translate(prefix or "Usage: "))
 
         def write_heading(self, heading: str) -> None:
             super().write_heading(translate(heading))
 
         def write_dl(self, rows: Any, *more: Any, **options: Any) -> None:
-            super().write_dl([(first, _labels(second)) for first, second in rows], *more, **options)
+            super().write_dl([(_labels(first), _labels(translate(second))) for first, second in rows], *more, **options)
 
     class Context(command.context_class):  # type: ignore[misc]
         formatter_class = Formatter
@@ -144,6 +158,6 @@ def translated(command: Any) -> Any:
 
 def _labels(text: str) -> str:
     """Put what the parser adds to a help in the language of the user."""
-    default = translate("[default: {}]").partition("{")[0]
-    shown = translate(text).replace("[default: ", default)
-    return shown.replace("[required]", translate("[required]"))
+    for label in LABELS[-6:]:
+        text = text.replace(label, translate(label))
+    return text.replace("[default: ", translate("[default: {}]").partition("{")[0])

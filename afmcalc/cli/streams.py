@@ -7,7 +7,7 @@ import sys
 from typing import Any
 
 from ..errors import LONGEST_LINE
-from ..messages import printable
+from ..messages import printable, say
 
 
 class _Pipe(io.FileIO):
@@ -41,7 +41,7 @@ class _Closed(io.TextIOBase):
 
     def write(self, text: str) -> int:
         """Refuse."""
-        raise OSError(errno.EBADF, "it is closed")
+        raise OSError(errno.EBADF, say("it is closed"))
 
     def fileno(self) -> int:
         """Return the number of the place."""

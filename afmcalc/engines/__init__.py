@@ -6,13 +6,9 @@ from typing import Any
 
 from ..spec import Spec, make_spec, read_spec
 from ..variants import Law
-from .direct import DirectClutch
-from .indirect import IndirectClutch
 from .protocol import Clutch
 
 __all__ = ["Clutch", "build", "load"]
-
-_ENGINES: dict[Law, type[DirectClutch | IndirectClutch]] = {"direct": DirectClutch, "indirect": IndirectClutch}
 
 
 def build(spec: Spec | Mapping[str, Any]) -> Clutch:
@@ -23,7 +19,18 @@ def build(spec: Spec | Mapping[str, Any]) -> Clutch:
     """
     if not isinstance(spec, Spec):
         spec = make_spec(spec)
-    return _ENGINES[spec.kind.law].from_spec(spec)
+    return _engine(spec.kind.law).from_spec(spec)
+
+
+def _engine(law: Law) -> type[Clutch]:
+    """Return the engine of a law, and spare the start-up the other's."""
+    if law == "direct":
+        from .direct import DirectClutch
+
+        return DirectClutch
+    from .indirect import IndirectClutch
+
+    return IndirectClutch
 
 
 def load(source: str | PathLike[str] | None = None) -> Clutch:

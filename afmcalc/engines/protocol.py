@@ -49,6 +49,11 @@ class Clutch(ABC):
     closing_force: Values
     """F_п as set, N."""
 
+    @classmethod
+    @abstractmethod
+    def from_spec(cls, spec: Spec) -> "Clutch":
+        """Build the engine of a spec whose values may be arrays."""
+
     @property
     def pack_force_at_rest(self) -> Values:
         """Force on the pack of the clutch at rest, N: the closing spring's."""

@@ -161,7 +161,7 @@ def normal_force_seated(control_force: Number, pairs: Number, net_gain: Number, 
     """Normal force with the sleeve at its stop, N = F_п2/(1 + z κ f).
 
     Source: S21 p. 2: the stop 10 belongs to the pressure disc 5, so spring 11 presses the pack through sleeve and stop;
-    N = F_п1 + S with the stop's reaction S = F_п2 − F_п1 − T κ/R (theory, section 5).
+        N = F_п1 + S with the stop's reaction S = F_п2 − F_п1 − T κ/R (theory, section 5).
 
     Args:
         control_force: F_п2, control-spring force as set [N].
@@ -285,7 +285,7 @@ def accuracy_factor(
     """Accuracy factor, K_т = f_max D(f_set) (1 + z κ f_min)/[f_min D(f_max) (1 + z κ f_set)].
 
     Source: S21 (15), mended (M9), with f_set = f_min; theory, section 5 for f_min < f_set ≤ f_max, where the sleeve
-    rests at f_min.
+        rests at f_min.
 
     Args:
         friction_min: f_min, smallest coefficient of friction [1].

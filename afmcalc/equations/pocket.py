@@ -87,7 +87,7 @@ def sleeve_stiffness(
         straight_stiffness: D, D(f) of a straight pocket, at κ of the stop [N/m].
         closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
         slope_feedback: w, z f C_1 [1/m].
-        tangent_stiffness: k_t, root of ``tangent_stiffness_squared`` [N/m].
+        tangent_stiffness: k_t, stiffness of the balance where the sleeve is [N/m].
 
     Returns:
         D' [N/m].

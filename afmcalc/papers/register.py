@@ -161,5 +161,5 @@ def _prove(names: list[str], progress: Progress) -> list[Proved]:
     wanted = list(dict.fromkeys(names))
     for name in wanted:
         found.append(Proved(proof=name, shows="; ".join(prove(name))))
-        progress("proving", len(found), len(wanted))
+        progress(say("proving"), len(found), len(wanted))
     return found

@@ -167,9 +167,8 @@ def _records(title: str, items: list[BaseModel]) -> Table:
         if any(isinstance(value, Triple | OpenTriple) for value in values):
             for end in ("min", "mean", "max"):
                 ends = [getattr(value, end, None) for value in values]
-                columns.append(
-                    Column(f"{name}_{end}", f"{symbol} {translate(end, 'value')}", f"{label}, {end}", unit, ends)
-                )
+                column, of = f"{symbol} {translate(end, 'value')}", f"{label}, {translate(end, 'end')}"
+                columns.append(Column(f"{name}_{end}", column, of, unit, ends))
         else:
             own = [str(getattr(item, str(extra["unit_in"]))) for item in items] if "unit_in" in extra else None
             columns.append(

@@ -6,7 +6,7 @@ from itertools import compress
 from typing import Any, NamedTuple
 
 from ..findings import Finding
-from ..messages import printable, term, told, translate
+from ..messages import named, printable, term, told, translate, with_unit
 from ..result import Output
 from .document import Column, Document, Entry, Table
 from .units import display, display_unit, estimate, in_numbers, worded
@@ -33,7 +33,7 @@ def title(output: Output) -> str:
     """Heading of an output: what was calculated, for which clutch."""
     spec = {} if output.result.of_several else output.spec or {}
     variant = translate(str(spec.get("variant") or ""), "value")
-    about = " – ".join(printable(str(part)) for part in (spec.get("name"), variant) if part)
+    about = " – ".join(printable(str(part)) for part in (named(spec.get("name")), variant) if part)
     return f"{output.command}: {about}" if about else output.command
 
 
@@ -92,7 +92,7 @@ def step_lines(laid_out: Document) -> list[str]:
     """Steps of an explanation as lines: what, formula, numbers, value with source, what the print has instead."""
     lines = []
     for step in laid_out.steps:
-        at = told(" at {place}", place=term(step.at)) if step.at else ""
+        at = told(" at {place}", place=in_numbers(translate(step.at))) if step.at else ""
         lines += ["", f"{step.symbol}{at}: {translate(step.name)}", f"    {step.symbol} = {in_numbers(step.formula)}"]
         indent = " " * (5 + len(step.symbol))
         if step.substituted != step.formula:
@@ -107,8 +107,7 @@ def step_lines(laid_out: Document) -> list[str]:
 
 def step_value(step: Any) -> str:
     """Value of a step in the engineer's unit, with the SI value's unit where they differ."""
-    unit = display_unit(step.unit)
-    return f"{display(step.value, step.unit)} {unit}".removesuffix(" –")
+    return with_unit(display(step.value, step.unit), display_unit(step.unit))
 
 
 def _cells(column: Column, errors: list[float] | None) -> list[str]:

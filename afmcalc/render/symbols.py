@@ -39,7 +39,7 @@ def literal(text: str) -> str:
 
 def value_latex(text: str) -> str:
     """Return a value as shown to people, such as ``1.2e+07 N·m``, in LaTeX."""
-    number, _, unit = text.partition(" ")
+    number, _, unit = re.sub("(?<! )°", " °", text).partition(" ")
     mantissa, _, exponent = number.partition("e")
     if power := _POWER.fullmatch(number):
         mantissa, exponent = power[1] or "1", power[2].translate(_LOWERED)
@@ -56,5 +56,6 @@ def latex_in_numbers(latex: str) -> str:
     """Return LaTeX of ours with its numbers and units as people of the user's language write them."""
     if spoken() == "en":
         return latex
-    latex = re.sub(r"\\text\{([^}]*)\}", lambda found: f"\\text{{{translate(found[1], 'unit')}}}", latex)
+    # a unit follows its number after a gap; an index does not
+    latex = re.sub(r"\\,\\text\{([^}]*)\}", lambda found: f"\\,\\text{{{translate(found[1], 'unit')}}}", latex)
     return re.sub(r"(?<=\d)\.(?=\d)", "{,}", latex)

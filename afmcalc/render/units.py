@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import NamedTuple
 
-from ..messages import localized, printable, spoken, translate
+from ..messages import localized, printable, spoken, translate, with_unit
 
 
 class Unit(NamedTuple):
@@ -90,7 +90,7 @@ def display(value: object, unit: str) -> str:
         return (
             " … ".join(display(item, unit) for item in value)
             if unit
-            else "; ".join(printable(worded(str(item))) for item in value)
+            else "; ".join(display(item, "") for item in value)
         )
     if isinstance(value, bool):
         return translate("yes" if value else "no", "value")
@@ -102,7 +102,7 @@ def display(value: object, unit: str) -> str:
 def worded(text: str) -> str:
     """Return a text of a result in the language of the user; one made of several may be known in its parts only."""
     # one word may be a name; a sentence is none
-    for context in ("value", "", "comment") if " " in text else ("value", "unit"):
+    for context in ("value", "", "comment", "name") if " " in text else ("value", "unit"):
         if (told := translate(text, context)) != text:
             return told
     return "; ".join(map(translate, text.split("; ")))
@@ -115,9 +115,7 @@ def in_numbers(formula: str) -> str:
     """Return a formula with numbers and units put in as people of the user's language write it."""
     if spoken() == "en":
         return formula
-    return _NUMBER.sub(
-        lambda found: " ".join([localized(found[1]), *([translate(found[2], "unit")] if found[2] else [])]), formula
-    )
+    return _NUMBER.sub(lambda found: with_unit(localized(found[1]), translate(found[2] or "", "unit")), formula)
 
 
 def significant(value: float) -> str:

@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 from ..errors import AfmcalcError
-from ..messages import say, translate
+from ..messages import named, say, translate
 
 DEFAULT = "default"
 PREFIX = "example:"
@@ -41,6 +41,7 @@ def example_text(name: str) -> str:
     return (folder() / f"{name}.toml").read_text(encoding="utf-8")
 
 
+_NAME = re.compile(r'(?m)(?<=^name = ").*(?="$)')
 _OPTIONAL = re.compile(r"# (?=\[|[\w.\"]+ = )")
 """Before a key or block that is there to be taken up."""
 
@@ -58,9 +59,10 @@ def comment(line: str) -> str:
 
 
 def annotated(text: str) -> str:
-    """Return an example with its comments in the language of the user."""
-    return "".join(
+    """Return an example with its comments, and its name, in the language of the user."""
+    told = "".join(
         line.removesuffix(said) + translate(said, "comment") + "\n"
         for line in text.splitlines()
         for said in (comment(line),)
     )
+    return _NAME.sub(lambda found: named(found[0]), told, 1)

@@ -6,6 +6,7 @@ from typing import Any, TypeVar
 from pydantic import BaseModel
 
 from ..arrays import Values
+from ..messages import say
 from .models import Method, Spec
 from .paths import is_whole
 from .reading import make_spec
@@ -67,8 +68,20 @@ def put(data: dict[str, Any], path: str, value: Any) -> None:
 
 def with_value(model: M, path: Sequence[str], value: object) -> M:
     """Copy a spec with an unvalidated value (an array) at ``path``."""
-    name, *rest = path
-    return model.model_copy(update={name: with_value(getattr(model, name), rest, value) if rest else value})
+    return with_values(model, [(path, value)])
+
+
+def with_values(model: M, values: Iterable[tuple[Sequence[str], object]]) -> M:
+    """Copy a spec with unvalidated values at several paths; each of its blocks is copied once."""
+    update: dict[str, object] = {}
+    below: dict[str, list[tuple[Sequence[str], object]]] = {}
+    for (name, *rest), value in values:
+        if rest:
+            below.setdefault(name, []).append((rest, value))
+        else:
+            update[name] = value
+    update |= {name: with_values(getattr(model, name), inner) for name, inner in below.items()}
+    return model.model_copy(update=update)
 
 
 def with_key(spec: Spec, path: str, value: Values) -> Spec:
@@ -114,7 +127,7 @@ def as_variant(spec: Spec, variant: str) -> Spec:
     data["variant"] = variant
     for path in foreign_keys(data):
         put(data, ".".join(path), None)
-    return make_spec(data, f"as {variant}")
+    return make_spec(data, say("as {variant}", variant=variant))
 
 
 def with_force(spec: Spec, force: float) -> Spec:

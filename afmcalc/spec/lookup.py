@@ -17,7 +17,12 @@ if TYPE_CHECKING:
 _UNIT_TEXT = re.compile(r"[\w\s*/^().°·⋅×µμ⁻¹²³⁴-]+")
 _WORD = re.compile(r"[^\W\d_]+(?:_[^\W\d_]+)*")
 
-_FOREIGN = {"J": "an energy", "m^2": "an area", "K": "a temperature difference", "W": "a power"}
+_FOREIGN = {
+    "J": say("an energy"),
+    "m^2": say("an area"),
+    "K": say("a temperature difference"),
+    "W": say("a power"),
+}
 """Dimensions that no field has, by a unit of theirs."""
 
 _SPELLINGS = {

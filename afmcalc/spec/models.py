@@ -217,11 +217,12 @@ class Spec(Block):
     variant: VariantName = Field(description="how the clutch regulates")
     friction: Friction
     friction_group: FrictionGroup
-    closing_spring: ClosingSpring = ClosingSpring()
+    # to validate a default would build its block twice
+    closing_spring: ClosingSpring = ClosingSpring.model_construct()
     control_spring: ControlSpring | None = None
     control_unit: ControlUnit | None = None
-    adjustment: Adjustment = Adjustment()
-    drive: Drive = Drive()
+    adjustment: Adjustment = Adjustment.model_construct()
+    drive: Drive = Drive.model_construct()
     fatigue: Fatigue | None = None
     heat: Heat | None = None
     tolerance: Tolerance | None = None

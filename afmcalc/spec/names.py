@@ -5,7 +5,7 @@ from functools import cache
 
 from pydantic import BaseModel
 
-from ..messages import say
+from ..messages import joined, say
 from .models import Spec
 from .paths import ALIASES
 from .suggest import plain
@@ -47,7 +47,7 @@ def elsewhere(name: str, model: type[BaseModel] = Spec) -> str:
     paths = [path for path in keys_below(model) if _last(path) == name]
     if not paths and (path := path_of(name, model)):
         paths = [path]
-    return say("; did you mean {paths}?", paths=say(" or ").join(paths)) if paths else ""
+    return say("; did you mean {paths}?", paths=joined(paths, say(" or "))) if paths else ""
 
 
 def _last(path: str) -> str:

@@ -6,11 +6,8 @@ from os import PathLike
 
 from ..errors import AfmcalcError, FileError, Problem, SpecError, reason
 from ..messages import say
-from ..source import Source
+from ..source import BUILT_IN, STANDARD_INPUT, Source
 from .limits import LONGEST, LONGEST_TOML, check_counts, check_key_lengths, check_size, too_deep
-
-STANDARD_INPUT = "standard input"
-BUILT_IN = "built-in default"
 
 
 def text_of(source: str | PathLike[str] | None) -> tuple[str, Source]:

@@ -56,7 +56,7 @@ def get(data: Table, *path: str) -> object:
     """Return the value at ``path``; None when absent or when a block is no table."""
     value: object = data
     for key in path:
-        if not isinstance(value, Mapping):
+        if not isinstance(value, dict):
             return None
         value = value.get(key)
     return value
@@ -69,7 +69,7 @@ def has(data: Table, *path: str) -> bool:
 
 def is_table(data: Table, *path: str) -> bool:
     """Whether a block is present, and a table."""
-    return isinstance(get(data, *path), Mapping)
+    return isinstance(get(data, *path), dict)
 
 
 def _friction(data: Table) -> Iterable[Problem]:

@@ -1,6 +1,6 @@
 """Start-up of the whole process against importing the program's own four libraries and doing nothing.
 
-Run with ``pytest tests/benchmarks``, from an installed package whose bytecode is compiled (pip does that).
+Run with ``pytest tests/benchmarks``; the bytecode of both is compiled before they are timed, as pip does it.
 """
 
 import shutil

@@ -70,14 +70,13 @@ def plain():
 
 
 def openturns():
+    """Its fastest way: all normals at once, one call for all quantiles."""
     ot = pytest.importorskip("openturns", reason="OpenTURNS is not installed: pip install 'afmcalc[bench]'")
-    normals = [ot.Normal(float(mean), float(sigma)) for mean, sigma in zip(MEANS, SIGMAS, strict=True)]
-    inputs = ot.JointDistribution(normals) if hasattr(ot, "JointDistribution") else ot.ComposedDistribution(normals)
+    inputs = ot.Normal(MEANS.tolist(), SIGMAS.tolist())
     function = ot.SymbolicFunction(["a", "b", "F", "R", "C"], ["F * R * (a + 7 * b) / (1 + C * 7 * b)"])
 
     def run():
-        sample = function(inputs.getSample(N))
-        return [sample.computeQuantile(p)[0] for p in PROBABILITIES]
+        return function(inputs.getSample(N)).computeQuantile(PROBABILITIES)
 
     return run
 
@@ -92,7 +91,7 @@ def test_ten_million_samples_against_numpy(report):
 
 
 def test_ten_million_samples_against_openturns(report):
-    report("tolerance, 1e7 samples, against OpenTURNS", median_ratio(ours, openturns(), pairs=1), 1 / 10)
+    report("tolerance, 1e7 samples, against OpenTURNS", median_ratio(ours, openturns(), pairs=3), 1 / 4)
 
 
 def test_peak_memory(report):

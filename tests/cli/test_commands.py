@@ -177,7 +177,7 @@ def test_si_numbers_need_neither_numpy_nor_pint_nor_rich(afmcalc, tmp_path):
 def _modules(code: str) -> set[str]:
     report = f"import atexit, sys\natexit.register(lambda: print(*sys.modules, file=sys.stderr))\n{code}"
     run = subprocess.run([sys.executable, "-c", report], capture_output=True, text=True, cwd=ROOT, check=True)
-    return {name.partition(".")[0] for name in run.stderr.split()}
+    return set(run.stderr.split())
 
 
 def _shell(command: str, **environment: str) -> subprocess.CompletedProcess[str]:

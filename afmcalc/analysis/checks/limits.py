@@ -5,7 +5,7 @@ from typing import Literal, NamedTuple
 
 from ...engines.protocol import Clutch
 from ...findings import Finding, Level
-from ...messages import term
+from ...messages import say, term
 from ...result import Result, quantity
 from ...spec.balls import diameters
 from ...spec.edit import value_at
@@ -95,7 +95,7 @@ def _of_synthesis(answers: Answers) -> Iterator[_Held]:
     diameter, needed = found.ball_diameter, 2 * found.ball_radius
     if found.ball_diameter_standard is None:
         largest = max(diameters())
-        yield _Held("no-standard-ball", term("ball needed"), "2 r_ш ≤ largest of the list", "m", needed, largest)
+        yield _Held("no-standard-ball", term("ball needed"), say("2 r_ш ≤ largest of the list"), "m", needed, largest)
     else:
         yield _Held("ball-too-small", term("ball diameter"), "d_ш ≥ 2 r_ш", "m", diameter, needed, least=True)
     if found.undercut_radius is not None:

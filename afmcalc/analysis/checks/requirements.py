@@ -112,7 +112,7 @@ def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Findi
         rows.append(row)
         path = f"requirements.{name}"
         if row.passed is None:
-            needs = JUDGED[name].needs or f"`{JUDGED[name].analysis}`"
+            needs = term(JUDGED[name].needs or f"`{JUDGED[name].analysis}`")
             own = finding("requirement-not-judged", "warning", limit=limit, path=path, name=term(row.name), needs=needs)
             found.append(own)
         elif not row.passed:

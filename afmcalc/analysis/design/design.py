@@ -4,7 +4,7 @@ import numpy as np
 
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
-from ...messages import SCALES, say
+from ...messages import joined, measured, say, term
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.requirements import Requirements
@@ -66,11 +66,11 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
                 most=MOST,
             )
         )
-    found = search(need, lambda done: progress("searching", done, count))
+    found = search(need, lambda done: progress(say("searching"), done, count))
     best = numbered(need, [fine for _, fine in refinement(need, found, progress)])
     missing = None
     if not best:
-        missing = attainable(need, lambda done, of: progress("looking for what is attainable", done, of))
+        missing = attainable(need, lambda done, of: progress(say("looking for what is attainable"), done, of))
     result = DesignResult(
         candidates=found.candidates,
         feasible=found.feasible,
@@ -92,7 +92,7 @@ def refinement(need: Requirements, found: Found, progress: Progress = unwatched)
         behind = len(both)
 
         def told(done: int, behind: int = behind) -> None:
-            progress("refining", behind + done, count)
+            progress(say("refining"), behind + done, count)
 
         best = refined(need, variant, at, told)
         both += zip(*(rows(candidates(need, variant, each)) for each in (at, best)), strict=True)
@@ -154,9 +154,10 @@ def _findings(result: DesignResult) -> list[Finding]:
     if result.front:
         return []
     most = sorted(result.excluded.items(), key=lambda item: -item[1])
-    listed = ", ".join(say("{name} excludes {number:,}", name=name, number=number) for name, number in most)
-    names = say(" or ").join(_given_up(result.attainable or []))
-    if names:
+    listed = joined(say("{name} excludes {number:,}", name=name, number=number) for name, number in most)
+    given_up = _given_up(result.attainable or [])
+    if given_up:
+        names = joined(given_up, say(" or "))
         return [
             finding(
                 "no-candidate/attainable", "error", value=0.0, candidates=result.candidates, listed=listed, names=names
@@ -174,9 +175,13 @@ def _given_up(found: list[Attainable]) -> list[str]:
 
 def _instead(each: Attainable) -> str:
     unit = _UNITS[each.unit]
-    limit, best = (f"{value * SCALES.get(unit, 1.0):.5g} {unit}".rstrip() for value in (each.limit, each.best))
+    limit, best = (measured(value, unit, 5) for value in (each.limit, each.best))
     return say(
-        "{name} ({sense} {limit}; there is {best})", name=each.requirement, sense=each.sense, limit=limit, best=best
+        "{name} ({sense} {limit}; there is {best})",
+        name=each.requirement,
+        sense=term(each.sense),
+        limit=limit,
+        best=best,
     )
 
 

@@ -5,6 +5,7 @@ from typing import Literal
 
 import numpy as np
 
+from ...messages import say
 from ...result import Result, quantity
 from ...spec import Spec, make_spec
 from ...spec.edit import as_written
@@ -106,7 +107,7 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         group |= {"inner_radius": row.inner_radius, "outer_radius": row.outer_diameter / 2}
     spring = {"force": row.closing_force}
     data: dict[str, object] = {
-        "name": f"{need.name or 'Design'}, no. {row.number}",
+        "name": say("{name}, no. {number}", name=need.name or say("Design"), number=row.number),
         "variant": row.variant,
         "friction": need.friction.model_dump(exclude_none=True),
         "friction_group": group,

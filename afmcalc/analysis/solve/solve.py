@@ -10,7 +10,7 @@ from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
-from ...messages import say
+from ...messages import joined, measured, say
 from ...result import Result, quantity
 from ...spec import Spec
 from ...spec.edit import replaced, respecified, with_key
@@ -208,7 +208,7 @@ def _others(name: str, path: str, target: str, wanted: float, others: list[float
     """Name every further value that gives what is wanted."""
     if not others:
         return []
-    listed = ", ".join(f"{name} = {_with_unit(x, _UNITS[name])}" for x in others)
+    listed = joined(say("{name} = {value}", name=name, value=_with_unit(x, _UNITS[name])) for x in others)
     given = _with_unit(wanted, TARGETS[target].unit)
     return [
         finding("solve-another-value", "info", value=others[0], path=path, target=target, wanted=given, others=listed)
@@ -259,10 +259,10 @@ def _not_attainable(
         best=_with_unit(nearest, unit),
         name=name,
         place=_with_unit(place, _UNITS[name]),
-        why=f" ({domain.why})" if place == domain.high and domain.why else "",
+        why=say(" ({why})", why=domain.why) if place == domain.high and domain.why else "",
     )
     return NotAttainableError(refusal(where), nearest, place)
 
 
 def _with_unit(value: float, unit: str) -> str:
-    return f"{value:.6g} {unit.replace('*', '·')}".removesuffix(" 1")
+    return measured(value, "" if unit == "1" else unit.replace("*", "·"))

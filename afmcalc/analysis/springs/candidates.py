@@ -13,6 +13,7 @@ from ...engines.characteristic import (
     characteristic,
 )
 from ...equations import springs as law
+from ...messages import say
 from ...spec.discs import Disc, discs
 from ...spec.springs import CoilSprings, DiscStack
 from .wish import Wish
@@ -39,6 +40,8 @@ STEEL = 7850.0
 _FREE_TURNS = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
 """Active turns to choose from where any stiffness will do."""
 _STEPS = 24
+MISSES = ("force", "preload", "deflection", "stiffness", "length", "inner diameter", "outer diameter", "stress")
+"""What a part may not have as wished."""
 
 
 class Candidate(NamedTuple):
@@ -97,9 +100,10 @@ def coil_candidates(wish: Wish, tolerance: float) -> Iterator[Candidate]:
     for count in COUNTS:
         for wire in WIRES:
             for coil in _coils(wish, count, wire):
+                label = say("coil {wire:g} × {coil:g}", wire=wire * 1e3, coil=coil * 1e3)
                 for turns in _turns(wish, count, wire, coil):
                     part = _spring(wish, count, wire, coil, turns)
-                    yield _judged(part, f"coil {wire * 1e3:g} × {coil * 1e3:g}", wish, tolerance)
+                    yield _judged(part, label, wish, tolerance)
 
 
 def _coils(wish: Wish, count: int, wire: float) -> list[float]:

@@ -10,7 +10,7 @@ from ...engines.protocol import Clutch
 from ...equations import springs as law
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
-from ...messages import say, translate
+from ...messages import joined, say, term
 from ...spec import resolved
 from ...spec.springs import CoilSprings, DiscStack
 from ..registry import SpringKind, SpringOrder
@@ -226,7 +226,7 @@ def _part_of(option: SpringOption) -> dict[str, Any]:
 
 def _none(wish: Wish, close: Candidate) -> Finding:
     ranked = sorted(close.misses.items(), key=lambda each: -each[1])
-    misses = ", ".join(_missed(name, by) for name, by in ranked)
+    misses = joined(_missed(name, by) for name, by in ranked)
     part = close.part
     size = f"{part.parallel} × {part.series}" if isinstance(part, DiscStack) else f"{part.count} × {part.turns:g}"
     path = f"{wish.name}_spring"
@@ -235,8 +235,8 @@ def _none(wish: Wish, close: Candidate) -> Finding:
 
 def _missed(name: str, by: float) -> str:
     if by < 1:
-        return say("{name} by {by:.1%}", name=translate(name), by=by)
-    return say("{name} by {by:.3g} times", name=translate(name), by=by)
+        return say("{name} by {by:.1%}", name=term(name), by=by)
+    return say("{name} by {by:.3g} times", name=term(name), by=by)
 
 
 def _remarks(wish: Wish) -> list[Finding]:

@@ -1,6 +1,6 @@
 """The points of a sweep: one array expression of the engines for all of them."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import product
 from types import EllipsisType
 
@@ -10,9 +10,9 @@ from ...arrays import Floats, Values
 from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, SpecError
-from ...messages import say
+from ...messages import joined, say
 from ...spec import Spec
-from ...spec.edit import respecified, with_value
+from ...spec.edit import respecified, with_values
 from ...spec.paths import is_whole
 
 _BLOCK = 1 << 16
@@ -46,9 +46,7 @@ def _arrays(values: Mapping[str, Floats]) -> dict[str, Floats]:
 
 
 def _over(spec: Spec, arrays: Mapping[str, Floats]) -> Clutch:
-    for path, array in arrays.items():
-        spec = with_value(spec, path.split("."), array)
-    return build(spec)
+    return build(with_values(spec, ((path.split("."), array) for path, array in arrays.items())))
 
 
 def _checked(spec: Spec, arrays: Mapping[str, Floats]) -> Spec:
@@ -59,10 +57,17 @@ def _checked(spec: Spec, arrays: Mapping[str, Floats]) -> Spec:
         if is_whole(path) and bool(np.any(array != np.floor(array))):
             wrong = float(array[array != np.floor(array)].ravel()[0])
             raise AfmcalcError(say("--sweep {path}: {wrong:g} is not a whole number", path=path, wrong=wrong))
-    ends = [dict.fromkeys((float(array.min()), float(array.max()))) for array in arrays.values()]
-    for corner in product(*ends):
+    for corner in product(*map(_ends, arrays.values())):
         valid = _validated(spec, dict(zip(arrays, corner, strict=True)))
     return valid
+
+
+def _ends(array: Floats) -> Iterable[float]:
+    """Smallest and largest element, one where they are equal."""
+    flat = array.ravel()
+    # stretch by stretch: the second look finds it in the cache
+    ends = [(part.min(), part.max()) for part in np.array_split(flat, -(-flat.size // _BLOCK))]
+    return dict.fromkeys((float(min(low for low, _ in ends)), float(max(high for _, high in ends))))
 
 
 def _validated(spec: Spec, corner: dict[str, float]) -> Spec:
@@ -70,7 +75,7 @@ def _validated(spec: Spec, corner: dict[str, float]) -> Spec:
         valid = respecified(spec, corner)
         build(valid)
     except SpecError as error:
-        where = ", ".join(f"{path} = {value:g}" for path, value in corner.items())
+        where = joined(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
         raise SpecError(say("sweep at {where}", where=where), error.problems) from None
     return valid
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +11,7 @@ from ...arrays import Values
 from ...engines import Clutch, build, geometry
 from ...equations import indirect
 from ...spec import Spec
-from ...spec.edit import with_value
+from ...spec.edit import with_values
 from ...spec.tolerance import FRICTION
 from .distributions import Input
 
@@ -35,7 +36,7 @@ class Model:
             return names.index("friction.driving"), names.index("friction.driven")
         return None
 
-    @property
+    @cached_property
     def may_fail(self) -> bool:
         """Whether there may be samples that are no clutch."""
         causes = _IN_NET_GAIN if self.spec.kind.law == "indirect" else _RADII
@@ -60,11 +61,10 @@ class Model:
         return build(self._spec(values))
 
     def _spec(self, values: Sequence[Values]) -> Spec:
-        spec = self.spec
-        for each, value in zip(self.inputs, values, strict=True):
-            if each.path not in FRICTION:
-                spec = with_value(spec, each.path.split("."), value)
-        return spec
+        given = zip(self.inputs, values, strict=True)
+        return with_values(
+            self.spec, ((each.path.split("."), value) for each, value in given if each.path not in FRICTION)
+        )
 
     def torque(self, values: Sequence[Values], clutch: Clutch | None = None) -> Values:
         """Slip torque, N·m."""

@@ -8,6 +8,8 @@ from .distributions import Array, Input
 
 _EDGES = (0.0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.15, 0.3, 0.5)
 _PER_PANEL = 24
+_NEGLIGIBLE = 1e-12
+"""Probability of a part that is not worth nodes."""
 
 
 def panels(kinks: Sequence[float]) -> tuple[Array, Array]:
@@ -19,29 +21,42 @@ def panels(kinks: Sequence[float]) -> tuple[Array, Array]:
     return u.ravel(), (half[:, None] * w).ravel()
 
 
-def gauss(each: Input, count: int) -> tuple[Array, Array]:
+def gauss(each: Input, count: int, bend: float | None = None) -> tuple[Array, Array]:
     """Gauss nodes and weights of a distribution as truncated, exact for polynomials in its value (lognormal: its log).
+
+    On both sides of a bend of what is integrated it is exact for polynomials of their own.
 
     Source: Golub, Welsch, Calculation of Gauss quadrature rules, Math. Comp. 23 (1969); the recurrence by Lanczos'
         method on a fine rule (Gautschi, Orthogonal Polynomials, 2004, section 2.2).
 
     Args:
         each: the distribution.
-        count: number of nodes.
+        count: number of nodes; as many on either side of a bend.
+        bend: value at which what is integrated bends; None where it is smooth.
 
     Returns:
         Values and weights, the weights adding up to 1; a single node where nothing scatters.
     """
-    u, weights = panels(each.kinks)
+    share = 0.0 if bend is None else each.share_below(bend)
+    u, weights = panels([*each.kinks, share])
+    parts = [side for side in (u < share, u >= share) if weights[side].sum() > _NEGLIGIBLE]
+    rules = [_of_part(each, u[side], weights[side], count) for side in parts]
+    values, shares = (np.concatenate(columns) for columns in zip(*rules, strict=True))
+    return values, shares / shares.sum()
+
+
+def _of_part(each: Input, u: Array, weights: Array, count: int) -> tuple[Array, Array]:
+    """Nodes and weights of a part of a distribution: some of its probabilities."""
+    whole = weights.sum()
     x = each.quantiles(u)
     x = np.log(x) if each.kind == "lognormal" else x
-    center = float((weights * x).sum())
-    scale = float((weights * (x - center) ** 2).sum()) ** 0.5
+    center = float((weights * x).sum() / whole)
+    scale = float((weights * (x - center) ** 2).sum() / whole) ** 0.5
     if scale <= 1e-12 * abs(center):
-        return each.quantiles(np.array([0.5])), np.ones(1)
+        return each.quantiles(u[[u.size // 2]]), np.array([whole])
     nodes, shares = _rule((x - center) / scale, weights, count)
     values = center + scale * nodes
-    return np.exp(values) if each.kind == "lognormal" else values, shares
+    return np.exp(values) if each.kind == "lognormal" else values, shares * whole
 
 
 def _rule(x: Array, weights: Array, count: int) -> tuple[Array, Array]:

@@ -32,34 +32,40 @@ def service_of(model: Model) -> list[Slip]:
     frictions = [each for each in model.inputs if each.path in FRICTION]
     clutch = model.clutch([each.center for each in model.inputs])
     most, count = _MOST if len(frictions) < 2 else _MOST_OF_TWO, _LEAST
-    slips = slips_of(frictions, model.correlation, count)
+    bend = None if clutch.leaving_friction is None else float(clutch.leaving_friction)
+    slips = slips_of(frictions, model.correlation, count, bend)
     life = float(life_of(model, clutch, slips))
     while count < most and len(slips) > 1:
         last, count = life, 2 * count
-        slips = slips_of(frictions, model.correlation, count)
+        slips = slips_of(frictions, model.correlation, count, bend)
         life = float(life_of(model, clutch, slips))
         if abs(life / last - 1) < _ENOUGH:
             break
     return slips
 
 
-def slips_of(frictions: list[Input], correlation: float, count: int) -> list[Slip]:
-    """Gauss nodes of the friction in service, ``count`` for each; a single slip where none scatters."""
+def slips_of(frictions: list[Input], correlation: float, count: int, bend: float | None = None) -> list[Slip]:
+    """Gauss nodes of the friction in service, ``count`` for each; a single slip where none scatters.
+
+    Where the sleeve leaves its stop, at ``bend``, the torque bends.
+    """
     found: list[Slip] = [Slip(1.0, {})]
     for number, each in enumerate(frictions):
         before = frictions[0] if number and correlation else None
         found = [
             Slip(slip.share * float(share), {**slip.frictions, each.path: float(value)})
             for slip in found
-            for value, share in zip(*_nodes(each, count, before, slip, correlation), strict=True)
+            for value, share in zip(*_nodes(each, count, before, slip, correlation, bend), strict=True)
         ]
     return found
 
 
-def _nodes(each: Input, count: int, before: Input | None, slip: Slip, correlation: float) -> tuple[Array, Array]:
+def _nodes(
+    each: Input, count: int, before: Input | None, slip: Slip, correlation: float, bend: float | None
+) -> tuple[Array, Array]:
     """Nodes of one friction; where it hangs on the one before, those left by its value (Gaussian copula)."""
     if before is None:
-        return gauss(each, count)
+        return gauss(each, count, bend)
     z, weights = np.polynomial.hermite_e.hermegauss(count if abs(correlation) < 1 else 1)
     score = normal_score(np.array([before.share_below(slip.frictions[before.path])]))
     scores = correlation * score + (1 - correlation**2) ** 0.5 * z

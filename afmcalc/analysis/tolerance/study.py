@@ -86,7 +86,7 @@ def _block(spec: Spec) -> Tolerance:
     wrong = {"friction": unlike, "friction.driving": not unlike, "friction.driven": not unlike}
     for path in given.fields:
         if wrong.get(path):
-            use = "friction.driving and friction.driven" if unlike else "friction"
+            use = say("friction.driving and friction.driven") if unlike else "friction"
             raise SpecError(
                 spec.label, [Problem(f"tolerance.fields.{path}", None, say("this clutch has {use} instead", use=use))]
             )

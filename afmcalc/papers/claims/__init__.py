@@ -5,6 +5,7 @@ from functools import cache
 from importlib import import_module
 
 from ...findings import Finding, finding
+from ...messages import joined, say, term
 from ...result import Result, quantity
 from ..figures import FIGURES, PaperFigure, paper_figure
 from ..register import PAPERS, check_papers, data
@@ -118,12 +119,12 @@ def _curves(figure: PaperFigure) -> list[CurveRow]:
             figure=figure.name,
             curve=curve.number or curve.label,
             label=curve.label,
-            axes=f"{axis.symbol or axis.name} over {figure.x.symbol or figure.x.name}",
+            axes=say("{y} over {x}", y=term(axis.symbol or axis.name), x=term(figure.x.symbol or figure.x.name)),
             first=curve.y[0],
             least=min(curve.y),
             largest=max(curve.y),
             last=curve.y[-1],
-            corrections="; ".join(figure.corrections),
+            corrections=joined(map(term, figure.corrections), "; "),
         )
         for axis, panel in zip(figure.y, figure.panels, strict=True)
         for curve in panel

@@ -4,8 +4,9 @@ import math
 from collections.abc import Callable
 
 from ...equations import accuracy
+from ...messages import say
 from ..figures.fokin2011 import CONTROLLED, GAIN, RANGES, factor, line
-from .found import Found, bisect, figures, verdict
+from .found import Found, bisect, verdict
 
 
 def p13() -> Found:
@@ -18,7 +19,7 @@ def p13() -> Found:
         return all(rise > 0 for rise in rises[:3]) and abs(rises[3]) < 1e-12
 
     return Found(
-        f"K_т(n = 1.5) − K_т(0.5): {figures(shapes(2))} with z_1 = 2; {figures(shapes(1))} with z_1 = 1",
+        say("K_т(n = 1.5) − K_т(0.5): {two:.3f} with z_1 = 2; {one:.3f} with z_1 = 1", two=shapes(2), one=shapes(1)),
         verdict(as_described(shapes(2)), as_described(shapes(1))),
     )
 
@@ -33,8 +34,13 @@ def p14() -> Found:
     # K_т tends to a limit as n grows: above the p of that limit no n breaks even
     last = [_break_even(1e12, *own) for own in ranges]
     return Found(
-        f"lines {figures(lines)}; n 1.5, p 1.2: {figures(at)}; break-even at n 1.5: p = {figures(meet)}; "
-        f"at some n: p < {figures(last)}",
+        say(
+            "lines {lines:.3f}; n 1.5, p 1.2: {at:.3f}; break-even at n 1.5: p = {meet:.3f}; at some n: p < {last:.3f}",
+            lines=lines,
+            at=at,
+            meet=meet,
+            last=last,
+        ),
         verdict(worse_at_n),
     )
 
@@ -59,7 +65,13 @@ def p15() -> Found:
         _elasticity(lambda t: float(factor(1, 1, low / t, high))),
     ]
     return Found(
-        f"elasticities: n {in_n:.3f}, p {in_p:.3f}, m {in_m[0]:.3f} (by f_1max) or {in_m[1]:.3f} (by f_1min)",
+        say(
+            "elasticities: n {in_n:.3f}, p {in_p:.3f}, m {by_max:.3f} (by f_1max) or {by_min:.3f} (by f_1min)",
+            in_n=in_n,
+            in_p=in_p,
+            by_max=in_m[0],
+            by_min=in_m[1],
+        ),
         verdict(abs(in_n) > max(abs(in_p), *map(abs, in_m))),
     )
 
@@ -69,7 +81,7 @@ def p16() -> Found:
     at = (0.5, 1.0, 1.2, 1.5)
     slopes = [float(accuracy.slope_in_ratio_max(1, CONTROLLED, GAIN, n, 1, *RANGES[0])) for n in at]
     return Found(
-        f"∂K_т/∂n at n = {', '.join(map(str, at))}: {figures(slopes)}", verdict(min(slopes[2:]) >= max(slopes[:2]))
+        say("∂K_т/∂n at n = {at}: {slopes:.3f}", at=at, slopes=slopes), verdict(min(slopes[2:]) >= max(slopes[:2]))
     )
 
 

@@ -1,6 +1,6 @@
 """What a recomputed claim comes to."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from typing import Literal, NamedTuple
 
 Verdict = Literal["reproduced", "reproduced with correction", "not reproduced", "undecided"]
@@ -24,11 +24,6 @@ def verdict(as_printed: bool, corrected: bool = False) -> Verdict:
 def near(computed: float, printed: float, digits: float) -> bool:
     """Whether a computed number rounds to the printed one: ``digits`` is a unit in its last place."""
     return abs(computed - printed) <= digits
-
-
-def figures(values: Iterable[float], digits: int = 3) -> str:
-    """List numbers for a cell."""
-    return ", ".join(f"{value:.{digits}f}" for value in values)
 
 
 def bisect(function: Callable[[float], float], low: float, high: float) -> float:

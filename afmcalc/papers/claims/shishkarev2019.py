@@ -1,8 +1,9 @@
 """S19: P1–P4 and P17; S19's share of P22."""
 
 from ...equations import adjustment, direct
+from ...messages import say
 from ..figures.shishkarev2019 import FIRST, LEAST, MEAN, PAIRS, SECOND, cycles
-from .found import Found, figures, near, verdict
+from .found import Found, near, verdict
 
 _MIN, _MEAN, _GAIN, _MARGIN = 0.15, 0.33, 1.6, 1.25
 _MAX = 1 / _GAIN
@@ -18,7 +19,7 @@ def p1() -> Found:
     """Threshold of the number of pairs."""
     as_printed, mended = (float(adjustment.pairs_threshold(1, gain, _MIN, _MEAN, _MARGIN)) for gain in (_GAIN, 1.4))
     return Found(
-        f"z > {as_printed:.3f} (C 1.6), {mended:.3f} (C 1.4)",
+        say("z > {as_printed:.3f} (C 1.6), {mended:.3f} (C 1.4)", as_printed=as_printed, mended=mended),
         verdict(near(as_printed, 9.23, 0.01), near(mended, 9.23, 0.01)),
         as_printed / 9.23 - 1,
     )
@@ -28,7 +29,7 @@ def p2() -> Found:
     """Fall of life over the band."""
     computed = float(cycles(500) / cycles(1100))
     deviation = computed / 21.54 - 1
-    return Found(f"{computed:.2f} times", verdict(abs(deviation) < 0.01), deviation)
+    return Found(say("{times:.2f} times", times=computed), verdict(abs(deviation) < 0.01), deviation)
 
 
 def p3() -> Found:
@@ -36,7 +37,7 @@ def p3() -> Found:
     torques = [(MEAN + LEAST + band) / (2 * LEAST + band) for band in (500, 1100)]
     lives = [float(cycles(band) / cycles(band + LEAST - MEAN, MEAN)) for band in (500, 1100)]
     return Found(
-        f"mean torques {figures(torques)}; N falls {figures(lives, 2)} times",
+        say("mean torques {torques:.3f}; N falls {lives:.2f} times", torques=torques, lives=lives),
         verdict(near(lives[0], 1.44, 0.01), near(torques[0], 1.44, 0.01) and near(torques[1], 1.3, 0.05)),
         lives[1] / 1.3 - 1,
     )
@@ -49,7 +50,7 @@ def p4() -> Found:
     bands = [float(adjustment.scatter(1.0, 1.0, z, z - 1, _GAIN, _MIN, _MAX)) for z in PAIRS]
     grows = all(later > earlier for earlier, later in zip(bands, bands[1:], strict=False))
     return Found(
-        f"ΔT_1/(F_п R) {figures(bands)}; ΔT_2/ΔT_1 {figures(computed)}",
+        say("ΔT_1/(F_п R) {bands:.3f}; ΔT_2/ΔT_1 {ratios:.3f}", bands=bands, ratios=computed),
         verdict(grows and near(computed[0], printed, 0.001)),
         computed[0] / printed - 1,
     )
@@ -61,7 +62,12 @@ def p17() -> Found:
     computed = [_arm(_MAX, z) / _arm(_MIN, z) for z in PAIRS]
     ceiling = LEAST * _MEAN / _MIN
     return Found(
-        f"K_т {figures(computed)}, never above {_MAX / _MIN:.3f}; T_cp at most {ceiling:.0f} N·m",
+        say(
+            "K_т {factors:.3f}, never above {most:.3f}; T_cp at most {ceiling:.0f N·m}",
+            factors=computed,
+            most=_MAX / _MIN,
+            ceiling=ceiling,
+        ),
         verdict(near(computed[0], printed, 0.05) and ceiling >= MEAN),
         computed[0] / printed - 1,
     )

@@ -4,8 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from ...messages import say
 from ..figures.shishkarev2021 import ball_and_travel, base_factor, factor
-from .found import Found, figures, near, verdict
+from .found import Found, near, verdict
 
 _RANGES = ((3.0, 12.0), (1.5, 19.0))
 """The range of C in fig. 2 is not printed; over each of these, and others, both printed averages come out."""
@@ -29,19 +30,30 @@ def p5() -> Found:
     """K_т falls when c_1 is doubled."""
     at = [_stiffer(gain) for gain in (1.0, 4.0)]
     averages = [_average(_stiffer, *gains) for gains in _RANGES]
-    return _open(1.03, at, averages, f"{at[0]:.3f} at C 1, {at[1]:.3f} at C 4; {_over(averages)}")
+    return _open(
+        1.03,
+        at,
+        averages,
+        say("{first:.3f} at C 1, {last:.3f} at C 4; {average}", first=at[0], last=at[1], average=_over(averages)),
+    )
 
 
 def p6() -> Found:
     """K_т falls when C is doubled."""
     at = [_doubled(gain) for gain in (1.0, 2.0)]
     averages = [_average(_doubled, low, high / 2) for low, high in _RANGES]
-    return _open(1.18, at, averages, f"{at[0]:.3f} (C 1 → 2), {at[1]:.3f} (2 → 4); {_over(averages)} (C and 2C)")
+    computed = say(
+        "{first:.3f} (C 1 → 2), {last:.3f} (2 → 4); {average} (C and 2C)",
+        first=at[0],
+        last=at[1],
+        average=_over(averages),
+    )
+    return _open(1.18, at, averages, computed)
 
 
 def _over(averages: list[float]) -> str:
-    ranges = ", ".join(f"{low:g}…{high:g}" for low, high in _RANGES)
-    return f"on average {figures(averages)} over C {ranges}"
+    ranges = [say("{low:g}…{high:g}", low=low, high=high) for low, high in _RANGES]
+    return say("on average {averages:.3f} over C {ranges}", averages=averages, ranges=ranges)
 
 
 def _open(printed: float, at: list[float], averages: list[float], computed: str) -> Found:
@@ -56,7 +68,7 @@ def p7() -> Found:
     gains = (1.0, 2.0, 4.0)
     base, own = ([float(of(gain)) for gain in gains] for of in (base_factor, factor))
     return Found(
-        f"C 1, 2, 4: base {figures(base)}; indirect {figures(own)}",
+        say("C 1, 2, 4: base {base:.3f}; indirect {own:.3f}", base=base, own=own),
         verdict(all(first < second for first, second in zip(base, own, strict=True))),
     )
 
@@ -69,7 +81,11 @@ def p8() -> Found:
     bottom = top + int(np.argmin(radii[top:]))
     grows, falls = bool(np.all(np.diff(travels) > 0)), bool(np.all(np.diff(radii[top : bottom + 1]) < 0))
     return Found(
-        f"x_max grows; r_ш rises to C = {gains[top]:.2f}, falls to C = {gains[bottom]:.1f}, then grows again",
+        say(
+            "x_max grows; r_ш rises to C = {top:.2f}, falls to C = {bottom:.1f}, then grows again",
+            top=gains[top],
+            bottom=gains[bottom],
+        ),
         verdict(grows and top == 0 and bottom == len(radii) - 1, grows and falls),
     )
 

@@ -4,14 +4,15 @@ import numpy as np
 
 from ...equations import adjustment, direct, indirect, overload
 from ...equations.reconstruction import friction_bound
+from ...messages import say, term
 from ..figures.shishkarev2022 import HIGH, LOW, MARGIN, actual_factor, expected_factor, factor
-from .found import Found, figures, near, verdict
+from .found import Found, near, verdict
 
 
 def p9() -> Found:
     """Ratio of the two accuracy factors."""
     computed = float(factor(5))
-    return Found(f"A = {computed:.3f}", verdict(near(computed, 3, 0.005)), computed / 3 - 1)
+    return Found(say("A = {factor:.3f}", factor=computed), verdict(near(computed, 3, 0.005)), computed / 3 - 1)
 
 
 def p10() -> Found:
@@ -20,7 +21,12 @@ def p10() -> Found:
     best = float(scan[np.argmin(actual_factor(scan))])
     closed = float(overload.optimal_reduced_gain(HIGH))
     return Found(
-        f"zC = {best:.3f} by scan, {closed:.3f} = 1/f_max; A(1.6) = {factor(1.6):.3f}",
+        say(
+            "zC = {best:.3f} by scan, {closed:.3f} = 1/f_max; A(1.6) = {there:.3f}",
+            best=best,
+            closed=closed,
+            there=factor(1.6),
+        ),
         verdict(near(best, 1.6, 0.05), near(best, closed, 0.002)),
         best / 1.6 - 1,
     )
@@ -31,7 +37,11 @@ def p11() -> Found:
     threshold = float(overload.interval_high(5))
     ratios = [float(factor(5, low, low)) for low in (0.1, 0.2, 0.3)]
     return Found(
-        f"1/(zC) = {threshold:.3f}; T_ср/T_н.муф at f_min 0.1, 0.2, 0.3: {figures(ratios)}",
+        say(
+            "1/(zC) = {threshold:.3f}; T_ср/T_н.муф at f_min 0.1, 0.2, 0.3: {ratios:.3f}",
+            threshold=threshold,
+            ratios=ratios,
+        ),
         verdict(near(threshold, 0.2, 1e-12) and ratios[0] < 1 < ratios[2]),
         threshold / 0.2 - 1,
     )
@@ -40,7 +50,8 @@ def p11() -> Found:
 def p12() -> Found:
     """The discriminant of (17) is positive."""
     values = [float(overload.discriminant(MARGIN, 0.05 * i * low)) for low in (0.1, 0.2) for i in range(101)]
-    return Found(f"D from {min(values):.4f} to {max(values):.4f}", verdict(min(values) > 0))
+    low, high = min(values), max(values)
+    return Found(say("D from {low:.4f} to {high:.4f}", low=low, high=high), verdict(low > 0))
 
 
 def p18() -> Found:
@@ -50,7 +61,7 @@ def p18() -> Found:
         u = 5 * low
         weight = MARGIN * (1 + u)
         ends.append((weight + float(overload.discriminant(MARGIN, u)) ** 0.5) / (2 * 5 * (weight - u)))
-    return Found(f"right end of (17): {figures(ends)} for both", verdict(not near(ends[0], ends[1], 1e-9)))
+    return Found(say("right end of (17): {ends:.3f} for both", ends=ends), verdict(not near(ends[0], ends[1], 1e-9)))
 
 
 def p19() -> Found:
@@ -58,14 +69,19 @@ def p19() -> Found:
     bound = {z: float(friction_bound(z, MARGIN, 5)) for z in range(2, 31)}
     best = min(bound, key=lambda z: bound[z])
     return Found(
-        f"minimum at z = {best}, f = {bound[best]:.2f}", verdict(False, best == 3 and bound[best] > HIGH), best / 3 - 1
+        say("minimum at z = {best}, f = {bound:.2f}", best=best, bound=bound[best]),
+        verdict(False, best == 3 and bound[best] > HIGH),
+        best / 3 - 1,
     )
 
 
 def p20() -> Found:
     """Safe range of f_min with fewer driving pairs."""
     limits = [float(overload.interval_high((4 - z1) * direct.gain_limit_differentiated(z1, HIGH))) for z1 in (1, 2, 3)]
-    return Found(f"1/[(z − z_1) C] for z_1 = 1, 2, 3: {figures(limits)}", verdict(limits[0] > limits[1] > limits[2]))
+    return Found(
+        say("1/[(z − z_1) C] for z_1 = 1, 2, 3: {limits:.3f}", limits=limits),
+        verdict(limits[0] > limits[1] > limits[2]),
+    )
 
 
 def p21() -> Found:
@@ -75,8 +91,13 @@ def p21() -> Found:
     actual = np.asarray(actual_factor(reduced))
     driving = float(factor(1.6) * expected_factor(1.6))
     return Found(
-        f"T_ср(f_max)/T_н: all-driving {driving:.2f}; z_1 = 1, 2, 3: {figures(published, 2)} "
-        f"(with max(T_ср, T_муф): {figures(actual, 2)})",
+        say(
+            "T_ср(f_max)/T_н: all-driving {driving:.2f}; z_1 = 1, 2, 3: {published:.2f} "
+            "(with max(T_ср, T_муф): {actual:.2f})",
+            driving=driving,
+            published=published.tolist(),
+            actual=actual.tolist(),
+        ),
         verdict(bool(np.all(published > driving))),
     )
 
@@ -89,7 +110,12 @@ def p22() -> Found:
     ends = [float(overload.interval_low(low, MARGIN, 5 * low)) for low in (0.1, 0.2)]
     thresholds = [float(adjustment.pairs_threshold(1, 1.6, 0.15, 0.33, margin)) for margin in (1.25, 1.5)]
     return Found(
-        f"rises: {'yes' if rises else 'no'}; {figures(ends)}; z > {figures(thresholds)}",
+        say(
+            "rises: {rises}; {ends:.3f}; z > {thresholds:.3f}",
+            rises=term("yes" if rises else "no"),
+            ends=ends,
+            thresholds=thresholds,
+        ),
         verdict(rises and ends[0] < 0.1 and ends[1] < 0.2 and thresholds[1] < thresholds[0]),
     )
 

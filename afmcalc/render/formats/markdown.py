@@ -8,6 +8,7 @@ from ...result import Output
 from ..document import Document, document
 from ..layout import blocks, findings_lines, step_value, title, unfolded
 from ..symbols import latex_in_numbers, value_latex
+from ..units import in_numbers
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -33,7 +34,7 @@ def _steps(laid_out: Document) -> list[str]:
         return []
     lines = []
     for step in laid_out.steps:
-        at = f" ({_escape(step.at)})" if step.at else ""
+        at = f" ({_escape(in_numbers(translate(step.at)))})" if step.at else ""
         equals = " = ".join(dict.fromkeys(map(latex_in_numbers, (step.formula_latex, step.substituted_latex))))
         lines += [f"### {_escape(step.symbol)}{at}: {_escape(translate(step.name))}", ""]
         lines += [

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from pydantic import BaseModel
 
-from ...messages import RAISED, localized, translate
+from ...messages import RAISED, localized, translate, with_unit
 from ..units import display, display_unit
 
 
@@ -149,5 +149,4 @@ def stated(symbol: str, value: float, unit: str) -> str:
     >>> stated("F_п", 2000.0, "N"), stated("C", 0.5, "1")
     ('F_п = 2 kN', 'C = 0.5')
     """
-    shown = display_unit(unit)
-    return f"{symbol} = {display(value, unit)}" + (f" {shown}" if shown not in ("", "–") else "")
+    return f"{symbol} = {with_unit(display(value, unit), display_unit(unit))}"

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, Literal
 
-from ...messages import spoken
+from ...messages import named, spoken
 from ..symbols import literal, mathtext
 from .chart import Chart, Sheet
 from .paint import paint
@@ -101,7 +101,7 @@ def _figure(sheet: Sheet, *, bare: bool) -> "Figure":
         else:
             panel.paint(axes)
     if not bare:
-        title = mathtext(sheet.title) + (f" – {literal(sheet.name)}" if sheet.name else "")
+        title = mathtext(sheet.title) + (f" – {literal(named(sheet.name))}" if sheet.name else "")
         figure.text(0.015, 1 - 0.2 / total, title, fontsize=11, fontweight="bold", va="center")
         figure.text(0.015, 0.08 / total, "\n".join(map(mathtext, caption)), fontsize=8, va="bottom", linespacing=1.35)
     return figure

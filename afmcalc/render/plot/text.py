@@ -5,7 +5,7 @@ import textwrap
 from collections.abc import Sequence
 from typing import Any
 
-from ...messages import localized, printable, told
+from ...messages import localized, named, printable, told
 from ..canvas import Ends, Trace, bounds, drawn, place, ticks
 from ..document import Table
 from ..layout import TextTable
@@ -65,7 +65,7 @@ def _decades(low: float, high: float) -> list[float]:
 
 def draw_sheet(sheet: Sheet, *, unicode: bool) -> str:
     """Draw the panels of a sheet that are charts, with title and caption."""
-    title = sheet.title + (f" – {sheet.name}" if sheet.name else "")
+    title = sheet.title + (f" – {named(sheet.name)}" if sheet.name else "")
     charts = [panel for panel in sheet.panels if isinstance(panel, Chart)]
     blocks = [[title], *([*filter(None, [chart.title]), *draw(chart, unicode=unicode)] for chart in charts)]
     if sheet.caption:

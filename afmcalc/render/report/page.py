@@ -1,12 +1,13 @@
 """From subject to page."""
 
+from datetime import date
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from ...analysis.dossier import Dossier
-from ...messages import localized, printable, spoken, translate
+from ...messages import localized, named, printable, spoken, translate
 from ...messages import told as message
 from ...papers.references import REFERENCES
 from ...spec import resolved
@@ -71,7 +72,7 @@ def render(subject: Subject) -> str:
     dossier = subject.dossier
     found = chapters(dossier)
     figures = _figures(found)
-    name = dossier.spec.name or told("unnamed")
+    name = named(dossier.spec.name) or told("unnamed")
     page: str = environment.get_template("page.html").render(
         subject=subject,
         told=told,
@@ -98,9 +99,17 @@ def _entries(subject: Subject) -> list[tuple[str, str]]:
     title, spec = subject.title, subject.dossier.spec
     program = f"afmcalc {subject.version}"
     own = {"variant": translate(spec.variant, "value"), "program": program}
-    own |= {name: getattr(title, name) for name in TitleBlock.model_fields}
+    own |= {name: getattr(title, name) for name in TitleBlock.model_fields} | {"date": _dated(title.date)}
     form = FORMS[spoken()]
     return [(name, own[name]) for name in form.entries if own[name] or name in form.signed]
+
+
+def _dated(given: str | None) -> str | None:
+    """A date of ISO 8601 as the language writes it; any other as it is."""
+    try:
+        return date.fromisoformat(given or "").strftime(translate("%Y-%m-%d", "date"))
+    except ValueError:
+        return given
 
 
 def _sections(dossier: Dossier, figures: list["_Figure"]) -> list[str]:
@@ -148,7 +157,10 @@ def _keys(subject: Subject) -> list[_SpecLine]:
 def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
     """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of what scatters."""
     unit = unit_at(name) or ""
-    numbers = [f"{part} {display(value, unit)}" for part, value in given.items() if part != "distribution"]
+    given_as = {part: value for part, value in given.items() if part != "distribution"}
+    numbers = [f"{translate(part, 'value')} {display(value, unit)}" for part, value in given_as.items()]
+    # a spread in percent has no other unit
+    shown_unit = "" if all(isinstance(value, str) for value in given_as.values()) else display_unit(unit)
     key = keys().get(name)
     about = (
         message("scatter: {about}", about=translate(key.description).partition(";")[0])
@@ -156,7 +168,7 @@ def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
         else translate("scatter of the friction in service")
     )
     value = (", " if spoken() == "en" else "; ").join([worded(given["distribution"]), *numbers])
-    return _SpecLine(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, display_unit(unit), False)
+    return _SpecLine(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, shown_unit, False)
 
 
 def _flat(data: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:

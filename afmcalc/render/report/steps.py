@@ -8,9 +8,9 @@ from typing import NamedTuple
 from latex2mathml.converter import convert
 
 from ...analysis.explain.derivation import CaseRow, Derivation, Meaning
-from ...messages import localized, spoken, term, translate
+from ...messages import localized, spoken, term, translate, with_unit
 from ..symbols import value_latex
-from ..units import display, display_unit
+from ..units import display, display_unit, in_numbers
 from .words import told
 
 
@@ -76,7 +76,9 @@ def _block(own: Derivation, method: str) -> Derived:
     if joined:
         parts += dict.fromkeys((numbers, value_latex(_value(own.rows[0], own.unit))))
     lines = [
-        CaseLine([labels[index] for _, labels in named], _math(f"{symbol} = {row.numbers}"), _value(row, own.unit))
+        CaseLine(
+            [labels[index] for _, labels in named], _math(f"{symbol} = {_broken(row.numbers)}"), _value(row, own.unit)
+        )
         for index, row in enumerate([] if joined else own.rows)
     ]
     notes = [told("differs", printed=term(own.differs))] if own.differs else []
@@ -99,7 +101,7 @@ def _block(own: Derivation, method: str) -> Derived:
 def _labels(rows: Sequence[CaseRow], name: str, method: str) -> tuple[str, list[str]]:
     """One column of labels; empty where it would say of each line what goes without saying."""
     found = {
-        "friction": [row.case.friction or "" for row in rows],
+        "friction": [in_numbers(row.case.friction or "") for row in rows],
         "branch": [told(f"branch/{row.case.branch}", **_after(row)) for row in rows],
         "setting": [told(f"setting/{row.case.setting or method}") for row in rows],
         "side": [told(f"side/{row.case.side}") if row.case.side else "" for row in rows],
@@ -122,12 +124,29 @@ def _explained(own: Meaning) -> Explained:
 
 
 def _value(row: CaseRow, unit: str) -> str:
-    return f"{display(row.value, unit)} {display_unit(unit)}".removesuffix(" –")
+    return with_unit(display(row.value, unit), display_unit(unit))
 
 
 def _size(latex: str) -> int:
     """How many signs a formula sets, about."""
     return len(re.sub(r"\\(?:text|left|right|frac|cdot)|[{}\\_^ ]", "", latex))
+
+
+def _broken(latex: str) -> str:
+    """Set a sum that is too long in several lines, a summand each: MathML breaks none, and paper does not scroll."""
+    if _size(latex) <= _SHORT:
+        return latex
+    depth, summands = 0, [""]
+    for part in _PARTS.split(latex):
+        depth += (part in _OPENING) - (part in _CLOSING)
+        if depth == 0 and part in _SIGNS and summands[-1].strip():
+            summands.append("")
+        summands[-1] += part
+    return r"\begin{array}{l} " + r" \\ ".join(summands) + r" \end{array}" if len(summands) > 1 else latex
+
+
+_OPENING, _CLOSING, _SIGNS = ("{", "(", "["), ("}", ")", "]"), (" + ", " - ")
+_PARTS = re.compile(r"([{}()\[\]]| [+-] )")
 
 
 def _math(latex: str) -> str:
@@ -136,10 +155,10 @@ def _math(latex: str) -> str:
     if spoken() == "en":
         return text
     text = _NUMERAL.sub(lambda found: f"<mn>{localized(found[1])}</mn>", text)
-    return _UNIT.sub(lambda found: f"<mtext>{translate(found[1], 'unit')}</mtext>", text)
+    return _UNIT.sub(lambda found: f"{found[1]}<mtext>{translate(found[2], 'unit')}</mtext>", text)
 
 
-_NUMERAL, _UNIT = re.compile("<mn>([^<]*)</mn>"), re.compile("<mtext>([^<]*)</mtext>")
+_NUMERAL, _UNIT = re.compile("<mn>([^<]*)</mn>"), re.compile("(<mspace [^>]*>)<mtext>([^<]*)</mtext>")
 
 
 @cache

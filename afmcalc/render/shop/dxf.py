@@ -8,6 +8,7 @@ from ezdxf.filemanagement import new
 from ezdxf.layouts.layout import Modelspace
 
 from ...analysis.shop import ShopDrawing
+from ...messages import localized, translate
 from .described import described
 from .layers import CREATOR, LAYERS, MM
 
@@ -25,7 +26,7 @@ def dxf(drawing: ShopDrawing) -> bytes:
     try:
         document = new("R2010", setup=True, units=units.MM)
         for layer, (about, colour, _) in LAYERS.items():
-            document.layers.add(layer, color=colour).description = about
+            document.layers.add(layer, color=colour).description = translate(about)
         space = document.modelspace()
         for contour in drawing.contours:
             points = [(along * MM, around * MM) for along, around in contour.points]
@@ -52,7 +53,7 @@ def _dimensions(space: Modelspace, drawing: ShopDrawing, radius: float) -> None:
     face, floor = found.face_gap / 2 * MM, max(along for along, _ in pocket) * MM
     back, side = sleeve[0][0] * MM, abs(sleeve[0][1]) * MM
     half = found.pocket_width / 2 * MM
-    on, style = {"layer": "DIMENSIONS"}, dict(_STYLE)
+    on, style = {"layer": "DIMENSIONS"}, _STYLE | {"dimdsep": ord(localized("."))}
     across = space.add_linear_dim((back + 4, 0), (face, -half), (face, half), angle=90, override=style, dxfattribs=on)
     deep = space.add_linear_dim((0, side + 4), (face, half), (floor, half), override=style, dxfattribs=on)
     gap = space.add_linear_dim((0, -side - 4), (-face, -side), (face, -side), override=style, dxfattribs=on)

@@ -3,6 +3,7 @@
 from xml.sax.saxutils import escape
 
 from ...analysis.shop import Contour, ShopDrawing
+from ...messages import named
 from .described import described
 from .layers import CREATOR, LAYERS, MM
 
@@ -22,7 +23,7 @@ def svg(drawing: ShopDrawing) -> bytes:
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_mm(wide)}mm" height="{_mm(high)}mm" '
         f'viewBox="{_mm(left)} {_mm(top)} {_mm(wide)} {_mm(high)}">',
-        f"<title>{escape(drawing.name)}</title>",
+        f"<title>{escape(named(drawing.name))}</title>",
         f"<desc>{CREATOR}</desc>",
         '<g fill="none" stroke-width="0.18" stroke-linejoin="round">',
         *map(_path, drawing.contours),

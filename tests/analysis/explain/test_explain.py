@@ -35,6 +35,14 @@ def test_every_value_shown_is_the_value_calculated(command, name):
         assert step.unit == equations()[step.function].result.unit
 
 
+@pytest.mark.parametrize("name", ["default", "unlike-materials", "all-driving", "indirect", "constant-torque"])
+def test_no_two_steps_of_the_torque_look_alike(name):
+    """Branches of a curved pocket too: what falls back is not said to rise."""
+    steps = explain("torque", read_spec(CONFIGS / f"{name}.toml"))[0].steps
+    told = [(step.function, step.symbol, step.at, step.setting) for step in steps]
+    assert len(told) == len(set(told))
+
+
 @pytest.mark.parametrize("name", sorted(n for n in equations() if n != "synthesis.least_contact_force_cubic"))
 def test_the_text_of_every_equation_evaluates_to_the_equation(name):
     """Read the one-line text back and put the numbers in: the same value."""

@@ -42,7 +42,7 @@ FRICTIONS = [
 @pytest.mark.parametrize("friction", FRICTIONS)
 @pytest.mark.parametrize(
     "source",
-    [CONFIGS / "default.toml", CONFIGS / "all-driving.toml", CONFIGS / "conventional.toml", S21],
+    [CONFIGS / f"{name}.toml" for name in ("default", "all-driving", "conventional", "indirect")] + [S21],
     ids=lambda path: path.stem,
 )
 def test_the_sampler_against_the_exact_answer(source, friction, method):

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from ....analysis.accuracy import AccuracySweep
 from ....analysis.curves import AccuracyCurve
-from ....messages import told, translate
+from ....messages import named, told, translate
 from ....spec.paths import is_whole, keys
 from ..chart import Chart, ChartAxis, Guide, Line, Sheet, axis_of, describe, stated
 
@@ -14,7 +14,7 @@ def sheet(curves: Sequence[AccuracyCurve]) -> Sheet:
     x, y = _abscissa(curves[0]), axis_of(AccuracySweep, "accuracy_factor")
     title = told("Accuracy factor K_т against {quantity} {symbol}", quantity=x.quantity, symbol=x.symbol).rstrip()
     if len(curves) > 1:
-        lines = [_line(curve.name or translate(curve.variant, "value"), curve) for curve in curves]
+        lines = [_line(named(curve.name) or translate(curve.variant, "value"), curve) for curve in curves]
         return Sheet(title, [Chart(x, y, lines, named=True)])
     (curve,) = curves
     return Sheet(title, [Chart(x, y, _lines(curve), guides=_guides(curve, x))], name=curve.name or "")

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from ....analysis.curves import LifeCurve
 from ....analysis.life import LifeSweep
-from ....messages import term, told, translate
+from ....messages import named, term, told, translate
 from ..chart import Chart, ChartAxis, Guide, Line, Sheet, axis_of, describe, power
 
 _SIDES = ("protected", "unprotected", "protected_forecast")
@@ -26,7 +26,7 @@ def sheet(curves: Sequence[LifeCurve]) -> Sheet:
         guides = [Guide(told("base cycles N_0 = {cycles}", cycles=power(first.base_cycles)), first.base_cycles)]
     else:
         lines = [
-            Line(each.name or translate(each.variant, "value"), each.series.values, each.series.protected)
+            Line(named(each.name) or translate(each.variant, "value"), each.series.values, each.series.protected)
             for each in curves
         ]
         title, guides = translate("Life of the protected side against the scatter band"), []

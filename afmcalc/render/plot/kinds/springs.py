@@ -34,7 +34,7 @@ def _panel(own: SpringCurve) -> Chart:
     low, high = own.service
     guides += [Guide(translate("service"), end, across=False, style=1) for end in sorted({low, high})]
     x, y = axis_of(SpringCurve, "deflection"), axis_of(SpringCurve, "force")
-    title = f"{translate(NAMES[own.spring])}: {own.part}"
+    title = f"{translate(NAMES[own.spring])}: {translate(own.part)}"
     return Chart(x, y, lines, title=title[:1].upper() + title[1:], guides=_named_once(guides), from_zero=True)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 
 from ....analysis.curves import TorqueCurve
-from ....messages import term, told, translate
+from ....messages import named, term, told, translate
 from ..chart import Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, describe, stated
 
 _EXTRA = ("breakaway_torque", "torque_returning")
@@ -13,7 +13,9 @@ def sheet(curves: Sequence[TorqueCurve]) -> Sheet:
     """Draw one clutch in detail, or several as one curve each."""
     if len(curves) == 1:
         return _one(curves[0])
-    lines = [Line(curve.name or translate(curve.variant, "value"), curve.friction, curve.torque) for curve in curves]
+    lines = [
+        Line(named(curve.name) or translate(curve.variant, "value"), curve.friction, curve.torque) for curve in curves
+    ]
     return Sheet(
         translate("Slip torque against friction"),
         [Chart(_friction(curves), _torque(), lines, from_zero=True, named=True)],

@@ -1,0 +1,225 @@
+"""What is shown in Russian holds no English: every command for every example, plots, reports, helps; and nothing is said past the catalogue."""
+
+import ast
+import html
+import re
+from collections.abc import Iterator
+
+import pytest
+from conftest import CONFIGS, ROOT
+from texts import texts
+
+from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
+from afmcalc.papers.figures import FIGURES
+from afmcalc.variants import VARIANTS
+
+EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem != "requirements")
+ALONE = ("design", "equations", "reproduce", "examples", "materials", "explain", "solve")
+"""Commands that take no clutch, or more than one."""
+
+COMMANDS = [
+    *([name] for name, each in ANALYSES.items() if name not in ALONE),
+    *(["explain", name] for name in EXPLAINED),
+    *(["plot", name] for name, each in PLOTS.items() if each.takes in ("clutch", "clutches")),
+    *(["accuracy", "--sweep", "C=0.2:1:3"], ["life", "--sweep", "dT"], ["overload", "--sweep", "z1"]),
+    *(["compare", "--variants"], ["solve", "accuracy_factor=1.01"], ["springs", "--set", "closing_spring.room.length=1e-3"]),
+    ["check", "--set", "requirements.peak_torque=1", "--set", "requirements.cycles=1e9", "--set", "C=3"],
+]  # fmt: skip
+WITHOUT_CLUTCH = [
+    *(["design", "example:requirements"], ["design", "example:requirements", "--set", "accuracy_factor=1.0001"]),
+    *(["reproduce"], ["equations"], ["equations", "--misprints"], ["examples"], ["materials"]),
+    ["plot", "pareto", "example:requirements"],
+    *(["plot", "paper", name] for name in FIGURES),
+]
+ERRORS = [
+    *(["torque", "no.toml"], ["torque", "."], ["torqe"], ["torque", "--hepl"], ["torque", "--format", "xml"], ["solve"]),
+    *(["torque", "--set", f"closing_spring.force={text}"] for text in ("2 mm", "5 J", "2 kNN", "-1", "0,5", "true")),
+    *(["torque", "--set", text] for text in ("friction.mux=1", "variant=foo", "friction.max=0.05", "variant=indirect")),
+    *(["accuracy", "--sweep", "C=1:2"], ["plot", "foo"], ["explain", "foo"], ["equations", "--id", "X"]),
+    *(["reproduce", "--figure", "S22-9"], ["springs", "--top", "0"], ["design"], ["torque", "-o", "a.pdf"]),
+]  # fmt: skip
+
+SHOWN = re.compile(
+    r"^  *(\d+)? \| .*$"  # lines of a spec
+    r"|^ *(Вызов: )?(afmcalc|export|eval|source)\b.*$|^ *--?\w.*?(?=  |$)|\\$"  # command lines, options
+    r"|^SPEC .*$|\(Miner, .*?\)|\bconfigs/|умолчанию: \d\.\d|kNN|напишите \S+|: \w+\.\w+ = \S+|^.*[┤│].*$|\.\w{3}\b"  # curves, endings of files
+    r"|\[[a-z][\w/-]*(?:, [\w.]+)?\]"  # codes of findings
+    r"|'[^']*'|\"[^\"]*\"|\{[^}]*\}"
+    r"|\b\w+(?:[.-][A-Za-z]\w*)+\b|--[\w-]+|\b\w*_\w*(?:[.,]\w+)*"  # keys, files, options, symbols
+    r"|\bafmcalc \w+|\bexample:\S+|[\w.]+=\S*|\bDIN EN \d+ [ABC] \S+"
+    r"|\b[A-Z]{2,}\b|\b(?:arctan|sin|cos|tan|Markdown|Schema|SciPy|SymPy|SVG)\b",
+    re.MULTILINE,
+)
+CODES = {
+    *ANALYSES, *PLOTS, *VARIANTS, *EXAMPLES, "init", "plot", "report", "schema", "min", "max", "event", "kind", "wear",
+    "stop", "load", "amplitude", "goodman", "centrifugal", "material", "length", "mass", "variant", "search", "fixed",
+    "disc", "any", "start", "count", "step", "pip", "install", "example", "one", "both", "auto", "exact", "pairs",
+    "true", "clutch", "json", "csv", "table", "engineer", "requirements", "travel", "alpha", "beta", "friction", "exceedance", "simulate", "work", "gain", "temperature", "cycles", "diameters",
+}  # fmt: skip
+"""Commands, keys and their choices of one word, as a user writes them."""
+
+
+def english(shown: str) -> set[str]:
+    """Words in Latin letters that are no names, and numbers with a decimal point."""
+    bare = SHOWN.sub(" ", shown)
+    words = set(re.findall(r"\b[A-Za-z]{3,}\b", bare)) - CODES
+    return words | set(re.findall(r"(?<![\w.,:])\d+\.\d+(?![\w.])", bare))
+
+
+@pytest.fixture
+def russian(monkeypatch):
+    monkeypatch.setenv("AFMCALC_LANG", "ru")
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_every_command_for_every_example(name, afmcalc, russian):
+    for command, *given in COMMANDS:
+        if "springs" in (command, *given) and name not in ("default", "indirect"):
+            continue  # whatever the clutch, it is the same table
+        # what simulate says is said once; the others need not follow the drive to its end
+        again = name == "drive" and bool({"check", "heat"} & {command, *given})
+        more = [*given, "--set", "drive.event.duration=0.05"] if again else given
+        words = more[:1] if command in ("explain", "plot", "solve") else []
+        run = afmcalc(command, *words, f"example:{name}", *more[len(words) :])
+        assert run.code in (0, 1, 2), run.err
+        assert not english(run.out + run.err), (command, *more)
+
+
+def test_every_other_command(afmcalc, russian):
+    for command in WITHOUT_CLUTCH:
+        run = afmcalc(*command)
+        bibliography = re.compile(r"Juvinall.*?(?=  |\)|$)|ch\. 18|\([a-z ]+\)", re.MULTILINE)
+        assert not english(bibliography.sub("", run.out) + run.err), command
+
+
+@pytest.mark.parametrize("command", ERRORS, ids=" ".join)
+def test_errors(command, afmcalc, russian):
+    run = afmcalc(*command)
+    assert run.code in (2, 3)
+    assert "ошибка: " in run.err
+    assert not english(run.err)
+
+
+def test_every_help(afmcalc, russian):
+    for command in ("", *ANALYSES, "init", "plot", "report", "schema"):
+        run = afmcalc(*[command][: bool(command)], "--help")
+        assert run.code == 0
+        assert not english(re.sub(r"(?m)^  \w+  |(?<=  )\w+, |^ +[\w.]+=.*$", " ", run.out)), command
+
+
+REPORTS = {
+    "drive": "drive.event.duration=0.05",
+    "tolerance": "tolerance.samples=1000",
+    "constant-torque": "report.date=2026-11-21",
+}
+
+
+@pytest.fixture(scope="module")
+def pages(afmcalc):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("AFMCALC_LANG", "ru")
+        return {name: afmcalc("report", f"example:{name}", "--set", key).out for name, key in REPORTS.items()}
+
+
+@pytest.mark.parametrize("name", REPORTS)
+def test_report(name, pages):
+    page = pages[name]
+    for code in ("style", "pre", "code", "math", "sub"):
+        page = re.sub(rf"(?s)<{code}\b.*?</{code}>", " ", page)
+    page = re.sub(r"<tspan[^>]*font-size[^>]*>", "_", page.replace("</tspan>", ""))
+    shown = re.sub(r'(?s)<meta[^>]*>|<[^>]*?aria-label="([^"]*)"[^>]*>', r" \1 ", html.unescape(page))
+    shown = re.sub(r"<[^>]*>|\[drive\]|\bSHA-256|afmcalc [\d.]+", " ", shown)
+    headings = re.compile(r"(?<=\s)\d\.\d+(?=\s)|Carslaw.*?1959|--set .*")
+    assert not english(headings.sub(" ", shown)) - {"afmcalc"}
+
+
+def test_the_report_has_the_form_of_a_calculation(pages):
+    page = pages["constant-torque"]
+    sections = re.findall(r'<h2><span class="count">\d+</span> ([^<]*)</h2>', page)
+    first = ["Задание", "Исходные данные", "Условия и проверки", "Расчёт", "Графики", "Заключение"]
+    assert sections == [*first, "Список обозначений", "Список использованных источников"]
+    assert re.findall(r"<dt>([^<]*)</dt>", page)[:1] == ["Обозначение"]
+    for entry in ("Разработал", "Проверил", "Н. контр.", "Утв."):
+        assert f"<dt>{entry}</dt>" in page
+    assert "<dt>Дата</dt><dd>21.11.2026</dd>" in page
+    assert 'lang="ru"' in page
+    numbers = "".join(re.findall(r"<mn>([^<]*)</mn>", page))
+    assert "," in numbers
+    assert "." not in numbers
+    # an index is no unit: τ_m is not τ_м
+    assert re.search(r"<mtext>m</mtext></mrow></msub>", pages["tolerance"])
+    assert "<mtext>МПа</mtext>" in page or "<mtext>Па</mtext>" in page
+
+
+NO_SENTENCE = (
+    "module {} has", "<{} clutch of", "afmcalc ", "friction.driving + ",  # for programs and names
+    "Input should be", "Value error, ", "Cannot overwrite",  # what libraries say
+    "bold red", "upper left", "offset points", "Glyph|constrained",  # what they take
+    "ordinary friction safety", "Werner's clutch", "all torque passes", "the release force moves",  # of the API
+    "{count} driving pairs", "Carslaw", "Finkin", "N kN MN", "mm cm m", "deg rad", "MPa kPa", "rpm rad",
+)  # fmt: skip
+"""How the texts begin that are not for people to read, or are in no language."""
+
+
+def test_nothing_is_said_past_the_catalogue():
+    """No sentence is a plain text, a filled-in f-string, or glued together of sentences."""
+    known = {text for _, text in texts()}
+    found = []
+    for path in sorted((ROOT / "afmcalc").rglob("*.py")):
+        room = path.relative_to(ROOT / "afmcalc").parts[0]
+        if room in ("proofs", "equations"):
+            continue
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        found += [f"{path.name}: {text}" for text in _sentences(tree) if not _is_known(text, known)]
+        found += [f"{path.name}: {ast.unparse(node)}" for node in ast.walk(tree) if _glues(node) and room != "render"]
+    assert not found
+
+
+def _sentences(tree: ast.AST) -> Iterator[str]:
+    """Texts of several words, docstrings and annotations left out; a value in an f-string is ``{}``."""
+    apart: set[ast.AST] = set()
+    for node in ast.walk(tree):
+        body = getattr(node, "body", None)
+        apart |= {each.value for each in body if isinstance(each, ast.Expr)} if isinstance(body, list) else set()
+        for part in (getattr(node, "annotation", None), getattr(node, "returns", None)):
+            apart |= set(ast.walk(part)) if part else set()
+        apart |= set(node.values) if isinstance(node, ast.JoinedStr) else set()
+    for node in ast.walk(tree):
+        parts = node.values if isinstance(node, ast.JoinedStr) else [node]
+        if node in apart or not (isinstance(node, ast.JoinedStr) or isinstance(getattr(node, "value", 0), str)):
+            continue
+        text = "".join(str(part.value) if isinstance(part, ast.Constant) else "{}" for part in parts)
+        words = re.search(r"\b[A-Za-z]{3,},? \W*(?:[a-z]{2,}|\{\})\b|\{\} [a-z]{3,}\b|\b[a-z]{3,} \{\}", text)
+        if words and not re.search(r"</|/>|<\?|xmlns|role=|\\[(SbsdDw]|<\{\} style", text):
+            yield text
+
+
+def _is_known(text: str, known: set[str]) -> bool:
+    if text in known or text.startswith(NO_SENTENCE):
+        return True
+    pattern = re.compile(".+".join(map(re.escape, text.split("{}"))))
+    return "{}" in text and any(pattern.fullmatch(each) for each in known)
+
+
+def _glues(node: ast.AST) -> bool:
+    """Whether sentences are set together to a text that forgets what it was made of."""
+    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "join":
+        inside: list[ast.AST] = [*node.args, node.func.value]
+    elif isinstance(node, ast.JoinedStr):
+        inside = [*node.values]
+    else:
+        return False
+    calls = (each for part in inside for each in ast.walk(part) if isinstance(each, ast.Call))
+    return any(isinstance(each.func, ast.Name) and each.func.id in ("say", "say_many", "term") for each in calls)
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1251", "koi8-r"])
+def test_streams_that_have_not_all_letters(encoding, afmcalc, russian):
+    """Tables, helps and errors are spelled in what there is; a spec is UTF-8, so that it can be read again."""
+    for arguments in (["explain", "torque", "example:indirect"], ["torque", "--help"], ["plot", "life"], ["solve"]):
+        run = afmcalc(*arguments, encoding=encoding)
+        assert run.code in (0, 2)
+        assert "\\u" not in run.out + run.err
+    spec = afmcalc("init", "-", encoding=encoding).out
+    assert spec == afmcalc("init", "-").out
+    assert afmcalc("torque", "-", stdin=spec).code == 0
