@@ -59,7 +59,9 @@ def simulate(
     if plot and own.chosen_format != "table":
         raise AfmcalcError(say("--plot draws under a table, not with --format {name}", name=own.chosen_format))
     points = [friction_of(text) for text in friction or ()]
-    output = calculate(own, spec, lambda clutch: {"friction": points, "sweeps": axes_of(sweep, clutch)}, curve)
+    output = calculate(
+        own, spec, lambda clutch: {"friction": points, "sweeps": axes_of(sweep, clutch)}, curve, watched=True
+    )
     assert output.spec is not None
     resolved = make_spec(output.spec)
     if plot and not sweep:
