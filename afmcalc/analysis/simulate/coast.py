@@ -20,6 +20,8 @@ _LEAST = 5.0
 _STILL = 1e-7
 """Deceleration of the motor side, relative to T/J_1, that counts as none: the slip does not end."""
 _EXACT = 1e-10
+_SHOWN = 33
+"""Moments of a stride whose heat is told."""
 
 
 class Stride(NamedTuple):
@@ -29,6 +31,8 @@ class Stride(NamedTuple):
     y: State
     endless: bool
     """Whether the motor side no longer slows down."""
+    course: list[tuple[float, float, float, float]]
+    """Time, torque, slip and heat in the pack on the way."""
 
 
 def stride(
@@ -71,6 +75,8 @@ class _RunDown(NamedTuple):
     angle: float
     work: float
     endless: bool
+    course: Floats
+    """Time, speed and angle on the way, a row each."""
 
 
 def _run_down(
@@ -93,11 +99,13 @@ def _run_down(
     near.terminal = still.terminal = True  # type: ignore[attr-defined]
     start = [plant.motor_speed(y), 0.0, 0.0]
     if lasting and still(t, np.array(start)) <= 0:
-        return _RunDown(t, start[0], 0.0, 0.0, True)
+        return _RunDown(t, start[0], 0.0, 0.0, True, np.zeros((0, 3)))
     events = [near, still] if lasting else [near]
-    found = solve_ivp(rates, (t, bound), start, "DOP853", events=events, rtol=_EXACT, atol=_EXACT)
+    found = solve_ivp(rates, (t, bound), start, "DOP853", events=events, rtol=_EXACT, atol=_EXACT, dense_output=True)
     speed, angle, work = found.y[:, -1].tolist()
-    return _RunDown(float(found.t[-1]), speed, angle, work, lasting and bool(found.t_events[1].size))
+    times = np.linspace(t, found.t[-1], _SHOWN)
+    course = np.stack([times, *found.sol(times)[:2]], axis=1)
+    return _RunDown(float(found.t[-1]), speed, angle, work, lasting and bool(found.t_events[1].size), course)
 
 
 def _arrived(plant: Plant, y: State, sliding: Sliding, run: _RunDown, time: float) -> Stride:
@@ -117,4 +125,6 @@ def _arrived(plant: Plant, y: State, sliding: Sliding, run: _RunDown, time: floa
     new[motor] += run.work
     new[pack] += torque * (run.angle - (twist - y[plant.TWIST]))
     new[shaft] += float(before @ before - after @ after) / (2 * train.stiffness)
-    return Stride(run.time, new, run.endless)
+    # the driven half swings about a standstill
+    slips = [(at, torque, speed, y[pack] + torque * angle) for at, speed, angle in run.course.tolist()]
+    return Stride(run.time, new, run.endless, slips[1:-1])

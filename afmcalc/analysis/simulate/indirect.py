@@ -223,6 +223,12 @@ class IndirectPlant(SleevePlant):
         pressed = self.normal(y, mode, balls)
         return float(direct.group_torque(pressed, self.sleeve.mean_radius, 1.0, self._pairs(0.0)))
 
+    def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:
+        """Torque at which the sleeve leaves where it is, or the pack slips."""
+        if mode.balls == "seat":
+            return min(self.breakaway, self.sleeve.lift)
+        return min(self.capacity(y, mode, 0.0), self.limits(y)[1])
+
     def limits(self, y: Sequence[float]) -> tuple[float, float]:
         """Torques between which the key holds the sleeve off its stop."""
         own = self.sleeve
