@@ -95,7 +95,10 @@ FINDINGS: Mapping[str, str] = {
     "where the release force follows at once, to T_п = {held:.5g N·m}, where it does not follow (S22)",
     "slip-outlasts-duration": "at {at} the slip has not ended within the {value:.4g s} that are simulated",
     "event-not-settled": "at {at} the drive has neither come to rest nor to a steady run within the {value:.4g} s that "
-    "are simulated: it may slip again, and the peak may yet rise",
+    "are simulated: it may slip again, and the peak may yet rise (a motor that stalls swings the shaft up until it is "
+    "switched off, drive.cut_off)",
+    "sweep-not-settled": "{value} of the swept drives have neither come to rest nor to a steady run as their "
+    "simulation ends: their peaks may yet rise",
     "dynamic-factor-exceeded": "the event loads the shaft with {value:.4g} times the sliding torque; the life of the "
     "unprotected side assumes {limit:g} (simulate --output writes the factor into a spec)",
     "judder": "slow slip is not steady: friction that falls with speed takes {value:.3g N·m·s} from the damping of "

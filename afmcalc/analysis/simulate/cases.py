@@ -15,7 +15,7 @@ from .plant import Plant
 from .train import Train, train_of
 
 if TYPE_CHECKING:
-    from .machine import Trip
+    from .record import Trip
 
 _SWINGS = 6.0
 """Swings of the driven half after an event within which its peak has come."""
@@ -147,9 +147,7 @@ def peak_time(train: Train, sliding: Values) -> Values:
 
     Where the tool has an inertia of its own, that within which its load has stopped it comes before.
     """
-    before = train.motor_inertia + train.hub_inertia + train.driven_inertia
-    swings = (_swing(inertia, train.stiffness) for inertia in (train.driven_inertia, before))
-    found: Values = train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
+    before, found = train.motor_inertia + train.hub_inertia + train.driven_inertia, swings_time(train)
     if train.kind == "load":
         behind = train.driven_inertia + train.tool_inertia
         resisted = [(behind, sliding)]
@@ -161,6 +159,14 @@ def peak_time(train: Train, sliding: Values) -> Values:
             for inertia, torque in resisted
         )
         found = found + functools.reduce(np.maximum, times)
+    return found
+
+
+def swings_time(train: Train) -> Values:
+    """Time of the event and of some swings of the driven half, one of the stuck drive, s."""
+    before = train.motor_inertia + train.hub_inertia + train.driven_inertia
+    swings = (_swing(inertia, train.stiffness) for inertia in (train.driven_inertia, before))
+    found: Values = train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
     return found
 
 

@@ -225,9 +225,7 @@ class IndirectPlant(SleevePlant):
 
     def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:
         """Torque at which the sleeve leaves where it is, or the pack slips."""
-        if mode.balls == "seat":
-            return min(self.breakaway, self.sleeve.lift)
-        return min(self.capacity(y, mode, 0.0), self.limits(y)[1])
+        return float(self.sleeve.sticks_up_to(y[self.TURN]))
 
     def limits(self, y: Sequence[float]) -> tuple[float, float]:
         """Torques between which the key holds the sleeve off its stop."""

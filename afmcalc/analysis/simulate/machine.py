@@ -2,7 +2,6 @@
 
 import math
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 from scipy.integrate import DOP853, OdeSolver, Radau
@@ -12,6 +11,7 @@ from ...errors import CalculationError
 from ...messages import say
 from .coast import stride
 from .plant import Mode, Plant, State
+from .record import Heating, Moment, Trip
 from .rest import Stuck, settled
 from .roots import TORQUES, crossing, root, turned_in
 
@@ -19,7 +19,7 @@ TOLERANCE = 1e-9
 MOST_SWITCHES = 20_000
 MOST_STEPS = 40_000
 """Of an event: twice what a history of seconds takes of a drive that hardly damps."""
-PATIENCE = 10_000
+PATIENCE = 6_000
 """Steps after which a drive that does not settle is left, where no duration is given."""
 _STEPS_A_PERIOD = 4
 _WORKS = 5
@@ -34,64 +34,6 @@ _UNSEEN = 1e-3
 """Swing, relative to the torque, that a history does not miss."""
 _INSIDE = (0.25, 0.5, 0.75)
 """Points of a step that a history shows beside its ends."""
-
-
-class Heating(NamedTuple):
-    """A moment of a slip."""
-
-    time: float
-    torque: float
-    """Of the pack, N·m; of the sign of the slip."""
-    slip: float
-    """rad/s."""
-    heat: float
-    """In the pack so far, J."""
-
-
-class Moment(NamedTuple):
-    """One row of a history."""
-
-    time: float
-    torque_shaft: float
-    torque_clutch: float
-    speed_motor: float
-    speed_driven: float
-    speed_tool: float
-    travel: float
-
-
-class Trip(NamedTuple):
-    """What an event did."""
-
-    peak: float
-    """In the shaft, N·m."""
-    peak_clutch: float
-    slip_time: float
-    heat: float
-    """In the pack, J."""
-    key_heat: float
-    travel_max: float
-    trip_torque: float | None
-    """Of the clutch as it began to slip; None where it did not."""
-    stuck: bool
-    """Whether the pack does not slip at the end."""
-    ended: bool
-    """Whether the slip ended, and as far as is known for good."""
-    settled: bool
-    """Whether nothing more can come."""
-    endless: bool
-    """Whether the motor drives it for ever."""
-    last: float
-    """Torque of the clutch at the end, N·m."""
-    state: State
-    """States and work at the end."""
-    time: float
-    """From which nothing more could come, s."""
-    residual: float
-    """Error of the energy balance, relative to the largest energy in it."""
-    course: list[Heating]
-    """Of the slip, in order."""
-    history: list[Moment]
 
 
 def trip(plant: Plant, horizon: float, *, recorded: bool = False, given: bool = False) -> Trip:
