@@ -134,6 +134,11 @@ FINDINGS: Mapping[str, str] = {
     "{name} allows",
     "temperature-in-range": "the discs reach {celsius:.4g} °C after one trip: within the printed range of what "
     "{name} allows, {low:g}…{high:g} °C",
+    "discs-melt": "steel discs or their faces would reach {celsius:.4g} °C in one trip: iron melts at {melts:.0f} °C "
+    "(CRC Handbook), steel below it; more mass, less heat or an earlier cut-off is needed",
+    "temperature-beyond-catalogue": "the discs reach {celsius:.4g} °C after one trip: no material of the catalogue "
+    "allows more than {allowed:g} °C ({name})",
+    "lining-thick": "no heat.lining: the lining is taken as endlessly thick, a lower bound of the surface temperature",
     "discs-take-all": "no lining_conductivity, lining_density and lining_specific_heat: the discs take all the heat of "
     "the faces, an upper bound of their surface temperature",
     "discs-thick": "no disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature",
