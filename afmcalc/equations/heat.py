@@ -200,7 +200,7 @@ def effusivity(conductivity: Number, density: Number, specific_heat: Number) -> 
 def face_admittance(effusivity: Number, root: Number, through: Number) -> Number:
     """Flux into a face per rise of it, both as Laplace transforms: b √p tanh(l √(p/a)).
 
-    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 3.8, 12.5; theory of the drive, section 10.
+    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 2.9 and 3.8, transformed; theory of the drive, 10.
 
     Args:
         effusivity: b, √(k ρ c) [W*s^0.5/m^2/K].

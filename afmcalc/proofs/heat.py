@@ -68,7 +68,7 @@ def rise_of_a_heated_face() -> Steps:
     """A layer heated on its face, under the Laplace transform: the equation of heat, nothing through its far side."""
     depth, place = sp.symbols("l x", positive=True)
     root, moment, far = sp.symbols("q t s", positive=True)
-    spread = heat.effusivity(k, rho, c)
+    spread = sp.nsimplify(heat.effusivity(k, rho, c))
     yield Identity("b² = k ρ c", spread**2 - k * rho * c)
     # q = √p; the rise at the face is 1
     bent = root * sp.sqrt(rho * c / k)
