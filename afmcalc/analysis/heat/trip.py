@@ -12,6 +12,7 @@ from ...findings import Finding
 from ...messages import say
 from ...spec.drive import Drive
 from ...spec.heat import missing_of
+from ..explain.trace import unrecorded
 from ..registry import ANALYSES
 
 if TYPE_CHECKING:
@@ -79,20 +80,25 @@ def motor_torque(clutch: Clutch) -> Values:
 
 
 def _simulated(clutch: Clutch, answers: "Answers | None") -> HeatedSlips:
-    from ..simulate.cases import case_of
     from ..simulate.simulate import simulate
-    from .course import course_of
 
     found, said = simulate(clutch) if answers is None else answers.ask("simulate")
     told = found.sliding_torque, found.slip_time, found.slip_energy
     at = {}
     for end in ENDS:
-        course = case_of(clutch, *(getattr(own, end) for own in clutch.friction)).run().course
-        heated = course_of((each.time, float(law.slip_power(each.torque, each.slip)), each.heat) for each in course)
         torque, time, energy = (getattr(each, end) for each in told)
-        at[end] = HeatedSlip(torque, time, energy, heated)
+        at[end] = HeatedSlip(torque, time, energy, _course(clutch, end))
     ends = tuple(each for each in said if each.path in ("drive.cut_off", "drive.event.duration"))
     return HeatedSlips("simulate", at, ends)
+
+
+@unrecorded()
+def _course(clutch: Clutch, end: str) -> "Course":
+    from ..simulate.cases import case_of
+    from .course import course_of
+
+    course = case_of(clutch, *(getattr(own, end) for own in clutch.friction)).run().course
+    return course_of((each.time, float(law.slip_power(each.torque, each.slip)), each.heat) for each in course)
 
 
 def _torque(clutch: Clutch, end: str) -> Values:
