@@ -1,6 +1,7 @@
 """Shared by all tests: running the program in-process, random clutches."""
 
 import contextlib
+import gc
 import io
 import json
 import os
@@ -12,12 +13,10 @@ from typing import Any
 import pytest
 from hypothesis import settings
 
-# the same examples every time where a machine judges, new ones where a person looks; no verdict by the clock
-settings.register_profile("person", deadline=None)
-settings.register_profile("machine", deadline=None, derandomize=True)
-settings.load_profile("machine" if os.environ.get("CI") else "person")
-
+gc.disable()  # nothing imported is ever garbage
 os.environ["AFMCALC_LANG"] = "en"  # whoever runs the tests
+sys.dont_write_bytecode = False  # else every worker, and every start of the program, compiles all of it anew
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 os.environ.pop("COLUMNS", None)  # tables are as wide as they need to be, whoever runs the tests
 
 ROOT = Path(__file__).parents[1]
@@ -72,7 +71,37 @@ def afmcalc():
     return run
 
 
+FRAME = "<svg viewBox='0 0 7 4'></svg>"
+
+
+@pytest.fixture
+def undrawn(monkeypatch):
+    """Reports have frames in place of their drawings, which take most of their time."""
+    monkeypatch.setattr("afmcalc.render.report.page.inline_svg", lambda sheet: FRAME)
+
+
+def pytest_configure(config):
+    """Some random examples of each kind, many with what is exhaustive; no verdict by the clock."""
+    if os.environ.get("AFMCALC_UPDATE"):
+        config.option.markexpr = ""  # every stored output
+    many = "not exhaustive" not in config.option.markexpr
+    # the same ones every time where a machine judges, new ones where a person looks
+    machine = bool(os.environ.get("CI"))
+    settings.register_profile("ours", deadline=None, derandomize=machine, max_examples=200 if many else 20)
+    settings.load_profile("ours")
+
+
+def fewer(parts: int) -> settings:
+    """A part of the examples others take, for what is slow: half, a third."""
+    return settings(max_examples=settings.default.max_examples // parts)
+
+
+def pytest_collection_finish():
+    gc.freeze()  # what is imported by now stays
+    gc.enable()
+
+
 def pytest_addoption(parser):
     parser.addoption(
-        "--fuzz", type=int, metavar="N", help="try N new hostile specs and command lines, not the usual 2000"
+        "--fuzz", type=int, metavar="N", help="try N new hostile specs and command lines, not the usual ones"
     )

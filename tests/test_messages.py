@@ -2,9 +2,9 @@
 
 import ast
 import string
-from collections.abc import Iterator
+from functools import cache
 
-from conftest import ROOT
+from sources import FILES, calls, nodes
 
 from afmcalc.errors import Problem, SpecError
 from afmcalc.messages import FINDINGS, SCALES, say
@@ -15,29 +15,11 @@ ALWAYS = {"value", "limit", "path", None}
 ERRORS = ("AfmcalcError", "FileError", "CalculationError")
 
 
-TREES = {
-    str(path.relative_to(ROOT)): ast.parse(path.read_text(encoding="utf-8"))
-    for path in sorted((ROOT / "afmcalc").rglob("*.py"))
-}
-
-CONSTANTS = {
-    node.value
-    for path, tree in TREES.items()
-    for node in ast.walk(tree)
-    if path != "afmcalc/messages.py" and isinstance(node, ast.Constant) and isinstance(node.value, str)
-}
-
-
-def _called(node: ast.Call) -> str:
-    return node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
-
-
-def calls(*names: str) -> Iterator[tuple[str, ast.Call]]:
-    """Calls of functions of some names in the package, and where each stands."""
-    for path, tree in TREES.items():
-        for node in ast.walk(tree):
-            if isinstance(node, ast.Call) and _called(node) in names:
-                yield f"{path}:{node.lineno}", node
+@cache
+def constants() -> set[str]:
+    """Strings of the package outside the table of its sentences."""
+    everything = (node for module in FILES if module != "messages" for node in nodes(module))
+    return {node.value for node in everything if isinstance(node, ast.Constant) and isinstance(node.value, str)}
 
 
 def fields(template: str) -> set[str]:
@@ -52,12 +34,12 @@ def test_every_template_is_a_literal_filled_with_what_it_names():
     found = list(calls("say"))
     assert len(found) > 100
     for where, call in found:
-        if where.startswith("afmcalc/messages.py"):
+        if where == "messages":
             continue
         template = literal(call.args[0])
-        assert template is not None, f"{where}: a catalogue cannot find this template"
+        assert template is not None, f"{where}:{call.lineno}: a catalogue cannot find this template"
         given, named = {each.arg for each in call.keywords}, fields(template)
-        assert given - {None} <= named if None in given else given == named, where
+        assert given - {None} <= named if None in given else given == named, f"{where}:{call.lineno}"
 
 
 def fits(code: str, call: ast.Call) -> bool:
@@ -77,12 +59,12 @@ def test_every_finding_has_a_sentence_and_gives_it_what_it_names():
     raised = set()
     for where, call in calls("finding"):
         if found := codes(call.args[0]):
-            assert found <= set(FINDINGS), f"{where}: {found}"
-            assert all(fits(code, call) for code in found), f"{where}: {found}"
+            assert found <= set(FINDINGS), f"{where}:{call.lineno}: {found}"
+            assert all(fits(code, call) for code in found), f"{where}:{call.lineno}: {found}"
         else:
             given = {each.arg for each in call.keywords}
-            found = {code for code in CONSTANTS & set(FINDINGS) if fields(FINDINGS[code]) <= given}
-            assert found, f"{where}: no sentence is content with {given}"
+            found = {code for code in constants() & set(FINDINGS) if fields(FINDINGS[code]) <= given}
+            assert found, f"{where}:{call.lineno}: no sentence is content with {given}"
         raised |= found
     assert set(FINDINGS) == raised, "a sentence that nothing says"
 
@@ -97,11 +79,11 @@ def test_units_of_a_sentence_are_known():
 def test_an_error_is_said_in_a_template():
     """Not in a text put together on the spot, which no catalogue could hold."""
     glued = (ast.JoinedStr, ast.BinOp, ast.Constant)
-    shown = [*calls(*ERRORS), *(each for each in calls("ValueError") if each[0].startswith("afmcalc/spec"))]
+    shown = [*calls(*ERRORS), *(each for each in calls("ValueError") if each[0].startswith("spec."))]
     for where, call in shown:
-        assert not any(isinstance(each, glued) for each in call.args), f"{where}: {ast.unparse(call)}"
+        assert not any(isinstance(each, glued) for each in call.args), f"{where}:{call.lineno}: {ast.unparse(call)}"
     for where, call in calls("Problem"):
-        assert not isinstance(call.args[2], glued), f"{where}: {ast.unparse(call)}"
+        assert not isinstance(call.args[2], glued), f"{where}:{call.lineno}: {ast.unparse(call)}"
 
 
 def test_numbers_of_a_template_are_set_by_their_unit():

@@ -14,7 +14,8 @@ from functools import cache
 from importlib import import_module
 from typing import Literal, get_args, get_origin
 
-from conftest import CONFIGS, ROOT
+from conftest import CONFIGS
+from sources import called, calls
 
 import afmcalc
 
@@ -63,17 +64,13 @@ def worded(text: str) -> bool:
 
 def _literals() -> Iterator[Key]:
     """First arguments of what says something, wherever it is called."""
-    for path in sorted((ROOT / "afmcalc").rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if not isinstance(node, ast.Call) or not node.args:
-                continue
-            name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
-            if name == "map" and getattr(node.args[0], "id", "") == "translate":
-                yield from (("", text) for each in ast.walk(node.args[1]) for text in _strings(each))
-            in_table = name == "told" and "/report/" in path.as_posix()
-            if name in (*SAYING, "say_many") and not in_table:
-                for text in _strings(node.args[0]):
-                    yield (_context(node), text)
+    for _, node in calls("map"):
+        if node.args and getattr(node.args[0], "id", "") == "translate":
+            yield from (("", text) for each in ast.walk(node.args[1]) for text in _strings(each))
+    for module, node in calls(*SAYING, "say_many"):
+        in_table = called(node) == "told" and module.startswith("render.report")
+        if node.args and not in_table:
+            yield from ((_context(node), text) for text in _strings(node.args[0]))
 
 
 def _context(node: ast.Call) -> str:

@@ -1,6 +1,7 @@
 """The wall of a pocket in the section at the ball circle: where the ball is and touches, from the stop to the face."""
 
 import math
+from bisect import bisect_left
 from typing import NamedTuple
 
 from ..engines.protocol import Clutch
@@ -116,10 +117,18 @@ class Wall(NamedTuple):
 
     def points(self, chord: float = CHORD) -> list[WallPoint]:
         """Places from the stop to the mouth, so near that chords between them keep within ``chord`` of the wall."""
-        end, count = self.mouth, 1
-        while self.steepening and max(self._off(end * i / count, end * (i + 1) / count) for i in range(count)) > chord:
-            count += 1
+        end, enough = self.mouth, 1
+        while self._farthest_off(end, enough) > chord:
+            enough *= 2
+        counts = range(enough // 2 + 1, enough + 1)
+        count = counts[bisect_left(counts, -chord, key=lambda each: -self._farthest_off(end, each))]
         return [self.at(end * i / count) for i in range(count + 1)]
+
+    def _farthest_off(self, end: float, count: int) -> float:
+        """How far the wall as far as a place lies off its chords, so many of them, m."""
+        if self.steepening == 0:
+            return 0.0
+        return max(self._off(end * i / count, end * (i + 1) / count) for i in range(count))
 
     def _off(self, start: float, stop: float) -> float:
         """How far the wall between two places lies off its chord, m."""

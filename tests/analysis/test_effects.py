@@ -4,8 +4,8 @@ import math
 from itertools import product
 
 import pytest
-from conftest import CONFIGS
-from hypothesis import assume, given, settings
+from conftest import CONFIGS, fewer
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
@@ -98,7 +98,7 @@ def test_figures_of_the_theory():
     assert found["effect-on-torque"].value == pytest.approx(-0.12, abs=0.005)
 
 
-@settings(max_examples=30)
+@fewer(2)
 @given(st.one_of(direct_specs(), indirect_specs()), st.floats(0, 0.1), st.floats(0.5, 2))
 def test_splines_against_a_solution_of_the_pack_disc_by_disc(spec, mu, ratio):
     radius = build(spec).mean_radius
@@ -113,7 +113,7 @@ def test_splines_against_a_solution_of_the_pack_disc_by_disc(spec, mu, ratio):
         assert (getattr(held.torque_low, end), getattr(held.torque_high, end)) == pytest.approx(both, rel=1e-9)
 
 
-@settings(max_examples=20)
+@fewer(2)
 @given(st.one_of(direct_specs(("differentiated", "unlike", "all-driving")), indirect_specs()))
 def test_without_friction_nothing_is_left_of_an_effect(spec):
     unit = spec.control_unit.model_copy(update={"wall_friction": 0.0, "ball_circle_radius": 0.05, "ball_diameter": 1e-6,

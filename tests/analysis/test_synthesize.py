@@ -72,7 +72,7 @@ def test_gain_of_least_contact_force(name, overrides):
         return synthesize(build(spec.model_copy(update={"control_unit": unit})))[0].contact_force
 
     start = build(spec).gain_threshold or 0.0
-    scan = np.linspace(start + 1e-3, 3 * least, 600)
+    scan = np.linspace(start + 1e-3, 3 * least, 200)
     forces = [force(gain) for gain in scan]
     assert scan[int(np.argmin(forces))] == pytest.approx(least, abs=2 * (scan[1] - scan[0]))
     assert force(2 * least) > force(least)

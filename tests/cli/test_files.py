@@ -19,9 +19,9 @@ WRITERS = {
     "markdown": (["torque", SPEC], "x.md"),
     "no spec": (["materials"], "x.json"),
     "schema": (["schema"], "x.json"),
-    "svg": (["plot", "torque", SPEC], "x.svg"),
-    "png": (["plot", "torque", SPEC], "x.png"),
-    "pdf": (["plot", "torque", SPEC], "x.pdf"),
+    "svg": (["plot", "accuracy", SPEC], "x.svg"),
+    "png": (["plot", "accuracy", SPEC], "x.png"),
+    "pdf": (["plot", "accuracy", SPEC], "x.pdf"),
     "report": (["report", SPEC, "--set", "adjustment.margin=1"], "x.html"),
 }
 """Commands whose file may be replaced by the same command."""
@@ -37,7 +37,7 @@ SPECS = {
 
 
 @pytest.mark.parametrize("case", [*WRITERS, *SPECS])
-def test_only_what_the_same_command_wrote_is_replaced(case, afmcalc, tmp_path):
+def test_only_what_the_same_command_wrote_is_replaced(case, undrawn, afmcalc, tmp_path):
     arguments, name = (WRITERS | SPECS)[case]
     target = tmp_path / name
     assert afmcalc(*arguments, "-o", target).code == 0

@@ -19,7 +19,7 @@ RISK = """
 """
 
 
-def test_from_init_to_the_report(afmcalc, tmp_path, monkeypatch):
+def test_from_init_to_the_report(undrawn, afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert afmcalc("init", "wanted.toml", "--kind", "requirements").code == 0
     sets = [part for wish in WISHES for part in ("--set", wish)]

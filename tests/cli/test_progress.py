@@ -1,5 +1,6 @@
 """The bar appears on a terminal, after a second, with the time left, and nowhere else; nobody waits a minute unasked."""
 
+import contextlib
 import io
 import os
 import re
@@ -10,6 +11,7 @@ import pytest
 from conftest import CONFIGS, ROOT
 
 from afmcalc.cli import progress
+from afmcalc.cli.entry import main
 from afmcalc.errors import AfmcalcError
 
 STUDY = CONFIGS / "tolerance.toml"
@@ -39,44 +41,56 @@ def test_where_the_bar_appears(stream, quiet, patience, shown, monkeypatch):
 
 
 LONG = {
-    "tolerance": ["tolerance", STUDY, "--set", "tolerance.samples=2_000_000", "--threads", "2"],
+    "tolerance": ["tolerance", STUDY, "--set", "tolerance.samples=300_000", "--threads", "2"],
     "design": ["design", CONFIGS / "requirements.toml", "--top", "9"],
     "plot": ["plot", "pareto", CONFIGS / "requirements.toml"],
     "report": ["report", STUDY],
+    "simulate": ["simulate", CONFIGS / "drive.toml", "--sweep", "drive.shaft_stiffness"],
     "check": ["check", STUDY, "--set", "requirements.exceedance=0.5"],
     "equations": ["equations", "--prove", "--id", "F11 (1)"],
 }
 
 
+def is_a_bar_and_gone(shown):
+    assert re.search(r"%.*\d:\d\d:\d\d|%.*-:--:--", shown), "a share and the time left"
+    assert shown.rstrip().endswith("\x1b[2K"), "the line is clean again"
+    assert shown.count("\x1b[?25h") == shown.count("\x1b[?25l") > 0, "and the cursor back"
+
+
 @pytest.mark.parametrize("command", LONG)
-def test_a_bar_with_the_time_left_on_a_terminal(command):
+def test_a_bar_with_the_time_left(command, undrawn, monkeypatch):
     """Every command that may take long tells how far it is; what it shows is gone when it ends."""
+    for name, value in {"PATIENCE": 0, "_EACH": 0, "LONG": 1e9}.items():
+        monkeypatch.setattr(progress, name, value)
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("COLUMNS", "100")
+    monkeypatch.setattr("afmcalc.cli.entry._tune", lambda: None)
+    out, stream = contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(Terminal())
+    with out, stream as shown, pytest.raises(SystemExit) as ended:
+        main([str(each) for each in LONG[command]])
+    assert ended.value.code == 0
+    is_a_bar_and_gone(shown.getvalue())
+
+
+def test_a_bar_on_a_real_terminal():
     person, terminal = os.openpty()
-    code = "from afmcalc.cli import progress; progress.PATIENCE = progress._EACH = 0; progress.LONG = 1e9; from afmcalc.cli.entry import main; main()"
+    code = "from afmcalc.cli import progress; progress.PATIENCE = progress._EACH = 0; from afmcalc.cli.entry import main; main()"
     with subprocess.Popen(
-        [sys.executable, "-c", code, *map(str, LONG[command])], stdout=subprocess.DEVNULL, stderr=terminal,
+        [sys.executable, "-c", code, *map(str, LONG["design"])], stdout=subprocess.DEVNULL, stderr=terminal,
         env={**os.environ, "PYTHONPATH": str(ROOT), "TERM": "xterm", "COLUMNS": "100", "CI": ""},
     ) as process:  # fmt: skip
         os.close(terminal)
         shown = b""
-        while True:
-            try:
-                more = os.read(person, 65536)
-            except OSError:
-                break
-            shown += more
-            if not more:
-                break
+        with contextlib.suppress(OSError):  # the terminal ends with the process
+            while more := os.read(person, 65536):
+                shown += more
     os.close(person)
     assert process.returncode == 0
-    text = shown.decode()
-    assert re.search(r"%.*\d:\d\d:\d\d|%.*-:--:--", text), "a share and the time left"
-    assert text.rstrip().endswith("\x1b[2K"), "the line is clean again"
-    assert text.count("\x1b[?25h") == text.count("\x1b[?25l") > 0, "and the cursor back"
+    is_a_bar_and_gone(shown.decode())
 
 
 @pytest.mark.parametrize("command", ["tolerance", "design", "plot", "report"])
-def test_what_takes_longer_than_a_minute_wants_a_yes(command, afmcalc, monkeypatch, tmp_path):
+def test_what_takes_longer_than_a_minute_wants_a_yes(command, undrawn, afmcalc, monkeypatch):
     monkeypatch.setattr(progress, "PATIENCE", -1.0)
     monkeypatch.setattr(progress, "LONG", 1e-6)
     run = afmcalc(*LONG[command])

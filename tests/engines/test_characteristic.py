@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
-from hypothesis import assume, given, settings
+from conftest import CONFIGS, fewer
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import indirect_specs
 
@@ -157,7 +157,7 @@ def curved(spec, closing=None, control=None):
     return build(spec.model_copy(update={"closing_spring": first, "control_spring": second}))
 
 
-@settings(max_examples=20)
+@fewer(2)
 @given(
     indirect_specs(), st.sampled_from(sorted(SIZES)), st.sampled_from(sorted(SIZES)), st.integers(1, 40), st.booleans()
 )

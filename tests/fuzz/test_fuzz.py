@@ -6,6 +6,7 @@ import signal
 import time
 from contextlib import contextmanager
 
+import pytest
 from conftest import Run
 from hostile import CASES
 from hypothesis import HealthCheck, given, settings
@@ -69,14 +70,15 @@ def accepted_back(run: Run, case, afmcalc) -> None:
     assert again.json["result"] == printed["result"]
 
 
-def test_nothing_breaks_it(afmcalc, request, monkeypatch):
+@pytest.mark.parametrize("tried", [120, pytest.param(2000, marks=pytest.mark.exhaustive)])
+def test_nothing_breaks_it(tried, afmcalc, request, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     monkeypatch.setattr("afmcalc.analysis.simulate.machine.MOST_STEPS", 2000)  # the same refusal, sooner
     asked = request.config.getoption("--fuzz")
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
     @settings(
-        max_examples=asked or 2000,
+        max_examples=asked or tried,
         derandomize=not asked,
         suppress_health_check=list(HealthCheck),
         database=None,

@@ -1,6 +1,7 @@
 """Every proof runs; every equation, register entry and misprint has what it claims to have."""
 
 import re
+from functools import cache
 
 import pytest
 from conftest import ROOT
@@ -13,9 +14,12 @@ from afmcalc.proofs import Identity, ProofError, Refutation, is_zero, proofs, pr
 NUMBERED = {"F11": 22, "S19": 20, "S21": 24, "S22": 24}
 
 
+proved = cache(prove)
+
+
 @pytest.mark.parametrize("name", sorted(proofs()))
 def test_proof(name):
-    assert prove(name)
+    assert proved(name)
 
 
 def test_a_wrong_identity_and_a_right_refutation_fail(monkeypatch):
@@ -62,7 +66,7 @@ def test_misprints_are_numbered_through_and_their_proofs_exist():
     assert without == {"M28", "M37", "M39", "M40", "M41", "M42"}, "slips of wording and notation only"
     for misprint in misprints():
         if misprint.proof:
-            shown = " ".join(prove(misprint.proof))
+            shown = " ".join(proved(misprint.proof))
             assert re.search(rf"\b{misprint.id}\b", shown), f"{misprint.proof} does not speak of {misprint.id}"
 
 

@@ -154,8 +154,10 @@ class Call(NamedTuple):
     def _shared(self, *, over_range: bool = False) -> Circumstance:
         """What the results among the arguments are for; the range between them where a cycle goes over one."""
         cases = {value.case._replace(setting=None, side=""): None for value in self._results if value.case.friction}
-        if len(cases) == 1:
-            return next(iter(cases))
+        # what is the same on both branches is on the one that another of them is on
+        branches = [case for case in cases if case.branch] or list(cases)
+        if len(branches) == 1 and len({case.friction for case in cases}) == 1:
+            return branches[0]
         ends = [case.at or "" for case in cases]
         return Circumstance(" … ".join(ends)) if over_range and cases else Circumstance()
 

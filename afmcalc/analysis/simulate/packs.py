@@ -75,8 +75,6 @@ def _discs(clutch: Clutch, own: DirectLaw, force: Values, driving: Values, drive
 
 
 def _sleeve(clutch: Clutch, own: IndirectLaw, friction: Values) -> Sleeve:
-    if own.curved is not None:
-        raise CalculationError(say("simulate: only springs whose force is proportional to their deflection"))
     unit, control = clutch.spec.control_unit, own.control_force(clutch.closing_force)
     below = np.asarray(control < clutch.closing_force)
     if below.any():

@@ -1,10 +1,11 @@
 """From subject to page."""
 
 from datetime import date
+from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
 from ...analysis.dossier import Dossier
 from ...messages import localized, named, printable, spoken, translate
@@ -47,10 +48,12 @@ class _Figure(NamedTuple):
     svg: str
 
 
-def render(subject: Subject) -> str:
-    """Write the page; the same subject gives the same text."""
+@cache
+def _template() -> Template:
+    """The page to be filled, in any language: nothing of it is worked out beforehand."""
     environment = Environment(
         loader=FileSystemLoader(Path(__file__).parent),
+        optimized=False,
         autoescape=True,
         undefined=StrictUndefined,
         trim_blocks=True,
@@ -69,11 +72,16 @@ def render(subject: Subject) -> str:
         "told": worded,
         "three": lambda value: localized(f"{value:.3g}"),
     }
+    return environment.get_template("page.html")
+
+
+def render(subject: Subject) -> str:
+    """Write the page; the same subject gives the same text."""
     dossier = subject.dossier
     found = chapters(dossier)
     figures = _figures(found)
     name = named(dossier.spec.name) or told("unnamed")
-    page: str = environment.get_template("page.html").render(
+    page: str = _template().render(
         subject=subject,
         told=told,
         name=name,

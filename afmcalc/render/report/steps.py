@@ -76,7 +76,9 @@ def _block(own: Derivation, method: str) -> Derived:
     if joined:
         parts += dict.fromkeys((numbers, value_latex(_value(own.rows[0], own.unit))))
     lines = [
-        CaseLine([labels[index] for _, labels in named], _math(f"{symbol} = {row.numbers}"), _value(row, own.unit))
+        CaseLine(
+            [labels[index] for _, labels in named], _math(f"{symbol} = {_broken(row.numbers)}"), _value(row, own.unit)
+        )
         for index, row in enumerate([] if joined else own.rows)
     ]
     notes = [told("differs", printed=term(own.differs))] if own.differs else []
@@ -128,6 +130,23 @@ def _value(row: CaseRow, unit: str) -> str:
 def _size(latex: str) -> int:
     """How many signs a formula sets, about."""
     return len(re.sub(r"\\(?:text|left|right|frac|cdot)|[{}\\_^ ]", "", latex))
+
+
+def _broken(latex: str) -> str:
+    """Set a sum that is too long in several lines, a summand each: MathML breaks none, and paper does not scroll."""
+    if _size(latex) <= _SHORT:
+        return latex
+    depth, summands = 0, [""]
+    for part in _PARTS.split(latex):
+        depth += (part in _OPENING) - (part in _CLOSING)
+        if depth == 0 and part in _SIGNS and summands[-1].strip():
+            summands.append("")
+        summands[-1] += part
+    return r"\begin{array}{l} " + r" \\ ".join(summands) + r" \end{array}" if len(summands) > 1 else latex
+
+
+_OPENING, _CLOSING, _SIGNS = ("{", "(", "["), ("}", ")", "]"), (" + ", " - ")
+_PARTS = re.compile(r"([{}()\[\]]| [+-] )")
 
 
 def _math(latex: str) -> str:

@@ -150,7 +150,7 @@ def test_no_requirement_no_row(afmcalc):
     assert math.isfinite(afmcalc("torque", "--json").json["result"]["machine_torque"])
 
 
-def test_a_report_shows_them():
+def test_a_report_shows_them(undrawn):
     spec = read_spec(None, ["requirements.nominal_torque=100", "requirements.torque_max=300", "requirements.work=1e6"])
     page = render(Subject(dossier(spec, explained=False), ""))
     verdicts = re.findall(r'<span class="verdict \w+">(held|missed|not judged)</span></td><td>([^<]+)', page)

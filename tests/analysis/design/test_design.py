@@ -14,8 +14,8 @@ import tomllib
 
 import numpy as np
 import pytest
-from conftest import CONFIGS, ROOT
-from hypothesis import assume, given, settings
+from conftest import CONFIGS, ROOT, fewer
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.design.design import design, picked, refinement, shown
@@ -193,7 +193,7 @@ def one(need, variant, z, face, z1, turn, circle, c1, c2):
     return [whole[name] for name in need.objectives]
 
 
-@settings(max_examples=40, deadline=None)
+@fewer(2)
 @given(requirements())
 def test_the_front_against_brute_force(need):
     everything = brute(need)
@@ -209,7 +209,6 @@ def test_the_front_against_brute_force(need):
     assert mine[order[0]] == pytest.approx(theirs[order[1]], rel=1e-9, abs=1e-12)
 
 
-@settings(max_examples=60, deadline=None)
 @given(requirements(separable=True))
 def test_two_ways_through_one_space(need):
     """Looking the radii up gives what evaluating all of them gives, exclusions included."""
@@ -227,7 +226,7 @@ def test_two_ways_through_one_space(need):
     assert np.array(one) == pytest.approx(np.array(other), rel=1e-12)
 
 
-@settings(max_examples=20, deadline=None)
+@fewer(2)
 @given(requirements(), st.integers(0, 10**6))
 def test_what_is_picked_holds_what_was_wanted(need, place):
     result, _ = design(need)
@@ -242,7 +241,7 @@ def test_what_is_picked_holds_what_was_wanted(need, place):
         assert 2 * clutch.spec.friction_group.outer_radius <= most * (1 + 1e-9)
 
 
-@settings(max_examples=20, deadline=None)
+@fewer(2)
 @given(requirements(), st.integers(1, 5))
 def test_the_front_is_one_and_numbered(need, top):
     """Nothing on it beats another, nothing on the grid beats it; a number is the same clutch however it is sorted."""
@@ -279,7 +278,6 @@ def test_the_knee_is_farthest_from_the_line_between_the_ends():
     assert (single.knee, single.on_front) == (None, 1)
 
 
-@settings(max_examples=40, deadline=None)
 @given(requirements())
 def test_what_could_be_had_instead(need):
     """With each limit moved to what was found of it there is a clutch, with one of them a little tighter there is none."""
@@ -320,7 +318,6 @@ def moved(need, row, limit):
     return need.model_copy(update={PLACES[row.requirement]: block})
 
 
-@settings(max_examples=40, deadline=None)
 @given(requirements())
 def test_nothing_negative_leaves_the_search(need):
     result, _ = design(need)

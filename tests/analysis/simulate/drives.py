@@ -56,6 +56,11 @@ def clutch(**changes: Any) -> Clutch:
     return build(merged(REFERENCE, changes))
 
 
+def light(**changes: Any) -> Clutch:
+    """The reference drive with a small motor, which is soon at rest, with changes."""
+    return build(merged(merged(REFERENCE, {"drive": {"motor_inertia": 0.8}}), changes))
+
+
 TRAIN = Train(
     motor_inertia=8.0,
     hub_inertia=0.0,

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from drives import clutch, plant, run
+from drives import clutch, light, plant, run
 from scipy.optimize import brentq
 
 from afmcalc.analysis.simulate.cases import outcome_of
@@ -47,10 +47,10 @@ def test_limits_of_the_lag():
 
 
 def test_where_the_drive_trips_is_a_number():
-    found = outcome_of(clutch(control_unit={"release_lag": 0.005}), 0.8)
-    expected = clutch().torque(1.2 * 0.8)
+    found = outcome_of(light(control_unit={"release_lag": 0.005}), 0.8)
+    expected = light().torque(1.2 * 0.8)
     assert found.potential is not None
     assert found.trip_position == pytest.approx((found.trip.trip_torque - expected) / (found.potential - expected))
     assert 0 < found.trip_position < 1
-    assert outcome_of(clutch(), 0.8).trip_position == pytest.approx(0, abs=1e-9)
-    assert outcome_of(clutch(control_unit={"release_lag": 100.0}), 0.3).trip_position == pytest.approx(1, abs=1e-3)
+    assert outcome_of(light(), 0.8).trip_position == pytest.approx(0, abs=1e-9)
+    assert outcome_of(light(control_unit={"release_lag": 100.0}), 0.3).trip_position == pytest.approx(1, abs=1e-3)

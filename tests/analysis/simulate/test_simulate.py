@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 from conftest import CONFIGS
-from drives import REFERENCE, VARIANTS, begun, clutch, merged, plant, run
+from drives import REFERENCE, VARIANTS, begun, clutch, light, merged, plant, run
 
 from afmcalc.analysis.simulate.cases import outcome_of
 from afmcalc.analysis.simulate.simulate import simulate
@@ -53,17 +53,17 @@ def test_what_is_told_of_the_reference_drive(reference):
     assert {found.level for found in findings} == {"info"}
 
 
-def test_friction_asked_for(reference):
-    result, findings = simulate(clutch(), [(0.3, None), (0.9, None)])
+def test_friction_asked_for():
+    result, findings = simulate(light(), [(0.3, None), (0.9, None)])
     assert result.points is not None
-    assert result.points[0].peak_torque == reference[0].peak_torque.mean
+    assert result.points[0].peak_torque == result.peak_torque.mean
     assert [found.code for found in findings][-1] == "friction-outside-range"
 
 
 def test_motor_too_strong_for_the_clutch():
-    told = codes(clutch(drive={"motor_torque": 210.0}))
+    told = codes(light(drive={"motor_torque": 210.0}))
     assert (told["motor-never-stops"].level, told["motor-never-stops"].path) == ("error", "drive.cut_off")
-    result, findings = simulate(clutch(drive={"motor_torque": 210.0, "cut_off": 0.3}))
+    result, findings = simulate(light(drive={"motor_torque": 210.0, "cut_off": 0.3}))
     told = {found.code: found for found in findings}
     assert told["motor-stops-at-cut-off"].level == "warning"
     assert "motor-never-stops" not in told
@@ -72,22 +72,23 @@ def test_motor_too_strong_for_the_clutch():
 
 def test_kloss_motor_runs_at_the_speed_of_its_load():
     motor = {"breakdown_torque": 180.0, "breakdown_slip": 0.2, "synchronous_speed": 16.0}
-    own = clutch(drive={"motor_torque": None, "speed": None, "motor": motor})
+    own = light(drive={"motor_torque": None, "speed": None, "motor": motor})
     speed = outcome_of(own, 0.8).case.plant.train.speed
     slip = 1 - speed / 16
     assert 2 * 180 / (slip / 0.2 + 0.2 / slip) == pytest.approx(150)
     assert "drive-not-in-balance" not in codes(own)
-    assert codes(clutch(drive={"motor_torque": None, "motor": motor}))["drive-not-in-balance"].path == "drive.speed"
+    assert codes(light(drive={"motor_torque": None, "motor": motor}))["drive-not-in-balance"].path == "drive.speed"
 
 
 def test_dynamic_factor_that_life_assumes():
-    told = codes(clutch(fatigue=FATIGUE, drive={"dynamic_factor": 1.5}))
-    assert told["dynamic-factor-exceeded"].value == pytest.approx(1.9867, rel=1e-4)
-    assert "dynamic-factor-exceeded" not in codes(clutch(fatigue=FATIGUE, drive={"dynamic_factor": 2.0}))
+    result, findings = simulate(light(fatigue=FATIGUE, drive={"dynamic_factor": 1.5}))
+    (told,) = (found for found in findings if found.code == "dynamic-factor-exceeded")
+    assert told.value == max(getattr(result.dynamic_factor, end) for end in ("min", "mean", "max"))
+    assert "dynamic-factor-exceeded" not in codes(light(fatigue=FATIGUE, drive={"dynamic_factor": 2.0}))
 
 
 def test_slip_that_outlasts_what_is_simulated():
-    own = clutch(drive={"event": {"duration": 0.5}})
+    own = light(drive={"event": {"duration": 0.05}})
     result, findings = simulate(own)
     assert result.slip_time.min is None
     assert result.slip_energy.max is None
@@ -95,26 +96,26 @@ def test_slip_that_outlasts_what_is_simulated():
 
 
 def test_a_clutch_that_slips_before_the_event():
-    assert codes(clutch(drive={"load_torque": 250.0, "motor_torque": 250.0}))["slips-before-event"].level == "error"
+    assert codes(light(drive={"load_torque": 250.0, "motor_torque": 250.0}))["slips-before-event"].level == "error"
 
 
-def test_indirect_clutch(reference):
-    own = clutch(**INDIRECT)
+def test_indirect_clutch():
+    own = light(**INDIRECT)
     result, _ = simulate(own)
     assert result.travel_max is not None
     assert result.sliding_torque.max == pytest.approx(own.torque(0.8))
     # its hub swings with the driven half of an ordinary clutch
-    assert result.peak_torque_conventional.max > reference[0].peak_torque_conventional.max
+    assert result.peak_torque_conventional.max > outcome_of(light(), 0.8).ordinary_peak
 
 
 @pytest.mark.parametrize("changes", [*VARIANTS.values(), INDIRECT], ids=[*VARIANTS, "indirect"])
 def test_sweep_is_what_single_runs_give(changes):
-    own = clutch(**changes)
+    own = light(**changes)
     axis = parse_axis("drive.shaft_stiffness=5000,8000,12000", own.spec)
     sweep = simulate(own, sweeps=[axis])[0].sweep
     assert sweep is not None
     for number, stiffness in enumerate((5000.0, 8000.0, 12000.0)):
-        single = clutch(**merged(changes, {"drive": {**changes.get("drive", {}), "shaft_stiffness": stiffness}}))
+        single = light(**merged(changes, {"drive": {**changes.get("drive", {}), "shaft_stiffness": stiffness}}))
         assert sweep[0].peak_torque_max[number] == pytest.approx(outcome_of(single, 0.8).trip.peak, rel=2e-3)
         assert sweep[0].inertia_torque[number] == pytest.approx(15 * math.sqrt(stiffness * 0.05))
 
@@ -122,7 +123,7 @@ def test_sweep_is_what_single_runs_give(changes):
 def test_peaks_over_tolerances():
     """Samples of the peak against single runs at their quantiles: the peak rises with friction alone."""
     spread = {"friction": {"distribution": "uniform"}}
-    own = clutch(tolerance={"fields": spread, "quantiles": [0.25, 0.5, 0.75]}, requirements={"peak_torque": 600.0})
+    own = light(tolerance={"fields": spread, "quantiles": [0.25, 0.5, 0.75]}, requirements={"peak_torque": 600.0})
     result, _ = tolerance(own)
     assert result.method == "exact"
     assert result.peak_samples == SAMPLES
@@ -138,7 +139,7 @@ def test_peaks_over_tolerances():
 
 def test_drive_keys_scatter():
     fields = {"drive.shaft_stiffness": {"distribution": "normal", "spread": "10 %"}}
-    own = clutch(tolerance={"fields": fields, "samples": 1000, "sobol_base": 64})
+    own = light(tolerance={"fields": fields, "samples": 1000, "sobol_base": 64})
     result, _ = tolerance(own)
     assert result.peak_torque_deviation > 0
     assert result.standard_deviation == pytest.approx(0, abs=1e-9)
@@ -186,7 +187,7 @@ def test_refused(change, afmcalc):
 
 def test_the_command(afmcalc, tmp_path):
     spec = tmp_path / "drive.json"
-    spec.write_text(json.dumps(merged(REFERENCE, {"name": "x"})), encoding="utf-8")
+    spec.write_text(json.dumps(merged(REFERENCE, {"name": "x", "drive": {"motor_inertia": 0.8}})), encoding="utf-8")
     history, written = tmp_path / "history.csv", tmp_path / "factor.toml"
     ended = afmcalc("simulate", spec, "--json", "--history", history, "--output", written)
     assert ended.code == 0
@@ -195,18 +196,18 @@ def test_the_command(afmcalc, tmp_path):
     last = [row for row in rows if row["friction [1]"] == "0.8"]
     peak = ended.json["result"]["peak_torque"]["max"]
     assert max(float(row["torque_shaft [N*m]"]) for row in last) == pytest.approx(peak, rel=1e-9)
-    assert float(last[-1]["speed_motor [rad/s]"]) == pytest.approx(0, abs=0.5)
+    assert float(last[-1]["speed_motor [rad/s]"]) == pytest.approx(0, abs=2)
     factor = ended.json["result"]["dynamic_factor"]["min"]
     assert afmcalc("torque", written, "--json").json["spec"]["drive"]["dynamic_factor"] == pytest.approx(factor)
     assert afmcalc("simulate", spec, "--history", spec).code == 2
-    assert "Travel" not in afmcalc("simulate", spec, "--plot").out
-    assert "Torque in the shaft" in afmcalc("simulate", spec, "--plot").out
+    drawn = afmcalc("simulate", spec, "--plot").out
+    assert "Travel" not in drawn
+    assert "Torque in the shaft" in drawn
 
 
 def test_check_holds_the_peak_against_the_requirement(afmcalc):
-    ended = afmcalc("check", CONFIGS / "drive.toml", "--set", "requirements.peak_torque=300", "--json")
-    (row,) = ended.json["result"]["requirements"]
-    assert ended.code == 1
-    assert row["value"] == pytest.approx(
-        afmcalc("simulate", CONFIGS / "drive.toml", "--json").json["result"]["peak_torque"]["max"]
-    )
+    light = [CONFIGS / "drive.toml", "--set", "drive.motor_inertia=0.2", "--json"]
+    ended = afmcalc("check", *light, "--set", "requirements.peak_torque=300")
+    row, *_ = ended.json["result"]["requirements"]
+    assert (ended.code, row["requirement"]) == (1, "peak_torque")
+    assert row["value"] == pytest.approx(afmcalc("simulate", *light).json["result"]["peak_torque"]["max"])

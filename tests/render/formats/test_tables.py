@@ -59,7 +59,7 @@ RUNS = {
     "torque": [CONFIGS / "indirect.toml"], "accuracy": [CONFIGS / "indirect.toml"], "adjust": [CONFIGS / "default.toml"],
     "life": [CONFIGS / "default.toml"], "overload": [CONFIGS / "default.toml"], "solve": ["accuracy_factor=2"],
     "synthesize": [CONFIGS / "indirect.toml"], "tolerance": TOLERANCE[1:], "compare": [CONFIGS / "default.toml"],
-    "simulate": [CONFIGS / "drive.toml"],
+    "simulate": [CONFIGS / "drive.toml", "--set", "drive.motor_inertia=0.2"],
 }  # fmt: skip
 
 

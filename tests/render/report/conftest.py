@@ -1,13 +1,12 @@
 """Reports, each page made once; drawn only where a drawing is looked at."""
 
 import functools
-import re
 from collections.abc import Callable
 from typing import Any
 
 import html5lib
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, FRAME
 
 
 @pytest.fixture(autouse=True, scope="session")
@@ -18,11 +17,11 @@ def _a_day():
 
 
 @pytest.fixture(scope="session")
-def report(afmcalc, _a_day) -> Callable[..., str]:
-    """The page of a shipped spec, drawn."""
+def drawn(afmcalc, _a_day) -> Callable[[str], str]:
+    """The page of a shipped spec, with its drawings."""
 
     @functools.cache
-    def page(name: str = "default") -> str:
+    def page(name: str) -> str:
         run = afmcalc("report", CONFIGS / f"{name}.toml")
         assert (run.code, run.err) == (0, "")
         return run.out
@@ -31,13 +30,13 @@ def report(afmcalc, _a_day) -> Callable[..., str]:
 
 
 @pytest.fixture(scope="session")
-def undrawn(afmcalc, _a_day) -> Callable[..., str]:
+def framed(afmcalc, _a_day) -> Callable[..., str]:
     """The page of any arguments, with frames in place of its drawings."""
 
     @functools.cache
     def page(*arguments: object, stdin: str = "") -> str:
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr("afmcalc.render.report.page.inline_svg", lambda sheet: "<svg viewBox='0 0 7 4'></svg>")
+            patch.setattr("afmcalc.render.report.page.inline_svg", lambda sheet: FRAME)
             run = afmcalc("report", *arguments, stdin=stdin)
         assert (run.code, run.err) == (0, "")
         return run.out
@@ -46,12 +45,12 @@ def undrawn(afmcalc, _a_day) -> Callable[..., str]:
 
 
 @pytest.fixture(scope="session")
-def parsed() -> Callable[..., Any]:
-    """The tree of a page, which is read once, without its drawings; a page that is not valid HTML is refused."""
+def report(framed) -> Callable[..., str]:
+    """The page of a shipped spec, with frames in place of its drawings."""
+    return lambda name="default": framed(CONFIGS / f"{name}.toml")
 
-    @functools.cache
-    def tree(page: str, *, drawn: bool = False) -> Any:
-        text = page if drawn else re.sub("<svg.*?</svg>", "<svg></svg>", page, flags=re.DOTALL)
-        return html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse(text)
 
-    return tree
+@pytest.fixture(scope="session")
+def parsed() -> Callable[[str], Any]:
+    """The tree of a page, which is read once; a page that is not valid HTML is refused."""
+    return functools.cache(html5lib.HTMLParser(strict=True, namespaceHTMLElements=False).parse)

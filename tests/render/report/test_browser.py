@@ -6,9 +6,13 @@ import subprocess
 
 import chromium
 import pytest
-from conftest import CONFIGS
 
-VARIANTS = ["default", "conventional", "unlike-materials", "all-driving", "indirect", "tolerance"]
+SHOWN = ["default", "indirect", "tolerance"]
+"""Specs whose pages have a section, a formula, a drawing of every kind between them."""
+VARIANTS = [
+    *SHOWN,
+    *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("conventional", "unlike-materials", "all-driving")),
+]
 MOST_PAGES = {"default": 12}
 
 browser = pytest.mark.skipif(chromium.PATH is None, reason=chromium.REASON)
@@ -23,10 +27,10 @@ def page():
 
 
 @pytest.fixture(scope="module", params=VARIANTS)
-def opened(request, page, report, tmp_path_factory):
+def opened(request, page, drawn, tmp_path_factory):
     """The name of a shipped spec, and its report, opened once."""
     file = tmp_path_factory.mktemp("report") / "report.html"
-    file.write_text(report(request.param), encoding="utf-8")
+    file.write_text(drawn(request.param), encoding="utf-8")
     page.requests.clear()
     page.open(file)
     assert page.requests == [file.as_uri()]
@@ -88,7 +92,7 @@ def used(file):
 
 @browser
 @paper
-def test_on_paper(opened, report, tmp_path):
+def test_on_paper(opened, drawn, tmp_path):
     """Contents, page numbers, no half-empty page, no heading without its text."""
     name, page = opened
     printed = tmp_path / "report.pdf"
@@ -99,7 +103,7 @@ def test_on_paper(opened, report, tmp_path):
     assert [page[-1].replace(" ", "") for page in pages] == [
         f"{number}/{len(pages)}" for number in range(1, len(pages) + 1)
     ]
-    source = report(name)
+    source = drawn(name)
     plain = re.compile("<[^>]*>")
     listed = [plain.sub("", each) for each in re.findall(r'<li>[\d.]+ <a href="#[a-z]+">(.*?)</a>', source)]
     assert "Contents" in pages[0]
@@ -109,12 +113,6 @@ def test_on_paper(opened, report, tmp_path):
     for own in pages[:-1]:
         assert not own[-2].endswith(tuple(headings)), own[-2]
     assert min([*used(printed)][:-1]) > 0.5
-
-
-@browser
-def test_pdf_beside_the_report(afmcalc, tmp_path):
-    assert afmcalc("report", CONFIGS / "conventional.toml", "-o", tmp_path / "r.html", "--pdf").code == 0
-    assert (tmp_path / "r.pdf").read_bytes().startswith(b"%PDF")
 
 
 def test_pdf_refusals(afmcalc, monkeypatch, tmp_path):
