@@ -67,7 +67,14 @@ def part(whole, place: int | slice):
 
 @pytest.mark.parametrize("count", [8, pytest.param(EACH, marks=pytest.mark.exhaustive)])
 @pytest.mark.parametrize("kind", ["stop", "load"])
-@pytest.mark.parametrize("variant", ["conventional", "differentiated", "all-driving", "indirect"])
+@pytest.mark.parametrize(
+    "variant",
+    [
+        "differentiated",
+        "indirect",
+        *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("conventional", "all-driving")),
+    ],
+)
 def test_random_drives(variant, kind, count):
     """Peak within 0.2 %, heat within 0.2 % (where hardly anything slips: of 1 % of the drive's energy)."""
     rng = np.random.default_rng(["conventional", "differentiated", "all-driving", "indirect"].index(variant) * 2 + (kind == "load"))  # fmt: skip
