@@ -176,11 +176,13 @@ FINDINGS: Mapping[str, str] = {
     "unusual/ball-circle": "a ball-circle radius of {value:.4g mm} is unusual: {low:.4g mm…}{high:.4g mm}, 0.2 to 2 "
     "times the mean friction radius, is usual",
     # springs
-    "curved-springs": "{path}: torque, accuracy, tolerance, heat and effects follow its true characteristic; "
-    "sensitivities and a simulation take a straight spring of the stiffness given",
+    "curved-springs": "{path}: torque, accuracy, tolerance, simulation, heat and effects follow its true "
+    "characteristic; sensitivities take a straight spring of the stiffness given",
     "spring-too-weak": "{path}: pressed flat it gives {value:.5g kN}, less than the {limit:.5g kN} as set",
     "spring-beyond-range": "{path}: used from {low:.3g} to {high:.3g} of its cone height; 0.15 to 0.75 is usual",
     "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
+    "springs-miss": "{path} is held with straight springs of the stiffness searched; with the disc springs named "
+    "{count} of the front miss it, the worst with {value:.5g} for {limit:.5g}",
     "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
     "any-stiffness": "{path} is not given: any stiffness will do",
     "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g N}, more than the "

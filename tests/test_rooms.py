@@ -69,7 +69,7 @@ def test_no_circle():
 def test_the_graph_is_read():
     """Of each kind of import one that is there: relative, from a package, inside a function, by name."""
     assert "engines.laws" in imported("engines.indirect")
-    assert "equations.direct" in imported("engines.laws")
+    assert "equations.direct" in imported("engines.direct_law")
     assert "proofs" in imported("papers.register")
     assert "cli.entry" in imported("__main__")
 

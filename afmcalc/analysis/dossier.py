@@ -2,7 +2,7 @@
 
 from typing import Any, NamedTuple
 
-from ..engines import build
+from ..engines import Clutch, build
 from ..errors import CalculationError
 from ..findings import Finding
 from ..messages import filled, term
@@ -72,7 +72,7 @@ def dossier(
         answers, derived = _explained(spec, model, progress)
     else:
         answers, derived = Answers(build(spec), model=model, progress=progress), {}
-    applying = [each for each in ANALYSES.values() if each.section and each.applies(answers.clutch)]
+    applying = [each for each in ANALYSES.values() if _reported(each, answers.clutch)]
     verdict, findings = answers.ask("check")
     findings = list(dict.fromkeys([*findings, *(each for own in applying for each in answers.ask(own.name)[1])]))
     return Dossier(
@@ -81,6 +81,10 @@ def dossier(
         findings=findings,
         topics=[_topic(each, answers, derived.get(each.name, [])) for each in applying],
     )
+
+
+def _reported(analysis: Analysis, clutch: Clutch) -> bool:
+    return analysis.section is not None and analysis.applies(clutch) and analysis.section.applies(clutch)
 
 
 def _explained(spec: Spec, model: StressRule, progress: Progress) -> tuple[Answers, dict[str, list[Derivation]]]:

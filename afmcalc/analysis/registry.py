@@ -49,6 +49,8 @@ class Section(NamedTuple):
     """Keys of the references it rests on."""
     sources_indirect: tuple[str, ...] = ()
     """The same for an indirect clutch, where its law is another."""
+    applies: Callable[["Clutch"], bool] = lambda clutch: True
+    """Whether a report speaks of it, of what can be asked."""
 
 
 class Analysis(NamedTuple):
@@ -255,6 +257,13 @@ ANALYSES: dict[str, Analysis] = {
         ),
         Analysis(
             "springs", "analysis.springs.springs", "SpringsResult", "parts",
+            section=Section(
+                "Springs",
+                "The springs named, as set and in service; η is the largest share used of range or stress allowed.",
+                "Of what they may bear the springs use {utilisation:.3g} at most.",
+                ("Di17", "En13"),
+                applies=lambda clutch: bool(clutch.spec.spring_parts),
+            ),
             plot=Plot("springs", "force of the springs over their deflection, with what service takes", "clutch"),
         ),
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from ..arrays import Values, chosen, greatest, larger, smaller
+from ..equations import coils
 from ..equations import springs as law
 from ..spec.models import Spec
 from ..spec.springs import CoilSprings, DiscStack
@@ -24,12 +25,15 @@ _CLOSE = 1e-13
 """Relative to the whole deflection."""
 
 
-def root(rising: Callable[[Values], Values], slope: Callable[[Values], Values], end: Values) -> Values:
-    """Where a function that rises from 0 to ``end`` is 0, number by number; the nearer end where it is not.
+def root(
+    rising: Callable[[Values], Values], slope: Callable[[Values], Values], end: Values, start: Values = 0.0
+) -> Values:
+    """Where a function that rises from ``start`` to ``end`` is 0, number by number; the nearer end where it is not.
 
     Newton's steps, and halves of what is left where one would leave it.
     """
-    at, low, high = 0.0 * end, 0.0 * end, end
+    at = low = start + 0.0 * end
+    high = end
     for _ in range(_STEPS):
         value = rising(at)
         below = value < 0
@@ -145,13 +149,13 @@ class DiscCharacteristic(Characteristic):
 
     def force(self, deflection: Values) -> Values:
         """Force of the stack, N."""
-        force: Values = self.part.parallel * law.disc_force(*self._disc, deflection / self.part.series)
+        force: Values = self.part.parallel * law.disc_force(*self.shape, deflection / self.part.series)
         return force
 
     def stiffness(self, deflection: Values) -> Values:
         """Slope of the force, N/m."""
         own = self.part
-        slope: Values = own.parallel / own.series * law.disc_stiffness(*self._disc, deflection / own.series)
+        slope: Values = own.parallel / own.series * law.disc_stiffness(*self.shape, deflection / own.series)
         return slope
 
     def stresses(self, deflection: float) -> tuple[float, float]:
@@ -159,12 +163,13 @@ class DiscCharacteristic(Characteristic):
         logarithm, each = math.log(self.ratio), deflection / self.part.series
         membrane = law.disc_factor_membrane(self.ratio, logarithm, math.pi)
         bending = law.disc_factor_bending(self.ratio, logarithm, math.pi)
-        middle = law.disc_stress(*self._disc, each, 0.0, 3 / math.pi)
+        middle = law.disc_stress(*self.shape, each, 0.0, 3 / math.pi)
         edges = (membrane, -bending), ((membrane - 2 * bending) / self.ratio, -bending / self.ratio)
-        return float(middle), max(float(law.disc_stress(*self._disc, each, *edge)) for edge in edges)
+        return float(middle), max(float(law.disc_stress(*self.shape, each, *edge)) for edge in edges)
 
     @cached_property
-    def _disc(self) -> tuple[float, float, float, float, float, float, float]:
+    def shape(self) -> tuple[float, float, float, float, float, float, float]:
+        """E, ν, K_1, K_4, D_e, t and h_0 of a disc, with flats t' and l_0 − t'."""
         height = self.part.free_height - self.thickness
         return (MODULUS, POISSON, *self.factors, self.part.outer_diameter, self.thickness, height)
 
@@ -184,19 +189,19 @@ class CoilCharacteristic(Characteristic):
     def rate(self) -> float:
         """Stiffness of all together, N/m."""
         own = self.part
-        return own.count * float(law.coil_stiffness(SHEAR_MODULUS, own.wire_diameter, own.coil_diameter, own.turns))
+        return own.count * float(coils.coil_stiffness(SHEAR_MODULUS, own.wire_diameter, own.coil_diameter, own.turns))
 
     @property
     def range(self) -> tuple[float, float]:
         """From nothing to where the gaps between the turns are the least that must stay, m."""
         own = self.part
-        gap = law.coil_least_gap(own.wire_diameter, own.coil_diameter, own.turns)
+        gap = coils.coil_least_gap(own.wire_diameter, own.coil_diameter, own.turns)
         return 0.0, self.end - float(gap)
 
     @property
     def end(self) -> float:
         """Pressed solid, m."""
-        return self.part.free_length - float(law.coil_solid_length(self.part.wire_diameter, self.part.turns))
+        return self.part.free_length - float(coils.coil_solid_length(self.part.wire_diameter, self.part.turns))
 
     @property
     def straight(self) -> bool:
@@ -215,7 +220,7 @@ class CoilCharacteristic(Characteristic):
         """Shear stress of the wire, without the correction for the curve as for a spring that rests, Pa."""
         own = self.part
         each = self.rate * deflection / own.count
-        return float(law.coil_stress(each, own.wire_diameter, own.coil_diameter, 1.0, math.pi))
+        return float(coils.coil_stress(each, own.wire_diameter, own.coil_diameter, 1.0, math.pi))
 
 
 def characteristic(part: DiscStack | CoilSprings) -> DiscCharacteristic | CoilCharacteristic:

@@ -7,7 +7,7 @@ from ..equations import accuracy, direct
 from ..findings import Finding, finding
 from ..spec.models import Method, Spec
 from . import geometry, setting
-from .laws import DirectLaw
+from .direct_law import DirectLaw
 from .protocol import ByGain, Clutch
 
 

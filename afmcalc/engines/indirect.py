@@ -1,11 +1,12 @@
 """Engine of indirect regulation: a thrust sleeve between two springs (S21)."""
 
 from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 from ..arrays import Values, checked_friction, is_array, larger, smaller
 from ..equations import indirect
-from ..findings import Finding, finding
+from ..findings import Finding
 from ..messages import say
 from ..spec.models import Method, Spec
 from . import geometry, pockets, setting
@@ -13,6 +14,7 @@ from .characteristic import DiscCharacteristic, curved
 from .laws import IndirectLaw
 from .protocol import ByGain, Clutch
 from .sensitivity import sensitivity
+from .sleeve_findings import sleeve_findings
 
 
 class IndirectClutch(Clutch):
@@ -43,7 +45,6 @@ class IndirectClutch(Clutch):
             curved=curved(spec),
         )
         pockets.refuse_negative_net_gain(spec, law)
-        pockets.refuse_curved_springs(spec, law)
         force = setting.closing_force(spec, lambda: law.torque_per_force)
         return cls(spec, replace(law, gain_slope=pockets.gain_slope(spec, law, force)), spec.friction.groups, force)
 
@@ -90,7 +91,7 @@ class IndirectClutch(Clutch):
     @property
     def constant_torque_slope(self) -> Values:
         """C_1* at which torque would not depend on friction once the sleeve is off its stop, 1/m."""
-        return self.law.constant_torque_slope(self.closing_force)
+        return self.law.constant_torque_slope(self.closing_force, self.friction[0].max)
 
     @property
     def friction_set(self) -> Values:
@@ -193,11 +194,29 @@ class IndirectClutch(Clutch):
         most: Values = self.torque(own.max)
         if self.law.straight:
             return most
+        if self._bent:
+            return larger(most, larger(self.torque(own.min), self._between[1]))
         leaving = smaller(larger(self.leaving_friction, own.min), own.max)
         first: Values = indirect.torque(
             self.law.normal_force(self.closing_force, leaving), self.mean_radius, self.pairs, leaving
         )
         return larger(most, first)
+
+    @property
+    def torque_min(self) -> Values:
+        """Smallest torque, friction rising, N·m."""
+        least = super().torque_min
+        return smaller(least, self._between[0]) if self._bent else least
+
+    @property
+    def _bent(self) -> bool:
+        """Whether springs and walls are both curved: the torque may then have its extremes anywhere."""
+        return self.law.curved is not None and not self.law.straight
+
+    @cached_property
+    def _between(self) -> tuple[Values, Values]:
+        """Least and largest torque while the sleeve is off its stop, friction rising, N·m."""
+        return self.law.torques_rising(self.closing_force, self.friction[0].min, self.friction[0].max)
 
     @property
     def torque_returning_min(self) -> Values:
@@ -209,7 +228,10 @@ class IndirectClutch(Clutch):
         least: Values = self.torque_returning(own.min)
         if self.law.straight:
             return least
-        return smaller(least, self.torque_returning(larger(own.max / self.hysteresis_ratio, own.min)))
+        least = smaller(least, self.torque_returning(larger(own.max / self.hysteresis_ratio, own.min)))
+        if not self._bent:
+            return least
+        return smaller(least, self.law.least_returning(self.closing_force, own.min, own.max))
 
     @property
     def hysteresis_ratio(self) -> Values:
@@ -242,46 +264,7 @@ class IndirectClutch(Clutch):
 
     def _law_findings(self) -> list[Finding]:
         """Springs that are curved, idle feedback, the key's hysteresis, a pocket that lets the torque fall."""
-        springs = [] if self.law.curved is None else [finding("curved-springs", "info", path=self._curved_path)]
-        gain, threshold = float(self.gain), float(self.gain_threshold)
-        if self.net_gain == 0:
-            path = geometry.gain_path(self.spec)
-            return [*springs, finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)]
-        return [*springs, *self._slope_findings(), *self._key_findings()]
-
-    @property
-    def _curved_path(self) -> str:
-        assert self.law.curved is not None
-        return "control_spring.disc" if self.law.curved.closing is None else "closing_spring.disc"
-
-    def _slope_findings(self) -> list[Finding]:
-        """Beyond C_1* the sleeve runs off under a load that reaches T_н, and the torque falls."""
-        slope, path = float(self.gain_slope), "control_unit.gain_slope"
-        leaving = float(self.leaving_friction)
-        if slope == 0 or not 0 < leaving < self.friction[0].max:
-            return []
-        best, jumping = float(self.constant_torque_slope), float(self.law.jumping_slope(self.closing_force))
-        if slope <= best * (1 + 1e-9):
-            return []
-        falls, most = float(self.torque(self.friction[0].max)), float(self.torque_max)
-        code = "torque-jumps" if slope > jumping else "torque-falls-with-travel"
-        return [finding(code, "warning", value=slope, limit=best, path=path, most=most, falls=falls, jumping=jumping)]
-
-    def _key_findings(self) -> list[Finding]:
-        """How the key holds the sleeve back; a warning where the machine's torque is then no longer transmitted."""
-        if self.law.key_friction == 0:
-            return []
-        returning, nominal = float(self.torque_returning_min), float(self.nominal_torque)
-        key = "control_unit.key_friction"
-        found = [finding("hysteresis", "info", value=float(self.hysteresis_ratio), limit=1.0, path=key)]
-        machine = float(self.machine_torque)
-        if returning < machine * (1 - 1e-12):
-            found.append(finding("returning-below-nominal", "warning", value=returning, limit=nominal, path=key))
-        elif returning < nominal * (1 - 1e-12):
-            found.append(
-                finding("returning-covered", "info", value=returning, limit=nominal, path=key, machine=machine)
-            )
-        return found
+        return sleeve_findings(self, self.law, lambda: self.hysteresis_ratio)
 
 
 def _given(value: Any) -> Any:

@@ -1,4 +1,4 @@
-"""The two torque laws, as functions of the spring force and the friction; parameters are numbers or arrays.
+"""The torque law of an indirect clutch, as functions of the spring force and the friction: numbers or arrays.
 
 A law knows neither a spec nor how the spring is set: engines, sweeps and searches ask the same one.
 """
@@ -8,57 +8,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ..arrays import Values, chosen, is_array, larger, quiet_division, smaller, square_root
-from ..equations import direct, indirect, pocket
-from .characteristic import CurvedSprings, root
-
-
-@dataclass(frozen=True)
-class DirectLaw:
-    """The release force acts on the pack itself; the variants differ in their pair counts."""
-
-    mean_radius: Values
-    """R_cp, m."""
-    bypass_pairs: Values
-    """z_1."""
-    controlled_pairs: Values
-    """z_2."""
-    gain: Values
-    """C."""
-
-    @property
-    def reduced_gain(self) -> Values:
-        """z_2 C."""
-        reduced: Values = direct.reduced_gain(self.controlled_pairs, self.gain)
-        return reduced
-
-    def torque_per_force(self, driving: Values, driven: Values) -> Any:
-        """T/F_п, m."""
-        return direct.torque_per_force(
-            self.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain, driving, driven
-        )
-
-    def torque(self, closing_force: Values, driving: Values, driven: Values) -> Any:
-        """Sustained slip torque T, N·m."""
-        return direct.torque(
-            closing_force, self.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain, driving, driven
-        )
-
-    def normal_force(self, closing_force: Values, driven: Values) -> Any:
-        """Normal force N on the pairs, N."""
-        return direct.normal_force(closing_force, self.controlled_pairs, self.gain, driven)
-
-    def release_force(self, closing_force: Values, driven: Values) -> Any:
-        """Release force F_p, N."""
-        return direct.release_force(closing_force, self.controlled_pairs, self.gain, driven)
-
-    def ball_torque(self, closing_force: Values, driven: Values) -> Any:
-        """Torque T_2 that passes the balls, N·m."""
-        pressed = self.normal_force(closing_force, driven)
-        return direct.group_torque(pressed, self.mean_radius, self.controlled_pairs, driven)
-
-    def bypass_torque(self, closing_force: Values, driving: Values) -> Any:
-        """Torque of the bypass pairs under the full spring force, N·m."""
-        return direct.group_torque(closing_force, self.mean_radius, self.bypass_pairs, driving)
+from ..equations import indirect, pocket
+from .balance import Balance, SetSpring
+from .characteristic import CurvedSprings
 
 
 @dataclass(frozen=True)
@@ -152,20 +104,27 @@ class IndirectLaw:
             friction: Values = pocket.leaving_friction(closing_force, made, self.pairs, net)
         return friction
 
-    def constant_torque_slope(self, closing_force: Values) -> Values:
-        """C_1* at which torque does not depend on friction once the sleeve is off its stop, 1/m."""
+    def constant_torque_slope(self, closing_force: Values, friction_max: Values) -> Values:
+        """C_1* at which torque does not depend on friction once the sleeve is off its stop, 1/m.
+
+        With disc springs no C_1 does: that at which it is the same at ``friction_max`` as where the sleeve leaves.
+        """
         leaving = self.leaving_friction(closing_force)
-        slope: Values = pocket.constant_torque_slope(
-            self.closing_stiffness, self.control_stiffness, self.pairs, leaving, closing_force
-        )
+        stiffness = self.closing_stiffness, self.control_stiffness
+        if self.curved is not None:
+            first, second = self.set_springs(closing_force)
+            # a little beyond where it leaves at least, so that there is a way to go
+            travel = first.slackens(closing_force * leaving / larger(friction_max, leaving * (1 + 1e-6)))
+            stiffness = first.secant(-travel), second.secant(travel)
+        slope: Values = pocket.constant_torque_slope(*stiffness, self.pairs, leaving, closing_force)
         return slope
 
     def jumping_slope(self, closing_force: Values) -> Values:
         """C_1 above which the sleeve jumps off its stop as friction rises, 1/m."""
         leaving = self.leaving_friction(closing_force)
-        slope: Values = pocket.jumping_slope(
-            self._straight_stiffness(leaving, self.net_gain), self.pairs, leaving, closing_force
-        )
+        first, second = (spring.stiffness(0.0) for spring in self.set_springs(closing_force))
+        stiffness = indirect.sleeve_stiffness(first, second, self.pairs, leaving, self.net_gain)
+        slope: Values = pocket.jumping_slope(stiffness, self.pairs, leaving, closing_force)
         return slope
 
     def _straight_stiffness(self, friction: Values, net_gain: Values) -> Values:
@@ -239,7 +198,8 @@ class IndirectLaw:
 
         def moving() -> Values:
             if self.curved is not None:
-                return smaller(closing_force, self._balanced(closing_force, friction, net_gain)[1])
+                own = self.balance(closing_force, net_gain)
+                return smaller(closing_force, own.pressed(own.travel(friction)))
             springs = closing_force, self.closing_stiffness, control, self.control_stiffness
             force: Values = indirect.normal_force_moving(*springs, self._stiffness(closing_force, friction, net_gain))
             return smaller(closing_force, force)
@@ -261,10 +221,26 @@ class IndirectLaw:
 
         The key locks the sleeve where ``friction_max`` put it until f has fallen by κ₊/κ.
         """
+        if self.curved is not None and not self.straight:
+            return self._returned(closing_force, friction, friction_max)
         locked = self.normal_force(closing_force, friction_max)
         seated = self._is_reseated(closing_force, friction, locked)
         moving = self._pressed(closing_force, friction, self.net_gain_returning, seated)
         torque: Values = indirect.torque(larger(locked, moving), self.mean_radius, self.pairs, friction)
+        return torque
+
+    def _returned(self, closing_force: Values, friction: Values, friction_max: Values) -> Values:
+        """The same between curved springs, behind curved walls."""
+        net = self.net_gain_returning
+        place = self.travel_returning(closing_force, friction, friction_max)
+        home = (place <= 0) & self._holds(closing_force, friction, net)
+        control = self.control_force(closing_force)
+        pressed: Values = chosen(
+            home,
+            lambda: indirect.normal_force_seated(control, self.pairs, net, friction),
+            lambda: self.balance(closing_force, net).pressed(place),
+        )
+        torque: Values = indirect.torque(pressed, self.mean_radius, self.pairs, friction)
         return torque
 
     def travel(self, closing_force: Values, friction: Values) -> Values:
@@ -272,7 +248,7 @@ class IndirectLaw:
 
         def moved() -> Values:
             if self.curved is not None:
-                return self._balanced(closing_force, friction, self.net_gain)[0]
+                return self.balance(closing_force, self.net_gain).travel(friction)
             net, made = self.net_gain, self.made_control_force
             stiffness = self._straight_stiffness(friction, net)
             travel: Values
@@ -287,26 +263,37 @@ class IndirectLaw:
 
         return chosen(self.is_seated(closing_force, friction), lambda: 0.0, moved)
 
-    def _balanced(self, closing_force: Values, friction: Values, net: Values) -> tuple[Values, Values]:
-        """Travel of a sleeve between curved springs, and the normal force there: N(x)(1 + zκf) = F_2(x)."""
-        assert self.curved is not None
-        closing, control = self.curved
-        held, loop = self.control_force(closing_force), 1 + self.pairs * net * friction
-        reach = closing_force / self.closing_stiffness if closing is None else closing.deflection(closing_force)
-        start = None if control is None else control.deflection(held)
+    def balance(self, closing_force: Values, net_gain: Values) -> Balance:
+        """What holds the sleeve off its stop, springs and walls as they are."""
+        first, second = self.set_springs(closing_force)
+        return Balance(first, second, self.pairs, net_gain, self.gain_slope, self.straight)
 
-        def pressed(travel: Values) -> Values:
-            return closing_force - self.closing_stiffness * travel if closing is None else closing.force(reach - travel)
+    def set_springs(self, closing_force: Values) -> tuple[SetSpring, SetSpring]:
+        """The closing and the control spring."""
+        discs = self.curved or CurvedSprings(None, None)
+        control = self.control_force(closing_force)
+        return (
+            SetSpring(closing_force, self.closing_stiffness, discs.closing),
+            SetSpring(control, self.control_stiffness, discs.control),
+        )
 
-        def pushed(travel: Values) -> Values:
-            if control is None or start is None:
-                return held + self.control_stiffness * travel
-            return control.force(start + travel)
+    def travel_returning(self, closing_force: Values, friction: Values, friction_max: Values) -> Values:
+        """Travel of a sleeve when friction falls again from ``friction_max``, m; of curved springs or walls."""
+        start = self.travel(closing_force, friction_max)
+        return self.balance(closing_force, self.net_gain_returning).travel_returning(friction, start)
 
-        def slope(travel: Values) -> Values:
-            first = self.closing_stiffness if closing is None else closing.stiffness(reach - travel)
-            second = self.control_stiffness if control is None or start is None else control.stiffness(start + travel)
-            return second + first * loop
+    def torques_rising(self, closing_force: Values, low: Values, high: Values) -> tuple[Values, Values]:
+        """Least and largest torque off the stop while friction rises, N·m."""
+        ends = self.travel(closing_force, low), self.travel(closing_force, high)
+        own = self.balance(closing_force, self.net_gain)
+        least, most = own.torques(*ends, self.mean_radius, rises=True)
+        last, moves = self.torque(closing_force, high), ends[1] > ends[0]
+        return chosen(moves, lambda: least, lambda: last), chosen(moves, lambda: most, lambda: last)
 
-        travel = root(lambda at: pushed(at) - pressed(at) * loop, slope, reach + 0.0 * loop)
-        return travel, pressed(travel)
+    def least_returning(self, closing_force: Values, low: Values, high: Values) -> Values:
+        """Least torque off the stop while friction falls, N·m."""
+        ends = self.travel(closing_force, high), self.travel_returning(closing_force, low, high)
+        own = self.balance(closing_force, self.net_gain_returning)
+        least = own.torques(*ends, self.mean_radius, rises=False)[0]
+        last = self.torque_returning(closing_force, low, high)
+        return chosen(ends[1] < ends[0], lambda: least, lambda: last)

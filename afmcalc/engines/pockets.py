@@ -15,14 +15,14 @@ def gain_slope(spec: Spec, law: IndirectLaw, closing_force: Values) -> Values:
     unit = spec.control_unit
     assert unit is not None
     if unit.pocket == "constant-torque":
-        leaving = law.leaving_friction(closing_force)
+        leaving, friction_max = law.leaving_friction(closing_force), spec.friction.groups[0].max
         if not is_array(leaving) and not leaving > 0:
             message = say(
                 "no wall holds the torque: control_spring.force does not exceed the force of the closing spring, so "
                 "that the sleeve never rests at its stop"
             )
             raise SpecError(spec.label, [Problem("control_unit.pocket", repr(unit.pocket), message)])
-        return chosen(leaving > 0, lambda: law.constant_torque_slope(closing_force), lambda: math.nan)
+        return chosen(leaving > 0, lambda: law.constant_torque_slope(closing_force, friction_max), lambda: math.nan)
     return 0.0 if unit.gain_slope is None else unit.gain_slope
 
 
@@ -40,17 +40,6 @@ def refuse_negative_net_gain(spec: Spec, law: IndirectLaw) -> None:
     path = geometry.gain_path(spec)
     given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
     raise SpecError(spec.label, [Problem(path, given, message)])
-
-
-def refuse_curved_springs(spec: Spec, law: IndirectLaw) -> None:
-    """A curved wall is laid out for springs that are straight: both at once have no law here."""
-    unit = spec.control_unit
-    assert unit is not None
-    if law.curved is None or (unit.pocket is None and not unit.gain_slope):
-        return
-    path = "control_unit.pocket" if unit.gain_slope is None else "control_unit.gain_slope"
-    message = say("a curved pocket takes straight springs: leave out the disc springs, or the curve of the wall")
-    raise SpecError(spec.label, [Problem(path, None, message)])
 
 
 def _where_least(value: Values, other: Values) -> float:

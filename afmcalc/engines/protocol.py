@@ -10,7 +10,8 @@ from ..findings import Finding
 from ..spec.models import Method, Range, Spec
 from . import setting
 from .characteristic import DiscCharacteristic, curved
-from .laws import DirectLaw, IndirectLaw
+from .direct_law import DirectLaw
+from .laws import IndirectLaw
 from .parts import part_findings
 
 

@@ -7,6 +7,8 @@ REFERENCES = {
     "S21": "Шишкарев М.П. Синтез АФМ первого поколения с косвенным регулированием (2021).",
     "S22": "Шишкарев М.П. Уровень перегрузок в приводе машины с АФМ со всеми ведущими парами трения (2022).",
     "CJ": "Carslaw H.S., Jaeger J.C. Conduction of Heat in Solids. 2nd ed. Oxford, 1959.",
+    "Di17": "DIN EN 16984. Disc springs – Calculation. 2017.",
+    "En13": "EN 13906-1. Cylindrical helical springs made from round wire and bar – Compression springs. 2013.",
     "Fi68": "Finkin E.F. Spline friction in multiple disc clutches. J. Lubrication Technology 90 (1968) 65.",
 }
 """Key → reference, as the formulas cite them."""

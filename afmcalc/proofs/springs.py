@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import springs
+from ..equations import coils, springs
 from . import Identity, Refutation, Steps
 
 __all__ = [
@@ -114,16 +114,16 @@ def wire_in_torsion() -> Steps:
     """A coil's wire is twisted by F D/2 over its length π D n."""
     polar = sp.pi * d**4 / 32
     twist = (F * D / 2) * sp.pi * D * n / (G * polar)
-    yield Identity("s = ϑ D/2", springs.coil_stiffness(G, d, D, n) * twist * D / 2 - F)
+    yield Identity("s = ϑ D/2", coils.coil_stiffness(G, d, D, n) * twist * D / 2 - F)
     index = D / d
-    correction = sp.nsimplify(springs.coil_correction(d, D), rational=True)
+    correction = sp.nsimplify(coils.coil_correction(d, D), rational=True)
     yield Identity("1 + 5/(4w − 3)", correction - 1 - 5 / (4 * index - 3))
-    straight = springs.coil_stress(F, d, D, 1, sp.pi)
+    straight = coils.coil_stress(F, d, D, 1, sp.pi)
     yield Identity("straight wire: M/(J/(d/2))", straight - F * D / 2 * (d / 2) / polar)
-    yield Identity("∝ k_τ", springs.coil_stress(F, d, D, correction, sp.pi) - correction * straight)
-    turns = springs.coil_solid_length(d, n) / d
+    yield Identity("∝ k_τ", coils.coil_stress(F, d, D, correction, sp.pi) - correction * straight)
+    turns = coils.coil_solid_length(d, n) / d
     yield Identity("n + 2 turns of wire", turns - n - 2)
-    gap = sp.nsimplify(springs.coil_least_gap(d, D, n), rational=True)
+    gap = sp.nsimplify(coils.coil_least_gap(d, D, n), rational=True)
     yield Identity("S_a", gap * 2000 * d - n * (3 * D**2 + 200 * d**2))
     volume = sp.pi * d**2 / 4 * sp.pi * D * turns
-    yield Identity("mass of the wire", springs.coil_mass(rho, d, D, n, sp.pi) - rho * volume)
+    yield Identity("mass of the wire", coils.coil_mass(rho, d, D, n, sp.pi) - rho * volume)

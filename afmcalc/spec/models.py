@@ -275,3 +275,9 @@ class Spec(Block):
     def least_pairs(self) -> Any:
         """Smallest z with the bypass pairs it has."""
         return self.kind.least_pairs(self.friction_group.driving_pairs)
+
+    @property
+    def spring_parts(self) -> "dict[str, springs.DiscStack | springs.CoilSprings]":
+        """The parts that the springs are, where they are named: closing, control."""
+        own = {"closing": self.closing_spring, "control": self.control_spring}
+        return {name: spring.part for name, spring in own.items() if spring is not None and spring.part is not None}

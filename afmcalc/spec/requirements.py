@@ -16,6 +16,7 @@ from .models import Friction, Method, PocketShape, Profiled, VariantName
 from .overrides import apply_overrides, overridden
 from .parsing import parse, text_of
 from .reading import validated
+from .springs import Room
 
 Objective = Literal[
     "closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel",
@@ -127,6 +128,8 @@ class Fixed(Block):
         "constant-torque: pockets with the curved wall that holds the torque (indirect)"
     )
     profiled: Profiled | None = key_field("sleeves with the curved wall (indirect); default one")
+    closing_room: Room | None = key_field("room for the closing spring, with springs", default=None)
+    control_room: Room | None = key_field("room for the control spring (indirect), with springs", default=None)
 
 
 class Limits(Block):
@@ -147,6 +150,10 @@ class Requirements(Block):
     variants: Annotated[tuple[VariantName, ...], Field(min_length=1)] = Field(description="variants allowed")
     objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = Field(
         description="what is to be small; closing_force is the force the pack must bear (F_п; indirect F_п2)"
+    )
+    springs: Literal["disc"] | None = key_field(
+        "disc: only clutches whose springs can be stacks of disc springs (DIN EN 16983) in fixed.closing_room, and "
+        "fixed.control_room of an indirect one"
     )
     friction: Friction
     wanted: Wanted
@@ -193,11 +200,28 @@ class Requirements(Block):
         for each in (each for each in variants if each.travels):
             for path in (path for path, given in springs_and_hub.items() if given is None):
                 yield rules.wrong(path, say("required for variant {variant!r}", variant=each.name))
+        yield from self._springs_problems(any(each.travels for each in variants))
         if fixed.pocket is not None and not any(each.travels for each in variants):
             able = ", ".join(repr(each.name) for each in VARIANTS.values() if each.travels)
             yield rules.wrong("fixed.pocket", say("is of variant {able}", able=able))
         if fixed.profiled is not None and fixed.pocket is None:
             yield rules.wrong("fixed.profiled", say("is of a curved wall: give fixed.pocket with it"))
+
+    def _springs_problems(self, travels: bool) -> Iterable[Problem]:
+        rooms = {"fixed.closing_room": self.fixed.closing_room, "fixed.control_room": self.fixed.control_room}
+        if self.springs is None:
+            for path in (path for path, room in rooms.items() if room is not None):
+                yield rules.wrong(path, say("has no effect without {other}", other="springs"))
+            return
+        if self.fixed.pocket is not None:
+            message = say("excludes {other}: such a wall is laid out for straight springs", other="fixed.pocket")
+            yield rules.wrong("springs", message)
+        for path, room in list(rooms.items())[: 1 + travels]:
+            if room is None or room.inner_diameter is None or room.outer_diameter is None:
+                message = say("required with springs: inner_diameter and outer_diameter, and length if bounded")
+                yield rules.wrong(path, message)
+        if not travels and self.fixed.control_room is not None:
+            yield rules.wrong("fixed.control_room", say("is of variant {able}", able="'indirect'"))
 
     def _radii_problems(self) -> Iterable[Problem]:
         width, mean, inner, outer = (

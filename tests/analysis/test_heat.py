@@ -198,3 +198,12 @@ def test_an_event_is_simulated():
     assert result.energy.min == pytest.approx(8 * 15**2 / 2 * 200 / 50, rel=0.05), "V1: the tool all but blocked"
     assert result.power_density.min == pytest.approx(200 * 15 / (8 * AREA))
     assert "motor-never-stops" in codes(heat(clutch(140, {**drive, "load_torque": 100}))[1])
+
+
+def test_without_scipy_an_event_has_no_other_heat(afmcalc, monkeypatch):
+    """V1 in its place would give other digits, and not say why."""
+    monkeypatch.setattr("afmcalc.extras.find_spec", lambda name: None)
+    for command in ("heat", "check", "simulate"):
+        ended = afmcalc(command, "example:drive")
+        assert (ended.code, ended.out) == (2, "")
+        assert "this needs scipy, not installed here: pip install 'afmcalc[drive]'" in ended.err

@@ -5,9 +5,11 @@ import math
 import pytest
 from conftest import CONFIGS
 
+from afmcalc.analysis.dossier import dossier
 from afmcalc.analysis.springs.springs import springs
 from afmcalc.analysis.springs.wish import wishes
 from afmcalc.engines import build
+from afmcalc.render.report.chapters import chapters
 from afmcalc.spec import read_spec
 from afmcalc.spec.discs import discs
 
@@ -202,3 +204,21 @@ def test_a_spring_is_one_part(afmcalc):
     assert "excludes disc" in afmcalc("torque", DEFAULT, "--set", disc, "--set", coil).err
     room = "closing_spring.room={inner_diameter=0.1, outer_diameter=0.05}"
     assert "must be greater than inner_diameter" in afmcalc("springs", DEFAULT, "--set", room).err
+
+
+def test_a_report_tells_of_the_springs_that_are_named(afmcalc, tmp_path):
+    made = tmp_path / "sprung.toml"
+    assert afmcalc("springs", INDIRECT, "--kind", "disc", "--pick", 1, "-o", made).code == 0
+    told, _ = springs(clutch(made), kind="coil", top=1)
+    (own,) = told.named
+    assert (own.spring, own.kind, own.number) == ("closing", "disc", None)
+    assert told.utilisation == own.utilisation == pytest.approx(max(own.used_high / 0.75, -own.stress_middle / 1.6e9))
+    topics = {each.name: each for each in dossier(read_spec(made), explained=False).topics}
+    assert topics["springs"].result.named == [own]
+    assert [each.spring for each in topics["springs"].figure.springs] == ["closing", "control"]
+    assert "springs" not in {each.name for each in dossier(read_spec(INDIRECT), explained=False).topics}
+    page = chapters(dossier(read_spec(made), explained=False))
+    (table,) = next(each for each in page if each.key == "springs").tables
+    assert table.header[2:-1] == ["closing spring"]
+    assert ["", "part", own.part, ""] in table.rows
+    assert not {row[2] for row in table.rows} & {"–", "disc"}

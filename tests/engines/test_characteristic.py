@@ -12,6 +12,7 @@ from strategies import indirect_specs
 
 from afmcalc.engines import build
 from afmcalc.engines.characteristic import CoilCharacteristic, DiscCharacteristic
+from afmcalc.equations import coils
 from afmcalc.equations import springs as law
 from afmcalc.spec import read_spec
 from afmcalc.spec.discs import discs
@@ -86,15 +87,53 @@ def test_softness_of_the_series():
             assert plate == pytest.approx(1 - 0.40625 * (own.cone_height / own.thickness) ** 2)
 
 
+def test_disc_spring_of_a_textbook():
+    """Machinery's Handbook, 31st edition (2020), "Disc spring examples", pages 362 and 363.
+
+    80 × 41 × 4, 2.2 high, reckoned with the diameter 77.78 its edges are apart: K_1, K_2, K_3, and at the deflections
+    0.9 and 1.32 mm the force (14 390 and 20 050 N) and the stresses at OM (1103 N/mm²), II and III.
+    """
+    ratio = 80 / 41
+    logarithm = math.log(ratio)
+    load = law.disc_factor_load(ratio, logarithm, math.pi)
+    membrane = law.disc_factor_membrane(ratio, logarithm, math.pi)
+    bending = law.disc_factor_bending(ratio, logarithm, math.pi)
+    assert (load, membrane, bending) == pytest.approx((0.6841, 1.2086, 1.3589), abs=6e-5)
+    edges = {
+        "OM": (0.0, 3 / math.pi),
+        "II": (membrane, -bending),
+        "III": ((membrane - 2 * bending) / ratio, -bending / ratio),
+    }
+    printed = {0.9: (14390, {"II": 654, "III": 815}), 1.32: (20050, {"OM": -1103, "II": 1032, "III": 1149})}
+    for deflection, (force, stresses) in printed.items():
+        disc_of = 206000, 0.3, load, 1.0, 77.78, 4.0, 2.2, deflection
+        assert law.disc_force(*disc_of) == pytest.approx(force, abs=10)
+        for name, stress in stresses.items():
+            assert law.disc_stress(*disc_of, *edges[name]) == pytest.approx(stress, abs=1), (name, deflection)
+
+
 def test_coil_spring_of_a_textbook():
+    """Machinery's Handbook, 31st edition (2020), "Compression spring design example", pages 318 and 319.
+
+    Wire 0.0915 in, outside diameter 13/16 in, 36 lb: stress 86.3 % of 100 000 lb/in², 0.1375 in a coil with the
+    G = 11.2·10⁶ lb/in² that its tables are laid out for, so that 9 active coils of 11 give 1.25 in; 1 in long solid.
+    """
+    wire, coil, load = 0.0915, 13 / 16 - 0.0915, 36.0
+    assert load / coils.coil_stiffness(11.2e6, wire, coil, 1) == pytest.approx(0.1375, abs=1e-4)
+    assert load / coils.coil_stiffness(11.2e6, wire, coil, 9) == pytest.approx(1.25, rel=0.011)
+    assert coils.coil_stress(load, wire, coil, 1, math.pi) == pytest.approx(86300, abs=50)
+    assert coils.coil_solid_length(wire, 9) == pytest.approx(11 * 0.0915)
+
+
+def test_curvature_of_a_coil_in_a_textbook():
     """Budynas & Nisbett, Shigley's Mechanical Engineering Design, example 10-1: 4.13 lbf/in, K_B 1.124, 6.46 lbf."""
     inch, pound = 25.4e-3, 4.4482216152605
     psi = pound / inch**2
-    stiffness = law.coil_stiffness(11.85e6 * psi, 0.037 * inch, 0.4 * inch, 10.5)
+    stiffness = coils.coil_stiffness(11.85e6 * psi, 0.037 * inch, 0.4 * inch, 10.5)
     assert stiffness / (pound / inch) == pytest.approx(4.13, abs=0.005)
-    correction = law.coil_correction(0.037 * inch, 0.4 * inch)
+    correction = coils.coil_correction(0.037 * inch, 0.4 * inch)
     assert correction == pytest.approx(1.124, abs=0.0005)
-    stress = law.coil_stress(6.46 * pound, 0.037 * inch, 0.4 * inch, correction, math.pi)
+    stress = coils.coil_stress(6.46 * pound, 0.037 * inch, 0.4 * inch, correction, math.pi)
     assert stress / psi == pytest.approx(146e3, rel=1e-3)
 
 

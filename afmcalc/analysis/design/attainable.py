@@ -1,6 +1,8 @@
 """Where nothing meets every requirement: the fewest that stand in the way, and what could be had of them instead."""
 
 from collections.abc import Callable
+from functools import reduce
+from operator import and_
 
 import numpy as np
 
@@ -63,9 +65,11 @@ def attainable(need: Requirements, progress: Callable[[int, int], None] = lambda
 
 def _of_tile(need: Requirements, variant: Variant, tile: Tile, most: int) -> Best:
     """What the candidates of a tile that miss the fewest bounds, at most so many, have of those."""
-    own, bounds = candidates(need, variant, tile.at), constraints(need, variant)
+    own, held = candidates(need, variant, tile.at), constraints(need, variant)
+    bounds = [each for each in held if each.value]
+    built = reduce(and_, (each.holds(own) for each in held if not each.value), own.is_clutch)
     misses = [np.broadcast_to(~each.holds(own), tile.shape) for each in bounds]
-    number = np.where(own.is_clutch, np.sum(misses, axis=0, dtype=np.int16), np.int16(len(bounds) + 1))
+    number = np.where(built, np.sum(misses, axis=0, dtype=np.int16), np.int16(len(bounds) + 1))
     fewest = int(number.min())
     if fewest > min(most, len(bounds)):
         return {}
@@ -75,7 +79,9 @@ def _of_tile(need: Requirements, variant: Variant, tile: Tile, most: int) -> Bes
     for row in np.unique(missed, axis=0):
         alike = near[(missed == row).all(axis=1)]
         chosen = tuple(bound for bound, out in zip(bounds, row, strict=True) if out)
-        values = (np.broadcast_to(bound.value(own), tile.shape).ravel()[alike] for bound in chosen)
+        values = (
+            np.broadcast_to(bound.value(own), tile.shape).ravel()[alike] for bound in chosen if bound.value is not None
+        )
         found[chosen] = [
             float(each.max() if bound.at_least else each.min()) for bound, each in zip(chosen, values, strict=True)
         ]

@@ -5,7 +5,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ...engines.laws import DirectLaw, IndirectLaw
+from ...engines.direct_law import DirectLaw
+from ...engines.laws import IndirectLaw
 from ...equations import synthesis, wall
 from ...spec.requirements import Requirements
 from ...variants import Variant
@@ -108,7 +109,7 @@ class CurvedCandidates(IndirectCandidates):
     @cached_property
     def law(self) -> IndirectLaw:  # noqa: D102
         straight = super().law
-        return replace(straight, gain_slope=straight.constant_torque_slope(1.0))
+        return replace(straight, gain_slope=straight.constant_torque_slope(1.0, self.frictions[2][0]))
 
     @cached_property
     def on_balls(self) -> Numbers:

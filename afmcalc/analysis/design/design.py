@@ -1,5 +1,7 @@
 """Which clutch is needed: the Pareto front of everything that meets the requirements."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from ...errors import AfmcalcError, CalculationError
@@ -15,8 +17,9 @@ from .by_law import candidates
 from .found import Found
 from .limits import OBJECTIVES
 from .pareto import front
+from .parts import spec_with_parts, springs_miss, with_parts
 from .refine import refined
-from .rows import DesignRow, as_spec, rows
+from .rows import DesignRow, rows
 from .search import search
 from .space import Numbers, total
 
@@ -68,6 +71,8 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
         )
     found = search(need, lambda done: progress(say("searching"), done, count))
     best = numbered(need, [fine for _, fine in refinement(need, found, progress)])
+    if need.springs is not None:
+        best = list(_sprung(need, best, progress))
     missing = None
     if not best:
         missing = attainable(need, lambda done, of: progress(say("looking for what is attainable"), done, of))
@@ -81,7 +86,7 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
         attainable=missing,
         front=best,
     )
-    return result, _findings(result)
+    return result, [*_findings(result), *springs_miss(need, best)]
 
 
 def refinement(need: Requirements, found: Found, progress: Progress = unwatched) -> list[tuple[DesignRow, DesignRow]]:
@@ -150,6 +155,12 @@ def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResu
     return result.model_copy(update={"front": found[:top]})
 
 
+def _sprung(need: Requirements, front: list[DesignRow], progress: Progress) -> Iterator[DesignRow]:
+    for number, row in enumerate(front, 1):
+        yield with_parts(need, row)
+        progress("choosing springs", number, len(front))
+
+
 def _findings(result: DesignResult) -> list[Finding]:
     if result.front:
         return []
@@ -199,4 +210,4 @@ def picked(need: Requirements, result: DesignResult, number: int) -> Spec:
         raise CalculationError(
             say("--pick {number}: the front has the numbers 1 to {count}", number=number, count=len(result.front))
         )
-    return as_spec(need, result.front[number - 1])
+    return spec_with_parts(need, result.front[number - 1])

@@ -1,14 +1,18 @@
 """What every candidate must hold, and what it is judged by: one list for every way through the space."""
 
 from collections.abc import Callable, Iterable
+from functools import reduce
+from operator import and_
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
 from ...spec.requirements import Requirements
+from ...spec.springs import Room
 from ...variants import Variant
+from ..springs.stacks import holds_force, travel_held
 from .candidates import Candidates
-from .space import SAME, Mask, Numbers, given
+from .space import SAME, Axes, Mask, Numbers, given
 
 OVER, UNDER = 1 + SAME, 1 - SAME
 
@@ -23,16 +27,17 @@ class Constraint(NamedTuple):
 
     Where the spring force is a range, the gain is searched and no sleeve travels; or the angle is, and ``unimodal``.
     """
-    value: Callable[[Candidates], Numbers]
-    """What is bounded, SI."""
-    limit: float
-    unit: str
+    value: Callable[[Candidates], Numbers] | None = None
+    """What is bounded, SI; None where there is nothing to bargain for."""
+    limit: float = 0.0
+    unit: str = ""
     at_least: bool = False
 
 
 def constraints(need: Requirements, variant: Variant) -> list[Constraint]:
     """Every bound that the requirements put on a variant."""
-    return [*_bounds(need, variant), *(_of_the_control_unit(need, variant) if variant.controlled else ())]
+    unit = _of_the_control_unit(need, variant) if variant.controlled else ()
+    return [*_bounds(need, variant), *unit, *(_of_springs(need, variant) if need.springs else ())]
 
 
 def _bounds(need: Requirements, variant: Variant) -> Iterable[Constraint]:
@@ -89,6 +94,23 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
         yield _at_most("travel", lambda c: c.travel, travel, "m", (0, 1))
 
 
+def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:
+    """There are stacks of disc springs that give force and stiffness, and bear the travel."""
+    closing, control = need.fixed.closing_room or Room(), need.fixed.control_room or Room()
+    if not variant.travels:
+        yield Constraint("closing_spring", lambda c: holds_force(c.closing_force, closing), (0, 0))
+        return
+
+    def slackens(c: Candidates) -> Mask:
+        return np.asarray(c.travel <= travel_held(c.closing_force, c.at.closing_stiffness, closing, relaxes=True))
+
+    def presses(c: Candidates) -> Mask:
+        return np.asarray(c.travel <= travel_held(c.control_force, c.at.control_stiffness, control, relaxes=False))
+
+    yield Constraint("closing_spring", slackens, (0, 0))
+    yield Constraint("control_spring", presses, (0, 0))
+
+
 _Value: TypeAlias = Callable[[Candidates], Numbers]
 
 
@@ -117,12 +139,14 @@ def objectives(found: Candidates) -> Numbers:
     return np.moveaxis(np.stack(np.broadcast_arrays(*columns, found.at.pairs)[:-1]), 0, -1)
 
 
-def feasible(found: Candidates) -> Mask:
-    """Candidates that hold every constraint."""
-    good = found.is_clutch
-    for constraint in constraints(found.need, found.variant):
-        good = good & constraint.holds(found)
-    return np.broadcast_to(good, found.at.pairs.shape)
+def feasible(found: Candidates, among: Mask) -> Mask:
+    """Those of some candidates that hold every constraint; what costs most is asked of those that hold the others."""
+    held = constraints(found.need, found.variant)
+    good = reduce(and_, (each.holds(found) for each in held if each.value), among & found.is_clutch)
+    few = Axes(*(column[good] for column in found.at))
+    own = type(found)(found.need, found.variant, few)
+    good[good] = reduce(and_, (each.holds(own) for each in held if not each.value), np.ones(few.pairs.shape, bool))
+    return good
 
 
 def curved(need: Requirements, variant: Variant) -> bool:

@@ -23,8 +23,8 @@ ROWS = 32768
 
 
 def separable(need: Requirements, variant: Variant) -> bool:
-    """Whether the bounds of a variant are one-sided along the radius."""
-    if need.search.closing_force is None or curved(need, variant):
+    """Whether the bounds of a variant are one-sided along the radius; springs that exist are not."""
+    if need.search.closing_force is None or need.springs or curved(need, variant):
         return False
     if need.search.gain is None:
         return unimodal(need) or not variant.controlled

@@ -148,7 +148,7 @@ class _Rows:
         shape = np.broadcast_shapes(*(column.shape for column in at))
         found = candidates(self.need, self.variant, Axes(*(np.broadcast_to(column, shape) for column in at)))
         values = objectives(found)
-        good = feasible(found) & (values <= self.limit).all(axis=-1)
+        good = feasible(found, np.asarray((values <= self.limit).all(axis=-1)))
         return np.where(good, values[..., goal], np.inf)
 
     def _steep(self, at: Axes) -> Numbers:

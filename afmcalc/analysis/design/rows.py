@@ -10,6 +10,7 @@ from ...result import Result, quantity
 from ...spec import Spec, make_spec
 from ...spec.edit import as_written
 from ...spec.requirements import Requirements
+from ...spec.springs import Room
 from .candidates import Candidates
 from .limits import curved
 
@@ -44,6 +45,12 @@ class DesignRow(Result):
     travel: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     contact_force: float | None = quantity("N", "F_n", "largest force on one ball", optional=True)
     surface_pressure: float | None = quantity("Pa", "p", "mean surface pressure", optional=True)
+    closing_part: str | None = quantity("", None, "closing spring, discs in parallel × packs", optional=True)
+    control_part: str | None = quantity("", None, "control spring, discs in parallel × packs", optional=True)
+    accuracy_factor_sprung: float | None = quantity("1", "K_т,п", "accuracy factor with these springs", optional=True)
+    torque_max_sprung: float | None = quantity(
+        "N*m", "T_max,п", "largest torque with these springs", optional=True, detail=True
+    )
 
     def objective(self, name: str) -> float:
         """Value by which it was judged; what its variant does not have costs nothing."""
@@ -105,7 +112,7 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         group["mean_radius"] = row.mean_radius
     else:
         group |= {"inner_radius": row.inner_radius, "outer_radius": row.outer_diameter / 2}
-    spring = {"force": row.closing_force}
+    spring: dict[str, object] = {"force": row.closing_force} | _room(fixed.closing_room)
     data: dict[str, object] = {
         "name": say("{name}, no. {number}", name=need.name or say("Design"), number=row.number),
         "variant": row.variant,
@@ -134,5 +141,9 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         }
     if row.closing_stiffness is not None:
         spring["stiffness"] = row.closing_stiffness
-        data["control_spring"] = {"stiffness": row.control_stiffness}
+        data["control_spring"] = {"stiffness": row.control_stiffness} | _room(fixed.control_room)
     return as_written(make_spec(data))
+
+
+def _room(room: Room | None) -> dict[str, object]:
+    return {} if room is None else {"room": room.model_dump(exclude_none=True)}

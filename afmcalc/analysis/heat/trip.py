@@ -1,7 +1,6 @@
 """What one trip turns into heat: from the simulation of the drive, or from its motor side running down (V1)."""
 
 from collections.abc import Mapping
-from importlib.util import find_spec
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from ...arrays import Values
@@ -45,7 +44,7 @@ class HeatedSlips(NamedTuple):
 def trips(clutch: Clutch, answers: "Answers | None" = None) -> HeatedSlips:
     """Heat and time of a trip at f_min, mean and f_max.
 
-    An event of the [drive] block is simulated, where SciPy is installed; else the tool is blocked (V1).
+    An event of the [drive] block is simulated; without one the tool is blocked (V1).
 
     Args:
         clutch: the clutch; the [drive] block of its spec says what drives it.
@@ -53,9 +52,10 @@ def trips(clutch: Clutch, answers: "Answers | None" = None) -> HeatedSlips:
 
     Raises:
         SpecError: the [drive] block says too little.
+        AfmcalcError: there is an event, and SciPy is missing: another way would give other digits.
     """
     drive = clutch.spec.drive
-    if ANALYSES["simulate"].applies(clutch) and (drive.motor is not None or find_spec("scipy")):
+    if ANALYSES["simulate"].applies(clutch):
         return _simulated(clutch, answers)
     if missing := missing_of(drive):
         problems = [Problem(f"drive.{key}", None, say("required by heat (or give drive.event)")) for key in missing]

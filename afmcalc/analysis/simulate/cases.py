@@ -1,5 +1,6 @@
 """Which events are simulated: the clutch at a friction, an ordinary clutch in its place, and for how long."""
 
+import functools
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -131,7 +132,15 @@ def peak_time(train: Train, sliding: Values) -> Values:
     found: Values = train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
     if train.kind == "load":
         behind = train.driven_inertia + train.tool_inertia
-        found = found + behind * train.speed / np.maximum(np.abs(train.overload - sliding), 0.05 * sliding)
+        resisted = [(behind, sliding)]
+        if train.engine.slip is not None:
+            # while the clutch holds, the motor is slowed with the tool, and pulls the harder for it
+            resisted.append((before + train.tool_inertia, train.engine.torque))
+        times = (
+            inertia * train.speed / np.maximum(np.abs(train.overload - torque), 0.05 * sliding)
+            for inertia, torque in resisted
+        )
+        found = found + functools.reduce(np.maximum, times)
     return found
 
 

@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arrays import Floats, Values
 from ...equations import direct
@@ -35,13 +36,17 @@ class DirectLanes:
     def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
         """Find the torque of the pack, from the speeds of both halves without it."""
         own = self.pack
-        capacity = self._capacity(ratio_of(own, self.slip + self._trend) if self._static else 1.0)
         needed = (motor - free) / self._each
-        self.torque = np.maximum(np.minimum(needed, capacity), -capacity)
-        # exactly 0 where it sticks
-        slip = self._each * (needed - self.torque)
+        slip, self.top = self.slip + self._trend, np.zeros(needed.shape)
+        for _ in range(2 if self._static else 1):
+            # static friction is that of the middle of the step: foretold, then mended
+            capacity = self._capacity(ratio_of(own, (self.slip + slip) / 2) if self._static else 1.0)
+            self.torque = np.maximum(np.minimum(needed, capacity), -capacity)
+            self.top = np.maximum(self.top, np.abs(self.torque))
+            # exactly 0 where it sticks
+            slip = self._each * (needed - self.torque)
         if self._static:
-            self._trend = np.where(slip == 0, 0.0, (slip - self.slip) / 2)
+            self._trend = np.where(slip == 0, 0.0, slip - self.slip)
         self.slip = slip
         if self._half is not None:
             balance = own.under(np.abs(self.torque))
@@ -64,10 +69,12 @@ class SleeveLanes:
     def __init__(self, train: Train, pack: Sleeve, h: Floats, per_torque: Floats) -> None:
         """Begin stuck, the key as after a torque that has risen to the load; beyond T_н off the stop."""
         self.pack, self.h = pack, h
+        self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
+        self._mass_at_stop: Values = pack.inertia(0.0, pack.net_gain) / h
         self._across = h / train.hub_inertia
         """What a torque adds to the speed of the hub in a step."""
         self._pack, self._balls = h / train.motor_inertia + self._across, self._across + per_torque
-        self.slip, self.rate, self._trend = (np.zeros(h.size) for _ in range(3))
+        self.slip, self.rate, self._trend, self._gained = (np.zeros(h.size) for _ in range(4))
         self.torque = np.broadcast_to(train.load, h.shape).astype(float)
         self.balls = self.torque.copy()
         self.turn = np.broadcast_to(pack.turn_under(train.load), h.shape).astype(float)
@@ -81,52 +88,71 @@ class SleeveLanes:
 
     def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
         """Find the torques of pack and balls, from the speeds of both halves without them."""
+        hub = driven + self.rate
+        joint = _Joint(motor - hub, hub - free, self._pack, self._across, self._balls)
+        slip, self.top = self.slip + self._trend, np.zeros(self.slip.shape)
+        for _ in range(2 if self._static else 1):
+            pairs = self.pack.friction_pairs * ratio_of(self.pack, (self.slip + slip) / 2)
+            found, turn = self._found(joint, pairs)
+            self.top, slip = np.maximum(self.top, np.abs(found.clutch)), found.slip
+        self._trend = np.where(slip == 0, 0.0, slip - self.slip)
+        self._gained = found.rate - self.rate
+        self.torque, self.balls, self.slip, self.rate, _ = found
+        self.held, self.turn = np.asarray(found.normal), turn
+        self.travel = np.maximum(self.travel, self.pack.travel(turn))
+
+    def _found(self, joint: "_Joint", pairs: Values) -> "tuple[_Found, Floats]":
+        """Torques and speeds after a step, and the turn of the balls."""
         own, h = self.pack, self.h
-        pairs = own.friction_pairs * ratio_of(own, self.slip + self._trend / 2)
-        joint, mass = self._joint(free, motor, driven)
         at_stop = self.turn == 0
         moving = self._moving(joint, pairs)
         still = self._still(joint, pairs)
-        # what lands is still if its speed can be taken in one step; else the balls roll through to the other wall
-        lands = ~at_stop & (self.turn * (self.turn + h / 2 * (self.rate + moving.rate)) < 0) & (still.rate == 0)
-        stays = (at_stop & (still.rate == 0)) | lands
-        pick = at_stop | lands
-        self.torque = np.where(pick, still.clutch, moving.clutch)
-        slip, rate = np.where(pick, still.slip, moving.slip), np.where(pick, still.rate, moving.rate)
-        self.balls = np.where(pick, still.balls, moving.balls) + mass * (rate - self.rate)
-        self.held = np.where(pick, still.normal, own.closing_force)
-        self.turn = np.where(stays, 0.0, self.turn + h / 2 * (self.rate + rate))
-        self._trend = np.where(slip == 0, 0.0, slip - self.slip)
-        self.slip, self.rate = slip, rate
-        self.travel = np.maximum(self.travel, own.travel(self.turn))
+        after = self.turn + h / 2 * (self.rate + moving.rate)
+        crosses = self.turn * after < 0
+        stays = at_stop & (still.rate == 0)
+        if crosses.any():
+            rolled, ahead = self._rolled(joint, moving, pairs)
+            after = np.where(crosses, ahead, after)
+            # a swing between the walls that turns within a step is over
+            stays |= crosses & (still.rate == 0) & (rolled.rate * self.rate <= 0)
+            moving = _picked(crosses, rolled, moving)
+        found = _picked(at_stop | stays, still, moving._replace(normal=own.closing_force))
+        return found, np.where(stays, 0.0, np.where(at_stop, h / 2 * (self.rate + found.rate), after))
 
-    def _joint(self, free: Floats, motor: Floats, driven: Floats) -> "tuple[_Joint, Values]":
-        """Slip of pack and balls without their torques, and what these do; the sleeve's mass counted in."""
-        own, across, balls = self.pack, self._across, self._balls
-        hub = driven + self.rate
-        slip, rate = motor - hub, hub - free
-        out = self.turn * self.rate >= 0
-        travel = own.travel(self.turn)
+    def _mass(self, travel: Floats, out: NDArray[np.bool_]) -> Values:
+        """Torque that the sleeve's mass takes for a speed of the balls gained in a step."""
+        own = self.pack
         net = own.steeper(np.where(out, own.net_gain, own.net_gain_returning), travel)
-        mass = own.inertia(travel, net) / self.h
-        whole = 1 + balls * mass
-        slowed = (rate + balls * mass * self.rate) / whole
-        return _Joint(
-            slip + across * mass * (slowed - self.rate),
-            slowed,
-            self._pack - across * across * mass / whole,
-            across / whole,
-            balls / whole,
-        ), mass
+        mass: Values = own.inertia(travel, net) / self.h
+        return mass
+
+    def _rolled(self, joint: "_Joint", moving: "_Found", pairs: Values) -> "tuple[_Found, Floats]":
+        """Through the stop to the other wall, each for its share of the step, and where to; ``moving`` on the first."""
+        own, side = self.pack, np.where(self.turn < 0, -1.0, 1.0)
+        normal = own.closing_force
+        capacity = pairs * own.mean_radius * normal
+        mass = self._mass_at_stop
+        other = joint.heavier(mass, self.rate).pushed(capacity, -side * own.lift, normal)
+        balls = other.balls + mass * (other.rate - self.rate)
+        # the time to the stop at the acceleration of the first wall
+        away, nearing, gained = np.abs(self.turn), -side * self.rate, -side * (moving.rate - self.rate)
+        root = np.sqrt(np.maximum(nearing * nearing + 2 * gained / self.h * away, 0.0))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            share = np.clip(2 * away / (self.h * (nearing + root)), 0.0, 1.0)
+        found = joint.pushed(capacity, share * moving.balls + (1 - share) * balls, normal)
+        bent = share * (1 - share) * (moving.rate - other.rate)
+        return found, self.turn + self.h / 2 * (self.rate + found.rate + bent)
 
     def _moving(self, joint: "_Joint", pairs: Values) -> "_Found":
         """Off the stop: the key holds between S/κ₊ and S/κ."""
         own = self.pack
         side, ahead = np.where(self.turn < 0, -1.0, 1.0), self.h / 2 * self.rate
         travel = own.travel(self.turn + ahead)
+        mass = self._mass(travel, self.turn * self.rate >= 0)
+        joint = joint.heavier(mass, self.rate)
         # implicit midpoint: half of the way on is that of the speed before, the other half that of the speed to come
         halfway = own.travel(self.turn + ahead / 2)
-        moment = own.moment(halfway) - own.taken(halfway, self.rate)
+        moment = own.moment(halfway) - own.taken(halfway, self.rate + self._gained / 2)
         nets = [own.steeper(net, halfway) for net in (own.net_gain, own.net_gain_returning)]
         most, least = (side * (moment / net) for net in nets)
         normal = np.maximum(own.pressed(travel), 0.0)
@@ -134,7 +160,9 @@ class SleeveLanes:
         found = joint.boxed(capacity, np.minimum(least, most), np.maximum(least, most), normal)
         outwards = found.balls == most
         stiff = self.h / 4 * own.torsional(halfway, np.where(outwards, *nets), np.abs(found.balls))
-        return joint.yielding(found, np.where(found.rate == 0, 0.0, np.maximum(stiff, 0.0)), capacity)
+        # a wall may yield the more the further it gives way, but never faster than what is on it can follow
+        found = joint.yielding(found, np.where(found.rate == 0, 0.0, np.maximum(stiff, -0.5 / joint.balls)), capacity)
+        return found._replace(balls=found.balls + mass * (found.rate - self.rate))
 
     def _still(self, joint: "_Joint", pairs: Values) -> "_Found":
         """At the stop: N falls along κ, rises along κ₊, is held between; beyond S(0)/κ the sleeve lifts off."""
@@ -156,14 +184,15 @@ class SleeveLanes:
         clutch = np.where(sticks, stuck, way * slipping)
         balls = alone + share * clutch
         lifted = np.abs(balls) > own.lift
-        off = joint.boxed(
-            pairs * radius * own.closing_force, np.copysign(own.lift, balls), np.copysign(own.lift, balls), normal
+        mass = self._mass_at_stop
+        off = joint.heavier(mass, 0.0).pushed(
+            pairs * radius * own.closing_force, np.copysign(own.lift, balls), own.closing_force
         )
         slip = np.where(sticks, 0.0, joint.slip - joint.pack * clutch + joint.across * balls)
         pressed = np.where(sticks, normal, slipping / (pairs * radius))
         return _Found(
             np.where(lifted, off.clutch, clutch),
-            np.where(lifted, off.balls, balls),
+            np.where(lifted, off.balls + mass * off.rate, balls),
             np.where(lifted, off.slip, slip),
             np.where(lifted, off.rate, 0.0),
             np.where(lifted, own.closing_force, pressed),
@@ -190,6 +219,10 @@ class _Found(NamedTuple):
     normal: Values
 
 
+def _picked(which: NDArray[np.bool_], first: _Found, second: _Found) -> _Found:
+    return _Found(*(np.where(which, one, other) for one, other in zip(first, second, strict=True)))
+
+
 class _Joint(NamedTuple):
     """Slip of the pack and of the balls after a step without their torques, and what a torque takes from each."""
 
@@ -199,6 +232,26 @@ class _Joint(NamedTuple):
     across: Values
     """What a torque of one adds to the slip of the other."""
     balls: Values
+
+    def heavier(self, mass: Values, before: Values) -> "_Joint":
+        """The same with the sleeve's mass, which takes a torque for a speed of the balls gained over ``before``."""
+        whole = 1 + self.balls * mass
+        slowed = (self.rate + self.balls * mass * before) / whole
+        return _Joint(
+            self.slip + self.across * mass * (slowed - before),
+            slowed,
+            self.pack - self.across * self.across * mass / whole,
+            self.across / whole,
+            self.balls / whole,
+        )
+
+    def pushed(self, capacity: Values, balls: Floats, normal: Values) -> _Found:
+        """Under a torque of the balls."""
+        slip = self.slip + self.across * balls
+        needed = slip / self.pack
+        clutch = np.clip(needed, -capacity, capacity)
+        rate = self.rate + self.across * clutch - self.balls * balls
+        return _Found(clutch, balls, np.where(clutch == needed, 0.0, slip - self.pack * clutch), rate, normal)
 
     def boxed(self, capacity: Values, low: Values, high: Values, normal: Values) -> _Found:
         """Torques within their limits that bring to rest what they can: a convex problem of two, solved exactly."""
@@ -220,7 +273,7 @@ class _Joint(NamedTuple):
         needed = slip / pack
         clutch = np.clip(needed, -capacity, capacity)
         rate = (self.rate + self.across * clutch - self.balls * found.balls) / whole
-        moves = stiff > 0
+        moves = stiff != 0
         return _Found(
             np.where(moves, clutch, found.clutch),
             np.where(moves, found.balls + stiff * rate, found.balls),

@@ -1,19 +1,18 @@
 """The drive through an event: smooth phases between located switches, every peak an event of its own."""
 
 import math
-from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from scipy.integrate import DOP853, OdeSolver, Radau
-from scipy.optimize import brentq
 
 from ...arrays import finite
 from ...errors import CalculationError
 from ...messages import say
 from .coast import stride
 from .plant import Mode, Plant, State
+from .roots import TORQUES, crossing, root, turned_in
 
 TOLERANCE = 1e-9
 MOST_SWITCHES = 20_000
@@ -22,8 +21,10 @@ MOST_STEPS = 40_000
 _STEPS_A_PERIOD = 4
 _WORKS = 5
 """Energies that are summed along with the states: of motor, pack, shaft, tool, key."""
-_LOOKED_AT = (0.0, *(2.0**-power for power in range(30, 0, -3)))
-"""Places in a step at which a guard that begins at 0 is looked for above it."""
+_SLIPPING = 3
+"""Guards that are speeds while something slips, the first ones: of pack, tool, balls."""
+_REVERSED = 1e-9
+"""Speed, relative to that before the event, with which something has turned back and is no rounding."""
 _LOOK = 3.0
 """Swings of the driven half after which a slip may be taken in one stride: its peak has come."""
 _UNSEEN = 1e-3
@@ -65,6 +66,8 @@ class Trip(NamedTuple):
     """Torque of the clutch at the end, N·m."""
     state: State
     """States and work at the end."""
+    time: float
+    """From which nothing more could come, s."""
     residual: float
     """Error of the energy balance, relative to the largest energy in it."""
     history: list[Moment]
@@ -135,6 +138,7 @@ class _Run:
             self.endless,
             plant.torques(t, y, mode).clutch,
             y,
+            t,
             residual,
             history,
         )
@@ -142,11 +146,13 @@ class _Run:
     def _quiet(self, mode: Mode) -> float:
         """When it has stuck for so long after the event that nothing more can come.
 
-        On a standing tool half a swing: its torque then has had its top, or had it as it stuck. Else a whole one.
+        On a standing tool half a swing: its torque then has had its top, or had it as it stuck. Else a whole one,
+        unless the motor pulls harder as its speed falls.
         """
-        if not mode.over or self.stuck_since is None:
-            return math.inf
         train = self.plant.train
+        slowing = train.kind == "load" and mode.tool and train.engine.slip is not None
+        if not mode.over or self.stuck_since is None or slowing:
+            return math.inf
         inertia = train.motor_inertia + train.hub_inertia + train.driven_inertia
         share = 0.5
         if train.kind == "load" and mode.tool:
@@ -236,7 +242,7 @@ class _Run:
                 raise CalculationError(say("simulate: the integration fails at t = {time:g} s", time=solver.t))
             states = solver.y.tolist()
             before, slopes = slopes, self._slopes(solver.t, states, mode)
-            turned = [i for i in range(len(slopes)) if before[i] * slopes[i] < 0]
+            turned = turned_in(before, slopes)
             fallen = min(plant.guards(solver.t, states, mode)) < 0
             if turned or fallen or self.history is not None:
                 crossed = self._inside(solver, mode, turned)
@@ -259,41 +265,36 @@ class _Run:
         def guard(number: int, time: float) -> float:
             return plant.guards(time, at(time), mode)[number]
 
-        marks = [_root(partial(slope, number), start, solver.t) for number in turned]
+        marks = []
+        for number in turned:
+            mark = root(partial(slope, number), start, solver.t)
+            # what turns back and on again within a step has stood still in it; rounding has not
+            if number < TORQUES or guard(number - TORQUES, mark) < -_REVERSED * plant.train.speed:
+                marks.append(mark)
         if self.history is not None:
             marks += [start + share * (solver.t - start) for share in _INSIDE]
         for mark in [*sorted(marks), float(solver.t)]:
             states = at(mark)
             fallen = [i for i, value in enumerate(plant.guards(mark, states, mode)) if value < 0]
             if fallen:
-                time, first = min((_crossing(partial(guard, number), start, mark), number) for number in fallen)
+                time, first = min((crossing(partial(guard, number), start, mark), number) for number in fallen)
                 return time, at(time), first
             self._note(mark, states, mode)
         return None
 
     def _slopes(self, t: float, y: State, mode: Mode) -> list[float]:
-        """By how much the torques of shaft and clutch grow in a moment; 0 where rounding decides."""
+        """By how much the torques of shaft and clutch and some guards grow in a moment; 0 where rounding decides."""
         plant = self.plant
-        now = plant.torques(t, y, mode)
         ahead = [own + self.moment * rate for own, rate in zip(y, plant.rates(t, y, mode), strict=True)]
-        then = plant.torques(t + self.moment, ahead, mode)
-        grown = [(now.shaft, then.shaft), (now.clutch, then.clutch)]
-        return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in grown]
+        now, then = (
+            (own.shaft, own.clutch, *plant.guards(at, states, mode)[:_SLIPPING])
+            for at, states, own in (
+                (at, states, plant.torques(at, states, mode)) for at, states in ((t, y), (t + self.moment, ahead))
+            )
+        )
+        return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in zip(now, then, strict=True)]
 
 
 def _still(mode: Mode) -> bool:
     """Whether the drive before the shaft turns as one."""
     return not mode.pack and mode.balls in ("seat", "lock")
-
-
-def _root(function: Callable[[float], float], start: float, end: float) -> float:
-    """Return where a function changes sign."""
-    first = function(start)
-    return float(brentq(function, start, end, xtol=1e-14, rtol=1e-14)) if first * function(end) < 0 else start
-
-
-def _crossing(guard: Callable[[float], float], start: float, end: float) -> float:
-    """Return where a guard that begins at 0 or above and ends below last falls to 0."""
-    ends = [start + share * (end - start) for share in _LOOKED_AT]
-    above = [each for each in ends if guard(each) > 0]
-    return float(brentq(guard, above[-1], end, xtol=1e-14, rtol=1e-14)) if above else start

@@ -7,7 +7,8 @@ import numpy as np
 
 from ...arrays import Values, is_array
 from ...engines import setting
-from ...engines.laws import DirectLaw, IndirectLaw
+from ...engines.direct_law import DirectLaw
+from ...engines.laws import IndirectLaw
 from ...engines.protocol import Clutch
 from ...equations import adjustment
 from ...errors import CalculationError
@@ -74,8 +75,6 @@ def _discs(clutch: Clutch, own: DirectLaw, force: Values, driving: Values, drive
 
 
 def _sleeve(clutch: Clutch, own: IndirectLaw, friction: Values) -> Sleeve:
-    if own.curved is not None:
-        raise CalculationError(say("simulate: only springs whose force is proportional to their deflection"))
     unit, control = clutch.spec.control_unit, own.control_force(clutch.closing_force)
     below = np.asarray(control < clutch.closing_force)
     if below.any():

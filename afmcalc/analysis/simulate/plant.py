@@ -88,7 +88,7 @@ class Tool:
         """Power that leaves the drive here, W."""
         if self.train.kind == "stop":
             return shaft * speed
-        return self.resistance(t, mode) * abs(speed)
+        return self.resistance(t, mode) * mode.tool * speed
 
     def guard(self, t: float, mode: Mode, shaft: float, speed: float) -> float:
         """Positive while the tool keeps moving, or standing."""

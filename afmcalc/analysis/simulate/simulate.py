@@ -9,6 +9,7 @@ from ...findings import Finding
 from ...messages import say
 from ...result import OpenTriple, Triple
 from ...spec import Spec, resolved
+from ...watch import Progress, unwatched
 from ..explain.trace import unrecorded
 from ..sweep.grid import Axis
 from ..torque import Pair, friction_fields, outside_range, pairs_asked
@@ -23,7 +24,7 @@ __all__ = ["SimulateResult", "simulate"]
 
 @unrecorded()
 def simulate(
-    clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = ()
+    clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = (), progress: Progress = unwatched
 ) -> tuple[SimulateResult, list[Finding]]:
     """Simulate the event of the [drive] block at f_min, mean friction and f_max, constant during the event.
 
@@ -31,6 +32,7 @@ def simulate(
         clutch: a clutch with float parameters.
         friction: further frictions: pairs (f, None) for all pairs alike or (f_1, f_2).
         sweeps: axes of a sweep of the peaks.
+        progress: is told how far a sweep is.
 
     Raises:
         SpecError: the spec has no event.
@@ -58,7 +60,7 @@ def simulate(
         load_torque=train.load,
         energy_residual=max(each.trip.residual for each in found),
         points=[_point(clutch, *pair) for pair in points] or None,
-        sweep=swept(clutch, sweeps),
+        sweep=swept(clutch, sweeps, progress),
     )
     return result, [
         *clutch.findings(),

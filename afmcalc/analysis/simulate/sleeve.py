@@ -5,6 +5,7 @@ from functools import cached_property
 from typing import cast
 
 from ...arrays import V, Values, is_array, larger
+from ...engines.characteristic import root
 from ...engines.laws import IndirectLaw
 from ...equations import pocket, sleeve
 
@@ -63,9 +64,35 @@ class Sleeve:
         return self.closing_force, self.control_force, cast(float, stiffness[0]), cast(float, stiffness[1])
 
     @cached_property
-    def stiffness(self) -> float:
-        """c_1 + c_2."""
-        return self._springs[2] + self._springs[3]
+    def _pressed_in(self) -> tuple[float, float]:
+        """Deflections of disc springs at the stop, closing and control; 0 of a straight one."""
+        forces = self.closing_force, self.control_force
+        parts = (None, None) if self.law.curved is None else self.law.curved
+        at = (0.0 if part is None else part.deflection(force) for part, force in zip(parts, forces, strict=True))
+        return cast(tuple[float, float], tuple(at))
+
+    def _stiffnesses(self, travel: V) -> tuple[V | float, V | float]:
+        """c_1 and c_2 where the sleeve is."""
+        own = self.law.curved
+        closing, control = self._springs[2:]
+        if own is None:
+            return closing, control
+        slackened, pressed = self._deflections(travel)
+        return (
+            closing if own.closing is None else cast(V, own.closing.stiffness(slackened)),
+            control if own.control is None else cast(V, own.control.stiffness(pressed)),
+        )
+
+    def _deflections(self, travel: V) -> tuple[Values, Values]:
+        """Of disc springs, closing and control; a spring that has been left presses no more."""
+        return larger(self._pressed_in[0] - travel, 0.0), self._pressed_in[1] + travel
+
+    @property
+    def farthest(self) -> float:
+        """Travel at which the closing spring has been left, m."""
+        own = self.law.curved
+        straight = own is None or own.closing is None
+        return self.closing_force / self._springs[2] if straight else self._pressed_in[0]
 
     def torque(self, ratio: float) -> Values:
         """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
@@ -87,11 +114,23 @@ class Sleeve:
 
     def moment(self, travel: V) -> V:
         """S(x), N·m."""
-        moment: V = sleeve.spring_moment(self.mean_radius, *self._springs, travel)
+        moment: V
+        if self.law.curved is None:
+            moment = sleeve.spring_moment(self.mean_radius, *self._springs, travel)
+        else:
+            control = self.law.curved.control
+            pressed = self._springs[1] + self._springs[3] * travel
+            if control is not None:
+                pressed = cast(V, control.force(self._deflections(travel)[1]))
+            moment = sleeve.spring_moment(self.mean_radius, self.pressed(travel), pressed, 0.0, 0.0, 0.0)
         return moment
 
     def work(self, travel: V) -> V:
         """Work stored in both springs, J."""
+        if self.law.curved is not None:
+            # Simpson's rule: exact, for the force of a disc spring is a cubic
+            mean = (self.moment(0 * travel) + 4 * self.moment(travel / 2) + self.moment(travel)) / 6
+            return cast(V, mean / self.mean_radius * travel)
         work: V = sleeve.spring_work(*self._springs, travel)
         return work
 
@@ -102,14 +141,23 @@ class Sleeve:
 
     def turn_under(self, torque: float) -> Values:
         """Turn of the balls, at rest under a torque that has risen to it; 0 up to T_н."""
-        lifted = torque * self.net_gain / self.mean_radius - (self.control_force - self.closing_force)
-        yielding = self.stiffness - torque * self.law.gain_slope / self.mean_radius
-        travel = larger(lifted / yielding, 0.0)
+        if self.law.curved is None:
+            lifted = torque * self.net_gain / self.mean_radius - (self.control_force - self.closing_force)
+            springs = self._springs[2] + self._springs[3]
+            travel = larger(lifted / (springs - torque * self.law.gain_slope / self.mean_radius), 0.0)
+        else:
+            travel = root(
+                lambda at: self.moment(at) - torque * self.net_gain,
+                lambda at: self.mean_radius * sum(self._stiffnesses(at)),
+                self.farthest + 0.0 * (torque * self.net_gain),
+            )
         turn: Values = sleeve.turn(travel, self.mean_radius, self.law.gain, self.law.gain_slope)
         return turn
 
     def pressed(self, travel: V) -> V:
         """N off the stop, N: that of the closing spring, which has been slackened."""
+        if self.law.curved is not None and self.law.curved.closing is not None:
+            return cast(V, self.law.curved.closing.force(self._deflections(travel)[0]))
         force: V = sleeve.slackened_force(self.closing_force, self._springs[2], travel)
         return force
 
@@ -138,6 +186,6 @@ class Sleeve:
     def torsional(self, travel: V, net_gain: V, torque: V) -> V:
         """Stiffness against a turn, N·m/rad."""
         stiffness: V = sleeve.torsional_stiffness(
-            *self._springs[2:], self.mean_radius, net_gain, self.gain(travel), self.law.gain_slope, torque
+            *self._stiffnesses(travel), self.mean_radius, net_gain, self.gain(travel), self.law.gain_slope, torque
         )
         return stiffness

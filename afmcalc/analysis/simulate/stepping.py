@@ -4,12 +4,14 @@ Every step takes the velocities that the clutch would leave alone and asks which
 beyond the capacity slips. The shaft is stepped by the implicit midpoint rule: accuracy alone bounds the step.
 """
 
+from collections.abc import Callable
 from dataclasses import fields, is_dataclass, replace
 from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 
 from ...arrays import Floats
+from ...watch import Progress, unwatched
 from .direct import DirectPack
 from .lanes import DirectLanes, SleeveLanes
 from .sleeve import Sleeve
@@ -17,6 +19,10 @@ from .train import Train
 
 _LANES = 8192
 """Drives stepped at a time: their states stay in the processor's cache."""
+
+
+_TOLD = 100
+"""Steps after which it is told how far it is."""
 
 
 class Marched(NamedTuple):
@@ -30,7 +36,7 @@ class Marched(NamedTuple):
     """Slip of the pack at the end, rad/s."""
 
 
-def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int) -> Marched:
+def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int, progress: Progress = unwatched) -> Marched:
     """Step events from start to ``steps`` times ``step``.
 
     Args:
@@ -38,11 +44,18 @@ def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int) -> 
         pack: clutches, likewise.
         step: time step of each, s.
         steps: how many.
+        progress: is told how many steps are behind, of all drives.
 
     Returns:
         Peaks, heat and travel, in the shape of ``step``.
     """
-    parts = []
+    parts: list[Marched] = []
+    count = steps * -(-step.size // _LANES)
+
+    def behind(number: int) -> None:
+        if number % _TOLD == 0:
+            progress("stepping the drives", len(parts) * steps + number, count)
+
     for start in range(0, step.size, _LANES):
         lanes = slice(start, start + _LANES)
         own, h = _cut(train, lanes, step.shape), step.ravel()[lanes]
@@ -51,7 +64,7 @@ def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int) -> 
             clutch: DirectLanes | SleeveLanes = DirectLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
         else:
             clutch = SleeveLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
-        parts.append(_march(own, shaft, clutch, h, steps))
+        parts.append(_march(own, shaft, clutch, h, steps, behind))
     return Marched(*(np.concatenate(each).reshape(step.shape) for each in zip(*parts, strict=True)))
 
 
@@ -68,21 +81,31 @@ def _cut(whole: D, lanes: slice, shape: tuple[int, ...]) -> D:
     return cast(D, cut)
 
 
-def _march(train: Train, shaft: "Shaft", clutch: DirectLanes | SleeveLanes, h: Floats, steps: int) -> Marched:
-    motor, each = shaft.driven, h / train.motor_inertia
+def _march(
+    train: Train,
+    shaft: "Shaft",
+    clutch: DirectLanes | SleeveLanes,
+    h: Floats,
+    steps: int,
+    behind: Callable[[int], None],
+) -> Marched:
+    motor = earlier = shaft.driven
+    each = h / train.motor_inertia
     peak, peak_clutch, heat = (np.zeros(h.size) for _ in range(3))
     off = np.full(h.size, np.inf)
     for number in range(steps):
-        driving = train.engine.at(motor)
+        behind(number)
+        # the torque at the speed in the middle of the step, as the last step foretells it
+        driving = train.engine.at(1.5 * motor - 0.5 * earlier)
         if train.cut_off is not None:
-            driving = np.where(number * h < off, driving, 0.0)
+            driving = driving * np.clip(off / h - number, 0.0, 1.0)
         free = shaft.free(number, clutch.passed)
-        before, motor = clutch.slip, motor + each * driving
+        before, earlier, motor = clutch.slip, motor, motor + each * driving
         clutch.step(free, motor, shaft.driven)
         motor = motor - each * clutch.torque
         shaft.take(free + shaft.per_torque * clutch.passed)
         np.maximum(peak, np.abs(shaft.torque), out=peak)
-        np.maximum(peak_clutch, np.abs(clutch.torque), out=peak_clutch)
+        np.maximum(peak_clutch, clutch.top, out=peak_clutch)
         heat += clutch.torque * (before + clutch.slip)
         if train.cut_off is not None:
             off = np.where((clutch.slip != 0) & np.isinf(off), number * h + train.cut_off, off)

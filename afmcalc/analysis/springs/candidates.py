@@ -5,21 +5,18 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from ...engines.characteristic import (
-    LEAST_USED,
-    MOST_USED,
     SHEAR_MODULUS,
     CoilCharacteristic,
     DiscCharacteristic,
     characteristic,
 )
-from ...equations import springs as law
+from ...equations import coils
 from ...messages import say
 from ...spec.discs import Disc, discs
-from ...spec.springs import CoilSprings, DiscStack
+from ...spec.springs import CoilSprings, DiscStack, Room
+from .stacks import MOST_SERIES, packs, stack_of
 from .wish import Wish
 
-MOST_PARALLEL = 6
-"""Discs laid into each other; more than three are for friction, not for force."""
 COUNTS = (1, 3, 4, 6, 8, 9, 12, 16, 20, 24)
 """Coil springs around the shaft."""
 WIRES = tuple(
@@ -40,6 +37,7 @@ STEEL = 7850.0
 _FREE_TURNS = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
 """Active turns to choose from where any stiffness will do."""
 _STEPS = 24
+_ROUNDING = 1e-9
 MISSES = ("force", "preload", "deflection", "stiffness", "length", "inner diameter", "outer diameter", "stress")
 """What a part may not have as wished."""
 
@@ -56,43 +54,57 @@ class Candidate(NamedTuple):
 
 def disc_candidates(wish: Wish, tolerance: float) -> Iterator[Candidate]:
     """Stacks of every size, n laid into each other, and as many packs as stiffness, travel or room ask for."""
+    for disc, own in packs(Room()):
+        yield from _stacks(disc, own, wish, tolerance)
+
+
+def disc_springs(wish: Wish, tolerance: float) -> Iterator[Candidate]:
+    """Of those the ones that do."""
+    for disc, own in packs(wish.room):
+        low, high = own.range
+        if own.force(low) * (1 - _ROUNDING) <= wish.force <= own.force(high) * (1 + _ROUNDING):
+            yield from (each for each in _stacks(disc, own, wish, tolerance) if not each.misses)
+
+
+def _stacks(disc: Disc, own: DiscCharacteristic, wish: Wish, tolerance: float) -> Iterator[Candidate]:
+    for series in _series(wish, own, float(own.deflection(wish.force))):
+        part = stack_of(disc, own.part.parallel, series)
+        yield _judged(part, f"DIN EN 16983 {disc.name}", wish, tolerance)
+
+
+def label_of(part: DiscStack | CoilSprings) -> str:
+    """What a part is called: a disc by its standard, if it is of one."""
+    if isinstance(part, CoilSprings):
+        return say("coil {wire:g} × {coil:g}", wire=part.wire_diameter * 1e3, coil=part.coil_diameter * 1e3)
     for disc in discs():
-        for parallel in range(1, MOST_PARALLEL + 1):
-            single = stack_of(disc, parallel, 1)
-            own = DiscCharacteristic(single)
-            each = float(own.deflection(wish.force))
-            for series in _series(wish, own, each):
-                yield _judged(stack_of(disc, parallel, series), f"DIN EN 16983 {disc.name}", wish, tolerance)
-
-
-def stack_of(disc: Disc, parallel: int, series: int) -> DiscStack:
-    """A stack of a size."""
-    return DiscStack.model_construct(
-        outer_diameter=disc.outer_diameter,
-        inner_diameter=disc.inner_diameter,
-        thickness=disc.thickness,
-        reduced_thickness=disc.reduced_thickness,
-        free_height=disc.free_height,
-        parallel=parallel,
-        series=series,
-    )
+        if stack_of(disc, part.parallel, part.series) == part:
+            return f"DIN EN 16983 {disc.name}"
+    outer, inner, thickness = (each * 1e3 for each in (part.outer_diameter, part.inner_diameter, part.thickness))
+    return say("disc {outer:g} × {inner:g} × {thickness:g}", outer=outer, inner=inner, thickness=thickness)
 
 
 def _series(wish: Wish, own: DiscCharacteristic, each: float) -> set[int]:
-    """How many packs are worth a look: as few as the travel allows, as many as the stiffness or the length asks for."""
-    low, high = LEAST_USED * own.cone_height, MOST_USED * own.cone_height
-    needs = [
+    """How many packs are worth a look: as few as the travel allows, as many as the length does or the stiffness asks.
+
+    Each bound is one-sided, so that where any number does, one of these does.
+    """
+    low, high = own.range
+    needs = max(
         1,
-        math.ceil(wish.relaxes / (each - low)) if each > low else 1,
-        math.ceil(wish.compresses / (high - each)) if each < high else 1,
-    ]
-    found = {max(needs)}
+        math.ceil(wish.relaxes / (each - low) * (1 - _ROUNDING)) if each > low else 1,
+        math.ceil(wish.compresses / (high - each) * (1 - _ROUNDING)) if each < high else 1,
+    )
+    most = MOST_SERIES
+    if wish.room.length is not None:
+        left = wish.room.length - wish.relaxes
+        most = max(1, math.floor(left / (own.free_length - each) * (1 + _ROUNDING)))
+    found = {needs}
     if wish.stiffness is not None:
         wanted = float(own.stiffness(each)) / wish.stiffness
-        found |= {max(1, math.floor(wanted)), max(1, math.ceil(wanted))}
+        found |= {max(needs, min(series, most)) for series in (math.floor(wanted), math.ceil(wanted))}
     elif wish.room.length is not None:
-        found.add(max(1, math.floor((wish.room.length - wish.relaxes) / (own.free_length - each))))
-    return {min(series, 10_000) for series in found}
+        found.add(most)
+    return {min(series, MOST_SERIES) for series in found}
 
 
 def coil_candidates(wish: Wish, tolerance: float) -> Iterator[Candidate]:
@@ -127,15 +139,15 @@ def _turns(wish: Wish, count: int, wire: float, coil: float) -> list[float]:
     """Active turns, in quarters."""
     if wish.stiffness is None:
         return list(_FREE_TURNS)
-    wanted = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0)) / wish.stiffness
+    wanted = count * float(coils.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0)) / wish.stiffness
     quarters = round(4 * wanted) / 4
     return [quarters] if TURNS[0] <= quarters <= TURNS[1] else []
 
 
 def _spring(wish: Wish, count: int, wire: float, coil: float, turns: float) -> CoilSprings:
     """As short as the gaps between its turns allow when it is pressed most."""
-    rate = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, turns))
-    shortest = float(law.coil_solid_length(wire, turns) + law.coil_least_gap(wire, coil, turns))
+    rate = count * float(coils.coil_stiffness(SHEAR_MODULUS, wire, coil, turns))
+    shortest = float(coils.coil_solid_length(wire, turns) + coils.coil_least_gap(wire, coil, turns))
     free = shortest + wish.force / rate + wish.compresses
     return CoilSprings.model_construct(
         wire_diameter=wire, coil_diameter=coil, turns=turns, free_length=math.ceil(free * 1e4) / 1e4, count=count
@@ -166,7 +178,7 @@ def _judged(part: DiscStack | CoilSprings, label: str, wish: Wish, tolerance: fl
     misses |= _across(part, wish)
     if isinstance(own, CoilCharacteristic):
         misses["stress"] = own.stress(own.end) / (SOLID_SHARE * strength(own.part.wire_diameter)) - 1
-    return Candidate(part, label, deflection, {name: by for name, by in misses.items() if by > 1e-9})
+    return Candidate(part, label, deflection, {name: by for name, by in misses.items() if by > _ROUNDING})
 
 
 def _across(part: DiscStack | CoilSprings, wish: Wish) -> dict[str, float]:

@@ -7,7 +7,9 @@ from ...engines.protocol import Clutch
 from ...errors import CalculationError
 from ...messages import say
 from ...result import Result, quantity
-from .springs import TOLERANCE, best_of
+from .candidates import label_of
+from .options import part_of
+from .springs import ranked
 from .wish import SpringName, Wish, wishes
 
 POINTS = 121
@@ -45,14 +47,14 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
 
 
 def _curve(clutch: Clutch, wish: Wish) -> SpringCurve:
-    named = getattr(clutch.spec, f"{wish.name}_spring").part
+    named = clutch.spec.spring_parts.get(wish.name)
     if named is None:
-        best = best_of(wish, TOLERANCE)
-        if best is None:
+        best = ranked(wish)
+        if not best:
             raise CalculationError(say("plot springs: there is no part for the {name} spring", name=wish.name))
-        part, own = best.label, characteristic(best.part)
+        part, own = best[0].part, characteristic(part_of(best[0]))
     else:
-        part, own = say("as in the spec"), characteristic(named)
+        part, own = label_of(named), characteristic(named)
     return _drawn(wish, part, own)
 
 

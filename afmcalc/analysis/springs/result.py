@@ -3,6 +3,7 @@
 from typing import Literal
 
 from ...result import Result, quantity
+from .wish import SpringName
 
 Kind = Literal["disc", "coil"]
 
@@ -10,7 +11,8 @@ Kind = Literal["disc", "coil"]
 class SpringOption(Result):
     """A part that gives the force, and what else it gives."""
 
-    number: int = quantity("", None, "number")
+    number: int | None = quantity("", None, "number", optional=True)
+    spring: SpringName | None = quantity("", None, "spring", optional=True)
     kind: Kind = quantity("", None, "kind", detail=True)
     part: str = quantity("", None, "part")
     parallel: int | None = quantity("1", "n", "discs laid into each other")
@@ -33,6 +35,9 @@ class SpringOption(Result):
         "Pa", "σ_OM", "stress where the section of a disc turns", optional=True, detail=True
     )
     stress_solid: float | None = quantity("Pa", "τ_c", "shear stress of a wire, solid", optional=True, detail=True)
+    utilisation: float = quantity(
+        "1", "η", "largest share used: of the range of deflection, of the stress allowed", detail=True
+    )
     loss_per_travel: float = quantity("1/m", "c/F", "share of the force lost per travel of the spring")
     loss_per_wear: float | None = quantity(
         "1/m", "c z/F", "share of the force lost per wear of a pair", optional=True, detail=True
@@ -55,4 +60,8 @@ class SpringsResult(Result):
     control_found: int | None = quantity("", None, "parts found for it", optional=True)
     closing: list[SpringOption] = quantity("", None, "closing spring")
     control: list[SpringOption] | None = quantity("", None, "control spring", optional=True)
+    named: list[SpringOption] | None = quantity("", None, "springs that the spec names", optional=True)
+    utilisation: float | None = quantity(
+        "1", "η", "largest share that they use of what they may bear", optional=True, detail=True
+    )
     nearest: list[SpringOption] | None = quantity("", None, "nearest, where there is none", optional=True)

@@ -1,21 +1,20 @@
 """Springs one can buy or wind: disc stacks and coil springs that give the forces of a clutch."""
 
-import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import groupby
 from typing import Any
 
-from ...engines.characteristic import CoilCharacteristic, characteristic
 from ...engines.protocol import Clutch
-from ...equations import springs as law
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...messages import joined, say, term
 from ...spec import resolved
-from ...spec.springs import CoilSprings, DiscStack
+from ...spec.springs import DiscStack
 from ..registry import SpringKind, SpringOrder
-from .candidates import STEEL, Candidate, coil_candidates, disc_candidates, stack_of
+from .candidates import Candidate, coil_candidates, disc_candidates, disc_springs
+from .options import named, option_of, part_of
 from .result import SpringOption, SpringsResult
+from .stacks import TOLERANCE
 from .wish import Wish, wishes
 
 _BY: Mapping[SpringOrder, Callable[[SpringOption], float]] = {
@@ -24,9 +23,6 @@ _BY: Mapping[SpringOrder, Callable[[SpringOption], float]] = {
     "mass": lambda option: option.mass,
 }
 TOP = 10
-TOLERANCE = 0.1
-SETTING = 0.05
-"""Share of the force that the nut is to set more or less."""
 
 
 def springs(
@@ -47,7 +43,7 @@ def springs(
         tolerance: how far the stiffness may be off, relative.
 
     Returns:
-        The parts and the findings; where there is none, the nearest and what it misses.
+        The parts and the findings; where there is none, the nearest and what it misses; the parts that the spec names.
     """
     listed: dict[str, list[SpringOption]] = {}
     nearest: list[SpringOption] = []
@@ -64,23 +60,28 @@ def springs(
         number += len(listed[wish.name])
         if not options and every:
             close = min(every, key=lambda each: max(each.misses.values()))
-            nearest.append(_option(wish, close))
+            nearest.append(option_of(wish, close))
             said.append(_none(wish, close))
         said += _remarks(wish)
+    parts = clutch.spec.spring_parts
+    in_use = [named(wish, parts[wish.name]) for wish in wanted if wish.name in parts]
     result = SpringsResult(
         **{f"{wish.name}_{key}": getattr(wish, key) for wish in wanted for key in ("force", "stiffness")},
         **{f"{name}_found": count for name, count in counts.items()},
         **listed,
         nearest=nearest or None,
+        named=in_use or None,
+        utilisation=max((each.utilisation for each in in_use), default=None),
     )
     return result, [*clutch.findings(), *said]
 
 
-def best_of(wish: Wish, tolerance: float) -> Candidate | None:
-    """The part that would be told first."""
-    every = [each for each in _candidates(wish, "any", tolerance) if not each.misses]
-    order = _BY["length" if wish.stiffness else "wear"]
-    return min(every, key=lambda each: order(_option(wish, each)), default=None)
+def ranked(wish: Wish, kind: SpringKind = "any", tolerance: float = TOLERANCE) -> list[SpringOption]:
+    """Every part that does, in the order they are told in."""
+    every = [] if kind == "coil" else list(disc_springs(wish, tolerance))
+    if kind != "disc":
+        every += [each for each in coil_candidates(wish, tolerance) if not each.misses]
+    return sorted((option_of(wish, each) for each in every), key=_BY["length" if wish.stiffness else "wear"])
 
 
 def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> dict[str, Any]:
@@ -103,7 +104,8 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> dic
         taken.add(block)
         for other in ("disc", "coil"):
             data[block].pop(other, None)
-        data[block] |= {"force": option.force, "stiffness": option.stiffness, option.kind: _part_of(option)}
+        part = part_of(option).model_dump(exclude_none=True)
+        data[block] |= {"force": option.force, "stiffness": option.stiffness, option.kind: part}
     if "control_spring" in taken:
         data["closing_spring"].setdefault("force", float(clutch.closing_force))
     return data
@@ -125,103 +127,11 @@ def _best_of_each(wish: Wish, found: list[Candidate], sort: SpringOrder) -> list
         return ("coil", each.part.wire_diameter, each.part.count)
 
     groups = groupby(sorted(found, key=lambda each: tuple(map(str, family(each)))), key=family)
-    return [min((_option(wish, each) for each in group), key=_BY[sort]) for _, group in groups]
+    return [min((option_of(wish, each) for each in group), key=_BY[sort]) for _, group in groups]
 
 
 def _numbered(options: list[SpringOption], first: int) -> list[SpringOption]:
     return [each.model_copy(update={"number": number}) for number, each in enumerate(options, first)]
-
-
-def _option(wish: Wish, found: Candidate) -> SpringOption:
-    own, part, deflection = characteristic(found.part), found.part, found.deflection
-    force, stiffness = float(own.force(deflection)), float(own.stiffness(deflection))
-    low, high = deflection - wish.relaxes, deflection + wish.compresses
-    setting = float(own.deflection((1 + SETTING) * force) - own.deflection((1 - SETTING) * force))
-    common = {
-        "number": 0,
-        "part": found.label,
-        "force": force,
-        "force_least": float(own.force(low)),
-        "force_largest": float(own.force(high)),
-        "stiffness": stiffness,
-        "deflection": deflection,
-        "length": own.free_length - low,
-        "free_length": own.free_length,
-        "used_low": low / own.end,
-        "used_high": high / own.end,
-        "loss_per_travel": stiffness / force,
-        "loss_per_wear": None if wish.follows is None else wish.follows * stiffness / force,
-        "travel_setting": setting,
-        "turns_setting": None if wish.pitch is None else setting / wish.pitch,
-    }
-    if isinstance(own, CoilCharacteristic):
-        return SpringOption(**common, **_coil(own, high))
-    assert isinstance(part, DiscStack)
-    middle, edge = own.stresses(high)
-    return SpringOption(
-        **common,
-        **_friction(wish, force, part.parallel),
-        kind="disc",
-        parallel=part.parallel,
-        series=part.series,
-        count=None,
-        turns=None,
-        outer_diameter=part.outer_diameter,
-        inner_diameter=part.inner_diameter,
-        stress=edge,
-        stress_middle=middle,
-        mass=part.parallel
-        * part.series
-        * float(law.ring_mass(STEEL, part.outer_diameter, part.inner_diameter, own.thickness, math.pi)),
-    )
-
-
-def _coil(own: CoilCharacteristic, high: float) -> dict[str, Any]:
-    part = own.part
-    mass = law.coil_mass(STEEL, part.wire_diameter, part.coil_diameter, part.turns, math.pi)
-    return {
-        "kind": "coil",
-        "parallel": None,
-        "series": None,
-        "count": part.count,
-        "turns": part.turns,
-        "outer_diameter": part.coil_diameter + part.wire_diameter,
-        "inner_diameter": part.coil_diameter - part.wire_diameter,
-        "stress": own.stress(high),
-        "stress_solid": own.stress(own.end),
-        "force_up": None,
-        "force_down": None,
-        "mass": part.count * float(mass),
-    }
-
-
-def _friction(wish: Wish, force: float, parallel: int) -> dict[str, float | None]:
-    if wish.friction is None:
-        return {"force_up": None, "force_down": None}
-    surface, edge = wish.friction
-    return {
-        "force_up": float(law.stack_force_with_friction(force, parallel, surface, edge)),
-        "force_down": float(law.stack_force_with_friction(force, parallel, -surface, -edge)),
-    }
-
-
-def _part_of(option: SpringOption) -> dict[str, Any]:
-    """The part as a spec says it."""
-    if option.kind == "disc":
-        from ...spec.discs import discs
-
-        (disc,) = (each for each in discs() if option.part.endswith(f" {each.name}"))
-        assert option.parallel is not None
-        assert option.series is not None
-        return stack_of(disc, option.parallel, option.series).model_dump(exclude_none=True)
-    wire = (option.outer_diameter - option.inner_diameter) / 2
-    return CoilSprings(
-        wire_diameter=wire,
-        coil_diameter=option.outer_diameter - wire,
-        turns=option.turns,
-        free_length=option.free_length,
-        count=option.count,
-    ).model_dump()
 
 
 def _none(wish: Wish, close: Candidate) -> Finding:

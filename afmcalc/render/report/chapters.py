@@ -5,11 +5,13 @@ from typing import Any
 
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
+from ...analysis.springs.result import SpringOption, SpringsResult
 from ...messages import translate
 from ...result import Result, Triple
 from ..document import Document, document
 from ..layout import TextTable, blocks
 from ..plot import sheet_of
+from ..plot.kinds.springs import NAMES
 from ..units import display, display_unit
 from .interface import Chapter
 from .scatter import scatter_blocks
@@ -44,7 +46,21 @@ def _both_settings(found: AdjustResult) -> list[TextTable]:
     return [methods, *blocks(Document(own, [], [], []))]
 
 
-_BLOCKS: Mapping[str, Callable[[Any], list[TextTable]]] = {"adjust": _both_settings, "tolerance": scatter_blocks}
+def _named_springs(found: SpringsResult) -> list[TextTable]:
+    """The springs of the spec; what could take their place is no part of a report."""
+    springs = found.named or []
+    table = _side_by_side({translate(NAMES[each.spring]): each for each in springs if each.spring})
+    left_out = {translate(SpringOption.model_fields[name].description or "") for name in ("number", "spring", "kind")}
+    unknown = display(None, "1")
+    rows = [row for row in table.rows if row[1] not in left_out and set(row[2:-1]) != {unknown}]
+    return [table._replace(rows=rows)]
+
+
+_BLOCKS: Mapping[str, Callable[[Any], list[TextTable]]] = {
+    "adjust": _both_settings,
+    "tolerance": scatter_blocks,
+    "springs": _named_springs,
+}
 """Topics whose numbers are not set as they come."""
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from drives import VARIANTS, begun, clutch, light, plant, run
 
-from afmcalc.analysis.simulate.cases import outcome_of
+from afmcalc.analysis.simulate.cases import outcome_of, peak_time
 from afmcalc.analysis.simulate.train import Engine
 from afmcalc.equations import drive as law
 from afmcalc.equations import heat
@@ -146,6 +146,14 @@ def test_load_below_the_clutch_makes_no_slip():
     assert found.trip_torque is None
     assert found.slip_time == 0
     assert found.peak < 300
+
+
+def test_a_motor_that_is_slowed_pulls_harder():
+    """Tool, drive and Kloss motor slow down as one, long after the first swing, until the motor carries the load."""
+    engine = Engine(270.0, 0.16, 7.43)
+    drive = plant(2000.0, kind="load", tool_inertia=10.0, motor_inertia=0.34, driven_inertia=0.01, stiffness=5e4,
+                  damping=4.0, speed=7.118, load=132.67, engine=engine, time=0.02, overload=250.0)  # fmt: skip
+    assert run(drive, float(peak_time(drive.train, drive.sliding))).peak == pytest.approx(250.0, rel=2e-3)
 
 
 def test_history_is_in_order_and_holds_the_peak():

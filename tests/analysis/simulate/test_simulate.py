@@ -208,6 +208,6 @@ def test_the_command(afmcalc, tmp_path):
 def test_check_holds_the_peak_against_the_requirement(afmcalc):
     light = [CONFIGS / "drive.toml", "--set", "drive.motor_inertia=0.2", "--json"]
     ended = afmcalc("check", *light, "--set", "requirements.peak_torque=300")
-    (row,) = ended.json["result"]["requirements"]
-    assert ended.code == 1
+    row, *_ = ended.json["result"]["requirements"]
+    assert (ended.code, row["requirement"]) == (1, "peak_torque")
     assert row["value"] == pytest.approx(afmcalc("simulate", *light).json["result"]["peak_torque"]["max"])

@@ -10,12 +10,14 @@ from afmcalc.analysis.simulate.direct import DirectPack
 from afmcalc.analysis.simulate.packs import plant_of
 from afmcalc.analysis.simulate.sleeve import Sleeve
 from afmcalc.analysis.simulate.stepping import march
+from afmcalc.analysis.simulate.sweep import step_of
 from afmcalc.analysis.simulate.train import Engine
 from afmcalc.engines.laws import IndirectLaw
 
 EACH = 25
 """Drives of a kind: 200 in all."""
 END = 0.05
+VARIANTS = ["conventional", "differentiated", "all-driving", "indirect"]
 
 
 def random_drives(variant: str, kind: str, rng: np.random.Generator):
@@ -67,34 +69,24 @@ def part(whole, place: int | slice):
 
 @pytest.mark.parametrize("count", [8, pytest.param(EACH, marks=pytest.mark.exhaustive)])
 @pytest.mark.parametrize("kind", ["stop", "load"])
-@pytest.mark.parametrize(
-    "variant",
-    [
-        "differentiated",
-        "indirect",
-        *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("conventional", "all-driving")),
-    ],
-)
+@pytest.mark.parametrize("variant", VARIANTS)
 def test_random_drives(variant, kind, count):
-    """Peak within 0.2 %, heat within 0.2 % (where hardly anything slips: of 1 % of the drive's energy)."""
-    rng = np.random.default_rng(["conventional", "differentiated", "all-driving", "indirect"].index(variant) * 2 + (kind == "load"))  # fmt: skip
+    """Peak and heat within 0.2 %, at the step of sweeps and tolerances.
+
+    Heat of less than a thousandth of the energy in the drive warms nothing: 0.2 % of that thousandth will do.
+    """
+    # of ten families this one has most of what was once wrong: swings between the walls, a key that holds for a moment
+    rng = np.random.default_rng([5, VARIANTS.index(variant) * 2 + (kind == "load")])
     train, pack = (part(each, slice(count)) for each in random_drives(variant, kind, rng))
-    fastest = np.sqrt(train.stiffness / train.driven_inertia)
-    if variant == "indirect":
-        springs = pack.stiffness * 0.01 / (pack.net_gain * pack.law.gain)
-        fastest = np.maximum(fastest, np.sqrt(springs * (1 / train.hub_inertia + 1 / train.driven_inertia)) / 4)
-    steps = int(np.ceil(END * fastest.max() * 600 / (2 * np.pi)))
-    found = march(train, pack, np.full(count, END / steps), steps)
-    slips = 0
-    for number in range(count):
-        plant = plant_of(part(train, number), part(pack, number))
-        exact = run(plant, END)
-        assert found.peak[number] == pytest.approx(exact.peak, rel=2e-3), number
-        # an event that is over ends the run; what slips later is nothing
-        energy = plant.stored(plant.start())
-        assert found.heat[number] == pytest.approx(exact.heat, rel=2e-3, abs=2e-3 * 0.01 * energy), number
-        slips += exact.heat > 0
-    assert slips >= count / 4
+    plants = [plant_of(part(train, number), part(pack, number)) for number in range(count)]
+    exact = [run(plant, END) for plant in plants]
+    times = np.array([each.time for each in exact])
+    steps = int(np.ceil(np.max(times / step_of(train, pack))))
+    found = march(train, pack, times / steps, steps)
+    heats, energies = np.array([each.heat for each in exact]), np.array([own.stored(own.start()) for own in plants])
+    assert found.peak == pytest.approx([each.peak for each in exact], rel=2e-3)
+    assert np.all(np.abs(found.heat - heats) <= 2e-3 * np.maximum(heats, 1e-3 * energies))
+    assert np.count_nonzero(heats) >= count / 4
 
 
 def test_the_error_falls_with_the_step():

@@ -1,0 +1,32 @@
+"""Where in a step of the integration a torque has its peak, and a guard falls to 0."""
+
+from collections.abc import Callable
+
+from scipy.optimize import brentq
+
+TORQUES = 2
+"""Torques whose peaks are located, before the guards in what is looked at."""
+_LOOKED_AT = (0.0, *(2.0**-power for power in range(30, 0, -3)))
+"""Places in a step at which a guard that begins at 0 is looked for above it."""
+
+
+def turned_in(before: list[float], after: list[float]) -> list[int]:
+    """Which torque had a peak in a step, and which guard a trough: it may have fallen below 0 there."""
+    return [
+        number
+        for number, (first, last) in enumerate(zip(before, after, strict=True))
+        if first * last < 0 and (number < TORQUES or first < 0)
+    ]
+
+
+def root(function: Callable[[float], float], start: float, end: float) -> float:
+    """Return where a function changes sign."""
+    first = function(start)
+    return float(brentq(function, start, end, xtol=1e-14, rtol=1e-14)) if first * function(end) < 0 else start
+
+
+def crossing(guard: Callable[[float], float], start: float, end: float) -> float:
+    """Return where a guard that begins at 0 or above and ends below last falls to 0."""
+    ends = [start + share * (end - start) for share in _LOOKED_AT]
+    above = [each for each in ends if guard(each) > 0]
+    return float(brentq(guard, above[-1], end, xtol=1e-14, rtol=1e-14)) if above else start

@@ -1,0 +1,214 @@
+"""A design of clutches whose springs exist, against every stack of every size tried on every candidate."""
+
+import itertools
+
+import numpy as np
+import pytest
+
+from afmcalc.analysis.design.design import design, picked
+from afmcalc.analysis.springs.springs import springs
+from afmcalc.analysis.synthesize import synthesize
+from afmcalc.engines import build
+from afmcalc.engines.characteristic import DiscCharacteristic
+from afmcalc.errors import SpecError
+from afmcalc.spec.discs import discs
+from afmcalc.spec.requirements import make_requirements
+from afmcalc.spec.springs import DiscStack
+
+FRICTION = {"min": 0.1, "mean": 0.3, "max": 0.8}
+CLOSING = {"inner_diameter": 0.02, "outer_diameter": 0.08, "length": 0.08}
+NARROW = {"inner_diameter": 0.04, "outer_diameter": 0.082, "length": 0.004}
+CONTROL = {"inner_diameter": 0.05, "outer_diameter": 0.2}
+SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
+INDIRECT = {
+    "pairs": [6, 8],
+    "mean_radius": [0.08, 0.1, 0.12],
+    "gain": [0.8, 1.2],
+    "ball_circle_radius": [0.04, 0.05],
+    "closing_stiffness": [2e5, 4e5, 8e5],
+    "control_stiffness": [0.0, 1e5, 3e5],
+}
+DIRECT = {
+    "pairs": [4, 6, 8, 10],
+    "mean_radius": np.linspace(0.05, 0.15, 21).tolist(),
+    "gain": [0.3, 0.6, 1.0],
+    "ball_circle_radius": [0.05],
+}
+
+
+def wanted(variant="indirect", search=INDIRECT, objectives=("closing_force", "accuracy_factor", "travel"), **fixed):
+    return {
+        "variants": [variant],
+        "objectives": list(objectives),
+        "springs": "disc",
+        "friction": FRICTION,
+        "wanted": {"nominal_torque": 150.0},
+        "limits": {"gain_limit": False},
+        "search": {**search, "closing_force": {"min": 100.0, "max": 1e5}},
+        "fixed": {
+            **({"hub_diameter": 0.05, "key_friction": 0.01, "control_room": CONTROL} if variant == "indirect" else {}),
+            "closing_room": CLOSING,
+            **fixed,
+        },
+    }  # fmt: skip
+
+
+def packs(room):
+    for size, parallel in itertools.product(discs(), range(1, 7)):
+        if room["inner_diameter"] <= size.inner_diameter and size.outer_diameter <= room["outer_diameter"]:
+            values = {name: getattr(size, name) for name in SHAPE}
+            yield size.cone_height, DiscCharacteristic(DiscStack(**values, parallel=parallel))
+
+
+def sprung(force, stiffness, room, relaxes=0.0, compresses=0.0):
+    """Whether any stack of any size, of 1 to 300 packs, gives this."""
+    series = np.arange(1, 301)
+    for cone, own in packs(room):
+        each = float(own.deflection(force))
+        if own.force(each) < force * (1 - 1e-9):
+            continue
+        good = (each - relaxes / series >= 0.15 * cone) & (each + compresses / series <= 0.75 * cone)
+        if stiffness is not None:
+            good &= np.abs(float(own.stiffness(each)) / series - stiffness) <= 0.1 * stiffness
+        good &= series * (own.free_length - each) + relaxes <= room.get("length", np.inf)
+        if good.any():
+            return True
+    return False
+
+
+def clutch_of(need, values):
+    """The clutch of one candidate, its spring set for the torque."""
+    sleeve = need.variants == ("indirect",)
+    springs_of = {"closing_spring": {}, "control_spring": {}} if sleeve else {"closing_spring": {}}
+    for name, block in springs_of.items():
+        if sleeve:
+            block["stiffness"] = values[name.replace("_spring", "_stiffness")]
+    return build(
+        {
+            "variant": need.variants[0],
+            "friction": FRICTION,
+            "friction_group": {"pairs": values["pairs"], "mean_radius": values["mean_radius"]},
+            **springs_of,
+            "control_unit": {
+                "gain": values["gain"], "ball_circle_radius": values["ball_circle_radius"], "balls": 6,
+                "face_gap": 0.002, "edge_clearance": 0.002,
+                **({"hub_diameter": 0.05, "key_friction": 0.01} if sleeve else {}),
+            },
+            "adjustment": {"nominal_torque": 150},
+        }
+    )  # fmt: skip
+
+
+def exists(clutch, need):
+    closing, spec = need.fixed.closing_room.model_dump(exclude_none=True), clutch.spec
+    if spec.control_spring is None:
+        return sprung(clutch.closing_force, None, closing)
+    travel = clutch.travel(0.8)
+    return (
+        spec.control_spring.stiffness > 0
+        and sprung(clutch.closing_force, spec.closing_spring.stiffness, closing, relaxes=travel)
+        and sprung(clutch.control_force, spec.control_spring.stiffness, CONTROL, compresses=travel)
+    )
+
+
+def rounded(*values):
+    return tuple(float(f"{value:.7g}") for value in values)
+
+
+def brute(need, search):
+    """Objectives of every candidate whose springs and ball exist."""
+    for values in (dict(zip(search, each, strict=True)) for each in itertools.product(*search.values())):
+        clutch = clutch_of(need, values)
+        found, findings = synthesize(clutch)
+        if any(each.level == "error" for each in findings) or not exists(clutch, need):
+            continue
+        own = {
+            "closing_force": float(clutch.control_force or clutch.closing_force),
+            "accuracy_factor": float(clutch.accuracy_factor),
+            "travel": found.travel_max,
+            "pairs": values["pairs"],
+        }
+        yield rounded(*(own[name] for name in need.objectives))
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        wanted(),
+        # sizes of one diameter, in short: forces that no stack holds lie between those of the next
+        wanted("all-driving", DIRECT, ("closing_force", "accuracy_factor", "pairs"), closing_room=NARROW),
+    ],
+    ids=["indirect", "all-driving"],
+)
+def test_the_front_is_that_of_the_clutches_with_springs(data):
+    need = make_requirements(data)
+    search = INDIRECT if data["variants"] == ["indirect"] else DIRECT
+    good = list(brute(need, search))
+    best = {
+        one
+        for one in good
+        if not any(all(a <= b for a, b in zip(other, one, strict=True)) and other != one for other in good)
+    }
+    result, _ = design(need)
+    assert result.feasible == len(good)
+    assert 1 < len(best) < len(good)
+    assert {rounded(*(row.objective(name) for name in need.objectives)) for row in result.front} == best
+    assert len(good) < 0.6 * result.candidates
+    unsprung, _ = design(make_requirements(data | {"springs": None, "fixed": without_rooms(data["fixed"])}))
+    there = {rounded(*(row.objective(name) for name in need.objectives)) for row in unsprung.front}
+    assert best - there, "not the front of all, filtered"
+
+
+def without_rooms(fixed):
+    return {name: value for name, value in fixed.items() if not name.endswith("_room")}
+
+
+def test_springs_finds_the_springs_of_every_clutch_proposed():
+    """Refined clutches too, which lie between the grid points."""
+    ranges = {
+        "mean_radius": {"start": 0.08, "stop": 0.12, "count": 5},
+        "closing_stiffness": {"start": 1e5, "stop": 8e5, "count": 5},
+        "gain": {"start": 0.6, "stop": 2.0, "count": 6},
+    }
+    need = make_requirements(wanted(search={**INDIRECT, **ranges}))
+    result, _ = design(need)
+    assert result.on_front > 3
+    for row in result.front:
+        spec = picked(need, result, row.number)
+        told, findings = springs(build(spec), kind="disc", top=1000)
+        assert told.closing_found
+        assert told.control_found
+        assert "no-spring" not in {each.code for each in findings}
+        named = {f"{each.part}, {each.parallel}" for each in (*told.closing, *told.control)}
+        assert {part.partition(" ×")[0] for part in (row.closing_part, row.control_part)} <= named
+        clutch = build(spec)
+        assert clutch.accuracy_factor == pytest.approx(row.accuracy_factor_sprung, rel=1e-9)
+        assert clutch.control_force == pytest.approx(row.control_force, rel=1e-9)
+        assert clutch.nominal_torque == pytest.approx(150, rel=1e-9)
+        said = clutch.findings()
+        assert not [each for each in said if each.level == "error"]
+        # with discs the sleeve travels a little farther than with the straight springs that were searched
+        strays = [each.value for each in said if each.code == "spring-beyond-range"]
+        assert strays == pytest.approx([0.15 if each < 0.4 else 0.75 for each in strays], rel=0.05)
+
+
+def test_what_disc_springs_make_of_a_bound_is_said():
+    need = make_requirements(wanted() | {"wanted": {"nominal_torque": 150.0, "torque_max": 480.0}})
+    result, findings = design(need)
+    beyond = [row for row in result.front if row.torque_max_sprung > 480]
+    assert [each.code for each in findings] == (["springs-miss"] if beyond else [])
+
+
+@pytest.mark.parametrize(
+    ("fixed", "says"),
+    [
+        ({"closing_room": None}, "fixed.closing_room = null: required with springs"),
+        ({"control_room": {"outer_diameter": 0.1}}, "fixed.control_room: required with springs"),
+        ({"pocket": "constant-torque"}, "springs = .*: excludes fixed.pocket"),
+    ],
+)
+def test_missing_room(fixed, says):
+    with pytest.raises(SpecError, match=says):
+        make_requirements(wanted(**fixed))
+    with pytest.raises(SpecError, match="has no effect without springs"):
+        make_requirements(wanted() | {"springs": None})

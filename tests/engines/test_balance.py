@@ -1,0 +1,118 @@
+"""A sleeve between curved springs behind curved walls: against the closed law, and against what a march over x finds."""
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from strategies import indirect_specs
+
+from afmcalc.analysis.synthesize import synthesize
+from afmcalc.engines import build
+from afmcalc.engines.characteristic import DiscCharacteristic
+from afmcalc.spec.discs import discs
+from afmcalc.spec.springs import DiscStack
+
+SIZES = {size.name: size for size in discs()}
+SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
+PLACES = 40_001
+
+
+def stack(name, series):
+    return DiscStack(**{each: getattr(SIZES[name], each) for each in SHAPE}, parallel=6, series=series)
+
+
+@settings(max_examples=40)
+@given(indirect_specs(curved=True))
+def test_the_same_place_as_the_closed_law_of_straight_springs(spec):
+    """Jumps off the stop and back to it among them."""
+    clutch = build(spec)
+    law, own, force = clutch.law, clutch.friction[0], clutch.closing_force
+    assume(not law.straight)
+    for friction in np.linspace(own.min, own.max, 7)[1:]:
+        if law.is_seated(force, friction):
+            continue
+        found = law.balance(force, law.net_gain).travel(friction)
+        assert float(found) == pytest.approx(
+            float(law.travel(force, friction)), rel=1e-7, abs=1e-9 * force / law.closing_stiffness
+        )
+    back = float(law.torque_returning(force, own.min, own.max))
+    place = law.travel_returning(force, own.min, own.max)
+    torque = law.mean_radius * law.pairs * own.min * float(law.balance(force, 0.0).pressed(place))
+    if place > 1e-9:
+        assert torque == pytest.approx(back, rel=1e-6)
+
+
+@settings(max_examples=30)
+@given(
+    indirect_specs(curved=True),
+    st.sampled_from(sorted(SIZES)),
+    st.sampled_from(sorted(SIZES)),
+    st.integers(1, 40),
+    st.booleans(),
+)
+def test_the_first_place_that_holds_the_sleeve(spec, one, two, series, both):
+    plain = build(spec)
+    assume(spec.control_unit.gain_slope > 0)
+    closing, control = stack(one, series), stack(two, series) if both else None
+    first, second = DiscCharacteristic(closing), control and DiscCharacteristic(control)
+    assume(float(first.force(first.end)) > plain.closing_force)
+    assume(second is None or float(second.force(second.end)) > 1.5 * plain.control_force)
+    parts = {
+        "closing_spring": spec.closing_spring.model_copy(update={"disc": closing}),
+        "control_spring": spec.control_spring.model_copy(update={"disc": control}),
+    }
+    clutch = build(spec.model_copy(update=parts))
+    law, own, start = clutch.law, clutch.friction[0], float(first.deflection(clutch.closing_force))
+    x = np.linspace(0, start, PLACES)
+    pressed = first.force(start - x)
+    held = float(clutch.control_force)
+    pushed = held + law.control_stiffness * x if second is None else second.force(second.deflection(held) + x)
+
+    def left(friction, threshold):
+        return pushed - pressed * (1 + law.pairs * friction * (law.gain + law.gain_slope * x + threshold))
+
+    frictions = np.linspace(own.min, own.max, 9)
+    rising = []
+    for friction in frictions:
+        off = np.flatnonzero(left(friction, -law.gain_threshold) >= -1e-9 * held)
+        rising.append(x[off[0]] if off.size else start)
+    moved = clutch.travel(frictions)
+    assert moved == pytest.approx([float(clutch.travel(each)) for each in frictions], abs=1e-12 + 1e-9 * start)
+    near = np.diff(np.concatenate([[0.0], rising])) < start / 20  # a jump is as far off as the march is coarse
+    assert moved[near] == pytest.approx(np.array(rising)[near], abs=3e-4 * start)
+    assert (np.diff(moved) >= -1e-9 * start).all()
+    # back from where f_max put it: the last place that holds it
+    far = float(moved[-1])
+    for friction in frictions[::3]:
+        there = np.flatnonzero((left(friction, law.gain_threshold) <= 0) & (x <= far))
+        back = float(law.travel_returning(clutch.closing_force, friction, own.max))
+        assert back == pytest.approx(x[there[-1]] if there.size else 0.0, abs=3e-4 * start)
+        if back > 0:
+            torque = law.mean_radius * law.pairs * friction * float(first.force(start - back))
+            assert clutch.torque_returning(friction) == pytest.approx(torque, rel=1e-9)
+    # extremes: of a sweep of friction much finer than what they were looked for with
+    swept = clutch.torque(np.linspace(own.min, own.max, 2001))
+    assert clutch.torque_max >= swept.max() * (1 - 1e-6)
+    assert clutch.torque_min <= swept.min() * (1 + 1e-6)
+    if "torque-jumps" not in {each.code for each in clutch.findings()}:
+        assert clutch.torque_max == pytest.approx(swept.max(), rel=1e-3)
+        assert clutch.torque_min == pytest.approx(swept.min(), rel=1e-3)
+
+
+def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
+    own = {
+        "variant": "indirect",
+        "friction": {"min": 0.1, "mean": 0.3, "max": 0.8},
+        "friction_group": {"pairs": 8, "mean_radius": 0.1},
+        "closing_spring": {"force": 2000.0, "stiffness": 4e5, "disc": stack("B 40", 2).model_dump() | {"parallel": 1, "series": 6}},
+        "control_spring": {"stiffness": 2e5},
+        "control_unit": {
+            "gain": 2.0, "ball_circle_radius": 0.05, "hub_diameter": 0.05, "key_friction": 0.01, "balls": 6,
+            "pocket": "constant-torque",
+        },
+    }  # fmt: skip
+    clutch = build(own)
+    assert 1 < clutch.accuracy_factor < 1.03
+    assert clutch.torque(0.8) == pytest.approx(clutch.torque(0.1), rel=1e-9), "the same at both ends"
+    found, _ = synthesize(clutch)
+    assert found.travel_max == pytest.approx(float(clutch.travel(0.8)))
