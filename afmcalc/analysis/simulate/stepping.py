@@ -11,6 +11,7 @@ from typing import Any, NamedTuple, TypeVar, cast
 import numpy as np
 
 from ...arrays import Floats
+from ...messages import say
 from ...watch import Progress, unwatched
 from .direct import DirectPack
 from .lanes import DirectLanes, SleeveLanes
@@ -54,7 +55,7 @@ def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int, pro
 
     def behind(number: int) -> None:
         if number % _TOLD == 0:
-            progress("stepping the drives", len(parts) * steps + number, count)
+            progress(say("stepping the drives"), len(parts) * steps + number, count)
 
     for start in range(0, step.size, _LANES):
         lanes = slice(start, start + _LANES)
