@@ -217,7 +217,7 @@ def test_rounding_makes_no_extremes():
         calls.append(at)
         return 2 + np.exp(-((np.log(at) - 1) ** 2)) + 1e-11 * np.sin(1e5 * np.log(at))
 
-    curve = explore(noisy, 4.0, Domain(0.0, low_taken=False, high=math.inf, why=""))
+    curve = explore(noisy, 4.0, Domain(1e-12, low_taken=True, high=math.inf, why=""))
     assert max(curve.value) == pytest.approx(3)
     assert curve.at[np.argmax(curve.value)] == pytest.approx(math.e, rel=1e-4)
     assert len(calls) < 30
