@@ -71,8 +71,8 @@ def slip_energy(torque: Number, speed: Number, speed_end: Number, time: Number) 
 
     Args:
         torque: T, slip torque [N*m].
-        speed: ω_0, as the slip begins [rad/s].
-        speed_end: ω, as it ends [rad/s].
+        speed: ω_0, slip speed as the slip begins [rad/s].
+        speed_end: ω, slip speed as it ends [rad/s].
         time: t, it lasts [s].
 
     Returns:
@@ -111,7 +111,7 @@ def specific_work(energy: Number, pairs: Number, area: Number) -> Number:
     Args:
         energy: Q, heat of a trip [J].
         pairs: z, number of friction pairs [1].
-        area: A, of a pair [m^2].
+        area: A, area of a pair [m^2].
 
     Returns:
         q_A [J/m^2].
@@ -131,7 +131,7 @@ def power_density(torque: Number, speed: Number, pairs: Number, area: Number) ->
         torque: T, slip torque [N*m].
         speed: ω, speed of slip [rad/s].
         pairs: z, number of friction pairs [1].
-        area: A, of a pair [m^2].
+        area: A, area of a pair [m^2].
 
     Returns:
         q [W/m^2].
@@ -149,8 +149,8 @@ def temperature_rise(energy: Number, mass: Number, specific_heat: Number) -> Num
 
     Args:
         energy: Q, heat of a trip [J].
-        mass: m, of the discs that take it [kg].
-        specific_heat: c, of the discs [J/kg/K].
+        mass: m, mass of the discs that take it [kg].
+        specific_heat: c, specific heat of the discs [J/kg/K].
 
     Returns:
         ΔΘ [K].
@@ -239,7 +239,7 @@ def surface_rise_thin(
         conductivity: k, thermal conductivity [W/m/K].
         density: ρ [kg/m^3].
         specific_heat: c, specific heat [J/kg/K].
-        depth: l, to the middle of the disc [m].
+        depth: l, depth to the middle of the disc [m].
 
     Returns:
         ΔΘ_s [K].
@@ -275,7 +275,7 @@ def surface_rise_term(
         conductivity: k, thermal conductivity [W/m/K].
         density: ρ [kg/m^3].
         specific_heat: c, specific heat [J/kg/K].
-        depth: l, to the middle of the disc [m].
+        depth: l, depth to the middle of the disc [m].
         pi: π, a symbol under SymPy [1].
 
     Returns:
@@ -294,10 +294,10 @@ def heated_depth(mass: Number, density: Number, pairs: Number, area: Number) -> 
     Source: Theory of the drive, section 10: the mass of the discs shared among the pairs.
 
     Args:
-        mass: m, of the discs that take the heat [kg].
+        mass: m, mass of the discs that take the heat [kg].
         density: ρ [kg/m^3].
         pairs: z, number of friction pairs [1].
-        area: A, of a pair [m^2].
+        area: A, area of a pair [m^2].
 
     Returns:
         l [m].
@@ -318,7 +318,7 @@ def fourier_number(conductivity: Number, density: Number, specific_heat: Number,
         density: ρ [kg/m^3].
         specific_heat: c, specific heat [J/kg/K].
         time: t [s].
-        depth: l, to the middle of the disc [m].
+        depth: l, depth to the middle of the disc [m].
 
     Returns:
         Fo [1].
@@ -335,9 +335,9 @@ def trips_without_cooling(temperature_limit: Number, ambient: Number, rise: Numb
     Source: Theory of the drive, section 10.
 
     Args:
-        temperature_limit: Θ_max, of the discs [K].
-        ambient: Θ_0, before the first trip [K].
-        rise: ΔΘ, by a trip [K].
+        temperature_limit: Θ_max, largest temperature the discs may have [K].
+        ambient: Θ_0, temperature before the first trip [K].
+        rise: ΔΘ, rise by a trip [K].
 
     Returns:
         n [1].
@@ -355,8 +355,8 @@ def trips_per_time(cooling: Number, temperature_limit: Number, ambient: Number, 
 
     Args:
         cooling: α A_c, heat given off per kelvin [W/K].
-        temperature_limit: Θ_max, of the discs [K].
-        ambient: Θ_0, of the surroundings [K].
+        temperature_limit: Θ_max, largest temperature the discs may have [K].
+        ambient: Θ_0, temperature of the surroundings [K].
         energy: Q, heat of a trip [J].
 
     Returns:
@@ -375,7 +375,7 @@ def trips_to_wear_out(pairs: Number, area: Number, lining: Number, wear: Number,
 
     Args:
         pairs: z, number of friction pairs [1].
-        area: A, of a pair [m^2].
+        area: A, area of a pair [m^2].
         lining: s_w, thickness that a pair may lose [m].
         wear: w, volume worn per energy [m^3/J].
         energy: Q, heat of a trip [J].
@@ -395,9 +395,9 @@ def setting_loss_per_wear(stiffness: Number, pairs: Number, force: Number) -> Nu
     Source: Theory of the drive, section 10.
 
     Args:
-        stiffness: c, of the spring that follows the pack [N/m].
+        stiffness: c, stiffness of the spring that follows the pack [N/m].
         pairs: z, number of friction pairs [1].
-        force: F, on the pack at rest [N].
+        force: F, force on the pack at rest [N].
 
     Returns:
         ΔF/(F δ) [1/m].
@@ -414,8 +414,8 @@ def time_between_trips(mass: Number, specific_heat: Number, cooling: Number, log
     Source: Theory of the drive, section 10: one body that cools between trips, when every trip is as the last.
 
     Args:
-        mass: m, of the discs that take the heat [kg].
-        specific_heat: c, of the discs [J/kg/K].
+        mass: m, mass of the discs that take the heat [kg].
+        specific_heat: c, specific heat of the discs [J/kg/K].
         cooling: α A_c, heat given off per kelvin [W/K].
         logarithm: λ, −ln(1 − ΔΘ/(Θ_max − Θ_0)), of the share of the limit that a trip leaves [1].
 
