@@ -98,6 +98,7 @@ def fewer(parts: int) -> settings:
 
 def pytest_collection_finish():
     gc.freeze()  # what is imported by now stays
+    gc.set_threshold(100_000)
     gc.enable()
 
 

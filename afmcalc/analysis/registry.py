@@ -86,8 +86,7 @@ class Analysis(NamedTuple):
 
 
 def _can_be_simulated(clutch: "Clutch") -> bool:
-    proportional = not clutch.spec.kind.travels or getattr(clutch.law, "curved", None) is None
-    return clutch.spec.drive.event is not None and proportional
+    return clutch.spec.drive.event is not None
 
 
 def _can_be_synthesized(clutch: "Clutch") -> bool:

@@ -8,7 +8,7 @@ from ..errors import AfmcalcError
 from ..messages import say
 from .clutch import FrictionOption, SweepOption, axes_of, curve_of, friction_of
 from .files import PLOT, SPEC, Kind, refuse, write
-from .options import Common, SpecArgument, with_common
+from .options import Common, SpecArgument, with_long
 from .run import calculate, write_spec
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ HistoryOption = Annotated[
 PlotOption = Annotated[bool, typer.Option("--plot", help="Draw the event, or the sweep, below the table.")]
 
 
-@with_common
+@with_long
 def simulate(
     spec: SpecArgument = None,
     friction: FrictionOption = None,

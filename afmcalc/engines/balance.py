@@ -3,15 +3,14 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
-from ..arrays import Values, chosen, larger, smaller
+from ..arrays import Floats, Values, chosen
 from ..equations import pocket
 from .characteristic import DiscCharacteristic, root
 
 _PLACES = 32
 """Places among which a wall that lets the sleeve jump is searched for the first balance."""
-_FINE = 256
-"""Places among which the extremes of torque are looked for: the sum of their steps squared is what is missed."""
 
 
 @dataclass(frozen=True)
@@ -93,47 +92,57 @@ class Balance:
 
     def travel(self, friction: Values) -> Values:
         """Where the sleeve comes to from its stop, friction rising, m: the first place that holds it."""
-        left, end = self._left(friction), self.closing.deflection + 0.0 * (self.net_gain * friction)
+        left, end = self._left(friction), self.closing.deflection + 0.0 * (self.net_gain * friction * self.gain_slope)
         if self.straight:
             return root(left, self._slope(friction), end)
-        low, high, found = 0.0 * end, end, end < 0
-        for place in range(1, _PLACES + 1):
-            at, before = end * (place / _PLACES), end * ((place - 1) / _PLACES)
-            first = (left(at) >= 0) > found
-            low, high = _where(first, before, low), _where(first, at, high)
-            found = found | first
+        tried = places(end, _PLACES)
+        holds: Any = left(tried) >= 0
+        # at the stop itself it is not: a steep wall lets it jump off from there
+        holds[0] = False
+        low, high = _first(tried, holds)
         return root(left, self._slope(friction), high, low)
 
     def travel_returning(self, friction: Values, start: Values) -> Values:
         """Where it comes back to from ``start``, friction falling, m: the last place that holds it; 0 at the stop."""
         left = self._left(friction)
-        start = start + 0.0 * (self.net_gain * friction)
-        low, high, found = 0.0 * start, 0.0 * start, start < 0
-        for place in range(_PLACES, -1, -1):
-            at, behind = start * (place / _PLACES), start * (min(place + 1, _PLACES) / _PLACES)
-            last = (left(at) <= 0) > found
-            low, high = _where(last, at, low), _where(last, behind, high)
-            found = found | last
-        return root(left, self._slope(friction), high, low)
-
-    def torques(self, start: Values, end: Values, mean_radius: Values, *, rises: bool) -> tuple[Values, Values]:
-        """Least and largest torque between two travels, N·m, at places where friction that rises, or falls, leads."""
-        reached = least = most = None
-        for place in range(_FINE + 1):
-            at = start + (end - start) * (place / _FINE)
-            pressed, gain = self.pressed(at), self.net_gain_at(at)
-            torque = mean_radius * (self.control.force(at) - pressed) / gain
-            friction = torque / (mean_radius * pressed) * (1 if rises else -1)
-            if reached is None or least is None or most is None:
-                reached, least, most = friction, torque, torque
-                continue
-            here = friction >= reached
-            least, most = _where(here, smaller(least, torque), least), _where(here, larger(most, torque), most)
-            reached = larger(reached, friction)
-        assert least is not None
-        assert most is not None
-        return least, most
+        start = start + 0.0 * (self.net_gain * friction * self.gain_slope)
+        tried = places(start, _PLACES)[::-1]
+        holds: Any = left(tried) <= 0
+        high, low = _first(tried, holds)
+        return chosen(holds.any(axis=0), lambda: root(left, self._slope(friction), high, low), lambda: 0.0 * start)
 
 
-def _where(condition: object, yes: Values, no: Values) -> Values:
-    return chosen(condition, lambda: yes, lambda: no)
+def extremes(values: Values) -> tuple[Values, Values]:
+    """Least and largest along a first axis; between three of them they follow a parabola."""
+    import numpy as np
+
+    values = np.asarray(values)
+    return _vertex(values, values.argmin(axis=0)), _vertex(values, values.argmax(axis=0))
+
+
+def _vertex(torque: Floats, place: Any) -> Values:
+    """The extreme about a place: of the parabola through its neighbours, so that it moves smoothly."""
+    import numpy as np
+
+    inside = np.clip(place, 1, len(torque) - 2)[None]
+    before, here, after = (np.take_along_axis(torque, inside + each, axis=0)[0] for each in (-1, 0, 1))
+    bend = before - 2 * here + after
+    vertex = here - (after - before) ** 2 / (8 * np.where(bend == 0, 1.0, bend))
+    own: Values = np.take_along_axis(torque, place[None], axis=0)[0]
+    return chosen((place == inside[0]) & (bend != 0), lambda: vertex, lambda: own)
+
+
+def places(end: Values, count: int) -> Floats:
+    """From 0 to ``end`` in so many steps, along a first axis."""
+    import numpy as np
+
+    return np.multiply.outer(np.linspace(0.0, 1.0, count + 1), end)
+
+
+def _first(tried: Floats, good: Any) -> tuple[Values, Values]:
+    """The place before the first good one, and that one."""
+    import numpy as np
+
+    first = np.argmax(good, axis=0)[None]
+    before, there = (np.take_along_axis(tried, np.maximum(first - each, 0), axis=0)[0] for each in (1, 0))
+    return before, there

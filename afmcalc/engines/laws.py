@@ -9,8 +9,11 @@ from typing import Any
 
 from ..arrays import Values, chosen, is_array, larger, quiet_division, smaller, square_root
 from ..equations import indirect, pocket
-from .balance import Balance, SetSpring
+from .balance import Balance, SetSpring, extremes, places
 from .characteristic import CurvedSprings
+
+_FRICTIONS = 32
+"""Steps of friction in which extremes are looked for."""
 
 
 @dataclass(frozen=True)
@@ -284,16 +287,13 @@ class IndirectLaw:
 
     def torques_rising(self, closing_force: Values, low: Values, high: Values) -> tuple[Values, Values]:
         """Least and largest torque off the stop while friction rises, N·m."""
-        ends = self.travel(closing_force, low), self.travel(closing_force, high)
-        own = self.balance(closing_force, self.net_gain)
-        least, most = own.torques(*ends, self.mean_radius, rises=True)
-        last, moves = self.torque(closing_force, high), ends[1] > ends[0]
-        return chosen(moves, lambda: least, lambda: last), chosen(moves, lambda: most, lambda: last)
+        start = smaller(larger(self.leaving_friction(closing_force), low), high)
+        return extremes(self.torque(closing_force, self._frictions(start, high)))
 
     def least_returning(self, closing_force: Values, low: Values, high: Values) -> Values:
-        """Least torque off the stop while friction falls, N·m."""
-        ends = self.travel(closing_force, high), self.travel_returning(closing_force, low, high)
-        own = self.balance(closing_force, self.net_gain_returning)
-        least = own.torques(*ends, self.mean_radius, rises=False)[0]
-        last = self.torque_returning(closing_force, low, high)
-        return chosen(ends[1] < ends[0], lambda: least, lambda: last)
+        """Least torque while friction falls, N·m."""
+        return extremes(self.torque_returning(closing_force, self._frictions(low, high), high))[0]
+
+    def _frictions(self, low: Values, high: Values) -> Values:
+        """Frictions along a first axis, of as many laws as there are."""
+        return low + places(high - low + 0.0 * self.gain_slope * self.net_gain, _FRICTIONS)

@@ -122,7 +122,7 @@ def accuracy_factor_peak(peak_max: Number, peak_min: Number) -> Number:
 
     Args:
         peak_max: P_max, at f_max the larger of the sustained torque and the bypass pairs' under the full spring [N*m].
-        peak_min: P_min, the same at f_min [N*m].
+        peak_min: P_min, at f_min the larger of the sustained torque and the bypass pairs' under the full spring [N*m].
 
     Returns:
         K_т,p [1].

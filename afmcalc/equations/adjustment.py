@@ -72,7 +72,7 @@ def scatter(
     Source: S19 (10); (11) mended (M6) with F_п = β_н F_п2.
 
     Args:
-        closing_force: F_п, as set, margin included [N].
+        closing_force: F_п, closing-spring force as set, margin included [N].
         mean_radius: R_cp [m].
         pairs: z, friction pairs [1].
         controlled_pairs: z_2, pairs whose torque passes the balls [1].

@@ -11,8 +11,8 @@ def coil_stiffness(shear_modulus: Number, wire_diameter: Number, coil_diameter: 
     Args:
         shear_modulus: G [Pa].
         wire_diameter: d [m].
-        coil_diameter: D, mean [m].
-        turns: n, active [1].
+        coil_diameter: D, mean diameter of the coil [m].
+        turns: n, active coils [1].
 
     Returns:
         R [N/m].
@@ -30,7 +30,7 @@ def coil_correction(wire_diameter: Number, coil_diameter: Number) -> Number:
 
     Args:
         wire_diameter: d [m].
-        coil_diameter: D, mean [m].
+        coil_diameter: D, mean diameter of the coil [m].
 
     Returns:
         k_τ [1].
@@ -48,9 +48,9 @@ def coil_stress(force: Number, wire_diameter: Number, coil_diameter: Number, cor
     Source: EN 13906-1; theory of the drive, section 11.
 
     Args:
-        force: F, of the spring [N].
+        force: F, force of the spring [N].
         wire_diameter: d [m].
-        coil_diameter: D, mean [m].
+        coil_diameter: D, mean diameter of the coil [m].
         correction: k_τ; 1 where it rests [1].
         pi: π, a symbol under SymPy [1].
 
@@ -69,8 +69,8 @@ def coil_solid_length(wire_diameter: Number, turns: Number) -> Number:
     Source: EN 13906-1, ends closed and ground; theory of the drive, section 11.
 
     Args:
-        wire_diameter: d, largest [m].
-        turns: n, active [1].
+        wire_diameter: d, largest wire diameter [m].
+        turns: n, active coils [1].
 
     Returns:
         L_c [m].
@@ -88,8 +88,8 @@ def coil_least_gap(wire_diameter: Number, coil_diameter: Number, turns: Number) 
 
     Args:
         wire_diameter: d [m].
-        coil_diameter: D, mean [m].
-        turns: n, active [1].
+        coil_diameter: D, mean diameter of the coil [m].
+        turns: n, active coils [1].
 
     Returns:
         S_a [m].
@@ -108,8 +108,8 @@ def coil_mass(density: Number, wire_diameter: Number, coil_diameter: Number, tur
     Args:
         density: ρ [kg/m^3].
         wire_diameter: d [m].
-        coil_diameter: D, mean [m].
-        turns: n, active [1].
+        coil_diameter: D, mean diameter of the coil [m].
+        turns: n, active coils [1].
         pi: π, a symbol under SymPy [1].
 
     Returns:

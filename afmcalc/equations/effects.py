@@ -29,9 +29,9 @@ def next_force_closing(normal_force: Number, share: Number, share_next: Number) 
     Source: Balance of the disc between them; theory of the drive, section 13.
 
     Args:
-        normal_force: N, on the pair nearer to the spring [N].
-        share: ε, of that pair at the disc [1].
-        share_next: ε', of the next pair at the disc [1].
+        normal_force: N, normal force on the pair nearer to the spring [N].
+        share: ε, share of that pair at the disc [1].
+        share_next: ε', share of the next pair at the disc [1].
 
     Returns:
         N' [N].
@@ -48,9 +48,9 @@ def next_force_opening(normal_force: Number, share: Number, share_next: Number) 
     Source: Balance of the disc between them; theory of the drive, section 13.
 
     Args:
-        normal_force: N, on the pair nearer to the spring [N].
-        share: ε, of that pair at the disc [1].
-        share_next: ε', of the next pair at the disc [1].
+        normal_force: N, normal force on the pair nearer to the spring [N].
+        share: ε, share of that pair at the disc [1].
+        share_next: ε', share of the next pair at the disc [1].
 
     Returns:
         N' [N].
@@ -68,7 +68,7 @@ def tan_wall_angle_loading(tan_wall_angle: Number, wall_friction: Number) -> Num
 
     Args:
         tan_wall_angle: tan α [1].
-        wall_friction: μ, of the cam on the wall [1].
+        wall_friction: μ, friction of the cam on the wall [1].
 
     Returns:
         tan(α − ρ) [1].
@@ -86,7 +86,7 @@ def tan_wall_angle_unloading(tan_wall_angle: Number, wall_friction: Number) -> N
 
     Args:
         tan_wall_angle: tan α [1].
-        wall_friction: μ, of the cam on the wall [1].
+        wall_friction: μ, friction of the cam on the wall [1].
 
     Returns:
         tan(α + ρ) [1].
@@ -145,9 +145,9 @@ def force_lost_by_wear(stiffness: Number, pairs: Number, wear: Number) -> Number
     Source: Theory of the drive, section 10.
 
     Args:
-        stiffness: c, of the spring that follows the pack [N/m].
+        stiffness: c, stiffness of the spring that follows the pack [N/m].
         pairs: z, number of friction pairs [1].
-        wear: δ, of a pair [m].
+        wear: δ, wear of a pair [m].
 
     Returns:
         ΔF [N].

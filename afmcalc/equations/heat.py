@@ -71,8 +71,8 @@ def slip_energy(torque: Number, speed: Number, speed_end: Number, time: Number) 
 
     Args:
         torque: T, slip torque [N*m].
-        speed: ω_0, as the slip begins [rad/s].
-        speed_end: ω, as it ends [rad/s].
+        speed: ω_0, slip speed as the slip begins [rad/s].
+        speed_end: ω, slip speed as it ends [rad/s].
         time: t, it lasts [s].
 
     Returns:
@@ -111,7 +111,7 @@ def specific_work(energy: Number, pairs: Number, area: Number) -> Number:
     Args:
         energy: Q, heat of a trip [J].
         pairs: z, number of friction pairs [1].
-        area: A, of a pair [m^2].
+        area: A, area of a pair [m^2].
 
     Returns:
         q_A [J/m^2].
@@ -146,9 +146,9 @@ def power_density(power: Number, pairs: Number, area: Number) -> Number:
     Source: Theory of the drive, section 10.
 
     Args:
-        power: P, of the slip [W].
+        power: P, power of the slip [W].
         pairs: z, number of friction pairs [1].
-        area: A, of a pair [m^2].
+        area: A, area of a pair [m^2].
 
     Returns:
         q [W/m^2].
@@ -166,8 +166,8 @@ def temperature_rise(energy: Number, mass: Number, specific_heat: Number) -> Num
 
     Args:
         energy: Q, heat of a trip [J].
-        mass: m, of the discs that take it [kg].
-        specific_heat: c, of the discs [J/kg/K].
+        mass: m, mass of the discs that take it [kg].
+        specific_heat: c, specific heat of the discs [J/kg/K].
 
     Returns:
         ΔΘ [K].
@@ -204,7 +204,7 @@ def face_admittance(effusivity: Number, root: Number, through: Number) -> Number
 
     Args:
         effusivity: b, √(k ρ c) [W*s^0.5/m^2/K].
-        root: √p, of the variable of the transform [1/s^0.5].
+        root: √p, root of the variable of the transform [1/s^0.5].
         through: tanh(l √(p/a)), how far the heat comes in 1/p; 1 in a half-space [1].
 
     Returns:
@@ -223,10 +223,10 @@ def heated_depth(mass: Number, density: Number, pairs: Number, area: Number) -> 
     Source: Theory of the drive, section 10: the mass of the discs shared among the pairs.
 
     Args:
-        mass: m, of the discs that take the heat [kg].
+        mass: m, mass of the discs that take the heat [kg].
         density: ρ [kg/m^3].
         pairs: z, number of friction pairs [1].
-        area: A, of a pair [m^2].
+        area: A, area of a pair [m^2].
 
     Returns:
         l [m].
@@ -247,7 +247,7 @@ def fourier_number(conductivity: Number, density: Number, specific_heat: Number,
         density: ρ [kg/m^3].
         specific_heat: c, specific heat [J/kg/K].
         time: t [s].
-        depth: l, to the middle of the disc [m].
+        depth: l, depth to the middle of the disc [m].
 
     Returns:
         Fo [1].
@@ -264,9 +264,9 @@ def trips_without_cooling(temperature_limit: Number, ambient: Number, rise: Numb
     Source: Theory of the drive, section 10.
 
     Args:
-        temperature_limit: Θ_max, of the discs [K].
-        ambient: Θ_0, before the first trip [K].
-        rise: ΔΘ, by a trip [K].
+        temperature_limit: Θ_max, largest temperature the discs may have [K].
+        ambient: Θ_0, temperature before the first trip [K].
+        rise: ΔΘ, rise by a trip [K].
 
     Returns:
         n [1].
@@ -284,8 +284,8 @@ def trips_per_time(cooling: Number, temperature_limit: Number, ambient: Number, 
 
     Args:
         cooling: α A_c, heat given off per kelvin [W/K].
-        temperature_limit: Θ_max, of the discs [K].
-        ambient: Θ_0, of the surroundings [K].
+        temperature_limit: Θ_max, largest temperature the discs may have [K].
+        ambient: Θ_0, temperature of the surroundings [K].
         energy: Q, heat of a trip [J].
 
     Returns:
@@ -304,7 +304,7 @@ def trips_to_wear_out(pairs: Number, area: Number, lining: Number, wear: Number,
 
     Args:
         pairs: z, number of friction pairs [1].
-        area: A, of a pair [m^2].
+        area: A, area of a pair [m^2].
         lining: s_w, thickness that a pair may lose [m].
         wear: w, volume worn per energy [m^3/J].
         energy: Q, heat of a trip [J].
@@ -324,9 +324,9 @@ def setting_loss_per_wear(stiffness: Number, pairs: Number, force: Number) -> Nu
     Source: Theory of the drive, section 10.
 
     Args:
-        stiffness: c, of the spring that follows the pack [N/m].
+        stiffness: c, stiffness of the spring that follows the pack [N/m].
         pairs: z, number of friction pairs [1].
-        force: F, on the pack at rest [N].
+        force: F, force on the pack at rest [N].
 
     Returns:
         ΔF/(F δ) [1/m].
@@ -343,8 +343,8 @@ def time_between_trips(mass: Number, specific_heat: Number, cooling: Number, log
     Source: Theory of the drive, section 10: one body that cools between trips, when every trip is as the last.
 
     Args:
-        mass: m, of the discs that take the heat [kg].
-        specific_heat: c, of the discs [J/kg/K].
+        mass: m, mass of the discs that take the heat [kg].
+        specific_heat: c, specific heat of the discs [J/kg/K].
         cooling: α A_c, heat given off per kelvin [W/K].
         logarithm: λ, −ln(1 − ΔΘ/(Θ_max − Θ_0)), of the share of the limit that a trip leaves [1].
 

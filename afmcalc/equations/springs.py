@@ -67,9 +67,9 @@ def disc_factor_flats(thickness: Number, reduced_thickness: Number, free_height:
     Source: DIN EN 16984; theory of the drive, section 11: the force at ¾ of the cone height stays that of a plain disc.
 
     Args:
-        thickness: t, of the disc without flats [m].
-        reduced_thickness: t', as made [m].
-        free_height: l_0, of the disc [m].
+        thickness: t, thickness of the disc without flats [m].
+        reduced_thickness: t', reduced thickness as made [m].
+        free_height: l_0, free height of the disc [m].
 
     Returns:
         K_4 [1].
@@ -103,9 +103,9 @@ def disc_force(
         factor_load: K_1 [1].
         factor_flats: K_4 [1].
         outer_diameter: D_e [m].
-        thickness: t, with flats t' [m].
+        thickness: t, thickness of the disc; with flats t' [m].
         cone_height: h_0, l_0 − t, with flats l_0 − t' [m].
-        deflection: s, of the disc [m].
+        deflection: s, deflection of the disc [m].
 
     Returns:
         F [N].
@@ -138,9 +138,9 @@ def disc_stiffness(
         factor_load: K_1 [1].
         factor_flats: K_4 [1].
         outer_diameter: D_e [m].
-        thickness: t, with flats t' [m].
+        thickness: t, thickness of the disc; with flats t' [m].
         cone_height: h_0, l_0 − t, with flats l_0 − t' [m].
-        deflection: s, of the disc [m].
+        deflection: s, deflection of the disc [m].
 
     Returns:
         k [N/m].
@@ -175,11 +175,11 @@ def disc_stress(
         factor_load: K_1 [1].
         factor_flats: K_4 [1].
         outer_diameter: D_e [m].
-        thickness: t, with flats t' [m].
+        thickness: t, thickness of the disc; with flats t' [m].
         cone_height: h_0, l_0 − t, with flats l_0 − t' [m].
-        deflection: s, of the disc [m].
-        membrane: K_m, of edge I and II K_2, of III and IV (K_2 − 2 K_3)/δ, of OM 0 [1].
-        bending: K_b, of I K_3, of II −K_3, of III −K_3/δ, of IV K_3/δ, of OM 3/π [1].
+        deflection: s, deflection of the disc [m].
+        membrane: K_m, factor of the membrane: of edge I and II K_2, of III and IV (K_2 − 2 K_3)/δ, of OM 0 [1].
+        bending: K_b, factor of bending: of I K_3, of II −K_3, of III −K_3/δ, of IV K_3/δ, of OM 3/π [1].
 
     Returns:
         σ, tension positive [Pa].
@@ -199,8 +199,8 @@ def stack_length(parallel: Number, series: Number, free_height: Number, thicknes
     Args:
         parallel: n, discs laid into each other [1].
         series: i, such packs against each other [1].
-        free_height: l_0, of a disc [m].
-        thickness: t, with flats t' [m].
+        free_height: l_0, free height of a disc [m].
+        thickness: t, thickness of the disc; with flats t' [m].
 
     Returns:
         L_0 [m].
@@ -219,10 +219,10 @@ def stack_force_with_friction(
     Source: DIN EN 16984; theory of the drive, section 11.
 
     Args:
-        force: n F, of the stack without friction [N].
+        force: n F, force of the stack without friction [N].
         parallel: n, discs laid into each other [1].
-        surface_friction: w_M, of the cones on each other; on the way back −w_M [1].
-        edge_friction: w_R, of the edges; on the way back −w_R [1].
+        surface_friction: w_M, friction of the cones on each other; on the way back −w_M [1].
+        edge_friction: w_R, friction of the edges; on the way back −w_R [1].
 
     Returns:
         F_R [N].
@@ -242,7 +242,7 @@ def ring_mass(density: Number, outer_diameter: Number, inner_diameter: Number, t
         density: ρ [kg/m^3].
         outer_diameter: D_e [m].
         inner_diameter: D_i [m].
-        thickness: t, with flats t' [m].
+        thickness: t, thickness of the disc; with flats t' [m].
         pi: π, a symbol under SymPy [1].
 
     Returns:

@@ -147,7 +147,7 @@ def ball_pitch(ball_circle_radius: Number, sin_half_pitch: Number) -> Number:
 
     Args:
         ball_circle_radius: r, radius of the ball circle [m].
-        sin_half_pitch: sin(π/n), n balls [1].
+        sin_half_pitch: sin(π/n), sine of half the pitch angle of n balls [1].
 
     Returns:
         t_ш [m].
@@ -182,7 +182,7 @@ def contact_force(torque: Number, balls: Number, ball_circle_radius: Number, cos
     Source: S21, contact force after (24), mended (M10).
 
     Args:
-        torque: T, that passes the balls [N*m].
+        torque: T, torque that passes the balls [N*m].
         balls: n, number of balls [1].
         ball_circle_radius: r, radius of the ball circle [m].
         cos_wall_angle: cos α [1].
@@ -238,10 +238,10 @@ def hertz_contact_modulus(
     Source: Johnson, Contact Mechanics (1985), (4.2a).
 
     Args:
-        ball_modulus: E_1, of the ball [Pa].
-        ball_poisson: ν_1, of the ball [1].
-        wall_modulus: E_2, of the pocket wall [Pa].
-        wall_poisson: ν_2, of the pocket wall [1].
+        ball_modulus: E_1, elastic modulus of the ball [Pa].
+        ball_poisson: ν_1, Poisson's ratio of the ball [1].
+        wall_modulus: E_2, elastic modulus of the pocket wall [Pa].
+        wall_poisson: ν_2, Poisson's ratio of the pocket wall [1].
 
     Returns:
         E_c [Pa].

@@ -34,8 +34,8 @@ def path_tangent(tan_wall_angle: Number, path_steepening: Number, path_depth: Nu
     Source: Theory, section 12.
 
     Args:
-        tan_wall_angle: tan α_0, at the stop [1].
-        path_steepening: Y'', of the path of the ball's centre [1/m].
+        tan_wall_angle: tan α_0, tangent of the wall angle at the stop [1].
+        path_steepening: Y'', second derivative of the path of the ball's centre [1/m].
         path_depth: ξ, along the axis from the place at the stop [m].
 
     Returns:
@@ -53,8 +53,8 @@ def path(tan_wall_angle: Number, path_steepening: Number, path_depth: Number) ->
     Source: Theory, section 12: r dφ = tan α dx.
 
     Args:
-        tan_wall_angle: tan α_0, at the stop [1].
-        path_steepening: Y'', of the path of the ball's centre [1/m].
+        tan_wall_angle: tan α_0, tangent of the wall angle at the stop [1].
+        path_steepening: Y'', second derivative of the path of the ball's centre [1/m].
         path_depth: ξ, along the axis from the place at the stop [m].
 
     Returns:
@@ -91,7 +91,7 @@ def wall_around(path: Number, ball_radius: Number, cos_wall_angle: Number) -> Nu
     Source: Theory, section 12: the wall is r_ш off the path of the ball's centre.
 
     Args:
-        path: Y, of the path, around the ball circle [m].
+        path: Y, place on the path, around the ball circle [m].
         ball_radius: r_ш, ball radius [m].
         cos_wall_angle: cos α, where the ball is [1].
 
@@ -130,7 +130,7 @@ def path_radius(path_steepening: Number, cos_wall_angle: Number) -> Number:
     Source: Theory, section 12: (1 + tan²α)^{3/2}/Y''.
 
     Args:
-        path_steepening: Y'', of the path of the ball's centre [1/m].
+        path_steepening: Y'', second derivative of the path of the ball's centre [1/m].
         cos_wall_angle: cos α, where the ball is [1].
 
     Returns:
@@ -150,9 +150,9 @@ def seat_force(
     Source: Theory, section 12, with the balance of the ball: pushed at the angle α, borne by the seat's walls at α_0.
 
     Args:
-        contact_force: F_n, of the curved wall on the ball [N].
+        contact_force: F_n, force of the curved wall on the ball [N].
         sin_sum_of_angles: sin(α + α_0) [1].
-        sin_wall_angle: sin α_0, of the walls of the seat [1].
+        sin_wall_angle: sin α_0, sine of the angle of the seat's walls [1].
         cos_wall_angle: cos α_0 [1].
 
     Returns:

@@ -172,6 +172,7 @@ def test_completion_in_bash(home):
 
 
 @needs("fish")
+@pytest.mark.exhaustive
 def test_completion_in_fish(home):
     script = "\n".join(f"echo (complete -C '{typed}' | string replace -r '\\t.*' '')" for typed in FEW)
     run = subprocess.run(
@@ -182,6 +183,7 @@ def test_completion_in_fish(home):
 
 
 @needs("zsh")
+@pytest.mark.exhaustive
 def test_completion_in_zsh(home):
     """An interactive one, since completion is part of its line editor; each line is typed, completed and shown."""
     child, person = pty.fork()

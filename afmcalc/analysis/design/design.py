@@ -158,7 +158,7 @@ def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResu
 def _sprung(need: Requirements, front: list[DesignRow], progress: Progress) -> Iterator[DesignRow]:
     for number, row in enumerate(front, 1):
         yield with_parts(need, row)
-        progress("choosing springs", number, len(front))
+        progress(say("choosing springs"), number, len(front))
 
 
 def _findings(result: DesignResult) -> list[Finding]:

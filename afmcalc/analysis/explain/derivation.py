@@ -163,6 +163,8 @@ def _meanings(calls: list[Call], told: _Told) -> Iterable[Meaning]:
     """Say what the symbols of a formula stand for, each meaning once in a report."""
     for call in calls:
         for name in call.arguments:
+            if call.equation.arguments[name].symbol == "π":
+                continue
             meaning = _meaning(call, name, told)
             # what a spec gives is one thing, whatever words a formula has for it
             given = meaning.number is None and meaning.symbol in _keys()

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Floats
+from ...messages import say
 from ...watch import Progress, unwatched
 from .direct import DirectPack
 from .lanes import DirectLanes, SleeveLanes
@@ -70,7 +71,7 @@ def march(
 
     def behind(number: int) -> None:
         if number % _TOLD == 0:
-            progress("stepping the drives", len(parts) * steps + number, count)
+            progress(say("stepping the drives"), len(parts) * steps + number, count)
 
     for start in range(0, step.size, _LANES):
         lanes = slice(start, start + _LANES)

@@ -140,7 +140,7 @@ def _with_extremes(function: Function, wanted: float, at: Floats, value: Floats)
     bracketed[[0, -1]] = False
     found = []
     for i in np.flatnonzero(bracketed):
-        level = max(gap[i - 1], gap[i + 1]) - gap[i] <= _ROUNDING * (abs(value[i]) + abs(wanted))
+        level = max(gap[i - 1], gap[i + 1]) - gap[i] <= SAME * (abs(value[i]) + abs(wanted))
         if not level and side[i - 1] == side[i] == side[i + 1]:
             found.append(_extreme(function, side[i], at[i - 1], at[i + 1]))
     if not found:

@@ -54,7 +54,7 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
     grid, shift = Grid.of(torques), float(np.median(torques))
     slips = None if model.spec.fatigue is None else service_of(model)
 
-    behind = Count(plan.progress, "sampling", sum(each))
+    behind = Count(plan.progress, say("sampling"), sum(each))
 
     def replicate(number: int) -> Tally:
         stream = Stream(model.inputs, plan.seed, number, quasi=plan.quasi, model=model)

@@ -15,7 +15,9 @@ from afmcalc.analysis.simulate.simulate import simulate
 from afmcalc.analysis.sweep.axes import parse_axis
 from afmcalc.analysis.tolerance.peaks import SAMPLES
 from afmcalc.analysis.tolerance.study import tolerance
+from afmcalc.engines.characteristic import DiscCharacteristic
 from afmcalc.equations import drive as law
+from afmcalc.spec.springs import DiscStack
 
 FATIGUE = {"endurance_limit": 4e8, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7}
 INDIRECT = {
@@ -25,6 +27,13 @@ INDIRECT = {
     "control_unit": {"gain": 1.0, "hub_diameter": 0.05, "key_friction": 0.15},
     "drive": {"hub_inertia": 0.02},
 }
+DISC = {
+    "outer_diameter": 0.04, "inner_diameter": 0.0204, "thickness": 1.5e-3, "free_height": 2.65e-3, "parallel": 2,
+    "series": 20,
+}  # fmt: skip
+"""Discs B 40 of DIN EN 16983."""
+_STACK = DiscCharacteristic(DiscStack.model_validate(DISC))
+SPRUNG = merged(INDIRECT, {"closing_spring": {"stiffness": _STACK.stiffness(_STACK.deflection(2500)), "disc": DISC}})
 
 
 def codes(own, **options):
@@ -108,7 +117,9 @@ def test_indirect_clutch():
     assert result.peak_torque_conventional.max > outcome_of(light(), 0.8).ordinary_peak
 
 
-@pytest.mark.parametrize("changes", [*VARIANTS.values(), INDIRECT], ids=[*VARIANTS, "indirect"])
+@pytest.mark.parametrize(
+    "changes", [*VARIANTS.values(), INDIRECT, SPRUNG], ids=[*VARIANTS, "indirect", "indirect with disc springs"]
+)
 def test_sweep_is_what_single_runs_give(changes):
     own = light(**changes)
     axis = parse_axis("drive.shaft_stiffness=5000,8000,12000", own.spec)
@@ -135,6 +146,15 @@ def test_peaks_over_tolerances():
     peaks = [outcome_of(own, float(friction)).trip.peak for friction in frictions]
     share = 1 - (np.interp(600.0, peaks, frictions) - 0.1) / 0.7
     assert result.probability_peak_above == pytest.approx(share, abs=0.03)
+
+
+def test_peaks_of_a_clutch_with_disc_springs_over_tolerances():
+    """Of hardly any scatter: the event's own peak."""
+    own = light(
+        **SPRUNG, tolerance={"fields": {"drive.shaft_stiffness": {"distribution": "normal", "spread": "0.01 %"}}}
+    )
+    result, _ = tolerance(own)
+    assert result.peak_torque_mean == pytest.approx(outcome_of(own, own.spec.friction.range.mean).trip.peak, rel=2e-3)
 
 
 def test_drive_keys_scatter():

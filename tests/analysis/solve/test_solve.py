@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 from conftest import CONFIGS, S21
 from hypothesis import assume, given
@@ -9,6 +10,8 @@ from hypothesis import strategies as st
 from solve_scan import run
 from strategies import direct_specs, indirect_specs
 
+from afmcalc.analysis.solve.domain import Domain
+from afmcalc.analysis.solve.search import explore
 from afmcalc.analysis.solve.solve import NAMES, NotAttainableError, solve
 from afmcalc.analysis.solve.targets import TARGETS
 from afmcalc.engines import build
@@ -204,3 +207,17 @@ def test_beyond_the_limit_on_request():
 def test_errors_from_python():
     with pytest.raises(AfmcalcError, match="cannot be solved for"):
         solve(build(read_spec()), "q", "accuracy_factor", 2.0)
+
+
+def test_rounding_makes_no_extremes():
+    """A plateau that is level to the eleventh digit, of a balance solved by iteration: the one extreme is looked for."""
+    calls = []
+
+    def noisy(at):
+        calls.append(at)
+        return 2 + np.exp(-((np.log(at) - 1) ** 2)) + 1e-11 * np.sin(1e5 * np.log(at))
+
+    curve = explore(noisy, 4.0, Domain(1e-12, low_taken=True, high=math.inf, why=""))
+    assert max(curve.value) == pytest.approx(3)
+    assert curve.at[np.argmax(curve.value)] == pytest.approx(math.e, rel=1e-4)
+    assert len(calls) < 30

@@ -91,7 +91,16 @@ def difference(first, second):
 
 
 AGAIN = {"torque-several", "accuracy-several", "accuracy-pairs", "life-several", "pareto-two"}
-AGAIN |= {"paper-S21-4", "paper-S22-1", "paper-S22-3", "paper-S22-4"}
+AGAIN |= {
+    "overload-differentiated",
+    "pareto-panels",
+    "paper-F11-2",
+    "paper-S19-2",
+    "paper-S21-4",
+    "paper-S22-1",
+    "paper-S22-3",
+    "paper-S22-4",
+}
 """Drawn by the same code as another one here."""
 
 

@@ -7,11 +7,14 @@ import subprocess
 import chromium
 import pytest
 
-SHOWN = ["default", "indirect", "tolerance"]
+SHOWN = ["indirect", "tolerance"]
 """Specs whose pages have a section, a formula, a drawing of every kind between them."""
 VARIANTS = [
     *SHOWN,
-    *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("conventional", "unlike-materials", "all-driving")),
+    *(
+        pytest.param(name, marks=pytest.mark.exhaustive)
+        for name in ("default", "conventional", "unlike-materials", "all-driving")
+    ),
 ]
 MOST_PAGES = {"default": 12}
 
