@@ -113,8 +113,8 @@ def _of_synthesis(answers: Answers) -> Iterator[_Held]:
     if (sleeve := value_at(answers.clutch.spec, "control_unit.sleeve_depth")) is not None:
         depth = found.pocket_depth_cut
         yield _Held("depth-beyond-sleeve", term("pocket within the sleeve"), "h_c ≤ B", "m", depth, sleeve)
-    if found.contact_force is not None and found.contact_force_allowable is not None:
-        force, allowable = found.contact_force, found.contact_force_allowable
+    if found.contact_force_judged is not None and found.contact_force_allowable is not None:
+        force, allowable = found.contact_force_judged, found.contact_force_allowable
         yield _Held("contact-force-exceeded", term("contact force on one ball"), "F_n ≤ [F_n]", "N", force, allowable)
     if found.seat_force is not None and found.seat_utilisation:
         force, allowable = found.seat_force, found.seat_force / found.seat_utilisation
