@@ -79,6 +79,8 @@ FINDINGS: Mapping[str, str] = {
     "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
     "band at equal mean costs nothing (M23); --model amplitude or goodman weighs it",
     # simulate
+    "bypass-peak": "above the gain limit the bypass pairs alone may hold before the balls take over: the peak in the "
+    "shaft is then up to {value:.4g N·m}, not {limit:.4g N·m}; requirements.peak_torque is judged by it",
     "inertia-torque": "the driven half alone twists the shaft of a locked tool with ω_0 √(k J_2) = {value:.4g N·m}: "
     "beyond the sliding torque ({limit:.4g N·m} at f_max) no clutch removes it, only a softer shaft or less inertia",
     "slips-before-event": "at {at} the clutch carries {value:.5g N·m}, less than the load of {limit:.5g N·m} before "
