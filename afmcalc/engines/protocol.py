@@ -13,6 +13,7 @@ from .characteristic import DiscCharacteristic, curved
 from .direct_law import DirectLaw
 from .laws import IndirectLaw
 from .parts import part_findings
+from .wish import Wish, wishes
 
 
 class Point(NamedTuple):
@@ -64,7 +65,9 @@ class Clutch(ABC):
     def following(self) -> tuple[Values | None, DiscCharacteristic | None]:
         """The spring that follows the pack as it wears: its stiffness if given, its part where it is a curved one."""
         springs = curved(self.spec)
-        return self.spec.closing_spring.stiffness, None if springs is None else springs.closing
+        own = self.spec.closing_spring
+        stiffness = own.coil.rate if own.stiffness is None and own.coil is not None else own.stiffness
+        return stiffness, None if springs is None else springs.closing
 
     @property
     def following_stiffness(self) -> Values | None:
@@ -268,13 +271,15 @@ class Clutch(ABC):
         found, nominal = self._law_findings(), float(self.nominal_torque)
         return [*found, *setting.findings(self.spec, nominal, float(self.torque_min)), *self._part_findings()]
 
-    def _part_findings(self) -> list[Finding]:
-        if not any(spring and spring.part for spring in (self.spec.closing_spring, self.spec.control_spring)):
-            return []
+    def wishes(self) -> list[Wish]:
+        """What each spring is to give, and what happens to it."""
         control, travel = self.control_force, self.travel(self.friction[0].max)
-        return part_findings(
+        return wishes(
             self.spec, float(self.closing_force), None if control is None else float(control), float(travel or 0.0)
         )
+
+    def _part_findings(self) -> list[Finding]:
+        return part_findings(self.spec, self.wishes()) if self.spec.spring_parts else []
 
     @abstractmethod
     def _law_findings(self) -> list[Finding]:
