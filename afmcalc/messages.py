@@ -96,6 +96,11 @@ FINDINGS: Mapping[str, str] = {
     "release-lag": "at f_max the drive trips at {value:.5g N·m}: {share:.0%} of the way from T_муф = {limit:.5g N·m}, "
     "where the release force follows at once, to T_п = {held:.5g N·m}, where it does not follow (S22)",
     "slip-outlasts-duration": "at {at} the slip has not ended within the {value:.4g s} that are simulated",
+    "event-not-settled": "at {at} the drive has neither come to rest nor to a steady run within the {value:.4g} s that "
+    "are simulated: it may slip again, and the peak may yet rise (a motor that stalls swings the shaft up until it is "
+    "switched off, drive.cut_off)",
+    "sweep-not-settled": "{value} of the swept drives have neither come to rest nor to a steady run as their "
+    "simulation ends: their peaks may yet rise",
     "dynamic-factor-exceeded": "the event loads the shaft with {value:.4g} times the sliding torque; the life of the "
     "unprotected side assumes {limit:g} (simulate --output writes the factor into a spec)",
     "judder": "slow slip is not steady: friction that falls with speed takes {value:.3g N·m·s} from the damping of "
@@ -131,6 +136,11 @@ FINDINGS: Mapping[str, str] = {
     "{name} allows",
     "temperature-in-range": "the discs reach {celsius:.4g} °C after one trip: within the printed range of what "
     "{name} allows, {low:g}…{high:g} °C",
+    "discs-melt": "steel discs or their faces would reach {celsius:.4g} °C in one trip: iron melts at {melts:.0f} °C "
+    "(CRC Handbook), steel below it; more mass, less heat or an earlier cut-off is needed",
+    "temperature-beyond-catalogue": "the discs reach {celsius:.4g} °C after one trip: no material of the catalogue "
+    "allows more than {allowed:g} °C ({name})",
+    "lining-thick": "no heat.lining: the lining is taken as endlessly thick, a lower bound of the surface temperature",
     "discs-take-all": "no lining_conductivity, lining_density and lining_specific_heat: the discs take all the heat of "
     "the faces, an upper bound of their surface temperature",
     "discs-thick": "no disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature",

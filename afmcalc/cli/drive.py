@@ -40,6 +40,10 @@ def simulate(
     --output FILE writes the spec with the dynamic factor found, for life; the result goes to standard output all the
     same. With --friction the history is that of these frictions alone. Needs SciPy: pip install 'afmcalc[drive]'.
 
+    An event is followed until nothing more can come, or for drive.event.duration. The time to a cut-off runs from the
+    first slip on, also while the clutch is stuck again. A load resists as friction does and holds a stopped tool; that
+    of a hoist would turn it back. The sleeve of an indirect clutch meets its stop elastically.
+
     \b
     afmcalc simulate drive.toml
     afmcalc simulate drive.toml --friction 0.2 --history event.csv

@@ -122,14 +122,31 @@ def specific_work(energy: Number, pairs: Number, area: Number) -> Number:
     return energy / (pairs * area)
 
 
-def power_density(torque: Number, speed: Number, pairs: Number, area: Number) -> Number:
-    """Power per area of a pair, T ω/(z A).
+def slip_power(torque: Number, speed: Number) -> Number:
+    """Power of a slip, T ω.
 
     Source: Theory of the drive, section 10.
 
     Args:
         torque: T, slip torque [N*m].
         speed: ω, speed of slip [rad/s].
+
+    Returns:
+        P [W].
+
+    Validity:
+        None.
+    """
+    return torque * speed
+
+
+def power_density(power: Number, pairs: Number, area: Number) -> Number:
+    """Power per area of a pair, P/(z A).
+
+    Source: Theory of the drive, section 10.
+
+    Args:
+        power: P, power of the slip [W].
         pairs: z, number of friction pairs [1].
         area: A, area of a pair [m^2].
 
@@ -139,7 +156,7 @@ def power_density(torque: Number, speed: Number, pairs: Number, area: Number) ->
     Validity:
         All pairs alike.
     """
-    return torque * speed / (pairs * area)
+    return power / (pairs * area)
 
 
 def temperature_rise(energy: Number, mass: Number, specific_heat: Number) -> Number:
@@ -180,112 +197,24 @@ def effusivity(conductivity: Number, density: Number, specific_heat: Number) -> 
     return (conductivity * density * specific_heat) ** 0.5
 
 
-def share_of_flux(own: Number, other: Number) -> Number:
-    """Share of the heat that one of two bodies takes, b/(b + b_l).
+def face_admittance(effusivity: Number, root: Number, through: Number) -> Number:
+    """Flux into a face per rise of it, both as Laplace transforms: b √p tanh(l √(p/a)).
 
-    Source: Theory of the drive, section 10.
-
-    Args:
-        own: b, effusivity of the body [W*s^0.5/m^2/K].
-        other: b_l, effusivity of the other [W*s^0.5/m^2/K].
-
-    Returns:
-        β [1].
-
-    Validity:
-        Half-spaces whose surfaces are equally hot.
-    """
-    return own / (own + other)
-
-
-def surface_rise(flux: Number, fall: Number, time: Number, effusivity: Number, pi: Number) -> Number:
-    """Rise of a surface under a flux that falls evenly, 2 (q_0 − ⅔ s t) √(t/π)/b.
-
-    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 2.9 (7), by Duhamel; theory of the drive, section 10.
+    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 2.9 and 3.8, transformed; theory of the drive, 10.
 
     Args:
-        flux: q_0, into the surface as the slip begins [W/m^2].
-        fall: s, how fast the flux falls; 0 for a constant one [W/m^2/s].
-        time: t, since the slip began [s].
         effusivity: b, √(k ρ c) [W*s^0.5/m^2/K].
-        pi: π, a symbol under SymPy [1].
+        root: √p, root of the variable of the transform [1/s^0.5].
+        through: tanh(l √(p/a)), how far the heat comes in 1/p; 1 in a half-space [1].
 
     Returns:
-        ΔΘ_s [K].
+        Y [W/m^2/K].
 
     Validity:
-        A half-space: the heat has not reached the middle of the disc, k t/(ρ c l²) < 0.05.
+        A layer of the depth l behind which no heat leaves, evenly warm at first; bodies whose faces are equally hot
+        share the flux, and their admittances add up.
     """
-    return 2 * (flux - 2 * fall * time / 3) * (time / pi) ** 0.5 / effusivity
-
-
-def surface_rise_thin(
-    flux: Number,
-    fall: Number,
-    time: Number,
-    conductivity: Number,
-    density: Number,
-    specific_heat: Number,
-    depth: Number,
-) -> Number:
-    """Rise of a face whose heat has come through, (q_0 − s t/2) t/(ρ c l) + (q_0 − s t) l/(3 k) + s ρ c l³/(45 k²).
-
-    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 3.8 (3), by Duhamel; theory of the drive, section 10.
-
-    Args:
-        flux: q_0, into the face as the slip begins [W/m^2].
-        fall: s, how fast the flux falls; 0 for a constant one [W/m^2/s].
-        time: t, since the slip began [s].
-        conductivity: k, thermal conductivity [W/m/K].
-        density: ρ [kg/m^3].
-        specific_heat: c, specific heat [J/kg/K].
-        depth: l, depth to the middle of the disc [m].
-
-    Returns:
-        ΔΘ_s [K].
-
-    Validity:
-        k t/(ρ c l²) > 1; before that less the terms of ``surface_rise_term``.
-    """
-    mean = (flux - fall * time / 2) * time / (density * specific_heat * depth)
-    across = (flux - fall * time) * depth / (3 * conductivity)
-    return mean + across + fall * density * specific_heat * depth**3 / (45 * conductivity**2)
-
-
-def surface_rise_term(
-    flux: Number,
-    fall: Number,
-    order: Number,
-    exponential: Number,
-    conductivity: Number,
-    density: Number,
-    specific_heat: Number,
-    depth: Number,
-    pi: Number,
-) -> Number:
-    """What a wave of the disc's temperature still lacks at the face, 2 l e_n/(π² k n²) [q_0 + s ρ c l²/(π² k n²)].
-
-    Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 3.8 (3), by Duhamel; theory of the drive, section 10.
-
-    Args:
-        flux: q_0, into the face as the slip begins [W/m^2].
-        fall: s, how fast the flux falls; 0 for a constant one [W/m^2/s].
-        order: n, number of half waves, 1, 2, … [1].
-        exponential: e_n, exp(−n² π² k t/(ρ c l²)) [1].
-        conductivity: k, thermal conductivity [W/m/K].
-        density: ρ [kg/m^3].
-        specific_heat: c, specific heat [J/kg/K].
-        depth: l, depth to the middle of the disc [m].
-        pi: π, a symbol under SymPy [1].
-
-    Returns:
-        ΔΘ_n [K].
-
-    Validity:
-        None.
-    """
-    wave = pi * pi * conductivity * order * order
-    return 2 * depth * exponential * (flux + fall * density * specific_heat * depth**2 / wave) / wave
+    return effusivity * root * through
 
 
 def heated_depth(mass: Number, density: Number, pairs: Number, area: Number) -> Number:

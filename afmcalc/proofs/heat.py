@@ -3,23 +3,21 @@
 import sympy as sp
 
 from ..equations import direct, effects, geometry, heat
-from . import Identity, Refutation, Steps
+from . import Identity, Steps
 from .symbols import F, N, R, T_n, f, n, r, t, z
 
 __all__ = [
     "cams_that_slide",
     "centrifugal_force_of_the_balls",
     "discs_in_their_splines",
-    "heat_shared_by_two_bodies",
-    "rise_of_a_heated_surface",
-    "rise_of_a_thin_disc",
+    "rise_of_a_heated_face",
     "slip_until_the_motor_stands",
     "temperature_of_the_discs",
     "wear_of_a_lining",
 ]
 
 J, M, w0, tau = sp.symbols("J_1 M_1 omega_0 tau", positive=True)
-q0, s, b, other, k, rho, c, m, A, area = sp.symbols("q_0 s b b_l k rho c m A a", positive=True)
+b, k, rho, c, m, A = sp.symbols("b k rho c m A", positive=True)
 mu, fn, rs = sp.symbols("mu f_next r_s", positive=True)
 SPEED = sp.Function("omega")
 
@@ -48,7 +46,7 @@ def temperature_of_the_discs() -> Steps:
     yield Identity("F = p A", geometry.mean_pressure(F, inner, inner + width, sp.pi) * face - F)
     energy, rise = sp.symbols("Q Delta", positive=True)
     yield Identity("z A q_A = Q", z * A * heat.specific_work(energy, z, A) - energy)
-    yield Identity("z A q = T ω", z * A * heat.power_density(T_n, w0, z, A) - T_n * w0)
+    yield Identity("z A q = T ω", z * A * heat.power_density(heat.slip_power(T_n, w0), z, A) - T_n * w0)
     yield Identity("m c ΔΘ = Q", m * c * heat.temperature_rise(energy, m, c) - energy)
     limit, ambient = sp.symbols("Theta_m Theta_0", positive=True)
     trips = heat.trips_without_cooling(limit, ambient, rise)
@@ -66,61 +64,24 @@ def temperature_of_the_discs() -> Steps:
     yield Identity("Fo = a t/l²", heat.fourier_number(k, rho, c, t, depth) - diffusivity * t / depth**2)
 
 
-def rise_of_a_heated_surface() -> Steps:
-    """Duhamel's integral of the half-space's answer to a unit of heat, 1/(b √(π t)), over an evenly falling flux."""
-    root = sp.Symbol("u", positive=True)
-    flux = q0 - s * (t - root**2)
-    # τ = t − u² takes the root out of ∫ q(τ)/(b √(π (t − τ))) dτ
-    duhamel = sp.integrate(2 * flux / (b * sp.sqrt(sp.pi)), (root, 0, sp.sqrt(t)))
-    rise = sp.nsimplify(heat.surface_rise(q0, s, t, b, sp.pi))
-    yield Identity("Duhamel", rise - duhamel)
-    yield Identity("Carslaw & Jaeger 2.9 (7)", rise.subs(s, 0) - 2 * q0 * sp.sqrt(t / sp.pi) / b)
-    stop = q0 / s
-    hottest = stop / 2
-    yield Identity("hottest half the time of slip", sp.diff(rise, t).subs(t, hottest))
-    most = sp.Rational(4, 3) / sp.sqrt(2 * sp.pi) * q0 * sp.sqrt(stop) / b
-    yield Identity("4/(3 √(2π)) = 0.5319", rise.subs(t, hottest) - most)
-    yield Refutation("the end is not the hottest", rise.subs(t, stop) - most)
+def rise_of_a_heated_face() -> Steps:
+    """A layer heated on its face, under the Laplace transform: the equation of heat, nothing through its far side."""
+    depth, place = sp.symbols("l x", positive=True)
+    root, moment, far = sp.symbols("q t s", positive=True)
     spread = sp.nsimplify(heat.effusivity(k, rho, c))
     yield Identity("b² = k ρ c", spread**2 - k * rho * c)
-
-
-def rise_of_a_thin_disc() -> Steps:
-    """A disc heated on both faces: the equation of heat, the flux at the face, none in the middle, cold at first."""
-    depth, place = sp.symbols("l x", positive=True)
-    order = sp.Symbol("n", positive=True, integer=True)
-    spread = k / (rho * c)
-
-    def thin(time: sp.Expr) -> sp.Expr:
-        return heat.surface_rise_thin(q0, s, time, k, rho, c, depth)
-
-    # even polynomials in x whose means vanish
-    across = place**2 / (2 * depth**2) - sp.Rational(1, 6)
-    bent = place**4 / (24 * depth**2) - place**2 / 12 + 7 * depth**2 / 360
-    inside = (
-        (q0 - s * t / 2) * t / (rho * c * depth) + (q0 - s * t) * depth / k * across - s * depth / (k * spread) * bent
-    )
-    yield Identity("equation of heat", sp.diff(inside, t) - spread * sp.diff(inside, place, 2))
-    yield Identity("flux at the face", k * sp.diff(inside, place).subs(place, depth) - (q0 - s * t))
-    yield Identity("none in the middle", sp.diff(inside, place).subs(place, 0))
-    yield Identity("C&J 3.8 (3) at the face, long after", thin(t) - inside.subs(place, depth))
-    wave = sp.cos(order * sp.pi * place / depth)
-    decay = sp.exp(-((order * sp.pi) ** 2) * spread * t / depth**2)
-    yield Identity("waves: equation of heat", sp.diff(wave * decay, t) - spread * sp.diff(wave * decay, place, 2))
-    share = 2 * sp.integrate(inside.subs(t, 0) * wave, (place, 0, depth)) / depth
-    term = heat.surface_rise_term(q0, s, order, decay, k, rho, c, depth, sp.pi)
-    yield Identity("cold at first, each wave", sp.simplify(share * wave.subs(place, depth)) * decay - term)
-    yield Identity("cold at first, the mean", sp.integrate(inside.subs(t, 0), (place, 0, depth)))
-
-
-def heat_shared_by_two_bodies() -> Steps:
-    """Two half-spaces equally hot at the surface take the heat by their effusivities."""
-    own, rest = heat.share_of_flux(b, other), heat.share_of_flux(other, b)
-    yield Identity("all of it", own + rest - 1)
-    first, second = (
-        heat.surface_rise(q0 * share, s * share, t, body, sp.pi) for share, body in ((own, b), (rest, other))
-    )
-    yield Identity("equally hot", first - second)
+    # q = √p; the rise at the face is 1
+    bent = root * sp.sqrt(rho * c / k)
+    inside = sp.cosh(bent * place) / sp.cosh(bent * depth)
+    yield Identity("equation of heat, p ρ c Θ = k Θ''", k * sp.diff(inside, place, 2) - root**2 * rho * c * inside)
+    yield Identity("none through the far side", sp.diff(inside, place).subs(place, 0))
+    through = sp.sinh(bent * depth) / sp.cosh(bent * depth)
+    into = k * sp.diff(inside, place).subs(place, depth)
+    yield Identity("Y = flux/rise at the face", sp.simplify(heat.face_admittance(spread, root, through) - into))
+    yield Identity("Fo(1/p) of its depth", heat.fourier_number(k, rho, c, 1 / root**2, depth) - 1 / (bent * depth) ** 2)
+    # endlessly deep: the transform of 2 √(t/π)/b is 1/(p b √p)
+    rise = sp.integrate(2 * sp.sqrt(moment / sp.pi) / b * sp.exp(-far * moment), (moment, 0, sp.oo))
+    yield Identity("Carslaw & Jaeger 2.9 (7)", rise - 1 / (far * heat.face_admittance(b, sp.sqrt(far), sp.Integer(1))))
 
 
 def wear_of_a_lining() -> Steps:

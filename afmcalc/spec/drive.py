@@ -39,9 +39,13 @@ class Event(Block):
         description="stop: the tool is stopped in stop_time; load: its load rises to torque within rise_time"
     )
     stop_time: TimeOrNone | None = key_field("time in which the tool is stopped; 0 is a sudden lock", "t_b")
-    torque: Torque | None = key_field("load to which that of the tool rises", "M_L")
+    torque: Torque | None = key_field(
+        "load to which that of the tool rises; it resists as friction does: it holds a stopped tool, and does not turn "
+        "it back as that of a hoist would",
+        "M_L",
+    )
     rise_time: TimeOrNone | None = key_field("time in which the load rises", "t_r")
-    duration: Time | None = key_field("time that is simulated at most; default until the slip has ended", "t_max")
+    duration: Time | None = key_field("time that is simulated; default until nothing more can come", "t_max")
 
 
 class Drive(Block):
@@ -60,7 +64,10 @@ class Drive(Block):
     load_torque: TorqueOrNone | None = key_field("load before the event; default T_н.маш", "T_0")
     motor_torque: TorqueOrNone | None = key_field("torque of the motor, constant; default load_torque", "M_1")
     motor: Motor | None = None
-    cut_off: Time | None = key_field("slip until the motor is switched off; default never", "t_off")
+    cut_off: Time | None = key_field(
+        "time from the first slip until the motor is switched off, the clutch slipping or stuck again; default never",
+        "t_off",
+    )
     event: Event | None = None
 
 

@@ -15,14 +15,12 @@ from ...spec.heat import Heat
 from .limit import FREEZING, Limit, limit_of
 from .remarks import remarks
 from .result import HeatResult
-from .trip import ENDS, HeatedSlip, HeatedSlips, trips
+from .trip import ENDS, HeatedSlip, trips
 
 if TYPE_CHECKING:
     from ..answers import Answers
     from .surface import Body
 
-THROUGH = 0.3
-"""Fourier number from which the heat has reached the middle of the disc; faces no longer share it as half-spaces do."""
 HOUR = 3600.0
 
 
@@ -59,10 +57,10 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
         slip_time=OpenTriple(**{end: found[end].time for end in ENDS}),
         energy=OpenTriple(**{end: found[end].energy for end in ENDS}),
         specific_work=work,
-        power_density=_power(clutch, slips, area),
+        power_density=_power(clutch, found, area),
         temperature_rise=rises,
         temperature=_temperatures(own, rises),
-        surface_temperature_rise=_surface(clutch, own, slips, area),
+        surface_temperature_rise=_surface(clutch, own, found, area),
         temperature_limit=limit.low if limit and own.ambient is not None else None,
         **_trips(own, found, limit, rises),
         trips_to_wear_out=_worn_out(clutch, own, found, area),
@@ -93,15 +91,10 @@ def _area(clutch: Clutch) -> float | None:
     return area
 
 
-def _power(clutch: Clutch, slips: HeatedSlips, area: float | None) -> Triple | None:
+def _power(clutch: Clutch, found: Mapping[str, HeatedSlip], area: float | None) -> Triple | None:
     if area is None:
         return None
-    return Triple(**{end: _flux(clutch, slips, trip, area) for end, trip in slips.at.items()})
-
-
-def _flux(clutch: Clutch, slips: HeatedSlips, trip: HeatedSlip, area: float) -> Values:
-    flux: Values = law.power_density(trip.torque, slips.speed, _pairs(clutch), area)
-    return flux
+    return Triple(**{end: law.power_density(found[end].course.largest, _pairs(clutch), area) for end in ENDS})
 
 
 def _rises(own: Heat, found: Mapping[str, HeatedSlip]) -> OpenTriple | None:
@@ -117,43 +110,29 @@ def _temperatures(own: Heat, rises: OpenTriple | None) -> OpenTriple | None:
     return OpenTriple(**{end: None if rise is None else own.ambient + rise for end, rise in after.items()})
 
 
-def _body(clutch: Clutch, own: Heat, area: float | None) -> "Body | None":
-    """What the faces heat; None where that is not known."""
+def _bodies(clutch: Clutch, own: Heat, area: float | None) -> "list[Body]":
+    """What the faces heat: disc, or disc and lining; nothing where the disc is not known."""
     if own.conductivity is None or own.density is None or own.specific_heat is None or area is None:
-        return None
+        return []
     from .surface import Body
 
     mass = own.disc_mass
     depth = None if mass is None else float(law.heated_depth(mass, own.density, _pairs(clutch), area))
-    return Body(own.conductivity, own.density, own.specific_heat, depth)
+    bodies = [Body(own.conductivity, own.density, own.specific_heat, depth)]
+    if own.lining_conductivity is not None and own.lining_density is not None and own.lining_specific_heat is not None:
+        bodies.append(Body(own.lining_conductivity, own.lining_density, own.lining_specific_heat, own.lining))
+    return bodies
 
 
-def _surface(clutch: Clutch, own: Heat, slips: HeatedSlips, area: float | None) -> OpenTriple | None:
-    """Largest rise of the faces; the flux falls evenly from that of the speed before the trip, and gives its heat."""
-    body = _body(clutch, own, area)
-    if body is None or area is None:
+def _surface(clutch: Clutch, own: Heat, found: Mapping[str, HeatedSlip], area: float | None) -> OpenTriple | None:
+    """Largest rise of the faces as the power of the slip goes."""
+    bodies = _bodies(clutch, own, area)
+    if not bodies or area is None:
         return None
     from .surface import largest_rise
 
-    def rise(trip: HeatedSlip) -> Values:
-        assert trip.time is not None
-        if not trip.time:
-            return 0.0
-        share = _share(own, body, trip.time)
-        mean = share * law.specific_work(trip.energy, _pairs(clutch), area) / trip.time
-        # heat of less than half its first power: the slip began slower than the motor turns
-        start = min(share * _flux(clutch, slips, trip, area), 2 * mean)
-        return largest_rise(body, float(start), float(mean), float(trip.time))
-
-    return _each(slips.at, rise)
-
-
-def _share(own: Heat, body: "Body", time: Values) -> float:
-    """Share of the heat that the discs take: by the effusivities until it has come through them, then all."""
-    if own.lining_conductivity is None or body.fourier(float(time)) > THROUGH:
-        return 1.0
-    lining = law.effusivity(own.lining_conductivity, own.lining_density, own.lining_specific_heat)
-    return float(law.share_of_flux(body.effusivity, lining))
+    each = float(law.power_density(1.0, _pairs(clutch), area))
+    return _each(found, lambda trip: largest_rise(bodies, trip.course.times(each)) if trip.energy else 0.0)
 
 
 def _trips(

@@ -7,6 +7,8 @@ from ...spec.materials import Material, catalogue
 
 FREEZING = 273.15
 """0 °C, K."""
+IRON_MELTS = 1811.0
+"""Melting point of iron, K (CRC Handbook of Chemistry and Physics); steel and cast iron melt below it."""
 
 
 class Limit(NamedTuple):
@@ -31,6 +33,12 @@ def limit_of(clutch: Clutch) -> Limit | None:
     path, material = min(allowing, key=lambda each: _celsius(each[1])[0])
     low, high = (each + FREEZING for each in _celsius(material))
     return Limit(low, high, path, material.name)
+
+
+def hottest_allowed() -> tuple[float, str]:
+    """Highest temperature that a material of the catalogue allows, K, and its name."""
+    listed = [material for material in catalogue().values() if material.temperature_max is not None]
+    return max((_celsius(material)[1] + FREEZING, material.name) for material in listed)
 
 
 def _celsius(material: Material) -> tuple[float, float]:

@@ -2,8 +2,9 @@
 
 from ...engines.protocol import Clutch
 from ...findings import Finding, finding
+from ...result import OpenTriple
 from ...spec.heat import Heat
-from .limit import FREEZING, Limit
+from .limit import FREEZING, IRON_MELTS, Limit, hottest_allowed
 from .result import HeatResult
 from .trip import HeatedSlips, motor_torque
 
@@ -14,9 +15,11 @@ def remarks(clutch: Clutch, own: Heat, result: HeatResult, slips: HeatedSlips, l
     """What a designer should know of the trip, its temperature, and what was not told."""
     return [
         *_end_findings(clutch, slips),
+        *_melting(own, result),
         *_temperature_findings(result, limit),
         *_surface_findings(own, result),
-        *_missing_findings(clutch, own, limit),
+        *_missing_findings(clutch, own),
+        *([] if limit else [_unjudged(result)]),
     ]
 
 
@@ -39,8 +42,7 @@ def _end_findings(clutch: Clutch, slips: HeatedSlips) -> list[Finding]:
 def _temperature_findings(result: HeatResult, limit: Limit | None) -> list[Finding]:
     if result.temperature is None or limit is None or limit.name is None:
         return []
-    after = [each for each in vars(result.temperature).values() if each is not None]
-    hottest = max(after, default=0.0)
+    hottest = _most(result.temperature)
     if hottest <= limit.low:
         return []
     beyond = hottest > limit.high
@@ -53,6 +55,29 @@ def _temperature_findings(result: HeatResult, limit: Limit | None) -> list[Findi
     ]  # fmt: skip
 
 
+def _melting(own: Heat, result: HeatResult) -> list[Finding]:
+    """Say where discs cannot be what they were, whatever is allowed: the discs, or their faces while they slip."""
+    hottest = (own.ambient or 0.0) + max(_most(result.temperature_rise), _most(result.surface_temperature_rise))
+    if hottest < IRON_MELTS:
+        return []
+    said = {"celsius": hottest - FREEZING, "melts": IRON_MELTS - FREEZING}
+    return [finding("discs-melt", "error", value=hottest, limit=IRON_MELTS, path="heat.disc_mass", **said)]
+
+
+def _most(each: OpenTriple | None) -> float:
+    return 0.0 if each is None else max((value for value in vars(each).values() if value is not None), default=0.0)
+
+
+def _unjudged(result: HeatResult) -> Finding:
+    """No limit is given: beyond what the best material of the catalogue bears it is judged all the same."""
+    hottest, (limit, name) = _most(result.temperature), hottest_allowed()
+    if not limit < hottest < IRON_MELTS:
+        return finding("heat-not-judged", "info", path="friction.material")
+    said = {"celsius": hottest - FREEZING, "allowed": limit - FREEZING}
+    path = "friction.material"
+    return finding("temperature-beyond-catalogue", "warning", value=hottest, limit=limit, path=path, name=name, **said)
+
+
 def _surface_findings(own: Heat, result: HeatResult) -> list[Finding]:
     """Say what the temperature of the faces rests on."""
     if result.surface_temperature_rise is None:
@@ -60,12 +85,14 @@ def _surface_findings(own: Heat, result: HeatResult) -> list[Finding]:
     said = []
     if own.lining_conductivity is None:
         said.append(finding("discs-take-all", "info", path="heat.lining_conductivity"))
+    elif own.lining is None:
+        said.append(finding("lining-thick", "info", path="heat.lining"))
     if own.disc_mass is None:
         said.append(finding("discs-thick", "info", path="heat.disc_mass"))
     return said
 
 
-def _missing_findings(clutch: Clutch, own: Heat, limit: Limit | None) -> list[Finding]:
+def _missing_findings(clutch: Clutch, own: Heat) -> list[Finding]:
     """Say what was not told, and the key that would tell it."""
     group = clutch.spec.friction_group
     missing = [] if group.inner_radius is not None else ["friction_group.inner_radius", "friction_group.outer_radius"]
@@ -73,5 +100,4 @@ def _missing_findings(clutch: Clutch, own: Heat, limit: Limit | None) -> list[Fi
     missing += [f"heat.{key}" for key in wanted if getattr(own, key) is None]
     if clutch.following_stiffness is None:
         missing.append("closing_spring.stiffness")
-    said = [finding("heat-not-told", "info", listed=", ".join(missing))] if missing else []
-    return said if limit is not None else [*said, finding("heat-not-judged", "info", path="friction.material")]
+    return [finding("heat-not-told", "info", listed=", ".join(missing))] if missing else []

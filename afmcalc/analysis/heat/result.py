@@ -13,7 +13,7 @@ class HeatResult(Result):
     slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=ENDLESS)
     energy: OpenTriple = quantity("J", "Q", "heat of a trip", null=ENDLESS)
     specific_work: OpenTriple | None = quantity("J/m^2", "q_A", "work per area of a pair", optional=True, null=ENDLESS)
-    power_density: Triple | None = quantity("W/m^2", "q", "power per area of a pair as the slip begins", optional=True)
+    power_density: Triple | None = quantity("W/m^2", "q", "largest power per area of a pair", optional=True)
     temperature_rise: OpenTriple | None = quantity(
         "K", "ΔΘ", "mean rise of the discs by a trip", optional=True, null=ENDLESS
     )

@@ -1,4 +1,4 @@
-"""Temperature of the faces during a slip, whose heat flows into discs of a thickness."""
+"""Temperature of the faces during a slip, whose heat flows into disc and lining, layers of a depth."""
 
 from typing import NamedTuple
 
@@ -6,12 +6,15 @@ import numpy as np
 
 from ...arrays import Floats
 from ...equations import heat as law
+from .course import Course
 
-THICK = 0.05
-"""Fourier number up to which a disc is as good as endlessly thick, to 1e-9."""
-_WAVES = np.arange(1.0, 13.0)
-"""Waves of the disc's temperature that still count at that number."""
-_POINTS = 41
+_TERMS = 16
+"""Terms of the inverse transform: nine digits."""
+_DEEP = 20.0
+_PANELS = 1024
+"""Parts of the time, each of even flux: the largest rise to 1e-4."""
+_FINE = 128
+"""Panels before which the largest rise is looked for again, in a shorter time."""
 
 
 class Body(NamedTuple):
@@ -21,50 +24,50 @@ class Body(NamedTuple):
     density: float
     specific_heat: float
     depth: float | None
-    """To the middle of the disc, m; None: endlessly thick."""
+    """To the middle of the disc, or through the lining, m; None: endlessly thick."""
 
-    @property
-    def effusivity(self) -> float:
-        """√(k ρ c)."""
-        return float(law.effusivity(self.conductivity, self.density, self.specific_heat))
+    def admittance(self, variable: Floats) -> Floats:
+        """Flux into the face per rise, both transformed."""
+        own = self.conductivity, self.density, self.specific_heat
+        through = np.ones_like(variable)
+        if self.depth is not None:
+            deep = law.fourier_number(*own, 1 / variable, self.depth) ** -0.5
+            # beyond that it is 1 to the last digit, and its exponentials too large
+            through = np.tanh(np.where(deep.real > _DEEP, _DEEP, deep))
+        found: Floats = law.face_admittance(law.effusivity(*own), variable**0.5, through)
+        return found
 
-    def fourier(self, time: float) -> float:
-        """How far the heat comes in a time; 0 in an endlessly thick disc."""
-        if self.depth is None:
-            return 0.0
-        return float(law.fourier_number(self.conductivity, self.density, self.specific_heat, time, self.depth))
 
-
-def largest_rise(body: Body, flux: float, mean: float, time: float) -> float:
+def largest_rise(bodies: list[Body], course: Course) -> float:
     """Largest rise of a face, K.
 
     Args:
-        body: what is heated.
-        flux: into the face as the slip begins, W/m²; at most twice the mean.
-        mean: its mean over the slip, W/m²: it falls evenly.
-        time: of slip, s.
+        bodies: what is heated: disc, or disc and lining, whose faces are equally hot.
+        course: of the flux, W/m².
 
     Returns:
         The rise at the hottest moment, K.
     """
-    fall = 2 * (flux - mean) / time
-    low, high = 0.0, time
-    for _ in range(6):
-        moments = np.linspace(low, high, _POINTS)
-        rises = _rises(body, flux, fall, moments)
+    end = course.time[-1]
+    for _ in range(8):
+        ends = np.linspace(course.time[0], end, _PANELS + 1)
+        flux = np.diff(course.heat_at(ends)) / np.diff(ends)
+        steps = np.diff(_rises(bodies, ends - ends[0]))
+        rises = np.convolve(flux, steps)[:_PANELS]
         best = int(np.argmax(rises))
-        low, high = moments[max(best - 1, 0)], moments[min(best + 1, _POINTS - 1)]
+        if best >= _FINE:
+            break
+        end = ends[2 * best + 2]
     return float(rises[best])
 
 
-def _rises(body: Body, flux: float, fall: float, moments: Floats) -> Floats:
-    """Rise at several moments."""
-    thick = law.surface_rise(flux, fall, moments, body.effusivity, np.pi)
-    if body.depth is None:
-        return np.asarray(thick)
-    own = body.conductivity, body.density, body.specific_heat, body.depth
-    numbers = law.fourier_number(*own[:3], moments, body.depth)
-    decay = np.exp(-((_WAVES[:, None] * np.pi) ** 2) * numbers)
-    lacking = law.surface_rise_term(flux, fall, _WAVES[:, None], decay, *own, np.pi).sum(axis=0)
-    rises: Floats = np.where(numbers < THICK, thick, law.surface_rise_thin(flux, fall, moments, *own) - lacking)
-    return rises
+def _rises(bodies: list[Body], times: Floats) -> Floats:
+    """Rise of the face under an even flux of 1 at several times, from its transform (Abate and Valkó 2004)."""
+    angle = np.arange(1, _TERMS) * np.pi / _TERMS
+    cot = 1 / np.tan(angle)
+    nodes = 0.4 * _TERMS * np.concatenate([[1.0], angle * (cot + 1j)])
+    weights = np.exp(nodes) * np.concatenate([[0.5], 1 + 1j * angle * (1 + cot * cot) - 1j * cot])
+    at = nodes[:, None] / times[1:]
+    transform = 1 / (at * sum(each.admittance(at) for each in bodies))
+    rises: Floats = 0.4 / times[1:] * (weights[:, None] * transform).real.sum(axis=0)
+    return np.concatenate([[0.0], rises])

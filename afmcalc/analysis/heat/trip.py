@@ -1,6 +1,7 @@
 """What one trip turns into heat: from the simulation of the drive, or from its motor side running down (V1)."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from ...arrays import Values
@@ -11,10 +12,12 @@ from ...findings import Finding
 from ...messages import say
 from ...spec.drive import Drive
 from ...spec.heat import missing_of
+from ..explain.trace import unrecorded
 from ..registry import ANALYSES
 
 if TYPE_CHECKING:
     from ..answers import Answers
+    from .course import Course
 
 EnergySource = Literal["simulate", "run-down", "constant-speed"]
 ENDS = ("min", "mean", "max")
@@ -26,6 +29,8 @@ class HeatedSlip(NamedTuple):
     torque: Values
     time: Values | None
     energy: Values | None
+    course: "Course"
+    """Its power over time; as far as known of one that does not end."""
     carried: bool = False
     """Whether the motor can carry the slip torque, so that only a cut-off ends it."""
 
@@ -34,8 +39,6 @@ class HeatedSlips(NamedTuple):
     """The trip at f_min, mean and f_max, and where its heat is from."""
 
     source: EnergySource
-    speed: Values
-    """Of the motor side before it, rad/s."""
     at: Mapping[str, HeatedSlip]
     found: tuple[Finding, ...] = ()
     """What the simulation says of the end of the slip."""
@@ -58,12 +61,15 @@ def trips(clutch: Clutch, answers: "Answers | None" = None) -> HeatedSlips:
     if ANALYSES["simulate"].applies(clutch):
         return _simulated(clutch, answers)
     if missing := missing_of(drive):
-        problems = [Problem(f"drive.{key}", None, say("required by heat (or give drive.event)")) for key in missing]
+        needed = say("required by heat (or give drive.event)")
+        if drive.motor is not None:
+            needed = say("required by heat beside drive.motor: the slip of a motor with a curve is simulated")
+        problems = [Problem(f"drive.{key}", None, needed) for key in missing]
         raise SpecError(clutch.spec.label, problems)
     assert drive.speed is not None
     source: EnergySource = "constant-speed" if drive.motor_inertia is None else "run-down"
     motor = motor_torque(clutch)
-    return HeatedSlips(source, drive.speed, {end: _run_down(drive, _torque(clutch, end), motor) for end in ENDS})
+    return HeatedSlips(source, {end: _run_down(drive, _torque(clutch, end), motor) for end in ENDS})
 
 
 def motor_torque(clutch: Clutch) -> Values:
@@ -75,13 +81,24 @@ def motor_torque(clutch: Clutch) -> Values:
 
 def _simulated(clutch: Clutch, answers: "Answers | None") -> HeatedSlips:
     from ..simulate.simulate import simulate
-    from ..simulate.train import train_of
 
     found, said = simulate(clutch) if answers is None else answers.ask("simulate")
     told = found.sliding_torque, found.slip_time, found.slip_energy
-    at = {end: HeatedSlip(*(getattr(each, end) for each in told)) for end in ENDS}
+    at = {}
+    for end in ENDS:
+        torque, time, energy = (getattr(each, end) for each in told)
+        at[end] = HeatedSlip(torque, time, energy, _course(clutch, end))
     ends = tuple(each for each in said if each.path in ("drive.cut_off", "drive.event.duration"))
-    return HeatedSlips("simulate", train_of(clutch).speed, at, ends)
+    return HeatedSlips("simulate", at, ends)
+
+
+@unrecorded()
+def _course(clutch: Clutch, end: str) -> "Course":
+    from ..simulate.cases import case_of
+    from .course import course_of
+
+    course = case_of(clutch, *(getattr(own, end) for own in clutch.friction)).run().course
+    return course_of((each.time, float(law.slip_power(each.torque, each.slip)), each.heat) for each in course)
 
 
 def _torque(clutch: Clutch, end: str) -> Values:
@@ -95,16 +112,29 @@ def _run_down(drive: Drive, torque: Values, motor: Values) -> HeatedSlip:
     assert speed is not None
     if inertia is None:
         assert off is not None
-        return HeatedSlip(torque, off, law.slip_energy(torque, speed, speed, off))
+        return _slipped(torque, [(0.0, speed), (off, speed)])
     carried = bool(torque <= motor)
     if not carried:
         time = law.run_down_time(inertia, speed, torque, motor)
         if off is None or time <= off:
-            return HeatedSlip(torque, time, law.run_down_energy(inertia, speed, torque, motor))
+            energy = law.run_down_energy(inertia, speed, torque, motor)
+            return _slipped(torque, [(0.0, speed), (time, 0.0)])._replace(energy=energy)
     if off is None:
-        return HeatedSlip(torque, None, None, carried)
+        return _slipped(torque, [(0.0, speed)])._replace(time=None, energy=None, carried=carried)
     # a motor that can carry the slip torque goes on at its speed
     end = speed if carried else law.speed_after(speed, inertia, torque, motor, off)
+    after, energy = law.run_down_time(inertia, end, torque, 0.0), law.run_down_energy(inertia, end, torque, 0.0)
+    found = _slipped(torque, [(0.0, speed), (off, end), (off + after, 0.0)])
     until = law.slip_energy(torque, speed, end, off)
-    after = law.run_down_energy(inertia, end, torque, 0.0)
-    return HeatedSlip(torque, off + law.run_down_time(inertia, end, torque, 0.0), until + after, carried)
+    return found._replace(energy=until + energy, carried=carried)
+
+
+def _slipped(torque: Values, at: Sequence[tuple[Values, Values]]) -> HeatedSlip:
+    """A slip whose speed changes evenly between moments: time and speed."""
+    from .course import course_of
+
+    moments, energy = [(0.0, float(law.slip_power(torque, at[0][1])), 0.0)], 0.0
+    for (before, first), (time, last) in pairwise(at):
+        energy = energy + law.slip_energy(torque, first, last, time - before)
+        moments.append((float(time), float(law.slip_power(torque, last)), float(energy)))
+    return HeatedSlip(torque, at[-1][0], energy, course_of(moments))

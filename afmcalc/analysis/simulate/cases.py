@@ -15,12 +15,13 @@ from .plant import Plant
 from .train import Train, train_of
 
 if TYPE_CHECKING:
-    from .machine import Trip
+    from .record import Trip
 
 _SWINGS = 6.0
 """Swings of the driven half after an event within which its peak has come."""
 _LONG = 20.0
-"""Times the run-down at T(f) that is waited for where the key may hold the sleeve so far off that the slip lasts."""
+"""Times the run-down at T(f) that is waited for: motor and load may all but balance the slipping clutch, the key hold
+the sleeve far off."""
 
 
 class Case(NamedTuple):
@@ -28,7 +29,9 @@ class Case(NamedTuple):
 
     plant: Plant
     horizon: float
-    """Time within which the slip ends, or at least the peak has passed, s."""
+    """Time that is simulated at most, s."""
+    given: bool
+    """Whether that is the duration asked for."""
 
     def run(self, *, recorded: bool = False) -> "Trip":
         """Simulate.
@@ -40,7 +43,7 @@ class Case(NamedTuple):
         need("drive")
         from .machine import trip
 
-        return trip(self.plant, self.horizon, recorded=recorded)
+        return trip(self.plant, self.horizon, recorded=recorded, given=self.given)
 
 
 class Outcome(NamedTuple):
@@ -102,17 +105,20 @@ def case_of(clutch: Clutch, friction: float, friction_driven: float | None = Non
     """
     train = train_of(clutch)
     plant = plant_of(train, pack_of(clutch, friction, friction if friction_driven is None else friction_driven))
-    event = clutch.spec.drive.event
-    assert event is not None
-    return Case(plant, event.duration or float(peak_time(plant.train, plant.sliding)) + _slip_time(plant))
+    return _case(clutch, plant)
 
 
 def ordinary_case(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Case:
-    """Return the event with an ordinary clutch of equal T_н in place, until its peak; arguments as ``case_of``."""
-    train = without_hub(train_of(clutch))
+    """Return the event with an ordinary clutch of equal T_н in place; arguments as ``case_of``."""
     pack = ordinary_pack(clutch, friction, friction if friction_driven is None else friction_driven)
-    plant = plant_of(train, pack)
-    return Case(plant, float(peak_time(train, plant.sliding)))
+    return _case(clutch, plant_of(without_hub(train_of(clutch)), pack))
+
+
+def _case(clutch: Clutch, plant: Plant) -> Case:
+    event = clutch.spec.drive.event
+    assert event is not None
+    duration = event.duration
+    return Case(plant, duration or longest(plant), duration is not None)
 
 
 def outcome_of(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Outcome:
@@ -122,14 +128,26 @@ def outcome_of(clutch: Clutch, friction: float, friction_driven: float | None = 
     return Outcome(case, case.run(), ordinary.plant, ordinary.run().peak)
 
 
+def longest(plant: Plant) -> float:
+    """Time within which a drive has settled, if it does, s: a bound that few come near."""
+    train = plant.train
+    return float(whole_time(train, plant.sliding)) + _slip_time(plant)
+
+
+def whole_time(train: Train, sliding: Values) -> Values:
+    """Time within which nothing but the end of a slip is left to come, s, rather too long."""
+    turning = train.motor_inertia + train.hub_inertia + train.driven_inertia + train.tool_inertia
+    off = 0.0 if train.cut_off is None else train.cut_off
+    run_down: Values = _LONG * turning * train.speed / sliding
+    return peak_time(train, sliding) + off + run_down
+
+
 def peak_time(train: Train, sliding: Values) -> Values:
     """Time within which the peak has come, s: some swings of the driven half, one of the stuck drive.
 
     Where the tool has an inertia of its own, that within which its load has stopped it comes before.
     """
-    before = train.motor_inertia + train.hub_inertia + train.driven_inertia
-    swings = (_swing(inertia, train.stiffness) for inertia in (train.driven_inertia, before))
-    found: Values = train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
+    before, found = train.motor_inertia + train.hub_inertia + train.driven_inertia, swings_time(train)
     if train.kind == "load":
         behind = train.driven_inertia + train.tool_inertia
         resisted = [(behind, sliding)]
@@ -141,6 +159,14 @@ def peak_time(train: Train, sliding: Values) -> Values:
             for inertia, torque in resisted
         )
         found = found + functools.reduce(np.maximum, times)
+    return found
+
+
+def swings_time(train: Train) -> Values:
+    """Time of the event and of some swings of the driven half, one of the stuck drive, s."""
+    before = train.motor_inertia + train.hub_inertia + train.driven_inertia
+    swings = (_swing(inertia, train.stiffness) for inertia in (train.driven_inertia, before))
+    found: Values = train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
     return found
 
 

@@ -6,6 +6,7 @@ down alone, which is one smooth equation.
 """
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +21,10 @@ _LEAST = 5.0
 _STILL = 1e-7
 """Deceleration of the motor side, relative to T/J_1, that counts as none: the slip does not end."""
 _EXACT = 1e-10
+_SWINGS = 100
+"""Swings of a stride whose heat is told one by one."""
+_SHOWN = 12
+"""Moments of a swing at which it is, and parts of what is left."""
 
 
 class Stride(NamedTuple):
@@ -29,6 +34,8 @@ class Stride(NamedTuple):
     y: State
     endless: bool
     """Whether the motor side no longer slows down."""
+    course: list[tuple[float, float, float, float]]
+    """Time, torque, slip and heat in the pack on the way."""
 
 
 def stride(
@@ -71,6 +78,8 @@ class _RunDown(NamedTuple):
     angle: float
     work: float
     endless: bool
+    course: Callable[[Floats], Floats]
+    """Speed and angle at times on the way."""
 
 
 def _run_down(
@@ -93,11 +102,12 @@ def _run_down(
     near.terminal = still.terminal = True  # type: ignore[attr-defined]
     start = [plant.motor_speed(y), 0.0, 0.0]
     if lasting and still(t, np.array(start)) <= 0:
-        return _RunDown(t, start[0], 0.0, 0.0, True)
+        return _RunDown(t, start[0], 0.0, 0.0, True, lambda times: np.zeros((2, times.size)))
     events = [near, still] if lasting else [near]
-    found = solve_ivp(rates, (t, bound), start, "DOP853", events=events, rtol=_EXACT, atol=_EXACT)
+    found = solve_ivp(rates, (t, bound), start, "DOP853", events=events, rtol=_EXACT, atol=_EXACT, dense_output=True)
     speed, angle, work = found.y[:, -1].tolist()
-    return _RunDown(float(found.t[-1]), speed, angle, work, lasting and bool(found.t_events[1].size))
+    ended = lasting and bool(found.t_events[1].size)
+    return _RunDown(float(found.t[-1]), speed, angle, work, ended, lambda times: found.sol(times)[:2])
 
 
 def _arrived(plant: Plant, y: State, sliding: Sliding, run: _RunDown, time: float) -> Stride:
@@ -117,4 +127,26 @@ def _arrived(plant: Plant, y: State, sliding: Sliding, run: _RunDown, time: floa
     new[motor] += run.work
     new[pack] += torque * (run.angle - (twist - y[plant.TWIST]))
     new[shaft] += float(before @ before - after @ after) / (2 * train.stiffness)
-    return Stride(run.time, new, run.endless)
+    return Stride(run.time, new, run.endless, _course(plant, y, run, (turning, scale, before), (torque, time)))
+
+
+def _course(
+    plant: Plant, y: State, run: _RunDown, swing: tuple[Floats, float, Floats], over: tuple[float, float]
+) -> list[tuple[float, float, float, float]]:
+    """Time, torque, slip and heat on the way: swing by swing, after many as if the driven half stood."""
+    (turning, scale, stretched), (torque, lasts) = swing, over
+    part = 2 * math.pi / turning[0, 1] / _SHOWN
+    count = min(int(lasts / part), _SWINGS * _SHOWN)
+    step, start = expm(turning * part), run.time - lasts
+    rows = [stretched]
+    for _ in range(count):
+        rows.append(step @ rows[-1])
+    swung = np.array([*rows[1:], *np.zeros((_SHOWN, 2))])
+    after = start + part * (count + 1)
+    times = np.concatenate([start + part * np.arange(1, count + 1), np.linspace(after, max(after, run.time), _SHOWN)])
+    inside = times < run.time
+    times, swung = times[inside], swung[inside]
+    speed, angle = run.course(times)
+    heat = y[plant.size + 1] + torque * (angle - (swung - stretched)[:, 0] / plant.train.stiffness)
+    slip = speed - swung[:, 1] / scale
+    return [(at, torque, *both) for at, *both in np.stack([times, slip, heat], axis=1).tolist()]

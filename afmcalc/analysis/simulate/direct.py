@@ -195,6 +195,10 @@ class DirectPlant(Plant):
         slip = DECAYED / own.decay_rate if own.static_ratio > 1 else 0.0
         return Sliding(mode.pack * self.sliding, self.train.driven_inertia, math.inf, slip)
 
+    def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:
+        """T(r_s f), or less while the normal force lags."""
+        return min(self.breakaway, self.capacity(y, 0.0))
+
     def guards(self, t: float, y: Sequence[float], mode: Mode) -> list[float]:
         """Pack, tool."""
         motor, clutch, _, shaft = self.torques(t, y, mode)

@@ -223,6 +223,10 @@ class IndirectPlant(SleevePlant):
         pressed = self.normal(y, mode, balls)
         return float(direct.group_torque(pressed, self.sleeve.mean_radius, 1.0, self._pairs(0.0)))
 
+    def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:
+        """Torque at which the sleeve leaves where it is, or the pack slips."""
+        return float(self.sleeve.sticks_up_to(y[self.TURN]))
+
     def limits(self, y: Sequence[float]) -> tuple[float, float]:
         """Torques between which the key holds the sleeve off its stop."""
         own = self.sleeve

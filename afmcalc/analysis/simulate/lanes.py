@@ -16,12 +16,13 @@ from .train import Train
 class DirectLanes:
     """Packs of direct clutches."""
 
+    rate: Values = 0.0
+
     def __init__(self, train: Train, pack: DirectPack, h: Floats, per_torque: Floats) -> None:
         """Begin stuck, the release force that of the load; ``per_torque`` is what it adds to the driven half."""
         self.pack, self._each = pack, h / train.motor_inertia + per_torque
         self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
-        self.slip, self.travel = np.zeros(h.size), np.zeros(h.size)
-        self._trend = np.zeros(h.size)
+        self.slip, self.travel, self._trend = (np.zeros(h.size) for _ in range(3))
         self.torque = np.broadcast_to(train.load, h.shape).astype(float)
         self.normal = np.broadcast_to(pack.under(train.load), h.shape).astype(float)
         lag = np.broadcast_to(np.asarray(pack.lag, float), h.shape)
@@ -32,6 +33,11 @@ class DirectLanes:
     def passed(self) -> Floats:
         """Torque on the driven half: that of the pack."""
         return self.torque
+
+    @property
+    def sticks_up_to(self) -> Values:
+        """Torque up to which a stuck pack sticks, N·m."""
+        return self.pack.torque(self.pack.static_ratio)
 
     def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
         """Find the torque of the pack, from the speeds of both halves without it."""
@@ -85,6 +91,11 @@ class SleeveLanes:
     def passed(self) -> Floats:
         """Torque on the driven half: that of the balls."""
         return self.balls
+
+    @property
+    def sticks_up_to(self) -> Values:
+        """Torque up to which nothing of it slips or moves, N·m."""
+        return self.pack.sticks_up_to(self.turn)
 
     def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
         """Find the torques of pack and balls, from the speeds of both halves without them."""

@@ -2,7 +2,6 @@
 
 import math
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 from scipy.integrate import DOP853, OdeSolver, Radau
@@ -12,12 +11,16 @@ from ...errors import CalculationError
 from ...messages import say
 from .coast import stride
 from .plant import Mode, Plant, State
+from .record import Heating, Moment, Trip
+from .rest import Stuck, settled
 from .roots import TORQUES, crossing, root, turned_in
 
 TOLERANCE = 1e-9
 MOST_SWITCHES = 20_000
 MOST_STEPS = 40_000
 """Of an event: twice what a history of seconds takes of a drive that hardly damps."""
+PATIENCE = 6_000
+"""Steps after which a drive that does not settle is left, where no duration is given."""
 _STEPS_A_PERIOD = 4
 _WORKS = 5
 """Energies that are summed along with the states: of motor, pack, shaft, tool, key."""
@@ -33,84 +36,48 @@ _INSIDE = (0.25, 0.5, 0.75)
 """Points of a step that a history shows beside its ends."""
 
 
-class Moment(NamedTuple):
-    """One row of a history."""
-
-    time: float
-    torque_shaft: float
-    torque_clutch: float
-    speed_motor: float
-    speed_driven: float
-    speed_tool: float
-    travel: float
-
-
-class Trip(NamedTuple):
-    """What an event did."""
-
-    peak: float
-    """In the shaft, N·m."""
-    peak_clutch: float
-    slip_time: float
-    heat: float
-    """In the pack, J."""
-    key_heat: float
-    travel_max: float
-    trip_torque: float | None
-    """Of the clutch as it began to slip; None where it did not."""
-    ended: bool
-    """Whether the slip ended."""
-    endless: bool
-    """Whether the motor drives it for ever."""
-    last: float
-    """Torque of the clutch at the end, N·m."""
-    state: State
-    """States and work at the end."""
-    time: float
-    """From which nothing more could come, s."""
-    residual: float
-    """Error of the energy balance, relative to the largest energy in it."""
-    history: list[Moment]
-
-
-def trip(plant: Plant, horizon: float, *, recorded: bool = False) -> Trip:
+def trip(plant: Plant, horizon: float, *, recorded: bool = False, given: bool = False) -> Trip:
     """Integrate an event until nothing more can come, or to the horizon.
 
     Args:
         plant: the drive.
         horizon: time that is simulated at most, s.
         recorded: whether to keep the history.
+        given: whether the horizon is a duration asked for: a history is run out to it.
 
     Raises:
         CalculationError: the integration fails.
     """
-    return _Run(plant, horizon, recorded=recorded).trip()
+    return _Run(plant, horizon, recorded=recorded, given=given).trip()
 
 
 class _Run:
     """One event under way: what has been seen of it."""
 
-    def __init__(self, plant: Plant, horizon: float, *, recorded: bool) -> None:
-        self.plant, self.horizon = plant, horizon
+    def __init__(self, plant: Plant, horizon: float, *, recorded: bool, given: bool) -> None:
+        self.plant, self.horizon, self.given = plant, horizon, given
         self.history: list[Moment] | None = [] if recorded else None
         self.peak = self.peak_clutch = self.travel_max = self.slip_time = 0.0
         self.trip_torque: float | None = None
         self.off = math.inf
         """When the motor is switched off."""
+        self.course: list[Heating] = []
         self.stuck_since: float | None = 0.0
-        self.endless = False
+        self.seen = 0.0
+        """When it was last seen that something may still come."""
+        self.endless = self.settled = False
         self.steps = 0
         self.look = math.inf
         """When to see whether the slip can be taken in one stride."""
         natural = math.sqrt(float(plant.train.stiffness / plant.train.driven_inertia))
-        self.longest_step = 2 * math.pi / natural / _STEPS_A_PERIOD
+        self.natural = natural
         self.swings = _LOOK * 2 * math.pi / natural
         self.moment = 1e-6 / natural
         """Time over which a slope is taken."""
         self.scales = np.array([*plant.scales(), *[plant.stored(plant.start())] * _WORKS])
 
     def trip(self) -> Trip:
-        plant, t = self.plant, 0.0
+        plant, t, recorded = self.plant, 0.0, self.history is not None
         y = plant.start()
         before = plant.stored(y)
         y, mode = plant.switched(t, [*y, *[0.0] * _WORKS], Mode(over=not plant.train.time), None)
@@ -118,7 +85,9 @@ class _Run:
         self._slips(t, y, mode)
         for _ in range(MOST_SWITCHES):
             t, y, mode = self._phase(t, y, mode)
-            if t >= self.horizon or t >= self._quiet(mode) or self.endless:
+            if t >= min(self.horizon, self._resting(mode)):
+                self.settled, self.seen = self._settled(t, y, mode), t
+            if t >= self.horizon or self.endless or (self.settled and not (self.given and recorded)):
                 break
         else:
             raise CalculationError(say("simulate: the drive sticks and slips without end"))
@@ -135,37 +104,52 @@ class _Run:
             self.travel_max,
             self.trip_torque,
             mode.pack == 0,
+            mode.pack == 0 and (self.settled or self.given or self.trip_torque is None),
+            self.settled,
             self.endless,
             plant.torques(t, y, mode).clutch,
             y,
             t,
             residual,
+            self.course,
             history,
         )
 
-    def _quiet(self, mode: Mode) -> float:
-        """When it has stuck for so long after the event that nothing more can come.
+    def _resting(self, mode: Mode) -> float:
+        """When to see whether anything may still come: half a swing after it stuck, or was seen last.
 
-        On a standing tool half a swing: its torque then has had its top, or had it as it stuck. Else a whole one,
-        unless the motor pulls harder as its speed falls.
+        On a standing tool its torque then has had its top, or had it as it stuck; else after a whole one.
         """
-        train = self.plant.train
-        slowing = train.kind == "load" and mode.tool and train.engine.slip is not None
-        if not mode.over or self.stuck_since is None or slowing:
+        if not mode.over or self.stuck_since is None:
             return math.inf
+        share = 1.0 if self.plant.train.kind == "load" and mode.tool else 0.5
+        return max(self.stuck_since, self.plant.train.time, self.seen) + share * self._swing(mode)
+
+    def _swing(self, mode: Mode) -> float:
+        """Time of a swing of the stuck drive on its shaft."""
+        train = self.plant.train
         inertia = train.motor_inertia + train.hub_inertia + train.driven_inertia
-        share = 0.5
         if train.kind == "load" and mode.tool:
-            inertia, share = inertia * train.tool_inertia / (inertia + train.tool_inertia), 1.0
-        swing = 2 * math.pi * math.sqrt(inertia / train.stiffness)
-        return max(self.stuck_since, train.time) + share * swing
+            inertia = inertia * train.tool_inertia / (inertia + train.tool_inertia)
+        return 2 * math.pi * math.sqrt(inertia / train.stiffness)
+
+    def _settled(self, t: float, y: State, mode: Mode) -> bool:
+        """Whether nothing more can come."""
+        plant = self.plant
+        if not mode.over or self.stuck_since is None or mode.tool < 0:
+            return False
+        pending = mode.powered and self.off < math.inf
+        elastic = plant.train.stiffness * y[plant.TWIST]
+        speeds = plant.motor_speed(y), y[plant.TOOL]
+        stuck = Stuck(*speeds, elastic, standing=mode.tool == 0, powered=mode.powered, pending=pending)
+        return bool(settled(plant.train, stuck, plant.sticks_up_to(t, y, mode), self.peak))
 
     def _phase(self, t: float, y: State, mode: Mode) -> tuple[float, State, Mode]:
         """Integrate to the next switch, and make it."""
         plant, train = self.plant, self.plant.train
         stage = math.inf if mode.over else train.time
         off = self.off if mode.powered else math.inf
-        bound = min(self.horizon, stage, off, self._quiet(mode))
+        bound = min(self.horizon, stage, off, self._resting(mode))
         end, y, hit = self._integrate(t, y, mode, min(bound, self.look))
         if end == self.look < bound:
             if mode.over and not (mode.tool and train.kind == "load"):
@@ -185,9 +169,11 @@ class _Run:
     def _stride(self, t: float, y: State, mode: Mode, bound: float) -> tuple[float, State]:
         """Take in one stride what is left of a steady slip; a history keeps the swings that show."""
         largest = _UNSEEN if self.history is not None else math.inf
-        found = stride(self.plant, t, y, mode, bound, lasting=self.off == math.inf, largest=largest)
+        lasting = self.off == math.inf and not self.given
+        found = stride(self.plant, t, y, mode, bound, lasting=lasting, largest=largest)
         if found is None:
             return t, y
+        self.course += [Heating(*each) for each in found.course]
         self.endless = found.endless
         return found.time, found.y
 
@@ -207,6 +193,8 @@ class _Run:
         self.peak = max(self.peak, abs(torques.shaft))
         self.peak_clutch = max(self.peak_clutch, abs(torques.clutch))
         self.travel_max = max(self.travel_max, travel)
+        if mode.pack:
+            self.course.append(Heating(t, torques.clutch, y[own.V], y[own.size + 1]))
         if self.history is not None:
             speeds = own.motor_speed(y), y[own.DRIVEN], y[own.TOOL]
             self.history.append(Moment(t, torques.shaft, torques.clutch, *speeds, travel))
@@ -215,6 +203,7 @@ class _Run:
         """Step until a guard falls to 0 or to the bound; which guard, None at the bound."""
         plant = self.plant
         method = Radau if plant.stiff else DOP853
+        natural = 2 * math.pi / self.natural
         solver = method(
             lambda at, states: plant.rates(at, states.tolist(), mode),
             t,
@@ -222,22 +211,12 @@ class _Run:
             bound,
             rtol=TOLERANCE,
             atol=self.scales * TOLERANCE,
-            max_step=self.longest_step,
+            max_step=(self._swing(mode) if _still(mode) else natural) / _STEPS_A_PERIOD,
         )
         slopes = self._slopes(t, y, mode)
         while solver.status == "running":
             solver.step()
-            self.steps += 1
-            if self.steps > MOST_STEPS:
-                raise CalculationError(
-                    say(
-                        "simulate: at {time:.3g} s of {horizon:.3g} s {most:,} steps are taken: a shorter "
-                        "drive.event.duration, or inertias, stiffness and times that lie less far apart",
-                        time=solver.t,
-                        horizon=self.horizon,
-                        most=MOST_STEPS,
-                    )
-                )
+            self._patient(float(solver.t))
             if solver.status == "failed":
                 raise CalculationError(say("simulate: the integration fails at t = {time:g} s", time=solver.t))
             states = solver.y.tolist()
@@ -249,7 +228,25 @@ class _Run:
                 if crossed is not None:
                     return crossed
             self._note(solver.t, states, mode)
+            if self.horizon <= solver.t < bound:
+                return self.horizon, states, None
         return bound, solver.y.tolist(), None
+
+    def _patient(self, t: float) -> None:
+        """Count a step; after too many the drive is left, or the duration given is refused."""
+        self.steps += 1
+        if not self.given and self.steps > PATIENCE:
+            self.horizon = t
+        if self.steps > MOST_STEPS:
+            raise CalculationError(
+                say(
+                    "simulate: at {time:.3g} s of {horizon:.3g} s {most:,} steps are taken: a shorter "
+                    "drive.event.duration, or inertias, stiffness and times that lie less far apart",
+                    time=t,
+                    horizon=self.horizon,
+                    most=MOST_STEPS,
+                )
+            )
 
     def _inside(self, solver: OdeSolver, mode: Mode, turned: list[int]) -> tuple[float, State, int] | None:
         """Look into a step: note the peaks up to the first guard that falls to 0, and return that."""

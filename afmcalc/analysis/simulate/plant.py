@@ -177,6 +177,10 @@ class Plant(ABC):
     def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:
         """How the pack slides if its torque is constant from now on; None where it is not."""
 
+    @abstractmethod
+    def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:
+        """Torque of the clutch up to which nothing of a stuck one slips or moves, N·m."""
+
     def travel(self, y: Sequence[float]) -> float:
         """Travel of the sleeve, m."""
         return 0.0

@@ -72,9 +72,12 @@ def _endless(train: Train, found: Sequence[Outcome]) -> list[Finding]:
             )
         )  # fmt: skip
     for end, each in zip(_ENDS, found, strict=True):
-        if not each.trip.ended and not each.endless:
-            path, lasted = "drive.event.duration", each.case.horizon
-            said.append(finding("slip-outlasts-duration", "warning", value=lasted, path=path, at=end))
+        path, lasted = "drive.event.duration", each.trip.time
+        if not each.trip.stuck:
+            if not each.endless:
+                said.append(finding("slip-outlasts-duration", "warning", value=lasted, path=path, at=end))
+        elif not each.trip.settled:
+            said.append(finding("event-not-settled", "warning", value=lasted, path=path, at=end))
     return said
 
 

@@ -44,6 +44,7 @@ def simulate(
     found = [outcome_of(clutch, *end) for end in ends]
     peaks = [each.trip.peak for each in found]
     bypass = bypass_peak(clutch)
+    sweep, rising = swept(clutch, sweeps, progress)
     travels, unit = clutch.spec.kind.travels, clutch.spec.control_unit
     late = unit is not None and bool(unit.release_lag)
     result = SimulateResult(
@@ -63,12 +64,13 @@ def simulate(
         load_torque=train.load,
         energy_residual=max(each.trip.residual for each in found),
         points=[_point(clutch, *pair) for pair in points] or None,
-        sweep=swept(clutch, sweeps, progress),
+        sweep=sweep,
     )
     return result, [
         *clutch.findings(),
         *remarks_of(clutch, train, found),
         *([] if bypass is None else [finding("bypass-peak", "warning", value=bypass, limit=max(peaks))]),
+        *rising,
         *(remark for pair in points for remark in outside_range(clutch, *pair)),
     ]
 

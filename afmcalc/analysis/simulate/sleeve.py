@@ -4,10 +4,12 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import cast
 
-from ...arrays import V, Values, is_array, larger
+import numpy as np
+
+from ...arrays import V, Values, is_array, larger, smaller
 from ...engines.characteristic import root
 from ...engines.laws import IndirectLaw
-from ...equations import pocket, sleeve
+from ...equations import direct, pocket, sleeve
 
 _IDLE = 1e-9
 """κ in an array that stands for none: the law's own limit, an ordinary clutch."""
@@ -102,6 +104,15 @@ class Sleeve:
     def least(self) -> Values:
         """Slip torque of a sleeve that returns from far off, N·m."""
         return self.law.torque_returning(self.closing_force, self.friction, _FAR)
+
+    def sticks_up_to(self, turn: Values) -> Values:
+        """Torque at which the sleeve leaves where it is, or the pack slips, N·m."""
+        travel = self.travel(turn)
+        pressed = direct.group_torque(self.pressed(travel), self.mean_radius, self.static_ratio, self.friction_pairs)
+        off = smaller(pressed, self.moment(travel) / self.steeper(self.net_gain, travel))
+        stopped = smaller(self.torque(self.static_ratio), self.lift)
+        found: Values = np.where(np.asarray(turn) == 0, stopped, off)
+        return found
 
     def steeper(self, net_gain: Values, travel: V) -> V:
         """A gain at the stop, where the sleeve has travelled to."""

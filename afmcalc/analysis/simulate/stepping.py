@@ -9,12 +9,14 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arrays import Floats
 from ...messages import say
 from ...watch import Progress, unwatched
 from .direct import DirectPack
 from .lanes import DirectLanes, SleeveLanes
+from .rest import Slipping, Stuck, settled, slips_below
 from .sleeve import Sleeve
 from .train import Train
 
@@ -22,6 +24,10 @@ _LANES = 8192
 """Drives stepped at a time: their states stay in the processor's cache."""
 
 
+_LOOKED = 200
+"""Steps after which it is seen again whether the peaks have passed."""
+_STANDING = 1e-9
+"""Speed of a tool that stands, relative to that before the event."""
 _TOLD = 100
 """Steps after which it is told how far it is."""
 
@@ -35,9 +41,18 @@ class Marched(NamedTuple):
     travel: Floats
     slip: Floats
     """Slip of the pack at the end, rad/s."""
+    passed: NDArray[np.bool_]
+    """Whether it was seen that no torque passes the peak any more."""
 
 
-def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int, progress: Progress = unwatched) -> Marched:
+def march(
+    train: Train,
+    pack: DirectPack | Sleeve,
+    step: Floats,
+    steps: int,
+    progress: Progress = unwatched,
+    look: int | None = None,
+) -> Marched:
     """Step events from start to ``steps`` times ``step``.
 
     Args:
@@ -46,6 +61,7 @@ def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int, pro
         step: time step of each, s.
         steps: how many.
         progress: is told how many steps are behind, of all drives.
+        look: steps from which on it is seen whether all peaks have passed, and the rest left out; None: never.
 
     Returns:
         Peaks, heat and travel, in the shape of ``step``.
@@ -65,7 +81,7 @@ def march(train: Train, pack: DirectPack | Sleeve, step: Floats, steps: int, pro
             clutch: DirectLanes | SleeveLanes = DirectLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
         else:
             clutch = SleeveLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
-        parts.append(_march(own, shaft, clutch, h, steps, behind))
+        parts.append(_march(own, shaft, clutch, h, steps, behind, look or steps))
     return Marched(*(np.concatenate(each).reshape(step.shape) for each in zip(*parts, strict=True)))
 
 
@@ -89,11 +105,13 @@ def _march(
     h: Floats,
     steps: int,
     behind: Callable[[int], None],
+    look: int,
 ) -> Marched:
     motor = earlier = shaft.driven
     each = h / train.motor_inertia
     peak, peak_clutch, heat = (np.zeros(h.size) for _ in range(3))
     off = np.full(h.size, np.inf)
+    passed = np.zeros(h.size, bool)
     for number in range(steps):
         behind(number)
         # the torque at the speed in the middle of the step, as the last step foretells it
@@ -110,7 +128,32 @@ def _march(
         heat += clutch.torque * (before + clutch.slip)
         if train.cut_off is not None:
             off = np.where((clutch.slip != 0) & np.isinf(off), number * h + train.cut_off, off)
-    return Marched(peak, peak_clutch, h / 2 * heat, clutch.travel, clutch.slip)
+        if number + 1 >= look and (number + 1 - look) % _LOOKED == 0:
+            passed = _passed(train, shaft, clutch, motor, (number + 1) * h, off, peak)
+            if passed.all():
+                break
+    return Marched(peak, peak_clutch, h / 2 * heat, clutch.travel, clutch.slip, passed)
+
+
+def _passed(
+    train: Train,
+    shaft: "Shaft",
+    clutch: DirectLanes | SleeveLanes,
+    motor: Floats,
+    time: Floats,
+    off: Floats,
+    peak: Floats,
+) -> NDArray[np.bool_]:
+    """Whether no torque passes the peak any more."""
+    standing = np.abs(shaft.tool) <= _STANDING * train.speed
+    powered, pending = time < off, (time < off) & np.isfinite(off)
+    stuck = Stuck(motor, shaft.tool, shaft.elastic, standing, powered, pending)
+    sliding, breakaway = (clutch.pack.torque(ratio) for ratio in (1.0, clutch.pack.static_ratio))
+    slipping = Slipping(clutch.torque, shaft.driven, sliding, breakaway)
+    still = settled(train, stuck, clutch.sticks_up_to, peak)
+    gone = slips_below(train, stuck, slipping, peak) & (clutch.slip > 0)
+    over: NDArray[np.bool_] = (clutch.rate == 0) & (time > train.time) & np.where(clutch.slip == 0, still, gone)
+    return over
 
 
 class Shaft:

@@ -5,15 +5,17 @@ from dataclasses import fields, is_dataclass
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arrays import Floats, Values
 from ...engines.protocol import Clutch
 from ...errors import CalculationError
+from ...findings import Finding, finding
 from ...messages import say
 from ...spec.models import Range
 from ...watch import Progress, unwatched
 from ..sweep.grid import Axis, series
-from .cases import peak_time
+from .cases import swings_time, whole_time
 from .direct import DirectPack
 from .packs import pack_of, without_hub
 from .result import SimulateSweep
@@ -30,7 +32,7 @@ _FINEST = 4
 """Times that their swing may shorten a step: springs that the key all but locks are stiff, and still."""
 _YIELDING = 1e-3
 """Stiffness of a control unit, of the shaft's, below which it is no spring: its wall holds the torque."""
-_MOST_STEPS = 400_000
+_MOST_STEPS = 100_000
 
 
 class Peaks(NamedTuple):
@@ -39,6 +41,8 @@ class Peaks(NamedTuple):
     sliding: Floats
     shaft: Floats
     clutch: Floats
+    passed: NDArray[np.bool_]
+    """Whether it was seen that no torque passes the peak any more, or has come to the duration given."""
 
 
 def peaks_of(clutch: Clutch, driving: Values, driven: Values, progress: Progress = unwatched) -> Peaks:
@@ -59,8 +63,9 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values, progress: Progress
         train = without_hub(train)
     sliding = pack.torque(1.0)
     shape = np.broadcast_shapes((1,), *_shapes(train), *_shapes(pack))
-    time = np.broadcast_to(peak_time(train, sliding), shape).astype(float)
-    steps = int(np.ceil(np.max(time / step_of(train, pack))))
+    longest = np.broadcast_to(step_of(train, pack), shape).astype(float)
+    duration = None if clutch.spec.drive.event is None else clutch.spec.drive.event.duration
+    steps = int(np.ceil(np.max((swings_time(train) if duration is None else duration) / longest)))
     if steps > _MOST_STEPS:
         raise CalculationError(
             say(
@@ -70,8 +75,13 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values, progress: Progress
                 most=_MOST_STEPS,
             )
         )
-    found = march(train, pack, time / steps, steps, progress)
-    return Peaks(np.broadcast_to(sliding, shape), found.peak, found.peak_clutch)
+    if duration is None:
+        most = min(int(np.ceil(np.max(whole_time(train, sliding) / longest))), _MOST_STEPS)
+        found = march(train, pack, longest, most, progress, steps)
+    else:
+        found = march(train, pack, np.broadcast_to(duration / steps, shape), steps, progress)
+    passed = found.passed if duration is None else np.ones(shape, bool)
+    return Peaks(np.broadcast_to(sliding, shape), found.peak, found.peak_clutch, passed)
 
 
 def step_of(train: Train, pack: DirectPack | Sleeve, steps_a_swing: int = STEPS_A_SWING) -> Values:
@@ -100,8 +110,10 @@ def _shapes(record: object) -> list[tuple[int, ...]]:
     ]
 
 
-def swept(clutch: Clutch, sweeps: Sequence[Axis], progress: Progress = unwatched) -> list[SimulateSweep] | None:
-    """Peaks over swept keys; None without any."""
+def swept(
+    clutch: Clutch, sweeps: Sequence[Axis], progress: Progress = unwatched
+) -> tuple[list[SimulateSweep] | None, list[Finding]]:
+    """Peaks over swept keys, None without any; and a remark where some may yet rise."""
     found = _Found(progress)
     outputs: dict[str, Callable[[Clutch], Values]] = {
         "peak_torque_max": lambda own: found.of(own).shaft[2],
@@ -111,7 +123,9 @@ def swept(clutch: Clutch, sweeps: Sequence[Axis], progress: Progress = unwatched
         "dynamic_factor": lambda own: found.of(own).shaft[2] / found.of(own).sliding[2],
         "inertia_torque": lambda own: train_of(own).inertia_torque,
     }
-    return series(SimulateSweep, clutch, sweeps, outputs)
+    told = series(SimulateSweep, clutch, sweeps, outputs)
+    path, count = "drive.cut_off", found.rising
+    return told, [finding("sweep-not-settled", "warning", value=count, path=path)] if count else []
 
 
 class _Found:
@@ -121,12 +135,15 @@ class _Found:
         self._progress = progress
         self._clutch: Clutch | None = None
         self._peaks: Peaks | None = None
+        self.rising = 0
+        """Drives whose peak may yet rise."""
 
     def of(self, clutch: Clutch) -> Peaks:
         """Peaks at f_min, mean friction and f_max, a row each."""
         if clutch is not self._clutch or self._peaks is None:
             first, second = (_rows(friction) for friction in clutch.friction)
             self._clutch, self._peaks = clutch, peaks_of(clutch, first, second, self._progress)
+            self.rising += int(np.count_nonzero(~self._peaks.passed))
         return self._peaks
 
 

@@ -5,8 +5,9 @@ from typing import Any
 
 from afmcalc.analysis.simulate.direct import DirectPack, DirectPlant
 from afmcalc.analysis.simulate.indirect import IndirectPlant
-from afmcalc.analysis.simulate.machine import Trip, trip
+from afmcalc.analysis.simulate.machine import trip
 from afmcalc.analysis.simulate.plant import Plant
+from afmcalc.analysis.simulate.record import Trip
 from afmcalc.analysis.simulate.sleeve import Sleeve
 from afmcalc.analysis.simulate.train import Engine, Train
 from afmcalc.engines import Clutch, build
