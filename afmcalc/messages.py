@@ -79,6 +79,8 @@ FINDINGS: Mapping[str, str] = {
     "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
     "band at equal mean costs nothing (M23); --model amplitude or goodman weighs it",
     # simulate
+    "bypass-peak": "above the gain limit the bypass pairs alone may hold before the balls take over: the peak in the "
+    "shaft is then up to {value:.4g N·m}, not {limit:.4g N·m}; requirements.peak_torque is judged by it",
     "inertia-torque": "the driven half alone twists the shaft of a locked tool with ω_0 √(k J_2) = {value:.4g N·m}: "
     "beyond the sliding torque ({limit:.4g N·m} at f_max) no clutch removes it, only a softer shaft or less inertia",
     "slips-before-event": "at {at} the clutch carries {value:.5g N·m}, less than the load of {limit:.5g N·m} before "
@@ -188,8 +190,28 @@ FINDINGS: Mapping[str, str] = {
     # springs
     "curved-springs": "{path}: torque, accuracy, tolerance, simulation, heat and effects follow its true "
     "characteristic; sensitivities take a straight spring of the stiffness given",
-    "spring-too-weak": "{path}: pressed flat it gives {value:.5g kN}, less than the {limit:.5g kN} as set",
-    "spring-beyond-range": "{path}: used from {low:.3g} to {high:.3g} of its cone height; 0.15 to 0.75 is usual",
+    "spring-too-weak": "{path}: pressed flat or solid it gives {value:.5g kN}, less than the {limit:.5g kN} as set",
+    "spring-slack": "{path}: let go by {value:.4g mm} in service it falls slack: as set it is pressed by "
+    "{limit:.4g mm}",
+    "spring-beyond-range": "{path}: used to {value:.3g} of its cone height; 0.15 to 0.75 is usual",
+    "spring-does-not-fit": "{path}: {what} {value:.5g mm}, the room has {limit:.5g mm}",
+    "disc-overstressed": "{path}: {value:.4g MPa} where the section turns, more than the {limit:.4g MPa} that a disc "
+    "bears: it sets",
+    "coil-index": "{path}: its index D/d is {value:.3g}; 4 to 20 is usual (EN 13906-1)",
+    "coil-solid": "{path}: pressed by {value:.4g mm} in service it is solid before, at {limit:.4g mm}",
+    "coil-gaps-closed": "{path}: pressed by {value:.4g mm} in service, more than the {limit:.4g mm} that leave its "
+    "turns the gaps of EN 13906-1: they may touch",
+    "coil-buckles": "{path}: pressed by {value:.4g mm} in service it buckles before, at {limit:.4g mm}: guide it "
+    "(shaft or bore by its room, within a wire's thickness)",
+    "coil-overstressed": "{path}: the shear stress in service is {value:.4g MPa}, more than the {limit:.4g MPa} that "
+    "the wire bears at rest (0.56 R_m, EN 13906-1): it sets",
+    "coil-stress-solid": "{path}: pressed solid the shear stress is {value:.4g MPa}, more than the {limit:.4g MPa} "
+    "that the wire bears (0.56 R_m, EN 13906-1): keep it from that",
+    "coil-fatigue": "{path}: it moves at every trip; with k_τ the shear stress is {value:.4g MPa}, more than the "
+    "{limit:.4g MPa} that the wire, not shot peened, bears for ever (Goodman, Zimmerli)",
+    "wire-not-judged": "{path}: EN 10270-1 has no wire of {value:.4g mm} (0.3 to 20 mm): its stress is not judged",
+    "stiffness-of-the-discs": "{path} is {value:.5g N/mm}, that of the discs as set {limit:.5g N/mm}: the law takes "
+    "their curve; leave the stiffness out, or the discs",
     "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
     "springs-miss": "{path} is held with straight springs of the stiffness searched; with the disc springs named "
     "{count} of the front miss it, the worst with {value:.5g} for {limit:.5g}",

@@ -257,6 +257,7 @@ def _names() -> Iterator[Key]:
     """What tables hold: names of limits, kinds of quantities, variants."""
     from afmcalc.analysis.checks.requirements import JUDGED
     from afmcalc.analysis.springs.candidates import MISSES
+    from afmcalc.engines import parts
     from afmcalc.render.shop.layers import LAYERS
     from afmcalc.spec.paths import keys
     from afmcalc.spec.units import EXAMPLES
@@ -268,6 +269,7 @@ def _names() -> Iterator[Key]:
     yield from (("end", end) for end in ("min", "mean", "max"))
     yield from (("value", part) for part in ("center", "spread"))
     yield from (("", name) for name in MISSES)
+    yield from (("", each.what) for each in vars(parts).values() if isinstance(each, parts.PartRule))
     yield from (("", each.needs) for each in JUDGED.values() if " " in each.needs)
     yield from (("", about) for about, *_ in LAYERS.values())
     yield from (("", os.strerror(number)) for number in FAILURES)

@@ -20,16 +20,19 @@ _PLACES = 65
 
 
 class BallContact(NamedTuple):
-    """The contact of a ball where most of it is used; None is not known."""
+    """The contact of a ball; None is not known."""
 
     force: float | None
-    """F_n, N."""
+    """F_n where it is largest, N."""
     allowable: float | None
+    """[F_n] where most of it is used, N."""
     basis: Basis | None
     utilisation: float | None
     seat: float | None = None
     """F_s of the straight walls that seat the ball in the other sleeve, N."""
     seat_utilisation: float | None = None
+    critical: float | None = None
+    """F_n where most of what is allowed is used, if that is elsewhere, N."""
 
 
 def contact_along(clutch: Clutch, unit: ControlUnit, wall: Wall, *, ball_known: bool) -> BallContact:
@@ -53,16 +56,23 @@ def contact_along(clutch: Clutch, unit: ControlUnit, wall: Wall, *, ball_known: 
         _Place(wall, unit, wall.angle_at(travel / wall.sleeves), torque, given, flat)
         for travel, torque in zip(travels, clutch.torque(along).tolist(), strict=True)
     ]
+    most = max(places, key=lambda place: place.force)
     worst = max(places, key=lambda place: place.force if place.utilisation is None else place.utilisation)
     allowable, basis = _as_recorded(worst)
     if unit.balls is None:
         return BallContact(None, allowable, basis, None)
-    force = law.contact_force(worst.torque, unit.balls, unit.ball_circle_radius, math.cos(worst.angle))
+
+    def borne(place: _Place) -> float:
+        return float(law.contact_force(place.torque, unit.balls, unit.ball_circle_radius, math.cos(place.angle)))
+
+    found = BallContact(borne(most), allowable, basis, worst.utilisation)
+    if worst is not most:
+        found = found._replace(critical=borne(worst))
     if wall.sleeves == 2:
-        return BallContact(float(force), allowable, basis, worst.utilisation)
+        return found
     seat = max(place.seat for place in places)
     bears = flat if given is None else given
-    return BallContact(float(force), allowable, basis, worst.utilisation, seat, bears and seat / bears)
+    return found._replace(seat=seat, seat_utilisation=bears and seat / bears)
 
 
 def _as_recorded(worst: "_Place") -> tuple[float | None, Basis | None]:

@@ -105,7 +105,7 @@ def _contact_findings(unit: ControlUnit, result: SynthesisResult) -> list[Findin
     if unit.balls is None:
         found.append(finding("balls-not-given", "info", path="control_unit.balls"))
     if result.contact_utilisation is not None and result.contact_utilisation > 1:
-        force, allowable = result.contact_force, result.contact_force_allowable
+        force, allowable = result.contact_force_judged, result.contact_force_allowable
         path = "control_unit.allowable_contact_force"
         found.append(finding("contact-force-exceeded", "error", value=force, limit=allowable, path=path))
     if result.seat_force is not None and result.seat_utilisation is not None and result.seat_utilisation > 1:

@@ -260,7 +260,7 @@ ANALYSES: dict[str, Analysis] = {
                 "Springs",
                 "The springs named, as set and in service; η is the largest share used of range or stress allowed.",
                 "Of what they may bear the springs use {utilisation:.3g} at most.",
-                ("Di17", "En13"),
+                ("Di17", "En13", "Sh11"),
                 applies=lambda clutch: bool(clutch.spec.spring_parts),
             ),
             plot=Plot("springs", "force of the springs over their deflection, with what service takes", "clutch"),

@@ -81,6 +81,7 @@ def _of_the_curve(clutch: Clutch, wall: Wall, contact: BallContact, travel: floa
         "gain_slope": clutch.gain_slope,
         "profiled": unit.profiled or "one",
         "undercut_radius": wall.undercut_radius,
+        "contact_force_critical": contact.critical,
         "seat_force": contact.seat,
         "seat_utilisation": contact.seat_utilisation,
         "wall": wall.points() if wall.can_be_cut else None,
@@ -114,7 +115,7 @@ def _pitch(unit: ControlUnit) -> float | None:
 
 
 def _contact(clutch: Clutch, unit: ControlUnit, wall: Wall, ball_radius: float | None) -> BallContact:
-    """Largest F_n along the common path and what it may be; on a curved wall, where it is used most."""
+    """Largest F_n along the common path, and what it may be."""
     if wall.steepening > 0:
         return contact_along(clutch, unit, wall, ball_known=ball_radius is not None)
     allowable, basis = _allowable(unit, ball_radius)

@@ -32,6 +32,12 @@ class SynthesisResult(Result):
     ball_pitch: float | None = quantity("m", "t_ш", "distance between the centres of neighbouring balls")
     web: float | None = quantity("m", "e", "web between neighbouring pockets at the face")
     contact_force: float | None = quantity("N", "F_n", "largest normal force on one ball")
+    contact_force_critical: float | None = quantity(
+        "N",
+        "F_n,c",
+        "normal force on one ball where most of [F_n] is used: of it are [F_n] and the utilisation",
+        optional=True,
+    )
     contact_force_allowable: float | None = quantity("N", "[F_n]", "allowable normal force on one ball")
     seat_force: float | None = quantity(
         "N", "F_s", "largest force of a wall that seats the ball in the other sleeve", optional=True
@@ -46,6 +52,11 @@ class SynthesisResult(Result):
     wall: list[WallPoint] | None = quantity(
         "", None, "curved wall from the stop to the face, from the ball's centre at the stop", optional=True
     )
+
+    @property
+    def contact_force_judged(self) -> float | None:
+        """The normal force that the utilisation is of."""
+        return self.contact_force if self.contact_force_critical is None else self.contact_force_critical
 
     @property
     def ball_diameter(self) -> float:

@@ -8,6 +8,7 @@ from ..engines.protocol import Clutch
 from ..equations import synthesis, wall
 
 # what is asked along the whole wall is no step of a calculation: bound here, it is not recorded for an explanation
+from ..equations.synthesis import ball_radius
 from ..equations.wall import contact_depth, path, path_tangent, wall_around, wall_axial
 from ..result import Result, quantity
 from ..spec.models import ControlUnit
@@ -84,14 +85,21 @@ class Wall(NamedTuple):
         )
 
     def smallest_ball(self, travel: float, clearance: float) -> float:
-        """Radius of the smallest ball that touches below the face all along, m: least deep at the largest travel."""
-        depth = travel / self.sleeves
-        sine = math.sin(self.angle_at(depth))
-        return float(synthesis.ball_radius(2 * depth, self.face_gap, clearance, sine))
+        """Radius of the smallest ball that touches below the face all along, m.
+
+        Least deep at the largest travel, or at the stop where a ball so large undercuts the wall: between them no
+        place asks for more than both.
+        """
+
+        def needed(depth: float) -> tuple[float, float, float, float]:
+            return 2 * depth, self.face_gap, clearance, math.sin(self.angle_at(depth))
+
+        shallowest = max((0.0, travel / self.sleeves), key=lambda depth: ball_radius(*needed(depth)))
+        return float(synthesis.ball_radius(*needed(shallowest)))
 
     def clearance(self, travel: float) -> float:
-        """How far below the face the ball touches at the largest travel, m."""
-        depth = travel / self.sleeves
+        """How far below the face the ball touches where it does least, m: at the largest travel, or at the stop."""
+        depth = min((0.0, travel / self.sleeves), key=self.contact_depth)
         sine = math.sin(self.angle_at(depth))
         return float(synthesis.edge_clearance(self.ball_radius, 2 * depth, self.face_gap, sine))
 

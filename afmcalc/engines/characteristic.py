@@ -16,8 +16,6 @@ from ..spec.springs import CoilSprings, DiscStack
 MODULUS = 206e9
 """Young's modulus of disc springs (DIN EN 16984), Pa."""
 POISSON = 0.3
-SHEAR_MODULUS = 81.5e9
-"""Of patented drawn wire (EN 13906-1), Pa."""
 LEAST_USED, MOST_USED = 0.15, 0.75
 """Shares of the cone height that a disc spring is used in (DIN EN 16984)."""
 _STEPS = 60
@@ -188,8 +186,7 @@ class CoilCharacteristic(Characteristic):
     @property
     def rate(self) -> float:
         """Stiffness of all together, N/m."""
-        own = self.part
-        return own.count * float(coils.coil_stiffness(SHEAR_MODULUS, own.wire_diameter, own.coil_diameter, own.turns))
+        return self.part.rate
 
     @property
     def range(self) -> tuple[float, float]:
@@ -215,6 +212,11 @@ class CoilCharacteristic(Characteristic):
     def stiffness(self, deflection: Values) -> Values:
         """The same at every deflection, N/m."""
         return self.rate + 0.0 * deflection
+
+    @property
+    def correction(self) -> float:
+        """k_τ, by which a curved wire bears more at its inside: it counts where the spring moves."""
+        return float(coils.coil_correction(self.part.wire_diameter, self.part.coil_diameter))
 
     def stress(self, deflection: float) -> float:
         """Shear stress of the wire, without the correction for the curve as for a spring that rests, Pa."""

@@ -2,17 +2,20 @@
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..arrays import Values, larger, smaller
 from ..equations import accuracy, adjustment, effects, overload
 from ..findings import Finding
 from ..spec.models import Method, Range, Spec
 from . import setting
-from .characteristic import DiscCharacteristic, curved
-from .direct_law import DirectLaw
-from .laws import IndirectLaw
-from .parts import part_findings
+
+if TYPE_CHECKING:
+    # what only some clutches have is no part of every start
+    from .characteristic import DiscCharacteristic
+    from .direct_law import DirectLaw
+    from .laws import IndirectLaw
+    from .wish import Wish
 
 
 class Point(NamedTuple):
@@ -43,7 +46,7 @@ class Clutch(ABC):
 
     spec: Spec
     """The spec it was built from."""
-    law: DirectLaw | IndirectLaw
+    law: "DirectLaw | IndirectLaw"
     """Torque and forces as functions of the spring force and the friction."""
     friction: tuple[Range, Range]
     """Ranges of f_1 and f_2 (twice the same with one material)."""
@@ -61,10 +64,15 @@ class Clutch(ABC):
         return self.closing_force
 
     @property
-    def following(self) -> tuple[Values | None, DiscCharacteristic | None]:
+    def following(self) -> "tuple[Values | None, DiscCharacteristic | None]":
         """The spring that follows the pack as it wears: its stiffness if given, its part where it is a curved one."""
-        springs = curved(self.spec)
-        return self.spec.closing_spring.stiffness, None if springs is None else springs.closing
+        own = self.spec.closing_spring
+        stiffness = own.coil.rate if own.stiffness is None and own.coil is not None else own.stiffness
+        if own.disc is None:
+            return stiffness, None
+        from .characteristic import DiscCharacteristic
+
+        return stiffness, DiscCharacteristic(own.disc)
 
     @property
     def following_stiffness(self) -> Values | None:
@@ -268,13 +276,21 @@ class Clutch(ABC):
         found, nominal = self._law_findings(), float(self.nominal_torque)
         return [*found, *setting.findings(self.spec, nominal, float(self.torque_min)), *self._part_findings()]
 
-    def _part_findings(self) -> list[Finding]:
-        if not any(spring and spring.part for spring in (self.spec.closing_spring, self.spec.control_spring)):
-            return []
+    def wishes(self) -> "list[Wish]":
+        """What each spring is to give, and what happens to it."""
+        from .wish import wishes
+
         control, travel = self.control_force, self.travel(self.friction[0].max)
-        return part_findings(
+        return wishes(
             self.spec, float(self.closing_force), None if control is None else float(control), float(travel or 0.0)
         )
+
+    def _part_findings(self) -> list[Finding]:
+        if not self.spec.spring_parts:
+            return []
+        from .parts import part_findings
+
+        return part_findings(self.spec, self.wishes())
 
     @abstractmethod
     def _law_findings(self) -> list[Finding]:

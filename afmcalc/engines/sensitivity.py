@@ -12,6 +12,18 @@ from .laws import IndirectLaw
 _SAME = 1 + 1e-12
 
 
+class Part(float):
+    """What of κ, or of F_п1, is proportional to a parameter: it knows the parameter's symbol, for who explains."""
+
+    of: str
+
+    def __new__(cls, value: Values, of: str) -> "Part":
+        """A number, and what it is proportional to."""
+        part = super().__new__(cls, float(value))
+        part.of = of
+        return part
+
+
 @dataclass(frozen=True)
 class _Torque:
     """Elasticities of one torque, but those in R and z themselves, which a quotient of two does not have."""
@@ -20,7 +32,7 @@ class _Torque:
     """In the friction it is at."""
     end: str | None
     """End of the range that this friction is; None where the forces fix it."""
-    in_feedback: Callable[[Values], float]
+    in_feedback: Callable[[Part], float]
     """In a parameter to which a part of κ is proportional; of κ where the sleeve is."""
     travel: float = 0.0
     """Of the sleeve, m."""
@@ -54,17 +66,17 @@ def _by_path(spec: Spec, law: IndirectLaw, high: _Torque, low: _Torque, closing_
     set_here = law.made_control_force is None
     in_control = high.control_force - low.control_force
 
-    def passed_on(part: Values) -> float:
+    def passed_on(part: Part) -> float:
         """What F_п2 = F_п1 (1 + z f_set κ) passes on."""
         if not set_here:
             return 0.0
         own = indirect.seated_elasticity_in_feedback(law.pairs, law.friction_set, part, law.net_gain)
         return float(in_control * own)
 
-    def in_feedback(part: Values, slope: Values = 0.0) -> float:
+    def in_feedback(of: str, part: Values, slope: Values = 0.0) -> float:
         """``part`` of κ at the stop, and what the slope adds where the sleeve is."""
-        ends = (each.in_feedback(part + slope * each.travel) for each in (high, low))
-        return float(next(ends) - next(ends)) + passed_on(part)
+        ends = (each.in_feedback(Part(part + slope * each.travel, of)) for each in (high, low))
+        return float(next(ends) - next(ends)) + passed_on(Part(part, of))
 
     in_force = high.closing_force - low.closing_force + (in_control if set_here else 0.0)
     if set_here and law.straight:
@@ -75,10 +87,10 @@ def _by_path(spec: Spec, law: IndirectLaw, high: _Torque, low: _Torque, closing_
     for each, sign in ((high, 1.0), (low, -1.0)):
         _spread(found, spec, each.end, sign * each.friction)
     at_set = "mean" if spec.adjustment.method == "mean-friction" else "min"
-    _spread(found, spec, at_set, passed_on(law.net_gain) + follows)
-    in_gain, in_key = in_feedback(law.gain), in_feedback(-law.gain_threshold)
+    _spread(found, spec, at_set, passed_on(Part(law.net_gain, "f_set")) + follows)
+    in_gain, in_key = in_feedback("C", law.gain), in_feedback("f_1", -law.gain_threshold)
     found |= {
-        "friction_group.pairs": in_feedback(law.net_gain, law.gain_slope) + follows,
+        "friction_group.pairs": in_feedback("z", law.net_gain, law.gain_slope) + follows,
         **geometry.gain_elasticities(spec, in_gain, in_radius=in_key + follows),
         "control_unit.key_friction": in_key,
         "control_unit.hub_diameter": -in_key,
@@ -87,7 +99,7 @@ def _by_path(spec: Spec, law: IndirectLaw, high: _Torque, low: _Torque, closing_
         geometry.force_path(spec): in_force,
     }
     if not law.straight:
-        found["control_unit.gain_slope"] = in_feedback(0.0, law.gain_slope)
+        found["control_unit.gain_slope"] = in_feedback("C_1", 0.0, law.gain_slope)
     if not set_here:
         found["control_spring.force"] = in_control
     return found
@@ -99,29 +111,29 @@ def _at(law: IndirectLaw, closing_force: Values, friction: Values, end: str) -> 
     leaving = law.leaving_friction(closing_force)
     if friction <= leaving if end == "min" else friction < leaving:
 
-        def seated(part: Values) -> float:
+        def seated(part: Part) -> float:
             return -float(indirect.seated_elasticity_in_feedback(law.pairs, friction, part, law.net_gain))
 
-        return _Torque(1 + seated(law.net_gain), end, seated, control_force=1.0)
+        return _Torque(1 + seated(Part(law.net_gain, "f")), end, seated, control_force=1.0)
     tangent = law.tangent_stiffness(closing_force, friction, law.net_gain)
     pressed, travel = law.normal_force(closing_force, friction), law.travel(closing_force, friction)
     slope = pocket.slope_feedback(law.pairs, friction, law.gain_slope)
     c1, c2, control = law.closing_stiffness, law.control_stiffness, law.control_force(closing_force)
 
-    def moving(part: Values) -> float:
+    def moving(part: Part) -> float:
         return float(pocket.force_elasticity_in_feedback(c1, law.pairs, friction, part, tangent))
 
-    def in_closing(part: Values) -> float:
+    def in_closing(part: Part) -> float:
         return float(pocket.force_elasticity_in_closing_spring(part, c2, slope, tangent, pressed))
 
     return _Torque(
-        friction=1 + moving(law.steepened(travel).net_gain),
+        friction=1 + moving(Part(law.steepened(travel).net_gain, "f")),
         end=end,
         in_feedback=moving,
         travel=float(travel),
-        closing_stiffness=in_closing(-c1 * travel),
+        closing_stiffness=in_closing(Part(-c1 * travel, "c_1")),
         control_stiffness=float(pocket.force_elasticity_in_control_stiffness(c1, c2, travel, tangent, pressed)),
-        closing_force=in_closing(closing_force),
+        closing_force=in_closing(Part(closing_force, "F_п1")),
         control_force=float(pocket.force_elasticity_in_control_force(c1, control, tangent, pressed)),
     )
 

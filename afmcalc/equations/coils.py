@@ -119,3 +119,84 @@ def coil_mass(density: Number, wire_diameter: Number, coil_diameter: Number, tur
         A small pitch; two more turns at the ends.
     """
     return density * pi * pi * wire_diameter**2 * coil_diameter * (turns + 2) / 4
+
+
+def coil_endurance(amplitude: Number, mean: Number, ultimate: Number) -> Number:
+    """Shear stress that alternates about 0 and a wire bears for ever, S_se = S_sa/(1 − S_sm/S_su).
+
+    Source: Shigley, sec. 10-9 (Goodman's line through Zimmerli's point 1957).
+
+    Args:
+        amplitude: S_sa, amplitude of a shear stress that is borne for ever [Pa].
+        mean: S_sm, mean of that shear stress [Pa].
+        ultimate: S_su, shear strength [Pa].
+
+    Returns:
+        S_se [Pa].
+
+    Validity:
+        S_sm < S_su.
+    """
+    return amplitude / (1 - mean / ultimate)
+
+
+def coil_upper_stress(lower_stress: Number, endurance: Number, ultimate: Number) -> Number:
+    """Upper shear stress a wire bears for ever, τ_O = [2 S_se S_su + τ_U (S_su − S_se)]/(S_su + S_se).
+
+    Source: Shigley, sec. 10-9 (Goodman: τ_a/S_se + τ_m/S_su = 1); stresses with k_τ, as EN 13906-1 has them.
+
+    Args:
+        lower_stress: τ_U, least shear stress of the stroke, with k_τ [Pa].
+        endurance: S_se, shear stress that alternates about 0 and is borne for ever [Pa].
+        ultimate: S_su, shear strength [Pa].
+
+    Returns:
+        τ_O [Pa].
+
+    Validity:
+        Wire not shot peened; diameter to some 10 mm.
+    """
+    return (2 * endurance * ultimate + lower_stress * (ultimate - endurance)) / (ultimate + endurance)
+
+
+def coil_buckling_root(
+    coil_diameter: Number, free_length: Number, modulus_ratio: Number, seating: Number, pi: Number
+) -> Number:
+    """What stands under the root of the deflection of buckling, 1 − (1 − G/E)/(½ + G/E) [π D/(ν L_0)]².
+
+    Source: EN 13906-1 (Haringx 1948); theory of the drive, section 11.
+
+    Args:
+        coil_diameter: D, mean diameter of the coil [m].
+        free_length: L_0, length without load [m].
+        modulus_ratio: G/E, shear modulus over Young's modulus [1].
+        seating: ν, factor of the seating, ½ between parallel plates [1].
+        pi: π, a symbol under SymPy [1].
+
+    Returns:
+        q [1].
+
+    Validity:
+        Negative where the spring never buckles.
+    """
+    slender = pi * coil_diameter / (seating * free_length)
+    return 1 - (1 - modulus_ratio) / (0.5 + modulus_ratio) * slender**2
+
+
+def coil_buckling_deflection(free_length: Number, modulus_ratio: Number, root: Number) -> Number:
+    """Deflection at which a coil spring without guide buckles, s_K = L_0 (1 − √q)/[2 (1 − G/E)].
+
+    Source: EN 13906-1 (Haringx 1948); theory of the drive, section 11.
+
+    Args:
+        free_length: L_0, length without load [m].
+        modulus_ratio: G/E, shear modulus over Young's modulus [1].
+        root: q, what stands under the root of that deflection [1].
+
+    Returns:
+        s_K [m].
+
+    Validity:
+        q ≥ 0.
+    """
+    return free_length * (1 - root**0.5) / (2 * (1 - modulus_ratio))

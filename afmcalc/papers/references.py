@@ -9,6 +9,7 @@ REFERENCES = {
     "CJ": "Carslaw H.S., Jaeger J.C. Conduction of Heat in Solids. 2nd ed. Oxford, 1959.",
     "Di17": "DIN EN 16984. Disc springs – Calculation. 2017.",
     "En13": "EN 13906-1. Cylindrical helical springs made from round wire and bar – Compression springs. 2013.",
+    "Sh11": "Budynas R.G., Nisbett J.K. Shigley's Mechanical Engineering Design. 9th ed., McGraw-Hill, 2011.",
     "Fi68": "Finkin E.F. Spline friction in multiple disc clutches. J. Lubrication Technology 90 (1968) 65.",
 }
 """Key → reference, as the formulas cite them."""

@@ -6,11 +6,13 @@ from ..equations import coils, springs
 from . import Identity, Refutation, Steps
 
 __all__ = [
+    "coil_that_buckles",
     "cone_that_turns",
     "disc_with_flats",
     "stacks_of_discs",
     "stresses_at_the_edges",
     "wire_in_torsion",
+    "wire_that_lasts",
 ]
 
 E, nu, a, b, t, h, s, k4 = sp.symbols("E nu a b t h s K_4", positive=True)
@@ -127,3 +129,32 @@ def wire_in_torsion() -> Steps:
     yield Identity("S_a", gap * 2000 * d - n * (3 * D**2 + 200 * d**2))
     volume = sp.pi * d**2 / 4 * sp.pi * D * turns
     yield Identity("mass of the wire", coils.coil_mass(rho, d, D, n, sp.pi) - rho * volume)
+
+
+def wire_that_lasts() -> Steps:
+    """Goodman's line τ_a/S_se + τ_m/S_su = 1 through a point known."""
+    amplitude, mean, ultimate, lower, endurance = sp.symbols("S_sa S_sm S_su tau_U S_se", positive=True)
+    yield Identity("the point", amplitude / coils.coil_endurance(amplitude, mean, ultimate) + mean / ultimate - 1)
+    upper = coils.coil_upper_stress(lower, endurance, ultimate)
+    line = (upper - lower) / 2 / endurance + (upper + lower) / 2 / ultimate
+    yield Identity("the line", line - 1)
+
+
+def coil_that_buckles() -> Steps:
+    """Haringx: P (1 + P/γ) = π² β/(ν L)², bending and shear stiffness of the coil falling as its length L."""
+    length, q, seating, share = sp.symbols("L_0 q nu_K u", positive=True)
+    # wire of the coil in torsion, bent, and its turns sheared
+    spring = G * d**4 / (8 * D**3 * n)
+    young, left = G / q, length * (1 - share)
+    bending = left * 2 * young * G * d**4 / (32 * n * D * (2 * G + young))
+    shear = left * young * d**4 / (8 * D**3 * n)
+    load = spring * share * length
+    euler = load * (1 + load / shear) * (seating * left) ** 2 - sp.pi**2 * bending
+    root = sp.nsimplify(coils.coil_buckling_root(D, length, q, seating, sp.pi), rational=True)
+    square = sp.Symbol("r", positive=True)
+    at = sp.nsimplify(coils.coil_buckling_deflection(length, q, square**2), rational=True) / length
+    reduced = sp.cancel(sp.together(euler.subs(share, at)))
+    # what is left holds where r² is the root
+    yield Identity("s_K/L_0", sp.simplify(sp.rem(sp.numer(reduced), sp.numer(sp.together(square**2 - root)), square)))
+    yield Identity("a slender one at once", coils.coil_buckling_deflection(length, q, 1))
+    yield Refutation("only there", sp.simplify(reduced))

@@ -5,6 +5,7 @@ from typing import Annotated
 
 from pydantic import Field, model_validator
 
+from ..equations import coils
 from ..errors import Problem
 from ..messages import say
 from . import rules
@@ -12,6 +13,10 @@ from .fields import Block, Count, Force, Gap, Length, Quantity, Ratio, Stiffness
 
 SNAPS = 1.4
 """Cone height over thickness up to which the force of a disc only grows (√2)."""
+SHEAR_MODULUS = 81.5e9
+"""Of patented drawn wire (EN 13906-1), Pa."""
+ROUNDED = 0.005
+"""How far a stiffness written to three figures may be off, relative."""
 Turns = Annotated[float, Quantity("1", ge=2)]
 
 
@@ -85,9 +90,21 @@ class CoilSprings(Block):
 
     @model_validator(mode="after")
     def _a_coil(self) -> "CoilSprings":
-        if wrong := _bigger("coil_diameter", self.coil_diameter, "wire_diameter", self.wire_diameter):
+        wire, coil, turns = self.wire_diameter, self.coil_diameter, self.turns
+        wrong = _bigger("coil_diameter", coil, "wire_diameter", wire)
+        least = float(coils.coil_solid_length(wire, turns) + coils.coil_least_gap(wire, coil, turns))
+        if self.free_length <= least:
+            message = say("must be greater than {least:.5g} m: pressed so far its turns all but touch", least=least)
+            wrong.append(rules.wrong("free_length", message))
+        if wrong:
             raise rules.RuleError(wrong)
         return self
+
+    @property
+    def rate(self) -> float:
+        """Stiffness of all together, N/m."""
+        one = coils.coil_stiffness(SHEAR_MODULUS, self.wire_diameter, self.coil_diameter, self.turns)
+        return self.count * float(one)
 
 
 class _Spring(Block):
@@ -104,6 +121,12 @@ class _Spring(Block):
     def _one_part(self) -> "_Spring":
         if self.disc is not None and self.coil is not None:
             raise rules.RuleError([rules.wrong("coil", say("excludes disc: a spring is one or the other"))])
+        given = getattr(self, "stiffness", None)
+        if self.coil is not None and given is not None and abs(given / self.coil.rate - 1) > ROUNDED:
+            message = say(
+                "is not the stiffness of the coil named, {own:.5g} N/m: leave it out, or the coil", own=self.coil.rate
+            )
+            raise rules.RuleError([rules.wrong("stiffness", message)])
         return self
 
     @property

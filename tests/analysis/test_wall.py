@@ -61,6 +61,18 @@ def test_the_wall_is_a_ball_s_radius_from_the_path(wall):
             assert abs(along[0] * off[1] - along[1] * off[0]) <= CHORD * (1 + 1e-3)
 
 
+@given(walls(), st.floats(0, 20), st.floats(0, 5e-3), st.floats(0, 5e-3))
+def test_the_smallest_ball_touches_below_the_face_all_along(wall, steeper, travel, clearance):
+    """r_ш sin α ≥ ξ + s/2 + y at every place, with equality at one, also where such a ball undercuts the wall."""
+    wall = wall._replace(steepening=wall.steepening * (1 + steeper))
+    wall = wall._replace(ball_radius=wall.smallest_ball(travel, clearance))
+    ways = np.linspace(0, travel / wall.sleeves, 301)
+    sine = np.sin(np.arctan(wall.tangent + wall.steepening * ways))
+    left = wall.ball_radius * sine - ways - wall.face_gap / 2
+    assert left.min() == pytest.approx(clearance, abs=1e-12)
+    assert wall.clearance(travel) == pytest.approx(left.min(), abs=1e-12)
+
+
 @given(walls(), st.floats(1.01, 3))
 def test_a_larger_ball_undercuts(wall, times):
     """The wall of a ball beyond ρ_0 runs back on itself, and the contact sinks as the ball rises."""
@@ -180,16 +192,23 @@ def test_the_pressure_makes_the_surfaces_meet():
 
 def test_the_contact_where_it_is_used_most():
     clutch = constant_torque(allowable_contact_force=None, contact=STEEL)
-    found, _ = synthesize(clutch)
+    found, findings = synthesize(clutch)
     assert found.contact_basis == "hertz-ball-on-curved-wall"
-    used = []
+    used, forces = [], []
     for friction in np.linspace(0.1, 0.8, 200):
         angle = math.atan((clutch.gain + clutch.gain_slope * clutch.travel(friction)) * 0.5)
         force = clutch.torque(friction) / (6 * 0.05 * math.cos(angle))
+        forces.append(force)
         rho = 1 / (375 * 0.5 * math.cos(angle) ** 3)
         used.append(force / hertz.ball_on_convex_wall(STEEL, found.ball_diameter / 2, rho))
     assert found.contact_utilisation == pytest.approx(max(used), rel=1e-3)
-    assert found.contact_force / found.contact_force_allowable == pytest.approx(found.contact_utilisation)
+    assert found.contact_force == pytest.approx(max(forces), rel=1e-9), "the largest of all"
+    critical = forces[int(np.argmax(used))]
+    assert critical < 0.8 * max(forces)
+    assert found.contact_force_critical == pytest.approx(critical, rel=1e-3)
+    assert critical / found.contact_force_allowable == pytest.approx(found.contact_utilisation, rel=1e-3)
+    (refusal,) = [each for each in findings if each.code == "contact-force-exceeded"]
+    assert refusal.value == found.contact_force_critical
     at_end = 160 / (6 * 0.05) * math.sqrt(1 + math.tan(found.wall_angle_max) ** 2)
     straight = found.wall_angle
     seat = at_end * math.sin(found.wall_angle_max + straight) / math.sin(2 * straight)

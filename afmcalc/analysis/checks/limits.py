@@ -1,8 +1,10 @@
 """Every limit a design is held against, passed or not, with its utilisation."""
 
+import math
 from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
+from ...engines.parts import demands_of
 from ...engines.protocol import Clutch
 from ...findings import Finding, Level
 from ...messages import say, term
@@ -60,6 +62,7 @@ def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]
     return [
         *(_used(each, levels) for each in _of_clutch(clutch)),
         *(_used(each, levels) for each in (_of_synthesis(answers) if synthesized else ())),
+        *_of_springs(clutch),
         *map(_pressure, pressure_findings(clutch)),
         *(_used(each, levels) for each in (_of_life(answers.of(LifeResult)) if lived else ())),
     ]
@@ -113,12 +116,28 @@ def _of_synthesis(answers: Answers) -> Iterator[_Held]:
     if (sleeve := value_at(answers.clutch.spec, "control_unit.sleeve_depth")) is not None:
         depth = found.pocket_depth_cut
         yield _Held("depth-beyond-sleeve", term("pocket within the sleeve"), "h_c ≤ B", "m", depth, sleeve)
-    if found.contact_force is not None and found.contact_force_allowable is not None:
-        force, allowable = found.contact_force, found.contact_force_allowable
+    if found.contact_force_judged is not None and found.contact_force_allowable is not None:
+        force, allowable = found.contact_force_judged, found.contact_force_allowable
         yield _Held("contact-force-exceeded", term("contact force on one ball"), "F_n ≤ [F_n]", "N", force, allowable)
     if found.seat_force is not None and found.seat_utilisation:
         force, allowable = found.seat_force, found.seat_force / found.seat_utilisation
         yield _Held("seat-force-exceeded", term("force of a seat on one ball"), "F_s ≤ [F_n]", "N", force, allowable)
+
+
+def _of_springs(clutch: Clutch) -> Iterator[Utilisation]:
+    """What the springs named are to hold, each judged on its own."""
+    if not clutch.spec.spring_parts:
+        return
+    for path, (rule, value, limit, _), used in (
+        (path, each, each.utilisation) for path, each in demands_of(clutch.spec, clutch.wishes())
+    ):
+        if math.isfinite(used):
+            spring = term("closing spring") if path.startswith("closing") else term("control spring")
+            yield Utilisation(
+                name=say("{spring}: {what}", spring=spring, what=term(rule.what)),
+                symbol=rule.symbol, unit=rule.unit, value=value, limit=limit, utilisation=used,
+                verdict=_GRADES[rule.level] if used > 1 + 1e-9 else "pass",
+            )  # fmt: skip
 
 
 def _of_life(found: LifeResult) -> Iterator[_Held]:

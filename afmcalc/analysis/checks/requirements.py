@@ -63,6 +63,12 @@ def _most(found: Triple | OpenTriple | None) -> float | None:
     return None if None in values else max(each for each in values if each is not None)
 
 
+def _peak(clutch: Clutch, found: Any) -> float | None:
+    """The largest in the shaft, also where the bypass pairs may hold first."""
+    slipping: float | None = _most(found.peak_torque)
+    return slipping if found.peak_torque_bypass is None else max(slipping or 0.0, found.peak_torque_bypass)
+
+
 def _cycles(clutch: Clutch, found: Any) -> float:
     """Life as set, of the side that fails first; what the S-N line gives beyond its end is no number to sign."""
     method = clutch.spec.adjustment.method
@@ -77,7 +83,7 @@ JUDGED: dict[str, Judged] = {
     "accuracy_factor": Judged("accuracy", lambda clutch, found: found.accuracy_factor),
     "torque_max": Judged("torque", lambda clutch, found: max(found.torque.min, found.torque.max)),
     "outer_diameter": Judged("torque", _outer_diameter, needs="friction_group.outer_radius"),
-    "peak_torque": Judged("simulate", lambda clutch, found: _most(found.peak_torque), needs="[drive] with an event"),
+    "peak_torque": Judged("simulate", _peak, needs="[drive] with an event"),
     "exceedance": Judged("tolerance", _exceedance, needs="[tolerance], its torque_limit absent or that torque_max"),
     "work": Judged("heat", lambda clutch, found: _most(found.specific_work), needs="[drive], [heat] and both radii"),
     "temperature": Judged("heat", lambda clutch, found: _most(found.temperature), needs="[drive] and [heat]"),

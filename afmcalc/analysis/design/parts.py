@@ -11,7 +11,6 @@ from ...spec.requirements import Requirements
 from ..springs.options import part_of
 from ..springs.result import SpringOption
 from ..springs.springs import ranked
-from ..springs.wish import wishes
 from .limits import OVER
 from .rows import DesignRow, as_spec
 
@@ -57,7 +56,7 @@ def _stacks(plain: Spec) -> dict[str, SpringOption]:
 
     Where none of those tried do the first of all, which a check then tells of.
     """
-    lists: dict[str, list[SpringOption]] = {wish.name: ranked(wish, "disc")[:_TRIED] for wish in wishes(build(plain))}
+    lists: dict[str, list[SpringOption]] = {wish.name: ranked(wish, "disc")[:_TRIED] for wish in build(plain).wishes()}
     every = [dict(zip(lists, each, strict=True)) for each in product(*lists.values())]
     return next((each for each in every if _in_range(_sprung(plain, each))), every[0])
 

@@ -106,8 +106,8 @@ def _step(call: Call) -> Step:
     result = call.equation.result
     mended = [entry for entry in register() if entry.function == call.equation.name and entry.status == "mended"]
     return Step(
-        symbol=result.symbol,
-        symbol_latex=symbol_latex(result.symbol),
+        symbol=call.result,
+        symbol_latex=symbol_latex(call.result),
         name=call.equation.summary.partition(",")[0].rstrip("."),
         at=call.case.at,
         setting=call.case.setting,

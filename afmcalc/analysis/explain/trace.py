@@ -7,6 +7,7 @@ from importlib import import_module
 from inspect import signature
 from typing import Any, Literal, NamedTuple, get_args
 
+from ...engines.sensitivity import Part
 from ...equations.catalogue import Equation, equations
 from ...messages import say
 from ...spec import Spec
@@ -119,6 +120,13 @@ class Call(NamedTuple):
         if value.end and symbol in ("f_1", "f_2"):
             return symbol + value.end
         return str(value.case.friction) if value.end and symbol in ("f", "f_i") else symbol
+
+    @property
+    def result(self) -> str:
+        """Symbol of the result; an elasticity in a parameter p names it."""
+        symbol = self.equation.result.symbol
+        of = next((value.of for value in self.arguments.values() if isinstance(value, Part)), "p")
+        return f"{symbol.removesuffix('p')}{of}" if symbol.endswith("∂ln p") else symbol
 
     @property
     def case(self) -> Circumstance:
@@ -273,4 +281,4 @@ def identity(call: Call) -> tuple[object, ...]:
     """Return what two calls of plain numbers have in common where they are one."""
     # the same number by two ways may differ in its last digits
     numbers = (f"{value:.12g}" for value in call.arguments.values())
-    return (call.equation.name, call.case, *map(call.symbol, call.arguments), *numbers)
+    return (call.equation.name, call.case, call.result, *map(call.symbol, call.arguments), *numbers)

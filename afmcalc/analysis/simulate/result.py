@@ -43,6 +43,9 @@ class SimulateResult(Result):
     slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=ENDLESS)
     slip_energy: OpenTriple = quantity("J", "Q", "heat in the pack", null=ENDLESS)
     travel_max: Triple | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
+    peak_torque_bypass: float | None = quantity(
+        "N*m", "T_peak,1", "peak torque in the shaft at f_max if the bypass pairs alone carry", optional=True
+    )
     peak_torque_conventional: Triple = quantity(
         "N*m", "T_peak,0", "peak torque in the shaft with an ordinary clutch of equal T_н"
     )

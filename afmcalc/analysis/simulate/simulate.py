@@ -5,7 +5,7 @@ from typing import Any
 
 from ...engines.protocol import Clutch
 from ...errors import CalculationError
-from ...findings import Finding
+from ...findings import Finding, finding
 from ...messages import say
 from ...result import OpenTriple, Triple
 from ...spec import Spec, resolved
@@ -13,6 +13,7 @@ from ...watch import Progress, unwatched
 from ..explain.trace import unrecorded
 from ..sweep.grid import Axis
 from ..torque import Pair, friction_fields, outside_range, pairs_asked
+from .bypass import bypass_peak
 from .cases import outcome_of
 from .remarks import remarks_of
 from .result import SimulatePoint, SimulateResult
@@ -42,6 +43,7 @@ def simulate(
     ends = list(zip(*clutch.friction, strict=True))
     found = [outcome_of(clutch, *end) for end in ends]
     peaks = [each.trip.peak for each in found]
+    bypass = bypass_peak(clutch)
     sweep, rising = swept(clutch, sweeps, progress)
     travels, unit = clutch.spec.kind.travels, clutch.spec.control_unit
     late = unit is not None and bool(unit.release_lag)
@@ -49,6 +51,7 @@ def simulate(
         sliding_torque=_triple([each.case.plant.sliding for each in found]),
         peak_torque=_triple(peaks),
         peak_torque_clutch=_triple([each.trip.peak_clutch for each in found]),
+        peak_torque_bypass=bypass,
         dynamic_factor=_triple([each.dynamic_factor for each in found]),
         peak_over_machine=_triple([peak / train.load for peak in peaks]) if train.load else None,
         slip_time=_open([each.slip_time for each in found]),
@@ -66,6 +69,7 @@ def simulate(
     return result, [
         *clutch.findings(),
         *remarks_of(clutch, train, found),
+        *([] if bypass is None else [finding("bypass-peak", "warning", value=bypass, limit=max(peaks))]),
         *rising,
         *(remark for pair in points for remark in outside_range(clutch, *pair)),
     ]

@@ -4,18 +4,14 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
-from ...engines.characteristic import (
-    SHEAR_MODULUS,
-    CoilCharacteristic,
-    DiscCharacteristic,
-    characteristic,
-)
+from ...engines.characteristic import DiscCharacteristic, characteristic
+from ...engines.parts import INDEX, demands
+from ...engines.wish import Wish
 from ...equations import coils
 from ...messages import say
 from ...spec.discs import Disc, discs
-from ...spec.springs import CoilSprings, DiscStack, Room
+from ...spec.springs import SHEAR_MODULUS, CoilSprings, DiscStack, Room
 from .stacks import MOST_SERIES, packs, stack_of
-from .wish import Wish
 
 COUNTS = (1, 3, 4, 6, 8, 9, 12, 16, 20, 24)
 """Coil springs around the shaft."""
@@ -26,19 +22,18 @@ WIRES = tuple(
     )
 )  # fmt: skip
 """Wire diameters, R'20 of ISO 497, m."""
-INDEX = (4.0, 20.0)
-"""Mean coil diameter over wire diameter (EN 13906-1)."""
 TURNS = (2.0, 25.0)
 """Active turns."""
-SOLID_SHARE = 0.56
-"""Shear stress, pressed solid, over tensile strength: what cold coiled springs bear (EN 13906-1)."""
 STEEL = 7850.0
 """kg/m³."""
 _FREE_TURNS = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
 """Active turns to choose from where any stiffness will do."""
 _STEPS = 24
 _ROUNDING = 1e-9
-MISSES = ("force", "preload", "deflection", "stiffness", "length", "inner diameter", "outer diameter", "stress")
+MISSES = (
+    "force", "preload", "deflection", "stiffness", "length", "inner diameter", "outer diameter", "index", "stress",
+    "fatigue", "buckling",
+)  # fmt: skip
 """What a part may not have as wished."""
 
 
@@ -154,39 +149,13 @@ def _spring(wish: Wish, count: int, wire: float, coil: float, turns: float) -> C
     )
 
 
-def strength(wire: float) -> float:
-    """Tensile strength of patented drawn wire SM or DM, Pa (EN 10270-1): 1980 − 740 lg d."""
-    return (1980 - 740 * math.log10(wire * 1e3)) * 1e6
-
-
 def _judged(part: DiscStack | CoilSprings, label: str, wish: Wish, tolerance: float) -> Candidate:
     own = characteristic(part)
-    deflection = float(own.deflection(wish.force))
-    low, high = own.range
-    held = float(own.force(own.end))
-    misses = {
-        "force": wish.force / held - 1,
-        "preload": (low - (deflection - wish.relaxes)) / own.end,
-        "deflection": (deflection + wish.compresses - high) / own.end,
-        "stiffness": 0.0,
-    }
+    deflection, misses = float(own.deflection(wish.force)), {"stiffness": 0.0}
+    for each in demands(wish, part):
+        name = each.rule.misses
+        misses[name] = max(each.beyond, misses.get(name, 0.0))
     if wish.stiffness is not None:
         off = abs(float(own.stiffness(deflection)) / wish.stiffness - 1)
         misses["stiffness"] = off if off > tolerance else 0.0
-    if wish.room.length is not None:
-        misses["length"] = (own.free_length - deflection + wish.relaxes) / wish.room.length - 1
-    misses |= _across(part, wish)
-    if isinstance(own, CoilCharacteristic):
-        misses["stress"] = own.stress(own.end) / (SOLID_SHARE * strength(own.part.wire_diameter)) - 1
     return Candidate(part, label, deflection, {name: by for name, by in misses.items() if by > _ROUNDING})
-
-
-def _across(part: DiscStack | CoilSprings, wish: Wish) -> dict[str, float]:
-    """By how much a disc is too wide or too narrow; coils are made to fit."""
-    inner, outer = wish.room.inner_diameter, wish.room.outer_diameter
-    if not isinstance(part, DiscStack):
-        return {}
-    return {
-        "inner diameter": 1 - part.inner_diameter / inner if inner else 0.0,
-        "outer diameter": part.outer_diameter / outer - 1 if outer else 0.0,
-    }

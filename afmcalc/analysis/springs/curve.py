@@ -4,13 +4,13 @@ import numpy as np
 
 from ...engines.characteristic import Characteristic, characteristic
 from ...engines.protocol import Clutch
+from ...engines.wish import SpringName, Wish
 from ...errors import CalculationError
 from ...messages import say
 from ...result import Result, quantity
 from .candidates import label_of
 from .options import part_of
 from .springs import ranked
-from .wish import SpringName, Wish, wishes
 
 POINTS = 121
 
@@ -42,7 +42,7 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
     Raises:
         CalculationError: there is no part.
     """
-    found = [_curve(clutch, wish) for wish in wishes(clutch)]
+    found = [_curve(clutch, wish) for wish in clutch.wishes()]
     return SpringsCurve(name=clutch.spec.name, springs=found)
 
 

@@ -3,20 +3,21 @@
 import math
 from typing import Any
 
-from ...engines.characteristic import CoilCharacteristic, DiscCharacteristic, characteristic
+from ...engines.characteristic import CoilCharacteristic, characteristic
+from ...engines.parts import demands
+from ...engines.wish import Wish
 from ...equations import coils
 from ...equations import springs as law
 from ...spec.discs import discs
 from ...spec.springs import CoilSprings, DiscStack
-from .candidates import SOLID_SHARE, STEEL, Candidate, label_of, strength
+from .candidates import STEEL, Candidate, label_of
 from .result import SpringOption
 from .stacks import stack_of
-from .wish import Wish
 
 SETTING = 0.05
 """Share of the force that the nut is to set more or less."""
-OM_STRENGTH = 1600e6
-"""Pressure that the section of a disc bears where it turns (Machinery's Handbook, 31st ed., p. 363), Pa."""
+_BORNE = ("deflection", "stress", "fatigue")
+"""Demands that tell how much of what it bears a part uses."""
 
 
 def named(wish: Wish, part: DiscStack | CoilSprings) -> SpringOption:
@@ -46,12 +47,12 @@ def option_of(wish: Wish, found: Candidate) -> SpringOption:
         "used_high": high / own.end,
         "loss_per_travel": stiffness / force,
         "loss_per_wear": None if wish.follows is None else wish.follows * stiffness / force,
-        "utilisation": max(high / own.range[1], _stressed(own, high)),
+        "utilisation": max(each.utilisation for each in demands(wish, part) if each.rule.misses in _BORNE),
         "travel_setting": setting,
         "turns_setting": None if wish.pitch is None else setting / wish.pitch,
     }
     if isinstance(own, CoilCharacteristic):
-        return SpringOption(**common, **_coil(own, high))
+        return SpringOption(**common, **_coil(own, wish, high))
     assert isinstance(part, DiscStack)
     middle, edge = own.stresses(high)
     return SpringOption(
@@ -64,6 +65,8 @@ def option_of(wish: Wish, found: Candidate) -> SpringOption:
         turns=None,
         outer_diameter=part.outer_diameter,
         inner_diameter=part.inner_diameter,
+        loading=None,
+        stress_correction=None,
         stress=edge,
         stress_middle=middle,
         mass=part.parallel
@@ -72,8 +75,9 @@ def option_of(wish: Wish, found: Candidate) -> SpringOption:
     )
 
 
-def _coil(own: CoilCharacteristic, high: float) -> dict[str, Any]:
-    part = own.part
+def _coil(own: CoilCharacteristic, wish: Wish, high: float) -> dict[str, Any]:
+    part, rests = own.part, wish.stroke is None
+    correction = 1.0 if rests else own.correction
     mass = coils.coil_mass(STEEL, part.wire_diameter, part.coil_diameter, part.turns, math.pi)
     return {
         "kind": "coil",
@@ -83,7 +87,9 @@ def _coil(own: CoilCharacteristic, high: float) -> dict[str, Any]:
         "turns": part.turns,
         "outer_diameter": part.coil_diameter + part.wire_diameter,
         "inner_diameter": part.coil_diameter - part.wire_diameter,
-        "stress": own.stress(high),
+        "loading": "static" if rests else "dynamic",
+        "stress_correction": correction,
+        "stress": correction * own.stress(high),
         "stress_solid": own.stress(own.end),
         "force_up": None,
         "force_down": None,
@@ -99,13 +105,6 @@ def _friction(wish: Wish, force: float, parallel: int) -> dict[str, float | None
         "force_up": float(law.stack_force_with_friction(force, parallel, surface, edge)),
         "force_down": float(law.stack_force_with_friction(force, parallel, -surface, -edge)),
     }
-
-
-def _stressed(own: DiscCharacteristic | CoilCharacteristic, high: float) -> float:
-    """Stress over what it may be: of a disc where its section turns, of a wire pressed solid."""
-    if isinstance(own, CoilCharacteristic):
-        return own.stress(own.end) / (SOLID_SHARE * strength(own.part.wire_diameter))
-    return abs(own.stresses(high)[0]) / OM_STRENGTH
 
 
 def part_of(option: SpringOption) -> DiscStack | CoilSprings:

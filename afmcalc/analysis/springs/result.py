@@ -2,8 +2,8 @@
 
 from typing import Literal
 
+from ...engines.wish import SpringName
 from ...result import Result, quantity
-from .wish import SpringName
 
 Kind = Literal["disc", "coil"]
 
@@ -30,11 +30,17 @@ class SpringOption(Result):
     free_length: float = quantity("m", "L_0", "length without load", detail=True)
     used_low: float = quantity("1", "s_1/s_c", "least deflection in service over that pressed flat or solid")
     used_high: float = quantity("1", "s_2/s_c", "largest deflection in service over that pressed flat or solid")
+    loading: Literal["static", "dynamic"] | None = quantity("", None, "loading of a coil", optional=True)
+    stress_correction: float | None = quantity(
+        "1", "k_τ", "factor of the coil's curvature in the stress, 1 of one that rests", optional=True, detail=True
+    )
     stress: float = quantity("Pa", "σ, τ", "largest stress in service: tension of a disc, shear of a wire")
     stress_middle: float | None = quantity(
         "Pa", "σ_OM", "stress where the section of a disc turns", optional=True, detail=True
     )
-    stress_solid: float | None = quantity("Pa", "τ_c", "shear stress of a wire, solid", optional=True, detail=True)
+    stress_solid: float | None = quantity(
+        "Pa", "τ_c", "shear stress of a wire, solid, without k_τ", optional=True, detail=True
+    )
     utilisation: float = quantity(
         "1", "η", "largest share used: of the range of deflection, of the stress allowed", detail=True
     )

@@ -5,6 +5,7 @@ from itertools import groupby
 from typing import Any
 
 from ...engines.protocol import Clutch
+from ...engines.wish import Wish
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...messages import joined, say, term
@@ -15,7 +16,6 @@ from .candidates import Candidate, coil_candidates, disc_candidates, disc_spring
 from .options import named, option_of, part_of
 from .result import SpringOption, SpringsResult
 from .stacks import TOLERANCE
-from .wish import Wish, wishes
 
 _BY: Mapping[SpringOrder, Callable[[SpringOption], float]] = {
     "length": lambda option: option.length,
@@ -50,7 +50,7 @@ def springs(
     counts: dict[str, int] = {}
     said: list[Finding] = []
     number = 1
-    wanted = wishes(clutch)
+    wanted = clutch.wishes()
     for wish in wanted:
         every = list(_candidates(wish, kind, tolerance))
         order = sort or ("length" if wish.stiffness else "wear")

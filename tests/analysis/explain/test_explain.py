@@ -56,6 +56,21 @@ def test_the_text_of_every_equation_evaluates_to_the_equation(name):
     assert complex(value) == pytest.approx(complex(equation.function(**values)), rel=1e-12), text
 
 
+def test_an_elasticity_names_its_parameter(afmcalc):
+    """No p: of each parameter one in N and one at the setting, whose sum is the sensitivity told."""
+    spec = CONFIGS / "indirect.toml"
+    steps = afmcalc("explain", "accuracy", spec, "--json").json["result"]["steps"]
+    slopes = [(each["symbol"], each["at"]) for each in steps if each["symbol"].startswith("∂")]
+    assert not [symbol for symbol, _ in slopes if symbol.endswith("ln p")]
+    assert len(slopes) == len(set(slopes)) > 10
+    told = afmcalc("accuracy", spec, "--json").json["result"]["sensitivity"]
+    values = {(each["symbol"], each["at"]): each["value"] for each in steps}
+    key = values["∂ln N/∂ln f_1", "f_max"] + values["∂ln(1 + zκf)/∂ln f_1", "f_min"]
+    passed = values["∂ln N/∂ln F_п2", "f_max"] - 1
+    key += passed * values["∂ln(1 + zκf)/∂ln f_1", "f_cp"]
+    assert told["control_unit.key_friction"] == pytest.approx(key)
+
+
 def test_recording_restores_the_functions_and_lists_outermost_calls():
     before = direct.torque
     with recording() as calls:

@@ -15,6 +15,7 @@ from afmcalc.analysis.simulate.simulate import simulate
 from afmcalc.analysis.sweep.axes import parse_axis
 from afmcalc.analysis.tolerance.peaks import SAMPLES
 from afmcalc.analysis.tolerance.study import tolerance
+from afmcalc.engines import build
 from afmcalc.engines.characteristic import DiscCharacteristic
 from afmcalc.equations import drive as law
 from afmcalc.spec.springs import DiscStack
@@ -231,3 +232,24 @@ def test_check_holds_the_peak_against_the_requirement(afmcalc):
     row, *_ = ended.json["result"]["requirements"]
     assert (ended.code, row["requirement"]) == (1, "peak_torque")
     assert row["value"] == pytest.approx(afmcalc("simulate", *light).json["result"]["peak_torque"]["max"])
+
+
+def test_above_the_gain_limit_the_peak_judged_is_that_of_the_bypass_pairs(afmcalc):
+    """Which are, before the balls take over, an ordinary clutch of one pair."""
+    own = [
+        *("--set", "control_unit.gain=5", "--set", "friction.max=0.8", "--set", "drive.motor_inertia=2"),
+        *("--set", "drive.load_torque=20"),
+    ]  # fmt: skip
+    made = afmcalc("check", CONFIGS / "drive.toml", *own, "--set", "requirements.peak_torque=250", "--json").json
+    row, *_ = made["result"]["requirements"]
+    spec = made["spec"]
+    ordinary = {key: spec[key] for key in ("friction", "closing_spring", "drive")} | {
+        "variant": "conventional",
+        "friction_group": {"pairs": 1, "mean_radius": 0.1},
+    }
+    single = simulate(build(ordinary))[0].peak_torque.max
+    assert row["value"] == pytest.approx(single, rel=1e-6)
+    slipping = afmcalc("simulate", CONFIGS / "drive.toml", *own, "--json").json
+    assert slipping["result"]["peak_torque"]["max"] < single
+    assert slipping["result"]["peak_torque_bypass"] == row["value"]
+    assert "bypass-peak" in {each["code"] for each in slipping["findings"]}

@@ -2,10 +2,12 @@
 
 from typing import Literal, NamedTuple
 
-from ...engines.protocol import Clutch
-from ...spec.springs import ClosingSpring, ControlSpring, Room
+from ..spec.models import Spec
+from ..spec.springs import ClosingSpring, ControlSpring, Room
 
 SpringName = Literal["closing", "control"]
+QUASI_STATIC = 1e4
+"""Strokes up to which a spring counts as one that rests (EN 13906-1)."""
 
 
 class Wish(NamedTuple):
@@ -27,24 +29,36 @@ class Wish(NamedTuple):
     """Of the nut, m."""
     friction: tuple[float, float] | None
     """w_M of the cones of a stack on each other, w_R of its edges."""
+    stroke: float | None = None
+    """How far it goes and comes at every trip, m; None: it rests, or moves too seldom to count (EN 13906-1)."""
+    cycles: float | None = None
+    """Trips asked for; None: not told."""
 
 
-def wishes(clutch: Clutch) -> list[Wish]:
+def wishes(spec: Spec, closing_force: float, control_force: float | None, travel: float) -> list[Wish]:
     """What each spring of a clutch is to give.
+
+    Args:
+        spec: the clutch.
+        closing_force: F_п as set, N.
+        control_force: F_п2, N; None where there is no such spring.
+        travel: x_max of the sleeve, m.
 
     The closing spring of a direct clutch follows the wear of the pack; that of an indirect one is slackened by the
     travel of the sleeve, which presses the control spring together, and it is the control spring that follows the wear.
+    The first rests; the others move at every trip.
     """
-    spec, pairs = clutch.spec, clutch.spec.friction_group.pairs
+    pairs = spec.friction_group.pairs
     lining = spec.heat.lining if spec.heat is not None else None
     worn = pairs * (lining or 0.0)
     closing, control = spec.closing_spring, spec.control_spring
-    if control is None or clutch.control_force is None:
-        return [_wish("closing", closing, float(clutch.closing_force), worn, 0.0, pairs)]
-    travel = float(clutch.travel(clutch.friction[0].max) or 0.0)
+    if control is None or control_force is None:
+        return [_wish("closing", closing, closing_force, worn, 0.0, pairs)]
+    cycles = spec.requirements.cycles if spec.requirements is not None else None
+    stroke = travel if cycles is None or cycles > QUASI_STATIC else None
     return [
-        _wish("closing", closing, float(clutch.closing_force), travel, 0.0, None),
-        _wish("control", control, float(clutch.control_force), worn, travel, pairs),
+        _wish("closing", closing, closing_force, travel, 0.0, None)._replace(stroke=stroke, cycles=cycles),
+        _wish("control", control, control_force, worn, travel, pairs)._replace(stroke=stroke, cycles=cycles),
     ]
 
 
