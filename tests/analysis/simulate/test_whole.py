@@ -6,9 +6,10 @@ and the fixed steps below.
 
 import numpy as np
 import pytest
-from drives import merged
+from drives import indirect, merged
 
 from afmcalc.analysis.simulate.cases import case_of, outcome_of
+from afmcalc.analysis.simulate.machine import trip
 from afmcalc.analysis.simulate.simulate import simulate, with_dynamic_factor
 from afmcalc.analysis.simulate.sweep import peaks_of
 from afmcalc.analysis.sweep.axes import parse_axis
@@ -183,3 +184,14 @@ def test_a_tool_that_stops_is_an_event():
     result, found = simulate(build(STOPS))
     assert result.energy_residual < 1e-7
     assert "energy-not-closed" not in {each.code for each in found}
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.1])
+def test_balls_that_swing_on_are_left_once_nothing_can_come_of_them(friction):
+    """What is left out of an event changes nothing: run on, it gives the same peak, slip and heat."""
+    own = indirect(0.4, law={"key_friction": friction}, motor_inertia=0.4, damping=1.0)
+    found = trip(own, 60.0)
+    on = trip(own, found.time + 0.3, recorded=True, given=True)
+    assert found.settled
+    assert on.history[-1].time == pytest.approx(found.time + 0.3)
+    assert (on.peak, on.slip_time, on.heat) == pytest.approx((found.peak, found.slip_time, found.heat), rel=1e-7)
