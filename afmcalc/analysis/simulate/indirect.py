@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from math import exp
 
+import numpy as np
+
 from ...equations import direct, sleeve
 from ...equations import drive as law
 from .consistent import SleevePlant, switched
@@ -222,6 +224,20 @@ class IndirectPlant(SleevePlant):
         """Largest torque of the pack at rest."""
         pressed = self.normal(y, mode, balls)
         return float(direct.group_torque(pressed, self.sleeve.mean_radius, 1.0, self._pairs(0.0)))
+
+    def swings_out(self, y: Sequence[float], mode: Mode, peak: float) -> bool:
+        """Of a constant motor: less energy than the shaft and the sleeve, rising, take up to the torque of a slip."""
+        train, own = self.train, self.sleeve
+        if mode.powered and train.engine.slip is not None:
+            return False
+        rest = train.engine.torque if mode.powered else 0.0
+        limit = np.float64(min(self.breakaway, peak, self.tool.holds(mode)))
+        with np.errstate(all="ignore"):
+            turn = own.turn_under(limit)
+            held = limit * limit / (2 * train.stiffness) + own.work(own.travel(turn))
+            needed = held - rest * (limit / train.stiffness + turn)
+            left = self.stored(y) - rest * (y[self.TWIST] + y[self.TURN])
+            return bool(rest < limit and left <= needed * (1 + _CLOSE))
 
     def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:
         """Torque at which the sleeve leaves where it is, or the pack slips."""

@@ -63,6 +63,8 @@ class _Run:
         """When the motor is switched off."""
         self.course: list[Heating] = []
         self.stuck_since: float | None = 0.0
+        self.gripped: float | None = 0.0
+        """Since when the pack sticks, whatever the balls do."""
         self.seen = 0.0
         """When it was last seen that something may still come."""
         self.endless = self.settled = False
@@ -120,25 +122,22 @@ class _Run:
 
         On a standing tool its torque then has had its top, or had it as it stuck; else after a whole one.
         """
-        if not mode.over or self.stuck_since is None:
+        since = self.gripped if self.stuck_since is None else self.stuck_since
+        if not mode.over or since is None:
             return math.inf
         share = 1.0 if self.plant.train.kind == "load" and mode.tool else 0.5
-        return max(self.stuck_since, self.plant.train.time, self.seen) + share * self._swing(mode)
-
-    def _swing(self, mode: Mode) -> float:
-        """Time of a swing of the stuck drive on its shaft."""
-        train = self.plant.train
-        inertia = train.motor_inertia + train.hub_inertia + train.driven_inertia
-        if train.kind == "load" and mode.tool:
-            inertia = inertia * train.tool_inertia / (inertia + train.tool_inertia)
-        return 2 * math.pi * math.sqrt(inertia / train.stiffness)
+        return max(since, self.plant.train.time, self.seen) + share * self.plant.swing(mode)
 
     def _settled(self, t: float, y: State, mode: Mode) -> bool:
         """Whether nothing more can come."""
         plant = self.plant
-        if not mode.over or self.stuck_since is None or mode.tool < 0:
-            return False
         pending = mode.powered and self.off < math.inf
+        if not mode.over or mode.pack or mode.tool < 0:
+            return False
+        if mode.tool == 0 and not pending and plant.swings_out(y, mode, self.peak):
+            return True
+        if self.stuck_since is None:
+            return False
         elastic = plant.train.stiffness * y[plant.TWIST]
         speeds = plant.motor_speed(y), y[plant.TOOL]
         stuck = Stuck(*speeds, elastic, standing=mode.tool == 0, powered=mode.powered, pending=pending)
@@ -180,6 +179,8 @@ class _Run:
     def _slips(self, t: float, y: State, mode: Mode) -> None:
         """Take down that slip, or anything that moves, begins or ends."""
         self.stuck_since = t if _still(mode) else None
+        if mode.pack or self.gripped is None:
+            self.gripped = None if mode.pack else t
         self.look = t + self.swings if mode.pack else math.inf
         if mode.pack and self.trip_torque is None:
             self.trip_torque = abs(self.plant.torques(t, y, mode).clutch)
@@ -211,7 +212,7 @@ class _Run:
             bound,
             rtol=TOLERANCE,
             atol=self.scales * TOLERANCE,
-            max_step=(self._swing(mode) if _still(mode) else natural) / _STEPS_A_PERIOD,
+            max_step=(self.plant.swing(mode) if _still(mode) else natural) / _STEPS_A_PERIOD,
         )
         slopes = self._slopes(t, y, mode)
         while solver.status == "running":

@@ -181,6 +181,18 @@ class Plant(ABC):
     def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:
         """Torque of the clutch up to which nothing of a stuck one slips or moves, N·m."""
 
+    def swing(self, mode: Mode) -> float:
+        """Time of a swing of the stuck drive on its shaft, s."""
+        train = self.train
+        inertia = train.motor_inertia + train.hub_inertia + train.driven_inertia
+        if train.kind == "load" and mode.tool:
+            inertia = inertia * train.tool_inertia / (inertia + train.tool_inertia)
+        return 2 * math.pi * math.sqrt(inertia / train.stiffness)
+
+    def swings_out(self, y: Sequence[float], mode: Mode, peak: float) -> bool:
+        """Whether balls that swing on a standing tool have no energy for a slip, nor for a torque above the peak."""
+        return False
+
     def travel(self, y: Sequence[float]) -> float:
         """Travel of the sleeve, m."""
         return 0.0

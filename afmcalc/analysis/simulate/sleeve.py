@@ -106,12 +106,14 @@ class Sleeve:
         return self.law.torque_returning(self.closing_force, self.friction, _FAR)
 
     def sticks_up_to(self, turn: Values) -> Values:
-        """Torque at which the sleeve leaves where it is, or the pack slips, N·m."""
-        travel = self.travel(turn)
-        pressed = direct.group_torque(self.pressed(travel), self.mean_radius, self.static_ratio, self.friction_pairs)
-        off = smaller(pressed, self.moment(travel) / self.steeper(self.net_gain, travel))
-        stopped = smaller(self.torque(self.static_ratio), self.lift)
-        found: Values = np.where(np.asarray(turn) == 0, stopped, off)
+        """Torque at which the pack slips, N·m: that at T(r_s f), or less where the sleeve is still farther off.
+
+        Below it swings of the sleeve only lose energy to its key.
+        """
+        pressed = self.pressed(self.travel(turn))
+        held = direct.group_torque(pressed, self.mean_radius, self.static_ratio, self.friction_pairs)
+        breakaway = self.torque(self.static_ratio)
+        found: Values = np.where(np.asarray(turn) == 0, breakaway, smaller(breakaway, held))
         return found
 
     def steeper(self, net_gain: Values, travel: V) -> V:
