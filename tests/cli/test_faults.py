@@ -105,7 +105,7 @@ ON_IMPORT = """
     sys.meta_path.insert(0, Aim())
 """
 MOMENTS = {
-    **{name: ON_IMPORT.format(name) for name in ("afmcalc.cli.entry", "typer", "pydantic", "afmcalc.engines.laws", "numpy", "matplotlib")},
+    **{name: ON_IMPORT.format(name) for name in ("afmcalc.cli.entry", "typer", "pydantic", "afmcalc.engines.direct", "numpy", "matplotlib")},
     "before a file is replaced": "replace = os.replace; os.replace = lambda *names: (strike(), replace(*names))",
     "after a file is replaced": "replace = os.replace; os.replace = lambda *names: (replace(*names), strike())",
     "while a destructor runs": "class Lost: __del__ = strike\nkept = [Lost()]; atexit.register(kept.clear)",
