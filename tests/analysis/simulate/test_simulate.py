@@ -120,7 +120,9 @@ def test_indirect_clutch():
 
 
 @pytest.mark.parametrize(
-    "changes", [*VARIANTS.values(), INDIRECT, SPRUNG], ids=[*VARIANTS, "indirect", "indirect with disc springs"]
+    "changes",
+    [*VARIANTS.values(), INDIRECT, pytest.param(SPRUNG, marks=pytest.mark.exhaustive)],
+    ids=[*VARIANTS, "indirect", "indirect with disc springs"],
 )
 def test_sweep_is_what_single_runs_give(changes):
     own = light(**changes)
