@@ -25,6 +25,7 @@ ENGINEER = {
     "m": Unit("mm", 1e3),
     "m^3": Unit("cm³", 1e6),
     "N/m": Unit("N/mm", 1e-3),
+    "N^2/m^2": Unit("N²/mm²", 1e-6),
     "rad": Unit("deg", 180 / math.pi),
     "Pa": Unit("MPa", 1e-6),
     "J": Unit("kJ", 1e-3),

@@ -133,20 +133,22 @@ def _size(latex: str) -> int:
 
 
 def _broken(latex: str) -> str:
-    """Set a sum that is too long in several lines, a summand each: MathML breaks none, and paper does not scroll."""
+    """Set a sum or product that is too long in several lines: MathML breaks none, and paper does not scroll."""
     if _size(latex) <= _SHORT:
         return latex
     depth, summands = 0, [""]
     for part in _PARTS.split(latex):
         depth += (part in _OPENING) - (part in _CLOSING)
-        if depth == 0 and part in _SIGNS and summands[-1].strip():
+        long = part == _TIMES and _size(summands[-1]) > _SHORT / 3
+        if depth == 0 and (part in _SIGNS or long) and summands[-1].strip():
             summands.append("")
         summands[-1] += part
     return r"\begin{array}{l} " + r" \\ ".join(summands) + r" \end{array}" if len(summands) > 1 else latex
 
 
 _OPENING, _CLOSING, _SIGNS = ("{", "(", "["), ("}", ")", "]"), (" + ", " - ")
-_PARTS = re.compile(r"([{}()\[\]]| [+-] )")
+_TIMES = r" \cdot "
+_PARTS = re.compile(r"([{}()\[\]]| [+-] | \\cdot )")
 
 
 def _math(latex: str) -> str:
