@@ -15,13 +15,13 @@ class HeatResult(Result):
     specific_work: OpenTriple | None = quantity("J/m^2", "q_A", "work per area of a pair", optional=True, null=ENDLESS)
     power_density: Triple | None = quantity("W/m^2", "q", "largest power per area of a pair", optional=True)
     temperature_rise: OpenTriple | None = quantity(
-        "K", "ΔΘ", "mean rise of the discs by a trip", optional=True, null=ENDLESS
+        "K", "ΔΘ", "mean rise of the discs by a trip, all its heat in them", optional=True, null=ENDLESS
     )
     temperature: OpenTriple | None = quantity(
         "K abs", "Θ", "mean temperature of the discs after a trip", optional=True, null=ENDLESS
     )
     surface_temperature_rise: OpenTriple | None = quantity(
-        "K", "ΔΘ_s", "largest rise of the faces during a trip", optional=True, null=ENDLESS
+        "K", "ΔΘ_s", "largest rise of the faces during a trip, the lining taking its share", optional=True, null=ENDLESS
     )
     temperature_limit: float | None = quantity(
         "K abs", "Θ_max", "temperature the discs are held against", optional=True
