@@ -8,6 +8,8 @@ from conftest import CONFIGS
 from afmcalc.analysis.springs.options import part_of
 from afmcalc.analysis.springs.springs import springs
 from afmcalc.engines import build
+from afmcalc.engines.characteristic import characteristic
+from afmcalc.engines.parts import INNER, Demand
 from afmcalc.errors import SpecError
 from afmcalc.spec import read_spec
 from afmcalc.spec.edit import with_value
@@ -176,3 +178,26 @@ def test_a_stiffness_beside_a_coil_is_the_coil_s(afmcalc):
         (effect,) = (each for each in worn["result"]["effects"] if each["effect"] == "wear")
         lost = effect["torque_low"]["min"] / effect["torque_high"]["min"]
         assert lost == pytest.approx(1 - 8e-4 * rate(0.01, 0.06, 5) / 2000, rel=1e-4)
+
+
+def test_utilisation_of_what_must_be_reached():
+    """The inner diameter must reach the shaft's: 40 of 50 mm are used, and 10 mm of 100 are to spare."""
+    demand = Demand(INNER, 0.05, 0.04, scale=0.1)
+    assert demand.utilisation == pytest.approx(0.8)
+    assert demand.beyond == pytest.approx(-0.1)
+
+
+def test_several_coils_have_half_the_ring(afmcalc):
+    """Around a shaft of 80 mm in a bore of 120 mm there are 20 mm for coils of 15 + 3 mm."""
+    six = coil(wire_diameter=3e-3, coil_diameter=15e-3, turns=5, free_length=60e-3, count=6)
+    room = "closing_spring.room={inner_diameter=0.08, outer_diameter=0.12}"
+    limits = afmcalc("check", DEFAULT, "--set", six, "--set", room, "--json").json["result"]["limits"]
+    (ring,) = (row for row in limits if row["symbol"] == "D_e ≤ (D_2 − D_1)/2")
+    assert (ring["value"], ring["limit"]) == (pytest.approx(0.018), pytest.approx(0.02))
+
+
+def test_a_disc_beyond_its_range_is_told_as_a_share_of_its_cone():
+    (said,) = (each for code, each in found_by(DEFAULT, WIDE).items() if code == "spring-beyond-range")
+    spec = read_spec(DEFAULT, [WIDE])
+    part = characteristic(spec.closing_spring.disc)
+    assert said.value == pytest.approx(float(part.deflection(2000.0)) / (2 * (5.2e-3 - 2.25e-3)))
