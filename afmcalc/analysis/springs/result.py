@@ -68,6 +68,10 @@ class SpringsResult(Result):
     control: list[SpringOption] | None = quantity("", None, "control spring", optional=True)
     named: list[SpringOption] | None = quantity("", None, "springs that the spec names", optional=True)
     utilisation: float | None = quantity(
-        "1", "η", "largest share that they use of what they may bear", optional=True, detail=True
+        "1",
+        "η",
+        "largest share that these use: of the range of deflection, of the stress allowed",
+        optional=True,
+        detail=True,
     )
     nearest: list[SpringOption] | None = quantity("", None, "nearest, where there is none", optional=True)
