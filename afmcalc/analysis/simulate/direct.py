@@ -199,11 +199,10 @@ class DirectPlant(Plant):
         """T(r_s f), or less while the normal force lags."""
         return min(self.breakaway, self.capacity(y, 0.0))
 
-    def guards(self, t: float, y: Sequence[float], mode: Mode) -> list[float]:
+    def guards(self, t: float, y: Sequence[float], mode: Mode, torques: Torques) -> list[float]:
         """Pack, tool."""
-        motor, clutch, _, shaft = self.torques(t, y, mode)
-        pack = mode.pack * y[self.V] if mode.pack else self.capacity(y, 0.0) - abs(clutch)
-        return [pack, self.tool.guard(t, mode, shaft, y[self.TOOL])]
+        pack = mode.pack * y[self.V] if mode.pack else self.capacity(y, 0.0) - abs(torques.clutch)
+        return [pack, self.tool.guard(t, mode, torques.shaft, y[self.TOOL])]
 
     def switched(self, t: float, y: State, mode: Mode, hit: int | None) -> tuple[State, Mode]:
         """Bring to rest what has come to rest, then see what sticks."""

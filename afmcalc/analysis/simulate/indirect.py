@@ -201,10 +201,9 @@ class IndirectPlant(SleevePlant):
         slip = DECAYED / own.decay_rate if own.static_ratio > 1 else 0.0
         return Sliding(mode.pack * torque, both, most, slip) if mode.pack == mode.side else None
 
-    def guards(self, t: float, y: Sequence[float], mode: Mode) -> list[float]:
+    def guards(self, t: float, y: Sequence[float], mode: Mode, torques: Torques) -> list[float]:
         """Positive while the mode lasts, in the order of ``Guard``."""
         own = self.sleeve
-        torques = self.torques(t, y, mode)
         along = mode.side * torques.balls
         stuck = self.capacity(y, mode, torques.balls) - abs(torques.clutch)
         pack = mode.pack * y[self.V] if mode.pack else stuck

@@ -2,6 +2,7 @@
 
 import math
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from scipy.integrate import DOP853, OdeSolver, Radau
@@ -10,10 +11,10 @@ from ...arrays import finite
 from ...errors import CalculationError
 from ...messages import say
 from .coast import stride
-from .plant import Mode, Plant, State
+from .plant import Mode, Plant, State, Torques
 from .record import Heating, Moment, Trip
 from .rest import Stuck, settled
-from .roots import TORQUES, crossing, root, turned_in
+from .roots import TORQUES, crossing, peak, turned_in
 
 TOLERANCE = 1e-9
 MOST_SWITCHES = 20_000
@@ -49,6 +50,13 @@ def trip(plant: Plant, horizon: float, *, recorded: bool = False, given: bool = 
         CalculationError: the integration fails.
     """
     return _Run(plant, horizon, recorded=recorded, given=given).trip()
+
+
+class _Seen(NamedTuple):
+    """What is looked at in a moment of a mode."""
+
+    torques: Torques
+    guards: list[float]
 
 
 class _Run:
@@ -187,10 +195,10 @@ class _Run:
             cut_off = self.plant.train.cut_off
             self.off = math.inf if cut_off is None else t + float(cut_off)
 
-    def _note(self, t: float, y: State, mode: Mode) -> None:
+    def _note(self, t: float, y: State, mode: Mode, torques: Torques | None = None) -> None:
         """Take down torques and travel."""
-        own, torques = self.plant, self.plant.torques(t, y, mode)
-        travel = own.travel(y)
+        own, travel = self.plant, self.plant.travel(y)
+        torques = own.torques(t, y, mode) if torques is None else torques
         self.peak = max(self.peak, abs(torques.shaft))
         self.peak_clutch = max(self.peak_clutch, abs(torques.clutch))
         self.travel_max = max(self.travel_max, travel)
@@ -214,21 +222,21 @@ class _Run:
             atol=self.scales * TOLERANCE,
             max_step=(self.plant.swing(mode) if _still(mode) else natural) / _STEPS_A_PERIOD,
         )
-        slopes = self._slopes(t, y, mode)
+        slopes = self._slopes(t, y, mode, solver.f.tolist(), self._seen(t, y, mode))
         while solver.status == "running":
             solver.step()
             self._patient(float(solver.t))
             if solver.status == "failed":
                 raise CalculationError(say("simulate: the integration fails at t = {time:g} s", time=solver.t))
             states = solver.y.tolist()
-            before, slopes = slopes, self._slopes(solver.t, states, mode)
+            seen = self._seen(solver.t, states, mode)
+            before, slopes = slopes, self._slopes(solver.t, states, mode, solver.f.tolist(), seen)
             turned = turned_in(before, slopes)
-            fallen = min(plant.guards(solver.t, states, mode)) < 0
-            if turned or fallen or self.history is not None:
+            if turned or min(seen.guards) < 0 or self.history is not None:
                 crossed = self._inside(solver, mode, turned)
                 if crossed is not None:
                     return crossed
-            self._note(solver.t, states, mode)
+            self._note(solver.t, states, mode, seen.torques)
             if self.horizon <= solver.t < bound:
                 return self.horizon, states, None
         return bound, solver.y.tolist(), None
@@ -258,14 +266,16 @@ class _Run:
             return states
 
         def slope(number: int, time: float) -> float:
-            return self._slopes(time, at(time), mode)[number]
+            states = at(time)
+            rates = plant.rates(time, states, mode)
+            return self._slopes(time, states, mode, rates, self._seen(time, states, mode))[number]
 
         def guard(number: int, time: float) -> float:
-            return plant.guards(time, at(time), mode)[number]
+            return self._seen(time, at(time), mode).guards[number]
 
         marks = []
         for number in turned:
-            mark = root(partial(slope, number), start, solver.t)
+            mark = peak(partial(slope, number), start, solver.t)
             # what turns back and on again within a step has stood still in it; rounding has not
             if number < TORQUES or guard(number - TORQUES, mark) < -_REVERSED * plant.train.speed:
                 marks.append(mark)
@@ -273,22 +283,24 @@ class _Run:
             marks += [start + share * (solver.t - start) for share in _INSIDE]
         for mark in [*sorted(marks), float(solver.t)]:
             states = at(mark)
-            fallen = [i for i, value in enumerate(plant.guards(mark, states, mode)) if value < 0]
+            seen = self._seen(mark, states, mode)
+            fallen = [i for i, value in enumerate(seen.guards) if value < 0]
             if fallen:
                 time, first = min((crossing(partial(guard, number), start, mark), number) for number in fallen)
                 return time, at(time), first
-            self._note(mark, states, mode)
+            self._note(mark, states, mode, seen.torques)
         return None
 
-    def _slopes(self, t: float, y: State, mode: Mode) -> list[float]:
+    def _seen(self, t: float, y: State, mode: Mode) -> _Seen:
+        torques = self.plant.torques(t, y, mode)
+        return _Seen(torques, self.plant.guards(t, y, mode, torques))
+
+    def _slopes(self, t: float, y: State, mode: Mode, rates: State, seen: _Seen) -> list[float]:
         """By how much the torques of shaft and clutch and some guards grow in a moment; 0 where rounding decides."""
-        plant = self.plant
-        ahead = [own + self.moment * rate for own, rate in zip(y, plant.rates(t, y, mode), strict=True)]
+        ahead = [own + self.moment * rate for own, rate in zip(y, rates, strict=True)]
         now, then = (
-            (own.shaft, own.clutch, *plant.guards(at, states, mode)[:_SLIPPING])
-            for at, states, own in (
-                (at, states, plant.torques(at, states, mode)) for at, states in ((t, y), (t + self.moment, ahead))
-            )
+            (own.torques.shaft, own.torques.clutch, *own.guards[:_SLIPPING])
+            for own in (seen, self._seen(t + self.moment, ahead, mode))
         )
         return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in zip(now, then, strict=True)]
 

@@ -148,8 +148,8 @@ class Plant(ABC):
         """Rates of the states and of the work."""
 
     @abstractmethod
-    def guards(self, t: float, y: Sequence[float], mode: Mode) -> list[float]:
-        """Positive while the mode lasts."""
+    def guards(self, t: float, y: Sequence[float], mode: Mode, torques: Torques) -> list[float]:
+        """Positive while the mode lasts; ``torques`` those of states and mode."""
 
     @abstractmethod
     def switched(self, t: float, y: State, mode: Mode, hit: int | None) -> tuple[State, Mode]:

@@ -6,6 +6,8 @@ from scipy.optimize import brentq
 
 TORQUES = 2
 """Torques whose peaks are located, before the guards in what is looked at."""
+_NEAR = 1e-7
+"""Part of a step within which a peak is located."""
 _LOOKED_AT = (0.0, *(2.0**-power for power in range(30, 0, -3)))
 """Places in a step at which a guard that begins at 0 is looked for above it."""
 
@@ -19,10 +21,10 @@ def turned_in(before: list[float], after: list[float]) -> list[int]:
     ]
 
 
-def root(function: Callable[[float], float], start: float, end: float) -> float:
-    """Return where a function changes sign."""
-    first = function(start)
-    return float(brentq(function, start, end, xtol=1e-14, rtol=1e-14)) if first * function(end) < 0 else start
+def peak(slope: Callable[[float], float], start: float, end: float) -> float:
+    """Return where a slope changes sign; the height there has the square of its relative error."""
+    first = slope(start)
+    return float(brentq(slope, start, end, xtol=_NEAR * (end - start))) if first * slope(end) < 0 else start
 
 
 def crossing(guard: Callable[[float], float], start: float, end: float) -> float:
