@@ -13,5 +13,5 @@ N = sp.Symbol("N", positive=True)
 
 def solved(equation: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
     """Return the one solution of ``equation = 0``."""
-    (solution,) = sp.solve(equation, unknown)
+    (solution,) = sp.solve(equation, unknown, simplify=False)
     return solution
