@@ -15,8 +15,9 @@ from ...spec import Spec
 from ...spec.edit import respecified, with_values
 from ...spec.paths import is_whole
 
-_BLOCK = 1 << 16
-"""Points calculated at a time: fewer, and building a clutch for each stretch weighs more than what the cache saves."""
+_BLOCK = 16_000
+"""Points calculated at a time: as many as an array may have that the allocator keeps (128 KiB); a larger one it gives
+back to the system each time, and fetching its pages anew takes longer than all the arithmetic."""
 Output = Callable[[Clutch], Values]
 """What is asked of the clutch at every point."""
 
