@@ -2,7 +2,6 @@
 
 import math
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 from scipy.integrate import DOP853, OdeSolver, Radau
@@ -14,7 +13,7 @@ from .coast import stride
 from .plant import Mode, Plant, State, Torques
 from .record import Heating, Moment, Trip
 from .rest import Stuck, settled
-from .roots import TORQUES, crossing, peak, turned_in
+from .roots import TORQUES, crossing, growth, peak, seen, turned_in
 
 TOLERANCE = 1e-9
 MOST_SWITCHES = 20_000
@@ -25,8 +24,6 @@ PATIENCE = 6_000
 _STEPS_A_PERIOD = 4
 _WORKS = 5
 """Energies that are summed along with the states: of motor, pack, shaft, tool, key."""
-_SLIPPING = 3
-"""Guards that are speeds while something slips, the first ones: of pack, tool, balls."""
 _REVERSED = 1e-9
 """Speed, relative to that before the event, with which something has turned back and is no rounding."""
 _LOOK = 3.0
@@ -50,13 +47,6 @@ def trip(plant: Plant, horizon: float, *, recorded: bool = False, given: bool = 
         CalculationError: the integration fails.
     """
     return _Run(plant, horizon, recorded=recorded, given=given).trip()
-
-
-class _Seen(NamedTuple):
-    """What is looked at in a moment of a mode."""
-
-    torques: Torques
-    guards: list[float]
 
 
 class _Run:
@@ -222,21 +212,21 @@ class _Run:
             atol=self.scales * TOLERANCE,
             max_step=(self.plant.swing(mode) if _still(mode) else natural) / _STEPS_A_PERIOD,
         )
-        slopes = self._slopes(t, y, mode, solver.f.tolist(), self._seen(t, y, mode))
+        slopes = growth(plant, t, y, mode, solver.f.tolist(), seen(plant, t, y, mode), self.moment)
         while solver.status == "running":
             solver.step()
             self._patient(float(solver.t))
             if solver.status == "failed":
                 raise CalculationError(say("simulate: the integration fails at t = {time:g} s", time=solver.t))
             states = solver.y.tolist()
-            seen = self._seen(solver.t, states, mode)
-            before, slopes = slopes, self._slopes(solver.t, states, mode, solver.f.tolist(), seen)
+            now = seen(plant, solver.t, states, mode)
+            before, slopes = slopes, growth(plant, solver.t, states, mode, solver.f.tolist(), now, self.moment)
             turned = turned_in(before, slopes)
-            if turned or min(seen.guards) < 0 or self.history is not None:
+            if turned or min(now.guards) < 0 or self.history is not None:
                 crossed = self._inside(solver, mode, turned)
                 if crossed is not None:
                     return crossed
-            self._note(solver.t, states, mode, seen.torques)
+            self._note(solver.t, states, mode, now.torques)
             if self.horizon <= solver.t < bound:
                 return self.horizon, states, None
         return bound, solver.y.tolist(), None
@@ -268,10 +258,10 @@ class _Run:
         def slope(number: int, time: float) -> float:
             states = at(time)
             rates = plant.rates(time, states, mode)
-            return self._slopes(time, states, mode, rates, self._seen(time, states, mode))[number]
+            return growth(plant, time, states, mode, rates, seen(plant, time, states, mode), self.moment)[number]
 
         def guard(number: int, time: float) -> float:
-            return self._seen(time, at(time), mode).guards[number]
+            return seen(plant, time, at(time), mode).guards[number]
 
         marks = []
         for number in turned:
@@ -283,26 +273,13 @@ class _Run:
             marks += [start + share * (solver.t - start) for share in _INSIDE]
         for mark in [*sorted(marks), float(solver.t)]:
             states = at(mark)
-            seen = self._seen(mark, states, mode)
-            fallen = [i for i, value in enumerate(seen.guards) if value < 0]
+            now = seen(plant, mark, states, mode)
+            fallen = [i for i, value in enumerate(now.guards) if value < 0]
             if fallen:
                 time, first = min((crossing(partial(guard, number), start, mark), number) for number in fallen)
                 return time, at(time), first
-            self._note(mark, states, mode, seen.torques)
+            self._note(mark, states, mode, now.torques)
         return None
-
-    def _seen(self, t: float, y: State, mode: Mode) -> _Seen:
-        torques = self.plant.torques(t, y, mode)
-        return _Seen(torques, self.plant.guards(t, y, mode, torques))
-
-    def _slopes(self, t: float, y: State, mode: Mode, rates: State, seen: _Seen) -> list[float]:
-        """By how much the torques of shaft and clutch and some guards grow in a moment; 0 where rounding decides."""
-        ahead = [own + self.moment * rate for own, rate in zip(y, rates, strict=True)]
-        now, then = (
-            (own.torques.shaft, own.torques.clutch, *own.guards[:_SLIPPING])
-            for own in (seen, self._seen(t + self.moment, ahead, mode))
-        )
-        return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in zip(now, then, strict=True)]
 
 
 def _still(mode: Mode) -> bool:

@@ -1,15 +1,43 @@
 """Where in a step of the integration a torque has its peak, and a guard falls to 0."""
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 from scipy.optimize import brentq
 
+from .plant import Mode, Plant, State, Torques
+
 TORQUES = 2
 """Torques whose peaks are located, before the guards in what is looked at."""
+_SLIPPING = 3
+"""Guards that are speeds while something slips, the first ones: of pack, tool, balls."""
 _NEAR = 1e-7
 """Part of a step within which a peak is located."""
 _LOOKED_AT = (0.0, *(2.0**-power for power in range(30, 0, -3)))
 """Places in a step at which a guard that begins at 0 is looked for above it."""
+
+
+class Seen(NamedTuple):
+    """What is looked at in a moment of a mode."""
+
+    torques: Torques
+    guards: list[float]
+
+
+def seen(plant: Plant, t: float, y: State, mode: Mode) -> Seen:
+    """Look at a moment."""
+    torques = plant.torques(t, y, mode)
+    return Seen(torques, plant.guards(t, y, mode, torques))
+
+
+def growth(plant: Plant, t: float, y: State, mode: Mode, rates: State, at: Seen, moment: float) -> list[float]:
+    """By how much the torques of shaft and clutch and some guards grow in a moment; 0 where rounding decides."""
+    ahead = [own + moment * rate for own, rate in zip(y, rates, strict=True)]
+    now, then = (
+        (own.torques.shaft, own.torques.clutch, *own.guards[:_SLIPPING])
+        for own in (at, seen(plant, t + moment, ahead, mode))
+    )
+    return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in zip(now, then, strict=True)]
 
 
 def turned_in(before: list[float], after: list[float]) -> list[int]:
