@@ -42,15 +42,16 @@ def nanoseconds(action, count, runs=3):
 
 
 @pytest.mark.parametrize(
-    "objectives",
-    [["closing_force", "accuracy_factor"], ["closing_force", "accuracy_factor", "pairs", "ball_diameter"]],
+    ("objectives", "limit"),
+    [(["closing_force", "accuracy_factor"], 3), (["closing_force", "accuracy_factor", "pairs", "ball_diameter"], 8)],
     ids=["two", "four"],
 )
-def test_a_hundred_million(objectives, report):
+def test_a_hundred_million(objectives, limit, report):
+    """With the ball an objective every one of 148 sizes has a front of its own."""
     need = make_requirements(wide(objectives))
     count = total(need)
     assert count == 104_000_000
-    report(f"search, {len(objectives)} objectives, ns per candidate", nanoseconds(lambda: search(need), count), 3)
+    report(f"search, {len(objectives)} objectives, ns per candidate", nanoseconds(lambda: search(need), count), limit)
 
 
 def grid(low, high, count):

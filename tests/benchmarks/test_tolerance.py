@@ -4,6 +4,7 @@ OpenTURNS and SALib come with ``pip install 'afmcalc[bench]'``.
 """
 
 import math
+import os
 import subprocess
 import sys
 
@@ -87,11 +88,17 @@ def test_the_same_answer():
 
 
 def test_ten_million_samples_against_numpy(report):
-    report("tolerance, 1e7 samples, against plain NumPy", median_ratio(ours, plain, pairs=5), 1 / 3)
+    """Five normals a sample, drawn by NumPy here too, are three quarters of our time."""
+    report("tolerance, 1e7 samples, against plain NumPy", median_ratio(ours, plain, pairs=5), 0.45)
+
+
+@pytest.mark.skipif((os.cpu_count() or 1) < 2, reason="two threads want two processors")
+def test_two_threads_against_one(report):
+    report("tolerance, 1e7 samples, two threads against one", median_ratio(ours, lambda: ours(threads=1), pairs=5), 0.8)
 
 
 def test_ten_million_samples_against_openturns(report):
-    report("tolerance, 1e7 samples, against OpenTURNS", median_ratio(ours, openturns(), pairs=3), 1 / 4)
+    report("tolerance, 1e7 samples, against OpenTURNS", median_ratio(ours, openturns(), pairs=3), 1 / 5)
 
 
 def test_peak_memory(report):
