@@ -12,6 +12,7 @@ from afmcalc.analysis.checks.requirements import requirement_rows
 from afmcalc.analysis.heat.course import course_of
 from afmcalc.analysis.heat.heat import heat
 from afmcalc.analysis.heat.surface import Body, largest_rise
+from afmcalc.analysis.heat.trip import trips
 from afmcalc.analysis.simulate.history import history
 from afmcalc.engines import build
 from afmcalc.spec import make_spec
@@ -65,6 +66,14 @@ def test_energy_and_momentum_of_the_motor_side_balance(inertia, speed, torque, s
     turned = speed * on - torque * (1 - share) / inertia * on**2 / 2
     assert torque * trip.slip_time.min == pytest.approx(inertia * speed + share * torque * on, rel=1e-9)
     assert trip.energy.min == pytest.approx(inertia * speed**2 / 2 + share * torque * turned, rel=1e-9)
+
+
+def test_what_heats_the_discs_is_the_energy_of_the_trip():
+    """A motor that is switched off in the middle: the slope of the speed breaks there."""
+    for off in ({}, {"cut_off": 0.3}):
+        slip = trips(clutch(337, {"motor_inertia": 8, "speed": 100, "motor_torque": 250, **off})).at["min"]
+        assert slip.course.heat[-1] == pytest.approx(slip.energy, rel=1e-12)
+        assert slip.course.time[-1] == pytest.approx(slip.time, rel=1e-12)
 
 
 def test_a_motor_that_carries_the_slip_torque_goes_on_until_cut_off(afmcalc, tmp_path):

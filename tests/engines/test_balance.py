@@ -8,6 +8,7 @@ from strategies import indirect_specs
 
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
+from afmcalc.engines.balance import SetSpring, extremes
 from afmcalc.engines.characteristic import DiscCharacteristic
 from afmcalc.spec.discs import discs
 from afmcalc.spec.springs import DiscStack
@@ -116,3 +117,28 @@ def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
     assert clutch.torque(0.8) == pytest.approx(clutch.torque(0.1), rel=1e-9), "the same at both ends"
     found, _ = synthesize(clutch)
     assert found.travel_max == pytest.approx(float(clutch.travel(0.8)))
+
+
+@pytest.mark.parametrize("disc", [None, DiscCharacteristic(stack("B 40", 20))])
+def test_a_set_spring_slackens_to_a_force_and_grows_by_its_stiffness(disc):
+    spring = SetSpring(2000.0, 4e4 if disc is None else disc.stiffness(disc.deflection(2000.0)), disc)
+    assert float(spring.force(0.0)) == pytest.approx(2000)
+    for force in (500.0, 1000.0, 1999.0):
+        assert float(spring.force(-spring.slackens(force))) == pytest.approx(force, rel=1e-9)
+    # let out by all that it is pressed in it presses no more
+    assert float(spring.force(-spring.deflection)) == pytest.approx(0, abs=1e-9)
+    for further in (-1e-3, 5e-4):
+        slope = (float(spring.force(further + 1e-7)) - float(spring.force(further - 1e-7))) / 2e-7
+        assert float(spring.stiffness(further)) == pytest.approx(slope, rel=1e-6)
+
+
+def test_the_extreme_between_places_is_that_of_the_parabola():
+    at = np.linspace(0.0, 1.0, 9)[:, None]
+    top, least = np.array([0.3, 0.55, 0.91]), np.array([7.0, -2.0, 4.0])
+    low, _ = extremes(least + 3 * (at - top) ** 2)
+    _, high = extremes(least - 3 * (at - top) ** 2)
+    assert low == pytest.approx(least, abs=1e-12)
+    assert high == pytest.approx(least, abs=1e-12)
+    # at an end, or of a straight line, the value there
+    low, high = extremes(5 * at - 1)
+    assert (low, high) == ([-1], [4])
