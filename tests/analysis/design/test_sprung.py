@@ -1,5 +1,6 @@
 """A design of clutches whose springs exist, against every stack of every size tried on every candidate."""
 
+import functools
 import itertools
 
 import numpy as np
@@ -53,17 +54,21 @@ def wanted(variant="indirect", search=INDIRECT, objectives=("closing_force", "ac
     }  # fmt: skip
 
 
-def packs(room):
+@functools.cache
+def packs(inner, outer):
+    """Cone height and characteristic of a pack of every size that has the room."""
+    found = []
     for size, parallel in itertools.product(discs(), range(1, 7)):
-        if room["inner_diameter"] <= size.inner_diameter and size.outer_diameter <= room["outer_diameter"]:
-            values = {name: getattr(size, name) for name in SHAPE}
-            yield size.cone_height, DiscCharacteristic(DiscStack(**values, parallel=parallel))
+        if inner <= size.inner_diameter and size.outer_diameter <= outer:
+            own = DiscCharacteristic(DiscStack(**{name: getattr(size, name) for name in SHAPE}, parallel=parallel))
+            found.append((size.cone_height, own))
+    return found
 
 
 def sprung(force, stiffness, room, relaxes=0.0, compresses=0.0):
     """Whether any stack of any size, of 1 to 300 packs, gives this."""
     series = np.arange(1, 301)
-    for cone, own in packs(room):
+    for cone, own in packs(room["inner_diameter"], room["outer_diameter"]):
         each = float(own.deflection(force))
         if own.force(each) < force * (1 - 1e-9):
             continue
