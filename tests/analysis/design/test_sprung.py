@@ -168,12 +168,15 @@ def without_rooms(fixed):
     return {name: value for name, value in fixed.items() if not name.endswith("_room")}
 
 
-def test_springs_finds_the_springs_of_every_clutch_proposed():
+@pytest.mark.parametrize(
+    ("radii", "stiffnesses", "gains"), [(4, 4, 4), pytest.param(5, 5, 6, marks=pytest.mark.exhaustive)]
+)
+def test_springs_finds_the_springs_of_every_clutch_proposed(radii, stiffnesses, gains):
     """Refined clutches too, which lie between the grid points."""
     ranges = {
-        "mean_radius": {"start": 0.08, "stop": 0.12, "count": 5},
-        "closing_stiffness": {"start": 1e5, "stop": 8e5, "count": 5},
-        "gain": {"start": 0.6, "stop": 2.0, "count": 6},
+        "mean_radius": {"start": 0.08, "stop": 0.12, "count": radii},
+        "closing_stiffness": {"start": 1e5, "stop": 8e5, "count": stiffnesses},
+        "gain": {"start": 0.6, "stop": 2.0, "count": gains},
     }
     need = make_requirements(wanted(search={**INDIRECT, **ranges}))
     result, _ = design(need)

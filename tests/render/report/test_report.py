@@ -26,11 +26,12 @@ EVIL = "<script>alert(1)</script>"
 MATH = "{http://www.w3.org/1998/Math/MathML}math"
 PANDOC = shutil.which("pandoc")
 VARIANTS = [
-    "default",
-    "conventional",
     "indirect",
     "tolerance",
-    *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("unlike-materials", "all-driving")),
+    *(
+        pytest.param(name, marks=pytest.mark.exhaustive)
+        for name in ("default", "conventional", "unlike-materials", "all-driving")
+    ),
 ]
 
 
