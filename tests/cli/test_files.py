@@ -36,7 +36,7 @@ SPECS = {
 """Commands whose file is a spec, which people edit."""
 
 
-AGAIN = {"text", "svg", "png", "synthesize json", "design json"}
+AGAIN = {"text", "png", "pdf", "synthesize json", "design json"}
 """Written and known again by the same code as another one here."""
 
 

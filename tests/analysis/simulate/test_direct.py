@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from drives import VARIANTS, begun, clutch, light, plant, run
+from drives import VARIANTS, begun, clutch, light, merged, plant, run
 
 from afmcalc.analysis.simulate.cases import outcome_of, peak_time
 from afmcalc.analysis.simulate.train import Engine
@@ -91,7 +91,7 @@ TABLE = {
     ["differentiated", *(pytest.param(each, marks=pytest.mark.exhaustive) for each in ("conventional", "all-driving"))],
 )
 def test_reference_drive(variant):
-    own = clutch(**VARIANTS[variant])
+    own = clutch(**merged(VARIANTS[variant], {"drive": {"event": {"duration": 0.1}}}))
     for friction, (sliding, peak) in zip((0.1, 0.3, 0.8), TABLE[variant], strict=True):
         found = outcome_of(own, friction)
         assert found.case.plant.sliding == pytest.approx(sliding, rel=5e-3)

@@ -41,7 +41,7 @@ def test_v7_one_swing_of_the_control_unit(rate):
 
 def test_a_key_without_friction_gives_all_back():
     drive = indirect(0.3, law={"key_friction": 0.0}, motor_inertia=1e12, **FREE)  # fmt: skip
-    found = run(begun_indirect(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, 4500.0), 0.15, recorded=True)
+    found = run(begun_indirect(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, 4500.0), 0.08, recorded=True)
     back = [abs(row.speed_driven) for row in found.history if row.travel == 0]
     assert min(back) == pytest.approx(5.0, rel=1e-7)
     assert len(back) > 4, "it rolls to and fro"

@@ -155,8 +155,8 @@ def test_standard_errors_are_those_of_repeated_runs(runs, low, high):
         assert low < said / seen < high, field
 
 
-CORRELATED = ((-0.6, METHODS[0]), (0.0, METHODS[0]), (0.5, METHODS[1]), (1.0, METHODS[1]))
-"""Of every sign, and none, and whole; each by the other method too is exhaustive."""
+CORRELATED = ((-0.6, METHODS[1]), (0.0, METHODS[0]), (1.0, METHODS[0]))
+"""Some, none and whole; each by the other method too is exhaustive."""
 
 
 @pytest.mark.parametrize(
