@@ -28,6 +28,11 @@ def nodes(module: str) -> tuple[ast.AST, ...]:
     return tuple(ast.walk(tree(module)))
 
 
+@cache
+def _all_calls(module: str) -> tuple[ast.Call, ...]:
+    return tuple(node for node in nodes(module) if isinstance(node, ast.Call))
+
+
 def called(node: ast.Call) -> str:
     """Name of what is called."""
     return node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
@@ -36,6 +41,6 @@ def called(node: ast.Call) -> str:
 def calls(*names: str) -> Iterator[tuple[str, ast.Call]]:
     """Calls of functions of some names anywhere in the package, and the module of each."""
     for module in FILES:
-        for node in nodes(module):
-            if isinstance(node, ast.Call) and called(node) in names:
+        for node in _all_calls(module):
+            if called(node) in names:
                 yield module, node

@@ -9,6 +9,8 @@ from afmcalc.spec import make_spec
 FRICTION = st.floats(0.02, 1.0)
 GAIN = st.one_of(st.just(0.0), st.floats(1e-6, 5))
 """None, or one a machine could have: not 1e-306, which asks for 1e306 pairs of a wanted accuracy."""
+CHARACTERS = st.one_of(*(st.integers(*ends) for ends in ((0, 127), (0, 0xD7FF), (0xE000, 0x10FFFF)))).map(chr)
+"""Any but a surrogate; ``st.characters`` would first make a table of all of them, which takes longer than the tests."""
 
 
 @st.composite

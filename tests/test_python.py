@@ -35,9 +35,19 @@ def test_public_names():
         package.read_spec(None, ["C=-1"])
 
 
-@pytest.mark.parametrize("spec", sorted(CONFIGS.glob("*.toml")), ids=lambda path: path.stem)
+FEW = ("default", "drive", "indirect", "requirements")
+"""Examples to which every analysis applies between them."""
+
+
+@pytest.mark.parametrize(
+    "spec",
+    [
+        pytest.param(path, id=path.stem, marks=[] if path.stem in FEW else pytest.mark.exhaustive)
+        for path in sorted(CONFIGS.glob("*.toml"))
+    ],
+)
 def test_what_python_answers_is_what_the_command_prints(spec, afmcalc):
-    light = ["drive.motor_inertia=0.2"] if spec.stem == "drive" else []
+    light = ["drive.event.duration=0.05"] if spec.stem == "drive" else []
     if spec.stem == "requirements":
         answers = {"design": package.design(spec)}
     else:

@@ -33,7 +33,15 @@ WRITERS = {
 }
 
 
-@pytest.mark.parametrize("name", WRITERS)
+AGAIN = {"x.svg", "typer", "pydantic", "afmcalc.engines.direct", "numpy", "at the end"}
+"""Written, or interrupted, in the same code as another one here."""
+
+
+def few(names):
+    return [pytest.param(name, marks=pytest.mark.exhaustive if name in AGAIN else []) for name in names]
+
+
+@pytest.mark.parametrize("name", few(WRITERS))
 def test_a_full_disk_leaves_nothing_behind(name, afmcalc, tmp_path):
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (100, hard))
@@ -113,7 +121,7 @@ MOMENTS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("moment", MOMENTS)
+@pytest.mark.parametrize("moment", few(MOMENTS))
 def test_ctrl_c_at_any_moment(moment, tmp_path):
     target = tmp_path / ("x.svg" if moment in ("numpy", "matplotlib") else "x.json")
     command = ["plot", "torque"] if target.suffix == ".svg" else ["torque"]

@@ -19,7 +19,16 @@ RISK = """
 """
 
 
-def test_from_init_to_the_report(undrawn, afmcalc, tmp_path, monkeypatch):
+PRINTED = pytest.mark.skipif(
+    not any(map(shutil.which, NAMES)), reason="no headless browser on the path: nothing is printed"
+)
+
+
+# that a browser prints a page is asked of a small one in test_browser.py
+@pytest.mark.parametrize(
+    "paper", [[], pytest.param(["--pdf"], marks=[pytest.mark.exhaustive, PRINTED])], ids=["screen", "paper"]
+)
+def test_from_init_to_the_report(paper, undrawn, afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert afmcalc("init", "wanted.toml", "--kind", "requirements").code == 0
     sets = [part for wish in WISHES for part in ("--set", wish)]
@@ -41,13 +50,12 @@ def test_from_init_to_the_report(undrawn, afmcalc, tmp_path, monkeypatch):
     assert rows["exceedance"]["value"] <= 0.01
     assert rows["accuracy_factor"]["value"] == pytest.approx(chosen["accuracy_factor"], rel=1e-9)
 
-    pdf = ["--pdf"] if any(map(shutil.which, NAMES)) else []
-    assert afmcalc("report", "clutch.toml", "-o", "report.html", "--author", "A. Designer", *pdf).code == 0
+    assert afmcalc("report", "clutch.toml", "-o", "report.html", "--author", "A. Designer", *paper).code == 0
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     words = re.sub(r"<[^>]*>", " ", page)
     for shown in ("A. Designer", "outer diameter of the friction faces", "probability that the torque exceeds"):
         assert shown in words
-    if pdf:
+    if paper:
         assert (tmp_path / "report.pdf").read_bytes().startswith(b"%PDF")
 
     # one bound that this clutch does not hold fails the whole

@@ -84,23 +84,16 @@ def test_the_help_lists_the_names_that_can_be_given(command, listed, afmcalc):
             assert re.search(rf"^  {re.escape(name)}(?: |$)", shown, re.MULTILINE), name
 
 
-@pytest.fixture(scope="module")
-def home(tmp_path_factory):
-    """A home in which completion is installed for every shell there is, the program on its path."""
-    home = tmp_path_factory.mktemp("home")
+def home_of(shell, home):
+    """A home in which completion is installed for a shell, the program on its path."""
     program = home / "bin" / "afmcalc"
     program.parent.mkdir()
     program.write_text(f'#!/bin/sh\nexec {sys.executable} -m afmcalc "$@"\n')
     program.chmod(0o755)
     (home / "my-clutch.toml").touch()
-    for shell in ("bash", "zsh", "fish"):
-        if shutil.which(shell):
-            subprocess.run(
-                [shell, "-c", "afmcalc --install-completion; true"],
-                env=environment(home),
-                check=True,
-                capture_output=True,
-            )
+    subprocess.run(
+        [shell, "-c", "afmcalc --install-completion; true"], env=environment(home), check=True, capture_output=True
+    )
     with (home / ".zshrc").open("a") as file:
         file.write(
             f"PS1=; again() {{ BUFFER=; print -n '{_READY}' }}; zle -N again; bindkey '^G' again; zle -N zle-line-init again\n"
@@ -152,7 +145,8 @@ def needs(shell):
 
 
 @needs("bash")
-def test_completion_in_bash(home):
+def test_completion_in_bash(tmp_path):
+    home = home_of("bash", tmp_path)
     script = "source ~/.bashrc; for line; do COMP_WORDS=($line); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); COMPREPLY=()\n"
     script += "entry=$(complete -p afmcalc); name=${entry##*-F }; ${name% *} afmcalc\n"
     script += (
@@ -173,7 +167,8 @@ def test_completion_in_bash(home):
 
 @needs("fish")
 @pytest.mark.exhaustive
-def test_completion_in_fish(home):
+def test_completion_in_fish(tmp_path):
+    home = home_of("fish", tmp_path)
     script = "\n".join(f"echo (complete -C '{typed}' | string replace -r '\\t.*' '')" for typed in FEW)
     run = subprocess.run(
         ["fish", "-c", script], env=environment(home), cwd=home, capture_output=True, text=True, check=True
@@ -184,8 +179,9 @@ def test_completion_in_fish(home):
 
 @needs("zsh")
 @pytest.mark.exhaustive
-def test_completion_in_zsh(home):
+def test_completion_in_zsh(tmp_path):
     """An interactive one, since completion is part of its line editor; each line is typed, completed and shown."""
+    home = home_of("zsh", tmp_path)
     child, person = pty.fork()
     if not child:
         os.chdir(home)

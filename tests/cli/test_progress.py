@@ -45,7 +45,14 @@ LONG = {
     "design": ["design", CONFIGS / "requirements.toml", "--top", "9"],
     "plot": ["plot", "pareto", CONFIGS / "requirements.toml"],
     "report": ["report", STUDY],
-    "simulate": ["simulate", CONFIGS / "drive.toml", "--sweep", "drive.shaft_stiffness"],
+    "simulate": [
+        "simulate",
+        CONFIGS / "drive.toml",
+        "--set",
+        "drive.event.duration=0.02",
+        "--sweep",
+        "drive.shaft_stiffness",
+    ],
     "check": ["check", STUDY, "--set", "requirements.exceedance=0.5"],
     "equations": ["equations", "--prove", "--id", "F11 (1)"],
 }

@@ -70,7 +70,7 @@ def accepted_back(run: Run, case, afmcalc) -> None:
     assert again.json["result"] == printed["result"]
 
 
-@pytest.mark.parametrize("tried", [200, pytest.param(2000, marks=pytest.mark.exhaustive)])
+@pytest.mark.parametrize("tried", [100, pytest.param(2000, marks=pytest.mark.exhaustive)])
 def test_nothing_breaks_it(tried, afmcalc, request, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     monkeypatch.setattr("afmcalc.analysis.simulate.machine.MOST_STEPS", 2000)  # the same refusal, sooner

@@ -71,7 +71,9 @@ def test_no_cell_of_csv_is_a_formula(name, afmcalc):
     assert float(numbers[1]) == 2000
 
 
-@pytest.mark.parametrize("name", ["_x", "a_b", "__", "a_b_c $x$"])
+@pytest.mark.parametrize(
+    "name", ["_x", "a_b_c $x$", *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("a_b", "__"))]
+)
 def test_a_name_is_in_the_legend_as_it_is(name, afmcalc, tmp_path, monkeypatch):
     monkeypatch.setattr("afmcalc.render.plot.style.PARAMETERS", {"svg.fonttype": "none"})
     monkeypatch.setattr("afmcalc.render.plot.figure.PARAMETERS", {"svg.fonttype": "none"})

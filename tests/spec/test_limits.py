@@ -121,9 +121,10 @@ def test_errors_stay_short():
 
 
 @pytest.mark.parametrize("columns", [NINES, "0", "-5", "٣", "nonsense", "1", "99999999999999999999"])
-def test_a_nonsense_width_of_the_terminal_harms_no_table(columns, afmcalc, monkeypatch):
-    monkeypatch.setenv("COLUMNS", columns)
-    run = afmcalc("torque")
+def test_a_nonsense_width_of_the_terminal_harms_no_table(columns, afmcalc):
+    with pytest.MonkeyPatch.context() as patch:  # pytest -v, which reports right after, would not bear it
+        patch.setenv("COLUMNS", columns)
+        run = afmcalc("torque")
     assert run.code == 0
     assert "107.38" in run.out or "118.52" in run.out
 

@@ -90,7 +90,7 @@ def test_life_where_the_torque_jumps():
         "closing_spring.stiffness=1500 N/mm", "control_spring.stiffness=750 N/mm", "fatigue.ultimate_strength=5 GPa",
     )  # fmt: skip
     assert "torque-jumps" in codes(steep.findings())
-    torque = steep.torque(np.linspace(0.1, 0.8, 2_000_001))
+    torque = steep.torque(np.linspace(0.1, 0.8, 400_001))
     assert torque.max() == pytest.approx(float(steep.torque_max), rel=1e-5)
     part = steep.spec.fatigue
     high = torque / part.polar_section_modulus / 2

@@ -62,7 +62,10 @@ def clutch_of(need, values):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize(("profiled", "method"), [("one", "min-friction"), ("both", "mean-friction")])
+@pytest.mark.parametrize(
+    ("profiled", "method"),
+    [pytest.param("one", "min-friction", marks=pytest.mark.exhaustive), ("both", "mean-friction")],
+)
 def test_every_candidate_against_synthesis(profiled, method):
     need = requirements(profiled, method)
     good = []

@@ -1,5 +1,6 @@
 """A design of clutches whose springs exist, against every stack of every size tried on every candidate."""
 
+import functools
 import itertools
 
 import numpy as np
@@ -53,17 +54,21 @@ def wanted(variant="indirect", search=INDIRECT, objectives=("closing_force", "ac
     }  # fmt: skip
 
 
-def packs(room):
+@functools.cache
+def packs(inner, outer):
+    """Cone height and characteristic of a pack of every size that has the room."""
+    found = []
     for size, parallel in itertools.product(discs(), range(1, 7)):
-        if room["inner_diameter"] <= size.inner_diameter and size.outer_diameter <= room["outer_diameter"]:
-            values = {name: getattr(size, name) for name in SHAPE}
-            yield size.cone_height, DiscCharacteristic(DiscStack(**values, parallel=parallel))
+        if inner <= size.inner_diameter and size.outer_diameter <= outer:
+            own = DiscCharacteristic(DiscStack(**{name: getattr(size, name) for name in SHAPE}, parallel=parallel))
+            found.append((size.cone_height, own))
+    return found
 
 
 def sprung(force, stiffness, room, relaxes=0.0, compresses=0.0):
     """Whether any stack of any size, of 1 to 300 packs, gives this."""
     series = np.arange(1, 301)
-    for cone, own in packs(room):
+    for cone, own in packs(room["inner_diameter"], room["outer_diameter"]):
         each = float(own.deflection(force))
         if own.force(each) < force * (1 - 1e-9):
             continue
@@ -163,12 +168,15 @@ def without_rooms(fixed):
     return {name: value for name, value in fixed.items() if not name.endswith("_room")}
 
 
-def test_springs_finds_the_springs_of_every_clutch_proposed():
+@pytest.mark.parametrize(
+    ("radii", "stiffnesses", "gains"), [(4, 4, 4), pytest.param(5, 5, 6, marks=pytest.mark.exhaustive)]
+)
+def test_springs_finds_the_springs_of_every_clutch_proposed(radii, stiffnesses, gains):
     """Refined clutches too, which lie between the grid points."""
     ranges = {
-        "mean_radius": {"start": 0.08, "stop": 0.12, "count": 5},
-        "closing_stiffness": {"start": 1e5, "stop": 8e5, "count": 5},
-        "gain": {"start": 0.6, "stop": 2.0, "count": 6},
+        "mean_radius": {"start": 0.08, "stop": 0.12, "count": radii},
+        "closing_stiffness": {"start": 1e5, "stop": 8e5, "count": stiffnesses},
+        "gain": {"start": 0.6, "stop": 2.0, "count": gains},
     }
     need = make_requirements(wanted(search={**INDIRECT, **ranges}))
     result, _ = design(need)

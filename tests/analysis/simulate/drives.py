@@ -59,7 +59,7 @@ def clutch(**changes: Any) -> Clutch:
 
 def light(**changes: Any) -> Clutch:
     """The reference drive with a small motor, which is soon at rest, with changes."""
-    return build(merged(merged(REFERENCE, {"drive": {"motor_inertia": 0.8}}), changes))
+    return build(merged(merged(REFERENCE, {"drive": {"motor_inertia": 0.2}}), changes))
 
 
 TRAIN = Train(

@@ -41,7 +41,7 @@ def test_v7_one_swing_of_the_control_unit(rate):
 
 def test_a_key_without_friction_gives_all_back():
     drive = indirect(0.3, law={"key_friction": 0.0}, motor_inertia=1e12, **FREE)  # fmt: skip
-    found = run(begun_indirect(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, 4500.0), 0.15, recorded=True)
+    found = run(begun_indirect(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, 4500.0), 0.08, recorded=True)
     back = [abs(row.speed_driven) for row in found.history if row.travel == 0]
     assert min(back) == pytest.approx(5.0, rel=1e-7)
     assert len(back) > 4, "it rolls to and fro"
@@ -189,8 +189,8 @@ def test_disc_springs(springs):
     own = {"curved": CurvedSprings(*springs)}
     friction = 0.3
     loading = {"stiffness": 2000.0, "driven_inertia": 2000.0, "motor_inertia": 1e12, "damping": 2000.0}
-    drive = indirect(friction, law=own, speed=8e-3, time=600.0, **loading)
-    found = run(drive, 600.0)
+    drive = indirect(friction, law=own, speed=16e-3, time=300.0, **loading)
+    found = run(drive, 300.0)
     assert drive.sliding != pytest.approx(indirect(friction).sliding, rel=1e-3)
     assert found.trip_torque == pytest.approx(drive.sliding, rel=1e-6)
 
@@ -212,7 +212,7 @@ def test_disc_springs(springs):
 
     drive = indirect(friction, law=own, load=230.0)
     found = run(drive, 0.1)
-    stepped = march(drive.train, drive.sleeve, np.array([found.time / 4000]), 4000)
-    assert stepped.peak[0] == pytest.approx(found.peak, rel=2e-3)
-    assert stepped.travel[0] == pytest.approx(found.travel_max, rel=2e-3)
+    stepped = march(drive.train, drive.sleeve, np.array([found.time / 1000]), 1000)
+    assert stepped.peak[0] == pytest.approx(found.peak, rel=5e-4)
+    assert stepped.travel[0] == pytest.approx(found.travel_max, rel=5e-4)
     assert drive.sleeve.torque(1.0) > 230 > drive.sleeve.lift, "it began off its stop"

@@ -190,7 +190,7 @@ def test_an_extreme_is_touched():
     assert "solve-another-value" not in [finding.code for finding in findings]
 
 
-@pytest.mark.parametrize("count", [30, pytest.param(100, marks=pytest.mark.exhaustive)])
+@pytest.mark.parametrize("count", [15, pytest.param(100, marks=pytest.mark.exhaustive)])
 @pytest.mark.parametrize("name", NAMES)
 def test_against_a_scan(name, count):
     """What is solved is, what is refused has no answer, the best is one (1,000 each: python tests/solve_scan.py 1000)."""

@@ -1,6 +1,7 @@
 """Every command in every format, as stored; and what holds for any output."""
 
 import csv
+import functools
 import io
 import os
 from pathlib import Path
@@ -9,6 +10,7 @@ import pytest
 from conftest import CONFIGS
 
 import afmcalc as package
+from afmcalc.proofs import prove
 from afmcalc.render.formats.curve import curve
 from afmcalc.render.units import significant
 
@@ -39,9 +41,13 @@ COMMANDS = {
 ENDINGS = {"table": "txt", "json": "json", "csv": "csv", "markdown": "md"}
 
 
+PROVED = functools.cache(prove)
+
+
 @pytest.mark.parametrize("format_", ENDINGS)
 @pytest.mark.parametrize("name", COMMANDS)
-def test_snapshot(name, format_, afmcalc):
+def test_snapshot(name, format_, afmcalc, monkeypatch):
+    monkeypatch.setattr("afmcalc.proofs.prove", PROVED)  # once for every format
     run = afmcalc(*COMMANDS[name], "--format", format_)
     assert run.code == 0
     text = run.out.replace(f'"version": "{package.__version__}"', '"version": "X"')

@@ -118,6 +118,14 @@ def test_on_paper(opened, drawn, tmp_path):
     assert min([*used(printed)][:-1]) > 0.5
 
 
+@browser
+def test_the_command_prints_beside_the_page(afmcalc, monkeypatch, tmp_path):
+    monkeypatch.setattr("afmcalc.render.report.render", lambda *given: "<!doctype html><p>all of it</p>")
+    assert afmcalc("report", "--pdf", "-o", tmp_path / "x.html").code == 0
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["x.html", "x.pdf"]
+    assert (tmp_path / "x.pdf").read_bytes().startswith(b"%PDF")
+
+
 def test_pdf_refusals(afmcalc, monkeypatch, tmp_path):
     assert "-o report.html" in afmcalc("report", "--pdf").err
     assert "x.html --pdf" in afmcalc("report", "--pdf", "-o", "x.pdf").err
