@@ -209,6 +209,10 @@ class CoilCharacteristic(Characteristic):
         """Force of all together, N."""
         return self.rate * deflection
 
+    def deflection(self, force: Values) -> Values:
+        """Deflection that gives a force, m; pressed solid where none does."""
+        return smaller(force / self.rate, self.end)
+
     def stiffness(self, deflection: Values) -> Values:
         """The same at every deflection, N/m."""
         return self.rate + 0.0 * deflection

@@ -1,0 +1,76 @@
+"""What travel the stacks of a room give, against every stack of every size tried one by one."""
+
+import itertools
+from functools import cache
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from afmcalc.analysis.springs.stacks import NONE, forces_held, holds_force, travel_held
+from afmcalc.engines.characteristic import DiscCharacteristic
+from afmcalc.spec.discs import discs
+from afmcalc.spec.springs import DiscStack, Room
+
+SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
+
+
+@cache
+def packs(inner, outer):
+    """Cone height and characteristic of a pack of every size that has the room, of one to six discs."""
+    sizes = [size for size in discs() if inner <= size.inner_diameter and size.outer_diameter <= outer]
+    return [
+        (
+            size.cone_height,
+            DiscCharacteristic(DiscStack(**{name: getattr(size, name) for name in SHAPE}, parallel=each)),
+        )
+        for size, each in itertools.product(sizes, range(1, 7))
+    ]
+
+
+def by_trying(room, force, stiffness, *, relaxes):
+    """The largest travel of any stack of 1 to 10,000 packs; it lengthens down to 0.15 of the cone, or bends to 0.75."""
+    series, best = np.arange(1, 10_001), NONE
+    for cone, own in packs(room.inner_diameter, room.outer_diameter):
+        each = float(own.deflection(force))
+        if not (0.15 * cone <= each <= 0.75 * cone and own.force(each) >= force * (1 - 1e-9)):
+            continue
+        left = (room.length or np.inf) - series * (own.free_length - each)
+        good = (left >= 0) & (np.abs(float(own.stiffness(each)) / series - stiffness) <= 0.1 * stiffness)
+        travel = np.minimum(series * (each - 0.15 * cone), left) if relaxes else series * (0.75 * cone - each)
+        best = max(best, travel[good].max(initial=NONE))
+    return best
+
+
+@given(
+    st.sampled_from([(0.02, 0.06), (0.04, 0.1), (0.08, 0.2)]),
+    st.one_of(st.none(), st.floats(0.005, 0.3)),
+    st.floats(np.log(300), np.log(2e5)).map(np.exp),
+    st.floats(np.log(5e4), np.log(2e7)).map(np.exp),
+)
+def test_the_travel_a_room_allows(across, length, force, stiffness):
+    room = Room(inner_diameter=across[0], outer_diameter=across[1], length=length)
+    for relaxes in (True, False):
+        found = float(travel_held(np.array([force]), np.array([stiffness]), room, relaxes=relaxes)[0])
+        assert found == pytest.approx(by_trying(room, force, stiffness, relaxes=relaxes), rel=1e-6, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("across", "length", "intervals"),
+    [((0.04, 0.082), None, 1), ((0.04, 0.082), 0.02, 1), ((0.0405, 0.0801), 6.03e-3, 3)],
+)
+def test_the_forces_a_room_allows(across, length, intervals):
+    """Of packs of one to six discs; where few sizes have the room, forces between them are not to be had."""
+    room = Room(inner_diameter=across[0], outer_diameter=across[1], length=length)
+    ends = forces_held(room)
+    assert ends.size == 2 * intervals
+    assert (np.diff(ends) > 0).all()
+    tried = [
+        (float(own.force(low)), float(own.force(0.75 * cone)))
+        for cone, own in packs(room.inner_diameter, room.outer_diameter)
+        if (low := max(0.15 * cone, own.free_length - (length or np.inf))) <= 0.75 * cone
+    ]
+    forces = np.geomspace(100, 2e5, 500)
+    assert holds_force(forces, room).tolist() == [any(low <= force <= high for low, high in tried) for force in forces]
+    assert ends[-1] == pytest.approx(max(high for _, high in tried), rel=1e-12)
