@@ -97,12 +97,15 @@ def _can_be_synthesized(clutch: "Clutch") -> bool:
 def _heat_is_known(clutch: "Clutch") -> bool:
     from ..spec.heat import missing_of
 
-    return not missing_of(clutch.spec.drive)
+    return _can_be_simulated(clutch) or not missing_of(clutch.spec.drive)
 
 
 def _heated(found: Any) -> str:
     if None in (found.energy.min, found.energy.mean, found.energy.max):
-        return "The motor carries the slipping clutch: at some friction the slip does not end."
+        return (
+            "At some friction the slip has not ended: the motor carries the clutch, or the time that is simulated is "
+            "too short."
+        )
     if found.temperature is None:
         return "A trip gives {energy.min:.4g kJ} at the smallest and {energy.max:.4g kJ} at the largest friction."
     return (

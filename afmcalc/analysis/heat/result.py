@@ -1,27 +1,32 @@
 """What is told of heat and wear of a trip."""
 
 from ...result import OpenTriple, Result, Triple, quantity
+from ..simulate.result import NOT_ENDED
 from .trip import EnergySource
-
-ENDLESS = "does not end"
 
 
 class HeatResult(Result):
     """Heat and wear of one trip; what the spec does not allow to tell is left out."""
 
     energy_source: EnergySource = quantity("", None, "where time and heat of the slip are from")
-    slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=ENDLESS)
-    energy: OpenTriple = quantity("J", "Q", "heat of a trip", null=ENDLESS)
-    specific_work: OpenTriple | None = quantity("J/m^2", "q_A", "work per area of a pair", optional=True, null=ENDLESS)
+    slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED)
+    energy: OpenTriple = quantity("J", "Q", "heat of a trip", null=NOT_ENDED)
+    specific_work: OpenTriple | None = quantity(
+        "J/m^2", "q_A", "work per area of a pair", optional=True, null=NOT_ENDED
+    )
     power_density: Triple | None = quantity("W/m^2", "q", "largest power per area of a pair", optional=True)
     temperature_rise: OpenTriple | None = quantity(
-        "K", "ΔΘ", "mean rise of the discs by a trip, all its heat in them", optional=True, null=ENDLESS
+        "K", "ΔΘ", "mean rise of the discs by a trip, all its heat in them", optional=True, null=NOT_ENDED
     )
     temperature: OpenTriple | None = quantity(
-        "K abs", "Θ", "mean temperature of the discs after a trip", optional=True, null=ENDLESS
+        "K abs", "Θ", "mean temperature of the discs after a trip", optional=True, null=NOT_ENDED
     )
     surface_temperature_rise: OpenTriple | None = quantity(
-        "K", "ΔΘ_s", "largest rise of the faces during a trip, the lining taking its share", optional=True, null=ENDLESS
+        "K",
+        "ΔΘ_s",
+        "largest rise of the faces during a trip, the lining taking its share",
+        optional=True,
+        null=NOT_ENDED,
     )
     temperature_limit: float | None = quantity(
         "K abs", "Θ_max", "temperature the discs are held against", optional=True

@@ -62,12 +62,12 @@ class Outcome(NamedTuple):
 
     @property
     def slip_time(self) -> float | None:
-        """Time of slip; None where it does not end."""
+        """Time of slip; None where it has not ended."""
         return self.trip.slip_time if self.trip.ended else None
 
     @property
     def energy(self) -> float | None:
-        """Heat in the pack; None where it does not end."""
+        """Heat in the pack; None where the slip has not ended."""
         return self.trip.heat if self.trip.ended else None
 
     @property

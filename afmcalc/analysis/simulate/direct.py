@@ -8,8 +8,11 @@ from functools import cached_property
 from ...arrays import V
 from ...equations import direct
 from ...equations import drive as law
-from .plant import DECAYED, FAST, Mode, Plant, Sliding, State, Tool, Torques, sign
+from .plant import DECAYED, FAST, Creep, Mode, Plant, Sliding, State, Tool, Torques, sign
 from .train import Train
+
+_STEP = 1e-6
+"""Of friction, relative, over which the growth of the torque is taken."""
 
 
 @dataclass(frozen=True)
@@ -194,6 +197,15 @@ class DirectPlant(Plant):
             return None
         slip = DECAYED / own.decay_rate if own.static_ratio > 1 else 0.0
         return Sliding(mode.pack * self.sliding, self.train.driven_inertia, math.inf, slip)
+
+    def creeping(self) -> Creep | None:
+        """Static friction that comes back, half of the damping left."""
+        own, calm = self.pack, self.train.damping / 2
+        if own.lag or own.static_ratio == 1 or not calm:
+            return None
+        growth = max(self.growth, (own.torque(1 + _STEP) - own.torque(1.0)) / _STEP)
+        steep = growth * (own.static_ratio - 1) * own.decay_rate
+        return Creep(lambda slip: own.torque(self._ratio(slip)), max(math.log(steep / calm), 0.1) / own.decay_rate)
 
     def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:
         """T(r_s f), or less while the normal force lags."""

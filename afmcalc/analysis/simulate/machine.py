@@ -9,7 +9,7 @@ from scipy.integrate import DOP853, OdeSolver, Radau
 from ...arrays import finite
 from ...errors import CalculationError
 from ...messages import say
-from .coast import stride
+from .coast import creep, stride
 from .plant import Mode, Plant, State, Torques
 from .record import Heating, Moment, Trip
 from .rest import Stuck, settled
@@ -19,7 +19,7 @@ TOLERANCE = 1e-9
 MOST_SWITCHES = 20_000
 MOST_STEPS = 40_000
 """Of an event: twice what a history of seconds takes of a drive that hardly damps."""
-PATIENCE = 6_000
+PATIENCE = 20_000
 """Steps after which a drive that does not settle is left, where no duration is given."""
 _STEPS_A_PERIOD = 4
 _WORKS = 5
@@ -168,6 +168,7 @@ class _Run:
         largest = _UNSEEN if self.history is not None else math.inf
         lasting = self.off == math.inf and not self.given
         found = stride(self.plant, t, y, mode, bound, lasting=lasting, largest=largest)
+        found = found or creep(self.plant, t, y, mode, bound, lasting=lasting)
         if found is None:
             return t, y
         self.course += [Heating(*each) for each in found.course]

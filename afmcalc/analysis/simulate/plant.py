@@ -6,7 +6,7 @@ positive while the mode lasts. Derived after the state machine of Otter, Elmqvis
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
@@ -46,6 +46,15 @@ class Sliding(NamedTuple):
     """Swing of the shaft's torque about it up to which the torque stays constant, N·m."""
     slip: float
     """Slip above which static friction is nothing, rad/s."""
+
+
+class Creep(NamedTuple):
+    """A pack whose torque rises slowly as its slip falls."""
+
+    torque: Callable[[float], float]
+    """Slip → torque, N·m, both without a sign."""
+    least: float
+    """Slip down to which the shaft damps more than the falling friction drives, rad/s."""
 
 
 FAST = 20.0
@@ -176,6 +185,10 @@ class Plant(ABC):
     @abstractmethod
     def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:
         """How the pack slides if its torque is constant from now on; None where it is not."""
+
+    def creeping(self) -> Creep | None:
+        """How the pack slips where friction rises as it slows down; None where that is not smooth, or not damped."""
+        return None
 
     @abstractmethod
     def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:

@@ -2,7 +2,8 @@
 
 from ...result import OpenTriple, Result, Series, Triple, quantity
 
-ENDLESS = "does not end"
+NOT_ENDED = "not ended"
+"""Of a slip: the motor keeps it going, or what is simulated is over before it; a finding says which."""
 
 
 class SimulatePoint(Result):
@@ -15,8 +16,8 @@ class SimulatePoint(Result):
     peak_torque: float = quantity("N*m", "T_peak", "peak torque in the shaft")
     peak_torque_clutch: float = quantity("N*m", "T_peak,c", "peak torque at the clutch")
     dynamic_factor: float = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
-    slip_time: float | None = quantity("s", "t_s", "time of slip", null=ENDLESS)
-    slip_energy: float | None = quantity("J", "Q", "heat in the pack", null=ENDLESS)
+    slip_time: float | None = quantity("s", "t_s", "time of slip", null=NOT_ENDED)
+    slip_energy: float | None = quantity("J", "Q", "heat in the pack", null=NOT_ENDED)
     travel_max: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     peak_torque_conventional: float = quantity("N*m", "T_peak,0", "peak torque with an ordinary clutch of equal T_н")
 
@@ -40,8 +41,8 @@ class SimulateResult(Result):
     peak_torque_clutch: Triple = quantity("N*m", "T_peak,c", "peak torque at the clutch")
     dynamic_factor: Triple = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
     peak_over_machine: Triple | None = quantity("1", "T_peak/T_0", "peak torque over the load before it", optional=True)
-    slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=ENDLESS)
-    slip_energy: OpenTriple = quantity("J", "Q", "heat in the pack", null=ENDLESS)
+    slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED)
+    slip_energy: OpenTriple = quantity("J", "Q", "heat in the pack", null=NOT_ENDED)
     travel_max: Triple | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     peak_torque_bypass: float | None = quantity(
         "N*m", "T_peak,1", "peak torque in the shaft at f_max if the bypass pairs alone carry", optional=True

@@ -124,6 +124,22 @@ def test_a_motor_as_strong_as_the_clutch_never_stops():
     assert cut.trip.heat == pytest.approx(200 * 15 * 0.5 + heat.run_down_energy(1.0, speed, 200, 0), rel=0.02)
 
 
+def test_slow_slip_takes_static_friction_back(monkeypatch):
+    """A heavy motor side, of which a thousand swings pass while the friction comes back: by quadrature of J_1 dω/(T − M)."""
+    own = clutch(drive={"damping_ratio": 3.0, "driven_inertia": 0.005, "motor_inertia": 80.0})
+    found = outcome_of(own, 0.3).trip
+    assert found.ended
+    speeds = np.linspace(0, 15, 200_001)[1:]
+    torque = own.torque(0.3 * (1 + 0.2 * np.exp(-0.1 * speeds / 0.3)))
+    # but for the stop of the tool
+    assert found.slip_time == pytest.approx(np.trapezoid(80 / (torque - 150), speeds), rel=1e-3)
+    assert found.heat == pytest.approx(np.trapezoid(80 * speeds * torque / (torque - 150), speeds), rel=2e-3)
+    monkeypatch.setattr("afmcalc.analysis.simulate.machine.creep", lambda *where, **how: None)
+    stepped = outcome_of(own, 0.3).trip
+    assert (found.peak, found.slip_time) == pytest.approx((stepped.peak, stepped.slip_time), rel=1e-5)
+    assert found.heat == pytest.approx(stepped.heat, rel=1e-6)
+
+
 def test_kloss_motor_against_its_own_equation_of_motion():
     """Against a blocked tool the motor alone moves: time by quadrature of J_1 dω/(T − M_1(ω))."""
     engine = Engine(250.0, 0.2, 16.0)
