@@ -101,6 +101,15 @@ FINDINGS: Mapping[str, str] = {
     "switched off, drive.cut_off)",
     "sweep-not-settled": "{value} of the swept drives have neither come to rest nor to a steady run as their "
     "simulation ends: their peaks may yet rise",
+    "event-contact-force": "at {at} the event presses a ball against its wall with {value:.5g kN}; {limit:.5g kN} is "
+    "allowable",
+    "event-ball-leaves-pocket": "at {at} the sleeve travels {value:.5g mm} in the event: beyond {limit:.5g mm} the "
+    "ball runs on the edge of its pocket",
+    "event-clearance": "at {at} the sleeve travels {travel:.5g mm} in the event, which leaves the ball {value:.4g mm} "
+    "to the edge of its pocket instead of {limit:.4g mm}: a larger ball, or stiffer springs",
+    "event-spring-let-go": "at {at} the sleeve travels {value:.5g mm} in the event: at {limit:.5g mm} the closing "
+    "spring presses no more",
+    "event-spring": "in the event, where the sleeve travels {travel:.5g mm}, a spring does not hold: {what}",
     "dynamic-factor-exceeded": "the event loads the shaft with {value:.4g} times the sliding torque; the life of the "
     "unprotected side assumes {limit:g} (simulate --output writes the factor into a spec)",
     "judder": "slow slip is not steady: friction that falls with speed takes {value:.3g N·m·s} from the damping of "

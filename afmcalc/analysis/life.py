@@ -57,6 +57,9 @@ class LifeResult(Result):
     stress_unprotected: float | None = quantity("Pa", "τ'_eq", "damaging stress of the unprotected side, as set")
     endurance_limit: float = quantity("Pa", "τ_limb", "endurance limit")
     base_cycles: float = quantity("1", "N_0", "base cycles of the S-N line")
+    dynamic_factor: float | None = quantity(
+        "1", "k_д", "dynamic factor by which the unprotected side is loaded more", optional=True
+    )
     sweep: list[LifeSweep] | None = quantity("", None, "life over the swept values", optional=True, columns=True)
 
 
@@ -93,6 +96,7 @@ def life(
         stress_unprotected=_stress(part, model, load.times(sides["unprotected"])),
         endurance_limit=part.endurance_limit,
         base_cycles=part.base_cycles,
+        dynamic_factor=clutch.spec.drive.dynamic_factor,
         sweep=life_sweep(clutch, model, sweeps) if sweeps else None,
     )
     loads = {method: load_of(own) for method, own in by_method.items()}

@@ -146,8 +146,14 @@ def _lasting(found: Any) -> str:
     if None in stresses:
         return "The largest load reaches the strength of the shaft: it breaks at once."
     if max(stresses) <= found.endurance_limit:
-        return "Fatigue does not limit the life of the shaft: the damaging stress stays below the endurance limit."
-    return "Fatigue limits the life of the shaft: the damaging stress is above the endurance limit."
+        return (
+            "With peaks of {dynamic_factor:.4g} times the slip torque behind the clutch, fatigue does not limit the "
+            "life of the shaft: the damaging stress stays below the endurance limit."
+        )
+    return (
+        "With peaks of {dynamic_factor:.4g} times the slip torque behind the clutch, fatigue limits the life of the "
+        "shaft: the damaging stress is above the endurance limit."
+    )
 
 
 ANALYSES: dict[str, Analysis] = {

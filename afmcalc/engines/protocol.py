@@ -276,14 +276,13 @@ class Clutch(ABC):
         found, nominal = self._law_findings(), float(self.nominal_torque)
         return [*found, *setting.findings(self.spec, nominal, float(self.torque_min)), *self._part_findings()]
 
-    def wishes(self) -> "list[Wish]":
-        """What each spring is to give, and what happens to it."""
+    def wishes(self, travel: float = 0.0) -> "list[Wish]":
+        """What each spring is to give, and what happens to it where the sleeve travels by the law, or farther."""
         from .wish import wishes
 
-        control, travel = self.control_force, self.travel(self.friction[0].max)
-        return wishes(
-            self.spec, float(self.closing_force), None if control is None else float(control), float(travel or 0.0)
-        )
+        control, own = self.control_force, float(self.travel(self.friction[0].max) or 0.0)
+        held = None if control is None else float(control)
+        return wishes(self.spec, float(self.closing_force), held, max(travel, own))
 
     def _part_findings(self) -> list[Finding]:
         if not self.spec.spring_parts:

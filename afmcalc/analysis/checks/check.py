@@ -9,6 +9,7 @@ from ...result import Result, quantity
 from ...watch import Progress, unwatched
 from ..answers import Answers
 from ..registry import ANALYSES
+from .lasting import lasting
 from .limits import Utilisation, utilisations
 from .plausible import unusual_findings
 from .pressure import pressure_findings
@@ -77,4 +78,6 @@ def all_findings(answers: Answers) -> list[Finding]:
     unit = clutch.spec.control_unit
     if unit is not None and unit.ball_circle_radius is None:
         found.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
-    return list(dict.fromkeys([*found, *(each for name in judged for each in answers.ask(name)[1])]))
+    for name in judged:
+        found += lasting(answers).said if name == "life" else answers.ask(name)[1]
+    return list(dict.fromkeys(found))

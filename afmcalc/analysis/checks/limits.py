@@ -12,9 +12,10 @@ from ...result import Result, quantity
 from ...spec.balls import diameters
 from ...spec.edit import value_at
 from ..answers import Answers
-from ..life import LifeResult
 from ..registry import ANALYSES
+from ..simulate.result import SimulateResult
 from ..unit import SynthesisResult
+from .lasting import Lasting, lasting
 from .pressure import pressure_findings
 
 Grade = Literal["pass", "note", "warning", "fail"]
@@ -58,13 +59,14 @@ def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]
     """
     clutch = answers.clutch
     levels = {finding.code: finding.level for finding in findings}
-    synthesized, lived = (ANALYSES[name].applies(clutch) for name in ("synthesize", "life"))
+    synthesized, simulated, lived = (ANALYSES[name].applies(clutch) for name in ("synthesize", "simulate", "life"))
     return [
         *(_used(each, levels) for each in _of_clutch(clutch)),
         *(_used(each, levels) for each in (_of_synthesis(answers) if synthesized else ())),
-        *_of_springs(clutch),
+        *(_used(each, levels) for each in (_of_event(answers) if simulated else ())),
+        *_of_springs(clutch, _travel(answers.of(SimulateResult)) if simulated else 0.0),
         *map(_pressure, pressure_findings(clutch)),
-        *(_used(each, levels) for each in (_of_life(answers.of(LifeResult)) if lived else ())),
+        *(_used(each, levels) for each in (_of_life(lasting(answers)) if lived else ())),
     ]
 
 
@@ -124,12 +126,30 @@ def _of_synthesis(answers: Answers) -> Iterator[_Held]:
         yield _Held("seat-force-exceeded", term("force of a seat on one ball"), "F_s ≤ [F_n]", "N", force, allowable)
 
 
-def _of_springs(clutch: Clutch) -> Iterator[Utilisation]:
-    """What the springs named are to hold, each judged on its own."""
+def _travel(found: SimulateResult) -> float:
+    """Largest travel of the sleeve in an event, m; 0 without one."""
+    return 0.0 if found.travel_max is None else max(vars(found.travel_max).values())
+
+
+def _of_event(answers: Answers) -> Iterator[_Held]:
+    """What an event asks of balls and pockets."""
+    from ..simulate.strain import strength_of
+
+    found, own = answers.of(SimulateResult), strength_of(answers.clutch)
+    if found.contact_force is not None and own.contact_force is not None:
+        force, name = max(vars(found.contact_force).values()), term("contact force on one ball in the event")
+        yield _Held("event-contact-force", name, "F_n ≤ [F_n]", "N", force, own.contact_force)
+    if own.travel is not None:
+        name = term("travel in the event, the ball in its pocket")
+        yield _Held("event-ball-leaves-pocket", name, "x_max ≤ [x]", "m", _travel(found), own.travel)
+
+
+def _of_springs(clutch: Clutch, travel: float) -> Iterator[Utilisation]:
+    """What the springs named are to hold, each judged on its own, where the sleeve travels so far in an event."""
     if not clutch.spec.spring_parts:
         return
     for path, (rule, value, limit, _), used in (
-        (path, each, each.utilisation) for path, each in demands_of(clutch.spec, clutch.wishes())
+        (path, each, each.utilisation) for path, each in demands_of(clutch.spec, clutch.wishes(travel))
     ):
         if math.isfinite(used):
             spring = term("closing spring") if path.startswith("closing") else term("control spring")
@@ -140,13 +160,18 @@ def _of_springs(clutch: Clutch) -> Iterator[Utilisation]:
             )  # fmt: skip
 
 
-def _of_life(found: LifeResult) -> Iterator[_Held]:
+def _of_life(own: Lasting) -> Iterator[_Held]:
     protected = term("damaging stress, protected side (beyond: limited life)")
     unprotected = term("damaging stress, unprotected side (beyond: limited life)")
+    if own.simulated:
+        unprotected = term("damaging stress, unprotected side, by the peak simulated (beyond: limited life)")
+    found = own.found
     sides = ((protected, "τ_eq", found.stress_protected), (unprotected, "τ'_eq", found.stress_unprotected))
     for name, symbol, stress in sides:
         if stress is not None:
-            yield _Held("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
+            beyond = own.simulated and name == unprotected and stress > found.endurance_limit
+            code = "dynamic-factor-exceeded" if beyond else "life-limited"
+            yield _Held(code, name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
 
 
 def _pressure(finding: Finding) -> Utilisation:

@@ -12,6 +12,7 @@ from ...spec.paths import keys
 from ..answers import Answers
 from ..life import UNLIMITED
 from ..registry import ANALYSES
+from .lasting import lasting
 
 
 class RequirementRow(Result):
@@ -43,6 +44,8 @@ class Judged(NamedTuple):
     """Whether it must reach the limit, instead of keeping below it."""
     needs: str = ""
     """What a spec lacks where there is no outcome; by default the analysis itself."""
+    open: Callable[[Any], bool] = lambda found: False
+    """``result`` → whether what the clutch has may be more."""
 
 
 def _exceedance(clutch: Clutch, found: Any) -> float | None:
@@ -58,9 +61,14 @@ def _outer_diameter(clutch: Clutch, found: Any) -> float | None:
 
 
 def _most(found: Triple | OpenTriple | None) -> float | None:
-    """The largest over the friction range; None where one of them is not known."""
-    values = [None] if found is None else [found.min, found.mean, found.max]
-    return None if None in values else max(each for each in values if each is not None)
+    """The largest over the friction range that is known."""
+    values = () if found is None else vars(found).values()
+    return max((each for each in values if each is not None), default=None)
+
+
+def _open(found: Triple | OpenTriple | None) -> bool:
+    """Whether a slip has not ended at some friction, so that there is no largest."""
+    return found is not None and None in vars(found).values()
 
 
 def _peak(clutch: Clutch, found: Any) -> float | None:
@@ -85,8 +93,18 @@ JUDGED: dict[str, Judged] = {
     "outer_diameter": Judged("torque", _outer_diameter, needs="friction_group.outer_radius"),
     "peak_torque": Judged("simulate", _peak, needs="[drive] with an event"),
     "exceedance": Judged("tolerance", _exceedance, needs="[tolerance], its torque_limit absent or that torque_max"),
-    "work": Judged("heat", lambda clutch, found: _most(found.specific_work), needs="[drive], [heat] and both radii"),
-    "temperature": Judged("heat", lambda clutch, found: _most(found.temperature), needs="[drive] and [heat]"),
+    "work": Judged(
+        "heat",
+        lambda clutch, found: _most(found.specific_work),
+        needs="[drive], [heat] and both radii",
+        open=lambda found: _open(found.specific_work),
+    ),
+    "temperature": Judged(
+        "heat",
+        lambda clutch, found: _most(found.temperature),
+        needs="[drive] and [heat]",
+        open=lambda found: _open(found.temperature),
+    ),
     "cycles": Judged("life", _cycles, least=True, needs="[fatigue]"),
 }
 """Key of [requirements] → how it is judged; its unit is that of the key. What has no outcome yet is not judged."""
@@ -114,11 +132,14 @@ def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Findi
     given = {} if required is None else required.model_dump(exclude_none=True)
     rows, found = [], []
     for name, limit in given.items():
-        row = _row(name, float(limit), _outcome(JUDGED[name], answers))
+        value, unknown = _outcome(JUDGED[name], answers)
+        row = _row(name, float(limit), value, unknown=unknown)
         rows.append(row)
         path = f"requirements.{name}"
         if row.passed is None:
             needs = term(JUDGED[name].needs or f"`{JUDGED[name].analysis}`")
+            if unknown:
+                needs = term("an end of the slip: drive.cut_off, or a longer drive.event.duration")
             own = finding("requirement-not-judged", "warning", limit=limit, path=path, name=term(row.name), needs=needs)
             found.append(own)
         elif not row.passed:
@@ -128,16 +149,19 @@ def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Findi
     return rows, found
 
 
-def _outcome(judged: Judged, answers: Answers) -> float | None:
+def _outcome(judged: Judged, answers: Answers) -> tuple[float | None, bool]:
+    """What the clutch has, and whether it may be more."""
     analysis = ANALYSES.get(judged.analysis)
     if judged.outcome is None or analysis is None or not analysis.applies(answers.clutch):
-        return None
-    return judged.outcome(answers.clutch, answers.ask(analysis.name)[0])
+        return None, False
+    found = lasting(answers).found if analysis.name == "life" else answers.ask(analysis.name)[0]
+    return judged.outcome(answers.clutch, found), judged.open(found)
 
 
-def _row(name: str, limit: float, value: float | None) -> RequirementRow:
+def _row(name: str, limit: float, value: float | None, *, unknown: bool) -> RequirementRow:
     key, least = keys()[f"requirements.{name}"], JUDGED[name].least
     over, under = (limit, value) if least else (value, limit)
+    held = None if over is None or under is None else over <= under * (1 + 1e-9)
     return RequirementRow(
         requirement=name,
         name=key.description.partition(",")[0],
@@ -147,5 +171,5 @@ def _row(name: str, limit: float, value: float | None) -> RequirementRow:
         limit=limit,
         unit=(key.unit or "").removesuffix(" abs"),
         utilisation=over / under if over is not None and under else None,
-        passed=None if over is None or under is None else over <= under * (1 + 1e-9),
+        passed=None if held and unknown else held,
     )

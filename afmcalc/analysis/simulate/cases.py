@@ -75,7 +75,7 @@ class Outcome(NamedTuple):
         """Whether the motor is what keeps it slipping."""
         plant = self.case.plant
         strong = plant.train.cut_off is None and abs(self.trip.last) <= plant.train.engine.torque
-        return not self.trip.ended and (self.trip.endless or strong)
+        return not self.trip.ended and (self.trip.endless or (strong and not self.trip.stuck))
 
     @property
     def potential(self) -> float | None:

@@ -33,6 +33,8 @@ class DirectPack:
     """R/v_s, s/rad."""
     lag: float = 0.0
     """τ, s."""
+    lever: float = 0.0
+    """r/R; 0 where the circle of the balls is not known."""
 
     @cached_property
     def friction_pairs(self) -> float:
@@ -131,6 +133,10 @@ class DirectPlant(Plant):
         train = self.train
         speed = train.speed
         return [speed, speed, self.sliding / train.stiffness, speed, self.pack.closing_force]
+
+    def leaning(self, y: Sequence[float]) -> float:
+        """tan α = C r/R."""
+        return self.pack.gain * self.pack.lever
 
     def motor_speed(self, y: Sequence[float]) -> float:
         """ω_1 = ω_2 + v."""

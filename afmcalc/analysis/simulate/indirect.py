@@ -77,6 +77,10 @@ class IndirectPlant(SleevePlant):
         """x = R |φ|/C."""
         return self.sleeve.travel(y[self.TURN])
 
+    def leaning(self, y: Sequence[float]) -> float:
+        """tan α = C r/R, where the sleeve is."""
+        return self.sleeve.gain(self.travel(y)) * self.sleeve.lever
+
     def _pairs(self, slip: float) -> float:
         """z f at a slip."""
         own = self.sleeve

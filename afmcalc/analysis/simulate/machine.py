@@ -55,7 +55,7 @@ class _Run:
     def __init__(self, plant: Plant, horizon: float, *, recorded: bool, given: bool) -> None:
         self.plant, self.horizon, self.given = plant, horizon, given
         self.history: list[Moment] | None = [] if recorded else None
-        self.peak = self.peak_clutch = self.travel_max = self.slip_time = 0.0
+        self.peak = self.peak_clutch = self.peak_wall = self.travel_max = self.slip_time = 0.0
         self.trip_torque: float | None = None
         self.off = math.inf
         """When the motor is switched off."""
@@ -98,6 +98,7 @@ class _Run:
         return Trip(
             self.peak,
             self.peak_clutch,
+            self.peak_wall,
             self.slip_time,
             pack,
             key,
@@ -192,6 +193,7 @@ class _Run:
         torques = own.torques(t, y, mode) if torques is None else torques
         self.peak = max(self.peak, abs(torques.shaft))
         self.peak_clutch = max(self.peak_clutch, abs(torques.clutch))
+        self.peak_wall = max(self.peak_wall, abs(torques.balls) * math.hypot(1.0, own.leaning(y)))
         self.travel_max = max(self.travel_max, travel)
         if mode.pack:
             self.course.append(Heating(t, torques.clutch, y[own.V], y[own.size + 1]))

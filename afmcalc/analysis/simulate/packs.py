@@ -71,6 +71,7 @@ def _discs(clutch: Clutch, own: DirectLaw, force: Values, driving: Values, drive
         static_ratio=ratio,
         decay_rate=decay,
         lag=0.0 if unit is None or unit.release_lag is None else unit.release_lag,
+        lever=_lever(clutch),
     )
 
 
@@ -94,7 +95,16 @@ def _sleeve(clutch: Clutch, own: IndirectLaw, friction: Values) -> Sleeve:
         mass=0.0 if unit is None or unit.sleeve_mass is None else unit.sleeve_mass,
         static_ratio=ratio,
         decay_rate=decay,
+        lever=_lever(clutch),
     )
+
+
+def _lever(clutch: Clutch) -> float:
+    """r/R; 0 where the circle of the balls is not known."""
+    unit = clutch.spec.control_unit
+    if unit is None or unit.ball_circle_radius is None:
+        return 0.0
+    return unit.ball_circle_radius / cast(float, clutch.mean_radius)
 
 
 def _static(clutch: Clutch) -> tuple[float, float]:

@@ -210,6 +210,10 @@ class Plant(ABC):
         """Travel of the sleeve, m."""
         return 0.0
 
+    def leaning(self, y: Sequence[float]) -> float:
+        """tan α of the wall where the balls are; 0 where their circle is not known."""
+        return 0.0
+
     def shaft(self, y: Sequence[float]) -> float:
         """Torque in the shaft, N·m."""
         train = self.train

@@ -35,6 +35,8 @@ class Trip(NamedTuple):
     peak: float
     """In the shaft, N·m."""
     peak_clutch: float
+    peak_wall: float
+    """Of the balls over cos α, N·m: what their walls bear, times n r."""
     slip_time: float
     heat: float
     """In the pack, J."""

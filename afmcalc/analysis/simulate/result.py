@@ -44,6 +44,7 @@ class SimulateResult(Result):
     slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED)
     slip_energy: OpenTriple = quantity("J", "Q", "heat in the pack", null=NOT_ENDED)
     travel_max: Triple | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
+    contact_force: Triple | None = quantity("N", "F_n", "largest contact force on one ball", optional=True)
     peak_torque_bypass: float | None = quantity(
         "N*m", "T_peak,1", "peak torque in the shaft at f_max if the bypass pairs alone carry", optional=True
     )

@@ -17,6 +17,7 @@ from .bypass import bypass_peak
 from .cases import outcome_of
 from .remarks import remarks_of
 from .result import SimulatePoint, SimulateResult
+from .strain import contact_forces, strains
 from .sweep import swept
 from .train import train_of
 
@@ -47,6 +48,7 @@ def simulate(
     sweep, rising = swept(clutch, sweeps, progress)
     travels, unit = clutch.spec.kind.travels, clutch.spec.control_unit
     late = unit is not None and bool(unit.release_lag)
+    forces = contact_forces(clutch, found)
     result = SimulateResult(
         sliding_torque=_triple([each.case.plant.sliding for each in found]),
         peak_torque=_triple(peaks),
@@ -57,6 +59,7 @@ def simulate(
         slip_time=_open([each.slip_time for each in found]),
         slip_energy=_open([each.energy for each in found]),
         travel_max=_triple([each.trip.travel_max for each in found]) if travels else None,
+        contact_force=None if forces is None else _triple(forces),
         peak_torque_conventional=_triple([each.ordinary_peak for each in found]),
         trip_torque=_open([each.trip.trip_torque for each in found]) if late else None,
         trip_position=_open([each.trip_position for each in found]) if late else None,
@@ -68,6 +71,7 @@ def simulate(
     )
     return result, [
         *clutch.findings(),
+        *strains(clutch, found),
         *remarks_of(clutch, train, found),
         *([] if bypass is None else [finding("bypass-peak", "warning", value=bypass, limit=max(peaks))]),
         *rising,

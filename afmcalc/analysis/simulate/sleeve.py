@@ -28,6 +28,8 @@ class Sleeve:
     static_ratio: float = 1.0
     decay_rate: float = 0.0
     """R/v_s, s/rad."""
+    lever: float = 0.0
+    """r/R; 0 where the circle of the balls is not known."""
 
     @cached_property
     def friction_pairs(self) -> float:

@@ -1,0 +1,133 @@
+"""An event in the drive is held against what the rest of the clutch bears: balls, pockets, springs, shaft, discs."""
+
+import math
+
+import pytest
+from conftest import CONFIGS
+from drives import merged
+
+from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.checks.check import check
+from afmcalc.analysis.life import LifeResult, life
+from afmcalc.analysis.simulate.result import SimulateResult
+from afmcalc.analysis.unit import SynthesisResult
+from afmcalc.engines import build
+from afmcalc.engines.parts import demands_of
+
+PRESS = {
+    "variant": "indirect",
+    "friction": {"min": 0.15, "max": 0.5},
+    "friction_group": {"pairs": 6, "mean_radius": 0.085},
+    "closing_spring": {"force": 3200.0, "stiffness": 2.5e5},
+    "control_spring": {"stiffness": 1.2e5},
+    "control_unit": {
+        "gain": 1.6, "ball_circle_radius": 0.045, "balls": 6, "face_gap": 0.002, "edge_clearance": 0.002,
+        "allowable_contact_force": 8000.0, "hub_diameter": 0.06, "key_friction": 0.12,
+    },
+    "adjustment": {"method": "min-friction", "margin": 1.3},
+    "drive": {
+        "dynamic_factor": 1.5, "speed": 60.0, "motor_inertia": 0.3, "driven_inertia": 0.03, "shaft_stiffness": 1.2e4,
+        "damping_ratio": 0.02, "hub_inertia": 0.01, "event": {"kind": "stop", "stop_time": 0.008, "duration": 0.05},
+    },
+    "fatigue": {"endurance_limit": 220e6, "polar_section_modulus": 6e-6, "exponent": 6, "base_cycles": 5e6},
+}  # fmt: skip
+
+
+def row_of(result, name):
+    (row,) = (row for row in result.limits if str(row.name) == name)
+    return row
+
+
+def test_an_event_is_held_against_balls_and_pockets():
+    """The sleeve swings farther than the law has it travel: 2 r_ш sin α − s is where the ball leaves its pocket."""
+    own = build(PRESS)
+    answers = Answers(own)
+    result, found = check(own, answers=answers)
+    made, event = answers.of(SynthesisResult), answers.of(SimulateResult)
+    edge = made.ball_diameter_standard * math.sin(made.wall_angle) - 0.002
+    travel = event.travel_max.max
+    row = row_of(result, "travel in the event, the ball in its pocket")
+    assert (row.value, row.limit, row.verdict) == (travel, pytest.approx(edge, rel=1e-9), "fail")
+    assert travel > edge > made.travel_max
+    assert not result.passed
+    assert "event-ball-leaves-pocket" in {each.code for each in found}
+    # farthest off the walls bear S(x)/κ; as the ball leaves its seat no more than the peak at the clutch
+    force = row_of(result, "contact force on one ball in the event").value
+    assert force == event.contact_force.max
+    assert 0 < force <= event.peak_torque_clutch.max * 1.001 / (6 * 0.045 * math.cos(made.wall_angle))
+    assert force > 1.2 * made.contact_force
+
+
+@pytest.mark.parametrize(
+    ("changes", "code"),
+    [
+        ({"control_unit": {"allowable_contact_force": 2.2e3}}, "event-contact-force"),
+        ({"drive": {"event": {"stop_time": 0.001}}}, "event-spring-let-go"),
+        ({"drive": {"speed": 20.0}, "control_unit": {"edge_clearance": 0.0022}}, "event-clearance"),
+    ],
+)
+def test_an_event_that_asks_too_much_is_told(changes, code):
+    found = {each.code: each for each in check(build(merged(PRESS, changes)))[1]}
+    assert code in found
+    assert "contact-force-exceeded" not in found, "the static one passes"
+
+
+def test_disc_springs_are_held_where_the_sleeve_swings():
+    """Picked for the travel of the law, which they hold, they are let go in the event."""
+    discs = {
+        "outer_diameter": 0.045,
+        "inner_diameter": 0.0224,
+        "thickness": 1.75e-3,
+        "free_height": 3.05e-3,
+        "series": 11,
+    }
+    springs = {"closing_spring": {"stiffness": 262792.529, "disc": discs}}
+    clutch = build(merged(PRESS, {**springs, "drive": {"event": {"stop_time": 0.005}}}))
+    answers = Answers(clutch)
+    result, found = check(clutch, answers=answers)
+    assert all(rule.beyond <= 0 for _, rule in demands_of(clutch.spec, clutch.wishes()))
+    row = row_of(result, "closing spring: travel by which the spring is let go")
+    assert (row.value, row.verdict) == (answers.of(SimulateResult).travel_max.max, "fail")
+    assert "event-spring" in {each.code for each in found}
+    assert not result.passed
+
+
+def test_life_is_judged_by_the_peak_that_the_drive_gives():
+    own = merged(PRESS, {"fatigue": {"endurance_limit": 120e6}, "requirements": {"cycles": 1e7}})
+    answers = Answers(build(own))
+    result, found = check(answers.clutch, answers=answers)
+    factor = answers.of(SimulateResult).dynamic_factor.min
+    assert factor > 1.5
+    real = life(build(merged(own, {"drive": {"dynamic_factor": factor}})))[0]
+    row = row_of(result, "damaging stress, unprotected side, by the peak simulated (beyond: limited life)")
+    assert row.value == pytest.approx(real.stress_unprotected, rel=1e-12)
+    assert row.value > row.limit > answers.of(LifeResult).stress_unprotected
+    assert row.verdict == "warning"
+    assert result.requirements[0].passed is False
+    assert result.requirements[0].value == pytest.approx(real.unprotected.min_friction)
+
+
+def test_a_temperature_is_judged_as_far_as_slips_end(afmcalc):
+    """A motor with a curve and an event tell the heat; a slip that does not end leaves the largest open."""
+    motor = "drive.motor={breakdown_torque=100.0, breakdown_slip=0.2, synchronous_speed=32.0}"
+    own = [
+        "check",
+        CONFIGS / "drive.toml",
+        "--json",
+        "--set",
+        "drive.load_torque=50",
+        "--set",
+        "drive.motor_inertia=0.1",
+    ]
+    off = ["--set", "drive.cut_off=0.3", "--set", "drive.speed=", "--set", "requirements.peak_torque="]
+    ended = afmcalc(*own, "--set", motor, *off).json["result"]
+    (row,) = ended["requirements"]
+    assert (row["requirement"], row["passed"]) == ("temperature", True)
+    assert row["value"] > 293
+    endless = ["--set", "drive.motor_torque=150", "--set", "requirements.peak_torque="]
+    for limit, passed in ((477.0, None), (293.2, False)):
+        left = afmcalc(*own, *endless, "--set", f"requirements.temperature={limit}").json
+        (row,) = left["result"]["requirements"]
+        assert row["passed"] is passed
+        assert row["value"] > 293.3, "of the frictions at which it ends"
+    assert "not judged: needs an end of the slip" in afmcalc(*own[:2], *own[3:], *endless).out
