@@ -10,6 +10,7 @@ from ...messages import term, translate
 from ...result import OpenTriple, Result, Triple, quantity
 from ...spec.paths import keys
 from ..answers import Answers
+from ..heat.limit import FREEZING
 from ..life import UNLIMITED
 from ..registry import ANALYSES
 
@@ -20,12 +21,17 @@ class RequirementRow(Result):
     requirement: str = quantity("", None, "requirement")
     name: str = quantity("", None, "quantity")
     symbol: str = quantity("", None, "symbol")
-    value: float | None = quantity("", None, "value", unit_in="unit")
+    value: float | None = quantity("", None, "value", unit_in="shown_unit")
     bound: Literal["at least", "at most"] = quantity("", None, "is to be")
-    limit: float = quantity("", None, "limit", unit_in="unit")
-    unit: str = quantity("", None, "unit", is_unit=True)
+    limit: float = quantity("", None, "limit", unit_in="shown_unit")
+    unit: str = quantity("", None, "unit", is_unit=True, unit_in="shown_unit")
     utilisation: float | None = quantity("1", "η", "utilisation, 1 at the limit")
     passed: bool | None = quantity("", None, "passed")
+
+    @property
+    def shown_unit(self) -> str:
+        """Unit of the key: a temperature is shown by another scale than a difference of two."""
+        return _unit(self.requirement)
 
     def words(self, name: str) -> str | None:
         """Say that a life has no limit: it passes, and has no number."""
@@ -101,11 +107,19 @@ _MISSED = {
 """SI unit → sentence that shows it."""
 
 
-def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Finding]]:
+def simulates(name: str, clutch: Clutch) -> bool:
+    """Whether an analysis simulates the event of a clutch, or samples it: that takes long."""
+    if name == "tolerance":
+        return clutch.spec.tolerance is not None
+    return name in ("simulate", "heat") and clutch.spec.drive.event is not None
+
+
+def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[RequirementRow], list[Finding]]:
     """Hold a clutch against every requirement of its spec.
 
     Args:
         answers: what was asked of it.
+        simulated: whether those are judged that a simulation answers.
 
     Returns:
         A row for each, in the order of the spec's keys, and a finding for each that is missed or not judged.
@@ -114,6 +128,8 @@ def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Findi
     given = {} if required is None else required.model_dump(exclude_none=True)
     rows, found = [], []
     for name, limit in given.items():
+        if not simulated and simulates(JUDGED[name].analysis, answers.clutch):
+            continue
         row = _row(name, float(limit), _outcome(JUDGED[name], answers))
         rows.append(row)
         path = f"requirements.{name}"
@@ -123,7 +139,10 @@ def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Findi
             found.append(own)
         elif not row.passed:
             code, bound = _MISSED[row.unit], term(row.bound)
-            own = finding(code, "error", value=row.value, limit=limit, path=path, name=term(row.name), bound=bound)
+            own = finding(
+                code, "error", value=row.value, limit=limit, path=path, name=term(row.name), bound=bound,
+                celsius=(row.value or 0.0) - FREEZING, allowed=limit - FREEZING,
+            )  # fmt: skip
             found.append(own)
     return rows, found
 
@@ -133,6 +152,10 @@ def _outcome(judged: Judged, answers: Answers) -> float | None:
     if judged.outcome is None or analysis is None or not analysis.applies(answers.clutch):
         return None
     return judged.outcome(answers.clutch, answers.ask(analysis.name)[0])
+
+
+def _unit(name: str) -> str:
+    return keys()[f"requirements.{name}"].unit or ""
 
 
 def _row(name: str, limit: float, value: float | None) -> RequirementRow:
@@ -145,7 +168,7 @@ def _row(name: str, limit: float, value: float | None) -> RequirementRow:
         value=None if value is None or math.isinf(value) else value,
         bound="at least" if least else "at most",
         limit=limit,
-        unit=(key.unit or "").removesuffix(" abs"),
+        unit=_unit(name).removesuffix(" abs"),
         utilisation=over / under if over is not None and under else None,
         passed=None if over is None or under is None else over <= under * (1 + 1e-9),
     )

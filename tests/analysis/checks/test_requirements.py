@@ -75,6 +75,28 @@ def test_a_margin_in_the_spring_is_not_taken_off_again():
         assert clutch.machine_torque == pytest.approx(clutch.nominal_torque / over)
 
 
+def test_a_temperature_is_told_in_degrees(afmcalc):
+    """As heat and the spec do; scripts and --units si have K."""
+    asked = (
+        "check",
+        CONFIGS / "drive.toml",
+        "--set",
+        "requirements.temperature=22 degC",
+        "--set",
+        "drive.event.kind=stop",
+    )
+    run = afmcalc(*asked, "--json").json
+    (row,) = (row for row in run["result"]["requirements"] if row["requirement"] == "temperature")
+    (said,) = (each["message"] for each in run["findings"] if each["path"] == "requirements.temperature")
+    assert (row["limit"], row["unit"]) == (295.15, "K")
+    told = f"{row['value'] - 273.15:.5g}"
+    assert said.endswith(f": {told} °C, but at most 22 °C is required")
+    for units, shown in (("engineer", (told, "22", "°C")), ("si", (f"{row['value']:.5g}", "295.15", "K"))):
+        lines = afmcalc(*asked, "--units", units).out.splitlines()
+        (line,) = (each.split() for each in lines if each.startswith("temperature "))
+        assert (line[-7], line[-4], line[-3]) == shown
+
+
 @pytest.mark.parametrize(
     ("name", "limit", "needs"),
     [
