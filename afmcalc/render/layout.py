@@ -25,8 +25,8 @@ class TextTable(NamedTuple):
     """What the symbols in the header mean."""
 
 
-SweepDrawing = Callable[[TextTable, bool], list[str]]
-"""``curve(block, unicode)`` → lines under a table of a sweep, none under any other."""
+SweepDrawing = Callable[[TextTable, bool, int | None], list[str]]
+"""``curve(block, unicode, width)`` → lines under a table of a sweep, none under any other."""
 
 
 def title(output: Output) -> str:
