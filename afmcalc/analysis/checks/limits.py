@@ -146,7 +146,9 @@ def _of_life(found: LifeResult) -> Iterator[_Held]:
     sides = ((protected, "τ_eq", found.stress_protected), (unprotected, "τ'_eq", found.stress_unprotected))
     for name, symbol, stress in sides:
         if stress is not None:
-            yield _Held("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
+            # one side may be limited where the other is not
+            code = "life-limited" if stress > found.endurance_limit else ""
+            yield _Held(code, name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
 
 
 def _pressure(finding: Finding) -> Utilisation:
