@@ -178,6 +178,7 @@ FINDINGS: Mapping[str, str] = {
     "requirement-missed/torque": "{name}: {value:.5g N·m}, but {bound} {limit:.5g N·m} is required",
     "requirement-missed/length": "{name}: {value:.5g mm}, but {bound} {limit:.5g mm} is required",
     "requirement-missed/work": "{name}: {value:.5g J/mm²}, but {bound} {limit:.5g J/mm²} is required",
+    "requirement-missed/pressure": "{name}: {value:.5g MPa}, but {bound} {limit:.5g MPa} is required",
     "requirement-missed/temperature": "{name}: {celsius:.5g} °C, but {bound} {allowed:.5g} °C is required",
     "requirement-not-judged": "{name} not judged: needs {needs}",
     # unusual

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from typing import Any, Literal, NamedTuple
 
 from ...engines.protocol import Clutch
+from ...equations import geometry
 from ...findings import Finding, finding
 from ...messages import term, translate
 from ...result import OpenTriple, Result, Triple, quantity
@@ -63,6 +64,14 @@ def _outer_diameter(clutch: Clutch, found: Any) -> float | None:
     return None if outer is None else 2 * outer
 
 
+def _mean_pressure(clutch: Clutch, found: Any) -> float | None:
+    group = clutch.spec.friction_group
+    if group.inner_radius is None or group.outer_radius is None:
+        return None
+    ring = float(clutch.pack_force_at_rest), group.inner_radius, group.outer_radius, math.pi
+    return float(geometry.mean_pressure(*ring))
+
+
 def _most(found: Triple | OpenTriple | None) -> float | None:
     """The largest over the friction range; None where one of them is not known."""
     values = [None] if found is None else [found.min, found.mean, found.max]
@@ -89,6 +98,9 @@ JUDGED: dict[str, Judged] = {
     "accuracy_factor": Judged("accuracy", lambda clutch, found: found.accuracy_factor),
     "torque_max": Judged("torque", lambda clutch, found: max(found.torque.min, found.torque.max)),
     "outer_diameter": Judged("torque", _outer_diameter, needs="friction_group.outer_radius"),
+    "surface_pressure": Judged("torque", _mean_pressure, needs="friction_group.inner_radius and outer_radius"),
+    "travel": Judged("torque", lambda clutch, found: _most(found.travel), needs="a sleeve that travels (indirect)"),
+    "reduced_gain": Judged("torque", lambda clutch, found: found.reduced_gain),
     "peak_torque": Judged("simulate", _peak, needs="[drive] with an event"),
     "exceedance": Judged("tolerance", _exceedance, needs="[tolerance], its torque_limit absent or that torque_max"),
     "work": Judged("heat", lambda clutch, found: _most(found.specific_work), needs="[drive], [heat] and both radii"),
@@ -102,6 +114,7 @@ _MISSED = {
     "N*m": "requirement-missed/torque",
     "m": "requirement-missed/length",
     "J/m^2": "requirement-missed/work",
+    "Pa": "requirement-missed/pressure",
     "K": "requirement-missed/temperature",
 }
 """SI unit → sentence that shows it."""
