@@ -74,6 +74,8 @@ FINDINGS: Mapping[str, str] = {
     "{limit:.4g MPa}: life is not limited by fatigue (the number extrapolates the S-N line, as the paper does)",
     "life-not-limited/no-number": "{side} side: the damaging stress, {listed}, is below the endurance limit "
     "{limit:.4g MPa}: life is not limited by fatigue (no number is given)",
+    "life-limited": "{side} side: fatigue limits its life to {value:.4g} slips, spring as set: the damaging stress, "
+    "{stress:.4g MPa}, is above the endurance limit {endurance:.4g MPa}",
     "static-strength-exceeded": "the largest stress of the {side} side, {value:.4g MPa}, reaches the ultimate "
     "strength {limit:.4g MPa}: the shaft fails at once",
     "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
@@ -139,7 +141,7 @@ FINDINGS: Mapping[str, str] = {
     "that of rolling only as far as its friction is small",
     "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
     "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
-    "contact-force-exceeded": "the contact force {value:.5g N} exceeds the allowable {limit:.5g N}",
+    "contact-force-exceeded": "the contact force {value:.5g kN} exceeds the allowable {limit:.5g kN}",
     # heat
     "temperature-exceeded": "the discs reach {celsius:.4g} °C after one trip: above the {low:g}…{high:g} °C that "
     "{name} allows",
@@ -175,13 +177,18 @@ FINDINGS: Mapping[str, str] = {
     "effect-on-torque/sliding-cams": "cams that slide on their walls change the torque by up to {value:+.1%}",
     "effect-on-torque/centrifugal": "balls thrown against conical pockets change the torque by up to {value:+.1%}",
     "effect-on-torque/wear": "wear of the lining changes the torque by up to {value:+.1%}",
+    "worn-below-machine": "its lining worn off, the clutch carries {value:.5g N·m} at least, less than the machine's "
+    "nominal torque {limit:.5g N·m}",
+    "worn-below-nominal": "its lining worn off, the clutch carries {value:.5g N·m} at least, below its nominal torque "
+    "{limit:.5g N·m} and within its margin over the machine's {machine:.5g N·m}",
     "effect-not-told": "{name} is not told: it needs {listed}",
     # requirements
     "requirement-missed/number": "{name}: {value:.5g}, but {bound} {limit:.5g} is required",
     "requirement-missed/torque": "{name}: {value:.5g N·m}, but {bound} {limit:.5g N·m} is required",
     "requirement-missed/length": "{name}: {value:.5g mm}, but {bound} {limit:.5g mm} is required",
     "requirement-missed/work": "{name}: {value:.5g J/mm²}, but {bound} {limit:.5g J/mm²} is required",
-    "requirement-missed/temperature": "{name}: {value:.5g K}, but {bound} {limit:.5g K} is required",
+    "requirement-missed/pressure": "{name}: {value:.5g MPa}, but {bound} {limit:.5g MPa} is required",
+    "requirement-missed/temperature": "{name}: {celsius:.5g} °C, but {bound} {allowed:.5g} °C is required",
     "requirement-not-judged": "{name} not judged: needs {needs}",
     # unusual
     "unusual/friction": "a coefficient of friction of {value:.4g} is unusual: {low:g}…{high:g} is usual, the materials "
@@ -189,8 +196,8 @@ FINDINGS: Mapping[str, str] = {
     "unusual/mean-radius": "a mean friction radius of {value:.4g mm} is unusual: {low:g mm…}{high:g mm} is usual",
     "unusual/pairs": "{value:.0f} friction pairs are unusual: {low:g}…{high:g} are usual",
     "unusual/margin": "a torque margin of {value:.4g} is unusual: {low:g}…{high:g} is usual",
-    "unusual/pressure": "the force on the pack, {value:.4g kPa} over a full disc of the mean radius, is unusual: "
-    "{low:g kPa…}{high:g kPa} is usual",
+    "unusual/pressure": "the force on the pack, {value:.4g MPa} over a full disc of the mean radius, is unusual: "
+    "{low:g MPa…}{high:g MPa} is usual",
     "unusual/deflection": "a spring deflected by {value:.4g mm} is unusual: up to {high:.4g mm}, the clutch's width "
     "at the mean radius, is usual",
     "unusual/wall-angle": "a wall angle of {value:.4g deg} is unusual: {low:.4g deg…}{high:.4g deg} is usual",
@@ -226,21 +233,21 @@ FINDINGS: Mapping[str, str] = {
     "{count} of the front miss it, the worst with {value:.5g} for {limit:.5g}",
     "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
     "any-stiffness": "{path} is not given: any stiffness will do",
-    "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g N}, more than the "
-    "allowable {limit:.5g N}: the curved wall pushes the ball across it",
+    "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g kN}, more than the "
+    "allowable {limit:.5g kN}: the curved wall pushes the ball across it",
     # surface pressure
-    "mean-pressure-exceeded": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
-    "above the allowable {low:g kPa…}{high:g kPa} of {name}",
-    "mean-pressure-in-range": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
-    "within the printed range of the allowable, {low:g kPa…}{high:g kPa} of {name}",
-    "mean-pressure": "surface pressure {value:.5g kPa} in the mean, utilisation {used:.3g}: "
-    "below the allowable {low:g kPa} of {name}",
-    "peak-pressure-exceeded": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
-    "above the allowable {low:g kPa…}{high:g kPa} of {name}",
-    "peak-pressure-in-range": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
-    "within the printed range of the allowable, {low:g kPa…}{high:g kPa} of {name}",
-    "peak-pressure": "surface pressure {value:.5g kPa} at the inner edge, utilisation {used:.3g}: "
-    "below the allowable {low:g kPa} of {name}",
+    "mean-pressure-exceeded": "surface pressure {value:.5g MPa} in the mean, utilisation {used:.3g}: "
+    "above the allowable {low:g MPa…}{high:g MPa} of {name}",
+    "mean-pressure-in-range": "surface pressure {value:.5g MPa} in the mean, utilisation {used:.3g}: "
+    "within the printed range of the allowable, {low:g MPa…}{high:g MPa} of {name}",
+    "mean-pressure": "surface pressure {value:.5g MPa} in the mean, utilisation {used:.3g}: "
+    "below the allowable {low:g MPa} of {name}",
+    "peak-pressure-exceeded": "surface pressure {value:.5g MPa} at the inner edge, utilisation {used:.3g}: "
+    "above the allowable {low:g MPa…}{high:g MPa} of {name}",
+    "peak-pressure-in-range": "surface pressure {value:.5g MPa} at the inner edge, utilisation {used:.3g}: "
+    "within the printed range of the allowable, {low:g MPa…}{high:g MPa} of {name}",
+    "peak-pressure": "surface pressure {value:.5g MPa} at the inner edge, utilisation {used:.3g}: "
+    "below the allowable {low:g MPa} of {name}",
     "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
     "no-candidate/attainable": "none of {candidates:,} candidates meets every requirement: {listed}; give up {names}",
     "returning-covered": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "

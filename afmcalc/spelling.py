@@ -29,12 +29,17 @@ _SPELLED = _LETTERS | {letter.upper(): spelled.capitalize() for letter, spelled 
 _SPELLED["Δ"] = "d"
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+")
+_OF_A_SPRING = re.compile(r"(?<=[_,])п(?![^\W\d_])")
+"""The index of a spring: F_п is F_sp, for F_p is the release force."""
 
 
 def _spelled(error: UnicodeError) -> tuple[str, int]:
     if not isinstance(error, UnicodeEncodeError):
         raise error
-    lacking = _POWER.sub(lambda power: f"^{power[0].translate(_RAISED)}", error.object[error.start : error.end])
+    lacking = "".join(
+        "sp" if _OF_A_SPRING.match(error.object, at) else error.object[at] for at in range(error.start, error.end)
+    )
+    lacking = _POWER.sub(lambda power: f"^{power[0].translate(_RAISED)}", lacking)
     return "".join(
         sign if sign.isascii() else _SPELLED.get(sign) or sign.encode("ascii", "backslashreplace").decode()
         for sign in lacking
@@ -49,5 +54,7 @@ def fitting(text: str, encoding: str) -> str:
 
     >>> fitting("ΔT = 10⁻³ T_н, °C", "ascii"), fitting("T_н", "koi8-r"), fitting("漢", "ascii")
     ('dT = 10^-3 T_n, degC', 'T_н', '\\\\u6f22')
+    >>> fitting("F_п1, K_т,п, F_p, T_пр", "ascii")
+    'F_sp1, K_t,sp, F_p, T_pr'
     """
     return text.encode(encoding, NAME).decode(encoding)

@@ -14,6 +14,7 @@ from ..result import Result, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import as_variant, with_force, with_nominal_torque
 from ..variants import VARIANTS
+from .checks.check import found_unsimulated
 from .torque import triple
 
 
@@ -33,7 +34,8 @@ class ComparedClutch(Result):
     accuracy_factor_peak: float = quantity("1", "K_т,p", "accuracy factor by breakaway peaks")
     gain_limit: float | None = quantity("1", "C_max", "gain limit", optional=True)
     travel_max: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
-    warnings: int = quantity("", None, "warnings")
+    warnings: int = quantity("", None, "warnings of check, nothing simulated")
+    errors: int = quantity("", None, "errors of check, nothing simulated")
 
 
 class CompareResult(Result):
@@ -46,13 +48,12 @@ class CompareResult(Result):
 def compare(clutches: Sequence[Clutch]) -> tuple[CompareResult, list[Finding]]:
     """Set the main quantities of several clutches side by side."""
     names = _names([clutch.spec for clutch in clutches])
-    rows = [_row(clutch, None, name) for clutch, name in zip(clutches, names, strict=True)]
-    findings = [
-        _named(each, name or clutch.spec.variant)
-        for clutch, name in zip(clutches, names, strict=True)
-        for each in clutch.findings()
-    ]
-    return CompareResult(clutches=rows), findings
+    rows, remarks = [], []
+    for clutch, name in zip(clutches, names, strict=True):
+        found = found_unsimulated(clutch)
+        rows.append(_row(clutch, None, name, found))
+        remarks += _told(clutch, name or clutch.spec.variant, found)
+    return CompareResult(clutches=rows), remarks
 
 
 def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
@@ -67,8 +68,10 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
             missing.append(_missing(variant, error))
             continue
         by_name = term("spring force"), term("nominal torque")
-        rows += [_row(own, basis, spec.name) for own, basis in zip((by_force, by_torque), by_name, strict=True)]
-        remarks += [_named(remark, variant) for each in (by_force, by_torque) for remark in each.findings()]
+        for own, basis in zip((by_force, by_torque), by_name, strict=True):
+            found = found_unsimulated(own)
+            rows.append(_row(own, basis, spec.name, found))
+            remarks += _told(own, variant, found)
     rows.sort(key=lambda row: row.basis != "spring force")
     return CompareResult(clutches=rows), [*dict.fromkeys(remarks), *missing]
 
@@ -82,12 +85,18 @@ def _names(specs: Sequence[Spec]) -> list[str | None]:
     ]
 
 
+def _told(clutch: Clutch, name: str, found: Sequence[Finding]) -> list[Finding]:
+    """What a clutch itself tells, and what else is counted, each with its name."""
+    counted = (each for each in found if each.level != "info")
+    return [_named(each, name) for each in dict.fromkeys((*clutch.findings(), *counted))]
+
+
 def _named(remark: Finding, name: str) -> Finding:
     """Say which clutch a finding is about."""
     return replace(remark, message=say("{name}: {message}", name=name, message=remark.message))
 
 
-def _row(clutch: Clutch, basis: str | None, name: str | None) -> ComparedClutch:
+def _row(clutch: Clutch, basis: str | None, name: str | None, found: Sequence[Finding]) -> ComparedClutch:
     torque = triple(clutch, clutch.torque)
     return ComparedClutch(
         name=name,
@@ -103,7 +112,8 @@ def _row(clutch: Clutch, basis: str | None, name: str | None) -> ComparedClutch:
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         gain_limit=clutch.gain_limit,
         travel_max=clutch.travel(clutch.friction[0].max),
-        warnings=sum(each.level != "info" for each in clutch.findings()),
+        errors=sum(each.level == "error" for each in found),
+        warnings=sum(each.level == "warning" for each in found),
     )
 
 

@@ -1,6 +1,6 @@
 """Life of the shaft that the clutch's load swings (S19 (14)–(20)), by the paper's rule or by amplitude."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from ..arrays import Values
 from ..engines.protocol import Clutch
@@ -108,6 +108,7 @@ def life(
     return result, [
         *clutch.findings(),
         *_unlimited(part, model, loads, sides),
+        *_limited(part, model, load, sides),
         *_static(part, load, sides),
         *about,
     ]
@@ -230,6 +231,18 @@ def _unlimited(
                 )
             )  # fmt: skip
     return found
+
+
+def _limited(part: Fatigue, model: StressRule, load: Load, sides: Mapping[str, float | None]) -> Iterator[Finding]:
+    """Say how many slips a side lasts, spring as set, where fatigue limits them."""
+    limit, path = part.base_cycles, "fatigue.endurance_limit"
+    for side, factor in sides.items():
+        stress, slips = _stress(part, model, load.times(factor)), _null(cycles(part, model, load.times(factor)))
+        if stress is not None and stress > part.endurance_limit and slips is not None:
+            yield finding(
+                "life-limited", "info", value=slips, limit=limit, path=path, side=term(side), stress=stress,
+                endurance=part.endurance_limit,
+            )  # fmt: skip
 
 
 def _below(part: Fatigue, model: StressRule, loads: Mapping[Method, Load]) -> dict[Method, float]:

@@ -68,7 +68,7 @@ def tolerance(
 ) -> None:
     """Torque over tolerances and scatter: quantiles, risks, life, Sobol indices.
 
-    What scatters stands in the [tolerance] block of the spec; configs/tolerance.toml is an example.
+    What scatters stands in the [tolerance] block of the spec; afmcalc init --kind tolerance writes an example.
 
     \b
     afmcalc tolerance clutch.toml
@@ -99,8 +99,9 @@ def design(
 ) -> None:
     """The best clutches for what is wanted: the exact Pareto front.
 
-    configs/requirements.toml is an example. A number of the front means the same clutch in the table, the CSV, the
-    plot and for --pick, however the table is sorted. With --pick, --output FILE gets the chosen clutch as a spec.
+    An example is written by afmcalc init --kind requirements. A number of the front means the same clutch in the table,
+    the CSV, the plot and for --pick, however the table is sorted. With --pick, --output FILE gets the chosen clutch as
+    a spec.
 
     \b
     afmcalc design requirements.toml --sort accuracy_factor --top 10

@@ -82,12 +82,12 @@ def _draw(clutch: "Clutch") -> None:
     """Draw the event in the terminal."""
     from ..analysis.answers import Answers
     from ..analysis.figures import Request, gathered
-    from ..render.formats.table import is_unicode
+    from ..render.formats.table import columns, is_unicode
     from ..render.plot import sheet_of
     from ..render.plot.text import draw_sheet
 
     sheet = sheet_of("simulate", gathered("simulate", Request([Answers(clutch)])))
-    write("\n" + draw_sheet(sheet, unicode=is_unicode()), None, PLOT)
+    write("\n" + draw_sheet(sheet, unicode=is_unicode(), width=columns()), None, PLOT)
 
 
 def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Common) -> None:

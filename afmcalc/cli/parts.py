@@ -61,21 +61,25 @@ def springs(
     afmcalc springs clutch.toml --sort wear --kind disc
     afmcalc springs clutch.toml --set closing_spring.room.outer_diameter='120 mm' --top 20
     afmcalc springs clutch.toml --pick 3 --output sprung.toml
+    afmcalc springs clutch.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
-    if pick and common.output in (None, "-"):
-        raise AfmcalcError(say("springs --pick writes the spec with the spring: name a file with --output"))
+    if pick and common.output in (None, "-") and common.chosen_format != "json":
+        raise AfmcalcError(
+            say("springs --pick writes the spec with the spring: name a file with --output, or pass it on with --json")
+        )
     options = {"sort": sort, "top": top, "kind": kind, "tolerance": tolerance}
     if not pick:
         calculate(common, spec, lambda clutch: options)
         return
     from ..analysis.springs.springs import picked
     from ..analysis.springs.springs import springs as found
-    from ..spec import resolved
 
     common.keep(spec, kind=SPEC)
     clutch = build_from(spec, common)
     result, findings = found(clutch, sort, top, kind, tolerance)
     data = picked(clutch, result, pick)
-    emit(common.to_standard_output(), result, findings, resolved(clutch.spec))
+    emit(common.to_standard_output(), result, findings, data)
+    if common.output in (None, "-"):
+        return
     write_spec(data, common, say("With a part chosen by afmcalc springs."))
     common.wrote(say("wrote the spec with its spring to {output}", output=common.output))

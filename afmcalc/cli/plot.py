@@ -135,13 +135,13 @@ def _ending(output: str | None) -> str | None:
 
 def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
     if ending is None:
-        from ..render.formats.table import is_unicode
+        from ..render.formats.table import columns, is_unicode
         from ..render.plot.chart import Chart
         from ..render.plot.text import draw_sheet
 
         if not any(isinstance(panel, Chart) for panel in sheet.panels):
             raise AfmcalcError(say("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)"))
-        write(draw_sheet(sheet, unicode=is_unicode()), None, PLOT)
+        write(draw_sheet(sheet, unicode=is_unicode(), width=columns()), None, PLOT)
         return
     from ..render.plot.figure import save
 

@@ -50,18 +50,19 @@ def init(
     \b
     afmcalc init clutch.toml
     afmcalc init indirect.toml --variant indirect
+    afmcalc init driven.toml --kind drive --variant indirect
     afmcalc init wanted.toml --kind requirements --schema
     """  # noqa: D301
-    from ..spec.builtin import annotated, example_text
+    from ..spec.builtin import annotated
 
     if output and file:
         raise AfmcalcError(say("give FILE or --output, not both"))
-    if variant and kind != "clutch":
-        raise AfmcalcError(say("--variant belongs to --kind clutch"))
+    if variant and kind not in ("clutch", "drive"):
+        raise AfmcalcError(say("--variant belongs to --kind clutch or drive"))
     target = output or file or ("requirements.toml" if kind == "requirements" else "clutch.toml")
     if schema and target == "-":
         raise AfmcalcError(say("--schema writes a file beside FILE: name one"))
-    text = annotated(example_text(_EXAMPLES[variant or _DEFAULT] or str(variant) if kind == "clutch" else kind))
+    text = annotated(_text(kind, variant))
     written = {target: (text, SPEC)}
     if schema:
         beside, described = _schema_beside(target, kind)
@@ -75,6 +76,17 @@ def init(
             say("wrote {written}; calculate it with: afmcalc {command} {target}",
                 written=", ".join(written), command=_KINDS[kind], target=target)
         )  # fmt: skip
+
+
+def _text(kind: str, variant: str | None) -> str:
+    """Text of the example to start from."""
+    from ..spec.builtin import example_text, in_a_drive
+
+    if kind != "clutch" and variant in (None, _DEFAULT):
+        return example_text(kind)
+    name = variant or _DEFAULT
+    text = example_text(_EXAMPLES[name] or name)
+    return in_a_drive(text, hub=name in VARIANTS and VARIANTS[name].travels) if kind == "drive" else text
 
 
 def _schema_beside(target: str, kind: str) -> tuple[str, str]:

@@ -25,8 +25,8 @@ class TextTable(NamedTuple):
     """What the symbols in the header mean."""
 
 
-SweepDrawing = Callable[[TextTable, bool], list[str]]
-"""``curve(block, unicode)`` → lines under a table of a sweep, none under any other."""
+SweepDrawing = Callable[[TextTable, bool, int | None], list[str]]
+"""``curve(block, unicode, width)`` → lines under a table of a sweep, none under any other."""
 
 
 def title(output: Output) -> str:
@@ -112,7 +112,7 @@ def step_value(step: Any) -> str:
 
 def _cells(column: Column, errors: list[float] | None) -> list[str]:
     if column.is_unit:
-        return [display_unit(unit) for unit in column.values]
+        return [display_unit(unit) for unit in column.units or column.values]
     if column.code:
         return [printable(str(value)) for value in column.values]
     units = column.units or [column.unit] * len(column.values)

@@ -41,6 +41,24 @@ def example_text(name: str) -> str:
     return (folder() / f"{name}.toml").read_text(encoding="utf-8")
 
 
+_DRIVE = re.compile(r"(?ms)^\[drive\].*?(?=^(?:# )?\[(?!drive)|\Z)")
+"""The blocks of a drive, up to the block that follows."""
+_OF_A_HUB = re.compile(r"(?m)^# (hub_inertia = \S+ \S+)")
+
+
+def in_a_drive(text: str, *, hub: bool) -> str:
+    """Return an example of a clutch with the drive of the example that has one.
+
+    Args:
+        text: the clutch.
+        hub: whether its hub moves by itself, and has an inertia.
+    """
+    found = _DRIVE.search(example_text("drive"))
+    assert found is not None
+    drive = _OF_A_HUB.sub(lambda key: f"{key[1]}  ", found[0]) if hub else found[0]
+    return _DRIVE.sub(lambda own: drive, text, count=1)
+
+
 _NAME = re.compile(r'(?m)(?<=^name = ").*(?="$)')
 _OPTIONAL = re.compile(r"# (?=\[|[\w.\"]+ = )")
 """Before a key or block that is there to be taken up."""

@@ -33,7 +33,7 @@ def problems_of(error: ValidationError, data: Table, model: type[BaseModel]) -> 
 def mistaken(data: Table, model: type[BaseModel]) -> Problem | None:
     """Say that a file is of another kind than what is read, in one sentence; None when it is not."""
     if _REQUIRED.isdisjoint(data) and "variant" in data:
-        wanted = say("is a clutch spec, no requirements: afmcalc design wants a file like configs/requirements.toml")
+        wanted = say("is a clutch spec, no requirements: afmcalc init --kind requirements writes such a file")
         return Problem("", None, wanted) if model is not Spec else None
     if len(_REQUIRED & set(data)) > 1 and "variant" not in data and model is Spec:
         return Problem("", None, say("is a requirements file, no clutch: afmcalc design finds the clutches for it"))

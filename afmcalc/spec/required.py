@@ -6,7 +6,7 @@ from pydantic import model_validator
 
 from ..messages import say
 from . import rules
-from .fields import AtLeastOne, Block, Coefficient, Length, Quantity, Torque, key_field
+from .fields import AtLeastOne, Block, Coefficient, Length, Quantity, Ratio, Stress, Torque, key_field
 from .heat import Temperature
 
 Probability = Annotated[float, Quantity("1", gt=0, lt=1)]
@@ -23,6 +23,9 @@ class Required(Block):
     accuracy_factor: AtLeastOne | None = key_field("accuracy factor, at most", "K_т")
     torque_max: Torque | None = key_field("largest sustained torque, at most", "T_max")
     outer_diameter: Length | None = key_field("outer diameter of the friction faces, at most", "2 r_o")
+    surface_pressure: Stress | None = key_field("mean surface pressure at rest, at most; needs both radii", "p")
+    travel: Length | None = key_field("largest travel of the sleeve, at most (indirect)", "x_max")
+    reduced_gain: Ratio | None = key_field("reduced gain, at most", "z_2 C")
     peak_torque: Torque | None = key_field("peak torque in the shaft, at most (simulate)", "T_peak")
     exceedance: Probability | None = key_field(
         "probability that the torque exceeds T_max, at most (tolerance)", "P(T>T_max)"

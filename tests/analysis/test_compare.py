@@ -16,6 +16,21 @@ def test_specs_side_by_side(afmcalc):
             assert row[key] == torque[key]
 
 
+def test_what_check_finds_is_counted_but_for_what_is_simulated(afmcalc):
+    """A pressure above the allowable, a ball that does not fit, a requirement missed; heat of an event is not asked."""
+    weak = ["friction.material=moulded-dry", "friction.min=", "friction.mean=", "friction.max=", "closing_spring.force=60 kN",
+            "requirements.accuracy_factor=1.1", "drive.event=", "requirements.temperature="]  # fmt: skip
+    sets = [part for each in weak for part in ("--set", each)]
+    result = afmcalc("check", CONFIGS / "drive.toml", *sets, "--json").json["result"]
+    assert result["errors"] >= 3
+    run = afmcalc("compare", CONFIGS / "drive.toml", *sets, "--json").json
+    (row,) = run["result"]["clutches"]
+    assert (row["errors"], row["warnings"]) == (result["errors"], result["warnings"])
+    assert {"peak-pressure-exceeded", "requirement-missed"} <= {each["code"] for each in run["findings"]}
+    simulated = afmcalc("compare", CONFIGS / "drive.toml", "--set", "requirements.temperature=22 degC", "--json").json
+    assert simulated["result"]["clutches"][0]["errors"] == 0
+
+
 def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
     rows = afmcalc("compare", S21, "--variants", "--json").json["result"]["clutches"]
     assert [row["variant"] for row in rows] == ["conventional", "differentiated", "all-driving", "indirect"] * 2
@@ -44,4 +59,5 @@ def test_findings_of_every_variant_compared_are_told(afmcalc):
     run = afmcalc("compare", S21, "--variants", "--json").json
     warned = {row["variant"] for row in run["result"]["clutches"] if row["warnings"]}
     told = {f["message"].partition(":")[0] for f in run["findings"] if f["level"] == "warning"}
+    assert all(isinstance(row["errors"], int) for row in run["result"]["clutches"])
     assert warned <= told

@@ -9,6 +9,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
+from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.effects.effects import effects
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
@@ -166,6 +167,20 @@ def test_what_locks_and_what_is_used_up():
     assert cams.torque_high.max == pytest.approx(2000 * 0.1 * 8 * 0.8), "an ordinary clutch"
     with pytest.raises(SpecError, match="required for the effect wear"):
         effects(base())
+
+
+def test_a_worn_clutch_that_no_longer_carries_its_machine_is_said():
+    """T_н 118.5 N·m at f_min: with its lining gone a clutch has 1 − c z s/F of it."""
+    worn = "heat.lining=0.5 mm", "closing_spring.stiffness=20 N/mm"
+    for margin, code, level in ((1.0, "worn-below-machine", "warning"), (1.25, "worn-below-nominal", "info")):
+        clutch = base(*worn, f"adjustment.margin={margin}")
+        result, effect, found = one(clutch, "wear")
+        assert {"worn-below-machine", "worn-below-nominal"} & set(found) == {code}
+        assert (found[code].level, found[code].path) == (level, "heat.lining")
+        assert found[code].value == effect.torque_low.min == pytest.approx(0.96 * clutch.nominal_torque)
+        assert found[code].limit == pytest.approx(118.5, abs=0.1)
+        assert code in {each.code for each in Answers(clutch).ask("check")[1]}
+        assert result.torque.min == pytest.approx(clutch.nominal_torque)
 
 
 def test_wear_takes_the_force_of_the_spring_that_follows():

@@ -28,6 +28,28 @@ def test_a_life_without_limit_is_found_for_either_setting(afmcalc):
     assert any("mean-friction" in message for message in codes)
 
 
+@pytest.mark.parametrize(("limit", "sides"), [(400, []), (16, ["unprotected"]), (12, ["protected", "unprotected"])])
+@pytest.mark.parametrize("model", ["mean-stress", "goodman"])
+def test_a_limited_life_is_said_side_by_side(limit, sides, model, afmcalc):
+    """The base clutch bears 15.2 MPa in the mean, 21.3 MPa on the unprotected side."""
+    sets = [f"fatigue.endurance_limit={limit} MPa", "drive.dynamic_factor=1.4", "fatigue.ultimate_strength=900 MPa"]
+    asked = [part for each in sets for part in ("--set", each)]
+    life = afmcalc("life", *asked, "--model", model, "--json").json
+    found = [each for each in life["findings"] if each["code"] == "life-limited"]
+    stressed = [side for side in ("protected", "unprotected") if life["result"][f"stress_{side}"] > limit * 1e6]
+    assert [each["message"].partition(" ")[0] for each in found] == stressed
+    lives = [life["result"][side]["min_friction"] for side in stressed]
+    assert [each["value"] for each in found] == pytest.approx(lives)
+    assert {each["level"] for each in found} <= {"info"}
+    if model == "mean-stress":
+        assert stressed == sides
+        checked = afmcalc("check", *asked, "--strict", "--json")
+        assert checked.code == 0
+        assert found == [each for each in checked.json["findings"] if each["code"] == "life-limited"]
+        rows = [each for each in checked.json["result"]["limits"] if "limited life" in each["name"]]
+        assert [each["verdict"] for each in rows] == ["note" if each["utilisation"] > 1 else "pass" for each in rows]
+
+
 def test_sweeps_with_null_lives_are_drawn(afmcalc):
     for sweep in ("C=0.1,0.5,1", "z=4:12:9", "dT=10,100,400"):
         run = afmcalc("life", *WEAK_SHAFT, "--model", "amplitude", "--sweep", sweep)

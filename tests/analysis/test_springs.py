@@ -212,6 +212,19 @@ def test_a_picked_spring_is_in_the_spec(afmcalc, tmp_path):
     assert not (tmp_path / "x.toml").exists()
 
 
+def test_a_picked_spring_is_passed_on_in_json(afmcalc, tmp_path):
+    asked = "springs", DEFAULT, "--kind", "coil", "--pick", 2
+    assert afmcalc(*asked, "-o", tmp_path / "coil.toml").code == 0
+    picked = afmcalc(*asked, "--json")
+    assert picked.code == 0
+    checked = afmcalc("check", "-", "--json", stdin=picked.out)
+    assert checked.code == 0
+    written = afmcalc("check", tmp_path / "coil.toml", "--json").json["spec"]["closing_spring"]
+    spring = checked.json["spec"]["closing_spring"]
+    assert spring.pop("coil") == pytest.approx(written.pop("coil"))
+    assert spring == pytest.approx(written)
+
+
 def test_a_spring_is_one_part(afmcalc):
     disc = "closing_spring.disc={outer_diameter=0.02, inner_diameter=0.04, thickness=1e-3, free_height=0.9e-3}"
     run = afmcalc("torque", DEFAULT, "--set", disc)

@@ -45,6 +45,7 @@ def test_examples_are_whole_on_any_terminal(command, width, afmcalc, monkeypatch
     for example in whole:
         assert example.partition("  ")[0] in joined
     assert "[[" not in shown
+    assert "configs/" not in shown, "there is no such folder beside an installed program"
     assert "..." not in shown.replace("[SPEC]...", "").replace("[ARGS]...", "").replace("v2,...", "").replace(
         "S22-3, ...", ""
     ).replace("[...]", "")

@@ -32,10 +32,25 @@ def test_every_variant(variant, afmcalc):
     assert afmcalc("torque", "-", stdin=text).code == 0
 
 
+@pytest.mark.parametrize("variant", _EXAMPLES)
+def test_every_variant_in_a_drive(variant, afmcalc):
+    """The clutch is the variant's own, the drive that of the example; an indirect one has an inertia of its hub."""
+    text = afmcalc("init", "-", "--kind", "drive", "--variant", variant).out
+    spec, alone = tomllib.loads(text), tomllib.loads(afmcalc("init", "-", "--variant", variant).out)
+    assert spec["friction_group"]["pairs"] == alone["friction_group"]["pairs"]
+    assert spec["variant"] == alone["variant"]
+    assert spec["drive"]["event"]["kind"] == "stop"
+    assert ("hub_inertia" in spec["drive"]) == ("# hub_inertia" not in text) == (spec["variant"] == "indirect")
+    light = ["--set", "drive.motor_inertia=0.2"]
+    assert afmcalc("simulate", "-", *light, stdin=text).code == 0
+    checked = afmcalc("check", "-", *light, "--json", stdin=text)
+    assert (checked.code, checked.json["result"]["errors"]) == (0, 0)
+
+
 def test_what_makes_no_sense_is_refused(afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for arguments, said in (
-        (["--kind", "requirements", "--variant", "indirect"], "--variant belongs to --kind clutch"),
+        (["--kind", "requirements", "--variant", "indirect"], "--variant belongs to --kind clutch or drive"),
         (["-", "--schema"], "--schema writes a file beside FILE: name one"),
         (["a.toml", "-o", "b.toml"], "give FILE or --output, not both"),
     ):

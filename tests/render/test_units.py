@@ -1,12 +1,20 @@
 """What is shown in SI is what JSON has; a stream without our letters gets them spelled, in columns."""
 
 import json
+import pkgutil
 import re
+from collections import Counter
+from importlib import import_module
 
 import pytest
 from conftest import CONFIGS
 
+import afmcalc as afmcalc_package
 from afmcalc.render.units import display, display_unit, shown_in
+from afmcalc.result import Result
+from afmcalc.spec.fields import Block
+from afmcalc.spec.paths import keys
+from afmcalc.spelling import fitting
 
 ASKED = [
     ("torque", "indirect"), ("synthesize", "indirect"), ("accuracy", "unlike-materials"), ("adjust", "all-driving"),
@@ -67,6 +75,32 @@ def test_an_ascii_stream_gets_letters_and_columns(command, name, afmcalc):
     at = header.index("Quantity")
     table = ascii_.out.split(header)[1].split("\n\n")[0].splitlines()[1:]
     assert all(line[at - 2 : at] == "  " and line[at] != " " for line in table)
+
+
+def symbols():
+    """Symbol of every field of a result, of every key of a spec and of requirements."""
+    for module in pkgutil.walk_packages(afmcalc_package.__path__, "afmcalc."):
+        if "__main__" not in module.name:
+            import_module(module.name)
+
+    def classes(base):
+        for each in base.__subclasses__():
+            yield from (each, *classes(each))
+
+    for each in (*classes(Result), *classes(Block)):
+        for field in each.model_fields.values():
+            if isinstance(field.json_schema_extra, dict) and (symbol := field.json_schema_extra.get("symbol")):
+                yield symbol
+    yield from (key.symbol for key in keys().values() if key.symbol)
+
+
+def test_no_two_symbols_are_spelled_alike():
+    """F_п, the spring's, and F_p, the release force, stand in one table."""
+    known = set(symbols())
+    assert {"F_п", "F_п2", "F_p", "T_п", "K_т,п", "β_н"} <= known
+    spelled = {symbol: fitting(symbol, "ascii") for symbol in known}
+    assert len(set(spelled.values())) == len(known), Counter(spelled.values()).most_common(3)
+    assert (spelled["F_п"], spelled["F_п2"], spelled["F_p"]) == ("F_sp", "F_sp2", "F_p")
 
 
 def test_json_for_an_ascii_stream_says_the_same(afmcalc):

@@ -167,7 +167,7 @@ def test_a_calculation_names_the_line_too(afmcalc):
     [
         (["torque", "requirements"], "is a requirements file, no clutch: afmcalc design finds the clutches for it"),
         (["design", "default"],
-         "is a clutch spec, no requirements: afmcalc design wants a file like configs/requirements.toml"),
+         "is a clutch spec, no requirements: afmcalc init --kind requirements writes such a file"),
     ],
 )  # fmt: skip
 def test_the_wrong_kind_of_file_is_one_sentence(arguments, says, afmcalc):

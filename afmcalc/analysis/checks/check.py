@@ -13,7 +13,7 @@ from .lasting import lasting
 from .limits import Utilisation, utilisations
 from .plausible import unusual_findings
 from .pressure import pressure_findings
-from .requirements import RequirementRow, requirement_rows
+from .requirements import RequirementRow, requirement_rows, simulates
 
 
 class CheckResult(Result):
@@ -70,14 +70,29 @@ def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
     return CheckResult(passed=False, errors=errors, warnings=0, notes=0, requirements=[], limits=[]), found
 
 
-def all_findings(answers: Answers) -> list[Finding]:
-    """Return the findings of every analysis that a check takes in and that applies to the clutch, each once."""
+def found_unsimulated(clutch: Clutch) -> list[Finding]:
+    """Return what a check finds but for what has to be simulated or sampled first."""
+    answers = Answers(clutch)
+    return [*all_findings(answers, simulated=False), *requirement_rows(answers, simulated=False)[1]]
+
+
+def all_findings(answers: Answers, *, simulated: bool = True) -> list[Finding]:
+    """Return the findings of every analysis that a check takes in and that applies to the clutch, each once.
+
+    Args:
+        answers: what was asked of the clutch.
+        simulated: whether those that simulate an event are asked.
+    """
     clutch = answers.clutch
-    judged = [each.name for each in ANALYSES.values() if each.judged and each.applies(clutch)]
+    judged = [
+        each.name
+        for each in ANALYSES.values()
+        if each.judged and each.applies(clutch) and (simulated or not simulates(each.name, clutch))
+    ]
     found = [*clutch.findings(), *pressure_findings(clutch), *unusual_findings(answers)]
     unit = clutch.spec.control_unit
     if unit is not None and unit.ball_circle_radius is None:
         found.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
     for name in judged:
-        found += lasting(answers).said if name == "life" else answers.ask(name)[1]
+        found += lasting(answers, simulated=simulated).said if name == "life" else answers.ask(name)[1]
     return list(dict.fromkeys(found))

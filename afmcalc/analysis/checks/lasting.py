@@ -20,10 +20,10 @@ class Lasting(NamedTuple):
     """Whether the event loads the shaft more than the factor assumed."""
 
 
-def lasting(answers: Answers) -> Lasting:
-    """Return the life of a clutch; the event may load its unprotected side more than the factor assumed."""
+def lasting(answers: Answers, *, simulated: bool = True) -> Lasting:
+    """Return the life of a clutch; the event, simulated, may load its unprotected side more than the factor assumed."""
     (found, said), clutch = answers.ask("life"), answers.clutch
-    if not ANALYSES["simulate"].applies(clutch):
+    if not simulated or not ANALYSES["simulate"].applies(clutch):
         return Lasting(found, said, False)
     factor = max(vars(answers.of(SimulateResult).dynamic_factor).values())
     if factor <= clutch.spec.drive.dynamic_factor:

@@ -169,8 +169,10 @@ def _of_life(own: Lasting) -> Iterator[_Held]:
     sides = ((protected, "τ_eq", found.stress_protected), (unprotected, "τ'_eq", found.stress_unprotected))
     for name, symbol, stress in sides:
         if stress is not None:
-            beyond = own.simulated and name == unprotected and stress > found.endurance_limit
-            code = "dynamic-factor-exceeded" if beyond else "life-limited"
+            # one side may be limited where the other is not
+            code = "life-limited" if stress > found.endurance_limit else ""
+            if code and own.simulated and name == unprotected:
+                code = "dynamic-factor-exceeded"
             yield _Held(code, name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
 
 

@@ -1,10 +1,11 @@
 """Surface pressure of the friction discs against what their material allows."""
 
 import math
+from collections.abc import Mapping
 
 from ...engines.protocol import Clutch
 from ...equations import geometry
-from ...findings import Finding, finding
+from ...findings import Finding, Level, finding
 from ...spec.materials import Material, catalogue
 
 
@@ -19,9 +20,9 @@ def pressure_findings(clutch: Clutch) -> list[Finding]:
     if group.inner_radius is None or group.outer_radius is None:
         return []
     ring = float(clutch.pack_force_at_rest), group.inner_radius, group.outer_radius, math.pi
-    pressures = {"mean-pressure": geometry.mean_pressure(*ring)}
+    pressures = {"mean": geometry.mean_pressure(*ring)}
     if (group.radius_model or "uniform-wear") == "uniform-wear":
-        pressures["peak-pressure"] = geometry.peak_pressure_uniform_wear(*ring)
+        pressures["peak"] = geometry.peak_pressure_uniform_wear(*ring)
     return [
         _finding(kind, pressure, material, path)
         for path, material in ((path, catalogue()[name]) for path, name in clutch.spec.friction.materials.items())
@@ -31,22 +32,22 @@ def pressure_findings(clutch: Clutch) -> list[Finding]:
 
 
 def _finding(kind: str, pressure: float, material: Material, path: str) -> Finding:
-    """Below the printed range of the allowable: fine; within: the designer's to judge; above: an error."""
+    """Below the printed range of the allowable: fine; within: the designer's to judge; above: an error.
+
+    The limit is the lower end of the range throughout: so the utilisation grows with the load.
+    """
     low, high = material.pressure_min, material.pressure_max
     assert low is not None
     assert high is not None
-    peak, name, used = kind == "peak-pressure", material.name, pressure / low
-    if pressure > high:
-        return finding(
-            "peak-pressure-exceeded" if peak else "mean-pressure-exceeded", "error",
-            value=pressure, limit=high, path=path, used=used, low=low, high=high, name=name,
-        )  # fmt: skip
-    if pressure > low:
-        return finding(
-            "peak-pressure-in-range" if peak else "mean-pressure-in-range", "warning",
-            value=pressure, limit=low, path=path, used=used, low=low, high=high, name=name,
-        )  # fmt: skip
+    level: Level = "error" if pressure > high else "warning" if pressure > low else "info"
     return finding(
-        "peak-pressure" if peak else "mean-pressure", "info", value=pressure, limit=low, path=path,
-        used=used, low=low, name=name,
+        _CODES[kind][level], level, value=pressure, limit=low, path=path, used=pressure / low, low=low, high=high,
+        name=material.name,
     )  # fmt: skip
+
+
+_CODES: Mapping[str, Mapping[Level, str]] = {
+    "mean": {"info": "mean-pressure", "warning": "mean-pressure-in-range", "error": "mean-pressure-exceeded"},
+    "peak": {"info": "peak-pressure", "warning": "peak-pressure-in-range", "error": "peak-pressure-exceeded"},
+}
+"""Where it is pressed so → how grave it is → code."""

@@ -5,11 +5,13 @@ from collections.abc import Callable
 from typing import Any, Literal, NamedTuple
 
 from ...engines.protocol import Clutch
+from ...equations import geometry
 from ...findings import Finding, finding
 from ...messages import term, translate
 from ...result import OpenTriple, Result, Triple, quantity
 from ...spec.paths import keys
 from ..answers import Answers
+from ..heat.limit import FREEZING
 from ..life import UNLIMITED
 from ..registry import ANALYSES
 from .lasting import lasting
@@ -21,12 +23,17 @@ class RequirementRow(Result):
     requirement: str = quantity("", None, "requirement")
     name: str = quantity("", None, "quantity")
     symbol: str = quantity("", None, "symbol")
-    value: float | None = quantity("", None, "value", unit_in="unit")
+    value: float | None = quantity("", None, "value", unit_in="shown_unit")
     bound: Literal["at least", "at most"] = quantity("", None, "is to be")
-    limit: float = quantity("", None, "limit", unit_in="unit")
-    unit: str = quantity("", None, "unit", is_unit=True)
+    limit: float = quantity("", None, "limit", unit_in="shown_unit")
+    unit: str = quantity("", None, "unit", is_unit=True, unit_in="shown_unit")
     utilisation: float | None = quantity("1", "η", "utilisation, 1 at the limit")
     passed: bool | None = quantity("", None, "passed")
+
+    @property
+    def shown_unit(self) -> str:
+        """Unit of the key: a temperature is shown by another scale than a difference of two."""
+        return _unit(self.requirement)
 
     def words(self, name: str) -> str | None:
         """Say that a life has no limit: it passes, and has no number."""
@@ -60,6 +67,14 @@ def _outer_diameter(clutch: Clutch, found: Any) -> float | None:
     return None if outer is None else 2 * outer
 
 
+def _mean_pressure(clutch: Clutch, found: Any) -> float | None:
+    group = clutch.spec.friction_group
+    if group.inner_radius is None or group.outer_radius is None:
+        return None
+    ring = float(clutch.pack_force_at_rest), group.inner_radius, group.outer_radius, math.pi
+    return float(geometry.mean_pressure(*ring))
+
+
 def _most(found: Triple | OpenTriple | None) -> float | None:
     """The largest over the friction range that is known."""
     values = () if found is None else vars(found).values()
@@ -91,6 +106,9 @@ JUDGED: dict[str, Judged] = {
     "accuracy_factor": Judged("accuracy", lambda clutch, found: found.accuracy_factor),
     "torque_max": Judged("torque", lambda clutch, found: max(found.torque.min, found.torque.max)),
     "outer_diameter": Judged("torque", _outer_diameter, needs="friction_group.outer_radius"),
+    "surface_pressure": Judged("torque", _mean_pressure, needs="friction_group.inner_radius and outer_radius"),
+    "travel": Judged("torque", lambda clutch, found: _most(found.travel), needs="a sleeve that travels (indirect)"),
+    "reduced_gain": Judged("torque", lambda clutch, found: found.reduced_gain),
     "peak_torque": Judged("simulate", _peak, needs="[drive] with an event"),
     "exceedance": Judged("tolerance", _exceedance, needs="[tolerance], its torque_limit absent or that torque_max"),
     "work": Judged(
@@ -114,16 +132,25 @@ _MISSED = {
     "N*m": "requirement-missed/torque",
     "m": "requirement-missed/length",
     "J/m^2": "requirement-missed/work",
+    "Pa": "requirement-missed/pressure",
     "K": "requirement-missed/temperature",
 }
 """SI unit → sentence that shows it."""
 
 
-def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Finding]]:
+def simulates(name: str, clutch: Clutch) -> bool:
+    """Whether an analysis simulates the event of a clutch, or samples it: that takes long."""
+    if name == "tolerance":
+        return clutch.spec.tolerance is not None
+    return name in ("simulate", "heat") and clutch.spec.drive.event is not None
+
+
+def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[RequirementRow], list[Finding]]:
     """Hold a clutch against every requirement of its spec.
 
     Args:
         answers: what was asked of it.
+        simulated: whether those are judged that a simulation answers.
 
     Returns:
         A row for each, in the order of the spec's keys, and a finding for each that is missed or not judged.
@@ -132,7 +159,9 @@ def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Findi
     given = {} if required is None else required.model_dump(exclude_none=True)
     rows, found = [], []
     for name, limit in given.items():
-        value, unknown = _outcome(JUDGED[name], answers)
+        if not simulated and simulates(JUDGED[name].analysis, answers.clutch):
+            continue
+        value, unknown = _outcome(JUDGED[name], answers, simulated=simulated)
         row = _row(name, float(limit), value, unknown=unknown)
         rows.append(row)
         path = f"requirements.{name}"
@@ -144,18 +173,26 @@ def requirement_rows(answers: Answers) -> tuple[list[RequirementRow], list[Findi
             found.append(own)
         elif not row.passed:
             code, bound = _MISSED[row.unit], term(row.bound)
-            own = finding(code, "error", value=row.value, limit=limit, path=path, name=term(row.name), bound=bound)
+            own = finding(
+                code, "error", value=row.value, limit=limit, path=path, name=term(row.name), bound=bound,
+                celsius=(row.value or 0.0) - FREEZING, allowed=limit - FREEZING,
+            )  # fmt: skip
             found.append(own)
     return rows, found
 
 
-def _outcome(judged: Judged, answers: Answers) -> tuple[float | None, bool]:
+def _outcome(judged: Judged, answers: Answers, *, simulated: bool) -> tuple[float | None, bool]:
     """What the clutch has, and whether it may be more."""
     analysis = ANALYSES.get(judged.analysis)
     if judged.outcome is None or analysis is None or not analysis.applies(answers.clutch):
         return None, False
-    found = lasting(answers).found if analysis.name == "life" else answers.ask(analysis.name)[0]
+    lives = analysis.name == "life"
+    found = lasting(answers, simulated=simulated).found if lives else answers.ask(analysis.name)[0]
     return judged.outcome(answers.clutch, found), judged.open(found)
+
+
+def _unit(name: str) -> str:
+    return keys()[f"requirements.{name}"].unit or ""
 
 
 def _row(name: str, limit: float, value: float | None, *, unknown: bool) -> RequirementRow:
@@ -169,7 +206,7 @@ def _row(name: str, limit: float, value: float | None, *, unknown: bool) -> Requ
         value=None if value is None or math.isinf(value) else value,
         bound="at least" if least else "at most",
         limit=limit,
-        unit=(key.unit or "").removesuffix(" abs"),
+        unit=_unit(name).removesuffix(" abs"),
         utilisation=over / under if over is not None and under else None,
         passed=None if held and unknown else held,
     )

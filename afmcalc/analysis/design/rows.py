@@ -120,8 +120,7 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         "friction_group": group,
         "closing_spring": spring,
         "adjustment": {"method": need.wanted.method, "margin": need.wanted.margin},
-        "requirements": need.wanted.model_dump(exclude_none=True, exclude={"method", "margin"})
-        | ({} if limits.outer_diameter is None else {"outer_diameter": limits.outer_diameter}),
+        "requirements": need.wanted.model_dump(exclude_none=True, exclude={"method", "margin"}) | _limits_of(need, row),
     }
     if row.ball_circle_radius is not None:
         data["control_unit"] = {
@@ -143,6 +142,14 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         spring["stiffness"] = row.closing_stiffness
         data["control_spring"] = {"stiffness": row.control_stiffness} | _room(fixed.control_room)
     return as_written(make_spec(data))
+
+
+def _limits_of(need: Requirements, row: DesignRow) -> dict[str, float]:
+    """Limits that the variant of a row is held to; that of the force on a ball is a key of the control unit."""
+    names = ["surface_pressure", "outer_diameter"]
+    names += ["reduced_gain"] if row.ball_circle_radius is not None else []
+    names += ["travel"] if row.travel is not None else []
+    return {name: limit for name in names if (limit := getattr(need.limits, name)) is not None}
 
 
 def _room(room: Room | None) -> dict[str, object]:

@@ -105,9 +105,21 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
             yield finding(source.on_accuracy, "warning", value=farthest, limit=law, path=path, low=low, high=high)
         elif abs(change) > NOTICEABLE:
             yield finding(source.on_torque, "warning", value=change, limit=NOTICEABLE, path=path)
+        if own.effect == "wear":
+            yield from _worn(clutch, own, path)
     for name, source in SOURCES.items():
         if gone := source.missing(clutch):
             yield finding("effect-not-told", "info", path=source.needs[0], name=name, listed=", ".join(gone))
+
+
+def _worn(clutch: Clutch, own: Effect, path: str) -> Iterator[Finding]:
+    """Say where the clutch, worn, carries less than its own torque; a warning where that is less than the machine's."""
+    worn = min(getattr(own.torque_low, end) for end in ENDS)
+    machine, nominal = float(clutch.machine_torque), float(clutch.nominal_torque)
+    if worn < machine * (1 - 1e-12):
+        yield finding("worn-below-machine", "warning", value=worn, limit=machine, path=path)
+    elif worn < nominal * (1 - 1e-12):
+        yield finding("worn-below-nominal", "info", value=worn, limit=nominal, path=path, machine=machine)
 
 
 def _changes(own: Effect, law: Triple) -> Iterator[float]:

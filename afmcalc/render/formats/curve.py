@@ -30,7 +30,7 @@ def curve(x: Sequence[float], y: Sequence[float | None], title: str, *, unicode:
     return [title, *drawn([trace], SIZE, beside, {0: left, WIDTH - 1: right}, unicode=unicode)]
 
 
-def curve_lines(block: TextTable, unicode: bool) -> list[str]:
+def curve_lines(block: TextTable, unicode: bool, width: int | None = None) -> list[str]:
     """Draw the first answer of a sweep along one axis; nothing for any other table."""
     if block.source is None or block.source.axes != 1:
         return []

@@ -51,6 +51,15 @@ def _width() -> int | None:
     return max(int(columns), _NARROWEST)
 
 
+def columns() -> int | None:
+    """Columns that standard output has: those the user asked for, else the terminal's; None where nothing bounds it."""
+    if (asked := _width()) is not None or not sys.stdout.isatty():
+        return asked
+    import shutil
+
+    return shutil.get_terminal_size().columns
+
+
 def is_unicode() -> bool:
     """Whether standard output shows more than ASCII."""
     return (getattr(sys.stdout, "encoding", "") or "").lower().replace("-", "").startswith("utf")
@@ -61,7 +70,7 @@ def _plain(output: Output, found: list[TextTable], steps: list[str], curve: Swee
     lines = [title(output)]
     for block in unfolded(found):
         heading = [text for text in (block.title, block.legend) if text]
-        lines += ["", *heading, *_aligned(block), *curve(block, is_unicode())]
+        lines += ["", *heading, *_aligned(block), *curve(block, is_unicode(), None)]
     lines += steps
     if output.findings:
         lines += ["", *findings_lines(output.findings)]

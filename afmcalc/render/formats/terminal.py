@@ -47,7 +47,7 @@ def render_rich(
             console.print(Text(block.legend, style="dim"))
         fits = _least_width(block) <= width
         console.print(_table(padded(block), ruled=terminal and unicode) if fits else _stacked(block))
-        for line in curve(block, unicode):
+        for line in curve(block, unicode, width):
             console.print(Text(line), no_wrap=True, crop=True)
     for line in steps:
         console.print(Text(line, style="" if line.startswith(" ") else "bold"))

@@ -24,6 +24,10 @@ CORK = [
 ]
 
 
+LOWER = 55e3
+"""Pa, what cork bears at least; 95 kPa at most."""
+
+
 def findings(run):
     return {finding["code"]: finding for finding in run.json["findings"]}
 
@@ -43,6 +47,21 @@ def test_pressure(force, mean, peak, code, afmcalc):
         afmcalc("check", *RADII, *CORK, "--set", "friction_group.radius_model=uniform-pressure", "--json")
     )
     assert not any(code.startswith("peak") for code in pressed)
+
+
+def test_one_limit_on_both_sides_of_the_allowable_range(afmcalc):
+    """The utilisation grows with the load, and row, finding and sentence agree."""
+    before = 0.0
+    for force, grade in ((1000, "pass"), (1500, "warning"), (2380, "warning"), (2400, "fail"), (3000, "fail")):
+        run = afmcalc("check", *RADII, *CORK, "--set", f"F={force}", "--json")
+        row = next(row for row in run.json["result"]["limits"] if row["name"] == "surface pressure in the mean")
+        said = next(each for code, each in findings(run).items() if code.startswith("mean-pressure"))
+        assert row["verdict"] == grade
+        assert said["limit"] == row["limit"] == LOWER
+        assert row["utilisation"] == pytest.approx(row["value"] / LOWER)
+        assert f"utilisation {row['utilisation']:.3g}" in said["message"]
+        assert row["utilisation"] > before
+        before = row["utilisation"]
 
 
 def test_no_pressure_without_radii_or_material(afmcalc):

@@ -30,6 +30,8 @@ HELD = {
     "accuracy_factor": (TORQUE[0.8] / TORQUE[0.1], "at most"),
     "torque_max": (TORQUE[0.8], "at most"),
     "outer_diameter": (0.24, "at most"),
+    "surface_pressure": (2000 / (math.pi * (0.12**2 - 0.08**2)), "at most"),
+    "reduced_gain": (7 * 0.5, "at most"),
     # the mean-stress rule on the unprotected side, where the dynamic factor raises the load
     "cycles": (1e7 * (2 * 12e6 * 15e-6 / 1.4 / (TORQUE[0.1] + TORQUE[0.8])) ** 6, "at least"),
 }
@@ -75,10 +77,34 @@ def test_a_margin_in_the_spring_is_not_taken_off_again():
         assert clutch.machine_torque == pytest.approx(clutch.nominal_torque / over)
 
 
+def test_a_temperature_is_told_in_degrees(afmcalc):
+    """As heat and the spec do; scripts and --units si have K."""
+    asked = (
+        "check",
+        CONFIGS / "drive.toml",
+        "--set",
+        "requirements.temperature=22 degC",
+        "--set",
+        "drive.event.kind=stop",
+    )
+    run = afmcalc(*asked, "--json").json
+    (row,) = (row for row in run["result"]["requirements"] if row["requirement"] == "temperature")
+    (said,) = (each["message"] for each in run["findings"] if each["path"] == "requirements.temperature")
+    assert (row["limit"], row["unit"]) == (295.15, "K")
+    told = f"{row['value'] - 273.15:.5g}"
+    assert said.endswith(f": {told} °C, but at most 22 °C is required")
+    for units, shown in (("engineer", (told, "22", "°C")), ("si", (f"{row['value']:.5g}", "295.15", "K"))):
+        lines = afmcalc(*asked, "--units", units).out.splitlines()
+        (line,) = (each.split() for each in lines if each.startswith("temperature "))
+        assert (line[-7], line[-4], line[-3]) == shown
+
+
 @pytest.mark.parametrize(
     ("name", "limit", "needs"),
     [
         ("outer_diameter", 0.2, "friction_group.outer_radius"),
+        ("surface_pressure", 1e6, "friction_group.inner_radius and outer_radius"),
+        ("travel", 0.01, "a sleeve that travels (indirect)"),
         ("exceedance", 0.01, "[tolerance]"),
         ("cycles", 1e6, "[fatigue]"),
     ],
@@ -134,6 +160,43 @@ def test_what_design_picks_holds_what_was_wanted(wanted):
         assert (first.value, first.limit) == (pytest.approx(200), 200)
 
 
+def test_travel_is_that_at_the_largest_friction(afmcalc):
+    travel = afmcalc("torque", CONFIGS / "indirect.toml", "--json").json["result"]["travel"]
+    for limit, holds in ((travel["max"] * 1.01, True), (travel["max"] * 0.99, False)):
+        _, rows, _ = rows_of(read_spec(CONFIGS / "indirect.toml", [f"requirements.travel={limit!r}"]))
+        assert (rows["travel"].value, rows["travel"].passed) == (pytest.approx(travel["max"]), holds)
+
+
+LIMITED = ["limits.surface_pressure=0.6 MPa", "limits.outer_diameter=260 mm", "limits.reduced_gain=5",
+           "limits.travel=8 mm", "search.mean_radius=[0.09, 0.1]", "search.gain=[0.5, 1.0]", "search.pairs=[6, 8]",
+           "search.closing_stiffness=[\"400 N/mm\"]", "search.control_stiffness=[\"200 N/mm\"]", "fixed.hub_diameter=50 mm",
+           "fixed.key_friction=0.01", "wanted.accuracy_factor=", "wanted.torque_max="]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("variant", "carried"),
+    [
+        ("conventional", {"surface_pressure", "outer_diameter"}),
+        ("all-driving", {"surface_pressure", "outer_diameter", "reduced_gain"}),
+        ("indirect", {"surface_pressure", "outer_diameter", "reduced_gain", "travel"}),
+    ],
+)
+def test_what_design_picks_is_held_to_its_limits(variant, carried):
+    """And reads, in the row of check, what the row of the front says."""
+    need = read_requirements(CONFIGS / "requirements.toml", [*LIMITED, f'variants=["{variant}"]'])
+    need = need.model_copy(update={"objectives": ("closing_force", "pairs")})
+    result, _ = design(need)
+    assert result.front
+    spec = picked(need, result, 1)
+    passed, rows, findings = rows_of(spec)
+    assert set(rows) == carried | {"nominal_torque"}
+    assert passed, [each for each in findings if each.level == "error"]
+    for name in carried:
+        assert rows[name].limit == getattr(need.limits, name)
+    for name in carried - {"reduced_gain"}:
+        assert rows[name].value == pytest.approx(getattr(result.front[0], name), rel=1e-6)
+
+
 def test_the_dossier_carries_them():
     spec = read_spec(None, ["requirements.nominal_torque=100", "requirements.accuracy_factor=2"])
     told = dossier(spec, explained=False)
@@ -159,3 +222,10 @@ def test_a_report_shows_them(undrawn):
         ("missed", "largest sustained torque"),
         ("not judged", "specific work of a trip"),
     ]
+
+
+def test_a_report_has_temperatures_in_degrees(undrawn):
+    spec = read_spec(None, ["requirements.temperature=204 degC"])
+    page = render(Subject(dossier(spec, explained=False), ""))
+    row = page.partition("temperature of the discs after one trip</td>")[2].partition("</tr>")[0]
+    assert re.findall(r"<td[^>]*>([^<]*)</td>", row)[-4:] == ["at most", "204", "°C", "–"]

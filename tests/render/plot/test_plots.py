@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -208,6 +209,25 @@ def test_without_a_file_it_is_drawn_as_text(what, afmcalc):
     assert "┤" in run.out
     assert "\x1b" not in run.out
     assert max(map(len, run.out.splitlines())) <= 80
+
+
+@pytest.mark.parametrize(("columns", "widest"), [(60, 60), (20, 40), (200, 78)])
+def test_a_drawing_fits_its_terminal(columns, widest, afmcalc, monkeypatch):
+    """As wide as there is room, within 40 and 78 columns, frame and curve whole, and no sentence is lost."""
+    whole = afmcalc("plot", "torque").out
+    monkeypatch.setenv("COLUMNS", str(columns))
+    own = afmcalc("plot", "torque").out
+    lines = own.splitlines()
+    assert max(map(len, lines)) == widest == max(len(line) for line in lines if "└" in line)
+    assert len(re.findall("[┤│]", own)) == len(re.findall("[┤│]", whole))
+    assert own.partition("T_1:")[2].split() == whole.partition("T_1:")[2].split()
+
+
+def test_the_curve_of_a_sweep_fits_its_terminal(afmcalc, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "60")
+    floor, numbers, symbol = afmcalc("accuracy", "--sweep", "C=0:1.25:11", "--plot", "--quiet").out.splitlines()[-3:]
+    assert floor.startswith("  └")
+    assert (len(floor), numbers.split(), symbol) == (60, ["0", "0.5", "1"], "C".rjust(60))
 
 
 @pytest.mark.parametrize("sweep", ["C", "z", "f_max"])
