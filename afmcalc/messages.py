@@ -74,7 +74,7 @@ FINDINGS: Mapping[str, str] = {
     "{limit:.4g MPa}: life is not limited by fatigue (the number extrapolates the S-N line, as the paper does)",
     "life-not-limited/no-number": "{side} side: the damaging stress, {listed}, is below the endurance limit "
     "{limit:.4g MPa}: life is not limited by fatigue (no number is given)",
-    "life-limited": "{side} side: fatigue limits its life to {value:.4g} slips, spring as set: the damaging stress, "
+    "life-limited": "{side} side: fatigue limits its life to {value:,.0f} slips, spring as set: the damaging stress, "
     "{stress:.4g MPa}, is above the endurance limit {endurance:.4g MPa}",
     "static-strength-exceeded": "the largest stress of the {side} side, {value:.4g MPa}, reaches the ultimate "
     "strength {limit:.4g MPa}: the shaft fails at once",
