@@ -12,7 +12,7 @@ LINE = ("equations", "ground", "variants", "proofs", "spec", "engines", "papers"
 
 GROUND = {
     *("result", "findings", "errors", "messages", "text", "language", "arrays", "extras"),
-    *("source", "spans", "spelling", "watch"),
+    *("recorders", "source", "spans", "spelling", "watch"),
 }
 MAY_ONLY = {"equations": set(), "ground": set(), "proofs": {"equations"}}
 """Rooms that know less than what is left of them."""

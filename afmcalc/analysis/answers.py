@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..engines.protocol import Clutch
 from ..findings import Finding
+from ..recorders import unrecorded
 from ..result import Result
 from ..watch import Progress, unwatched
 from .registry import ANALYSES, Analysis, StressRule
@@ -45,6 +46,12 @@ class Answers:
         return study(self.clutch, progress=self._progress)
 
     def _run(self, analysis: Analysis) -> tuple[Any, list[Finding]]:
+        if not analysis.explained:
+            with unrecorded():
+                return self._ran(analysis)
+        return self._ran(analysis)
+
+    def _ran(self, analysis: Analysis) -> tuple[Any, list[Finding]]:
         if analysis.name == "tolerance":
             return self.study.result, self.study.findings
         found: tuple[Any, list[Finding]] = analysis.function(

@@ -7,12 +7,13 @@ every one of its range as likely as another, and the life is that of the mean da
 
 import math
 from collections.abc import Callable
-from functools import reduce
+from functools import partial, reduce
 from typing import NamedTuple
 
 from ..arrays import Values, all_nonzero, finite, is_array, larger, smaller
 from ..engines.protocol import Clutch
 from ..equations import life as law
+from ..recorders import larger_of, marked, unrecorded
 from ..spec.fatigue import Fatigue
 from .registry import StressRule
 
@@ -64,7 +65,7 @@ class Load(NamedTuple):
     def most(self) -> Values:
         """Largest torque, N·m."""
         ends = larger(self.torque(0.0), self.torque(1.0))
-        return reduce(larger, (self.torque(_within(kink)) for kink in self.kinks), ends)
+        return reduce(larger_of, (partial(self.torque, _within(kink)) for kink in self.kinks), ends)
 
     def low(self, torque: Values) -> Values:
         """Torque T_low from which a slip swings the load, on this side, N·m."""
@@ -175,13 +176,17 @@ def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Value
     damage, most = np.zeros(()), np.full((), -np.inf)
     for left, right in zip(edges, edges[1:], strict=False):
         if np.any(left != right):
-            added, largest = _piece(stress, limit, line, left, right)
+            with unrecorded():
+                added, largest = _piece(stress, limit, line, left, right)
             damage, most = damage + added, np.maximum(most, largest)
     with np.errstate(all="ignore"):
         found = np.where((most > limit) & (damage > 0), 1 / damage, np.nan)
     if found.ndim:
         return found
-    return math.nan if np.isnan(found) else float(law.cycles_of_mean_damage(float(damage)))
+    if np.isnan(found):
+        return math.nan
+    mean = marked(float(damage), stress(0.0), stress(1.0))  # over the whole range
+    return float(law.cycles_of_mean_damage(mean))
 
 
 def _piece(

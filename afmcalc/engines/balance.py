@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from ..arrays import Floats, Values, chosen
-from ..equations import pocket
+from ..arrays import Floats, Values, chosen, smaller
+from ..equations import indirect, pocket, sleeve
+from ..recorders import marked, solved, unrecorded
 from .characteristic import DiscCharacteristic, root
 
 _PLACES = 32
@@ -33,6 +34,12 @@ class SetSpring:
         if self.disc is None:
             return self.set_force + self.straight_stiffness * further
         return self.disc.force(self.deflection + further)
+
+    def disc_force_shown(self, further: Values, travel: Values) -> Values:
+        """Force of discs at a travel, N, after their force at the setting and the stiffness there."""
+        assert self.disc is not None
+        self.disc.explain(self.deflection)
+        return marked(self.disc.force(marked(self.deflection + further, travel)), travel)
 
     def stiffness(self, further: Values) -> Values:
         """Slope of the force there, N/m."""
@@ -75,6 +82,29 @@ class Balance:
             return self.net_gain
         gain: Values = pocket.gain_at(self.net_gain, self.gain_slope, travel)
         return gain
+
+    def shown(self, friction: Values, search: Callable[[], Values], most: Values | None = None) -> Values:
+        """Normal force N where a search finds the sleeve, N; the balance that holds it there, its numbers put in."""
+        with unrecorded():
+            found = search()
+        travel = marked(found, friction, self.net_gain, self.closing.set_force)
+
+        def pressed() -> Values:
+            return self.pressed(travel) if most is None else smaller(most, self.pressed(travel))
+
+        def steps() -> Values:
+            if self.closing.disc is not None:
+                self.closing.disc_force_shown(-travel, travel)
+            own = self.control
+            control = (
+                sleeve.tensed_force(own.set_force, own.straight_stiffness, travel)
+                if own.disc is None
+                else own.disc_force_shown(travel, travel)
+            )
+            force: Values = indirect.normal_force_balanced(control, self.pairs, self.net_gain_at(travel), friction)
+            return force
+
+        return solved(pressed, steps)
 
     def _left(self, friction: Values) -> Callable[[Values], Values]:
         """What the control spring has more than closing spring and balls, N."""

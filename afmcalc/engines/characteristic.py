@@ -10,6 +10,7 @@ from typing import NamedTuple
 from ..arrays import Values, chosen, greatest, larger, smaller
 from ..equations import coils
 from ..equations import springs as law
+from ..recorders import marked, unrecorded
 from ..spec.models import Spec
 from ..spec.springs import CoilSprings, DiscStack
 
@@ -85,11 +86,12 @@ class Characteristic(ABC):
         The force grows ever slower, so that Newton's steps from nothing never go too far.
         """
         at = 0.0 * force
-        for _ in range(_STEPS):
-            there: Values = smaller(at + (force - self.force(at)) / self.stiffness(at), self.end)
-            moved, at = greatest(there - at), there
-            if not moved > _CLOSE * self.end:
-                break
+        with unrecorded():
+            for _ in range(_STEPS):
+                there: Values = smaller(at + (force - self.force(at)) / self.stiffness(at), self.end)
+                moved, at = greatest(there - at), there
+                if not moved > _CLOSE * self.end:
+                    break
         return at
 
 
@@ -145,9 +147,15 @@ class DiscCharacteristic(Characteristic):
         """Disc springs never are."""
         return False
 
+    def deflection(self, force: Values) -> Values:
+        """Deflection that gives a force, m; all discs flat where none does."""
+        _ = self.shape  # of the calculation, unlike the search
+        return super().deflection(force)
+
     def force(self, deflection: Values) -> Values:
         """Force of the stack, N."""
-        force: Values = self.part.parallel * law.disc_force(*self.shape, deflection / self.part.series)
+        each = marked(deflection / self.part.series, deflection)
+        force: Values = self.part.parallel * law.disc_force(*self.shape, each)
         return force
 
     def stiffness(self, deflection: Values) -> Values:
@@ -155,6 +163,12 @@ class DiscCharacteristic(Characteristic):
         own = self.part
         slope: Values = own.parallel / own.series * law.disc_stiffness(*self.shape, deflection / own.series)
         return slope
+
+    def explain(self, deflection: Values) -> None:
+        """Run the equations of force and stiffness at a deflection once more, from the factors on, to be recorded."""
+        shape, each = self._shape(), deflection / self.part.series
+        law.disc_force(*shape, each)
+        law.disc_stiffness(*shape, each)
 
     def stresses(self, deflection: float) -> tuple[float, float]:
         """Stress where the section turns (OM), and the largest tension at the edges II and III, Pa."""
@@ -168,6 +182,9 @@ class DiscCharacteristic(Characteristic):
     @cached_property
     def shape(self) -> tuple[float, float, float, float, float, float, float]:
         """E, ν, K_1, K_4, D_e, t and h_0 of a disc, with flats t' and l_0 − t'."""
+        return self._shape()
+
+    def _shape(self) -> tuple[float, float, float, float, float, float, float]:
         height = self.part.free_height - self.thickness
         return (MODULUS, POISSON, *self.factors, self.part.outer_diameter, self.thickness, height)
 

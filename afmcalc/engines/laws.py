@@ -9,6 +9,7 @@ from typing import Any
 
 from ..arrays import Values, chosen, is_array, larger, quiet_division, smaller, square_root
 from ..equations import indirect, pocket
+from ..recorders import larger_of, marked, solved, unrecorded
 from .balance import Balance, SetSpring, extremes, places
 from .characteristic import CurvedSprings
 
@@ -202,7 +203,7 @@ class IndirectLaw:
         def moving() -> Values:
             if self.curved is not None:
                 own = self.balance(closing_force, net_gain)
-                return smaller(closing_force, own.pressed(own.travel(friction)))
+                return own.shown(friction, lambda: own.travel(friction), closing_force)
             springs = closing_force, self.closing_stiffness, control, self.control_stiffness
             force: Values = indirect.normal_force_moving(*springs, self._stiffness(closing_force, friction, net_gain))
             return smaller(closing_force, force)
@@ -228,21 +229,34 @@ class IndirectLaw:
             return self._returned(closing_force, friction, friction_max)
         locked = self.normal_force(closing_force, friction_max)
         seated = self._is_reseated(closing_force, friction, locked)
-        moving = self._pressed(closing_force, friction, self.net_gain_returning, seated)
-        torque: Values = indirect.torque(larger(locked, moving), self.mean_radius, self.pairs, friction)
+
+        def moving() -> Values:
+            return self._pressed(closing_force, friction, self.net_gain_returning, seated)
+
+        pressed = larger_of(locked, moving)
+        torque: Values = indirect.torque(pressed, self.mean_radius, self.pairs, friction)
         return torque
 
     def _returned(self, closing_force: Values, friction: Values, friction_max: Values) -> Values:
         """The same between curved springs, behind curved walls."""
         net = self.net_gain_returning
+        with unrecorded():
+            start = self.travel(closing_force, friction_max)
         place = self.travel_returning(closing_force, friction, friction_max)
         home = (place <= 0) & self._holds(closing_force, friction, net)
-        control = self.control_force(closing_force)
-        pressed: Values = chosen(
-            home,
-            lambda: indirect.normal_force_seated(control, self.pairs, net, friction),
-            lambda: self.balance(closing_force, net).pressed(place),
-        )
+
+        def seated() -> Values:
+            force: Values = indirect.normal_force_seated(self.control_force(closing_force), self.pairs, net, friction)
+            return force
+
+        def steps() -> Values:
+            if home:
+                return seated()
+            if place >= start:  # the key holds it
+                return self.normal_force(closing_force, friction_max)
+            return self.balance(closing_force, net).shown(friction, lambda: place)
+
+        pressed = solved(lambda: chosen(home, seated, lambda: self.balance(closing_force, net).pressed(place)), steps)
         torque: Values = indirect.torque(pressed, self.mean_radius, self.pairs, friction)
         return torque
 
@@ -251,7 +265,9 @@ class IndirectLaw:
 
         def moved() -> Values:
             if self.curved is not None:
-                return self.balance(closing_force, self.net_gain).travel(friction)
+                with unrecorded():
+                    place = self.balance(closing_force, self.net_gain).travel(friction)
+                return marked(place, friction, closing_force)
             net, made = self.net_gain, self.made_control_force
             stiffness = self._straight_stiffness(friction, net)
             travel: Values
@@ -282,8 +298,11 @@ class IndirectLaw:
 
     def travel_returning(self, closing_force: Values, friction: Values, friction_max: Values) -> Values:
         """Travel of a sleeve when friction falls again from ``friction_max``, m; of curved springs or walls."""
-        start = self.travel(closing_force, friction_max)
-        return self.balance(closing_force, self.net_gain_returning).travel_returning(friction, start)
+        net = self.net_gain_returning
+        with unrecorded():
+            start = self.travel(closing_force, friction_max)
+            place = self.balance(closing_force, net).travel_returning(friction, start)
+        return marked(place, friction, net, closing_force)
 
     def torques_rising(self, closing_force: Values, low: Values, high: Values) -> tuple[Values, Values]:
         """Least and largest torque off the stop while friction rises, N·m."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..arrays import Values, larger, smaller
 from ..equations import accuracy, adjustment, effects, overload
 from ..findings import Finding
+from ..recorders import unrecorded
 from ..spec.models import Method, Range, Spec
 from . import setting
 
@@ -272,9 +273,10 @@ class Clutch(ABC):
         """Elasticities ∂ln K_т/∂ln p by spec path."""
 
     def findings(self) -> list[Finding]:
-        """What a designer should know: what the law says of it, and the setting."""
-        found, nominal = self._law_findings(), float(self.nominal_torque)
-        return [*found, *setting.findings(self.spec, nominal, float(self.torque_min)), *self._part_findings()]
+        """What a designer should know: what the law says of it, and the setting; no steps of a calculation."""
+        with unrecorded():
+            found, nominal = self._law_findings(), float(self.nominal_torque)
+            return [*found, *setting.findings(self.spec, nominal, float(self.torque_min)), *self._part_findings()]
 
     def wishes(self, travel: float = 0.0) -> "list[Wish]":
         """What each spring is to give, and what happens to it where the sleeve travels by the law, or farther."""

@@ -178,6 +178,26 @@ def normal_force_seated(control_force: Number, pairs: Number, net_gain: Number, 
     return control_force / (1 + pairs * net_gain * friction)
 
 
+def normal_force_balanced(control_force: Number, pairs: Number, net_gain: Number, friction: Number) -> Number:
+    """Normal force that balances the control spring where the sleeve is, N = F_2/(1 + z κ f).
+
+    Source: S21 (9) with (10), the springs as curved as they are.
+
+    Args:
+        control_force: F_2, force of the control spring where the sleeve is [N].
+        pairs: z, friction pairs [1].
+        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
+        friction: f, coefficient of friction [1].
+
+    Returns:
+        N [N].
+
+    Validity:
+        x ≥ 0 is such that the closing spring, slackened by x, presses with the same N.
+    """
+    return control_force / (1 + pairs * net_gain * friction)
+
+
 def travel_as_made(
     closing_force: Number,
     control_force: Number,

@@ -86,6 +86,25 @@ def slackened_force(closing_force: Number, closing_stiffness: Number, travel: Nu
     return closing_force - closing_stiffness * travel
 
 
+def tensed_force(control_force: Number, control_stiffness: Number, travel: Number) -> Number:
+    """Force of the control spring with the sleeve off its stop, F_2 = F_п2 + c_2 x.
+
+    Source: S21 (9).
+
+    Args:
+        control_force: F_п2, control-spring force at the stop [N].
+        control_stiffness: c_2 [N/m].
+        travel: x, travel of the sleeve, where springs and balls balance [m].
+
+    Returns:
+        F_2 [N].
+
+    Validity:
+        x > 0.
+    """
+    return control_force + control_stiffness * travel
+
+
 def spring_moment(
     mean_radius: Number,
     closing_force: Number,

@@ -1,7 +1,7 @@
 """From document to blocks of text cells, shared by the terminal and Markdown."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from itertools import compress
 from typing import Any, NamedTuple
 
@@ -93,6 +93,7 @@ def step_lines(laid_out: Document) -> list[str]:
     lines = []
     for step in laid_out.steps:
         at = told(" at {place}", place=in_numbers(translate(step.at))) if step.at else ""
+        at = ", ".join([at, *told_apart(step, laid_out.steps)])
         lines += ["", f"{step.symbol}{at}: {translate(step.name)}", f"    {step.symbol} = {in_numbers(step.formula)}"]
         indent = " " * (5 + len(step.symbol))
         if step.substituted != step.formula:
@@ -103,6 +104,19 @@ def step_lines(laid_out: Document) -> list[str]:
         if step.print_differs:
             lines.append(told("    print differs: {what}", what=term(step.print_differs)))
     return lines
+
+
+def told_apart(step: Any, steps: Sequence[Any]) -> list[str]:
+    """Setting of the spring and side of a step, where steps of the same quantity differ in them."""
+    alike = [each for each in steps if (each.function, each.symbol) == (step.function, step.symbol)]
+    names = [name for name in _APART if len({getattr(each, name) for each in alike} - {None}) > 1]
+    return [told(_APART[name][own]) for name in names if (own := getattr(step, name))]
+
+
+_APART: Mapping[str, Mapping[str, str]] = {
+    "setting": {"min-friction": "set at f_min", "mean-friction": "set at mean f"},
+    "side": {"protected": "protected side", "unprotected": "unprotected side"},
+}
 
 
 def step_value(step: Any) -> str:

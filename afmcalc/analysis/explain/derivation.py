@@ -9,6 +9,7 @@ from ...messages import joined, say, term
 from ...papers.register import register
 from ...spec.paths import keys
 from .formula import FormulaText, symbol_latex
+from .order import in_order
 from .trace import Call, Circumstance, Marked, distinct, identity
 
 
@@ -79,31 +80,17 @@ def derivations(sections: Mapping[str, list[Call]]) -> dict[str, list[Derivation
 
 
 def _section(calls: list[Call], told: _Told) -> Iterable[Derivation]:
-    groups: dict[str, list[Call]] = {}
+    untold = []
     for call in distinct(calls):
         if (own := identity(call)) not in told.calls and not call.equation.result.symbol.startswith(_SLOPE):
             told.calls.add(own)
-            groups.setdefault(call.equation.name, []).append(call)
-    for name in _in_order(groups):
-        yield _derivation(groups[name], told)
+            untold.append(call)
+    for part in in_order(untold):
+        yield _derivation(part, told)
 
 
 _SLOPE = "∂"
 """Slopes are no quantities of the clutch: they rank what it depends on (``explain`` has their steps)."""
-
-
-def _in_order(groups: Mapping[str, list[Call]]) -> list[str]:
-    """Set what a formula uses before the formula, and else keep the order in which they ran."""
-    origins = {
-        name: {value.origin for call in calls for value in call.arguments.values() if isinstance(value, Marked)}
-        for name, calls in groups.items()
-    }
-    left, found = list(groups), list[str]()
-    while left:
-        ready = (name for name in left if not (origins[name] - {name}) & set(left))
-        found.append(next(ready, left[0]))
-        left.remove(found[-1])
-    return found
 
 
 def _derivation(calls: list[Call], told: _Told) -> Derivation:

@@ -13,6 +13,7 @@ from ...spec.models import Method
 from ...spec.suggest import did_you_mean
 from ..registry import ANALYSES, EXPLAINED
 from .formula import FormulaText, symbol_latex
+from .order import in_order
 from .trace import Call, distinct, recording, with_roles
 
 
@@ -38,7 +39,7 @@ class Step(Result):
 
 
 class ExplainResult(Result):
-    """The steps of a calculation, in the order they ran."""
+    """The steps of a calculation, each quantity before it is used."""
 
     explained: str = quantity("", None, "command explained")
     steps: list[Step] = quantity("", None, "steps of the calculation", steps=True)
@@ -75,8 +76,8 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
 
 
 def steps_of(calls: list[Call]) -> list[Step]:
-    """Return the steps of what was recorded."""
-    return [_step(call) for call in distinct(calls)]
+    """Return the steps of what was recorded, each quantity before it is used."""
+    return [_step(call) for part in in_order(distinct(calls)) for call in part]
 
 
 def _note(call: Call) -> str | None:

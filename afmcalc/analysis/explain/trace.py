@@ -1,6 +1,6 @@
 """Recording which equations a calculation ran, with what arguments: an explanation cannot drift from the code."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import wraps
 from importlib import import_module
@@ -10,6 +10,7 @@ from typing import Any, Literal, NamedTuple, get_args
 from ...engines.sensitivity import Part
 from ...equations.catalogue import Equation, equations
 from ...messages import say
+from ...recorders import Recorders, Wrapped, recorded_by
 from ...spec import Spec
 from ...spec.edit import with_value
 from ...spec.models import Friction, Method, Range
@@ -209,40 +210,31 @@ def recording() -> Iterator[list[Call]]:
     """
     calls: list[Call] = []
     depth = [0]
-    recorders = {each.name: _recorder(each, calls, depth) for each in equations().values()}
-    _RUNNING.append(recorders)
-    _put(recorders)
-    try:
+    places = tuple(_wrapped(each, _recorder(each, calls, depth)) for each in equations().values())
+    with recorded_by(Recorders(places, _marked_like)):
         yield calls
-    finally:
-        _RUNNING.pop()
-        _put({each.name: each.function for each in equations().values()})
 
 
-_RUNNING: list[dict[str, Callable[..., Any]]] = []
-"""Recorders that are in place, the innermost last; none while they are taken out."""
+def _wrapped(equation: Equation, recorder: Callable[..., Any]) -> Wrapped:
+    module, _, name = equation.name.partition(".")
+    return Wrapped(import_module(f"...equations.{module}", __package__), name, equation.function, recorder)
 
 
-@contextmanager
-def unrecorded() -> Iterator[None]:
-    """Take the recorders out within the block, where equations run a hundred thousand times and explain nothing."""
-    if not (_RUNNING and _RUNNING[-1]):
-        yield
-        return
-    _RUNNING.append({})
-    _put({each.name: each.function for each in equations().values()})
-    try:
-        yield
-    finally:
-        _RUNNING.pop()
-        _put(_RUNNING[-1])
-
-
-def _put(functions: Mapping[str, Callable[..., Any]]) -> None:
-    """Put functions into the equation modules, by ``module.function``."""
-    for path, function in functions.items():
-        module, _, name = path.partition(".")
-        setattr(import_module(f"...equations.{module}", __package__), name, function)
+def _marked_like(value: Any, *like: Any) -> Any:
+    """A number that no equation gives, marked with what others are for: a range of friction where theirs differ."""
+    if isinstance(value, Marked):
+        return value
+    marks = [each.case for each in like if isinstance(each, Marked)]
+    frictions = {case.at: case for case in marks if case.friction}
+    case = Circumstance(" … ".join(str(at) for at in frictions)) if len(frictions) > 1 else Circumstance()
+    case = case if len(frictions) != 1 else next(iter(frictions.values()))
+    if any(getattr(each, "origin", "") == _RETURNING for each in like):
+        case = case._replace(branch="returning")
+    settings = {each.setting for each in marks if each.setting}
+    side: Side = next((each.side for each in marks if each.side), "")
+    case = case._replace(setting=settings.pop() if len(settings) == 1 else None, side=side)
+    origins = {getattr(each, "origin", "") for each in like}
+    return Marked(float(value), case, origin=origins.pop() if len(origins) == 1 else "")
 
 
 def _recorder(equation: Equation, calls: list[Call], depth: list[int]) -> Callable[..., Any]:

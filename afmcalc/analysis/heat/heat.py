@@ -10,6 +10,7 @@ from ...equations import heat as law
 from ...errors import CalculationError
 from ...findings import Finding
 from ...messages import say
+from ...recorders import marked, unrecorded
 from ...result import OpenTriple, Triple
 from ...spec.heat import Heat
 from .limit import FREEZING, Limit, limit_of
@@ -94,7 +95,8 @@ def _area(clutch: Clutch) -> float | None:
 def _power(clutch: Clutch, found: Mapping[str, HeatedSlip], area: float | None) -> Triple | None:
     if area is None:
         return None
-    return Triple(**{end: law.power_density(found[end].course.largest, _pairs(clutch), area) for end in ENDS})
+    powers = {end: marked(found[end].course.largest, getattr(clutch.friction[1], end)) for end in ENDS}
+    return Triple(**{end: law.power_density(power, _pairs(clutch), area) for end, power in powers.items()})
 
 
 def _rises(own: Heat, found: Mapping[str, HeatedSlip]) -> OpenTriple | None:
@@ -126,13 +128,14 @@ def _bodies(clutch: Clutch, own: Heat, area: float | None) -> "list[Body]":
 
 def _surface(clutch: Clutch, own: Heat, found: Mapping[str, HeatedSlip], area: float | None) -> OpenTriple | None:
     """Largest rise of the faces as the power of the slip goes."""
-    bodies = _bodies(clutch, own, area)
-    if not bodies or area is None:
-        return None
     from .surface import largest_rise
 
-    each = float(law.power_density(1.0, _pairs(clutch), area))
-    return _each(found, lambda trip: largest_rise(bodies, trip.course.times(each)) if trip.energy else 0.0)
+    with unrecorded():  # no formula leads to it: the numbers of its solution are no steps
+        bodies = _bodies(clutch, own, area)
+        if not bodies or area is None:
+            return None
+        each = float(law.power_density(1.0, _pairs(clutch), area))
+        return _each(found, lambda trip: largest_rise(bodies, trip.course.times(each)) if trip.energy else 0.0)
 
 
 def _trips(
@@ -151,7 +154,9 @@ def _trips(
             found, lambda trip: HOUR * law.trips_per_time(own.cooling, limit.low, ambient, trip.energy)
         )
         if rises is not None:
-            told["trips_per_hour_peak"] = _how_many(found, lambda trip: _rate(own, float(_rise_of(own, trip) / room)))
+            told["trips_per_hour_peak"] = _how_many(
+                found, lambda trip: _rate(own, marked(_rise_of(own, trip) / room, trip.energy))
+            )
     return dict(told)
 
 
@@ -160,11 +165,11 @@ def _rise_of(own: Heat, trip: HeatedSlip) -> Values:
     return rise
 
 
-def _rate(own: Heat, used: float) -> float:
+def _rate(own: Heat, used: Values) -> float:
     """Trips per hour, each of which uses a share of the room up to the limit."""
     if used >= 1:
         return 0.0
-    logarithm = -math.log1p(-used)
+    logarithm = marked(-math.log1p(-used), used)
     return HOUR / float(law.time_between_trips(own.disc_mass, own.specific_heat, own.cooling, logarithm))
 
 

@@ -10,9 +10,9 @@ from ...equations import heat as law
 from ...errors import Problem, SpecError
 from ...findings import Finding
 from ...messages import say
+from ...recorders import marked, unrecorded
 from ...spec.drive import Drive
 from ...spec.heat import missing_of
-from ..explain.trace import unrecorded
 from ..registry import ANALYSES
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def trips(clutch: Clutch, answers: "Answers | None" = None) -> HeatedSlips:
     assert drive.speed is not None
     source: EnergySource = "constant-speed" if drive.motor_inertia is None else "run-down"
     motor = motor_torque(clutch)
-    return HeatedSlips(source, {end: _run_down(drive, _torque(clutch, end), motor) for end in ENDS})
+    return HeatedSlips(source, {end: _of(clutch, end, _run_down(drive, _torque(clutch, end), motor)) for end in ENDS})
 
 
 def motor_torque(clutch: Clutch) -> Values:
@@ -87,7 +87,7 @@ def _simulated(clutch: Clutch, answers: "Answers | None") -> HeatedSlips:
     at = {}
     for end in ENDS:
         torque, time, energy = (getattr(each, end) for each in told)
-        at[end] = HeatedSlip(torque, time, energy, _course(clutch, end))
+        at[end] = _of(clutch, end, HeatedSlip(torque, time, energy, _course(clutch, end)))
     ends = tuple(each for each in said if each.path in ("drive.cut_off", "drive.event.duration"))
     return HeatedSlips("simulate", at, ends)
 
@@ -101,6 +101,11 @@ def _course(clutch: Clutch, end: str) -> "Course":
     return course_of((each.time, float(law.slip_power(each.torque, each.slip)), each.heat) for each in course)
 
 
+def _of(clutch: Clutch, end: str, slip: HeatedSlip) -> HeatedSlip:
+    """The slip, and for an explanation the friction that its heat is for."""
+    return slip if slip.energy is None else slip._replace(energy=marked(slip.energy, getattr(clutch.friction[1], end)))
+
+
 def _torque(clutch: Clutch, end: str) -> Values:
     torque: Values = clutch.torque(*(getattr(own, end) for own in clutch.friction))
     return torque
@@ -112,11 +117,14 @@ def _run_down(drive: Drive, torque: Values, motor: Values) -> HeatedSlip:
     assert speed is not None
     if inertia is None:
         assert off is not None
-        return _slipped(torque, [(0.0, speed), (off, speed)])
+        slipped = _slipped(torque, [(0.0, speed), (off, speed)])
+        return slipped._replace(energy=law.slip_energy(torque, speed, speed, off))
     carried = bool(torque <= motor)
     if not carried:
-        time = law.run_down_time(inertia, speed, torque, motor)
-        if off is None or time <= off:
+        with unrecorded():
+            stands = law.run_down_time(inertia, speed, torque, motor)
+        if off is None or stands <= off:
+            time = law.run_down_time(inertia, speed, torque, motor)
             energy = law.run_down_energy(inertia, speed, torque, motor)
             return _slipped(torque, [(0.0, speed), (time, 0.0)])._replace(energy=energy)
     if off is None:
@@ -134,7 +142,8 @@ def _slipped(torque: Values, at: Sequence[tuple[Values, Values]]) -> HeatedSlip:
     from .course import course_of
 
     moments, energy = [(0.0, float(law.slip_power(torque, at[0][1])), 0.0)], 0.0
-    for (before, first), (time, last) in pairwise(at):
-        energy = energy + law.slip_energy(torque, first, last, time - before)
-        moments.append((float(time), float(law.slip_power(torque, last)), float(energy)))
+    with unrecorded():  # how the power falls from there, and the heat grows
+        for (before, first), (time, last) in pairwise(at):
+            energy = energy + law.slip_energy(torque, first, last, time - before)
+            moments.append((float(time), float(law.slip_power(torque, last)), float(energy)))
     return HeatedSlip(torque, at[-1][0], energy, course_of(moments))

@@ -7,10 +7,10 @@ from ...engines.protocol import Clutch
 from ...errors import CalculationError
 from ...findings import Finding, finding
 from ...messages import say
+from ...recorders import unrecorded
 from ...result import OpenTriple, Triple
 from ...spec import Spec, resolved
 from ...watch import Progress, unwatched
-from ..explain.trace import unrecorded
 from ..sweep.grid import Axis
 from ..torque import Pair, friction_fields, outside_range, pairs_asked
 from .bypass import bypass_peak

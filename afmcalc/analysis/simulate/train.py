@@ -13,8 +13,8 @@ from ...engines.protocol import Clutch
 from ...equations import drive as law
 from ...errors import Problem, SpecError
 from ...messages import say
+from ...recorders import unrecorded
 from ...spec.drive import Drive, EventKind
-from ..explain.trace import unrecorded
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from ...messages import printable, told, translate
 from ...result import Output
 from ..document import Document, document
-from ..layout import blocks, findings_lines, step_value, title, unfolded
+from ..layout import blocks, findings_lines, step_value, title, told_apart, unfolded
 from ..symbols import latex_in_numbers, value_latex
 from ..units import in_numbers
 
@@ -34,7 +34,8 @@ def _steps(laid_out: Document) -> list[str]:
         return []
     lines = []
     for step in laid_out.steps:
-        at = f" ({_escape(in_numbers(translate(step.at)))})" if step.at else ""
+        places = [*([in_numbers(translate(step.at))] if step.at else []), *told_apart(step, laid_out.steps)]
+        at = f" ({_escape(', '.join(places))})" if places else ""
         equals = " = ".join(dict.fromkeys(map(latex_in_numbers, (step.formula_latex, step.substituted_latex))))
         lines += [f"### {_escape(step.symbol)}{at}: {_escape(translate(step.name))}", ""]
         lines += [

@@ -1,5 +1,7 @@
 """Explanations: the formula shown is the code that ran."""
 
+import re
+
 import pytest
 import sympy
 from conftest import CONFIGS, S21
@@ -222,3 +224,130 @@ def test_falling_torque_is_explained(afmcalc):
     ]
     notes = [step["note"] for step in steps if step["note"]]
     assert any("the inverse, 1.1037" in note for note in notes)
+
+
+RUN_DOWN = {"motor_inertia": 1.5, "speed": 30.0, "motor_torque": 90.0}
+
+
+def test_the_heat_of_a_trip_is_explained_by_its_own_numbers():
+    """Each at its friction; the power is that of the slip, not a unit by which the surface's is scaled."""
+    drive = resolved(read_spec(CONFIGS / "drive.toml"))
+    steps = explain("heat", make_spec(drive))[0].steps
+    per_trip = {"q_A", "ΔΘ", "q", "n", "ν", "t_p", "n_w"}
+    told = [(step.symbol, step.at) for step in steps if step.symbol in per_trip]
+    assert sorted(told) == sorted((symbol, f"f_{end}") for symbol in per_trip for end in ("min", "cp", "max"))
+    assert not any(" 1 W" in step.substituted or step.substituted.startswith("1 W") for step in steps)
+    # nothing leads from depth and effusivity to a value that is shown
+    assert not {"l", "b", "t", "Q"} & {step.symbol for step in steps}
+    run_down = make_spec(
+        drive | {"drive": RUN_DOWN, "requirements": {"temperature": drive["requirements"]["temperature"]}}
+    )
+    result, _ = ANALYSES["heat"].function(build(run_down))
+    steps = explain("heat", run_down)[0].steps
+    for symbol, values in (("t", result.slip_time), ("Q", result.energy), ("q", result.power_density)):
+        own = {step.at: step.value for step in steps if step.symbol == symbol}
+        assert own == {"f_min": values.min, "f_cp": values.mean, "f_max": values.max}
+    assert all(step.value > 0 for step in steps if step.symbol == "P")
+
+
+def test_the_heat_of_a_trip_that_is_switched_off_is_told_at_its_friction():
+    drive = resolved(read_spec(CONFIGS / "drive.toml"))
+    spec = make_spec(drive | {"drive": RUN_DOWN | {"cut_off": 0.1}, "requirements": {}})
+    steps = explain("heat", spec)[0].steps
+    told = [(step.function, step.at) for step in steps]
+    assert len(told) == len(set(told))
+    assert {step.at for step in steps if step.symbol == "q_A"} == {"f_min", "f_cp", "f_max"}
+
+
+DISC = {"outer_diameter": 0.04, "inner_diameter": 0.0204, "thickness": 1.5e-3, "free_height": 2.65e-3, "series": 6}
+LARGER_DISC = {"outer_diameter": 0.05, "inner_diameter": 0.0254, "thickness": 3e-3, "free_height": 4.1e-3, "series": 40}
+
+
+@pytest.mark.parametrize("gain_slope", [0.0, 30.0])
+@pytest.mark.parametrize("control", [False, True])
+def test_of_springs_that_are_curved_the_balance_is_shown_not_the_search(gain_slope, control):
+    data = resolved(read_spec(CONFIGS / "indirect.toml"))
+    data["closing_spring"] = {"force": 2000.0, "stiffness": 400e3, "disc": DISC}
+    data["control_unit"] |= {"gain_slope": gain_slope}
+    if control:
+        data["control_spring"] = {"stiffness": 200e3, "disc": LARGER_DISC}
+    spec = make_spec(data)
+    result, _ = ANALYSES["torque"].function(build(spec))
+    steps = explain("torque", spec)[0].steps
+    forces = [step for step in steps if step.function == "springs.disc_force"]
+    assert len(forces) <= (8 if control else 4)
+    assert forces[0].value == pytest.approx(2000.0)
+    assert len([step for step in steps if step.function == "springs.disc_stiffness"]) == 1 + control
+    (balance,) = [s for s in steps if s.function == "indirect.normal_force_balanced" and s.at == "f_max"]
+    assert balance.value == pytest.approx(result.normal_force.max, rel=1e-9)
+    # the closing spring presses with the same force
+    assert any(step.value == pytest.approx(balance.value, rel=1e-9) and step.at == "f_max" for step in forces)
+    values = {(step.symbol, step.at): step.value for step in steps}
+    assert values["T", "f_max"] == pytest.approx(result.torque.max, rel=1e-12)
+    told = [(step.function, step.symbol, step.at, step.substituted) for step in steps]
+    assert len(told) == len(set(told))
+
+
+@pytest.mark.parametrize("name", ["drive", "indirect"])
+def test_of_a_life_of_slips_the_mean_damage_is_shown_not_its_nodes(name):
+    data = resolved(read_spec(CONFIGS / f"{name}.toml"))
+    data["fatigue"] |= {"ultimate_strength": 600e6, "endurance_limit": 10e6}
+    spec = make_spec(data)
+    result, _ = ANALYSES["life"].function(build(spec), model="goodman")
+    steps = explain("life", spec, model="goodman")[0].steps
+    assert not [step for step in steps if "= 0." in (step.at or "")]
+    lives = {
+        (step.at, step.setting, step.side): step.value
+        for step in steps
+        if step.function == "life.cycles_of_mean_damage"
+    }
+    for side, over in (("protected", "f_min … f_max"), ("protected_forecast", "f_cp … f_max")):
+        for method in ("min-friction", "mean-friction"):
+            value = getattr(getattr(result, side), method.replace("-", "_"))
+            assert lives.get((over, method, "protected")) == value
+    assert steps[-1].symbol == "N_ц"
+
+
+def test_a_check_does_not_explain_the_nodes_of_a_tolerance_study():
+    steps = explain("check", read_spec(CONFIGS / "tolerance.toml"))[0].steps
+    assert steps
+    assert not [step for step in steps if "f_2 = " in (step.at or "")]
+
+
+@pytest.mark.parametrize("command", ["torque", "accuracy", "adjust", "synthesize", "life", "check"])
+@pytest.mark.parametrize("name", ["indirect", "constant-torque"])
+def test_a_quantity_is_defined_before_it_is_used(command, name):
+    """Every κ, D, N and F_п2 that a step puts in stands above it, also where κ is taken anew at the sleeve's place."""
+    steps = explain(command, read_spec(CONFIGS / f"{name}.toml"))[0].steps
+    for symbol in ("κ", "κ₊", "F_п2", "D", "N"):
+        users = [n for n, step in enumerate(steps) if symbol in re.split(r"[^\w₊']+", step.formula) and n > 0]
+        first = next((n for n, each in enumerate(steps) if each.symbol == symbol), None)
+        assert first is None or all(first <= user for user in users), symbol
+
+
+def test_what_the_returning_sleeve_would_press_with_is_not_shown_where_the_key_holds_it():
+    """T_ret at f_max and the mean takes the force that f_max left; κ₊ counts at f_min alone."""
+    data = resolved(read_spec(CONFIGS / "indirect.toml"))
+    data |= {"friction": {"min": 0.15, "max": 0.5}, "adjustment": {"method": "min-friction", "margin": 1.3}}
+    data["friction_group"] = {"pairs": 6, "mean_radius": 0.085}
+    data["closing_spring"] = {"force": 3200.0, "stiffness": 250e3}
+    data["control_spring"] = {"stiffness": 120e3}
+    data["control_unit"] |= {"gain": 1.6, "hub_diameter": 0.06, "key_friction": 0.12}
+    steps = explain("torque", make_spec(data))[0].steps
+    returning = {(step.symbol, step.at) for step in steps if (step.at or "").endswith("returning")}
+    assert returning == {(symbol, "f_min, returning") for symbol in ("D", "N", "T")}
+    held = next(step for step in steps if step.at == "f_cp after f_max")
+    pressed = next(step for step in steps if (step.symbol, step.at) == ("N", "f_max"))
+    assert held.value == pytest.approx(pressed.value * 0.085 * 6 * 0.325)
+
+
+def test_settings_and_sides_are_told_apart(afmcalc):
+    heads = [line for line in afmcalc("explain", "life").out.splitlines() if line.startswith("N_ц at f_min")]
+    ends = [head.partition(":")[0].removeprefix("N_ц at f_min … f_max, ") for head in heads]
+    settings, sides = ("set at f_min", "set at mean f"), ("protected side", "unprotected side")
+    assert sorted(ends) == sorted(f"{setting}, {side}" for setting in settings for side in sides)
+    assert (
+        "### N_ц (f_min … f_max, set at f_min, protected side)"
+        in afmcalc("explain", "life", "--format", "markdown").out
+    )
+    assert "set at" not in afmcalc("explain", "torque").out
