@@ -41,7 +41,7 @@ def test_every_variant_in_a_drive(variant, afmcalc):
     assert spec["variant"] == alone["variant"]
     assert spec["drive"]["event"]["kind"] == "stop"
     assert ("hub_inertia" in spec["drive"]) == ("# hub_inertia" not in text) == (spec["variant"] == "indirect")
-    light = ["--set", "drive.motor_inertia=0.2"]
+    light = ["--set", "drive.motor_inertia=0.2", "--set", "drive.event.duration=0.03"]
     assert afmcalc("simulate", "-", *light, stdin=text).code == 0
     checked = afmcalc("check", "-", *light, "--json", stdin=text)
     assert (checked.code, checked.json["result"]["errors"]) == (0, 0)

@@ -83,17 +83,17 @@ def test_a_temperature_is_told_in_degrees(afmcalc):
         "check",
         CONFIGS / "drive.toml",
         "--set",
-        "requirements.temperature=22 degC",
+        "requirements.temperature=20.2 degC",
         "--set",
-        "drive.event.kind=stop",
+        "drive.motor_inertia=0.2",
     )
     run = afmcalc(*asked, "--json").json
     (row,) = (row for row in run["result"]["requirements"] if row["requirement"] == "temperature")
     (said,) = (each["message"] for each in run["findings"] if each["path"] == "requirements.temperature")
-    assert (row["limit"], row["unit"]) == (295.15, "K")
+    assert (row["limit"], row["unit"]) == (293.35, "K")
     told = f"{row['value'] - 273.15:.5g}"
-    assert said.endswith(f": {told} °C, but at most 22 °C is required")
-    for units, shown in (("engineer", (told, "22", "°C")), ("si", (f"{row['value']:.5g}", "295.15", "K"))):
+    assert said.endswith(f": {told} °C, but at most 20.2 °C is required")
+    for units, shown in (("engineer", (told, "20.2", "°C")), ("si", (f"{row['value']:.5g}", "293.35", "K"))):
         lines = afmcalc(*asked, "--units", units).out.splitlines()
         (line,) = (each.split() for each in lines if each.startswith("temperature "))
         assert (line[-7], line[-4], line[-3]) == shown

@@ -126,14 +126,14 @@ def test_a_motor_as_strong_as_the_clutch_never_stops():
 
 def test_slow_slip_takes_static_friction_back(monkeypatch):
     """A heavy motor side, of which a thousand swings pass while the friction comes back: by quadrature of J_1 dω/(T − M)."""
-    own = clutch(drive={"damping_ratio": 3.0, "driven_inertia": 0.005, "motor_inertia": 80.0})
+    own = clutch(drive={"damping_ratio": 3.0, "driven_inertia": 0.005, "motor_inertia": 30.0})
     found = outcome_of(own, 0.3).trip
     assert found.ended
     speeds = np.linspace(0, 15, 200_001)[1:]
     torque = own.torque(0.3 * (1 + 0.2 * np.exp(-0.1 * speeds / 0.3)))
     # but for the stop of the tool
-    assert found.slip_time == pytest.approx(np.trapezoid(80 / (torque - 150), speeds), rel=1e-3)
-    assert found.heat == pytest.approx(np.trapezoid(80 * speeds * torque / (torque - 150), speeds), rel=2e-3)
+    assert found.slip_time == pytest.approx(np.trapezoid(30 / (torque - 150), speeds), rel=1e-3)
+    assert found.heat == pytest.approx(np.trapezoid(30 * speeds * torque / (torque - 150), speeds), rel=5e-3)
     monkeypatch.setattr("afmcalc.analysis.simulate.machine.creep", lambda *where, **how: None)
     stepped = outcome_of(own, 0.3).trip
     assert (found.peak, found.slip_time) == pytest.approx((stepped.peak, stepped.slip_time), rel=1e-5)

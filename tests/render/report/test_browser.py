@@ -54,6 +54,7 @@ ALL_SHOWN = "[...document.querySelectorAll('.scroll')].every(box => box.scrollWi
 
 
 @browser
+@pytest.mark.exhaustive
 def test_in_a_browser(opened):
     name, page = opened
     for scheme, width in (("light", 1280), ("dark", 1280), ("dark", 375)):
@@ -95,6 +96,7 @@ def used(file):
 
 @browser
 @paper
+@pytest.mark.exhaustive
 def test_on_paper(opened, drawn, tmp_path):
     """Contents, page numbers, no half-empty page, no heading without its text."""
     name, page = opened

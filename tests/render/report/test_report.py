@@ -27,10 +27,9 @@ MATH = "{http://www.w3.org/1998/Math/MathML}math"
 PANDOC = shutil.which("pandoc")
 VARIANTS = [
     "indirect",
-    "tolerance",
     *(
         pytest.param(name, marks=pytest.mark.exhaustive)
-        for name in ("default", "conventional", "unlike-materials", "all-driving")
+        for name in ("tolerance", "default", "conventional", "unlike-materials", "all-driving")
     ),
 ]
 
@@ -76,6 +75,7 @@ def test_sections_that_do_not_apply_are_left_out(name, absent, report):
     assert "None" not in page
 
 
+@pytest.mark.exhaustive
 def test_same_spec_same_bytes(drawn):
     run = subprocess.run(
         [sys.executable, "-m", "afmcalc", "report", str(CONFIGS / "indirect.toml")],
