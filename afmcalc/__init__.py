@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from .python import build, compare, design, load
     from .spec import Spec, read_spec
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = [
     "AfmcalcError",
     "Clutch",

@@ -87,7 +87,7 @@ def pytest_configure(config):
     many = "not exhaustive" not in config.option.markexpr
     # the same ones every time where a machine judges, new ones where a person looks
     machine = bool(os.environ.get("CI"))
-    settings.register_profile("ours", deadline=None, derandomize=machine, max_examples=200 if many else 10)
+    settings.register_profile("ours", deadline=None, derandomize=machine, max_examples=200 if many else 8)
     settings.load_profile("ours")
 
 

@@ -148,6 +148,7 @@ def test_report(name, page_of):
     assert not english(headings.sub(" ", shown)) - {"afmcalc"}
 
 
+@pytest.mark.exhaustive
 def test_the_report_has_the_form_of_a_calculation(page_of):
     page = page_of("constant-torque")
     sections = re.findall(r'<h2><span class="count">\d+</span> ([^<]*)</h2>', page)

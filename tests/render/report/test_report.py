@@ -257,6 +257,7 @@ def test_a_life_is_by_the_rule_that_was_asked_for(framed, report):
 
 
 @pytest.mark.skipif(PANDOC is None, reason="no pandoc on the path: no page is made a document of Word")
+@pytest.mark.exhaustive
 def test_equations_of_a_word_document_can_be_edited(report, tmp_path):
     page = report("indirect")
     source, target = tmp_path / "report.html", tmp_path / "report.docx"
