@@ -1,7 +1,5 @@
 """Engine of direct regulation: one law, the variants are pair counts."""
 
-from typing import Any
-
 from ..arrays import Values, checked_friction, is_array, larger, smaller
 from ..equations import accuracy, direct
 from ..findings import Finding, finding
@@ -35,31 +33,31 @@ class DirectClutch(Clutch):
         """z_2."""
         return self.law.controlled_pairs
 
-    def torque_per_force(self, method: Method | None = None) -> Any:
+    def torque_per_force(self, method: Method | None = None) -> Values:
         """T/F_п at the friction of a setting, m; by default the spec's own."""
         return self.law.torque_per_force(*setting.friction_at_setting(self.spec, method))
 
-    def torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
+    def torque(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Sustained slip torque T, N·m (F11 (12))."""
         first, second = _pair(friction, friction_driven)
         return self.law.torque(self.closing_force, first, second)
 
-    def normal_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
+    def normal_force(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Normal force N on the pairs, N; arguments as ``torque``."""
         _, second = _pair(friction, friction_driven)
         return self.law.normal_force(self.closing_force, second)
 
-    def release_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
+    def release_force(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Release force F_p of the control unit, N; arguments as ``torque``."""
         _, second = _pair(friction, friction_driven)
         return self.law.release_force(self.closing_force, second)
 
-    def ball_torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
+    def ball_torque(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Torque T_2 that passes the balls, N·m; arguments as ``torque``."""
         _, second = _pair(friction, friction_driven)
         return self.law.ball_torque(self.closing_force, second)
 
-    def breakaway_torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
+    def breakaway_torque(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Upper bound P of the breakaway torque, N·m (theory, section 3); arguments as ``torque``."""
         first, second = _pair(friction, friction_driven)
         if _is_zero(self.bypass_pairs):

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
 
 from ..arrays import Values, checked_friction, is_array, larger, smaller
 from ..equations import indirect
@@ -103,7 +102,7 @@ class IndirectClutch(Clutch):
         """Friction at which the sleeve leaves its stop."""
         return self.law.leaving_friction(self.closing_force)
 
-    def torque_per_force(self, method: Method | None = None) -> Any:
+    def torque_per_force(self, method: Method | None = None) -> Values:
         """T/F_п1 at the friction of a setting, m; by default the spec's own."""
         return replace(self.law, friction_set=setting.friction_at_setting(self.spec, method)[0]).torque_per_force
 
@@ -126,7 +125,7 @@ class IndirectClutch(Clutch):
         gain: Values = indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
         return gain
 
-    def normal_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
+    def normal_force(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Normal force N on the pairs, N: from F_п2 at rest down to F_п1 at the setting, then by S21 (9)."""
         return self.law.normal_force(self.closing_force, _one(friction, friction_driven))
 
@@ -135,11 +134,11 @@ class IndirectClutch(Clutch):
         """Force on the pack of the clutch at rest, N: what the control spring presses through sleeve and stop."""
         return self.law.normal_force(self.closing_force, 0.0)
 
-    def torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
+    def torque(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Slip torque T, N·m, friction rising (S21 (11); at the stop a direct clutch of gain κ)."""
         return self.law.torque(self.closing_force, _one(friction, friction_driven))
 
-    def torque_returning(self, friction: Values) -> Any:
+    def torque_returning(self, friction: Values) -> Values:
         """Torque when friction falls again from f_max under load, N·m (theory, section 5).
 
         The key's friction holds the sleeve where f_max put it until f has fallen by κ₊/κ; then it moves back.
@@ -147,19 +146,18 @@ class IndirectClutch(Clutch):
         friction = checked_friction(friction)
         return self.law.torque_returning(self.closing_force, friction, self.friction[0].max)
 
-    def release_force(self, friction: Values, friction_driven: Values | None = None) -> Any:
+    def release_force(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Release force F_p of the balls on the sleeve, N."""
-        torque = self.torque(friction, friction_driven)
-        if self.law.straight:
-            return indirect.release_force(torque, self.gain, self.mean_radius)
-        return indirect.release_force(torque, self.law.gain_at(self.travel(friction)), self.mean_radius)
+        gain = self.gain if self.law.straight else self.law.gain_at(self.travel(friction))
+        found: Values = indirect.release_force(self.torque(friction, friction_driven), gain, self.mean_radius)
+        return found
 
-    def travel(self, friction: Values, friction_driven: Values | None = None) -> Any:
+    def travel(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Axial travel x of the sleeve, m; 0 at the stop (S21 (16))."""
         friction = _one(friction, friction_driven)
         return self.law.travel(self.closing_force, friction)
 
-    def ball_torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
+    def ball_torque(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Torque that passes the balls, N·m: all of it."""
         return self.torque(friction, friction_driven)
 
@@ -267,7 +265,7 @@ class IndirectClutch(Clutch):
         return sleeve_findings(self, self.law, lambda: self.hysteresis_ratio)
 
 
-def _given(value: Any) -> Any:
+def _given(value: Values | None) -> Values:
     """Return a value that the rules of the spec require of this variant."""
     assert value is not None
     return value
