@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import accuracy, direct, indirect
+from ..equations import accuracy, direct, indirect, sleeve
 from . import Identity, Refutation, Steps
 from .symbols import C, F, R, c1, c2, d, f, fk, fmax, fmin, fset, q, r, solved, x, z
 
@@ -66,6 +66,8 @@ def travel_and_torque_from_the_balance() -> Steps:
     yield Identity("(11)", _torque(moved, f) - z * R * f * (F * c2 + F2 * c1) / printed_d)
     normal = indirect.normal_force_moving(F, c1, F2, c2, _stiffness(f))
     yield Identity("(9): N = F_п1 − c_1 x", normal - (F - c1 * moved))
+    tensed = sleeve.tensed_force(F2, c2, moved)
+    yield Identity("(9), (10): N = F_2/(1 + zκf)", indirect.normal_force_balanced(tensed, z, KAPPA, f) - normal)
     set_travel = _travel(indirect.control_force(F, z, KAPPA, fset))
     yield Identity("(16)", indirect.travel(z, F, f, fset, KAPPA, _stiffness(f)) - set_travel)
     yield Identity("(12): no dip, x(f_set) = 0", set_travel.subs(f, fset))
