@@ -32,13 +32,8 @@ _RUNNING: list[Recorders | None] = []
 @contextmanager
 def recorded_by(recorders: Recorders) -> Iterator[None]:
     """Put recorders in the place of the equations within the block."""
-    _RUNNING.append(recorders)
-    _put(recorders, record=True)
-    try:
+    with _switched(recorders, record=True):
         yield
-    finally:
-        _RUNNING.pop()
-        _put(recorders, record=False)
 
 
 @contextmanager
@@ -47,13 +42,19 @@ def unrecorded() -> Iterator[None]:
     if (running := _running()) is None:
         yield
         return
-    _RUNNING.append(None)
-    _put(running, record=False)
+    with _switched(running, record=False):
+        yield
+
+
+@contextmanager
+def _switched(recorders: Recorders, *, record: bool) -> Iterator[None]:
+    _RUNNING.append(recorders if record else None)
+    _put(recorders, record=record)
     try:
         yield
     finally:
         _RUNNING.pop()
-        _put(running, record=True)
+        _put(recorders, record=not record)
 
 
 def _running() -> Recorders | None:

@@ -25,8 +25,8 @@ def lasting(answers: Answers, *, simulated: bool = True) -> Lasting:
     (found, said), clutch = answers.ask("life"), answers.clutch
     if not simulated or not ANALYSES["simulate"].applies(clutch):
         return Lasting(found, said, False)
-    factor = max(vars(answers.of(SimulateResult).dynamic_factor).values())
-    if factor <= clutch.spec.drive.dynamic_factor:
+    if "dynamic-factor-exceeded" not in {each.code for each in answers.ask("simulate")[1]}:
         return Lasting(found, said, False)
+    factor = max(vars(answers.of(SimulateResult).dynamic_factor).values())
     loaded = build(with_value(clutch.spec, ("drive", "dynamic_factor"), factor))
     return Lasting(*life(loaded, found.model), True)

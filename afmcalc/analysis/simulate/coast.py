@@ -97,7 +97,8 @@ def creep(plant: Plant, t: float, y: State, mode: Mode, bound: float, *, lasting
         return driven, (drag(speed) - train.damping * driven) / train.stiffness
 
     speed = plant.motor_speed(y)
-    if bound - t < least or mode.pack * speed <= slow.least:
+    # the torque is largest at the end: a standing tool is to stand through it
+    if bound - t < least or mode.pack * speed <= slow.least or slow.torque(slow.least) >= plant.tool.holds(mode):
         return None
     driven, twist = carried(speed)
     off = train.stiffness * (y[plant.TWIST] - twist), (y[plant.DRIVEN] - driven) * train.stiffness / natural

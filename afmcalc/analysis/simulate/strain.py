@@ -35,6 +35,8 @@ def contact_forces(clutch: Clutch, found: Sequence[Outcome]) -> list[float] | No
     unit = clutch.spec.control_unit
     if unit is None or unit.balls is None or unit.ball_circle_radius is None or not clutch.gain:
         return None
+    if clutch.spec.kind.travels and let_go(found) is None:
+        return None  # feedback that the key just holds is simulated without its balls
     count, radius = unit.balls, unit.ball_circle_radius
     return [float(synthesis.contact_force(each.trip.peak_wall, count, radius, 1.0)) for each in found]
 

@@ -10,9 +10,11 @@ from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.checks.check import check
 from afmcalc.analysis.life import LifeResult, life
 from afmcalc.analysis.simulate.result import SimulateResult
+from afmcalc.analysis.simulate.simulate import simulate
 from afmcalc.analysis.unit import SynthesisResult
 from afmcalc.engines import build
 from afmcalc.engines.parts import demands_of
+from afmcalc.spec import read_spec
 
 PRESS = {
     "variant": "indirect",
@@ -131,3 +133,14 @@ def test_a_temperature_is_judged_as_far_as_slips_end(afmcalc):
         assert row["passed"] is passed
         assert row["value"] > 293.3, "of the frictions at which it ends"
     assert "not judged: needs an end of the slip" in afmcalc(*own[:2], *own[3:], *endless).out
+
+
+def test_the_balls_of_a_direct_clutch_bear_their_share_of_the_peak():
+    """F_n = z_2/z T_peak,c/(n r cos α), tan α = C r/R; a release force that lags lets the peak rise."""
+    own = read_spec(CONFIGS / "drive.toml", ["control_unit.release_lag=0.02", "drive.motor_inertia=0.1"])
+    found = simulate(build(own))[0]
+    cosine = 1 / math.hypot(1, 0.5 * 50 / 100)
+    assert found.contact_force.max == pytest.approx(
+        7 / 8 * found.peak_torque_clutch.max / (6 * 0.05 * cosine), rel=1e-9
+    )
+    assert found.peak_torque_clutch.max > 1.5 * found.sliding_torque.max

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from drives import VARIANTS, begun, clutch, light, merged, plant, run
 
-from afmcalc.analysis.simulate.cases import outcome_of, peak_time
+from afmcalc.analysis.simulate.cases import case_of, outcome_of, peak_time
 from afmcalc.analysis.simulate.train import Engine
 from afmcalc.equations import drive as law
 from afmcalc.equations import heat
@@ -138,6 +138,27 @@ def test_slow_slip_takes_static_friction_back(monkeypatch):
     stepped = outcome_of(own, 0.3).trip
     assert (found.peak, found.slip_time) == pytest.approx((stepped.peak, stepped.slip_time), rel=1e-5)
     assert found.heat == pytest.approx(stepped.heat, rel=1e-6)
+
+
+def test_slow_slip_lasts_while_the_shaft_damps_twice_what_friction_drives():
+    own = case_of(clutch(), 0.3).plant
+    slow = own.creeping()
+    steep = (slow.torque(slow.least) - slow.torque(slow.least + 1e-6)) / 1e-6
+    assert 0.3 * own.train.damping < steep < 0.5001 * own.train.damping
+
+
+def test_a_standing_tool_is_torn_loose_as_static_friction_comes_back(monkeypatch):
+    """Its load holds more than the sliding torque and less than the static one."""
+    event = {"kind": "load", "rise_time": 1e-4, "torque": 317.0, "stop_time": None, "duration": 3.0}
+    drive = {"damping_ratio": 1.0, "driven_inertia": 0.005, "motor_inertia": 20.0, "tool_inertia": 0.05, "event": event}
+    own = clutch(drive=drive)
+    found = outcome_of(own, 0.3).trip
+    assert own.torque(0.3) < 317 < own.torque(0.36)
+    monkeypatch.setattr("afmcalc.analysis.simulate.machine.creep", lambda *where, **how: None)
+    stepped = outcome_of(own, 0.3).trip
+    assert (found.peak, found.heat, found.slip_time) == pytest.approx(
+        (stepped.peak, stepped.heat, stepped.slip_time), rel=1e-6
+    )
 
 
 def test_kloss_motor_against_its_own_equation_of_motion():
