@@ -69,12 +69,18 @@ FINDINGS: Mapping[str, str] = {
     "margin-role": "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of "
     "the spring as set, not as the surplus force of the mean-friction setting",
     "variant-not-possible": "not as {variant}: {lacks}",
+    # adjust
+    "control-spring-re-set": "both methods set the control spring by S21 (14), to {at_min:.5g kN} and "
+    "{at_mean:.5g kN}: the clutch as made has {value:.5g kN}",
+    "pockets-re-cut": "a pocket that holds the torque is cut for its springs: set at f_min it takes the slope "
+    "{at_min:.5g 1/m}, at the mean friction {at_mean:.5g 1/m}; the clutch as it is has {value:.5g 1/m}",
     # life
-    "life-not-limited/extrapolated": "{side} side: the damaging stress, {listed}, is below the endurance limit "
-    "{limit:.4g MPa}: life is not limited by fatigue (the number extrapolates the S-N line, as the paper does)",
-    "life-not-limited/no-number": "{side} side: the damaging stress, {listed}, is below the endurance limit "
-    "{limit:.4g MPa}: life is not limited by fatigue (no number is given)",
-    "life-limited": "{side} side: fatigue limits its life to {value:,.0f} slips, spring as set: the damaging stress, "
+    "life-not-limited/extrapolated": "{side} side: the damaging stress, {value:.4g MPa}, springs as set, is below the "
+    "endurance limit {limit:.4g MPa}: life is not limited by fatigue (the number extrapolates the S-N line, as the "
+    "paper does)",
+    "life-not-limited/no-number": "{side} side: the damaging stress, {value:.4g MPa}, springs as set, is below the "
+    "endurance limit {limit:.4g MPa}: life is not limited by fatigue (no number is given)",
+    "life-limited": "{side} side: fatigue limits its life to {value:,.0f} slips, springs as set: the damaging stress, "
     "{stress:.4g MPa}, is above the endurance limit {endurance:.4g MPa}",
     "static-strength-exceeded": "the largest stress of the {side} side, {value:.4g MPa}, reaches the ultimate "
     "strength {limit:.4g MPa}: the shaft fails at once",
@@ -113,7 +119,7 @@ FINDINGS: Mapping[str, str] = {
     "spring presses no more",
     "event-spring": "in the event, where the sleeve travels {travel:.5g mm}, a spring does not hold: {what}",
     "dynamic-factor-exceeded": "the event loads the shaft with {value:.4g} times the sliding torque; the life of the "
-    "unprotected side assumes {limit:g} (simulate --output writes the factor into a spec)",
+    "unprotected side takes {limit:g}, as given; without drive.dynamic_factor it takes that of the event",
     "judder": "slow slip is not steady: friction that falls with speed takes {value:.3g N·m·s} from the damping of "
     "{limit:.3g N·m·s} (an ordinary clutch of equal T_н: {ordinary:.3g N·m·s}); it may judder as the slip ends",
     # control unit

@@ -1,12 +1,13 @@
 """Both adjustment methods side by side (S19)."""
 
 import math
+from collections.abc import Iterator
 from typing import Literal
 
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import adjustment
-from ..findings import Finding
+from ..findings import Finding, finding
 from ..result import Result, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import with_nominal_torque
@@ -74,7 +75,19 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
         pairs_threshold=_threshold(clutch, float(clutch.gain)),
         pairs_threshold_at_gain_limit=None if limit is None else _threshold(clutch, float(limit)),
     )
-    return result, clutch.findings()
+    return result, [*clutch.findings(), *_re_made(clutch, first, second)]
+
+
+def _re_made(clutch: Clutch, first: Clutch, second: Clutch) -> Iterator[Finding]:
+    """Say what the clutches compared have that the clutch as made has not."""
+    control, unit = clutch.spec.control_spring, clutch.spec.control_unit
+    if control is not None and control.force is not None:
+        forces = {"at_min": float(first.control_force or 0.0), "at_mean": float(second.control_force or 0.0)}
+        yield finding("control-spring-re-set", "info", value=control.force, path="control_spring.force", **forces)
+    if unit is not None and unit.pocket is not None:
+        slopes = {"at_min": float(first.gain_slope or 0.0), "at_mean": float(second.gain_slope or 0.0)}
+        own = float(clutch.gain_slope or 0.0)
+        yield finding("pockets-re-cut", "info", value=own, path="control_unit.pocket", **slopes)
 
 
 def _method(clutch: Clutch) -> MethodResult:

@@ -1,31 +1,41 @@
 """Life of the shaft that the clutch's load swings (S19 (14)–(20)), by the paper's rule or by amplitude."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Literal
 
 from ..arrays import Values
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..errors import AfmcalcError, Problem, SpecError
+from ..extras import installed
 from ..findings import Finding, finding
-from ..messages import joined, say, term
+from ..messages import say, term
 from ..result import Result, Series, quantity
 from ..spec.fatigue import Fatigue
 from ..spec.models import Method
 from .adjust import METHODS, set_by
 from .registry import StressRule
-from .slips import RULES, Load, cycles, damaging_stress, is_static, load_of
+from .simulate.result import SimulateResult
+from .slips import RULES, Load, cycles, damaging_stress, dynamic_factor, is_static, load_of
 from .sweep.grid import Axis, grid
 
+if TYPE_CHECKING:
+    from .answers import Answers
+
+Setting = Literal["as-set", Method]
 UNLIMITED = "unlimited"
 """A life without number."""
 
 
 class MethodCycles(Result):
-    """Cycles by adjustment method; null where fatigue sets no limit and the rule has no number for it."""
+    """Cycles by setting; null where fatigue sets no limit and the rule has no number for it."""
 
-    min_friction: float | None = quantity("1", "N_ц,1", "cycles, set at f_min", null=UNLIMITED)
-    mean_friction: float | None = quantity("1", "N_ц,2", "cycles, set at the mean friction with margin", null=UNLIMITED)
-    unlimited: list[Method] = quantity("", None, "settings whose life fatigue does not limit", told=True)
+    as_set: float | None = quantity("1", "N_ц", "cycles, springs as they are", null=UNLIMITED)
+    min_friction: float | None = quantity("1", "N_ц,1", "cycles, if the springs were set at f_min", null=UNLIMITED)
+    mean_friction: float | None = quantity(
+        "1", "N_ц,2", "cycles, if the springs were set at the mean friction with margin", null=UNLIMITED
+    )
+    unlimited: list[Setting] = quantity("", None, "settings whose life fatigue does not limit", told=True)
 
     def words(self, name: str) -> str | None:
         """Say that a life is not limited, whatever number the S-N line gives when it is extrapolated."""
@@ -64,7 +74,7 @@ class LifeResult(Result):
 
 
 def life(
-    clutch: Clutch, model: StressRule = "mean-stress", sweeps: Sequence[Axis] = ()
+    clutch: Clutch, model: StressRule = "mean-stress", sweeps: Sequence[Axis] = (), answers: "Answers | None" = None
 ) -> tuple[LifeResult, list[Finding]]:
     """Calculate the cycles to failure: of the band as one cycle (the paper), or of slips from T_low to T(f) and back.
 
@@ -72,18 +82,23 @@ def life(
         clutch: the clutch; its spec needs a [fatigue] block.
         model: ``mean-stress`` (the paper's), ``amplitude`` (Серенсен–Кинасошвили) or ``goodman``.
         sweeps: axes of a sweep; an axis named dT varies the scatter band at fixed T_min.
+        answers: what was asked of the clutch already.
 
     Raises:
         SpecError: no [fatigue] block, or one that lacks what the model needs.
+        AfmcalcError: an event gives the dynamic factor, and SciPy is missing.
     """
-    part, sides = _part(clutch, model), _sides(clutch)
-    nominal = float(clutch.nominal_torque)
-    by_method = {method: set_by(clutch.spec, method, nominal) for method in METHODS}
+    part = _part(clutch, model)
+    factor = dynamic_factor(clutch, None if answers is None else lambda: answers.of(SimulateResult))
+    sides = {"protected": None, "unprotected": factor}
+    clutches: dict[Setting, Clutch] = {"as-set": clutch, **{method: _set_by(clutch, method) for method in METHODS}}
 
     def of(side: str, *, from_mean: bool = False) -> MethodCycles:
-        loads = {method: load_of(own, from_mean=from_mean).times(sides[side]) for method, own in by_method.items()}
-        first, second = (_null(cycles(part, model, load)) for load in loads.values())
-        return MethodCycles(min_friction=first, mean_friction=second, unlimited=list(_below(part, model, loads)))
+        loads = {setting: load_of(own, from_mean=from_mean).times(sides[side]) for setting, own in clutches.items()}
+        return MethodCycles(
+            **{setting.replace("-", "_"): _null(cycles(part, model, load)) for setting, load in loads.items()},
+            unlimited=[setting for setting, load in loads.items() if _is_unlimited(part, _stress(part, model, load))],
+        )
 
     load = load_of(clutch)
     result = LifeResult(
@@ -93,13 +108,12 @@ def life(
         protected_forecast=of("protected", from_mean=True),
         unprotected_forecast=of("unprotected", from_mean=True),
         stress_protected=_stress(part, model, load),
-        stress_unprotected=_stress(part, model, load.times(sides["unprotected"])),
+        stress_unprotected=_stress(part, model, load.times(factor)),
         endurance_limit=part.endurance_limit,
         base_cycles=part.base_cycles,
-        dynamic_factor=clutch.spec.drive.dynamic_factor,
+        dynamic_factor=factor,
         sweep=life_sweep(clutch, model, sweeps) if sweeps else None,
     )
-    loads = {method: load_of(own) for method, own in by_method.items()}
     about = (
         [finding("mean-stress-rule", "info")]
         if not RULES[model].each_slip
@@ -107,11 +121,18 @@ def life(
     )
     return result, [
         *clutch.findings(),
-        *_unlimited(part, model, loads, sides),
-        *_limited(part, model, load, sides),
-        *_static(part, load, sides),
+        *(each for side, times in sides.items() for each in _judged(part, model, side, load.times(times))),
+        *([] if answers else _underrated(clutch)),
         *about,
     ]
+
+
+def _set_by(clutch: Clutch, method: Method) -> Clutch:
+    """Return the clutch with its springs set by a method, itself where they are set so."""
+    made = clutch.spec.control_spring is not None and clutch.spec.control_spring.force is not None
+    if method == clutch.spec.adjustment.method and not made:
+        return clutch
+    return set_by(clutch.spec, method, float(clutch.nominal_torque))
 
 
 def _part(clutch: Clutch, model: StressRule) -> Fatigue:
@@ -125,11 +146,6 @@ def _part(clutch: Clutch, model: StressRule) -> Fatigue:
         message = say("required by the model {model!r}", model=model)
         raise SpecError(clutch.spec.label, [Problem(f"fatigue.{needed}", None, message)])
     return part
-
-
-def _sides(clutch: Clutch) -> dict[str, float | None]:
-    """Side of the clutch → what its torque is multiplied by, if it is."""
-    return {"protected": None, "unprotected": clutch.spec.drive.dynamic_factor}
 
 
 def _stress(part: Fatigue, model: StressRule, load: Load) -> float | None:
@@ -161,13 +177,15 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis]) -> list[
     else:
         values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
 
-        def of(own: Clutch, side: str, *, from_mean: bool = False) -> Values:
-            return cycles(_part(own, model), model, load_of(own, from_mean=from_mean).times(_sides(own)[side]))
+        factor = _factor_over(clutch, axes)
+
+        def of(own: Clutch, times: Values | None = None, *, from_mean: bool = False) -> Values:
+            return cycles(_part(own, model), model, load_of(own, from_mean=from_mean).times(times))
 
         outputs = {
-            "protected": lambda own: of(own, "protected"),
-            "unprotected": lambda own: of(own, "unprotected"),
-            "protected_forecast": lambda own: of(own, "protected", from_mean=True),
+            "protected": of,
+            "unprotected": lambda own: of(own, factor(own)),
+            "protected_forecast": lambda own: of(own, from_mean=True),
         }
         answers = evaluate(clutch.spec, values, outputs)
     size = points[0].size
@@ -176,6 +194,26 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis]) -> list[
         LifeSweep(parameter=axis.name, path=axis.key.path, unit=axis.key.unit or "1", values=given.tolist(), **lists)
         for axis, given in zip(axes, points, strict=True)
     ]
+
+
+def _factor_over(clutch: Clutch, axes: Sequence[Axis]) -> Callable[[Clutch], Values]:
+    """Return what gives the dynamic factor at the points of a sweep.
+
+    One simulation serves a sweep of the part alone; any other key changes the event, which is then simulated at every
+    point, as by ``simulate --sweep``.
+    """
+    if all(axis.key.path.startswith("fatigue.") for axis in axes):
+        factor = dynamic_factor(clutch)
+        return lambda own: factor
+    if clutch.spec.drive.event is None:
+        return dynamic_factor
+
+    def at(own: Clutch) -> Values:
+        from .simulate.sweep import dynamic_factors
+
+        return dynamic_factors(own) if own.spec.drive.dynamic_factor is None else dynamic_factor(own)
+
+    return at
 
 
 def _over_band(clutch: Clutch, model: StressRule, band: Values) -> dict[str, Load]:
@@ -195,7 +233,7 @@ def _over_band(clutch: Clutch, model: StressRule, band: Values) -> dict[str, Loa
         most = least + band
         mean = np.where(most >= forecast.least, forecast.least, np.nan)
         upper = Load(lambda share: mean + share * (most - mean))
-    return {"protected": over, "unprotected": over.times(_sides(clutch)["unprotected"]), "protected_forecast": upper}
+    return {"protected": over, "unprotected": over.times(dynamic_factor(clutch)), "protected_forecast": upper}
 
 
 def band_axis(text: str, clutch: Clutch) -> Axis:
@@ -215,50 +253,33 @@ def band_axis(text: str, clutch: Clutch) -> Axis:
     return Axis("dT", key, values)
 
 
-def _unlimited(
-    part: Fatigue, model: StressRule, loads: Mapping[Method, Load], sides: Mapping[str, float | None]
-) -> list[Finding]:
-    """Say where the damaging stress stays below the endurance limit, by side and setting."""
-    limit, path = part.endurance_limit, "fatigue.endurance_limit"
-    each_slip, found = RULES[model].each_slip, []
-    for side, factor in sides.items():
-        if below := _below(part, model, {method: load.times(factor) for method, load in loads.items()}):
-            listed = joined(say("{stress:.4g MPa} ({method})", stress=s, method=term(m)) for m, s in below.items())
-            found.append(
-                finding(
-                    "life-not-limited/no-number" if each_slip else "life-not-limited/extrapolated", "info",
-                    value=min(below.values()), limit=limit, path=path, side=term(side), listed=listed,
-                )
-            )  # fmt: skip
-    return found
+def _judged(part: Fatigue, model: StressRule, side: str, load: Load) -> Iterator[Finding]:
+    """Say how long a side lasts, springs as they are: no slip, so many, or without a limit by fatigue."""
+    limit, path, stress = part.endurance_limit, "fatigue.endurance_limit", _stress(part, model, load)
+    if stress is None:
+        top = float(law.shear_stress(load.most, part.polar_section_modulus))
+        strength, path = part.ultimate_strength, "fatigue.ultimate_strength"
+        yield finding("static-strength-exceeded", "error", value=top, limit=strength, path=path, side=term(side))
+    elif _is_unlimited(part, stress):
+        code = "life-not-limited/no-number" if RULES[model].each_slip else "life-not-limited/extrapolated"
+        yield finding(code, "info", value=stress, limit=limit, path=path, side=term(side))
+    elif (slips := _null(cycles(part, model, load))) is not None:
+        yield finding(
+            "life-limited", "info", value=slips, limit=part.base_cycles, path=path, side=term(side), stress=stress,
+            endurance=limit,
+        )  # fmt: skip
 
 
-def _limited(part: Fatigue, model: StressRule, load: Load, sides: Mapping[str, float | None]) -> Iterator[Finding]:
-    """Say how many slips a side lasts, spring as set, where fatigue limits them."""
-    limit, path = part.base_cycles, "fatigue.endurance_limit"
-    for side, factor in sides.items():
-        stress, slips = _stress(part, model, load.times(factor)), _null(cycles(part, model, load.times(factor)))
-        if stress is not None and stress > part.endurance_limit and slips is not None:
-            yield finding(
-                "life-limited", "info", value=slips, limit=limit, path=path, side=term(side), stress=stress,
-                endurance=part.endurance_limit,
-            )  # fmt: skip
+def _is_unlimited(part: Fatigue, stress: float | None) -> bool:
+    """Whether a damaging stress stays below the endurance limit."""
+    return stress is not None and stress <= part.endurance_limit
 
 
-def _below(part: Fatigue, model: StressRule, loads: Mapping[Method, Load]) -> dict[Method, float]:
-    """Settings whose damaging stress stays below the endurance limit, and that stress."""
-    stresses = {method: _stress(part, model, load) for method, load in loads.items()}
-    return {method: each for method, each in stresses.items() if each is not None and each <= part.endurance_limit}
+def _underrated(clutch: Clutch) -> list[Finding]:
+    """Say that the dynamic factor given is smaller than that of the event, where that can be simulated."""
+    drive = clutch.spec.drive
+    if drive.dynamic_factor is None or drive.event is None or not installed("drive"):
+        return []
+    from .simulate.simulate import simulate
 
-
-def _static(part: Fatigue, load: Load, sides: Mapping[str, float | None]) -> list[Finding]:
-    """Say which side's largest stress, as set, reaches the ultimate strength."""
-    limit, path = part.ultimate_strength, "fatigue.ultimate_strength"
-    found = []
-    for side, factor in sides.items():
-        if is_static(part, load.times(factor)):
-            top = float(law.shear_stress(load.times(factor).most, part.polar_section_modulus))
-            found.append(
-                finding("static-strength-exceeded", "error", value=top, limit=limit, path=path, side=term(side))
-            )
-    return found
+    return [each for each in simulate(clutch)[1] if each.code == "dynamic-factor-exceeded"]

@@ -147,12 +147,14 @@ def _lasting(found: Any) -> str:
         return "The largest load reaches the strength of the shaft: it breaks at once."
     if max(stresses) <= found.endurance_limit:
         return (
-            "With peaks of {dynamic_factor:.4g} times the slip torque behind the clutch, fatigue does not limit the "
-            "life of the shaft: the damaging stress stays below the endurance limit."
+            "With the dynamic factor {dynamic_factor:.4g} behind the clutch the damaging stress is "
+            "{stress_protected:.4g MPa} on the protected and {stress_unprotected:.4g MPa} on the unprotected side, "
+            "below the endurance limit {endurance_limit:.4g MPa}: fatigue does not limit the life of the shaft."
         )
     return (
-        "With peaks of {dynamic_factor:.4g} times the slip torque behind the clutch, fatigue limits the life of the "
-        "shaft: the damaging stress is above the endurance limit."
+        "With the dynamic factor {dynamic_factor:.4g} behind the clutch the damaging stress is "
+        "{stress_protected:.4g MPa} on the protected and {stress_unprotected:.4g MPa} on the unprotected side, the "
+        "endurance limit {endurance_limit:.4g MPa}: fatigue limits the life of the shaft."
     )
 
 
@@ -222,7 +224,7 @@ ANALYSES: dict[str, Analysis] = {
         ),
         Analysis(
             "life", "analysis.life", "LifeResult", "clutch", lambda clutch: clutch.spec.fatigue is not None,
-            ("model",), explained=True, judged=True,
+            ("model", "answers"), explained=True, judged=True,
             section=Section(
                 "Life",
                 "Cycles to failure on both sides of the clutch, by the rule {model}.",

@@ -16,6 +16,7 @@ from ..equations import life as law
 from ..recorders import larger_of, marked, unrecorded
 from ..spec.fatigue import Fatigue
 from .registry import StressRule
+from .simulate.result import SimulateResult
 
 _NODES = 32
 """Gauss–Legendre nodes of a smooth piece of the damage."""
@@ -107,6 +108,23 @@ def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
     return Load(torque, (kink,))
 
 
+def dynamic_factor(clutch: Clutch, event: Callable[[], SimulateResult] | None = None) -> float:
+    """Dynamic factor of the unprotected side: as given, else the largest T_peak/T of the event, else 1.
+
+    Args:
+        clutch: a clutch with float parameters.
+        event: gives what its event does, where that is simulated already.
+    """
+    drive = clutch.spec.drive
+    if drive.dynamic_factor is not None or drive.event is None:
+        return 1.0 if drive.dynamic_factor is None else drive.dynamic_factor
+    from .simulate.simulate import simulate
+
+    found = event() if event else simulate(clutch)[0]
+    factor = found.dynamic_factor
+    return max(factor.min, factor.mean, factor.max)
+
+
 def damaging_stress(part: Fatigue, rule: StressRule, load: Load) -> Values:
     """Largest damaging stress, Pa: of the cycle over the band, or of the slip with the largest torque."""
     chosen = RULES[rule]
@@ -155,7 +173,7 @@ def _stress(part: Fatigue, rule: Rule, low: Values, high: Values) -> Values:
 def _line(part: Fatigue, stress: Values) -> Values:
     """Cycles on the S–N line, extrapolated below its end as the paper does; NaN without stress."""
     line = part.exponent, part.base_cycles
-    if not is_array(stress):
+    if not any(map(is_array, (stress, part.endurance_limit, *line))):
         return float(law.cycles(part.endurance_limit, stress, *line)) if stress > 0 else math.nan
     import numpy as np
 
@@ -190,12 +208,12 @@ def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Value
 
 
 def _piece(
-    stress: Callable[[Values], Values], limit: float, line: tuple[float, float], left: Values, right: Values
+    stress: Callable[[Values], Values], limit: Values, line: tuple[Values, Values], left: Values, right: Values
 ) -> tuple[Values, Values]:
     """Damage of the slips between two shares, between which the stress is monotone, and the largest stress."""
     import numpy as np
 
-    first, last = np.broadcast_arrays(*(np.asarray(stress(end)) for end in (left, right)))
+    first, last, *_ = np.broadcast_arrays(stress(left), stress(right), limit, *line)
     rising = last >= first
     low, high = (np.broadcast_to(np.asarray(end, float), rising.shape) for end in (left, right))
     for _ in range(_HALVINGS):

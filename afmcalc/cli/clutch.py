@@ -148,7 +148,8 @@ def life(
 ) -> None:
     """Cycles to failure on both sides of the clutch (S19).
 
-    --sweep also takes dT, the scatter band at the T_min of the spec.
+    --sweep also takes dT, the scatter band at the T_min of the spec. The unprotected side takes drive.dynamic_factor,
+    without it the one of the event, simulated at every point of a sweep; once where dT or a key of [fatigue] is swept.
 
     \b
     afmcalc life clutch.toml

@@ -241,7 +241,13 @@ class IndirectClutch(Clutch):
     @property
     def nominal_torque_ratio(self) -> Values:
         """K_п against the base clutch of equal spring and gain, all pairs controlled."""
-        ratio: Values = indirect.nominal_torque_ratio(self.pairs, self.gain, self.friction_set)
+        at_setting = self.pairs, self.gain, self.friction_set
+        ratio: Values
+        if self.law.made_control_force is None:
+            ratio = indirect.nominal_torque_ratio(*at_setting)
+        else:
+            pressed = self.normal_force(self.friction_set)
+            ratio = indirect.nominal_torque_ratio_as_made(*at_setting, pressed, self.closing_force)
         return ratio
 
     def ball_torque_by_gain(self) -> ByGain | None:

@@ -384,6 +384,29 @@ def nominal_torque_ratio(pairs: Number, gain: Number, friction_set: Number) -> N
     return 1 + pairs * gain * friction_set
 
 
+def nominal_torque_ratio_as_made(
+    pairs: Number, gain: Number, friction_set: Number, normal_force: Number, closing_force: Number
+) -> Number:
+    """Nominal torque against the base clutch of equal spring and gain, F_п2 as made, K_п = (1 + z C f_set) N/F_п1.
+
+    Source: Theory, section 5 (beyond S21).
+
+    Args:
+        pairs: z, friction pairs [1].
+        gain: C, feedback gain [1].
+        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
+        normal_force: N, normal force on the pairs [N].
+        closing_force: F_п1, closing-spring force as set [N].
+
+    Returns:
+        K_п [1].
+
+    Validity:
+        N at f_set; S21 (14) makes it F_п1. As ``nominal_torque_ratio``.
+    """
+    return (1 + pairs * gain * friction_set) * normal_force / closing_force
+
+
 def hysteresis_ratio(net_gain: Number, net_gain_returning: Number) -> Number:
     """By how much friction must fall before the sleeve moves back, κ₊/κ.
 

@@ -174,8 +174,10 @@ def signs_of_the_derivatives() -> Steps:
 def load_capacity_against_the_base_clutch() -> Steps:
     """S21: K_п = 1 + z C f_min against the base clutch with all pairs controlled; with one bypass pair not (M38)."""
     own = direct.group_torque(F, R, z, fset)
-    ratio = indirect.nominal_torque_ratio(z, C, fset)
-    yield Identity("K_п", ratio - own / direct.torque(F, R, 0, z, C, fset, fset))
+    ratio, base = indirect.nominal_torque_ratio(z, C, fset), direct.torque(F, R, 0, z, C, fset, fset)
+    yield Identity("K_п", ratio - own / base)
+    pressed = indirect.nominal_torque_ratio_as_made(z, C, fset, F2, F)
+    yield Identity("K_п with N(f_set) = F_2", pressed - direct.group_torque(F2, R, z, fset) / base)
     first_generation = own / direct.torque(F, R, 1, z - 1, C, fset, fset)
     yield Refutation("M38: the base clutch of F11 has one bypass pair", ratio - first_generation)
     yield Identity("M38: against it K_п is 1 + (z − 1) C f_min", first_generation - (1 + (z - 1) * C * fset))

@@ -51,7 +51,9 @@ class Event(Block):
 class Drive(Block):
     """The drive around the clutch."""
 
-    dynamic_factor: Coefficient = key_field("dynamic factor of the unprotected side", "k_д", default=1.0)
+    dynamic_factor: Coefficient | None = key_field(
+        "dynamic factor of the unprotected side; default that of the event, 1 without one", "k_д"
+    )
     speed: Speed | None = key_field("speed before the event; default that of motor under load_torque", "ω_0")
     motor_inertia: Inertia | None = key_field("inertia of the motor side, driving half of the clutch included", "J_1")
     hub_inertia: Inertia | None = key_field("inertia between the discs and the balls (indirect only)", "J_h")

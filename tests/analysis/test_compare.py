@@ -3,6 +3,7 @@
 import pytest
 from conftest import CONFIGS, S21
 
+from afmcalc.analysis.compare import compare_variants
 from afmcalc.engines import build
 from afmcalc.spec import read_spec
 
@@ -43,6 +44,20 @@ def test_variants_at_equal_force_and_equal_nominal_torque(afmcalc):
     assert rows[2]["accuracy_factor"] == pytest.approx(1.946, abs=5e-4)
 
 
+@pytest.mark.parametrize("method", ["min-friction", "mean-friction"])
+@pytest.mark.parametrize("force", [2000.0, 3300.0, 5500.0, 8000.0])
+def test_nominal_torque_ratio_with_springs_as_made(force, method):
+    """K_п is T_н over that of the all-driving clutch of equal F_п1 and gain, however the control spring is made."""
+    clutch = build(
+        read_spec(CONFIGS / "indirect.toml", [f"control_spring.force={force}", f"adjustment.method={method}"])
+    )
+    rows = {(row.variant, row.basis): row.nominal_torque for row in compare_variants(clutch)[0].clutches}
+    ratio = rows["indirect", "spring force"] / rows["all-driving", "spring force"]
+    assert clutch.nominal_torque_ratio == pytest.approx(ratio, rel=1e-12)
+    by_s21 = build(read_spec(CONFIGS / "indirect.toml", [f"adjustment.method={method}"]))
+    assert by_s21.nominal_torque_ratio == pytest.approx(1 + 8 * 1.0 * by_s21.friction_set, rel=1e-12)
+
+
 def test_what_is_not_possible_is_said(afmcalc):
     run = afmcalc("compare", CONFIGS / "unlike-materials.toml", "--variants", "--json")
     assert [row["variant"] for row in run.json["result"]["clutches"]] == ["differentiated"] * 2
@@ -61,3 +76,19 @@ def test_findings_of_every_variant_compared_are_told(afmcalc):
     told = {f["message"].partition(":")[0] for f in run["findings"] if f["level"] == "warning"}
     assert all(isinstance(row["errors"], int) for row in run["result"]["clutches"])
     assert warned <= told
+
+
+@pytest.mark.parametrize(
+    ("example", "change", "code", "values"),
+    [
+        # S21 (14): F_п1 (1 + z κ f_set), the nominal torque 248.87 N·m and 164.92 N·m kept
+        ("indirect", "control_spring.force=5500", "control-spring-re-set", "5.1789 kN and 5.6456 kN"),
+        # C_1* = (c_1 + c_2)/(z f_set F_п1); F_п1 = T_н/(z R f_set), 1.25 times as much at the mean friction
+        ("constant-torque", "name=x", "pockets-re-cut", "slope 375 1/m, at the mean friction 300 1/m"),
+    ],
+)
+def test_adjust_says_what_it_sets_anew(example, change, code, values, afmcalc):
+    run = afmcalc("adjust", f"example:{example}", "--set", change, "--json").json
+    assert {each["code"]: each["message"] for each in run["findings"] if values in each["message"]}.keys() == {code}
+    plain = afmcalc("adjust", "example:indirect", "--json").json
+    assert not {"control-spring-re-set", "pockets-re-cut"} & {each["code"] for each in plain["findings"]}

@@ -162,8 +162,9 @@ def test_the_better_the_clutch_the_more_its_band_flatters(factor, times):
 
 def test_life_without_limit_is_null_with_a_finding(afmcalc):
     run = afmcalc("life", "--model", "amplitude", "--set", "fatigue.mean_stress_sensitivity=0.1", "--json").json
-    both = ["min-friction", "mean-friction"]
-    assert run["result"]["protected"] == {"min_friction": None, "mean_friction": None, "unlimited": both}
+    lives = dict.fromkeys(("as_set", "min_friction", "mean_friction"))
+    both = ["as-set", "min-friction", "mean-friction"]
+    assert run["result"]["protected"] == {**lives, "unlimited": both}
     assert "life-not-limited" in [finding["code"] for finding in run["findings"]]
     extrapolated = afmcalc("life", "--json").json
     assert extrapolated["result"]["protected"]["min_friction"] > 1e7
@@ -190,7 +191,7 @@ def test_static_failure_is_an_error(afmcalc):
     assert afmcalc("check", *weak).code == 1
     for model in (["--model", "amplitude", "--set", "fatigue.mean_stress_sensitivity=0.1"], []):
         broken = afmcalc("life", *model, *weak, "--set", "fatigue.ultimate_strength=15 MPa", "--json").json
-        assert broken["result"]["unprotected"] == {"min_friction": 0, "mean_friction": 0, "unlimited": []}
+        assert broken["result"]["unprotected"] == {"as_set": 0, "min_friction": 0, "mean_friction": 0, "unlimited": []}
         assert "static-strength-exceeded" in [finding["code"] for finding in broken["findings"]]
 
 

@@ -9,7 +9,6 @@ from ...result import Result, quantity
 from ...watch import Progress, unwatched
 from ..answers import Answers
 from ..registry import ANALYSES
-from .lasting import lasting
 from .limits import Utilisation, utilisations
 from .plausible import unusual_findings
 from .pressure import pressure_findings
@@ -94,5 +93,5 @@ def all_findings(answers: Answers, *, simulated: bool = True) -> list[Finding]:
     if unit is not None and unit.ball_circle_radius is None:
         found.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
     for name in judged:
-        found += lasting(answers, simulated=simulated).said if name == "life" else answers.ask(name)[1]
+        found += answers.ask(name)[1]
     return list(dict.fromkeys(found))

@@ -12,10 +12,10 @@ from ...result import Result, quantity
 from ...spec.balls import diameters
 from ...spec.edit import value_at
 from ..answers import Answers
+from ..life import LifeResult
 from ..registry import ANALYSES
 from ..simulate.result import SimulateResult
 from ..unit import SynthesisResult
-from .lasting import Lasting, lasting
 from .pressure import pressure_findings
 
 Grade = Literal["pass", "note", "warning", "fail"]
@@ -66,14 +66,14 @@ def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]
         *(_used(each, levels) for each in (_of_event(answers) if simulated else ())),
         *_of_springs(clutch, _travel(answers.of(SimulateResult)) if simulated else 0.0),
         *map(_pressure, pressure_findings(clutch)),
-        *(_used(each, levels) for each in (_of_life(lasting(answers)) if lived else ())),
+        *(_used(each, levels) for each in (_of_life(answers.of(LifeResult)) if lived else ())),
     ]
 
 
 def _used(held: _Held, levels: dict[str, Level]) -> Utilisation:
     code, name, symbol, unit, value, limit, least = held
     used = limit / value if least else value / limit
-    grade: Grade = _GRADES[levels[code]] if code in levels else "note" if used > 1 + 1e-9 else "pass"
+    grade: Grade = _GRADES[levels.get(code, "info")] if used > 1 + 1e-9 else "pass"
     return Utilisation(name=name, symbol=symbol, unit=unit, value=value, limit=limit, utilisation=used, verdict=grade)
 
 
@@ -160,20 +160,13 @@ def _of_springs(clutch: Clutch, travel: float) -> Iterator[Utilisation]:
             )  # fmt: skip
 
 
-def _of_life(own: Lasting) -> Iterator[_Held]:
+def _of_life(found: LifeResult) -> Iterator[_Held]:
     protected = term("damaging stress, protected side (beyond: limited life)")
     unprotected = term("damaging stress, unprotected side (beyond: limited life)")
-    if own.simulated:
-        unprotected = term("damaging stress, unprotected side, by the peak simulated (beyond: limited life)")
-    found = own.found
     sides = ((protected, "τ_eq", found.stress_protected), (unprotected, "τ'_eq", found.stress_unprotected))
     for name, symbol, stress in sides:
         if stress is not None:
-            # one side may be limited where the other is not
-            code = "life-limited" if stress > found.endurance_limit else ""
-            if code and own.simulated and name == unprotected:
-                code = "dynamic-factor-exceeded"
-            yield _Held(code, name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
+            yield _Held("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
 
 
 def _pressure(finding: Finding) -> Utilisation:

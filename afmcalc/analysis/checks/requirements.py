@@ -14,7 +14,6 @@ from ..answers import Answers
 from ..heat.limit import FREEZING
 from ..life import UNLIMITED
 from ..registry import ANALYSES
-from .lasting import lasting
 
 
 class RequirementRow(Result):
@@ -93,11 +92,9 @@ def _peak(clutch: Clutch, found: Any) -> float | None:
 
 
 def _cycles(clutch: Clutch, found: Any) -> float:
-    """Life as set, of the side that fails first; what the S-N line gives beyond its end is no number to sign."""
-    method = clutch.spec.adjustment.method
-    sides = [side for side in (found.protected, found.unprotected) if method not in side.unlimited]
-    lives = (getattr(side, method.replace("-", "_")) for side in sides)
-    return min((math.inf if life is None else float(life) for life in lives), default=math.inf)
+    """Life of the side that fails first; what the S-N line gives beyond its end is no number to sign."""
+    lives = [side.as_set for side in (found.protected, found.unprotected) if "as-set" not in side.unlimited]
+    return min((math.inf if life is None else life for life in lives), default=math.inf)
 
 
 JUDGED: dict[str, Judged] = {
@@ -161,7 +158,7 @@ def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[
     for name, limit in given.items():
         if not simulated and simulates(JUDGED[name].analysis, answers.clutch):
             continue
-        value, unknown = _outcome(JUDGED[name], answers, simulated=simulated)
+        value, unknown = _outcome(JUDGED[name], answers)
         row = _row(name, float(limit), value, unknown=unknown)
         rows.append(row)
         path = f"requirements.{name}"
@@ -181,13 +178,12 @@ def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[
     return rows, found
 
 
-def _outcome(judged: Judged, answers: Answers, *, simulated: bool) -> tuple[float | None, bool]:
+def _outcome(judged: Judged, answers: Answers) -> tuple[float | None, bool]:
     """What the clutch has, and whether it may be more."""
     analysis = ANALYSES.get(judged.analysis)
     if judged.outcome is None or analysis is None or not analysis.applies(answers.clutch):
         return None, False
-    lives = analysis.name == "life"
-    found = lasting(answers, simulated=simulated).found if lives else answers.ask(analysis.name)[0]
+    found = answers.ask(analysis.name)[0]
     return judged.outcome(answers.clutch, found), judged.open(found)
 
 

@@ -98,9 +98,9 @@ def _lag(clutch: Clutch, found: Sequence[Outcome]) -> list[Finding]:
 
 
 def _dynamic_factor(clutch: Clutch, found: Sequence[Outcome]) -> list[Finding]:
-    """The dynamic factor that a life would rest on."""
+    """Say that the dynamic factor given, which the life takes, is smaller than that of the event."""
     assumed, computed = clutch.spec.drive.dynamic_factor, max(each.dynamic_factor for each in found)
-    if clutch.spec.fatigue is None or computed <= assumed * (1 + _NEAR):
+    if clutch.spec.fatigue is None or assumed is None or computed <= assumed * (1 + _NEAR):
         return []
     path = "drive.dynamic_factor"
     return [finding("dynamic-factor-exceeded", "warning", value=computed, limit=float(assumed), path=path)]

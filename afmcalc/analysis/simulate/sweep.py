@@ -128,6 +128,14 @@ def swept(
     return told, [finding("sweep-not-settled", "warning", value=count, path=path)] if count else []
 
 
+def dynamic_factors(clutch: Clutch) -> Floats:
+    """Largest T_peak/T over f_min, mean friction and f_max, of every clutch of a sweep."""
+    first, second = map(_rows, clutch.friction)
+    found = peaks_of(clutch, first, second)
+    largest: Floats = np.max(found.shaft / found.sliding, axis=0)
+    return largest
+
+
 class _Found:
     """The peaks of the clutch that was asked last, each clutch calculated once."""
 

@@ -98,7 +98,8 @@ def damage_of(clutch: Clutch, torque: Values) -> Values:
 
 def unprotected(clutch: Clutch, life: Values) -> Values:
     """Slips to failure of the unprotected side, all torques being k_д times those of the protected one (S–N line)."""
-    part = clutch.spec.fatigue
+    part, factor = clutch.spec.fatigue, clutch.spec.drive.dynamic_factor
     assert part is not None
-    slips: Values = life / clutch.spec.drive.dynamic_factor**part.exponent
+    assert factor is not None
+    slips: Values = life / factor**part.exponent
     return slips

@@ -6,6 +6,7 @@ from ...messages import say
 from ...spec import Spec
 from ...spec.edit import with_force, with_key, with_value
 from ...spec.tolerance import Tolerance
+from ..slips import dynamic_factor
 
 _ONLY_SETTING = (
     "adjustment.",
@@ -40,6 +41,9 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
             message = say('follows from the setting of each clutch: give tolerance.setting = "as-made"')
             raise SpecError(clutch.spec.label, [Problem(f"tolerance.fields.{path}", None, message)])
     spec = clutch.spec
+    if spec.fatigue is not None:
+        # the life of every sample takes that of the nominal clutch
+        spec = with_value(spec, ("drive", "dynamic_factor"), dynamic_factor(clutch))
     if setting == "as-made":
         spec = with_force(spec, float(clutch.closing_force))
     if clutch.control_force is not None:

@@ -95,7 +95,6 @@ def render(subject: Subject) -> str:
         symbols=_symbols(found),
         form=FORMS[spoken()],
         language=spoken(),
-        most_used=max(dossier.limits, key=lambda each: each.utilisation, default=None),
         findings=sorted(dossier.findings, key=lambda finding: _LEVELS[finding.level]),
         references=_references(found),
     )

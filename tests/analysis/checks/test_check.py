@@ -56,6 +56,8 @@ def test_the_impossible_is_an_error(kind, afmcalc):
     assert found["level"] == "error"
     assert found["limit"] == pytest.approx(limit)
     assert value is None or found["value"] == pytest.approx(value)
+    for row in run.json["result"]["limits"]:
+        assert (row["verdict"] == "pass") == (row["utilisation"] <= 1 + 1e-9)
     failed = [row for row in run.json["result"]["limits"] if row["verdict"] == "fail"]
     assert any((row["value"], row["limit"]) == (found["value"], found["limit"]) for row in failed)
     assert all(row["utilisation"] > 1 for row in failed)

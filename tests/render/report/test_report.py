@@ -274,20 +274,46 @@ def test_a_verdict_is_a_sentence_for_each_outcome():
     told = dossier(read_spec(None, ["requirements.nominal_torque=50"]), explained=False)
     (row,) = told.requirements
     outcomes = {"none": [], "met": [True], "open": [True, None], "missed": [False, None]}
-    levels = {"passed": ["info"], "warned": ["info", "warning"], "failed": ["warning", "error"]}
-    said = set()
+    levels = {
+        "passed": ["info"],
+        "warned": ["info", "warning"],
+        "exceeded": ["warning"],
+        "failed": ["warning", "error"],
+    }
+    said, (first, *others) = set(), told.limits
+    beyond = first.model_copy(update={"utilisation": 1.18, "verdict": "warning"})
+    limits = told.limits, [beyond, *others]
     for required, checked in itertools.product(outcomes, levels):
         rows = [row.model_copy(update={"passed": passed}) for passed in outcomes[required]]
         own = told._replace(
-            check=told.check.model_copy(update={"requirements": rows}),
+            check=told.check.model_copy(update={"requirements": rows, "limits": limits[checked == "exceeded"]}),
             findings=[Finding("error", "requirement-missed", ""), *(Finding(own, "x", "") for own in levels[checked])],
         )
         found = verdict(own)
         assert found.sentence == REPORT[f"verdict/{required}/{checked}"]
-        bad, doubtful = "missed" in required or checked == "failed", required == "open" or checked == "warned"
+        bad, doubtful = (
+            "missed" in required or checked == "failed",
+            required == "open" or checked in ("warned", "exceeded"),
+        )
         assert found.grade == ("fail" if bad else "warning" if doubtful else "pass")
+        assert ("beyond" in found.limit) == (checked == "exceeded")
+        assert checked != "exceeded" or not {"pass", "passes"} & set(re.findall(r"\w+", found.sentence))
         said.add(found.sentence)
-    assert len(said) == 12
+    assert len(said) == 16
+
+
+def test_a_conclusion_names_what_limits_and_one_stress(framed, parsed):
+    """Disc springs at 1.18 of their least deflection: no passing; one factor, one stress, wherever it is told."""
+    for change, stress, other in (([], "5.811", "16.43"), (["--set", "drive.dynamic_factor="], "16.43", None)):
+        tree = parsed(framed(S21.with_name("two-dynamic-factors.toml"), *change))
+        whole = text_of(tree)
+        assert "passes" not in text_of(tree.find(".//p[@id='verdict']"))
+        conclusion = text_of(tree.find(".//section[@id='conclusion']"))
+        assert "passes" not in conclusion
+        assert "closing spring: deflection of disc springs" in conclusion
+        assert "1.18 of that limit" in conclusion
+        assert f"{stress} MPa on the unprotected side" in conclusion
+        assert other is None or other not in whole
 
 
 def test_every_text_of_a_page_stands_in_the_table():
