@@ -195,7 +195,7 @@ def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
             )
         axis = axis._replace(values=np.linspace(low, high, POINTS))
     found, both = answers.of(LifeResult), answers.of(AdjustResult)
-    (over,) = life_sweep(clutch, found.model, [axis])
+    (over,) = life_sweep(clutch, found.model, [axis], found.dynamic_factor)
     fields = {method: method.replace("-", "_") for method in METHODS}
     return LifeCurve(
         name=clutch.spec.name,

@@ -1,6 +1,6 @@
 """Life of the shaft that the clutch's load swings (S19 (14)–(20)), by the paper's rule or by amplitude."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
 from ..arrays import Values
@@ -67,9 +67,7 @@ class LifeResult(Result):
     stress_unprotected: float | None = quantity("Pa", "τ'_eq", "damaging stress of the unprotected side, as set")
     endurance_limit: float = quantity("Pa", "τ_limb", "endurance limit")
     base_cycles: float = quantity("1", "N_0", "base cycles of the S-N line")
-    dynamic_factor: float | None = quantity(
-        "1", "k_д", "dynamic factor by which the unprotected side is loaded more", optional=True
-    )
+    dynamic_factor: float = quantity("1", "k_д", "dynamic factor by which the unprotected side is loaded more")
     sweep: list[LifeSweep] | None = quantity("", None, "life over the swept values", optional=True, columns=True)
 
 
@@ -112,7 +110,7 @@ def life(
         endurance_limit=part.endurance_limit,
         base_cycles=part.base_cycles,
         dynamic_factor=factor,
-        sweep=life_sweep(clutch, model, sweeps) if sweeps else None,
+        sweep=life_sweep(clutch, model, sweeps, factor) if sweeps else None,
     )
     about = (
         [finding("mean-stress-rule", "info")]
@@ -158,8 +156,15 @@ def _null(value: Values) -> float | None:
     return None if value != value else float(value)
 
 
-def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis]) -> list[LifeSweep]:
+def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: float) -> list[LifeSweep]:
     """Calculate the life over spec keys, or over the band dT above the T_min of the spec.
+
+    Args:
+        clutch: the clutch; its spec needs a [fatigue] block.
+        model: as of ``life``.
+        axes: axes of the sweep.
+        factor: dynamic factor of the clutch as it is; where neither dT nor the part alone is swept, the event of every
+            point gives its own.
 
     Raises:
         SpecError: no [fatigue] block, or one that lacks what the model needs.
@@ -173,18 +178,24 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis]) -> list[
     if any(axis.name == "dT" for axis in axes):
         if len(axes) > 1:
             raise AfmcalcError(say("dT is swept alone: it takes the place of what the clutch gives"))
-        answers = {name: cycles(part, model, load) for name, load in _over_band(clutch, model, points[0]).items()}
+        bands = _over_band(clutch, model, points[0], factor)
+        answers = {name: cycles(part, model, load) for name, load in bands.items()}
     else:
         values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
-
-        factor = _factor_over(clutch, axes)
+        held = clutch.spec.drive.event is None or all(path.startswith("fatigue.") for path in values)
 
         def of(own: Clutch, times: Values | None = None, *, from_mean: bool = False) -> Values:
             return cycles(_part(own, model), model, load_of(own, from_mean=from_mean).times(times))
 
+        def factor_of(own: Clutch) -> Values:
+            from .simulate.sweep import dynamic_factors
+
+            given = own.spec.drive.dynamic_factor
+            return given if given is not None else factor if held else dynamic_factors(own)
+
         outputs = {
             "protected": of,
-            "unprotected": lambda own: of(own, factor(own)),
+            "unprotected": lambda own: of(own, factor_of(own)),
             "protected_forecast": lambda own: of(own, from_mean=True),
         }
         answers = evaluate(clutch.spec, values, outputs)
@@ -196,27 +207,7 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis]) -> list[
     ]
 
 
-def _factor_over(clutch: Clutch, axes: Sequence[Axis]) -> Callable[[Clutch], Values]:
-    """Return what gives the dynamic factor at the points of a sweep.
-
-    One simulation serves a sweep of the part alone; any other key changes the event, which is then simulated at every
-    point, as by ``simulate --sweep``.
-    """
-    if all(axis.key.path.startswith("fatigue.") for axis in axes):
-        factor = dynamic_factor(clutch)
-        return lambda own: factor
-    if clutch.spec.drive.event is None:
-        return dynamic_factor
-
-    def at(own: Clutch) -> Values:
-        from .simulate.sweep import dynamic_factors
-
-        return dynamic_factors(own) if own.spec.drive.dynamic_factor is None else dynamic_factor(own)
-
-    return at
-
-
-def _over_band(clutch: Clutch, model: StressRule, band: Values) -> dict[str, Load]:
+def _over_band(clutch: Clutch, model: StressRule, band: Values, factor: float) -> dict[str, Load]:
     """Loads of a clutch with another scatter band above its own T_min.
 
     Slips keep the course of the torque over friction, stretched; the paper's forecast keeps T_cp, and has nothing to
@@ -233,7 +224,7 @@ def _over_band(clutch: Clutch, model: StressRule, band: Values) -> dict[str, Loa
         most = least + band
         mean = np.where(most >= forecast.least, forecast.least, np.nan)
         upper = Load(lambda share: mean + share * (most - mean))
-    return {"protected": over, "unprotected": over.times(dynamic_factor(clutch)), "protected_forecast": upper}
+    return {"protected": over, "unprotected": over.times(factor), "protected_forecast": upper}
 
 
 def band_axis(text: str, clutch: Clutch) -> Axis:

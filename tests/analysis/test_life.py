@@ -1,6 +1,7 @@
 """Life: static strength first, a life without limit, springs as made, one dynamic factor, sweeps with null lives."""
 
 import json
+import math
 
 import pytest
 from conftest import CONFIGS
@@ -129,7 +130,7 @@ def test_a_sweep_simulates_the_event_of_every_point(sweep):
     """Stepped, within 0.1 % of the peak: 0.6 % of a life by its 6th power."""
     free = ["drive.dynamic_factor="]
     clutch, own = (build(read_spec(CONVEYOR, changes)) for changes in (free, [*free, sweep]))
-    (found,) = life_sweep(clutch, "mean-stress", [parse_axis(sweep, clutch.spec)])
+    (found,) = life_sweep(clutch, "mean-stress", [parse_axis(sweep, clutch.spec)], math.nan)
     assert found.unprotected[0] == pytest.approx(life(own)[0].unprotected.as_set, rel=6e-3)
 
 
@@ -140,7 +141,7 @@ def test_a_sweep_of_the_part_simulates_the_event_once(monkeypatch):
     single, _ = life(clutch, sweeps=[parse_axis("fatigue.exponent=5,6", clutch.spec)])
     assert single.sweep[0].unprotected[1] == single.unprotected.as_set
     axis = parse_axis("drive.dynamic_factor=1,2", clutch.spec)
-    (found,) = life_sweep(clutch, "mean-stress", [axis])
+    (found,) = life_sweep(clutch, "mean-stress", [axis], math.nan)
     assert found.unprotected == pytest.approx([single.protected.as_set, single.protected.as_set / 2**6])
 
 
@@ -151,8 +152,8 @@ def test_a_sweep_of_the_part_simulates_the_event_once(monkeypatch):
 def test_every_key_of_the_part_is_swept_as_it_is_set(sweep, model):
     base = ["fatigue.ultimate_strength=900e6", "fatigue.mean_stress_sensitivity=0.1", "fatigue.endurance_limit=4e6"]
     clutch, own = (build(read_spec(None, changes)) for changes in (base, [*base, f"fatigue.{sweep}"]))
-    (found,) = life_sweep(clutch, model, [parse_axis(f"fatigue.{sweep},{sweep.partition('=')[2]}", clutch.spec)])
-    (single, _) = life(own, model)
+    axis = parse_axis(f"fatigue.{sweep},{sweep.partition('=')[2]}", clutch.spec)
+    (found,), (single, _) = life_sweep(clutch, model, [axis], math.nan), life(own, model)
     assert found.protected == pytest.approx([single.protected.as_set] * 2, rel=1e-12)
     assert found.unprotected == pytest.approx([single.unprotected.as_set] * 2, rel=1e-12)
 

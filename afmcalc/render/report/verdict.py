@@ -3,7 +3,7 @@
 from typing import Literal, NamedTuple
 
 from ...analysis.dossier import Dossier
-from ...messages import translate
+from ..units import worded
 from .words import told
 
 
@@ -48,4 +48,4 @@ def _limit(dossier: Dossier) -> str:
     if most is None:
         return ""
     key = "limited" if most.verdict == "pass" else "limited/exceeded"
-    return told(key, name=translate(most.name), symbol=most.symbol, utilisation=most.utilisation)
+    return told(key, name=worded(most.name), symbol=most.symbol, utilisation=most.utilisation)
