@@ -70,7 +70,7 @@ def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
 
 
 def found_unsimulated(clutch: Clutch) -> list[Finding]:
-    """Return what a check finds but for what has to be simulated or sampled first."""
+    """Return what a check finds but for what has to be simulated or sampled first; a life takes its event's factor."""
     answers = Answers(clutch)
     return [*all_findings(answers, simulated=False), *requirement_rows(answers, simulated=False)[1]]
 
