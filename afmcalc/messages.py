@@ -142,6 +142,10 @@ FINDINGS: Mapping[str, str] = {
     "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
     "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
     "contact-force-exceeded": "the contact force {value:.5g kN} exceeds the allowable {limit:.5g kN}",
+    "contact-force-exceeded/hertz": "the contact force {value:.5g kN} exceeds the {limit:.5g kN} that Hertz allows: "
+    "the contact pressure is {reached:.5g MPa}, allowable {allowed:.5g MPa}",
+    "contact-assumed": "control_unit.contact is not given: ball and wall are taken as hardened steel, "
+    "{modulus:.5g GPa}, Poisson's ratio {poisson:g}, contact pressure at most {limit:.5g MPa}: it is {value:.5g MPa}",
     # heat
     "temperature-exceeded": "the discs reach {celsius:.4g} °C after one trip: above the {low:g}…{high:g} °C that "
     "{name} allows",

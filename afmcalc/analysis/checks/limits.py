@@ -12,6 +12,7 @@ from ...result import Result, quantity
 from ...spec.balls import diameters
 from ...spec.edit import value_at
 from ..answers import Answers
+from ..fit import contact_limits
 from ..registry import ANALYSES
 from ..simulate.result import SimulateResult
 from ..unit import SynthesisResult
@@ -118,9 +119,10 @@ def _of_synthesis(answers: Answers) -> Iterator[_Held]:
     if (sleeve := value_at(answers.clutch.spec, "control_unit.sleeve_depth")) is not None:
         depth = found.pocket_depth_cut
         yield _Held("depth-beyond-sleeve", term("pocket within the sleeve"), "h_c ≤ B", "m", depth, sleeve)
-    if found.contact_force_judged is not None and found.contact_force_allowable is not None:
-        force, allowable = found.contact_force_judged, found.contact_force_allowable
-        yield _Held("contact-force-exceeded", term("contact force on one ball"), "F_n ≤ [F_n]", "N", force, allowable)
+    for force, allowable, by_hertz in contact_limits(answers.clutch, found):
+        name = term("contact force on one ball, by Hertz") if by_hertz else term("contact force on one ball")
+        code = "contact-force-exceeded" if force > allowable else ""  # one limit may hold where the other does not
+        yield _Held(code, name, "F_n ≤ [F_n]", "N", force, allowable)
     if found.seat_force is not None and found.seat_utilisation:
         force, allowable = found.seat_force, found.seat_force / found.seat_utilisation
         yield _Held("seat-force-exceeded", term("force of a seat on one ball"), "F_s ≤ [F_n]", "N", force, allowable)

@@ -123,6 +123,11 @@ JUDGED: dict[str, Judged] = {
         needs="[drive] and [heat]",
         open=lambda found: _open(found.temperature),
     ),
+    "contact_pressure": Judged(
+        "synthesize",
+        lambda clutch, found: found.contact_pressure,
+        needs="control_unit.balls and control_unit.ball_circle_radius",
+    ),
     "cycles": Judged("life", _cycles, least=True, needs="[fatigue]"),
 }
 """Key of [requirements] → how it is judged; its unit is that of the key. What has no outcome yet is not judged."""
