@@ -64,7 +64,9 @@ def contact_of(
     given, elastic, ball = unit.allowable_contact_force, unit.elasticity, wall.ball_radius
     elastic_known = ball_known and wall.can_be_cut
 
-    def force_at(torque: Values, angle: float) -> float:
+    def force_at(torque: Values, angle: float) -> float | None:
+        if unit.balls is None:
+            return None
         return float(law.contact_force(torque, unit.balls, unit.ball_circle_radius, math.cos(angle)))
 
     def borne_at(angle: float) -> float:
@@ -78,6 +80,8 @@ def contact_of(
         if elastic_known and wall.steepening > 0:
             paths = wall_law.path_radius(wall.steepening, cosines)
             worst = int(np.argmax(forces / hertz.allowable_force(elastic, ball, paths)))
+    force = force_at(torques[most], angles[most])
+    critical = force if worst == most else force_at(torques[worst], angles[worst])
     borne = borne_at(angles[worst]) if elastic_known else None
     by_hertz = borne if given is None or unit.contact is not None else None
     curved: Basis = "hertz-ball-on-curved-wall" if wall.steepening > 0 else "hertz-ball-on-flat"
@@ -87,10 +91,8 @@ def contact_of(
     if by_hertz is not None:
         limits.append((float(forces[worst]), by_hertz, curved))
     used, allowable, basis = max(limits, key=lambda limit: limit[0] / limit[1], default=(0.0, None, None))
-    if unit.balls is None:
+    if force is None or critical is None:
         return BallContact(None, allowable, basis, hertz=by_hertz)
-    force = force_at(torques[most], angles[most])
-    critical = force if worst == most else force_at(torques[worst], angles[worst])
     found = BallContact(
         force, allowable, basis,
         utilisation=None if allowable is None else used / allowable,

@@ -178,6 +178,24 @@ def temperature_rise(energy: Number, mass: Number, specific_heat: Number) -> Num
     return energy / (mass * specific_heat)
 
 
+def rise_beside_lining(rise: Number, lining_share: Number) -> Number:
+    """Mean rise of discs whose linings take their share of the heat, (1 − λ_l) ΔΘ.
+
+    Source: Theory of the drive, section 10: one model of disc and lining.
+
+    Args:
+        rise: ΔΘ, rise with all the heat in the discs [K].
+        lining_share: λ_l, share of the heat in the lining [1].
+
+    Returns:
+        ΔΘ_d [K].
+
+    Validity:
+        No cooling during the trip.
+    """
+    return (1 - lining_share) * rise
+
+
 def effusivity(conductivity: Number, density: Number, specific_heat: Number) -> Number:
     """Square root of k ρ c, by which bodies in contact share the heat.
 
@@ -256,6 +274,25 @@ def fourier_number(conductivity: Number, density: Number, specific_heat: Number,
         None.
     """
     return conductivity * time / (density * specific_heat * depth * depth)
+
+
+def share_of_rise(temperature: Number, ambient: Number, temperature_limit: Number) -> Number:
+    """Share that a temperature uses of the rise that a limit allows, (Θ − Θ_0)/(Θ_max − Θ_0).
+
+    Source: Theory of the drive, section 10; a ratio of absolute temperatures would be no share.
+
+    Args:
+        temperature: Θ, temperature that is reached [K].
+        ambient: Θ_0, temperature at the start [K].
+        temperature_limit: Θ_max, largest temperature that is allowed [K].
+
+    Returns:
+        η [1].
+
+    Validity:
+        Θ_0 < Θ_max.
+    """
+    return (temperature - ambient) / (temperature_limit - ambient)
 
 
 def trips_without_cooling(temperature_limit: Number, ambient: Number, rise: Number) -> Number:

@@ -13,6 +13,8 @@ from ...spec.balls import diameters
 from ...spec.edit import value_at
 from ..answers import Answers
 from ..fit import contact_limits
+from ..heat.limit import judged_temperature, share_of_rise
+from ..heat.result import HeatResult
 from ..registry import ANALYSES
 from ..simulate.result import SimulateResult
 from ..unit import SynthesisResult
@@ -28,11 +30,16 @@ class Utilisation(Result):
 
     name: str = quantity("", None, "check")
     symbol: str = quantity("", None, "condition")
-    value: float = quantity("", None, "value", unit_in="unit")
-    limit: float = quantity("", None, "limit", unit_in="unit")
-    unit: str = quantity("", None, "unit", is_unit=True)
+    value: float = quantity("", None, "value", unit_in="shown_unit")
+    limit: float = quantity("", None, "limit", unit_in="shown_unit")
+    unit: str = quantity("", None, "unit", is_unit=True, unit_in="shown_unit")
     utilisation: float = quantity("1", "η", "utilisation, 1 at the limit")
     verdict: Grade = quantity("", None, "verdict")
+
+    @property
+    def shown_unit(self) -> str:
+        """Unit: what is held against a limit is a temperature, not a difference of two."""
+        return "K abs" if self.unit == "K" else self.unit
 
 
 class _Held(NamedTuple):
@@ -46,6 +53,8 @@ class _Held(NamedTuple):
     value: float
     limit: float
     least: bool = False
+    used: float | None = None
+    """Utilisation, where it is not the ratio of both."""
 
 
 def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]:
@@ -60,20 +69,24 @@ def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]
     """
     clutch = answers.clutch
     levels = {finding.code: finding.level for finding in findings}
-    synthesized, simulated, lived = (ANALYSES[name].applies(clutch) for name in ("synthesize", "simulate", "life"))
+    synthesized, simulated, heated, lived = (
+        ANALYSES[name].applies(clutch) for name in ("synthesize", "simulate", "heat", "life")
+    )
     return [
         *(_used(each, levels) for each in _of_clutch(clutch)),
         *(_used(each, levels) for each in (_of_synthesis(answers) if synthesized else ())),
         *(_used(each, levels) for each in (_of_event(answers) if simulated else ())),
         *_of_springs(clutch, _travel(answers.of(SimulateResult)) if simulated else 0.0),
         *map(_pressure, pressure_findings(clutch)),
+        *(_used(each, levels) for each in (_of_heat(answers) if heated else ())),
         *(_used(each, levels) for each in (_of_life(lasting(answers)) if lived else ())),
     ]
 
 
 def _used(held: _Held, levels: dict[str, Level]) -> Utilisation:
-    code, name, symbol, unit, value, limit, least = held
-    used = limit / value if least else value / limit
+    code, name, symbol, unit, value, limit, least, used = held
+    if used is None:
+        used = limit / value if least else value / limit
     grade: Grade = _GRADES[levels[code]] if code in levels else "note" if used > 1 + 1e-9 else "pass"
     return Utilisation(name=name, symbol=symbol, unit=unit, value=value, limit=limit, utilisation=used, verdict=grade)
 
@@ -160,6 +173,19 @@ def _of_springs(clutch: Clutch, travel: float) -> Iterator[Utilisation]:
                 symbol=rule.symbol, unit=rule.unit, value=value, limit=limit, utilisation=used,
                 verdict=_GRADES[rule.level] if used > 1 + 1e-9 else "pass",
             )  # fmt: skip
+
+
+def _of_heat(answers: Answers) -> Iterator[_Held]:
+    """What the friction material has to bear of a trip."""
+    judged = judged_temperature(answers.clutch, answers.of(HeatResult))
+    if judged is None:
+        return
+    name, symbol = term("mean temperature of the discs"), "Θ ≤ [Θ]"
+    if judged.of_faces:
+        name, symbol = term("temperature of the faces"), "Θ_s ≤ [Θ]"
+    value, low = judged.value, judged.limit.low
+    code = "temperature-exceeded" if value > judged.limit.high else "temperature-in-range"
+    yield _Held(code, name, symbol, "K", value, low, used=share_of_rise(answers.clutch, value, low))
 
 
 def _of_life(own: Lasting) -> Iterator[_Held]:
