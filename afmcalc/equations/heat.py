@@ -178,24 +178,6 @@ def temperature_rise(energy: Number, mass: Number, specific_heat: Number) -> Num
     return energy / (mass * specific_heat)
 
 
-def rise_beside_lining(rise: Number, lining_share: Number) -> Number:
-    """Mean rise of discs whose linings take their share of the heat, (1 − λ_l) ΔΘ.
-
-    Source: Theory of the drive, section 10: one model of disc and lining.
-
-    Args:
-        rise: ΔΘ, rise with all the heat in the discs [K].
-        lining_share: λ_l, share of the heat in the lining [1].
-
-    Returns:
-        ΔΘ_d [K].
-
-    Validity:
-        No cooling during the trip.
-    """
-    return (1 - lining_share) * rise
-
-
 def effusivity(conductivity: Number, density: Number, specific_heat: Number) -> Number:
     """Square root of k ρ c, by which bodies in contact share the heat.
 

@@ -104,13 +104,7 @@ def _power(clutch: Clutch, found: Mapping[str, HeatedSlip], area: float | None) 
 def _rises(own: Heat, found: Mapping[str, HeatedSlip]) -> OpenTriple | None:
     if own.disc_mass is None or own.specific_heat is None:
         return None
-    return _each(found, lambda trip: _beside_lining(own, trip))
-
-
-def _beside_lining(own: Heat, trip: HeatedSlip) -> Values:
-    """Rise of the mean of the discs, the lining taking its share."""
-    rise, share = _rise_of(own, trip), trip.lining_share
-    return law.rise_beside_lining(rise, marked(share, trip.energy)) if share else rise
+    return _each(found, lambda trip: _rise_of(own, trip) * (1 - trip.lining_share))
 
 
 def _temperatures(own: Heat, rises: OpenTriple | None) -> OpenTriple | None:
@@ -170,7 +164,10 @@ def _trips(
         )
         if rises is not None:
             told["trips_per_hour_peak"] = _how_many(
-                found, lambda trip: _rate(own, law.share_of_rise(_after(own, trip), ambient, limit.low))
+                found,
+                lambda trip: _rate(
+                    own, law.share_of_rise(marked(ambient + _rise_of(own, trip), trip.energy), ambient, limit.low)
+                ),
             )
     return dict(told)
 
@@ -179,11 +176,6 @@ def _rise_of(own: Heat, trip: HeatedSlip) -> Values:
     """Rise of the discs with all the heat: between trips the lining gives back what it took."""
     rise: Values = law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat)
     return rise
-
-
-def _after(own: Heat, trip: HeatedSlip) -> Values:
-    """Temperature of the discs after a trip that finds them as warm as the surroundings."""
-    return marked((own.ambient or 0.0) + _rise_of(own, trip), trip.energy)
 
 
 def _rate(own: Heat, used: Values) -> float:
