@@ -148,15 +148,21 @@ FINDINGS: Mapping[str, str] = {
     "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
     "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
     "contact-force-exceeded": "the contact force {value:.5g kN} exceeds the allowable {limit:.5g kN}",
+    "contact-force-exceeded/hertz": "the contact force {value:.5g kN} exceeds the {limit:.5g kN} that Hertz allows: "
+    "the contact pressure is {reached:.5g MPa}, allowable {allowed:.5g MPa}",
+    "contact-assumed": "control_unit.contact is not given: ball and wall are taken as hardened steel, "
+    "{modulus:.5g GPa}, Poisson's ratio {poisson:g}, contact pressure at most {limit:.5g MPa}: it is {value:.5g MPa}",
     # heat
-    "temperature-exceeded": "the discs reach {celsius:.4g} °C after one trip: above the {low:g}…{high:g} °C that "
+    "temperature-exceeded": "discs or faces reach {celsius:.4g} °C in one trip: above the {low:g}…{high:g} °C that "
     "{name} allows",
-    "temperature-in-range": "the discs reach {celsius:.4g} °C after one trip: within the printed range of what "
+    "temperature-in-range": "discs or faces reach {celsius:.4g} °C in one trip: within the printed range of what "
     "{name} allows, {low:g}…{high:g} °C",
     "discs-melt": "steel discs or their faces would reach {celsius:.4g} °C in one trip: iron melts at {melts:.0f} °C "
     "(CRC Handbook), steel below it; more mass, less heat or an earlier cut-off is needed",
-    "temperature-beyond-catalogue": "the discs reach {celsius:.4g} °C after one trip: no material of the catalogue "
+    "temperature-beyond-catalogue": "discs or faces reach {celsius:.4g} °C in one trip: no material of the catalogue "
     "allows more than {allowed:g} °C ({name})",
+    "faces-not-judged": "the temperature of the faces is not known (it needs heat.conductivity, heat.density and both "
+    "radii): the mean of the discs, which is lower, is held against what {name} allows",
     "lining-thick": "no heat.lining: the lining is taken as endlessly thick, a lower bound of the surface temperature",
     "discs-take-all": "no lining_conductivity, lining_density and lining_specific_heat: the discs take all the heat of "
     "the faces, an upper bound of their surface temperature",

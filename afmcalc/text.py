@@ -23,6 +23,7 @@ SCALES = {
     "1/mm": 1e-3,
     "kPa": 1e-3,
     "MPa": 1e-6,
+    "GPa": 1e-9,
     "deg": 180 / math.pi,
     "kJ": 1e-3,
     "s": 1.0,

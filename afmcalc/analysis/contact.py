@@ -1,15 +1,16 @@
-"""What a ball bears on a curved wall: more here, less there, as the travel takes it along."""
+"""What a ball bears: on a straight wall at the largest torque, on a curved one wherever its path takes it."""
 
 import math
+from collections.abc import Sequence
 from typing import Literal, NamedTuple
 
 import numpy as np
 
+from ..arrays import Values
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
 from ..equations import wall as wall_law
-from ..equations.synthesis import contact_force
-from ..equations.wall import path_radius, seat_force
+from ..recorders import unrecorded
 from ..spec.models import ControlUnit
 from . import hertz
 from .wall import Wall
@@ -24,99 +25,86 @@ class BallContact(NamedTuple):
 
     force: float | None
     """F_n where it is largest, N."""
-    allowable: float | None
-    """[F_n] where most of it is used, N."""
-    basis: Basis | None
-    utilisation: float | None
+    allowable: float | None = None
+    """[F_n] of the limit of which most is used, N."""
+    basis: Basis | None = None
+    utilisation: float | None = None
+    critical: float | None = None
+    """F_n where the contact pressure is largest, if that is elsewhere, N."""
+    hertz: float | None = None
+    """[F_n] there by Hertz, where that is a limit, N."""
+    pressure: float | None = None
+    """Largest contact pressure, Pa."""
     seat: float | None = None
     """F_s of the straight walls that seat the ball in the other sleeve, N."""
     seat_utilisation: float | None = None
-    critical: float | None = None
-    """F_n where most of what is allowed is used, if that is elsewhere, N."""
 
 
-def contact_along(clutch: Clutch, unit: ControlUnit, wall: Wall, *, ball_known: bool) -> BallContact:
-    """Return the contact of a ball on a curved wall from the stop to the largest travel.
-
-    Args:
-        clutch: the clutch.
-        unit: its control unit.
-        wall: its wall, with the ball.
-        ball_known: whether there is such a ball, so that Hertz tells what it may carry.
-    """
+def places_along(clutch: Clutch, wall: Wall) -> tuple[list[float], list[float]]:
+    """Torque and wall angle along the path of a ball on a curved wall, from the stop to the largest travel."""
     own = clutch.friction[0]
     leaving = min(max(float(clutch.leaving_friction or own.min), own.min), own.max)
     along = np.linspace(leaving, own.max, _PLACES)
     travels = np.broadcast_to(np.asarray(clutch.travel(along), float), along.shape).tolist()
-    # force on a flat wall, by which every other is told
-    given, flat = unit.allowable_contact_force, None
-    if given is None and unit.contact is not None and ball_known and wall.can_be_cut:
-        flat = hertz.ball_on_flat(unit.contact, wall.ball_radius)
-    places = [
-        _Place(wall, unit, wall.angle_at(travel / wall.sleeves), torque, given, flat)
-        for travel, torque in zip(travels, clutch.torque(along).tolist(), strict=True)
-    ]
-    most = max(places, key=lambda place: place.force)
-    worst = max(places, key=lambda place: place.force if place.utilisation is None else place.utilisation)
-    allowable, basis = _as_recorded(worst)
-    if unit.balls is None:
-        return BallContact(None, allowable, basis, None)
-
-    def borne(place: _Place) -> float:
-        return float(law.contact_force(place.torque, unit.balls, unit.ball_circle_radius, math.cos(place.angle)))
-
-    found = BallContact(borne(most), allowable, basis, worst.utilisation)
-    if worst is not most:
-        found = found._replace(critical=borne(worst))
-    if wall.sleeves == 2:
-        return found
-    seat = max(place.seat for place in places)
-    bears = flat if given is None else given
-    return found._replace(seat=seat, seat_utilisation=bears and seat / bears)
+    return clutch.torque(along).tolist(), [wall.angle_at(travel / wall.sleeves) for travel in travels]
 
 
-def _as_recorded(worst: "_Place") -> tuple[float | None, Basis | None]:
-    """[F_n] and where it is from, by the equations as an explanation records them."""
-    if worst.given is not None:
-        return worst.given, "given"
-    if worst.flat is None:
-        return None, None
-    assert worst.unit.contact is not None
-    radius = float(wall_law.path_radius(worst.wall.steepening, math.cos(worst.angle)))
-    own = hertz.ball_on_convex_wall(worst.unit.contact, worst.wall.ball_radius, radius)
-    return own, "hertz-ball-on-curved-wall"
+def contact_of(
+    unit: ControlUnit, wall: Wall, torques: Sequence[Values], angles: Sequence[float], *, ball_known: bool
+) -> BallContact:
+    """Hold the contact of a ball against every limit that the spec gives, or against Hertz where it gives none.
 
+    Args:
+        unit: the control unit.
+        wall: its wall, with the ball.
+        torques: torque through the balls at the places of the ball, N·m.
+        angles: wall angle at these places, rad.
+        ball_known: whether there is such a ball, so that Hertz tells what it may carry.
+    """
+    given, elastic, ball = unit.allowable_contact_force, unit.elasticity, wall.ball_radius
+    elastic_known = ball_known and wall.can_be_cut
 
-class _Place(NamedTuple):
-    """The ball somewhere on its path."""
-
-    wall: Wall
-    unit: ControlUnit
-    angle: float
-    torque: float
-    given: float | None
-    flat: float | None
-    """What a flat wall may bear by Hertz, N."""
-
-    @property
-    def force(self) -> float:
-        """F_n, N; of a number of balls that is not given, of all."""
-        unit = self.unit
-        return float(contact_force(self.torque, unit.balls or 1, unit.ball_circle_radius, math.cos(self.angle)))
-
-    @property
-    def seat(self) -> float:
-        """F_s, N, where the other sleeve seats the ball between straight walls."""
-        own = self.wall.angle
-        return float(seat_force(self.force, math.sin(self.angle + own), math.sin(own), math.cos(own)))
-
-    @property
-    def utilisation(self) -> float | None:
-        """F_n/[F_n]."""
-        if self.given is not None:
-            return self.force / self.given
-        if self.flat is None:
+    def force_at(torque: Values, angle: float) -> float | None:
+        if unit.balls is None:
             return None
-        radius = float(path_radius(self.wall.steepening, math.cos(self.angle)))
-        share = (hertz.contact_radius(self.wall.ball_radius, radius) / self.wall.ball_radius) ** 2
-        return self.force / (share * self.flat)
+        return float(law.contact_force(torque, unit.balls, unit.ball_circle_radius, math.cos(angle)))
+
+    def borne_at(angle: float) -> float:
+        path = wall_law.path_radius(wall.steepening, math.cos(angle)) if wall.steepening > 0 else None
+        return float(hertz.allowable_force(elastic, ball, path))
+
+    with unrecorded():  # where the force and where the pressure is largest; of a number of balls not given, of all
+        cosines = np.cos(angles)
+        forces = law.contact_force(np.array(torques, float), unit.balls or 1, unit.ball_circle_radius, cosines)
+        most = worst = int(np.argmax(forces))
+        if elastic_known and wall.steepening > 0:
+            paths = wall_law.path_radius(wall.steepening, cosines)
+            worst = int(np.argmax(forces / hertz.allowable_force(elastic, ball, paths)))
+    force = force_at(torques[most], angles[most])
+    critical = force if worst == most else force_at(torques[worst], angles[worst])
+    borne = borne_at(angles[worst]) if elastic_known else None
+    by_hertz = borne if given is None or unit.contact is not None else None
+    curved: Basis = "hertz-ball-on-curved-wall" if wall.steepening > 0 else "hertz-ball-on-flat"
+    limits: list[tuple[float, float, Basis]] = []
+    if given is not None:
+        limits.append((float(forces[most]), given, "given"))
+    if by_hertz is not None:
+        limits.append((float(forces[worst]), by_hertz, curved))
+    used, allowable, basis = max(limits, key=lambda limit: limit[0] / limit[1], default=(0.0, None, None))
+    if force is None or critical is None:
+        return BallContact(None, allowable, basis, hertz=by_hertz)
+    found = BallContact(
+        force, allowable, basis,
+        utilisation=None if allowable is None else used / allowable,
+        critical=None if worst == most else critical,
+        hertz=by_hertz,
+        pressure=None if borne is None else float(law.hertz_pressure(elastic.allowable_pressure, critical, borne)),
+    )  # fmt: skip
+    if wall.steepening == 0 or wall.sleeves == 2:
+        return found
+    with unrecorded():
+        own = wall.angle
+        seat = float(np.max(wall_law.seat_force(forces, np.sin(np.add(angles, own)), math.sin(own), math.cos(own))))
+        flat = None if by_hertz is None else float(hertz.allowable_force(elastic, ball))
+    bears = min((each for each in (given, flat) if each is not None), default=None)
+    return found._replace(seat=seat, seat_utilisation=bears and seat / bears)

@@ -1,6 +1,6 @@
 """Whether a control unit as synthesized can be made: what is in the way of what, and what would make room."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from ..engines import build
 from ..engines.protocol import Clutch
@@ -21,7 +21,7 @@ def findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult, sizes: 
         *_ball_findings(clutch, unit, result, sizes[-1]),
         *_curve_findings(clutch, result, sizes),
         *_room_findings(unit, result),
-        *_contact_findings(unit, result),
+        *_contact_findings(clutch, unit, result),
     ]
 
 
@@ -100,16 +100,40 @@ def _room_findings(unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
     return found
 
 
-def _contact_findings(unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
+def _contact_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -> list[Finding]:
     found = []
     if unit.balls is None:
         found.append(finding("balls-not-given", "info", path="control_unit.balls"))
-    if result.contact_utilisation is not None and result.contact_utilisation > 1:
-        force, allowable = result.contact_force_judged, result.contact_force_allowable
-        path = "control_unit.allowable_contact_force"
-        found.append(finding("contact-force-exceeded", "error", value=force, limit=allowable, path=path))
+    if unit.contact is None and result.contact_pressure is not None:
+        steel = unit.elasticity
+        found.append(
+            finding(
+                "contact-assumed", "info", value=result.contact_pressure, limit=steel.allowable_pressure,
+                path="control_unit.contact", modulus=steel.wall_modulus, poisson=steel.wall_poisson,
+            )
+        )  # fmt: skip
+    for force, allowable, by_hertz in contact_limits(clutch, result):
+        if force > allowable:
+            code, path = "contact-force-exceeded", "control_unit.allowable_contact_force"
+            if by_hertz:
+                code, path = "contact-force-exceeded/hertz", "control_unit.contact"
+            reached, allowed = result.contact_pressure, unit.elasticity.allowable_pressure
+            found.append(
+                finding(code, "error", value=force, limit=allowable, path=path, reached=reached, allowed=allowed)
+            )
     if result.seat_force is not None and result.seat_utilisation is not None and result.seat_utilisation > 1:
-        force, path = result.seat_force, "control_unit.allowable_contact_force"
+        force, path = result.seat_force, result.contact_path
         allowable = force / result.seat_utilisation
         found.append(finding("seat-force-exceeded", "error", value=force, limit=allowable, path=path))
     return found
+
+
+def contact_limits(clutch: Clutch, result: SynthesisResult) -> Iterator[tuple[float, float, bool]]:
+    """Yield each limit of the contact: normal force on a ball, what it may be, N, and whether Hertz says so."""
+    unit = clutch.spec.control_unit
+    if unit is None or result.contact_force is None:
+        return
+    if unit.allowable_contact_force is not None:
+        yield result.contact_force, unit.allowable_contact_force, False
+    if result.contact_force_hertz is not None:
+        yield result.contact_force_critical or result.contact_force, result.contact_force_hertz, True

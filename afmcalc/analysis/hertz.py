@@ -1,63 +1,71 @@
-"""Elliptic contact of a ball on a convex wall (Johnson, Contact Mechanics, section 4.2)."""
+"""Hertz contact of a ball on a flat or convex wall (Johnson, Contact Mechanics, section 4.2): numbers or arrays."""
 
 import math
 
+from ..arrays import Values
 from ..equations import synthesis, wall
 
-# what is searched for, or asked along a whole wall, is no step of a calculation: bound here, it is not recorded
-from ..equations.wall import hertz_axes, hertz_curvature_ratio, hertz_ellipse_factor, hertz_relative_radius
+# what a search tries is no step of a calculation: bound here, it is not recorded
+from ..equations.wall import hertz_axes
 from ..spec.contact import Contact
 
+_ITERATIONS = 30
+"""Each leaves at most a quarter of the error: d ln(𝐁/𝐃)/d ln k lies between 0 and 1/2."""
 
-def integrals(axis_ratio: float) -> tuple[float, float]:
+
+def integrals(axis_ratio: Values) -> tuple[Values, Values]:
     """Complete elliptic integrals 𝐁 and 𝐃 of the modulus √(1 − k²), by the arithmetic-geometric mean.
 
     𝐃 = (K − E)/e² and 𝐁 = K − 𝐃, without the differences: exact for a circle too.
     """
-    mean, root, squared = 1.0, axis_ratio, 1 - axis_ratio * axis_ratio
+    mean: Values = 1.0
+    root, squared = axis_ratio, 1 - axis_ratio * axis_ratio
     # of c_n, half the difference of the two means: c_n²/e², from c_1 = (1 − k)/2 by c_{n+1} = c_n²/(4 a_{n+1})
-    share, weight, total = (1 - axis_ratio) / (4 * (1 + axis_ratio)), 2.0, 0.0
-    while weight == 2.0 or mean - root > 1e-15 * mean:
-        mean, root = (mean + root) / 2, math.sqrt(mean * root)
-        total += weight * share
-        share, weight = share * share * squared / (2 * (mean + root)) ** 2, 2 * weight
+    share, total = (1 - axis_ratio) / (4 * (1 + axis_ratio)), 0.0 * axis_ratio
+    for power in range(1, 9):  # the difference of the means is squared each time: enough down to k = 1e-12
+        mean, root = (mean + root) / 2, (mean * root) ** 0.5
+        total = total + 2**power * share
+        share = share * share * squared / (2 * (mean + root)) ** 2
     complete = math.pi / (2 * mean)
     part = complete * (1 + total) / 2
     return complete - part, part
 
 
-def axis_ratio(curvature_ratio: float) -> float:
+def axis_ratio(curvature_ratio: Values) -> Values:
     """Minor over major semi-axis of the ellipse that two curvatures give; a larger ratio is a slimmer ellipse."""
-    low, high = 0.0, 1.0
-    while True:
-        middle = (low + high) / 2
-        if middle in (low, high):
-            return high
-        if hertz_axes(middle, *integrals(middle)) > curvature_ratio:
-            low = middle
-        else:
-            high = middle
+    ratio = curvature_ratio ** (-2 / 3)
+    for _ in range(_ITERATIONS):
+        ratio = ratio * (hertz_axes(ratio, *integrals(ratio)) / curvature_ratio) ** 0.5
+    return ratio
 
 
-def contact_radius(ball_radius: float, path_radius: float) -> float:
-    """Radius R_e φ of a ball that bears on a flat what this one does on a wall of the radius ρ − r_ш, m."""
-    curvatures = hertz_curvature_ratio(path_radius, ball_radius)
-    slimness = axis_ratio(curvatures)
-    factor = hertz_ellipse_factor(slimness, *integrals(slimness), math.pi)
-    return float(hertz_relative_radius(ball_radius, curvatures) * factor)
+def allowable_force(contact: Contact, ball_radius: Values, path_radius: Values | None = None) -> Values:
+    """Normal force at which a ball reaches the allowable pressure, N.
 
-
-def ball_on_flat(contact: Contact, ball_radius: float) -> float:
-    """Force at which a ball on a flat wall reaches the allowable pressure, N."""
+    Args:
+        contact: elastic data of ball and wall, and the allowable pressure.
+        ball_radius: r_ш, m.
+        path_radius: ρ, m, of the path of the ball's centre, the wall straight across it; None of a straight wall.
+    """
     modulus = synthesis.hertz_contact_modulus(
         contact.ball_modulus, contact.ball_poisson, contact.wall_modulus, contact.wall_poisson
     )
-    return float(synthesis.hertz_allowable_force(contact.allowable_pressure, ball_radius, modulus, math.pi))
+    flat = ball_radius if path_radius is None else _flat_radius(ball_radius, path_radius)
+    force: Values = synthesis.hertz_allowable_force(contact.allowable_pressure, flat, modulus, math.pi)
+    return force
 
 
-def ball_on_convex_wall(contact: Contact, ball_radius: float, path_radius: float) -> float:
-    """Force at which a ball on a wall of the radius ρ − r_ш, straight across, reaches the allowable pressure, N."""
+def pressure(contact: Contact, force: Values, ball_radius: Values, path_radius: Values | None = None) -> Values:
+    """Largest contact pressure p_0 under a normal force, Pa; the rest as ``allowable_force``."""
+    allowable = allowable_force(contact, ball_radius, path_radius)
+    most: Values = synthesis.hertz_pressure(contact.allowable_pressure, force, allowable)
+    return most
+
+
+def _flat_radius(ball_radius: Values, path_radius: Values) -> Values:
+    """Radius R_e φ of a ball that bears on a flat what this one does on a wall of the radius ρ − r_ш, m."""
     curvatures = wall.hertz_curvature_ratio(path_radius, ball_radius)
     slimness = axis_ratio(curvatures)
     factor = wall.hertz_ellipse_factor(slimness, *integrals(slimness), math.pi)
-    return ball_on_flat(contact, wall.hertz_relative_radius(ball_radius, curvatures) * factor)
+    radius: Values = wall.hertz_relative_radius(ball_radius, curvatures) * factor
+    return radius

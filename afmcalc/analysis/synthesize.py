@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any, Literal
+from typing import Any
 
 from ..arrays import finite
 from ..engines.protocol import Clutch
@@ -13,8 +13,8 @@ from ..messages import say
 from ..spec import Spec, resolved
 from ..spec.balls import diameters, next_size
 from ..spec.models import ControlUnit
-from . import fit, hertz
-from .contact import BallContact, contact_along
+from . import fit
+from .contact import BallContact, contact_of, places_along
 from .unit import SynthesisResult
 from .wall import Wall, clearances, wall_of
 
@@ -66,6 +66,8 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         contact_force_allowable=contact.allowable,
         contact_basis=contact.basis,
         contact_utilisation=contact.utilisation,
+        contact_force_hertz=contact.hertz,
+        contact_pressure=contact.pressure,
         gain_at_least_contact_force=least_contact_force_gain(clutch),
         **(_of_the_curve(clutch, wall, contact, travel) if curved else {}),
     )
@@ -117,25 +119,12 @@ def _pitch(unit: ControlUnit) -> float | None:
 def _contact(clutch: Clutch, unit: ControlUnit, wall: Wall, ball_radius: float | None) -> BallContact:
     """Largest F_n along the common path, and what it may be."""
     if wall.steepening > 0:
-        return contact_along(clutch, unit, wall, ball_known=ball_radius is not None)
-    allowable, basis = _allowable(unit, ball_radius)
-    if unit.balls is None:
-        return BallContact(None, allowable, basis, None)
-    first, second = clutch.friction
-    torque = max(clutch.ball_torque(first.min, second.min), clutch.ball_torque(first.max, second.max))
-    force = float(law.contact_force(torque, unit.balls, unit.ball_circle_radius, math.cos(wall.angle)))
-    return BallContact(force, allowable, basis, None if allowable is None else force / allowable)
-
-
-def _allowable(
-    unit: ControlUnit, ball_radius: float | None
-) -> tuple[float | None, Literal["given", "hertz-ball-on-flat"] | None]:
-    """[F_n] as given, or by Hertz from the elastic data."""
-    if unit.allowable_contact_force is not None:
-        return unit.allowable_contact_force, "given"
-    if unit.contact is None or ball_radius is None:
-        return None, None
-    return hertz.ball_on_flat(unit.contact, ball_radius), "hertz-ball-on-flat"
+        places = places_along(clutch, wall)
+    else:
+        first, second = clutch.friction
+        torque = max(clutch.ball_torque(first.min, second.min), clutch.ball_torque(first.max, second.max))
+        places = [torque], [wall.angle]
+    return contact_of(unit, wall, *places, ball_known=ball_radius is not None)
 
 
 def least_contact_force_gain(clutch: Clutch) -> float | None:

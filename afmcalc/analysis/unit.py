@@ -35,7 +35,7 @@ class SynthesisResult(Result):
     contact_force_critical: float | None = quantity(
         "N",
         "F_n,c",
-        "normal force on one ball where most of [F_n] is used: of it are [F_n] and the utilisation",
+        "normal force on one ball where the contact pressure is largest",
         optional=True,
     )
     contact_force_allowable: float | None = quantity("N", "[F_n]", "allowable normal force on one ball")
@@ -45,6 +45,12 @@ class SynthesisResult(Result):
     seat_utilisation: float | None = quantity("1", "F_s/[F_n]", "utilisation of the seat", optional=True)
     contact_basis: Basis | None = quantity("", None, "where the allowable force is from")
     contact_utilisation: float | None = quantity("1", "F_n/[F_n]", "utilisation of the contact")
+    contact_force_hertz: float | None = quantity(
+        "N", "[F_n]_H", "normal force on one ball at the allowable contact pressure", optional=True
+    )
+    contact_pressure: float | None = quantity(
+        "Pa", "p_0", "largest contact pressure of ball and wall (Hertz)", optional=True
+    )
     gain_at_least_contact_force: float | None = quantity(
         "1", "C_Fn", "gain of the least contact force at equal spring force; beyond it F_n grows", optional=True
     )
@@ -54,9 +60,9 @@ class SynthesisResult(Result):
     )
 
     @property
-    def contact_force_judged(self) -> float | None:
-        """The normal force that the utilisation is of."""
-        return self.contact_force if self.contact_force_critical is None else self.contact_force_critical
+    def contact_path(self) -> str:
+        """Key of the spec that the allowable force is from, or would be."""
+        return "control_unit.allowable_contact_force" if self.contact_basis == "given" else "control_unit.contact"
 
     @property
     def ball_diameter(self) -> float:

@@ -258,6 +258,25 @@ def fourier_number(conductivity: Number, density: Number, specific_heat: Number,
     return conductivity * time / (density * specific_heat * depth * depth)
 
 
+def share_of_rise(temperature: Number, ambient: Number, temperature_limit: Number) -> Number:
+    """Share that a temperature uses of the rise that a limit allows, (Θ − Θ_0)/(Θ_max − Θ_0).
+
+    Source: Theory of the drive, section 10; a ratio of absolute temperatures would be no share.
+
+    Args:
+        temperature: Θ, temperature that is reached [K].
+        ambient: Θ_0, temperature at the start [K].
+        temperature_limit: Θ_max, largest temperature that is allowed [K].
+
+    Returns:
+        η [1].
+
+    Validity:
+        Θ_0 < Θ_max.
+    """
+    return (temperature - ambient) / (temperature_limit - ambient)
+
+
 def trips_without_cooling(temperature_limit: Number, ambient: Number, rise: Number) -> Number:
     """Trips one upon the other until the discs reach a limit, (Θ_max − Θ_0)/ΔΘ.
 

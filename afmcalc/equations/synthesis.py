@@ -272,3 +272,22 @@ def hertz_allowable_force(
         Elastic, frictionless, contact small against the ball; the wall is flat.
     """
     return pi**3 * allowable_pressure**3 * ball_radius**2 / (6 * contact_modulus**2)
+
+
+def hertz_pressure(allowable_pressure: Number, force: Number, allowable_force: Number) -> Number:
+    """Largest contact pressure under a force, p_0 = p_0,allow (F_n/F_n,allow)^{1/3}.
+
+    Source: Johnson, Contact Mechanics (1985), (4.24), (4.30): p_0³ grows as the force, whatever the curvatures.
+
+    Args:
+        allowable_pressure: p_0,allow, allowable maximum contact pressure [Pa].
+        force: F_n, normal force on the ball [N].
+        allowable_force: F_n,allow, force at which the ball reaches the allowable pressure [N].
+
+    Returns:
+        p_0 [Pa].
+
+    Validity:
+        Elastic, frictionless, contact small against the ball.
+    """
+    return allowable_pressure * (force / allowable_force) ** (1 / 3)

@@ -51,6 +51,7 @@ def temperature_of_the_discs() -> Steps:
     limit, ambient = sp.symbols("Theta_m Theta_0", positive=True)
     trips = heat.trips_without_cooling(limit, ambient, rise)
     yield Identity("Θ_0 + n ΔΘ = Θ_max", ambient + trips * rise - limit)
+    yield Identity("η n = 1", heat.share_of_rise(ambient + rise, ambient, limit) * trips - 1)
     rate = heat.trips_per_time(k, limit, ambient, energy)
     yield Identity("heat in = heat out", rate * energy - k * (limit - ambient))
     headroom = sp.Symbol("H", positive=True)

@@ -91,6 +91,9 @@ def hertz_ball_on_flat() -> Steps:
     force = synthesis.hertz_allowable_force(pressure, ball, q, pi)
     cubed = 3 * force * ball / (4 * q)
     yield Identity("p_0 = 3F/(2πa²), a³ = 3Fr/(4E*)", (3 * force / (2 * pi)) ** 3 - pressure**3 * cubed**2)
+    most = synthesis.hertz_pressure(pressure, F, force)
+    of_force = (3 * F / (2 * pi)) ** 3 - sp.nsimplify(most**3) * (3 * F * ball / (4 * q)) ** 2
+    yield Identity("the same of any force", of_force)
 
 
 def mean_radii() -> Steps:

@@ -21,7 +21,7 @@ from ..messages import say
 from ..source import Source
 from ..variants import VARIANTS, Variant
 from . import drive, rules, springs
-from .contact import Contact
+from .contact import HARDENED_STEEL, Contact
 from .drive import Drive, Mass, SlidingSpeed, TimeOrNone
 from .fatigue import Fatigue
 from .fields import (
@@ -191,6 +191,11 @@ class ControlUnit(Block):
         "friction of cams that slide on the walls, balls do not (effects only)", "μ"
     )
     contact: Contact | None = None
+
+    @property
+    def elasticity(self) -> Contact:
+        """Elastic data of ball and wall: as given, or assumed."""
+        return self.contact or HARDENED_STEEL
 
 
 class Adjustment(Block):

@@ -31,7 +31,13 @@ class Required(Block):
         "probability that the torque exceeds T_max, at most (tolerance)", "P(T>T_max)"
     )
     work: SpecificWork | None = key_field("specific work of a trip, at most (heat)", "q_A")
-    temperature: Temperature | None = key_field("temperature of the discs after one trip, at most (heat)", "Θ")
+    temperature: Temperature | None = key_field("mean temperature of the discs after one trip, at most (heat)", "Θ")
+    face_temperature: Temperature | None = key_field(
+        "largest temperature of the faces in one trip, at most (heat)", "Θ_s"
+    )
+    contact_pressure: Stress | None = key_field(
+        "largest contact pressure of ball and wall, at most (synthesize)", "p_0"
+    )
     cycles: Coefficient | None = key_field("life in cycles on either side of the clutch, at least", "N_ц")
 
     @model_validator(mode="after")

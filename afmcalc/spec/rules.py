@@ -46,7 +46,6 @@ def problems(data: Table) -> list[Problem]:
         *_gain(data),
         *_pocket(data),
         *_force(data),
-        *_contact(data),
         *_variant(data),
         *_pairs(data),
     ]
@@ -146,14 +145,6 @@ def _pocket(data: Table) -> Iterable[Problem]:
         yield wrong(f"{block}.gain_slope", message)
     if has(data, block, "profiled") and not slope and not pocket:
         yield wrong(f"{block}.profiled", say("is of a curved wall: give gain_slope or pocket with it"))
-
-
-def _contact(data: Table) -> Iterable[Problem]:
-    if has(data, "control_unit", "allowable_contact_force") and has(data, "control_unit", "contact"):
-        yield wrong(
-            "control_unit.allowable_contact_force",
-            say("excludes control_unit.contact: give the allowable force, or the elastic data it follows from"),
-        )
 
 
 def _force(data: Table) -> Iterable[Problem]:

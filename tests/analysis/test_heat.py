@@ -8,13 +8,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.checks.check import check
 from afmcalc.analysis.checks.requirements import requirement_rows
 from afmcalc.analysis.heat.course import course_of
 from afmcalc.analysis.heat.heat import heat
-from afmcalc.analysis.heat.surface import Body, largest_rise
+from afmcalc.analysis.heat.surface import Body, largest_rise, most_in_disc
 from afmcalc.analysis.heat.trip import trips
 from afmcalc.analysis.simulate.history import history
 from afmcalc.engines import build
+from afmcalc.equations import heat as law
 from afmcalc.spec import make_spec
 
 AREA = math.pi * (0.12**2 - 0.08**2)
@@ -154,6 +156,107 @@ def test_a_lining_as_deep_as_it_may_be_worn_takes_its_part():
     for end in (0.1, 3.0):
         found = largest_rise([body, lining], falling(1.0, 0.0, end))
         assert found == pytest.approx(hottest(lambda t, end=end: 1 - t / end, end, behind=0.5), rel=5e-3)
+
+
+def disc_and_lining(disc, lining, flux, end, cells=60, steps=1500):
+    """Mean of the disc and face, by Crank and Nicolson over cells; ``disc`` and ``lining``: conductivity, ρc, depth."""
+    capacity, carries = [], []
+    for conductivity, stores, depth in (disc, lining):
+        capacity += [stores * depth / cells] * cells
+        carries += [conductivity * cells / depth] * cells
+    stored = np.zeros(2 * cells + 1)  # nodes: middle of the disc … face … back of the lining
+    stored[:-1] += np.array(capacity) / 2
+    stored[1:] += np.array(capacity) / 2
+    flows = np.zeros((2 * cells + 1, 2 * cells + 1))
+    for left, passed in enumerate(carries):
+        flows[left : left + 2, left : left + 2] += passed * np.array([[1, -1], [-1, 1]])
+    step, held = end / steps, np.diag(stored)
+    forward = np.linalg.inv(held + step / 2 * flows)
+    march, enters = forward @ (held - step / 2 * flows), forward[:, cells] * step
+    theta, mean, face = np.zeros(2 * cells + 1), 0.0, 0.0
+    for number in range(steps):
+        theta = march @ theta + enters * flux((number + 0.5) * step)
+        inside = theta[: cells + 1] @ np.r_[0.5, np.ones(cells - 1), 0.5] / cells
+        mean, face = max(mean, inside), max(face, theta[cells])
+    return mean, face
+
+
+@pytest.mark.parametrize(
+    ("lining", "end"), [((0.1, 0.3, 0.4), 0.5), ((0.05, 0.8, 2.0), 6.0), ((0.5, 2.0, 0.5), 3.0), ((3.0, 1.0, 0.2), 0.2)]
+)
+def test_disc_and_lining_are_one_model(lining, end):
+    """Heat in the disc and rise of the face, the flux falling to nothing, against finite differences over both."""
+    mean, face = disc_and_lining((1.0, 1.0, 1.0), lining, lambda t: 1 - t / end, end)
+    bodies = [Body(1.0, 1.0, 1.0, 1.0), Body(lining[0], lining[1], 1.0, lining[2])]
+    assert most_in_disc(bodies, falling(1.0, 0.0, end)) == pytest.approx(mean, rel=1e-3)
+    assert largest_rise(bodies, falling(1.0, 0.0, end)) == pytest.approx(face, rel=3e-3)
+
+
+@given(
+    st.floats(0.1, 60), st.floats(500, 8000), st.floats(0.2, 5), st.floats(0.02, 400), st.floats(0.05, 20),
+    st.one_of(st.none(), st.floats(2e-4, 5e-3)), st.floats(0, 0.99),
+)  # fmt: skip
+def test_the_mean_of_the_discs_is_never_above_their_faces(carries, dense, mass, speed, inertia, depth, motor):
+    """The shipped drive said 24.37 °C in the mean of the discs and 23.51 °C at their faces."""
+    lining = {"lining_conductivity": carries, "lining_density": dense, "lining_specific_heat": 1000}
+    discs = {"disc_mass": mass, "specific_heat": 480, "conductivity": 50, "density": 7850, "ambient": 293.15, **lining}
+    drive = {"speed": speed, "motor_inertia": inertia, "motor_torque": 337 * motor}
+    found, _ = heat(clutch(337, drive, {**discs, **({"lining": depth} if depth else {})}))
+    assert found.temperature.max <= found.face_temperature.max
+    assert found.temperature_rise.max <= found.energy.max / (mass * 480)
+
+
+def hot_faces(**required):
+    """Shared among the tests: one trip brings the faces to 537 °C, the mean of the discs to 75 °C."""
+    return make_spec(
+        {
+            "variant": "conventional",
+            "friction": {"material": "moulded-dry"},
+            "friction_group": {"pairs": 2, "inner_radius": 0.08, "outer_radius": 0.12},
+            "closing_spring": {"force": 24e3},
+            "drive": {"speed": "3000 rpm", "cut_off": 0.25},
+            "heat": {
+                "disc_mass": 6, "specific_heat": 480, "conductivity": 50, "density": 7850, "lining_conductivity": 0.5,
+                "lining_density": 2000, "lining_specific_heat": 1000, "lining": 0.002, "ambient": "20 degC",
+            },
+            "requirements": {"temperature": "204 degC", **required},
+        }
+    )  # fmt: skip
+
+
+def test_a_material_is_held_against_the_faces():
+    """537 °C at the faces passed, the mean of the discs being below the 204…260 °C of moulded-dry."""
+    own = build(hot_faces())
+    verdict, found = check(own)
+    told = codes(found)["temperature-exceeded"]
+    assert not verdict.passed
+    assert (told.level, told.value, told.limit) == ("error", pytest.approx(537 + 273.15, abs=1), 260 + 273.15)
+    (row,) = [each for each in verdict.limits if each.unit == "K"]
+    assert (row.verdict, row.limit) == ("fail", 204 + 273.15)
+    assert row.utilisation == pytest.approx((told.value - 293.15) / 184)
+    (row,) = verdict.requirements
+    assert row.passed
+    result, _ = heat(own)
+    # thick disc and lining, an even flux: the lining's share is its effusivity's, 1000 to 13726
+    power, area = result.power_density.max, 2 * AREA
+    assert result.face_temperature.max == pytest.approx(
+        293.15 + 2 * power * math.sqrt(0.25 / math.pi) / (1000 + math.sqrt(50 * 7850 * 480)), abs=1
+    )
+    held = 13726.6 / 14726.6 * power * area * 0.25 / (6 * 480)
+    assert row.value == result.temperature.max == pytest.approx(293.15 + held, abs=0.2)
+    for most, passed in ((530, False), (545, True)):
+        rows, _ = requirement_rows(Answers(build(hot_faces(face_temperature=f"{most} degC"))))
+        assert [(each.requirement, each.passed) for each in rows][1] == ("face_temperature", passed)
+        assert rows[1].utilisation == pytest.approx((told.value - 293.15) / (most - 20))
+
+
+def test_a_share_of_a_temperature_is_one_of_the_rise():
+    """24.37 °C of 204 °C from 20 °C is 0.024, not 0.62 (a ratio of kelvins)."""
+    assert law.share_of_rise(24.37 + 273.15, 293.15, 477.15) == pytest.approx(0.024, abs=5e-4)
+    discs = {"disc_mass": 6.0, "specific_heat": 480, "ambient": "20 degC"}
+    energy = 337 * 50 * math.pi * 0.5
+    rows, _ = requirement_rows(Answers(clutch(discs=discs, requirements={"temperature": "204 degC"})))
+    assert rows[0].utilisation == pytest.approx(energy / (6 * 480) / 184)
 
 
 def test_the_lining_takes_no_leap():

@@ -9,11 +9,15 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import indirect_specs
 
+from afmcalc.analysis import hertz
+from afmcalc.analysis.checks.check import check
 from afmcalc.analysis.synthesize import least_contact_force_gain, synthesize
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError
-from afmcalc.spec import read_spec
+from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.balls import diameters
+from afmcalc.spec.contact import HARDENED_STEEL
+from afmcalc.spec.required import Required
 
 CONTACT = {
     "ball_modulus": "210 GPa", "ball_poisson": 0.3, "wall_modulus": "206 GPa", "wall_poisson": 0.28,
@@ -104,6 +108,88 @@ def test_hertz_in_place_of_a_given_force():
     pressure = 3 * result.contact_force_allowable / (2 * math.pi * contact_radius**2)
     assert pressure == pytest.approx(2.5e9, rel=1e-9)
     assert result.contact_utilisation == pytest.approx(result.contact_force / result.contact_force_allowable)
+
+
+def small_balls(*overrides):
+    """Six balls of 5 mm, 574 N on each."""
+    data = {
+        "variant": "all-driving",
+        "friction": {"material": "moulded-dry"},
+        "friction_group": {"pairs": 2, "inner_radius": 0.06, "outer_radius": 0.08},
+        "closing_spring": {"force": 3600},
+        "control_unit": {
+            "gain": 1.5, "ball_circle_radius": 0.035, "balls": 6, "face_gap": 1e-3, "edge_clearance": 1e-3,
+            "ball_diameter": 5e-3,
+        },
+    }  # fmt: skip
+    for key, value in overrides:
+        data["control_unit"][key] = value
+    return build(make_spec(data))
+
+
+STEEL = {"ball_modulus": 206e9, "ball_poisson": 0.3, "wall_modulus": 206e9, "wall_poisson": 0.3}
+
+
+@pytest.mark.parametrize(
+    ("given", "judged"),
+    [
+        ((), {"Hertz": 3.08}),
+        ((("allowable_contact_force", 5000),), {"given": 0.115}),
+        ((("contact", STEEL | {"allowable_pressure": 4.2e9}),), {"Hertz": 3.08}),
+        (
+            (("allowable_contact_force", 5000), ("contact", STEEL | {"allowable_pressure": 4.2e9})),
+            {"given": 0.115, "Hertz": 3.08},
+        ),
+    ],
+)
+def test_small_balls_are_judged_by_hertz_unless_a_force_is_given(given, judged):
+    """187 N allowed, share 3.08, 6.1 GPa; 0.115 of the flat 5 kN; both where both are given."""
+    own = small_balls(*given)
+    verdict, found = check(own)
+    rows = {
+        "Hertz" if "Hertz" in each.name else "given": each
+        for each in verdict.limits
+        if each.name.startswith("contact force on one ball")
+    }
+    assert {name: each.utilisation for name, each in rows.items()} == pytest.approx(judged, rel=2e-3)
+    assert {name: each.verdict for name, each in rows.items()} == {
+        name: "fail" if share > 1 else "pass" for name, share in judged.items()
+    }
+    assert ("contact-assumed" in codes(found)) == ("contact" not in dict(given))
+    if "Hertz" in judged:
+        assert rows["Hertz"].limit == pytest.approx(187, abs=0.5)
+        assert "6107.9 MPa" in codes(found)["contact-force-exceeded"].message
+    result, _ = synthesize(own)
+    assert result.contact_pressure == pytest.approx(6.1e9, rel=5e-3)
+    assert result.contact_utilisation == max(each.utilisation for each in rows.values())
+    for most, passed in ((6.0e9, False), (6.2e9, True)):
+        required = own.spec.model_copy(update={"requirements": Required(contact_pressure=most)})
+        (row,) = check(build(required))[0].requirements
+        assert (row.requirement, row.passed) == ("contact_pressure", passed)
+        assert row.value == result.contact_pressure
+
+
+def test_arrays_of_balls_bear_what_each_bears():
+    """Numbers and arrays alike; on a wall all but flat what a flat one bears; p_0 = 3F/(2πa²)."""
+    balls, ratios = np.linspace(2e-3, 3e-2, 7), np.array([1.02, 1.1, 1.5, 3, 30, 1e4, 1e9])
+    forces = hertz.allowable_force(HARDENED_STEEL, balls, balls * ratios)
+    one_by_one = [
+        hertz.allowable_force(HARDENED_STEEL, float(ball), float(ball * ratio))
+        for ball, ratio in zip(balls, ratios, strict=True)
+    ]
+    assert forces.tolist() == pytest.approx(one_by_one, rel=1e-12)
+    assert forces[-1] == pytest.approx(hertz.allowable_force(HARDENED_STEEL, balls[-1]), rel=1e-6)
+    modulus = 206e9 / (2 * (1 - 0.3**2))
+    contact_radius = (3 * 574.47 * 2.5e-3 / (4 * modulus)) ** (1 / 3)
+    pressure = hertz.pressure(HARDENED_STEEL, np.array([574.47, 8 * 574.47]), 2.5e-3)
+    assert pressure[0] == pytest.approx(3 * 574.47 / (2 * math.pi * contact_radius**2), rel=1e-9)
+    assert pressure[1] == pytest.approx(2 * pressure[0], rel=1e-12)
+
+
+@pytest.mark.parametrize("name", [path.stem for path in CONFIGS.glob("*.toml") if path.stem != "requirements"])
+def test_no_example_has_a_force_whatever_the_ball(name):
+    unit = read_spec(CONFIGS / f"{name}.toml").control_unit
+    assert unit is None or (unit.allowable_contact_force, unit.contact) == (None, None)
 
 
 def test_findings():

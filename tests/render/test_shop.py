@@ -157,7 +157,7 @@ def test_from_the_command_line(afmcalc, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("pocket", "-o", "x.dxf", "--cutter", "30mm"), "takes one of up to 18 mm"),
+        (("pocket", "-o", "x.dxf", "--cutter", "30mm"), "takes one of up to 16 mm"),
         (("pocket", "-o", "x.dxf", "--cutter", "10 kg"), "not a length"),
         (("pocket", "-o", "x.dxf", "--chord", "0 mm"), "must be greater than 0"),
         (("pocket", "-o", "x.png", "--profile", "w.csv"), "--profile goes with"),

@@ -192,20 +192,6 @@ BAD = {
     "block that is a number": ({"friction": 3}, "friction", "3", "must be a table with the keys"),
     "margin below 1": ({"adjustment__margin": 0.9}, "adjustment.margin", "0.9", "at least 1"),
     "control characters in a name": ({"name": "\x1b[31mred"}, "name", "", "printable"),
-    "two contact limits": (
-        {
-            "control_unit__contact": {
-                "ball_modulus": 1,
-                "ball_poisson": 0.3,
-                "wall_modulus": 1,
-                "wall_poisson": 0.3,
-                "allowable_pressure": 1,
-            }
-        },
-        "control_unit.allowable_contact_force",
-        '"5 kN"',
-        "excludes control_unit.contact",
-    ),
     "poisson over a half": (
         {"control_unit__contact": {"ball_poisson": 0.7}},
         "control_unit.contact.ball_poisson",

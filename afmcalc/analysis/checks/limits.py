@@ -12,6 +12,9 @@ from ...result import Result, quantity
 from ...spec.balls import diameters
 from ...spec.edit import value_at
 from ..answers import Answers
+from ..fit import contact_limits
+from ..heat.limit import judged_temperature, share_of_rise
+from ..heat.result import HeatResult
 from ..life import LifeResult
 from ..registry import ANALYSES
 from ..simulate.result import SimulateResult
@@ -27,11 +30,16 @@ class Utilisation(Result):
 
     name: str = quantity("", None, "check")
     symbol: str = quantity("", None, "condition")
-    value: float = quantity("", None, "value", unit_in="unit")
-    limit: float = quantity("", None, "limit", unit_in="unit")
-    unit: str = quantity("", None, "unit", is_unit=True)
+    value: float = quantity("", None, "value", unit_in="shown_unit")
+    limit: float = quantity("", None, "limit", unit_in="shown_unit")
+    unit: str = quantity("", None, "unit", is_unit=True, unit_in="shown_unit")
     utilisation: float = quantity("1", "η", "utilisation, 1 at the limit")
     verdict: Grade = quantity("", None, "verdict")
+
+    @property
+    def shown_unit(self) -> str:
+        """Unit: what is held against a limit is a temperature, not a difference of two."""
+        return "K abs" if self.unit == "K" else self.unit
 
 
 class _Held(NamedTuple):
@@ -45,6 +53,8 @@ class _Held(NamedTuple):
     value: float
     limit: float
     least: bool = False
+    used: float | None = None
+    """Utilisation, where it is not the ratio of both."""
 
 
 def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]:
@@ -59,20 +69,24 @@ def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]
     """
     clutch = answers.clutch
     levels = {finding.code: finding.level for finding in findings}
-    synthesized, simulated, lived = (ANALYSES[name].applies(clutch) for name in ("synthesize", "simulate", "life"))
+    synthesized, simulated, heated, lived = (
+        ANALYSES[name].applies(clutch) for name in ("synthesize", "simulate", "heat", "life")
+    )
     return [
         *(_used(each, levels) for each in _of_clutch(clutch)),
         *(_used(each, levels) for each in (_of_synthesis(answers) if synthesized else ())),
         *(_used(each, levels) for each in (_of_event(answers) if simulated else ())),
         *_of_springs(clutch, _travel(answers.of(SimulateResult)) if simulated else 0.0),
         *map(_pressure, pressure_findings(clutch)),
+        *(_used(each, levels) for each in (_of_heat(answers) if heated else ())),
         *(_used(each, levels) for each in (_of_life(answers.of(LifeResult)) if lived else ())),
     ]
 
 
 def _used(held: _Held, levels: dict[str, Level]) -> Utilisation:
-    code, name, symbol, unit, value, limit, least = held
-    used = limit / value if least else value / limit
+    code, name, symbol, unit, value, limit, least, used = held
+    if used is None:
+        used = limit / value if least else value / limit
     grade: Grade = _GRADES[levels.get(code, "info")] if used > 1 + 1e-9 else "pass"
     return Utilisation(name=name, symbol=symbol, unit=unit, value=value, limit=limit, utilisation=used, verdict=grade)
 
@@ -118,9 +132,10 @@ def _of_synthesis(answers: Answers) -> Iterator[_Held]:
     if (sleeve := value_at(answers.clutch.spec, "control_unit.sleeve_depth")) is not None:
         depth = found.pocket_depth_cut
         yield _Held("depth-beyond-sleeve", term("pocket within the sleeve"), "h_c ≤ B", "m", depth, sleeve)
-    if found.contact_force_judged is not None and found.contact_force_allowable is not None:
-        force, allowable = found.contact_force_judged, found.contact_force_allowable
-        yield _Held("contact-force-exceeded", term("contact force on one ball"), "F_n ≤ [F_n]", "N", force, allowable)
+    for force, allowable, by_hertz in contact_limits(answers.clutch, found):
+        name = term("contact force on one ball, by Hertz") if by_hertz else term("contact force on one ball")
+        code = "contact-force-exceeded" if force > allowable else ""  # one limit may hold where the other does not
+        yield _Held(code, name, "F_n ≤ [F_n]", "N", force, allowable)
     if found.seat_force is not None and found.seat_utilisation:
         force, allowable = found.seat_force, found.seat_force / found.seat_utilisation
         yield _Held("seat-force-exceeded", term("force of a seat on one ball"), "F_s ≤ [F_n]", "N", force, allowable)
@@ -158,6 +173,19 @@ def _of_springs(clutch: Clutch, travel: float) -> Iterator[Utilisation]:
                 symbol=rule.symbol, unit=rule.unit, value=value, limit=limit, utilisation=used,
                 verdict=_GRADES[rule.level] if used > 1 + 1e-9 else "pass",
             )  # fmt: skip
+
+
+def _of_heat(answers: Answers) -> Iterator[_Held]:
+    """What the friction material has to bear of a trip."""
+    judged = judged_temperature(answers.clutch, answers.of(HeatResult))
+    if judged is None:
+        return
+    name, symbol = term("mean temperature of the discs"), "Θ ≤ [Θ]"
+    if judged.of_faces:
+        name, symbol = term("temperature of the faces"), "Θ_s ≤ [Θ]"
+    value, low = judged.value, judged.limit.low
+    code = "temperature-exceeded" if value > judged.limit.high else "temperature-in-range"
+    yield _Held(code, name, symbol, "K", value, low, used=share_of_rise(answers.clutch, value, low))
 
 
 def _of_life(found: LifeResult) -> Iterator[_Held]:

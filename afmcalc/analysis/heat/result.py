@@ -16,7 +16,7 @@ class HeatResult(Result):
     )
     power_density: Triple | None = quantity("W/m^2", "q", "largest power per area of a pair", optional=True)
     temperature_rise: OpenTriple | None = quantity(
-        "K", "ΔΘ", "mean rise of the discs by a trip, all its heat in them", optional=True, null=NOT_ENDED
+        "K", "ΔΘ_d", "mean rise of the discs by a trip, the lining taking its share", optional=True, null=NOT_ENDED
     )
     temperature: OpenTriple | None = quantity(
         "K abs", "Θ", "mean temperature of the discs after a trip", optional=True, null=NOT_ENDED
@@ -28,11 +28,14 @@ class HeatResult(Result):
         optional=True,
         null=NOT_ENDED,
     )
+    face_temperature: OpenTriple | None = quantity(
+        "K abs", "Θ_s", "largest temperature of the faces during a trip", optional=True, null=NOT_ENDED
+    )
     temperature_limit: float | None = quantity(
         "K abs", "Θ_max", "temperature the discs are held against", optional=True
     )
     trips_without_cooling: OpenTriple | None = quantity(
-        "1", "n", "trips one upon the other until the limit", optional=True
+        "1", "n", "trips one upon the other until the limit, all their heat in the discs", optional=True
     )
     trips_per_hour: OpenTriple | None = quantity(
         "1/h", "ν", "trips per hour, mean temperature at the limit", optional=True

@@ -1,5 +1,6 @@
-"""Temperature of the faces during a slip, whose heat flows into disc and lining, layers of a depth."""
+"""Temperature of faces and disc during a slip, whose heat flows into disc and lining, layers of a depth."""
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -50,10 +51,7 @@ def largest_rise(bodies: list[Body], course: Course) -> float:
     """
     end = course.time[-1]
     for _ in range(8):
-        ends = np.linspace(course.time[0], end, _PANELS + 1)
-        flux = np.diff(course.heat_at(ends)) / np.diff(ends)
-        steps = np.diff(_rises(bodies, ends - ends[0]))
-        rises = np.convolve(flux, steps)[:_PANELS]
+        ends, rises = _over_time(course, end, lambda p: 1 / (p * sum(each.admittance(p) for each in bodies)))
         best = int(np.argmax(rises))
         if best >= _FINE:
             break
@@ -61,13 +59,33 @@ def largest_rise(bodies: list[Body], course: Course) -> float:
     return float(rises[best])
 
 
-def _rises(bodies: list[Body], times: Floats) -> Floats:
-    """Rise of the face under an even flux of 1 at several times, from its transform (Abate and Valkó 2004)."""
+def most_in_disc(bodies: list[Body], course: Course) -> float:
+    """Largest heat per area in the disc, the first of the bodies, J/m².
+
+    Of the flux Y_d/ΣY flows into it, as it is as hot as the lining where they touch. The mean of the disc is never
+    above the largest rise of the faces: no place within a body that is heated at its face alone is ever hotter than
+    the face has been (maximum principle of the equation of heat).
+    """
+    disc = bodies[0].admittance
+    _, heats = _over_time(
+        course, course.time[-1], lambda p: disc(p) / (p * p * sum(each.admittance(p) for each in bodies))
+    )
+    return float(heats.max())
+
+
+def _over_time(course: Course, end: float, transform: Callable[[Floats], Floats]) -> tuple[Floats, Floats]:
+    """Times until an end, and what the flux gives at all but the first, of its transform under an even flux of 1."""
+    ends = np.linspace(course.time[0], end, _PANELS + 1)
+    flux = np.diff(course.heat_at(ends)) / np.diff(ends)
+    steps = np.diff(_inverse(transform, ends - ends[0]))
+    return ends, np.convolve(flux, steps)[:_PANELS]
+
+
+def _inverse(transform: Callable[[Floats], Floats], times: Floats) -> Floats:
+    """What a transform is of, at several times, the first of them 0 (Abate and Valkó 2004)."""
     angle = np.arange(1, _TERMS) * np.pi / _TERMS
     cot = 1 / np.tan(angle)
     nodes = 0.4 * _TERMS * np.concatenate([[1.0], angle * (cot + 1j)])
     weights = np.exp(nodes) * np.concatenate([[0.5], 1 + 1j * angle * (1 + cot * cot) - 1j * cot])
-    at = nodes[:, None] / times[1:]
-    transform = 1 / (at * sum(each.admittance(at) for each in bodies))
-    rises: Floats = 0.4 / times[1:] * (weights[:, None] * transform).real.sum(axis=0)
-    return np.concatenate([[0.0], rises])
+    values: Floats = 0.4 / times[1:] * (weights[:, None] * transform(nodes[:, None] / times[1:])).real.sum(axis=0)
+    return np.concatenate([[0.0], values])

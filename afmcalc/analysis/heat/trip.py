@@ -33,6 +33,8 @@ class HeatedSlip(NamedTuple):
     """Its power over time; as far as known of one that does not end."""
     carried: bool = False
     """Whether the motor can carry the slip torque, so that only a cut-off ends it."""
+    lining_share: float = 0.0
+    """Share of the heat that is in the lining where the discs are hottest."""
 
 
 class HeatedSlips(NamedTuple):

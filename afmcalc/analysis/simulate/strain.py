@@ -23,6 +23,8 @@ class Strength(NamedTuple):
 
     contact_force: float | None
     """On one ball, N."""
+    contact_path: str
+    """Key of the spec that this is from."""
     travel: float | None
     """At which a ball touches the edge of its pocket, m."""
     clearance: float
@@ -44,12 +46,13 @@ def contact_forces(clutch: Clutch, found: Sequence[Outcome]) -> list[float] | No
 def strength_of(clutch: Clutch) -> Strength:
     """Return what the control unit as synthesized bears."""
     if not ANALYSES["synthesize"].applies(clutch):
-        return Strength(None, None, 0.0, None)
+        return Strength(None, "", None, 0.0, None)
     found, _ = synthesize(clutch)
     wall = wall_of(clutch, found.face_gap, found.ball_diameter / 2)
     if not clutch.spec.kind.travels or found.ball_diameter_standard is None or not wall.can_be_cut:
-        return Strength(found.contact_force_allowable, None, 0.0, None)
-    return Strength(found.contact_force_allowable, wall.sleeves * wall.mouth, found.edge_clearance, wall)
+        return Strength(found.contact_force_allowable, found.contact_path, None, 0.0, None)
+    travel = wall.sleeves * wall.mouth
+    return Strength(found.contact_force_allowable, found.contact_path, travel, found.edge_clearance, wall)
 
 
 def let_go(found: Sequence[Outcome]) -> float | None:
@@ -64,8 +67,8 @@ def strains(clutch: Clutch, found: Sequence[Outcome]) -> Iterator[Finding]:
     if (forces := contact_forces(clutch, found)) is not None and own.contact_force is not None:
         force, at = max(zip(forces, _ENDS, strict=True))
         if force > own.contact_force * (1 + 1e-9):
-            path = "control_unit.allowable_contact_force"
-            yield finding("event-contact-force", "error", value=force, limit=own.contact_force, path=path, at=at)
+            limit, path = own.contact_force, own.contact_path
+            yield finding("event-contact-force", "error", value=force, limit=limit, path=path, at=at)
     travel, at = max((each.trip.travel_max, end) for each, end in zip(found, _ENDS, strict=True))
     if own.travel is not None and own.wall is not None:
         left = own.wall.clearance(travel)
