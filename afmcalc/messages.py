@@ -241,8 +241,8 @@ FINDINGS: Mapping[str, str] = {
     "stiffness-of-the-discs": "{path} is {value:.5g N/mm}, that of the discs as set {limit:.5g N/mm}: the law takes "
     "their curve; leave the stiffness out, or the discs",
     "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
-    "springs-miss": "{path} is held with straight springs of the stiffness searched; with the disc springs named "
-    "{count} of the front miss it, the worst with {value:.5g} for {limit:.5g}",
+    "springs-miss": "{value:g} clutches are left out of the front: with straight springs of the stiffness searched "
+    "they pass a check, with the disc springs tried they fail it",
     "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
     "any-stiffness": "{path} is not given: any stiffness will do",
     "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g kN}, more than the "

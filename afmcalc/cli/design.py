@@ -100,16 +100,19 @@ def design(
     """The best clutches for what is wanted: the exact Pareto front.
 
     An example is written by afmcalc init --kind requirements. A number of the front means the same clutch in the table,
-    the CSV, the plot and for --pick, however the table is sorted. With --pick, --output FILE gets the chosen clutch as
-    a spec.
+    the CSV, the plot and for --pick, however the table is sorted. Between the points of a range every objective is made
+    as small as it goes; with closing_forces or a curved pocket the front is that of the points. With --pick a clutch
+    gets round figures that hold every limit, and is calculated again with them; --output FILE gets it as a spec that
+    passes a check.
 
     \b
     afmcalc design requirements.toml --sort accuracy_factor --top 10
     afmcalc design requirements.toml --pick 3 --output clutch.toml
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
-    from ..analysis.design.design import check_objective, picked, shown
+    from ..analysis.design.design import check_objective, shown
     from ..analysis.design.design import design as analysis
+    from ..analysis.design.pick import with_picked
     from ..spec import resolved
     from ..spec.requirements import read_requirements
     from .progress import Bar
@@ -120,7 +123,10 @@ def design(
     with Bar(quiet=common.quiet, agreed=common.yes) as bar:
         result, findings = analysis(need, bar.advance)
     printed = common if pick is None else common.to_standard_output()
-    spec = None if pick is None or not result.front else resolved(picked(need, result, pick))
+    spec = None
+    if pick is not None and result.front:
+        result, chosen = with_picked(need, result, pick)
+        spec = resolved(chosen)
     if top is None and printed.chosen_format in ("table", "markdown") and result.on_front > _IN_TABLES:
         top = _IN_TABLES
         common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=result.on_front))

@@ -11,6 +11,7 @@ from ..messages import say
 from ..variants import VARIANTS
 from . import rules
 from .choices import Angles, Choice, Diameters, Forces, Lengths, Pairs, Ratios, Stiffnesses, StiffnessesOrNone
+from .contact import HARDENED_STEEL, Contact
 from .fields import AtLeastOne, Block, Count, Force, Gap, Length, Name, Ratio, Stress, Torque, key_field
 from .models import Friction, Method, PocketShape, Profiled, VariantName
 from .overrides import apply_overrides, overridden
@@ -128,6 +129,7 @@ class Fixed(Block):
         "constant-torque: pockets with the curved wall that holds the torque (indirect)"
     )
     profiled: Profiled | None = key_field("sleeves with the curved wall (indirect); default one")
+    contact: Contact | None = key_field("elastic data of balls and pockets, as in a spec; default hardened steel")
     closing_room: Room | None = key_field("room for the closing spring, with springs", default=None)
     control_room: Room | None = key_field("room for the control spring (indirect), with springs", default=None)
 
@@ -137,7 +139,7 @@ class Limits(Block):
 
     surface_pressure: Stress | None = key_field("mean surface pressure; needs the width of the faces, or both radii")
     outer_diameter: Length | None = key_field("outer diameter of the friction faces; needs the same")
-    contact_force: Force | None = key_field("normal force on one ball")
+    contact_force: Force | None = key_field("normal force on one ball, instead of the contact pressure by Hertz")
     travel: Length | None = key_field("travel of the sleeve (indirect)")
     reduced_gain: Ratio | None = key_field("reduced gain")
     gain_limit: StrictBool = key_field(f"hold the gain limit of the variant ({_GAIN_LIMITS})", default=True)
@@ -160,6 +162,11 @@ class Requirements(Block):
     search: Search
     fixed: Fixed = Fixed()
     limits: Limits = Limits()
+
+    @property
+    def contact(self) -> Contact | None:
+        """Elastic data by which a check of the written clutch judges its balls; None: by the force given alone."""
+        return self.fixed.contact or (HARDENED_STEEL if self.limits.contact_force is None else None)
 
     @model_validator(mode="after")
     def _complete(self) -> "Requirements":

@@ -16,13 +16,7 @@ def pressure_findings(clutch: Clutch) -> list[Finding]:
     one, whose control spring presses through sleeve and stop. Needs the inner and outer radius; with uniform wear the
     peak at the inner edge is held against the allowable too.
     """
-    group = clutch.spec.friction_group
-    if group.inner_radius is None or group.outer_radius is None:
-        return []
-    ring = float(clutch.pack_force_at_rest), group.inner_radius, group.outer_radius, math.pi
-    pressures = {"mean": geometry.mean_pressure(*ring)}
-    if (group.radius_model or "uniform-wear") == "uniform-wear":
-        pressures["peak"] = geometry.peak_pressure_uniform_wear(*ring)
+    pressures = ring_pressures(clutch)
     return [
         _finding(kind, pressure, material, path)
         for path, material in ((path, catalogue()[name]) for path, name in clutch.spec.friction.materials.items())
@@ -31,12 +25,29 @@ def pressure_findings(clutch: Clutch) -> list[Finding]:
     ]
 
 
-def _finding(kind: str, pressure: float, material: Material, path: str) -> Finding:
-    """Below the printed range of the allowable: fine; within: the designer's to judge; above: an error.
+def ring_pressures(clutch: Clutch) -> dict[str, float]:
+    """Return the pressure of a pack at rest in the ``mean`` and at its ``peak``, Pa; empty without both radii."""
+    group = clutch.spec.friction_group
+    if group.inner_radius is None or group.outer_radius is None:
+        return {}
+    ring = float(clutch.pack_force_at_rest), group.inner_radius, group.outer_radius, math.pi
+    found = {"mean": float(geometry.mean_pressure(*ring))}
+    if (group.radius_model or "uniform-wear") == "uniform-wear":
+        found["peak"] = float(geometry.peak_pressure_uniform_wear(*ring))
+    return found
 
-    The limit is the lower end of the range throughout: so the utilisation grows with the load.
+
+def allowable(material: str) -> float | None:
+    """Surface pressure that a material of the catalogue is held to, Pa; None where the catalogue has none.
+
+    The lower end of the printed range: so the utilisation grows with the load.
     """
-    low, high = material.pressure_min, material.pressure_max
+    return catalogue()[material].pressure_min
+
+
+def _finding(kind: str, pressure: float, material: Material, path: str) -> Finding:
+    """Below the printed range of the allowable: fine; within: the designer's to judge; above: an error."""
+    low, high = allowable(material.name), material.pressure_max
     assert low is not None
     assert high is not None
     level: Level = "error" if pressure > high else "warning" if pressure > low else "info"

@@ -5,7 +5,6 @@ from collections.abc import Callable
 from typing import Any, Literal, NamedTuple
 
 from ...engines.protocol import Clutch
-from ...equations import geometry
 from ...findings import Finding, finding
 from ...messages import term, translate
 from ...result import OpenTriple, Result, Triple, quantity
@@ -14,6 +13,7 @@ from ..answers import Answers
 from ..heat.limit import FREEZING, share_of_rise
 from ..life import UNLIMITED
 from ..registry import ANALYSES
+from .pressure import ring_pressures
 
 
 class RequirementRow(Result):
@@ -67,11 +67,7 @@ def _outer_diameter(clutch: Clutch, found: Any) -> float | None:
 
 
 def _mean_pressure(clutch: Clutch, found: Any) -> float | None:
-    group = clutch.spec.friction_group
-    if group.inner_radius is None or group.outer_radius is None:
-        return None
-    ring = float(clutch.pack_force_at_rest), group.inner_radius, group.outer_radius, math.pi
-    return float(geometry.mean_pressure(*ring))
+    return ring_pressures(clutch).get("mean")
 
 
 def _most(found: Triple | OpenTriple | None) -> float | None:

@@ -1,17 +1,20 @@
 """What each law makes of candidates: torques, forces and travel per N of closing force."""
 
+from collections.abc import Iterator
 from dataclasses import replace
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 
 from ...engines.direct_law import DirectLaw
 from ...engines.laws import IndirectLaw
 from ...equations import synthesis, wall
+from ...spec.contact import HARDENED_STEEL
 from ...spec.requirements import Requirements
 from ...variants import Variant
+from .. import hertz
 from .candidates import Candidates
-from .space import SAME, Axes, Mask, Numbers, balls
+from .space import SAME, Axes, Mask, Numbers, balls, given
 
 _STEPS = 12
 """Newton's steps to the mouth of a pocket: each doubles the digits."""
@@ -38,6 +41,15 @@ class DirectCandidates(Candidates):
     @cached_property
     def high(self) -> Numbers:  # noqa: D102
         return np.asarray(self.law.torque_per_force(*self.frictions[2]))
+
+    @cached_property
+    def torques(self) -> tuple[Numbers, Numbers]:
+        """With unlike materials the path of both frictions may bend at their means."""
+        low, high = super().torques
+        if not self.need.friction.unlike:
+            return low, high
+        bend = np.asarray(self.law.torque_per_force(*(own.mean for own in self.need.friction.groups)))
+        return np.minimum(low, bend), np.maximum(high, bend)
 
     @cached_property
     def on_balls(self) -> Numbers:
@@ -153,15 +165,51 @@ class CurvedCandidates(IndirectCandidates):
     @property
     def ball_fits(self) -> Mask:
         """Whether there is a ball that neither undercuts the wall nor has its pocket cut into the next."""
-        return np.isfinite(self.ball_diameter)
+        return np.isfinite(self._next_ball(self.ball_reaching))
+
+    @property
+    def bears(self) -> Mask:
+        """Whether a ball that fits bears its force, or none fits anyway."""
+        return np.isfinite(self.ball_diameter) | ~self.ball_fits
+
+    @cached_property
+    def ball_reaching(self) -> Numbers:
+        """Of the wall at the largest travel."""
+        fixed, sine = self.need.fixed, np.sin(np.arctan(self.tangent_max))
+        reach = 2 * self.travel / self.sleeves
+        return np.asarray(2 * synthesis.ball_radius(reach, fixed.face_gap, fixed.edge_clearance, sine))
+
+    @cached_property
+    def ball_borne(self) -> Numbers:
+        """Largest of what the stop, the largest travel and the flat seat ask for: between them less of it is used."""
+        if self.need.contact is None:
+            return np.zeros(1)
+        bent = [2 * path * np.interp(share, *_bearing()[0], right=np.inf) for path, share in self._shares]
+        seat = np.sqrt(self.ball_torque * self.most_per_ball / hertz.allowable_force(given(self.need.contact), 0.5))
+        return np.maximum(np.maximum(*bent), seat)
+
+    @property
+    def _shares(self) -> Iterator[tuple[Numbers, Numbers]]:
+        """Radius of the path at the stop and at the largest travel; root of the force over what such a ball bears."""
+        for tangent in (self.tangent, self.tangent_max):
+            cosine = 1 / np.sqrt(1 + tangent**2)
+            path = wall.path_radius(self.steepening, cosine)
+            force = synthesis.contact_force(self.ball_torque, self.need.fixed.balls, self.at.ball_circle_radius, cosine)
+            yield path, np.sqrt(force / hertz.allowable_force(given(self.need.contact), path))
 
     @cached_property
     def ball_diameter(self) -> Numbers:
+        """Next standard ball that bears its force, m; NaN where it undercuts the wall, or has no room."""
+        found = self._next_ball(self.ball_needed)
+        if self.need.contact is not None:
+            # nearly as large as the path is bent, a ball bears less again
+            for path, share in self._shares:
+                found = np.where(found <= 2 * path * np.interp(-share, *_bearing()[1]), found, np.nan)
+        return found
+
+    def _next_ball(self, least: Numbers) -> Numbers:
         """Next standard ball, m; NaN where it undercuts the wall, or has no room."""
-        fixed, listed = self.need.fixed, np.append(balls(self.need), np.nan)
-        sine = np.sin(np.arctan(self.tangent_max))
-        reach = 2 * self.travel / self.sleeves
-        least = 2 * synthesis.ball_radius(reach, fixed.face_gap, fixed.edge_clearance, sine)
+        listed = np.append(balls(self.need), np.nan)
         found = listed[np.searchsorted(listed[:-1], least * (1 - SAME))]
         undercut = 2 * wall.path_radius(self.steepening, self.cosine)
         room = (found < undercut) & (found < self.ball_pitch) & (self._mouth(found) < self.ball_pitch)
@@ -177,6 +225,18 @@ class CurvedCandidates(IndirectCandidates):
             depth = depth + left / (1 - radius * self.steepening * np.cos(angle) ** 3)
         around = wall.path(self.tangent, self.steepening, depth)
         return np.asarray(2 * wall.wall_around(around, radius, np.cos(angle)))
+
+
+@cache
+def _bearing() -> tuple[tuple[Numbers, Numbers], tuple[Numbers, Numbers]]:
+    """Root of what balls bear on a path bent by 1, over a ball of radius 1 on a flat, and their radii.
+
+    Up to the ball that bears most, then, negative, beyond it: both ascend, for interpolation (1e-9).
+    """
+    radii = np.linspace(0.0, 1.0, 8193)[1:-1]
+    root = np.sqrt(hertz.allowable_force(HARDENED_STEEL, radii, 1.0) / hertz.allowable_force(HARDENED_STEEL, 1.0))
+    top = int(np.argmax(root))
+    return (np.append(0.0, root[: top + 1]), np.append(0.0, radii[: top + 1])), (-root[top:], radii[top:])
 
 
 def candidates(need: Requirements, variant: Variant, at: Axes) -> Candidates:

@@ -8,12 +8,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from ...arrays import larger, smaller
 from ...equations import adjustment, direct, geometry, synthesis
 from ...spec.requirements import Requirements
 from ...variants import Variant
+from .. import hertz
 from .room import never_meet
-from .space import SAME, Axes, Mask, Numbers, balls
+from .space import SAME, Axes, Mask, Numbers, Places, balls, given
 
 
 @dataclass(frozen=True)
@@ -27,6 +27,8 @@ class Candidates(ABC):
     need: Requirements
     variant: Variant
     at: Axes
+    digits: int | None = None
+    """Digits that the spring force is rounded up to; None: it is exact."""
 
     no_clutch: ClassVar[str]
     """Name under which candidates count that are no clutch, and under no other."""
@@ -103,6 +105,11 @@ class Candidates(ABC):
             found = direct.gain(1.0, self.at.ball_circle_radius, self.tangent) * self.at.mean_radius
         return found
 
+    @cached_property
+    def torques(self) -> tuple[Numbers, Numbers]:
+        """Smallest and largest torque, m: the law rises or falls all the way."""
+        return np.minimum(self.low, self.high), np.maximum(self.low, self.high)
+
     @property
     def gain_limit(self) -> Numbers:
         """Largest C at which the law describes the whole slip; infinite where it always does."""
@@ -139,7 +146,7 @@ class Candidates(ABC):
     def closing_force(self) -> Numbers:
         """F_п as set, N; where a catalogue has none the one wanted."""
         if self.need.search.closing_forces is None:
-            return self.wanted_force
+            return self.wanted_force if self.digits is None else rounded(self.wanted_force, self.digits, up=True)
         listed = self.need.search.closing_forces.array()
         place = np.searchsorted(listed, self.wanted_force * (1 - SAME))
         return np.where(place < listed.size, listed[np.minimum(place, listed.size - 1)], self.wanted_force)
@@ -158,13 +165,13 @@ class Candidates(ABC):
     @cached_property
     def torque_max(self) -> Numbers:
         """Largest sustained torque, N·m."""
-        return self.closing_force * larger(self.low, self.high)
+        return self.closing_force * self.torques[1]
 
     @cached_property
     def accuracy_factor(self) -> Numbers:
         """K_т."""
-        found: Numbers = np.divide(larger(self.low, self.high), smaller(self.low, self.high))
-        return found
+        smallest, largest = self.torques
+        return np.asarray(largest / smallest)
 
     @cached_property
     def reduced_gain(self) -> Numbers:
@@ -189,6 +196,15 @@ class Candidates(ABC):
         half = self.face_width / 2
         per_force = geometry.mean_pressure(1.0, self.at.mean_radius - half, self.at.mean_radius + half, np.pi)
         found: Numbers = self.pack_force * per_force
+        return found
+
+    @cached_property
+    def peak_pressure(self) -> Numbers:
+        """Surface pressure at the inner edge, which a friction material is held to, Pa; NaN as the mean."""
+        half = self.face_width / 2
+        found: Numbers = geometry.peak_pressure_uniform_wear(
+            self.pack_force, self.at.mean_radius - half, self.at.mean_radius + half, np.pi
+        )
         return found
 
     @cached_property
@@ -242,11 +258,43 @@ class Candidates(ABC):
     @cached_property
     def largest_ball(self) -> Numbers:
         """Largest standard ball that has room beside its neighbour, and so has its pocket, m; 0 where none has."""
-        listed, room = np.append(0.0, balls(self.need)), self.ball_pitch
-        if self.variant.travels or not never_meet(self.need):
+        return np.append(0.0, balls(self.need))[self._places(mouths=self.variant.travels or not never_meet(self.need))]
+
+    @cached_property
+    def largest_bearing_ball(self) -> Numbers:
+        """The same of a ball that is chosen for the force on it: its wall may be steeper than its travel asks for."""
+        return np.append(0.0, balls(self.need))[self._places(mouths=True)]
+
+    def _places(self, *, mouths: bool) -> Places:
+        """How many standard balls have room."""
+        room = self.ball_pitch
+        if mouths:
             # the mouth d/cos α − s tan α is to be narrower than the pitch
             room = np.minimum(room, (room + self.need.fixed.face_gap * self.tangent) * self.cosine)
-        return listed[np.searchsorted(listed, room * (1 - SAME)) - 1]
+        return np.searchsorted(balls(self.need), room * (1 - SAME))
+
+    @cached_property
+    def ball_borne(self) -> Numbers:
+        """Diameter of the smallest ball that bears its force on a flat wall, m; 0 at gain 0, where there are none."""
+        if (contact := self.need.contact) is None:
+            return np.zeros(1)
+        # what a ball bears goes with its diameter squared
+        return np.where(self.tangent > 0, np.sqrt(self.contact_force / hertz.allowable_force(contact, 0.5)), 0.0)
+
+    @cached_property
+    def contact_pressure(self) -> Numbers:
+        """Contact pressure of the largest ball that has room, Pa; 0 at gain 0."""
+        contact = given(self.need.contact)
+        found = hertz.pressure(contact, self.contact_force, self.largest_bearing_ball / 2)
+        return np.where(self.tangent > 0, found, 0.0)
+
+    @property
+    def bears(self) -> Mask:
+        """Whether there is room for a standard ball that bears its force."""
+        contact, listed = given(self.need.contact), np.append(0.0, balls(self.need))
+        borne = np.asarray(hertz.allowable_force(contact, listed / 2)) * (1 + SAME)
+        allowed = borne[self._places(mouths=True)] / self.most_per_ball
+        return np.asarray(self.ball_torque <= np.where(self.tangent > 0, allowed, np.inf))
 
     def travel_room(self, diameter: Numbers | float) -> Numbers:
         """Travel for which a ball is large enough, m: half of it goes off the clearance; no bound at gain 0."""
@@ -267,7 +315,12 @@ class Candidates(ABC):
 
     @cached_property
     def ball_needed(self) -> Numbers:
-        """Diameter of the smallest ball that travel, gap and clearance allow, m; 0 at gain 0."""
+        """Diameter of the smallest ball that travel, gap, clearance and the force on it allow, m; 0 at gain 0."""
+        return np.maximum(self.ball_reaching, self.ball_borne)
+
+    @cached_property
+    def ball_reaching(self) -> Numbers:
+        """The same of travel, gap and clearance alone."""
         fixed, sine = self.need.fixed, self.tangent * self.cosine
         found = 2 * synthesis.ball_radius(self.travel, fixed.face_gap, fixed.edge_clearance, sine)
         return np.where(self.tangent > 0, found, 0.0)
@@ -281,3 +334,13 @@ class Candidates(ABC):
         place = np.searchsorted(listed[:-1], self.ball_needed * (1 - SAME))
         found: Numbers = np.where(self.tangent > 0, listed[place], np.nan)
         return found
+
+
+def rounded(values: Numbers, digits: int, *, up: bool) -> Numbers:
+    """Round up or down to so many significant digits; what is as round already stays."""
+    size = 10.0 ** (digits - 1 - np.floor(np.log10(np.abs(values))))
+    scaled = values * size
+    whole = np.rint(scaled)
+    near = np.where(np.abs(scaled - whole) <= 1e-12 * np.abs(whole), whole, np.ceil(scaled) if up else np.floor(scaled))
+    found: Numbers = np.where(values == 0, 0.0, near / size)
+    return found

@@ -1,14 +1,14 @@
 """Which clutch is needed: the Pareto front of everything that meets the requirements."""
 
 from collections.abc import Iterator
+from itertools import product
 
 import numpy as np
 
-from ...errors import AfmcalcError, CalculationError
+from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...messages import joined, measured, say, term
 from ...result import Result, quantity
-from ...spec import Spec
 from ...spec.requirements import Requirements
 from ...spec.suggest import did_you_mean
 from ...watch import Progress, unwatched
@@ -17,7 +17,7 @@ from .by_law import candidates
 from .found import Found
 from .limits import OBJECTIVES
 from .pareto import front
-from .parts import spec_with_parts, springs_miss, with_parts
+from .parts import made
 from .refine import refined
 from .rows import DesignRow, rows
 from .search import search
@@ -45,6 +45,9 @@ class DesignResult(Result):
         "", None, "what could be had instead, with all other requirements held", optional=True
     )
     front: list[DesignRow] = quantity("", None, "the front")
+    picked: list[DesignRow] | None = quantity(
+        "", None, "the clutch picked, calculated from the round values as written", optional=True
+    )
 
 
 def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignResult, list[Finding]]:
@@ -71,8 +74,10 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
         )
     found = search(need, lambda done: progress(say("searching"), done, count))
     best = numbered(need, [fine for _, fine in refinement(need, found, progress)])
+    unsprung = 0
     if need.springs is not None:
-        best = list(_sprung(need, best, progress))
+        sprung = list(_sprung(need, best, progress))
+        unsprung, best = len(best) - len(sprung), numbered(need, sprung)
     missing = None
     if not best:
         missing = attainable(need, lambda done, of: progress(say("looking for what is attainable"), done, of))
@@ -82,24 +87,29 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
         objectives=list(need.objectives),
         on_front=len(best),
         knee=next((row.number for row in best if row.mark), None),
-        excluded={name: number for name, number in found.excluded.items() if number},
+        excluded={name: number for name, number in (found.excluded | {"springs": unsprung}).items() if number},
         attainable=missing,
         front=best,
     )
-    return result, [*_findings(result), *springs_miss(need, best)]
+    missed = [finding("springs-miss", "warning", value=float(unsprung), path="springs")] if unsprung else []
+    return result, [*_findings(result), *missed]
 
 
 def refinement(need: Requirements, found: Found, progress: Progress = unwatched) -> list[tuple[DesignRow, DesignRow]]:
-    """Return every member of the front on the grid, and what it becomes between the grid points."""
+    """Return every member of the front on the grid, and what it becomes between the grid points.
+
+    With the ball an objective twice: with the smallest that gives nothing up, and as good as can be with its own.
+    """
     both: list[tuple[DesignRow, DesignRow]] = []
-    count = sum(len(values) for _, _, values in found.members)
-    for variant, at, _ in found.members:
+    ways = (False, True) if "ball_diameter" in need.objectives else (False,)
+    count = len(ways) * sum(len(values) for _, _, values in found.members)
+    for (variant, at, _), ball_first in product(found.members, ways):
         behind = len(both)
 
         def told(done: int, behind: int = behind) -> None:
             progress(say("refining"), behind + done, count)
 
-        best = refined(need, variant, at, told)
+        best = refined(need, variant, at, told, ball_first=ball_first and variant.controlled)
         both += zip(*(rows(candidates(need, variant, each)) for each in (at, best)), strict=True)
     return both
 
@@ -157,7 +167,8 @@ def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResu
 
 def _sprung(need: Requirements, front: list[DesignRow], progress: Progress) -> Iterator[DesignRow]:
     for number, row in enumerate(front, 1):
-        yield with_parts(need, row)
+        if (sprung := made(need, row)) is not None:
+            yield sprung.row
         progress(say("choosing springs"), number, len(front))
 
 
@@ -198,16 +209,3 @@ def _instead(each: Attainable) -> str:
 
 _UNITS = {"N": "kN", "m": "mm", "Pa": "MPa", "N*m": "N·m", "1": ""}
 """SI unit of what is bounded → the engineer's."""
-
-
-def picked(need: Requirements, result: DesignResult, number: int) -> Spec:
-    """Return a clutch of the front as a spec.
-
-    Raises:
-        CalculationError: no such number.
-    """
-    if not 1 <= number <= len(result.front):
-        raise CalculationError(
-            say("--pick {number}: the front has the numbers 1 to {count}", number=number, count=len(result.front))
-        )
-    return spec_with_parts(need, result.front[number - 1])

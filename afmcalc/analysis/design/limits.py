@@ -1,6 +1,7 @@
 """What every candidate must hold, and what it is judged by: one list for every way through the space."""
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from functools import reduce
 from operator import and_
 from typing import NamedTuple, TypeAlias
@@ -10,6 +11,7 @@ import numpy as np
 from ...spec.requirements import Requirements
 from ...spec.springs import Room
 from ...variants import Variant
+from ..checks.pressure import allowable
 from ..springs.stacks import holds_force, travel_held
 from .candidates import Candidates
 from .space import SAME, Axes, Mask, Numbers, given
@@ -66,6 +68,9 @@ def _bounds(need: Requirements, variant: Variant) -> Iterable[Constraint]:
         )  # fmt: skip
     if (pressure := limits.surface_pressure) is not None:
         yield _at_most("surface_pressure", lambda c: c.surface_pressure, pressure, "Pa", (1, 1))
+    if width is not None or need.search.inner_radius is not None:
+        for pressure in filter(None, map(allowable, need.friction.materials.values())):
+            yield _at_most("material_pressure", lambda c: c.peak_pressure, pressure, "Pa", (1, 1))
     if (diameter := limits.outer_diameter) is not None:
         yield _at_most("outer_diameter", lambda c: c.outer_diameter, diameter, "m", (-1, -1))
 
@@ -85,10 +90,14 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
             "contact_force", lambda c: c.ball_torque <= force * OVER / c.most_per_ball, (1, 1),
             lambda c: c.ball_torque * c.most_per_ball, force, "N",
         )  # fmt: skip
+    if need.contact is not None:
+        straight = None if curved(need, variant) else lambda c: c.contact_pressure
+        most = need.contact.allowable_pressure
+        yield Constraint("contact_pressure", lambda c: c.bears, (1, 1), straight, most, "Pa")
     # what a ball lacks in size: the largest that is listed or has room may differ from candidate to candidate
     yield Constraint(
         "standard_ball", lambda c: c.ball_fits, (-1, int(variant.travels)),
-        lambda c: c.ball_needed - c.largest_ball, 0.0, "m",
+        lambda c: c.ball_reaching - c.largest_ball, 0.0, "m",
     )  # fmt: skip
     if variant.travels and (travel := limits.travel) is not None:
         yield _at_most("travel", lambda c: c.travel, travel, "m", (0, 1))
@@ -143,8 +152,10 @@ def feasible(found: Candidates, among: Mask) -> Mask:
     """Those of some candidates that hold every constraint; what costs most is asked of those that hold the others."""
     held = constraints(found.need, found.variant)
     good = reduce(and_, (each.holds(found) for each in held if each.value), among & found.is_clutch)
+    if not good.any():
+        return good
     few = Axes(*(column[good] for column in found.at))
-    own = type(found)(found.need, found.variant, few)
+    own = replace(found, at=few)
     good[good] = reduce(and_, (each.holds(own) for each in held if not each.value), np.ones(few.pairs.shape, bool))
     return good
 
@@ -178,6 +189,6 @@ def never_worse(need: Requirements, variant: Variant) -> dict[str, int]:
         found["closing_stiffness"] = 1
         if not aims & {"ball_diameter", "travel", "control_deflection"}:
             found["control_stiffness"] = -1
-        elif "accuracy_factor" not in aims:
+        elif not aims & {"accuracy_factor", "ball_diameter"}:
             found["control_stiffness"] = 1
     return found

@@ -108,10 +108,10 @@ class _Rows:
         found, along, rows = [], self.tile.dimension("ball_circle_radius"), self.tile.size
         numbers = np.arange(1, rows + 1).reshape(self.tile.shape)
         for last in self._ends_by_ball(end):
-            # a gain knows no ball circle: of a group the one that allows the largest radius
-            both = np.where(last > begin, last * rows - numbers, -1).max(axis=along)
+            # a gain knows no ball circle: of a group the one that allows the largest radius, then of the largest circle
+            both = np.where(last > begin, last * rows + numbers - 1, -1).max(axis=along)
             place, row = np.divmod(both[both >= 0], rows)
-            found.append((rows - 1 - row, place))
+            found.append((row, place - 1))
             begin = np.maximum(begin, last)
         return found
 

@@ -15,6 +15,7 @@ import numpy as np
 from ...spec.choices import Choice
 from ...spec.requirements import Requirements
 from ...variants import Variant
+from .. import hertz
 from .by_law import candidates
 from .candidates import Candidates
 from .limits import curved, feasible, objectives
@@ -24,7 +25,6 @@ FIRST, LATER, ROUNDS = 256, 32, 10
 """Choice of u tried at first, and between the neighbours of the best in each later round."""
 ROWS = 256
 """Candidates refined at once."""
-_WHOLE = ("pairs", "ball_diameter")
 _INSIDE = 1 - 5e-13
 """What is solved for aims at the middle of the slack that limits have."""
 _FREE = ("mean_radius", "steering", "ball_circle_radius", "closing_stiffness", "control_stiffness")
@@ -32,18 +32,20 @@ _FREE = ("mean_radius", "steering", "ball_circle_radius", "closing_stiffness", "
 
 @np.errstate(all="ignore")
 def refined(
-    need: Requirements, variant: Variant, at: Axes, progress: Callable[[int], None] = lambda done: None
-) -> Axes:
+    need: Requirements, variant: Variant, at: Axes, progress: Callable[[int], None] = lambda done: None,
+    *, ball_first: bool = False,
+) -> Axes:  # fmt: skip
     """Move candidates between the grid points of the parameters that were given as ranges.
 
-    Each continuous objective in turn is made as small as it goes without a rise of the others. Whole numbers,
-    lists and balls stay; so do a spring force from a catalogue and pockets with a curved wall, and then all the rest.
+    Each objective in turn is made as small as it goes without a rise of the others. Whole numbers and lists stay; so
+    do a spring force from a catalogue and pockets with a curved wall, and then all the rest.
 
     Args:
         need: the requirements.
         variant: variant of the candidates.
         at: one candidate per element.
         progress: is told how many of them are behind.
+        ball_first: whether the ball, which comes in sizes, is made smaller too, before all else.
 
     Returns:
         Candidates of the same number, each no worse than its own in any objective.
@@ -54,7 +56,7 @@ def refined(
         return at
     parts = []
     for start in range(0, count, ROWS):
-        parts.append(_Rows(need, variant, Axes(*(column[start : start + ROWS] for column in at))).best())
+        parts.append(_Rows(need, variant, Axes(*(column[start : start + ROWS] for column in at))).best(ball_first))
         progress(min(start + ROWS, count))
     return Axes(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else at
 
@@ -110,23 +112,23 @@ class _Rows:
             most = np.inf if limit is None or width is None else (limit - width) / 2
         return _Span(low, np.maximum(low, np.minimum(high, most)))
 
-    def best(self) -> Axes:
+    def best(self, ball_first: bool) -> Axes:
         """Make one objective after the other as small as it goes."""
         best = self.at
-        for goal, name in enumerate(self.need.objectives):
-            if name not in _WHOLE:
-                best = self._least(goal, best)
+        for name in [*["ball_diameter"] * ball_first, *self.need.objectives]:
+            if name not in ("pairs", "ball_diameter") or (ball_first and best is self.at):
+                best = self._least(name, best)
                 self.limit = np.minimum(self.limit, objectives(candidates(self.need, self.variant, best)) * (1 + 1e-12))
         return Axes(*(column[:, 0] for column in best))
 
-    def _least(self, goal: int, best: Axes) -> Axes:
+    def _least(self, goal: str, best: Axes) -> Axes:
         low, high = self._steeps()
         reached = self._score(goal, best)[:, 0]
         own = self._steep(best)
         for turn in range(ROUNDS):
             parts = np.linspace(0.0, 1.0, FIRST if turn == 0 else LATER)
             tried = np.concatenate([low + (high - low) * parts, own], axis=1)
-            at = self._placed(self.need.objectives[goal], tried)
+            at = self._placed(goal, tried)
             score = self._score(goal, at)
             choice = score.argmin(axis=1)
             each = np.arange(len(choice))
@@ -143,13 +145,14 @@ class _Rows:
             high = np.where(tried > own, tried, high).min(axis=1, keepdims=True)
         return best
 
-    def _score(self, goal: int, at: Axes) -> Numbers:
-        """The objective where a candidate is feasible and gives up nothing, else infinite."""
+    def _score(self, goal: str, at: Axes) -> Numbers:
+        """The objective (of a ball what it needs) where a candidate is feasible and gives nothing up, else infinite."""
         shape = np.broadcast_shapes(*(column.shape for column in at))
         found = candidates(self.need, self.variant, Axes(*(np.broadcast_to(column, shape) for column in at)))
         values = objectives(found)
         good = feasible(found, np.asarray((values <= self.limit).all(axis=-1)))
-        return np.where(good, values[..., goal], np.inf)
+        aim = found.ball_needed if goal == "ball_diameter" else values[..., self.need.objectives.index(goal)]
+        return np.where(good, aim, np.inf)
 
     def _steep(self, at: Axes) -> Numbers:
         """u = tan α/r = C/R."""
@@ -236,15 +239,29 @@ class _Rows:
         some = candidates(self.need, self.variant, at._replace(control_stiffness=at.closing_stiffness))
         # travel = x_0/(1 + m c_2), torque = (T_0 + T_∞ m c_2)/(1 + m c_2)
         per = (none.travel / some.travel - 1) / at.closing_stiffness
-        if goal in ("travel", "control_deflection"):
+        if goal in ("travel", "control_deflection", "ball_diameter"):
             allowed, share = self._torque_allowed(none), per * at.closing_stiffness
             ordinary = (some.torque_max * (1 + share) - none.torque_max) / share
             most = (allowed - none.torque_max) / (per * (ordinary - allowed))
             chosen = np.where(ordinary > allowed, most, np.inf)
+            if goal == "ball_diameter":
+                chosen = np.minimum(chosen, self._of_least_ball(none, ordinary) / per)
         else:
             least = (none.travel / self._travel_allowed(none) - 1) / per
             chosen = np.maximum(least, none.control_force / self._most("control_deflection") / _INSIDE)
         return at._replace(control_stiffness=span.clip(np.nan_to_num(chosen, nan=0.0)))
+
+    def _of_least_ball(self, none: Candidates, ordinary: Numbers) -> Numbers:
+        """m c_2 at which travel and force ask for the same ball: with more the force asks for a larger one.
+
+        With t = 1/(1 + m c_2) the first is a line in t, and the square of the second another.
+        """
+        at_rest = none.ball_reaching - (growth := none.travel / (none.tangent * none.cosine))
+        bears = np.inf if self.need.contact is None else hertz.allowable_force(self.need.contact, 0.5)
+        slack, full = (none.force_per_ball / bears * each for each in (ordinary - none.torque_max, ordinary))
+        half = growth * at_rest + slack / 2
+        share = (np.sqrt(half**2 + growth**2 * (full - at_rest**2)) - half) / growth**2
+        return np.where(share > 0, 1 / share - 1, np.inf)
 
     def _most(self, name: str) -> Numbers:
         """Largest value of an objective that gives nothing up; infinite where it is none."""
@@ -262,6 +279,9 @@ class _Rows:
         wanted, limits = self.need.wanted, self.need.limits
         factor = np.minimum(self._most("accuracy_factor"), wanted.accuracy_factor or np.inf)
         allowed: Numbers = np.minimum(factor * own.closing_force * own.low, wanted.torque_max or np.inf)
-        contact = np.inf if limits.contact_force is None else limits.contact_force
+        contact = np.full(1, np.inf if limits.contact_force is None else limits.contact_force)
+        if self.need.contact is not None:
+            ball = np.minimum(self._most("ball_diameter"), own.largest_bearing_ball)
+            contact = np.minimum(contact, hertz.allowable_force(self.need.contact, ball / 2))
         least: Numbers = np.minimum(allowed, contact / own.force_per_ball) * _INSIDE
         return least

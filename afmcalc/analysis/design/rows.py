@@ -123,21 +123,23 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         "requirements": need.wanted.model_dump(exclude_none=True, exclude={"method", "margin"}) | _limits_of(need, row),
     }
     if row.ball_circle_radius is not None:
-        data["control_unit"] = {
-            **({"gain": row.gain} if row.wall_angle is None else {"wall_angle": row.wall_angle}),
+        sleeve, curve = row.closing_stiffness is not None, row.gain_slope is not None
+        unit = {
+            "gain": row.gain if row.wall_angle is None else None,
+            "wall_angle": row.wall_angle,
             "ball_circle_radius": row.ball_circle_radius,
             "balls": fixed.balls,
             "face_gap": fixed.face_gap,
             "edge_clearance": fixed.edge_clearance,
-            **({} if limits.contact_force is None else {"allowable_contact_force": limits.contact_force}),
-            **({} if row.ball_diameter is None else {"ball_diameter": row.ball_diameter}),
-            **(
-                {}
-                if row.closing_stiffness is None
-                else {"hub_diameter": fixed.hub_diameter, "key_friction": fixed.key_friction}
-            ),
-            **({} if row.gain_slope is None else {"pocket": fixed.pocket, "profiled": fixed.profiled or "one"}),
+            "allowable_contact_force": limits.contact_force,
+            "contact": fixed.contact and fixed.contact.model_dump(),
+            "ball_diameter": row.ball_diameter,
+            "hub_diameter": fixed.hub_diameter if sleeve else None,
+            "key_friction": fixed.key_friction if sleeve else None,
+            "pocket": fixed.pocket if curve else None,
+            "profiled": (fixed.profiled or "one") if curve else None,
         }
+        data["control_unit"] = {name: value for name, value in unit.items() if value is not None}
     if row.closing_stiffness is not None:
         spring["stiffness"] = row.closing_stiffness
         data["control_spring"] = {"stiffness": row.control_stiffness} | _room(fixed.control_room)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from functools import cache
 from math import prod
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,8 +37,11 @@ class Axes(NamedTuple):
     """One value in a grid; NaN where the mean radius itself is searched."""
 
 
-def given(values: Choice | None) -> Choice:
-    """Choice that the rules of the requirements ask for."""
+T = TypeVar("T")
+
+
+def given(values: T | None) -> T:
+    """What the rules of the requirements, or who asks, see to."""
     assert values is not None
     return values
 

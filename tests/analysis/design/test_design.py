@@ -18,9 +18,10 @@ from conftest import CONFIGS, ROOT, fewer
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from afmcalc.analysis.design.design import design, picked, refinement, shown
+from afmcalc.analysis.design.design import design, refinement, shown
 from afmcalc.analysis.design.found import Found
 from afmcalc.analysis.design.pareto import front
+from afmcalc.analysis.design.pick import picked
 from afmcalc.analysis.design.radius import by_radius, separable
 from afmcalc.analysis.design.search import search as searched
 from afmcalc.analysis.design.tiles import by_tile
@@ -29,6 +30,8 @@ from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
 from afmcalc.equations import adjustment, inverse
 from afmcalc.spec import make_spec
+from afmcalc.spec.balls import diameters
+from afmcalc.spec.edit import with_value
 from afmcalc.spec.requirements import make_requirements
 from afmcalc.variants import VARIANTS
 
@@ -59,7 +62,9 @@ def requirements(draw, separable=False):
     angle = draw(st.booleans())
     both = draw(st.booleans())
     width = None if both else maybe(0.01, 0.08)
+    material = draw(st.sampled_from([None, None, "cork-dry", "woven-dry"]))
     data = changed(
+        friction={"min": None, "mean": None, "max": None, "material": material} if material else {},
         variants=draw(st.lists(st.sampled_from(["conventional", "differentiated", "all-driving", "indirect"]), min_size=1, unique=True)),
         objectives=draw(st.lists(st.sampled_from(OBJECTIVES), min_size=1, unique=True)),
         wanted={
@@ -120,6 +125,18 @@ def brute(need):
     return np.array(found).reshape(-1, len(need.objectives))
 
 
+def ball_of(need, clutch, made):
+    """The smallest standard ball that reaches, bears its force (Johnson, Contact Mechanics, (4.24)) and has room."""
+    for size in (each for each in diameters() if each >= 2 * made.ball_radius * (1 - 1e-9)):
+        # of hardened steel: 206 GPa, 0.3, 4200 MPa
+        borne = math.pi**3 * 4.2e9**3 * (size / 2) ** 2 / (6 * (206e9 / (2 * (1 - 0.3**2))) ** 2)
+        if need.limits.contact_force is not None or made.contact_force <= borne * (1 + 1e-9):
+            _, findings = synthesize(build(with_value(clutch.spec, ("control_unit", "ball_diameter"), size)))
+            room = {"balls-overlap", "pockets-overlap", "ball-reaches-axis"} & {each.code for each in findings}
+            return None if room else size
+    return None
+
+
 def one(need, variant, z, face, z1, turn, circle, c1, c2):
     """Objectives of one candidate, None where a requirement is missed."""
     radius, width = face
@@ -168,13 +185,15 @@ def one(need, variant, z, face, z1, turn, circle, c1, c2):
         limits.reduced_gain is None or clutch.reduced_gain <= limits.reduced_gain * over,
         not limits.gain_limit or clutch.gain_limit is None or clutch.gain <= clutch.gain_limit * over,
     ]  # fmt: skip
+    if (material := need.friction.material) is not None and width is not None:
+        allowed = {"cork-dry": 55e3, "woven-dry": 345e3}[material]
+        held.append(pack / (2 * math.pi * (radius - width / 2) * width) <= allowed * over)
     if turn is not None and clutch.gain > 0:
-        made, findings = synthesize(clutch)
-        held.append(not {"balls-overlap", "pockets-overlap", "ball-reaches-axis"} & {each.code for each in findings})
-        held.append(made.ball_diameter_standard is not None)
+        made, _ = synthesize(clutch)
         held.append(limits.contact_force is None or made.contact_force <= limits.contact_force * over)
         held.append(limits.travel is None or made.travel_max <= limits.travel * over)
-        ball, travel = made.ball_diameter_standard, made.travel_max
+        ball, travel = ball_of(need, clutch, made), made.travel_max
+        held.append(ball is not None)
     if turn is not None and clutch.gain == 0 and limits.contact_force is not None:
         moment = clutch.ball_torque(need.friction.range.max)
         held.append(moment / (fixed.balls * circle) <= limits.contact_force * over)
@@ -235,8 +254,8 @@ def test_what_is_picked_holds_what_was_wanted(need, place):
     row = result.front[number - 1]
     clutch = build(picked(need, result, number))
     assert clutch.nominal_torque >= need.wanted.nominal_torque * (1 - 1e-9)
-    assert clutch.accuracy_factor == pytest.approx(row.accuracy_factor)
-    assert clutch.torque_max == pytest.approx(row.torque_max)
+    assert clutch.accuracy_factor == pytest.approx(row.accuracy_factor, rel=5e-3)
+    assert clutch.torque_max == pytest.approx(row.torque_max, rel=5e-3)
     if (most := need.limits.outer_diameter) is not None:
         assert 2 * clutch.spec.friction_group.outer_radius <= most * (1 + 1e-9)
 
@@ -340,9 +359,9 @@ def test_a_margin_lies_between_clutch_and_machine():
             assert row.nominal_torque == pytest.approx(clutch_torque)
             assert row.machine_torque == pytest.approx(200)
         made = build(picked(need, result, 3))
-        assert made.nominal_torque == pytest.approx(clutch_torque)
+        assert made.nominal_torque == pytest.approx(clutch_torque, rel=1e-3)
         if method == "min-friction":
-            assert overload(made)[0].machine_torque == pytest.approx(200)
+            assert overload(made)[0].machine_torque == pytest.approx(200, rel=1e-3)
     alone, _ = design(make_requirements(changed(wanted={"nominal_torque": 250, "torque_max": 700})))
     assert {row.machine_torque for row in alone.front} == {None}
 
@@ -386,7 +405,7 @@ def test_pockets_that_meet_between_balls_that_do_not():
         "variants": ["all-driving"], "objectives": ["closing_force"], "wanted": {"accuracy_factor": None, "torque_max": None},
         "search": {"pairs": [8], "mean_radius": 0.1, "gain": 2 * math.tan(math.radians(70)), "ball_circle_radius": [0.05],
                    "ball_diameters": [0.01, 0.02], "closing_force": {"min": 500, "max": 80000}},
-        "limits": {"contact_force": None, "surface_pressure": None, "reduced_gain": None, "gain_limit": False},
+        "limits": {"contact_force": 1e6, "surface_pressure": None, "reduced_gain": None, "gain_limit": False},
     }  # fmt: skip
     for gain in (True, False):
         for count, feasible in ((13, 1), (14, 0)):
@@ -447,7 +466,7 @@ def test_the_front_reaches_the_outer_diameter(faces):
     spec = picked(need, result, 1)
     assert spec.friction_group.outer_radius == pytest.approx(0.165)
     assert spec.requirements.outer_diameter == 0.33
-    assert build(spec).nominal_torque == pytest.approx(200)
+    assert 200 <= build(spec).nominal_torque < 200.1
 
 
 def test_the_example_runs_as_it_is(afmcalc, tmp_path):
@@ -462,9 +481,10 @@ def test_the_example_runs_as_it_is(afmcalc, tmp_path):
     assert chosen.json["spec"]["friction_group"]["pairs"] == front_[6]["pairs"]
     again = afmcalc("torque", target, "--json").json
     assert again["spec"] == chosen.json["spec"]
-    torque = again["result"]
-    assert torque["nominal_torque"] == pytest.approx(200)
-    assert torque["closing_force"] == pytest.approx(front_[6]["closing_force"], rel=1e-11)
+    torque, (row,) = again["result"], chosen.json["result"]["picked"]
+    assert chosen.json["result"]["front"] == front_
+    assert 200 <= row["nominal_torque"] == torque["nominal_torque"] < 200.2
+    assert row["closing_force"] == torque["closing_force"] == pytest.approx(front_[6]["closing_force"], rel=1e-3)
     assert afmcalc("check", target).code == 0
     assert afmcalc("check", "-", stdin=chosen.out).code == 0
     assert afmcalc("design", CONFIGS / "requirements.toml", "--format", "markdown").code == 0
