@@ -158,8 +158,8 @@ class Requirements(Block):
     friction: Friction
     wanted: Wanted
     search: Search
-    fixed: Fixed = Fixed()
-    limits: Limits = Limits()
+    fixed: Fixed = Field(default_factory=Fixed)
+    limits: Limits = Field(default_factory=Limits)
 
     @model_validator(mode="after")
     def _complete(self) -> "Requirements":
