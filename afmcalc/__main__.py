@@ -1,17 +1,17 @@
 """The program: ``afmcalc``, or ``python -m afmcalc``."""
 
-from .cli.signals import leave, watch
+from .cli.signals import ignore, watch
 
 
 def program() -> None:
-    """Run it and end the process; Ctrl-C may come at any moment, also while all else is imported."""
+    """Run it; Ctrl-C may come at any moment, also while all else is imported."""
     watch()
     from .cli.entry import main
 
     try:
         main()
-    except SystemExit as end:
-        leave(end.code if isinstance(end.code, int) else 0)
+    finally:
+        ignore()
 
 
 if __name__ == "__main__":

@@ -3,11 +3,9 @@
 import os
 import sys
 import warnings
-from types import ModuleType
 from typing import NoReturn
 
 from ..messages import speaking, term, told
-from .signals import watch
 from .speech import chosen, heard, without_lang
 from .streams import drop_output, prepare, tell
 
@@ -43,8 +41,6 @@ def _end(given: list[str]) -> NoReturn:
     except MemoryError:
         _complain(told("not enough memory for what was asked"))
         sys.exit(2)
-    except KeyboardInterrupt:
-        sys.exit(130)
     except Exception as error:
         sys.exit(_unexpected(error))
 
@@ -129,22 +125,11 @@ def _is_beyond_numbers(error: Exception) -> bool:
 
 
 def _tune() -> None:
-    """Make the process ours, and save start-up time.
-
-    What is imported stays, so the collector need not look at it, now or at the end.
-    """
+    """Save start-up time: what is imported stays, so the collector need not look at it, now or at the end."""
     import atexit
     import gc
 
-    watch()
     gc.set_threshold(100_000, 50, 50)
     atexit.register(gc.freeze)
-    # pydantic would import what looks through every installed distribution for plugins
-    sys.modules.setdefault("pydantic.plugin._loader", _without_plugins())
-
-
-def _without_plugins() -> ModuleType:
-    """Stand in for the loader of pydantic's plugins: there are none."""
-    loader = ModuleType("pydantic.plugin._loader")
-    loader.__dict__["get_plugins"] = tuple
-    return loader
+    # else pydantic looks through every installed distribution for plugins
+    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")

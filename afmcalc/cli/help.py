@@ -3,16 +3,16 @@
 import inspect
 import re
 from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any, TypeAlias
 
 from typer.core import TyperCommand, TyperGroup
 
 from ..messages import say
 from . import names
 
-if TYPE_CHECKING:
-    from typer._click.core import Context
-    from typer._click.formatting import HelpFormatter
+Context: TypeAlias = Any
+HelpFormatter: TypeAlias = Any
+"""Classes of the parser behind typer; typer has no public name for them."""
 
 SECTIONS = {
     "clutch": "Calculate",
@@ -40,15 +40,15 @@ _WIDEST, _LONGEST = 24, 42
 class Command(TyperCommand):
     """A command whose help keeps its examples whole and lists the names that can be given."""
 
-    def collect_usage_pieces(self, ctx: "Context") -> list[str]:
+    def collect_usage_pieces(self, ctx: Context) -> list[str]:
         """Return the usage: options, then every argument once."""
         return ["[OPTIONS]", *(_usage(each) for each in self.params if each.param_type_name == "argument")]
 
-    def format_help_text(self, ctx: "Context", formatter: "HelpFormatter") -> None:
+    def format_help_text(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write what the command does, and its examples."""
         _write_help(self.help, formatter)
 
-    def format_options(self, ctx: "Context", formatter: "HelpFormatter") -> None:
+    def format_options(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write arguments and options."""
         arguments: list[Any] = [each for each in self.params if each.param_type_name == "argument"]
         if arguments:
@@ -56,7 +56,7 @@ class Command(TyperCommand):
                 formatter.write_dl([(each.metavar, each.help or "") for each in arguments], col_max=_WIDEST)
         _write_options([each for each in self.get_params(ctx) if each not in arguments], ctx, formatter)
 
-    def format_epilog(self, ctx: "Context", formatter: "HelpFormatter") -> None:
+    def format_epilog(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write the names that can be given."""
         lists = _NAMES.get(self.name or "", [])
         if any(each.name == "sweep" for each in self.params):
@@ -69,7 +69,7 @@ class Command(TyperCommand):
 class Program(TyperGroup):
     """The commands, in groups; what the parser of the command line finds wrong is said as everything else is."""
 
-    def invoke(self, ctx: "Context") -> Any:
+    def invoke(self, ctx: Context) -> Any:
         """Run the command that is called."""
         try:
             return super().invoke(ctx)
@@ -79,16 +79,16 @@ class Program(TyperGroup):
                 error.message = _plainly(error.message)
             raise
 
-    def format_help_text(self, ctx: "Context", formatter: "HelpFormatter") -> None:
+    def format_help_text(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write what the program does, and examples."""
         _write_help(self.help, formatter)
 
-    def format_options(self, ctx: "Context", formatter: "HelpFormatter") -> None:
+    def format_options(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write the options, then the commands."""
         _write_options(self.get_params(ctx), ctx, formatter)
         self.format_commands(ctx, formatter)
 
-    def format_commands(self, ctx: "Context", formatter: "HelpFormatter") -> None:
+    def format_commands(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write the commands group by group, what each does in full."""
         groups: dict[str, list[tuple[str, str]]] = {title: [] for title in (*SECTIONS.values(), FILES)}
         for name in self.list_commands(ctx):
@@ -103,7 +103,7 @@ class Program(TyperGroup):
                     formatter.write_dl(rows)
 
 
-def _write_options(options: Sequence[Any], ctx: "Context", formatter: "HelpFormatter") -> None:
+def _write_options(options: Sequence[Any], ctx: Context, formatter: HelpFormatter) -> None:
     """Write options; choices that are many go where they can be folded."""
     rows = []
     for name, about in filter(None, (each.get_help_record(ctx) for each in options)):
@@ -119,7 +119,7 @@ def _usage(argument: Any) -> str:
     return f"{argument.metavar}{many}" if argument.required else f"[{argument.metavar}]{many}"
 
 
-def _write_help(text: str | None, formatter: "HelpFormatter") -> None:
+def _write_help(text: str | None, formatter: HelpFormatter) -> None:
     """Write paragraphs, those that begin with ``\\b`` line by line."""
     for paragraph in inspect.cleandoc(text or "").split("\n\n"):
         formatter.write_paragraph()

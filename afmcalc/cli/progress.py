@@ -1,6 +1,5 @@
 """A progress bar on standard error for what takes longer than a second; what takes longer than a minute is refused."""
 
-import atexit
 import sys
 import time
 from types import TracebackType
@@ -63,10 +62,8 @@ class Bar:
             from rich.console import Console
             from rich.progress import Progress
 
-            # no thread of its own: Ctrl-C ends the process in whatever it is at
             self._bar = Progress(console=Console(stderr=True), transient=True, auto_refresh=False)
             self._bar.start()
-            atexit.register(self._bar.stop)
         if work not in self._tasks:
             self._tasks[work] = self._bar.add_task(work)
         self._bar.update(self._tasks[work], completed=done, total=total)
@@ -80,7 +77,6 @@ class Bar:
         """Take the bar away, whatever ended the work."""
         if self._bar is not None:
             self._bar.stop()
-            atexit.unregister(self._bar.stop)
 
 
 def _in_words(seconds: float) -> str:

@@ -1,21 +1,15 @@
-"""Ctrl-C and its kin, at any moment: the program tidies up and ends with 128 + the number, without a traceback.
+"""Ctrl-C and the like: the program tidies up and ends with 128 + the number of the signal, without a traceback.
 
-An exception thrown into whatever runs (an import, a destructor, the interpreter's end) may be lost, replaced or printed
-there. So the handler itself ends the process, after what was registered with ``atexit``: temporary folders go, the
-cursor comes back. Nothing else is in need of it: a file is written in one piece, under ``put_off``.
+The handler raises ``SystemExit``: the blocks that are left take away the bar, temporary files and the browser. The
+parser of the command line turns ``KeyboardInterrupt`` into an error of its own, so that one is not for us.
 """
 
-# the builtin module: ``signal`` would import some more, for as long as Ctrl-C still printed a traceback
-import _signal  # type: ignore[import-not-found]
-import atexit
-import os
+import signal
 import sys
 
-TYPE_CHECKING = False
-if TYPE_CHECKING:
-    from typing import NoReturn
-
-_SIGNALS = [getattr(_signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(_signal, name)]
+_SIGNALS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+_AGAIN = 0.01
+"""Seconds until a signal is sent again that came where no exception can leave."""
 _waiting: list[int] = []
 _held: list[bool] = []
 unreported: list[str] = []
@@ -24,9 +18,16 @@ unreported: list[str] = []
 
 def watch() -> None:
     """Take charge of the signals that end a program, but of none that is ignored (``nohup``, a shell's background)."""
+    sys.unraisablehook = _unraisable
     for number in _SIGNALS:
-        if _signal.getsignal(number) is not _signal.SIG_IGN:
-            _signal.signal(number, _arrived)
+        if signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, _arrived)
+
+
+def ignore() -> None:
+    """Ignore the signals from here on: the work is done and the exit code known."""
+    for number in _SIGNALS:
+        signal.signal(number, signal.SIG_IGN)
 
 
 class put_off:  # noqa: N801
@@ -37,10 +38,10 @@ class put_off:  # noqa: N801
         _held.append(True)
 
     def __exit__(self, *error: object) -> None:
-        """End the process now if a signal has come."""
+        """End the program now if a signal has come."""
         _held.pop()
         if _waiting and not _held:
-            _end(_waiting[0])
+            _end(_waiting.pop())
 
 
 def _arrived(number: int, frame: object) -> None:
@@ -51,20 +52,18 @@ def _arrived(number: int, frame: object) -> None:
 
 
 def _end(number: int) -> None:
-    for each in _SIGNALS:
-        _signal.signal(each, _signal.SIG_IGN)
-    for path in unreported:
+    while unreported:
         from ..messages import say, told
 
-        print(told("note: {text}", text=say("wrote {output}", output=path)), file=sys.stderr)
-    leave(128 + number)
+        print(told("note: {text}", text=say("wrote {output}", output=unreported.pop(0))), file=sys.stderr)
+    sys.exit(128 + number)
 
 
-def leave(code: int) -> "NoReturn":
-    """End the process after what was registered with ``atexit``, without the interpreter's long farewell."""
-    try:
-        atexit._run_exitfuncs()
-        sys.stdout.flush()
-        sys.stderr.flush()
-    finally:
-        os._exit(code)
+def _unraisable(lost: "sys.UnraisableHookArgs") -> None:
+    """Send a signal again that came in a destructor, which no exception can leave; print what else is lost there."""
+    if isinstance(lost.exc_value, SystemExit) and isinstance(lost.exc_value.code, int):
+        from threading import Timer
+
+        Timer(_AGAIN, signal.raise_signal, [lost.exc_value.code - 128]).start()
+    else:
+        sys.__unraisablehook__(lost)

@@ -126,11 +126,9 @@ def paragraphs(text: str) -> list[str]:
 
 def translated(command: Any) -> Any:
     """Return a command, with all below it, whose help is in the language of the user."""
-    from typer._click import HelpFormatter
-
     from ..spelling import fitting
 
-    class Formatter(HelpFormatter):
+    class Formatter(command.context_class.formatter_class):  # type: ignore[misc]
         def getvalue(self) -> str:
             # the parser takes a stream in ASCII for a mistake and writes UTF-8 there
             return fitting(super().getvalue(), getattr(sys.stdout, "encoding", None) or "utf-8")

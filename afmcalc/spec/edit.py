@@ -11,7 +11,7 @@ from .models import Method, Spec
 from .paths import is_whole
 from .reading import make_spec
 from .rules import foreign_keys
-from .writing import resolved, to_toml
+from .writing import resolved, written
 
 _REPLACED = {
     "control_unit.gain": ("control_unit.wall_angle",),
@@ -112,9 +112,7 @@ def _without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:
 
 def as_written(spec: Spec) -> Spec:
     """Return the spec as it reads once it is written to a file: no number has more digits than count."""
-    import tomllib
-
-    return make_spec(tomllib.loads(to_toml(resolved(spec))), spec.label)
+    return make_spec(written(resolved(spec)), spec.label)
 
 
 def as_variant(spec: Spec, variant: str) -> Spec:

@@ -223,11 +223,11 @@ class Spec(Block):
     friction: Friction
     friction_group: FrictionGroup
     # to validate a default would build its block twice
-    closing_spring: ClosingSpring = ClosingSpring.model_construct()
+    closing_spring: ClosingSpring = Field(default_factory=ClosingSpring.model_construct)
     control_spring: ControlSpring | None = None
     control_unit: ControlUnit | None = None
-    adjustment: Adjustment = Adjustment.model_construct()
-    drive: Drive = Drive.model_construct()
+    adjustment: Adjustment = Field(default_factory=Adjustment.model_construct)
+    drive: Drive = Field(default_factory=Drive.model_construct)
     fatigue: Fatigue | None = None
     heat: Heat | None = None
     tolerance: Tolerance | None = None

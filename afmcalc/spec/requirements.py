@@ -160,8 +160,8 @@ class Requirements(Block):
     friction: Friction
     wanted: Wanted
     search: Search
-    fixed: Fixed = Fixed()
-    limits: Limits = Limits()
+    fixed: Fixed = Field(default_factory=Fixed)
+    limits: Limits = Field(default_factory=Limits)
 
     @property
     def contact(self) -> Contact | None:

@@ -1,6 +1,5 @@
 """From spec to data and text."""
 
-import json
 import re
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
@@ -48,56 +47,48 @@ def to_toml(data: Mapping[str, object], about: str = "") -> str:
         data: the spec, SI.
         about: what it is, for its first line.
     """
-    heading = [f"# {line}" for line in (about, _HEADING) if line]
-    return "\n".join([*heading, "", *_table(data, "")]) + "\n"
+    import tomli_w
+
+    heading = [f"# {line}\n" for line in (about, _HEADING) if line]
+    return "".join([*heading, "\n", *_commented(tomli_w.dumps(written(data)))])
 
 
-def _table(data: Mapping[str, object], path: str) -> Iterator[str]:
-    """Lines of a table: its keys, then the tables in it."""
-    inner = {name: value for name, value in data.items() if isinstance(value, Mapping) and not _scatters(path)}
+def _commented(text: str) -> Iterator[str]:
+    """Lines of a TOML text, each key with its symbol and what it is."""
+    table = ""
+    for line in text.splitlines():
+        if line.startswith("["):
+            table = line.strip("[]") + "."
+        key = keys().get(table + line.partition(" = ")[0])
+        said = ", ".join(filter(None, (key.symbol, re.split(r"; | \(", key.description)[0]))) if key else ""
+        yield f"{line:<{_COMMENT - 1}} # {said}\n" if said else f"{line}\n"
+
+
+def written(data: Mapping[str, Any], path: str = "") -> dict[str, Any]:
+    """Return plain spec data, SI, as it is written: in the engineer's units, with no more digits than count."""
+    table = {}
     for name, value in data.items():
-        if name not in inner:
-            yield _line(path + name if path else name, name, value, path)
-    for name, value in inner.items():
-        yield from ["", f"[{path}{name}]"] if _has_keys(value) or _scatters(f"{path}{name}.") else []
-        yield from _table(value, f"{path}{name}.")
+        inner = f"{path}.{name}" if path else name
+        if not isinstance(value, Mapping):
+            key = keys().get(inner)
+            table[name] = _value(value, key.unit if key else None)
+        elif path == "tolerance.fields":  # its keys are paths themselves
+            table[name] = {part: _value(each, unit_at(name)) for part, each in value.items()}
+        elif value:
+            table[name] = written(value, inner)
+    return table
 
 
-def _has_keys(data: Mapping[str, object]) -> bool:
-    return any(not isinstance(value, Mapping) for value in data.values())
-
-
-def _scatters(path: str) -> bool:
-    """Whether the keys of a table are paths themselves."""
-    return path == "tolerance.fields."
-
-
-def _line(path: str, name: str, value: Any, table: str) -> str:
-    if _scatters(table):
-        unit = unit_at(name)
-        parts = ", ".join(f"{part} = {_value(each, unit)}" for part, each in value.items() if each is not None)
-        return f"{_text(name)} = {{ {parts} }}"
-    key = keys().get(path)
-    line = f"{name} = {_value(value, key.unit if key else None)}"
-    said = ", ".join(filter(None, (key.symbol, re.split(r"; | \(", key.description)[0]))) if key else ""
-    return f"{line:<{_COMMENT - 1}} # {said}" if said else line
-
-
-def _value(value: Any, unit: str | None) -> str:
+def _value(value: Any, unit: str | None) -> Any:
     """Write a value; of a number no more digits than count, unless it has them from whoever gave it."""
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, str):
-        return _text(value)
     if isinstance(value, list | tuple):
-        return f"[{', '.join(_value(item, unit) for item in value)}]"
+        return [_value(item, unit) for item in value]
+    if isinstance(value, bool | str):
+        return value
     if unit in _WRITTEN:
-        return _text(_quantity(value, unit))
-    return str(value) if isinstance(value, int) else f"{value:.{_DIGITS}g}"
-
-
-def _text(value: str) -> str:
-    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+        return _quantity(value, unit)
+    text = f"{value:.{_DIGITS}g}"
+    return value if isinstance(value, int) else int(text) if text.isdecimal() else float(text)
 
 
 def _quantity(value: float, unit: str) -> str:

@@ -177,14 +177,14 @@ def test_nothing_heavy_is_loaded_for_help_and_import():
         "import sys; sys.argv = ['afmcalc', '--help']\nfrom afmcalc.cli.entry import main\nmain()",
     ):
         loaded = _modules(code)
-        assert not loaded & {"numpy", "pint", "sympy", "matplotlib", "scipy", "rich", "pydantic"}, code
+        assert not loaded & {"numpy", "pint", "sympy", "matplotlib", "scipy", "rich", "pydantic", "tomli_w"}, code
 
 
 def test_si_numbers_need_neither_numpy_nor_pint_nor_rich(afmcalc, tmp_path):
     file = tmp_path / "si.json"
     file.write_text(afmcalc("torque", "--json").out)
     code = f"import sys; sys.argv = ['afmcalc', 'torque', {str(file)!r}, '--json']\nfrom afmcalc.cli.entry import main\nmain()"
-    assert not _modules(code) & {"numpy", "pint", "rich"}
+    assert not _modules(code) & {"numpy", "pint", "rich", "tomli_w"}
 
 
 def _modules(code: str) -> set[str]:

@@ -10,6 +10,8 @@ from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
 from afmcalc.engines import build
+from afmcalc.errors import SpecError
+from afmcalc.source import Source
 from afmcalc.spec import make_spec, read_spec, resolved, to_toml
 from afmcalc.spec.edit import as_written
 from afmcalc.spec.paths import keys
@@ -39,7 +41,7 @@ def test_every_key_has_its_unit_and_says_what_it_is(name):
     for line in filter(None, text.splitlines()[2:]):
         if line.startswith("["):
             table = line.strip("[]") + "."
-        elif table != "tolerance.fields.":
+        elif not table.startswith("tolerance.fields.") and not line.startswith((" ", "]")):
             matched = LINE.fullmatch(line)
             assert matched, line
             key = keys()[table + matched["key"]]
@@ -55,5 +57,16 @@ def test_what_was_given_is_read_back_to_the_last_bit(given, written):
 
 
 def test_text_stays_text():
-    name = 'a "b" \\ c # d é Ф'
+    name = 'a "b" \\ c # d é Ф\t\x7f\n[x]\ny = 1'
     assert tomllib.loads(to_toml({"name": name})) == {"name": name}
+
+
+def test_paths_and_lists_are_read_back():
+    spec = read_spec(CONFIGS / "tolerance.toml")
+    text = to_toml(resolved(spec))
+    assert '[tolerance.fields."closing_spring.force"]' in text
+    assert tomllib.loads(text)["tolerance"]["quantiles"] == [0.005, 0.05, 0.5, 0.95, 0.995]
+    assert resolved(make_spec(tomllib.loads(text))) == resolved(spec)
+    wrong = Source("x.toml", text.replace('spread = "1 mm"', 'spread = "1 kN"'))
+    with pytest.raises(SpecError, match=r'x\.toml:\d+:10: tolerance\.fields\."?friction_group'):
+        make_spec(tomllib.loads(wrong.text), wrong)

@@ -1,6 +1,5 @@
 """Printing a page to PDF with a headless browser, where there is one."""
 
-import atexit
 import os
 import shutil
 import subprocess
@@ -76,17 +75,7 @@ def _run(command: list[str]) -> int:
         AfmcalcError: it does not start, or does not end.
     """
     try:
-        with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as started:
-            atexit.register(_stop, started)
-            try:
-                return started.wait(_SECONDS)
-            finally:
-                _stop(started)
-                atexit.unregister(_stop)
+        quiet = subprocess.DEVNULL
+        return subprocess.run(command, stdout=quiet, stderr=quiet, timeout=_SECONDS, check=False).returncode
     except (OSError, subprocess.TimeoutExpired) as error:
         raise AfmcalcError(say("--pdf: {browser} did not print: {why}", browser=command[0], why=error)) from None
-
-
-def _stop(started: subprocess.Popen[bytes]) -> None:
-    started.kill()
-    started.wait()
