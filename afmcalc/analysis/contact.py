@@ -46,7 +46,8 @@ def contact_along(clutch: Clutch, unit: ControlUnit, wall: Wall, *, ball_known: 
     """
     own = clutch.friction[0]
     leaving = min(max(float(clutch.leaving_friction or own.min), own.min), own.max)
-    along = np.linspace(leaving, own.max, _PLACES)
+    # where the torque is largest, as long as the sleeve has not jumped from there
+    along = np.append(np.linspace(leaving, own.max, _PLACES), max(clutch.torque_range.at_high * (1 - 1e-12), leaving))
     travels = np.broadcast_to(np.asarray(clutch.travel(along), float), along.shape).tolist()
     # force on a flat wall, by which every other is told
     given, flat = unit.allowable_contact_force, None

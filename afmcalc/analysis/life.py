@@ -194,7 +194,7 @@ def _over_band(clutch: Clutch, model: StressRule, band: Values) -> dict[str, Loa
 
         most = least + band
         mean = np.where(most >= forecast.least, forecast.least, np.nan)
-        upper = Load(lambda share: mean + share * (most - mean))
+        upper = Load(lambda share: mean + share * (most - mean), mean, most)
     return {"protected": over, "unprotected": over.times(_sides(clutch)["unprotected"]), "protected_forecast": upper}
 
 

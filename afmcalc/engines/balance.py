@@ -5,13 +5,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from ..arrays import Floats, Values, chosen, smaller
+from ..arrays import Floats, Values, chosen, quiet_division, smaller
 from ..equations import indirect, pocket, sleeve
 from ..recorders import marked, solved, unrecorded
 from .characteristic import DiscCharacteristic, root
 
 _PLACES = 32
 """Places among which a wall that lets the sleeve jump is searched for the first balance."""
+_HALVINGS = 45
+_ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
@@ -141,25 +143,58 @@ class Balance:
         high, low = _first(tried, holds)
         return chosen(holds.any(axis=0), lambda: root(left, self._slope(friction), high, low), lambda: 0.0 * start)
 
+    def friction(self, travel: Values) -> Values:
+        """Friction that holds the sleeve at a travel."""
+        with quiet_division(travel):  # where the balls move nothing none does
+            own: Values = pocket.leaving_friction(
+                self.pressed(travel), self.control.force(travel), self.pairs, self.net_gain_at(travel)
+            )
+        return own
 
-def extremes(values: Values) -> tuple[Values, Values]:
-    """Least and largest along a first axis; between three of them they follow a parabola."""
+    def way(self, start: Values, end: Values) -> Floats:
+        """Places that hold the sleeve on its way as friction changes, along a first axis.
+
+        Among them is every one where the torque turns, and those between which the sleeve jumps.
+        """
+        import numpy as np
+
+        ahead = np.where(np.asarray(end) >= start, 1.0, -1.0)
+
+        def torque_slope(at: Floats) -> Values:
+            """T = R (F_2 − N)/κ."""
+            pressed, control = self.pressed(at), self.control.force(at)
+            stiffness = self.control.stiffness(at) + self.closing.stiffness(-at)
+            slope: Values = stiffness * self.net_gain_at(at) - self.gain_slope * (control - pressed)
+            return slope
+
+        def friction_slope(at: Floats) -> Values:
+            return self._slope(self.friction(at))(at)
+
+        def ordered(*places: Floats) -> tuple[Floats, Floats, Floats]:
+            """Places in the order of the way, friction there, and the farthest that friction has gone before."""
+            way = np.sort(ahead * np.concatenate(places), axis=0) * ahead
+            friction = ahead * self.friction(way)
+            return way, friction, np.maximum.accumulate(friction, axis=0)
+
+        tried = start + places(end - start, _PLACES)
+        way, friction, farthest = ordered(tried, *(turned(slope, tried) for slope in (torque_slope, friction_slope)))
+        if (friction < farthest).any():
+            landed = turned(lambda at: ahead * self.friction(at) - farthest[:-1], way)
+            way, friction, farthest = ordered(way, landed)
+        return np.where(friction >= farthest - _ROUNDING * np.abs(farthest), way, way[0])
+
+
+def turned(function: Callable[[Floats], Values], at: Floats) -> Floats:
+    """Where a function has changed its sign between one place and the next along a first axis, else the former."""
     import numpy as np
 
-    values = np.asarray(values)
-    return _vertex(values, values.argmin(axis=0)), _vertex(values, values.argmax(axis=0))
-
-
-def _vertex(torque: Floats, place: Any) -> Values:
-    """The extreme about a place: of the parabola through its neighbours, so that it moves smoothly."""
-    import numpy as np
-
-    inside = np.clip(place, 1, len(torque) - 2)[None]
-    before, here, after = (np.take_along_axis(torque, inside + each, axis=0)[0] for each in (-1, 0, 1))
-    bend = before - 2 * here + after
-    vertex = here - (after - before) ** 2 / (8 * np.where(bend == 0, 1.0, bend))
-    own: Values = np.take_along_axis(torque, place[None], axis=0)[0]
-    return chosen((place == inside[0]) & (bend != 0), lambda: vertex, lambda: own)
+    low, sign = at[:-1], function(at[:-1]) > 0
+    high = np.where(sign == (function(at[1:]) > 0), low, at[1:])
+    for _ in range(_HALVINGS if (low != high).any() else 0):
+        middle = (low + high) / 2
+        before = (function(middle) > 0) == sign
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    return high
 
 
 def places(end: Values, count: int) -> Floats:

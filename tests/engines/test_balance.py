@@ -8,7 +8,7 @@ from strategies import indirect_specs
 
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
-from afmcalc.engines.balance import SetSpring, extremes
+from afmcalc.engines.balance import SetSpring
 from afmcalc.engines.characteristic import DiscCharacteristic
 from afmcalc.spec.discs import discs
 from afmcalc.spec.springs import DiscStack
@@ -91,13 +91,6 @@ def test_the_first_place_that_holds_the_sleeve(spec, one, two, series, both):
         if back > 0:
             torque = law.mean_radius * law.pairs * friction * float(first.force(start - back))
             assert clutch.torque_returning(friction) == pytest.approx(torque, rel=1e-9)
-    # extremes: of a sweep of friction much finer than what they were looked for with
-    swept = clutch.torque(np.linspace(own.min, own.max, 2001))
-    assert clutch.torque_max >= swept.max() * (1 - 1e-6)
-    assert clutch.torque_min <= swept.min() * (1 + 1e-6)
-    if "torque-jumps" not in {each.code for each in clutch.findings()}:
-        assert clutch.torque_max == pytest.approx(swept.max(), rel=1e-3)
-        assert clutch.torque_min == pytest.approx(swept.min(), rel=1e-3)
 
 
 def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
@@ -130,15 +123,3 @@ def test_a_set_spring_slackens_to_a_force_and_grows_by_its_stiffness(disc):
     for further in (-1e-3, 5e-4):
         slope = (float(spring.force(further + 1e-7)) - float(spring.force(further - 1e-7))) / 2e-7
         assert float(spring.stiffness(further)) == pytest.approx(slope, rel=1e-6)
-
-
-def test_the_extreme_between_places_is_that_of_the_parabola():
-    at = np.linspace(0.0, 1.0, 9)[:, None]
-    top, least = np.array([0.3, 0.55, 0.91]), np.array([7.0, -2.0, 4.0])
-    low, _ = extremes(least + 3 * (at - top) ** 2)
-    _, high = extremes(least - 3 * (at - top) ** 2)
-    assert low == pytest.approx(least, abs=1e-12)
-    assert high == pytest.approx(least, abs=1e-12)
-    # at an end, or of a straight line, the value there
-    low, high = extremes(5 * at - 1)
-    assert (low, high) == ([-1], [4])

@@ -1,7 +1,7 @@
 """What each law makes of candidates: torques, forces and travel per N of closing force."""
 
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, reduce
 
 import numpy as np
 
@@ -32,12 +32,21 @@ class DirectCandidates(Candidates):
         return np.asarray(self.law.torque_per_force(*self.frictions[0]))
 
     @cached_property
-    def low(self) -> Numbers:  # noqa: D102
-        return self.at_set if self.set_low else np.asarray(self.law.torque_per_force(*self.frictions[1]))
+    def low(self) -> Numbers:
+        """Smallest torque, m."""
+        return reduce(np.minimum, self._along)
 
     @cached_property
-    def high(self) -> Numbers:  # noqa: D102
-        return np.asarray(self.law.torque_per_force(*self.frictions[2]))
+    def high(self) -> Numbers:
+        """Largest torque, m."""
+        return reduce(np.maximum, self._along)
+
+    @cached_property
+    def _along(self) -> list[Numbers]:
+        """Torques where the extremes are: at the ends, of unlike materials also at the mean."""
+        first, second = self.need.friction.groups
+        means = [(first.mean, second.mean)] if self.need.friction.unlike else []
+        return [np.asarray(self.law.torque_per_force(*point)) for point in (*self.frictions[1:], *means)]
 
     @cached_property
     def on_balls(self) -> Numbers:
