@@ -91,6 +91,25 @@ def test_the_first_place_that_holds_the_sleeve(spec, one, two, series, both):
         if back > 0:
             torque = law.mean_radius * law.pairs * friction * float(first.force(start - back))
             assert clutch.torque_returning(friction) == pytest.approx(torque, rel=1e-9)
+    # extremes: of the places that friction brings the sleeve to, the jumps left out
+    ends = [float(clutch.torque(each)) for each in (own.min, own.max)]
+    for threshold, way, least in (
+        (-law.gain_threshold, slice(None), clutch.torque_min),
+        (law.gain_threshold, slice(None, None, -1), clutch.torque_returning_min),
+    ):
+        net = (law.gain + law.gain_slope * x + threshold)[x <= far][way]
+        most, less = pushed[x <= far][way], pressed[x <= far][way]
+        with np.errstate(divide="ignore"):
+            at = (most / less - 1) / (law.pairs * net)
+        farthest = np.maximum.accumulate(at) if threshold <= 0 and way.step is None else np.minimum.accumulate(at)
+        held = law.mean_radius * ((most - less) / net)[(at == farthest) & (at >= own.min) & (at <= own.max)]
+        if way.step:
+            ends[0] = float(clutch.torque_returning(own.min))
+        else:
+            assert clutch.torque_max == pytest.approx(max([*ends, *held]), rel=1e-3)
+            assert clutch.torque_max >= max([*ends, *held]) * (1 - 1e-9)
+        assert least == pytest.approx(min([*ends, *held]), rel=1e-3)
+        assert least <= min([*ends, *held]) * (1 + 1e-9)
 
 
 def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
