@@ -124,24 +124,37 @@ class Balance:
 
     def travel(self, friction: Values) -> Values:
         """Where the sleeve comes to from its stop, friction rising, m: the first place that holds it."""
-        left, end = self._left(friction), self.closing.deflection + 0.0 * (self.net_gain * friction * self.gain_slope)
+        left = self._left(friction)
         if self.straight:
-            return root(left, self._slope(friction), end)
-        tried = places(end, _PLACES)
-        holds: Any = left(tried) >= 0
+            return root(left, self._slope(friction), self.closing.deflection + 0.0 * (self.net_gain * friction))
+        tried = self._tried(self.closing.deflection, friction)
         # at the stop itself it is not: a steep wall lets it jump off from there
-        holds[0] = False
+        holds: Any = (left(tried) >= 0) & (tried > 0)
         low, high = _first(tried, holds)
         return root(left, self._slope(friction), high, low)
 
     def travel_returning(self, friction: Values, start: Values) -> Values:
         """Where it comes back to from ``start``, friction falling, m: the last place that holds it; 0 at the stop."""
         left = self._left(friction)
-        start = start + 0.0 * (self.net_gain * friction * self.gain_slope)
-        tried = places(start, _PLACES)[::-1]
+        tried = self._tried(start, friction)[::-1]
         holds: Any = left(tried) <= 0
         high, low = _first(tried, holds)
-        return chosen(holds.any(axis=0), lambda: root(left, self._slope(friction), high, low), lambda: 0.0 * start)
+        return chosen(holds.any(axis=0), lambda: root(left, self._slope(friction), high, low), lambda: 0.0 * tried[0])
+
+    def _tried(self, end: Values, friction: Values) -> Floats:
+        """Places up to ``end`` between which the friction that holds the sleeve does not turn, for each friction."""
+        import numpy as np
+
+        grid = places(end + 0.0 * (self.net_gain * self.gain_slope), _PLACES)
+        with np.errstate(all="ignore"):  # nothing presses where the closing spring is let out
+            found = np.sort(np.concatenate([grid, turned(self._friction_slope, grid)]), axis=0)
+        found = found.reshape(len(found), *(1,) * max(np.ndim(friction) - np.ndim(grid[0]), 0), *found.shape[1:])
+        wide: Floats = found + 0.0 * friction
+        return wide
+
+    def _friction_slope(self, travel: Values) -> Values:
+        """Of the sign of df/dx where the sleeve is held."""
+        return self._slope(self.friction(travel))(travel)
 
     def friction(self, travel: Values) -> Values:
         """Friction that holds the sleeve at a travel."""
@@ -167,9 +180,6 @@ class Balance:
             slope: Values = stiffness * self.net_gain_at(at) - self.gain_slope * (control - pressed)
             return slope
 
-        def friction_slope(at: Floats) -> Values:
-            return self._slope(self.friction(at))(at)
-
         def ordered(*places: Floats) -> tuple[Floats, Floats, Floats]:
             """Places in the order of the way, friction there, and the farthest that friction has gone before."""
             way = np.sort(ahead * np.concatenate(places), axis=0) * ahead
@@ -177,7 +187,9 @@ class Balance:
             return way, friction, np.maximum.accumulate(friction, axis=0)
 
         tried = start + places(end - start, _PLACES)
-        way, friction, farthest = ordered(tried, *(turned(slope, tried) for slope in (torque_slope, friction_slope)))
+        way, friction, farthest = ordered(
+            tried, *(turned(slope, tried) for slope in (torque_slope, self._friction_slope))
+        )
         if (friction < farthest).any():
             landed = turned(lambda at: ahead * self.friction(at) - farthest[:-1], way)
             way, friction, farthest = ordered(way, landed)

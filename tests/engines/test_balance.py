@@ -127,8 +127,31 @@ def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
     clutch = build(own)
     assert 1 < clutch.accuracy_factor < 1.03
     assert clutch.torque(0.8) == pytest.approx(clutch.torque(0.1), rel=1e-9), "the same at both ends"
+    swept = clutch.torque(np.linspace(0.1, 0.8, 10_001))
+    assert clutch.torque_min == pytest.approx(swept.min(), rel=1e-9), "between them"
+    assert clutch.torque_min < clutch.torque(0.8) / 1.001
     found, _ = synthesize(clutch)
     assert found.travel_max == pytest.approx(float(clutch.travel(0.8)))
+
+
+def test_a_jump_between_disc_springs_is_seen_from_both_sides():
+    """Far from the stop, where the discs give way: the largest torque just before it, the smallest just after."""
+    disc = {"outer_diameter": 0.071, "inner_diameter": 0.036, "thickness": 0.002, "free_height": 0.0046}
+    clutch = build({
+        "variant": "indirect",
+        "friction": {"min": 0.13, "max": 0.66},
+        "friction_group": {"pairs": 7, "mean_radius": 0.1},
+        "closing_spring": {"force": 4445.0, "stiffness": 1e5},
+        "control_spring": {"force": 22693.5, "stiffness": 1e5, "disc": disc | {"parallel": 7, "series": 10}},
+        "control_unit": {
+            "gain": 2.756, "gain_slope": 1231.0, "hub_diameter": 0.05, "key_friction": 0.01, "ball_circle_radius": 0.05,
+        },
+    })  # fmt: skip
+    own = clutch.torque_range
+    assert own.at_low == pytest.approx(own.at_high, rel=1e-9)
+    assert own.high == pytest.approx(float(clutch.torque(own.at_high * (1 - 1e-9))), rel=1e-6)
+    assert own.low == pytest.approx(float(clutch.torque(own.at_low * (1 + 1e-9))), rel=1e-6)
+    assert own.low < 0.2 * own.high
 
 
 @pytest.mark.parametrize("disc", [None, DiscCharacteristic(stack("B 40", 20))])
