@@ -295,7 +295,14 @@ FINDINGS: Mapping[str, str] = {
         "not the {limit:.5g N·m} of adjustment.nominal_torque"
     ),
     "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",
-    "torque-falls": "the torque falls as the friction of both groups rises: the largest torque is at f_min",
+    "torque-falls": (
+        "the torque falls as the friction of both groups rises: the largest torque, {most:.5g N·m}, is at "
+        "f_1 = {at:.4g}"
+    ),
+    "accuracy-not-lasting": (
+        "K_т = {factor:.4g} holds as friction rises; under a load that lasts, friction falling again, K_т,h = "
+        "{value:.4g} is above {limit:.4g}: requirements.accuracy_factor_hysteresis says what it may be"
+    ),
     "as-made": (
         "the springs are those of the nominal clutch, held in every sample (tolerance.setting = as-made); "
         "each-adjusted sets every clutch on the bench"

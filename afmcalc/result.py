@@ -21,7 +21,7 @@ class Result(BaseModel):
     """Whether it holds several lists that belong together: CSV has one figure of any of them in each row."""
 
     def words(self, name: str) -> str | None:
-        """Return what people are told instead of a field's value; None: the value."""
+        """Return what people are told instead of a field's value; None: the value; "" of a nested result: nothing."""
         return None
 
 

@@ -1,6 +1,7 @@
 """Accuracy of the clutch: K_т, its worst cases, its limits, what it is sensitive to, and sweeps of it."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from ..engines.protocol import Clutch
@@ -18,6 +19,9 @@ class AccuracySweep(Series):
 
     accuracy_factor: list[float] = quantity("1", "K_т", "accuracy factor")
     accuracy_factor_peak: list[float] = quantity("1", "K_т,p", "accuracy factor by breakaway peaks")
+    accuracy_factor_hysteresis: list[float] | None = quantity(
+        "1", "K_т,h", "accuracy factor under a load that lasts", optional=True
+    )
     nominal_torque: list[float] = quantity("N*m", "T_н", "nominal torque of the clutch")
     torque_max: list[float] = quantity("N*m", "T_max", "largest torque")
 
@@ -29,7 +33,7 @@ class AccuracyResult(Result):
     accuracy_factor_worst_case: float = quantity("1", "K_т,w", "accuracy factor with f_1 and f_2 independent")
     accuracy_factor_peak: float = quantity("1", "K_т,p", "accuracy factor by breakaway peaks (upper bound)")
     accuracy_factor_hysteresis: float | None = quantity(
-        "1", "K_т,h", "accuracy factor under a load that lasts, T(f_max)/T_ret(f_min)", optional=True
+        "1", "K_т,h", "accuracy factor under a load that lasts, T_max/T_ret,min", optional=True
     )
     conventional_accuracy_factor: float = quantity("1", "K_т,0", "accuracy factor of an ordinary clutch in its place")
     gain_limit: float | None = quantity("1", "C_max", "largest gain at which the law describes the slip", optional=True)
@@ -52,17 +56,17 @@ class AccuracyResult(Result):
     )
 
 
-SWEEP_OUTPUTS = {
-    "accuracy_factor": lambda clutch: clutch.accuracy_factor,
-    "accuracy_factor_peak": lambda clutch: clutch.accuracy_factor_peak,
-    "nominal_torque": lambda clutch: clutch.nominal_torque,
-    "torque_max": lambda clutch: clutch.torque_max,
-}
+def sweep_outputs(clutch: Clutch) -> dict[str, Callable[[Clutch], Any]]:
+    """What a sweep of the accuracy of such a clutch gives; K_т,h only where it has a sleeve that is held back."""
+    names = ["accuracy_factor", "accuracy_factor_peak", "nominal_torque", "torque_max"]
+    if clutch.spec.kind.travels:
+        names.append("accuracy_factor_hysteresis")
+    return {name: attrgetter(name) for name in names}
 
 
 def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyResult, list[Finding]]:
     """Calculate the accuracy of a clutch, and over the grid of ``sweeps`` if there are any."""
-    swept = series(AccuracySweep, clutch, sweeps, SWEEP_OUTPUTS)
+    swept = series(AccuracySweep, clutch, sweeps, sweep_outputs(clutch))
     result = AccuracyResult(
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_worst_case=clutch.accuracy_factor_worst_case,

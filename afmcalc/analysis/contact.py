@@ -44,7 +44,8 @@ def places_along(clutch: Clutch, wall: Wall) -> tuple[list[float], list[float]]:
     """Torque and wall angle along the path of a ball on a curved wall, from the stop to the largest travel."""
     own = clutch.friction[0]
     leaving = min(max(float(clutch.leaving_friction or own.min), own.min), own.max)
-    along = np.linspace(leaving, own.max, _PLACES)
+    # where the torque is largest, as long as the sleeve has not jumped from there
+    along = np.append(np.linspace(leaving, own.max, _PLACES), max(clutch.torque_range.at_high * (1 - 1e-12), leaving))
     travels = np.broadcast_to(np.asarray(clutch.travel(along), float), along.shape).tolist()
     return clutch.torque(along).tolist(), [wall.angle_at(travel / wall.sleeves) for travel in travels]
 

@@ -13,8 +13,7 @@ from ..messages import say
 from ..result import Result, quantity
 from ..spec.models import Method
 from ..spec.paths import is_whole
-from .accuracy import SWEEP_OUTPUTS as ACCURACY_OUTPUTS
-from .accuracy import AccuracySweep
+from .accuracy import AccuracySweep, sweep_outputs
 from .adjust import METHODS, AdjustResult, set_by
 from .answers import Answers
 from .life import LifeResult, LifeSweep, band_axis, life_sweep
@@ -131,7 +130,7 @@ def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
         ends = [float(axis.values.min()), float(axis.values.max()), *([] if own is None else [own])]
         axis = axis._replace(values=np.linspace(min(ends), max(ends), POINTS))
     limit = clutch.gain_limit if axis.key.path == "control_unit.gain" else None
-    found = _over(axis, AccuracySweep, clutch, ACCURACY_OUTPUTS)
+    found = _over(axis, AccuracySweep, clutch, sweep_outputs(clutch))
     return AccuracyCurve(
         name=clutch.spec.name,
         variant=clutch.spec.variant,
@@ -232,8 +231,8 @@ def _path(clutch: Clutch) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """
     if not any(own.max > own.min for own in clutch.friction):
         raise CalculationError(say("the friction does not wander (min = max): there is no curve over it"))
-    first, second = (np.linspace(own.min, own.max, POINTS) for own in clutch.friction)
-    return first, second
+    first, second = clutch.path(np.linspace(0.0, 1.0, POINTS))
+    return np.asarray(first), np.asarray(second)
 
 
 def _breakaway(clutch: Clutch, path: tuple[NDArray[np.float64], NDArray[np.float64]]) -> list[float] | None:

@@ -223,7 +223,7 @@ def _over_band(clutch: Clutch, model: StressRule, band: Values, factor: float) -
 
         most = least + band
         mean = np.where(most >= forecast.least, forecast.least, np.nan)
-        upper = Load(lambda share: mean + share * (most - mean))
+        upper = Load(lambda share: mean + share * (most - mean), mean, most)
     return {"protected": over, "unprotected": over.times(factor), "protected_forecast": upper}
 
 

@@ -7,13 +7,12 @@ every one of its range as likely as another, and the life is that of the mean da
 
 import math
 from collections.abc import Callable
-from functools import partial, reduce
 from typing import NamedTuple
 
 from ..arrays import Values, all_nonzero, finite, is_array, larger, smaller
 from ..engines.protocol import Clutch
 from ..equations import life as law
-from ..recorders import larger_of, marked, unrecorded
+from ..recorders import marked, unrecorded
 from ..spec.fatigue import Fatigue
 from .registry import StressRule
 from .simulate.result import SimulateResult
@@ -52,21 +51,14 @@ class Load(NamedTuple):
 
     torque: Callable[[Values], Values]
     """Share (0…1) of the way along the range → slip torque, N·m; monotone between its kinks."""
+    least: Values
+    """Smallest torque, N·m."""
+    most: Values
+    """Largest torque, N·m."""
     kinks: tuple[Values, ...] = ()
-    """Shares of the way at which it is not smooth: where the sleeve of an indirect clutch leaves its stop."""
+    """Shares of the way at which it is not smooth or turns: where a sleeve leaves its stop, where the path bends."""
     factor: Values | None = None
-    """What the drive multiplies torques by on the unprotected side; it is in ``torque``, and goes to T_low too."""
-
-    @property
-    def least(self) -> Values:
-        """Smallest torque, N·m: at a kink there is none."""
-        return smaller(self.torque(0.0), self.torque(1.0))
-
-    @property
-    def most(self) -> Values:
-        """Largest torque, N·m."""
-        ends = larger(self.torque(0.0), self.torque(1.0))
-        return reduce(larger_of, (partial(self.torque, _within(kink)) for kink in self.kinks), ends)
+    """What the drive multiplies torques by on the unprotected side; it is in the torques, and goes to T_low too."""
 
     def low(self, torque: Values) -> Values:
         """Torque T_low from which a slip swings the load, on this side, N·m."""
@@ -76,36 +68,40 @@ class Load(NamedTuple):
         """The load on the unprotected side; without a factor the side is protected."""
         if factor is None:
             return self
-        return Load(lambda share: law.torque_unprotected(factor, self.torque(share)), self.kinks, factor)
+        least, most = (law.torque_unprotected(factor, end) for end in (self.least, self.most))
+        return Load(lambda share: law.torque_unprotected(factor, self.torque(share)), least, most, self.kinks, factor)
 
     def stretched(self, least: Values, own: Values, band: Values) -> "Load":
         """The same course over another scatter band above ``least``; straight where there is no band of its ``own``."""
         if not own:
-            return Load(lambda share: least + share * band)
-        return Load(lambda share: least + (self.torque(share) - least) * (band / own), self.kinks)
+            return Load(lambda share: least + share * band, least, least + band)
+
+        def torque(share: Values) -> Values:
+            return least + (self.torque(share) - least) * (band / own)
+
+        most = least + (self.most - least) * (band / own)
+        return Load(torque, least + (self.least - least) * (band / own), most, self.kinks)
 
 
 def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
     """Return the load of a clutch from f_min, or from the mean, to f_max; f_1 and f_2 move together."""
-    first, second = clutch.friction
-    starts = (first.mean, second.mean) if from_mean else (first.min, second.min)
+    extremes = clutch.torque_range_from("mean") if from_mean else clutch.torque_range
+    first, start = clutch.friction[0], clutch.path_bend if from_mean else 0.0
 
     def torque(share: Values) -> Values:
+        at = clutch.path(start + share * (1 - start))
         if not is_array(share) and share in (0, 1):  # the ends as they are: no rounding of theirs
-            return at(*((first.max, second.max) if share else starts))
-        ways = zip(starts, (first, second), strict=True)
-        return at(*(start + share * (own.max - start) for start, own in ways))
-
-    def at(driving: Values, driven: Values) -> Values:
-        found: Values = clutch.torque(driving, driven)
+            one, two = (own.max if share else own.mean if from_mean else own.min for own in clutch.friction)
+            at = one, two
+        found: Values = clutch.torque(*at)
         return found
 
-    leaving = clutch.leaving_friction
-    if leaving is None:
-        return Load(torque)
-    way = first.max - starts[0]
-    kink: Values = (leaving - starts[0]) / larger(way, 1e-300)
-    return Load(torque, (kink,))
+    if clutch.leaving_friction is None:
+        return Load(torque, extremes.low, extremes.high, (clutch.path_bend,))
+    low = first.mean if from_mean else first.min
+    places = clutch.leaving_friction, extremes.at_low, extremes.at_high
+    kinks = tuple((at - low) / larger(first.max - low, 1e-300) for at in places)
+    return Load(torque, extremes.low, extremes.high, kinks)
 
 
 def dynamic_factor(clutch: Clutch, event: Callable[[], SimulateResult] | None = None) -> float:
@@ -190,7 +186,7 @@ def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Value
     import numpy as np
 
     limit, line = part.endurance_limit, (part.exponent, part.base_cycles)
-    edges = [0.0, *map(_within, kinks), 1.0]
+    edges = np.sort(np.stack(np.broadcast_arrays(0.0, *map(_within, kinks), 1.0)), axis=0)
     damage, most = np.zeros(()), np.full((), -np.inf)
     for left, right in zip(edges, edges[1:], strict=False):
         if np.any(left != right):

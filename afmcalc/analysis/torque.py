@@ -22,6 +22,15 @@ class FrictionPoint(Result):
     travel: float | None = quantity("m", "x", "axial travel of the sleeve", optional=True)
 
 
+class TorqueExtremes(Result):
+    """Smallest and largest torque along the common path of f_1 and f_2; of a jump, the torque just before it."""
+
+    low: float = quantity("N*m", "T_min", "smallest slip torque")
+    high: float = quantity("N*m", "T_max", "largest slip torque")
+    at_low: float = quantity("1", "f(T_min)", "friction (f_1) where it is smallest")
+    at_high: float = quantity("1", "f(T_max)", "friction (f_1) where it is largest")
+
+
 class TorqueResult(Result):
     """Torque, forces and accuracy over the friction range."""
 
@@ -43,9 +52,16 @@ class TorqueResult(Result):
     torque_returning: Triple | None = quantity(
         "N*m", "T_ret", "slip torque, friction falling again from f_max under load", optional=True
     )
+    torque_range: TorqueExtremes = quantity("", "", "extremes")
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor T_max/T_min")
     points: list[FrictionPoint] | None = quantity("", None, "at the friction asked for", optional=True)
+
+    def words(self, name: str) -> str | None:
+        """Tell people nothing of extremes at the ends of the range: the triple of the torque shows them."""
+        path, own = self.friction or self.friction_driving, self.torque_range
+        shown = path is not None and {own.at_low, own.at_high} <= {path.min, path.max}
+        return "" if name == "torque_range" and shown else None
 
 
 Pair = tuple[float, float | None]
@@ -82,6 +98,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         pack_force_at_rest=None if clutch.control_force is None else clutch.pack_force_at_rest,
         travel=_triple_or_none(travels),
         torque_returning=_triple_or_none([clutch.torque_returning(end[0]) for end in ends]),
+        torque_range=TorqueExtremes(**clutch.torque_range._asdict()),
         scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
         points=asked or None,

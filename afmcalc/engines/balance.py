@@ -5,13 +5,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from ..arrays import Floats, Values, chosen, smaller
+from ..arrays import Floats, Values, chosen, quiet_division, smaller
 from ..equations import indirect, pocket, sleeve
 from ..recorders import marked, solved, unrecorded
 from .characteristic import DiscCharacteristic, root
 
 _PLACES = 32
 """Places among which a wall that lets the sleeve jump is searched for the first balance."""
+_HALVINGS = 45
+_ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
@@ -122,44 +124,89 @@ class Balance:
 
     def travel(self, friction: Values) -> Values:
         """Where the sleeve comes to from its stop, friction rising, m: the first place that holds it."""
-        left, end = self._left(friction), self.closing.deflection + 0.0 * (self.net_gain * friction * self.gain_slope)
+        left = self._left(friction)
         if self.straight:
-            return root(left, self._slope(friction), end)
-        tried = places(end, _PLACES)
-        holds: Any = left(tried) >= 0
+            return root(left, self._slope(friction), self.closing.deflection + 0.0 * (self.net_gain * friction))
+        tried = self._tried(self.closing.deflection, friction)
         # at the stop itself it is not: a steep wall lets it jump off from there
-        holds[0] = False
+        holds: Any = (left(tried) >= 0) & (tried > 0)
         low, high = _first(tried, holds)
         return root(left, self._slope(friction), high, low)
 
     def travel_returning(self, friction: Values, start: Values) -> Values:
         """Where it comes back to from ``start``, friction falling, m: the last place that holds it; 0 at the stop."""
         left = self._left(friction)
-        start = start + 0.0 * (self.net_gain * friction * self.gain_slope)
-        tried = places(start, _PLACES)[::-1]
+        tried = self._tried(start, friction)[::-1]
         holds: Any = left(tried) <= 0
         high, low = _first(tried, holds)
-        return chosen(holds.any(axis=0), lambda: root(left, self._slope(friction), high, low), lambda: 0.0 * start)
+        return chosen(holds.any(axis=0), lambda: root(left, self._slope(friction), high, low), lambda: 0.0 * tried[0])
+
+    def _tried(self, end: Values, friction: Values) -> Floats:
+        """Places up to ``end`` between which the friction that holds the sleeve does not turn, for each friction."""
+        import numpy as np
+
+        grid = places(end + 0.0 * (self.net_gain * self.gain_slope), _PLACES)
+        with np.errstate(all="ignore"):  # nothing presses where the closing spring is let out
+            found = np.sort(np.concatenate([grid, turned(self._friction_slope, grid)]), axis=0)
+        found = found.reshape(len(found), *(1,) * max(np.ndim(friction) - np.ndim(grid[0]), 0), *found.shape[1:])
+        wide: Floats = found + 0.0 * friction
+        return wide
+
+    def _friction_slope(self, travel: Values) -> Values:
+        """Of the sign of df/dx where the sleeve is held."""
+        return self._slope(self.friction(travel))(travel)
+
+    def friction(self, travel: Values) -> Values:
+        """Friction that holds the sleeve at a travel."""
+        with quiet_division(travel):  # where the balls move nothing none does
+            own: Values = pocket.leaving_friction(
+                self.pressed(travel), self.control.force(travel), self.pairs, self.net_gain_at(travel)
+            )
+        return own
+
+    def way(self, start: Values, end: Values) -> Floats:
+        """Places that hold the sleeve on its way as friction changes, along a first axis.
+
+        Among them is every one where the torque turns, and those between which the sleeve jumps.
+        """
+        import numpy as np
+
+        ahead = np.where(np.asarray(end) >= start, 1.0, -1.0)
+
+        def torque_slope(at: Floats) -> Values:
+            """T = R (F_2 − N)/κ."""
+            pressed, control = self.pressed(at), self.control.force(at)
+            stiffness = self.control.stiffness(at) + self.closing.stiffness(-at)
+            slope: Values = stiffness * self.net_gain_at(at) - self.gain_slope * (control - pressed)
+            return slope
+
+        def ordered(*places: Floats) -> tuple[Floats, Floats, Floats]:
+            """Places in the order of the way, friction there, and the farthest that friction has gone before."""
+            way = np.sort(ahead * np.concatenate(places), axis=0) * ahead
+            friction = ahead * self.friction(way)
+            return way, friction, np.maximum.accumulate(friction, axis=0)
+
+        tried = start + places(end - start, _PLACES)
+        way, friction, farthest = ordered(
+            tried, *(turned(slope, tried) for slope in (torque_slope, self._friction_slope))
+        )
+        if (friction < farthest).any():
+            landed = turned(lambda at: ahead * self.friction(at) - farthest[:-1], way)
+            way, friction, farthest = ordered(way, landed)
+        return np.where(friction >= farthest - _ROUNDING * np.abs(farthest), way, way[0])
 
 
-def extremes(values: Values) -> tuple[Values, Values]:
-    """Least and largest along a first axis; between three of them they follow a parabola."""
+def turned(function: Callable[[Floats], Values], at: Floats) -> Floats:
+    """Where a function has changed its sign between one place and the next along a first axis, else the former."""
     import numpy as np
 
-    values = np.asarray(values)
-    return _vertex(values, values.argmin(axis=0)), _vertex(values, values.argmax(axis=0))
-
-
-def _vertex(torque: Floats, place: Any) -> Values:
-    """The extreme about a place: of the parabola through its neighbours, so that it moves smoothly."""
-    import numpy as np
-
-    inside = np.clip(place, 1, len(torque) - 2)[None]
-    before, here, after = (np.take_along_axis(torque, inside + each, axis=0)[0] for each in (-1, 0, 1))
-    bend = before - 2 * here + after
-    vertex = here - (after - before) ** 2 / (8 * np.where(bend == 0, 1.0, bend))
-    own: Values = np.take_along_axis(torque, place[None], axis=0)[0]
-    return chosen((place == inside[0]) & (bend != 0), lambda: vertex, lambda: own)
+    low, sign = at[:-1], function(at[:-1]) > 0
+    high = np.where(sign == (function(at[1:]) > 0), low, at[1:])
+    for _ in range(_HALVINGS if (low != high).any() else 0):
+        middle = (low + high) / 2
+        before = (function(middle) > 0) == sign
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    return high
 
 
 def places(end: Values, count: int) -> Floats:

@@ -1,12 +1,14 @@
 """Engine of direct regulation: one law, the variants are pair counts."""
 
+from typing import Literal
+
 from ..arrays import Values, checked_friction, is_array, larger, smaller
 from ..equations import accuracy, direct
 from ..findings import Finding, finding
 from ..spec.models import Method, Spec
 from . import geometry, setting
 from .direct_law import DirectLaw
-from .protocol import ByGain, Clutch
+from .protocol import ByGain, Clutch, Slip, extremes
 
 
 class DirectClutch(Clutch):
@@ -67,21 +69,20 @@ class DirectClutch(Clutch):
             return bypass
         return larger(bypass, self.torque(first, second))
 
-    @property
-    def _factor(self) -> Values:
-        """T(f_max)/T(f_min) along the common path, below 1 where the torque falls."""
+    def _extremes(self, start: Literal["min", "mean"] = "min") -> tuple[Slip, Slip]:
+        """At the ends: with one material the torque rises with f; with unlike ones it may also turn at the mean."""
         first, second = self.friction
-        factor: Values = accuracy.accuracy_factor(
-            self.bypass_pairs, self.controlled_pairs, self.gain, first.min, second.min, first.max, second.max
-        )
-        return factor
+        names = (start, "mean", "max") if self.spec.friction.unlike else (start, "max")
+        points = ((getattr(first, name), getattr(second, name)) for name in names)
+        slips = [(self.torque(*point), *point) for point in points]
+        return extremes(slips) if self.spec.friction.unlike else (slips[0], slips[1])
 
     @property
     def accuracy_factor(self) -> Values:
         """K_т, largest over smallest torque along the common path of f_1 and f_2."""
-        factor = self._factor
-        # with one material the law rises with f (its slope has the sign of z_1 + z_2), so only unlike ones can fall
-        return larger(factor, 1 / factor) if self.spec.friction.unlike else factor
+        (_, *low), (_, *high) = self._extremes()
+        factor: Values = accuracy.accuracy_factor(self.bypass_pairs, self.controlled_pairs, self.gain, *low, *high)
+        return factor
 
     @property
     def accuracy_factor_worst_case(self) -> Values:
@@ -97,18 +98,11 @@ class DirectClutch(Clutch):
 
     @property
     def accuracy_factor_peak(self) -> Values:
-        """Largest over smallest breakaway torque; P rises along the common path."""
+        """Largest over smallest breakaway torque: T falls with f_2 only where P > T, so that P rises with both."""
         first, second = self.friction
         peaks = (self.breakaway_torque(*ends) for ends in ((first.max, second.max), (first.min, second.min)))
         factor: Values = accuracy.accuracy_factor_peak(*peaks)
         return factor
-
-    @property
-    def torque_max(self) -> Values:
-        """Largest sustained torque along the common path, N·m."""
-        first, second = self.friction
-        high: Values = self.torque(first.max, second.max)
-        return larger(high, self.torque(first.min, second.min)) if self.spec.friction.unlike else high
 
     @property
     def gain_limit(self) -> Values | None:
@@ -124,22 +118,26 @@ class DirectClutch(Clutch):
         return ByGain((1.0, 0.0), (1.0, float(self.reduced_gain / self.gain) * self.friction[1].max), 0.0)
 
     def sensitivity(self) -> dict[str, float]:
-        """Elasticities ∂ln K_т/∂ln p by spec path, from the derivatives of the law."""
-        first, second = self.friction
-        sign = 1.0 if not self.spec.friction.unlike or self._factor >= 1 else -1.0
-        slopes_low, slopes_high = self._elasticities(first.min, second.min), self._elasticities(first.max, second.max)
-        shared = {name: sign * (slopes_high[name] - slopes_low[name]) for name in ("pairs", "driving_pairs", "gain")}
-        found: dict[str, float] = {}
-        for end, slopes, way in (("min", slopes_low, -sign), ("max", slopes_high, sign)):
-            if self.spec.friction.unlike:
-                found[f"friction.driving.{end}"] = way * slopes["friction_driving"]
-                found[f"friction.driven.{end}"] = way * slopes["friction_driven"]
-            else:
-                found[f"friction.{end}"] = way * (slopes["friction_driving"] + slopes["friction_driven"])
-        found["friction_group.pairs"] = shared["pairs"]
+        """Elasticities ∂ln K_т/∂ln p by spec path, from the derivatives of the law where the extremes are."""
+        (_, *low), (_, *high) = self._extremes()
+        ways = [(sign, point, self._elasticities(*map(float, point))) for sign, point in ((-1, low), (1, high))]
+        pairs, driving_pairs, gain = (
+            sum(sign * slopes[name] for sign, _, slopes in ways) for name in ("pairs", "driving_pairs", "gain")
+        )
+        given, unlike = self.spec.friction, self.spec.friction.unlike
+        paths = ("friction.driving", "friction.driven") if unlike else ("friction", "friction")
+        found = {f"{path}.{end}": 0.0 for end in ("min", "max") for path in paths}
+        for sign, point, slopes in ways:
+            ends = ("min", "max", "mean") if sign < 0 else ("max", "min", "mean")
+            for place, path in enumerate(paths):
+                block = (given.driving, given.driven)[place] or given
+                end = next(end for end in ends if getattr(block.range, end) == point[place])
+                slope = slopes["friction_driven" if place else "friction_driving"]
+                geometry.spread(found, block, path, end, sign * slope)
+        found["friction_group.pairs"] = pairs
         if self.spec.kind.chooses_bypass:
-            found["friction_group.driving_pairs"] = shared["driving_pairs"]
-        found |= geometry.gain_elasticities(self.spec, shared["gain"])
+            found["friction_group.driving_pairs"] = driving_pairs
+        found |= geometry.gain_elasticities(self.spec, gain)
         return found | {geometry.force_path(self.spec): 0.0}
 
     def _elasticities(self, at_driving: float, at_driven: float) -> dict[str, float]:
@@ -171,9 +169,12 @@ class DirectClutch(Clutch):
         return [finding(rule.code, "warning", value=value, limit=bound, path=path, peak=peak, sustained=sustained)]
 
     def _path_findings(self) -> list[Finding]:
-        if not self.spec.friction.unlike or self._factor >= 1:
+        first, second = self.friction
+        most, at = float(self.torque_range.high), float(self.torque_range.at_high)
+        factor = float(self.torque(first.max, second.max)) / most
+        if factor >= 1:
             return []
-        return [finding("torque-falls", "info", value=float(self._factor), limit=1.0)]
+        return [finding("torque-falls", "info", value=factor, limit=1.0, most=most, at=at)]
 
 
 def _pair(friction: Values, friction_driven: Values | None) -> tuple[Values, Values]:

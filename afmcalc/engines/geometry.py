@@ -4,7 +4,7 @@ import math
 
 from ..arrays import Values, tangent
 from ..equations import direct, geometry
-from ..spec.models import Spec
+from ..spec.models import FrictionRange, Spec
 
 _MEAN_RADIUS = {
     "uniform-wear": geometry.mean_radius_uniform_wear,
@@ -74,6 +74,18 @@ def _radius_elasticities(spec: Spec, in_radius: float) -> dict[str, float]:
         "friction_group.inner_radius": in_radius * share,
         "friction_group.outer_radius": in_radius * (1 - share),
     }
+
+
+def spread(found: dict[str, float], given: FrictionRange, path: str, end: str | None, elasticity: float) -> None:
+    """Add an elasticity in one friction to the keys it follows; a mean that is not given moves with both ends."""
+    if end is None or elasticity == 0:
+        return
+    shares = {end: 1.0}
+    if end == "mean" and given.mean is None:
+        own = given.range
+        shares = {"min": own.min / (2 * own.mean), "max": own.max / (2 * own.mean)}
+    for each, share in shares.items():
+        found[f"{path}.{each}"] = found.get(f"{path}.{each}", 0.0) + share * elasticity
 
 
 def force_path(spec: Spec) -> str:

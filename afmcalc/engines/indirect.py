@@ -1,7 +1,7 @@
 """Engine of indirect regulation: a thrust sleeve between two springs (S21)."""
 
 from dataclasses import replace
-from functools import cached_property
+from typing import Literal
 
 from ..arrays import Values, checked_friction, is_array, larger, smaller
 from ..equations import indirect
@@ -11,7 +11,7 @@ from ..spec.models import Method, Spec
 from . import geometry, pockets, setting
 from .characteristic import DiscCharacteristic, curved
 from .laws import IndirectLaw
-from .protocol import ByGain, Clutch
+from .protocol import ByGain, Clutch, Slip, extremes
 from .sensitivity import sensitivity
 from .sleeve_findings import sleeve_findings
 
@@ -185,36 +185,20 @@ class IndirectClutch(Clutch):
         factor: Values = indirect.accuracy_factor_hysteresis(self.torque_max, self.torque_returning_min)
         return factor
 
-    @property
-    def torque_max(self) -> Values:
-        """Largest torque, friction rising, N·m: at f_max, unless a curved pocket lets it fall from where it begins."""
-        own = self.friction[0]
-        most: Values = self.torque(own.max)
+    def _extremes(self, start: Literal["min", "mean"] = "min") -> tuple[Slip, Slip]:
+        """At the ends: the torque rises with friction; a curved pocket may let it fall, or the sleeve jump."""
+        low, high = getattr(self.friction[0], start), self.friction[0].max
+        first, last = (self.torque(low), low), (self.torque(high), high)
         if self.law.straight:
-            return most
-        if self._bent:
-            return larger(most, larger(self.torque(own.min), self._between[1]))
-        leaving = smaller(larger(self.leaving_friction, own.min), own.max)
-        first: Values = indirect.torque(
-            self.law.normal_force(self.closing_force, leaving), self.mean_radius, self.pairs, leaving
-        )
-        return larger(most, first)
-
-    @property
-    def torque_min(self) -> Values:
-        """Smallest torque, friction rising, N·m."""
-        least = super().torque_min
-        return smaller(least, self._between[0]) if self._bent else least
+            return first, last
+        leaving = smaller(larger(self.leaving_friction, low), high)
+        between = self.law.turns_rising(self.closing_force, low, high) if self._bent else []
+        return extremes([first, (self.torque(leaving), leaving), *between, last])
 
     @property
     def _bent(self) -> bool:
         """Whether springs and walls are both curved: the torque may then have its extremes anywhere."""
         return self.law.curved is not None and not self.law.straight
-
-    @cached_property
-    def _between(self) -> tuple[Values, Values]:
-        """Least and largest torque while the sleeve is off its stop, friction rising, N·m."""
-        return self.law.torques_rising(self.closing_force, self.friction[0].min, self.friction[0].max)
 
     @property
     def torque_returning_min(self) -> Values:
@@ -264,7 +248,7 @@ class IndirectClutch(Clutch):
 
     def sensitivity(self) -> dict[str, float]:
         """Elasticities ∂ln K_т/∂ln p by spec path."""
-        return sensitivity(self.spec, self.law, self.closing_force)
+        return sensitivity(self.spec, self.law, self.closing_force, self.torque_range)
 
     def _law_findings(self) -> list[Finding]:
         """Springs that are curved, idle feedback, the key's hysteresis, a pocket that lets the torque fall."""

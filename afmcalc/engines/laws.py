@@ -7,14 +7,13 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any
 
-from ..arrays import Values, chosen, is_array, larger, quiet_division, smaller, square_root
+from ..arrays import Floats, Values, chosen, is_array, larger, quiet_division, smaller, square_root
 from ..equations import indirect, pocket
 from ..recorders import larger_of, marked, solved, unrecorded
-from .balance import Balance, SetSpring, extremes, places
+from .balance import Balance, SetSpring
 from .characteristic import CurvedSprings
 
-_FRICTIONS = 32
-"""Steps of friction in which extremes are looked for."""
+_ROUNDING = 1e-12
 
 
 @dataclass(frozen=True)
@@ -169,10 +168,9 @@ class IndirectLaw:
 
     def is_seated(self, closing_force: Values, friction: Values) -> Any:
         """Whether, friction rising, the stop carries: the control spring has more than closing spring and balls."""
-        if self.made_control_force is None:
-            # just at the setting both branches meet, unless a steep wall lets the sleeve jump off from there
-            return friction < self.friction_set if self.straight else friction <= self.friction_set
-        return self._holds(closing_force, friction, self.net_gain)
+        leaving = self.leaving_friction(closing_force)
+        # just there both branches meet, unless a steep wall lets the sleeve jump off
+        return friction < leaving if self.straight else friction <= leaving
 
     def _holds(self, closing_force: Values, friction: Values, net_gain: Values) -> Any:
         """Whether the control spring holds a sleeve that is at its stop."""
@@ -304,15 +302,29 @@ class IndirectLaw:
             place = self.balance(closing_force, net).travel_returning(friction, start)
         return marked(place, friction, net, closing_force)
 
-    def torques_rising(self, closing_force: Values, low: Values, high: Values) -> tuple[Values, Values]:
-        """Least and largest torque off the stop while friction rises, N·m."""
-        start = smaller(larger(self.leaving_friction(closing_force), low), high)
-        return extremes(self.torque(closing_force, self._frictions(start, high)))
+    def turns_rising(self, closing_force: Values, low: Values, high: Values) -> list[tuple[Values, Values]]:
+        """Least and largest torque off the stop while friction rises, N·m, each with its friction."""
+        balance = self.balance(closing_force, self.net_gain)
+        ends = (self.travel(closing_force, friction) for friction in (low, high))
+        return self._turns(balance, balance.way(*ends), low, high)
 
     def least_returning(self, closing_force: Values, low: Values, high: Values) -> Values:
-        """Least torque while friction falls, N·m."""
-        return extremes(self.torque_returning(closing_force, self._frictions(low, high), high))[0]
+        """Least torque off the stop while friction falls, N·m."""
+        balance = self.balance(closing_force, self.net_gain_returning)
+        ends = self.travel(closing_force, high), self.travel_returning(closing_force, low, high)
+        return self._turns(balance, balance.way(*ends), low, high)[0][0]
 
-    def _frictions(self, low: Values, high: Values) -> Values:
-        """Frictions along a first axis, of as many laws as there are."""
-        return low + places(high - low + 0.0 * self.gain_slope * self.net_gain, _FRICTIONS)
+    def _turns(self, balance: Balance, way: Floats, low: Values, high: Values) -> list[tuple[Values, Values]]:
+        """Of the places on the way of the sleeve those of least and of largest torque, within the frictions."""
+        import numpy as np
+
+        friction = np.asarray(balance.friction(way))
+        torque = indirect.torque(balance.pressed(way), self.mean_radius, self.pairs, friction)
+        inside = (friction >= low * (1 - _ROUNDING)) & (friction <= high * (1 + _ROUNDING))
+        torque = np.where(inside, torque, self.torque(balance.closing.set_force, high))
+        friction = np.where(inside, friction, high)
+        turns = [
+            [np.take_along_axis(values, place[None], axis=0)[0] for values in (torque, friction)]
+            for place in (torque.argmin(axis=0), torque.argmax(axis=0))
+        ]
+        return [(one, two) if way.ndim > 1 else (float(one), float(two)) for one, two in turns]

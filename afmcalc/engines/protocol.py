@@ -1,10 +1,12 @@
 """What every engine offers to the analyses."""
 
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-from ..arrays import Values, larger, smaller
+from ..arrays import Values, chosen, larger, smaller
 from ..equations import accuracy, adjustment, effects, overload
 from ..findings import Finding
 from ..recorders import unrecorded
@@ -27,6 +29,39 @@ class Point(NamedTuple):
     release_force: Any
     travel: Any | None
     """Axial travel of the thrust sleeve, m; None where there is no sleeve."""
+
+
+class TorqueRange(NamedTuple):
+    """Smallest and largest sustained torque over the friction range, N·m, and the friction f_1 where each lies.
+
+    Where the sleeve jumps, the torque just before the jump counts.
+    """
+
+    low: Any
+    high: Any
+    at_low: Any
+    at_high: Any
+
+
+Slip = tuple[Values, ...]
+"""A torque, then the frictions that it is for."""
+_ALIKE = 1e-12
+"""Relative difference of torques that is rounding."""
+
+
+def extremes(slips: Sequence[Slip]) -> tuple[Slip, Slip]:
+    """Slips of the smallest and of the largest torque; of those alike but for rounding the first and the last."""
+    low, high = slips[0], slips[-1]
+    for slip, back in zip(slips[1:], slips[-2::-1], strict=True):
+        low = smaller(low[0], slip[0]), *_chosen(slip[0] < low[0] * (1 - _ALIKE), slip, low)
+        high = larger(high[0], back[0]), *_chosen(back[0] > high[0] * (1 + _ALIKE), back, high)
+    return low, high
+
+
+def _chosen(condition: Any, yes: Slip, no: Slip) -> Slip:
+    """Frictions of one slip, or of another."""
+    places = range(1, len(yes))
+    return tuple(chosen(condition, partial(yes.__getitem__, at), partial(no.__getitem__, at)) for at in places)
 
 
 class ByGain(NamedTuple):
@@ -174,16 +209,49 @@ class Clutch(ABC):
         torque: Values = overload.machine_torque(self.nominal_torque, setting.margin_over_machine(self.spec))
         return torque
 
+    def path(self, share: Values) -> tuple[Values, Values]:
+        """f_1 and f_2 at a share (0…1) of the common path, on which both rise from their minima by their means."""
+        first, second = self.friction
+        if not self.spec.friction.unlike:
+            alike = first.min + share * (first.max - first.min)
+            return alike, alike
+        bend = larger(smaller(self.path_bend, 1 - _ALIKE), _ALIKE)
+        below, above = smaller(share / bend, 1.0), larger((share - bend) / (1 - bend), 0.0)
+        one, two = (own.min + below * (own.mean - own.min) + above * (own.max - own.mean) for own in (first, second))
+        return one, two
+
     @property
+    def path_bend(self) -> Values:
+        """Share of the common path at which both frictions have their mean."""
+        first, second = self.friction
+        whole = first.max - first.min + (second.max - second.min)
+        return (first.mean - first.min + (second.mean - second.min)) / larger(whole, 1e-300)
+
+    @cached_property
+    def torque_range(self) -> TorqueRange:
+        """Extremes of the sustained torque along the common path."""
+        return self.torque_range_from("min")
+
+    def torque_range_from(self, start: Literal["min", "mean"]) -> TorqueRange:
+        """Extremes of the sustained torque along the common path, from its start or from the mean on."""
+        low, high = self._extremes(start)
+        return TorqueRange(low[0], high[0], low[1], high[1])
+
     @abstractmethod
+    def _extremes(self, start: Literal["min", "mean"] = "min") -> tuple[Slip, Slip]:
+        """Slips of the smallest and of the largest torque along the common path."""
+
+    @property
     def torque_max(self) -> Values:
         """Largest sustained torque along the common path, N·m."""
+        most: Values = self.torque_range.high
+        return most
 
     @property
     def torque_min(self) -> Values:
-        """Smallest sustained torque along the common path, N·m: between its ends the torque is never smaller."""
-        first, second = self.friction
-        return smaller(self.torque(first.min, second.min), self.torque(first.max, second.max))
+        """Smallest sustained torque along the common path, N·m."""
+        least: Values = self.torque_range.low
+        return least
 
     @property
     def scatter(self) -> Values:

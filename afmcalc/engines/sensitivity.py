@@ -2,14 +2,14 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
 from ..arrays import Values
 from ..equations import indirect, pocket
 from ..spec.models import Spec
 from . import geometry
 from .laws import IndirectLaw
-
-_SAME = 1 + 1e-12
+from .protocol import TorqueRange
 
 
 class Part(float):
@@ -42,24 +42,21 @@ class _Torque:
     control_force: float = 0.0
 
 
-def sensitivity(spec: Spec, law: IndirectLaw, closing_force: Values) -> dict[str, float]:
+def sensitivity(spec: Spec, law: IndirectLaw, closing_force: Values, extremes: TorqueRange) -> dict[str, float]:
     """Elasticities ∂ln K_т/∂ln p by spec path, the slope of a curved pocket as it is cut.
 
-    K_т is the quotient of two torques: at f_max, or where the sleeve leaves its stop if a curved pocket lets the
-    torque fall from there; and at the end of the range with the smaller one. What F_п2 follows from by S21 (14) it
-    passes on, and F_п1 passes on what it follows from.
+    K_т is the quotient of two torques, each where it is extreme: at an end of the range, where the sleeve leaves its
+    stop, or between. What F_п2 follows from by S21 (14) it passes on, and F_п1 passes on what it follows from.
     """
     own = spec.friction.groups[0]
-    ends = {end: _at(law, closing_force, getattr(own, end), end) for end in ("min", "max")}
-    values = {end: law.torque(closing_force, getattr(own, end)) for end in ends}
-    # where the pockets hold the torque the two are alike but for rounding: there K_т only grows, either way
-    low = "min" if values["min"] <= values["max"] * _SAME else "max"
-    high = ends["max" if low == "min" else "min"]
-    leaving = law.leaving_friction(closing_force)
-    if not law.straight and own.min < leaving < own.max:
-        at_leaving = law.pairs * law.mean_radius * leaving * closing_force
-        high = _leaving(law, closing_force) if at_leaving > max(values.values()) * _SAME else high
-    return _by_path(spec, law, high, ends[low], closing_force)
+
+    def at(friction: Values, *ends: Literal["min", "max"]) -> _Torque:
+        end = next((end for end in ends if getattr(own, end) == friction), None)
+        if end is None and friction == law.leaving_friction(closing_force):
+            return _leaving(law, closing_force)
+        return _at(law, closing_force, friction, end)
+
+    return _by_path(spec, law, at(extremes.at_high, "max", "min"), at(extremes.at_low, "min", "max"), closing_force)
 
 
 def _by_path(spec: Spec, law: IndirectLaw, high: _Torque, low: _Torque, closing_force: Values) -> dict[str, float]:
@@ -85,9 +82,9 @@ def _by_path(spec: Spec, law: IndirectLaw, high: _Torque, low: _Torque, closing_
     follows = -in_force if spec.closing_spring.force is None else 0.0
     found = {"friction.min": 0.0, "friction.max": 0.0}
     for each, sign in ((high, 1.0), (low, -1.0)):
-        _spread(found, spec, each.end, sign * each.friction)
+        geometry.spread(found, spec.friction, "friction", each.end, sign * each.friction)
     at_set = "mean" if spec.adjustment.method == "mean-friction" else "min"
-    _spread(found, spec, at_set, passed_on(Part(law.net_gain, "f_set")) + follows)
+    geometry.spread(found, spec.friction, "friction", at_set, passed_on(Part(law.net_gain, "f_set")) + follows)
     in_gain, in_key = in_feedback("C", law.gain), in_feedback("f_1", -law.gain_threshold)
     found |= {
         "friction_group.pairs": in_feedback("z", law.net_gain, law.gain_slope) + follows,
@@ -105,8 +102,8 @@ def _by_path(spec: Spec, law: IndirectLaw, high: _Torque, low: _Torque, closing_
     return found
 
 
-def _at(law: IndirectLaw, closing_force: Values, friction: Values, end: str) -> _Torque:
-    """Elasticities of the torque at one end of the range."""
+def _at(law: IndirectLaw, closing_force: Values, friction: Values, end: str | None) -> _Torque:
+    """Elasticities of the torque at one end of the range, or where it does not change with friction."""
     # at the bend itself the range lies on one side: what f_min moves along is below it, what f_max does above
     leaving = law.leaving_friction(closing_force)
     if friction <= leaving if end == "min" else friction < leaving:
@@ -127,7 +124,7 @@ def _at(law: IndirectLaw, closing_force: Values, friction: Values, end: str) -> 
         return float(pocket.force_elasticity_in_closing_spring(part, c2, slope, tangent, pressed))
 
     return _Torque(
-        friction=1 + moving(Part(law.steepened(travel).net_gain, "f")),
+        friction=0.0 if end is None else 1 + moving(Part(law.steepened(travel).net_gain, "f")),
         end=end,
         in_feedback=moving,
         travel=float(travel),
@@ -144,15 +141,3 @@ def _leaving(law: IndirectLaw, closing_force: Values) -> _Torque:
     over = float(control / (control - closing_force))
     # as if at a friction of its own: F_п2 passes on what f_set would
     return _Torque(0.0, None, lambda part: -float(part / law.net_gain), closing_force=1 - over, control_force=over)
-
-
-def _spread(found: dict[str, float], spec: Spec, end: str | None, elasticity: float) -> None:
-    """Add an elasticity in one friction to the keys it follows; a mean that is not given moves with both ends."""
-    own = spec.friction.groups[0]
-    if end is None or elasticity == 0:
-        return
-    shares = {end: 1.0}
-    if end == "mean" and spec.friction.mean is None:
-        shares = {"min": own.min / (2 * own.mean), "max": own.max / (2 * own.mean)}
-    for each, share in shares.items():
-        found[f"friction.{each}"] = found.get(f"friction.{each}", 0.0) + share * elasticity

@@ -35,7 +35,7 @@ def _slope_findings(clutch: Clutch, law: IndirectLaw) -> list[Finding]:
     best, jumping = float(law.constant_torque_slope(force, friction_max)), float(law.jumping_slope(force))
     if slope <= best * (1 + 1e-9):
         return []
-    falls, most = float(clutch.torque(clutch.friction[0].max)), float(clutch.torque_max)
+    falls, most = float(clutch.torque(friction_max)), float(clutch.torque(leaving))
     code = "torque-jumps" if slope > jumping else "torque-falls-with-travel"
     return [finding(code, "warning", value=slope, limit=best, path=path, most=most, falls=falls, jumping=jumping)]
 

@@ -329,13 +329,13 @@ def accuracy_factor(
 
 
 def accuracy_factor_hysteresis(torque_max: Number, torque_returning: Number) -> Number:
-    """Accuracy factor under a load that lasts, K_т,h = T(f_max)/T_ret(f_min).
+    """Accuracy factor under a load that lasts, K_т,h = T_max/T_ret,min.
 
     Source: Theory, section 5 (beyond S21).
 
     Args:
-        torque_max: T_max, slip torque at f_max, friction rising [N*m].
-        torque_returning: T_ret, slip torque at f_min, friction fallen from f_max under load [N*m].
+        torque_max: T_max, largest slip torque, friction rising [N*m].
+        torque_returning: T_ret,min, smallest slip torque, friction falling from f_max under load [N*m].
 
     Returns:
         K_т,h [1].

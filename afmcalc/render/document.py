@@ -118,7 +118,9 @@ def _walk(model: BaseModel, prefix: str, heading: str, index: str, into: Documen
             null = str(extra.get("null") or "–")
             into.triples.append(Entry(path, symbol, label, unit, (value.min, value.mean, value.max), null))
         elif isinstance(value, Result):
+            start, told = len(into.singles), isinstance(model, Result) and model.words(name) == ""
             _walk(value, path + ".", label, str(extra.get("symbol") or ""), into)
+            into.singles[start:] = [each._replace(told=each.told or told) for each in into.singles[start:]]
         elif isinstance(value, dict):
             of = translate(str(extra.get("of") or "parameter"))
             into.tables.append(_mapping(path, symbol, label, unit, value, of, ranked=bool(extra.get("ranked"))))

@@ -99,8 +99,6 @@ def step_lines(laid_out: Document) -> list[str]:
         if step.substituted != step.formula:
             lines.append(f"{indent}= {in_numbers(step.substituted)}")
         lines.append(f"{indent}= {step_value(step)}    [{translate(step.source).rstrip('.')}]")
-        if step.note:
-            lines.append(f"    {translate(step.note)}")
         if step.print_differs:
             lines.append(told("    print differs: {what}", what=term(step.print_differs)))
     return lines

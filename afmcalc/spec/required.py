@@ -21,6 +21,9 @@ class Required(Block):
         "nominal torque of the machine, at least: the clutch's over the margin", "T_н.маш"
     )
     accuracy_factor: AtLeastOne | None = key_field("accuracy factor, at most", "K_т")
+    accuracy_factor_hysteresis: AtLeastOne | None = key_field(
+        "accuracy factor under a load that lasts, at most", "K_т,h"
+    )
     torque_max: Torque | None = key_field("largest sustained torque, at most", "T_max")
     outer_diameter: Length | None = key_field("outer diameter of the friction faces, at most", "2 r_o")
     surface_pressure: Stress | None = key_field("mean surface pressure at rest, at most; needs both radii", "p")

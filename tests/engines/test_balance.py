@@ -8,7 +8,7 @@ from strategies import indirect_specs
 
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
-from afmcalc.engines.balance import SetSpring, extremes
+from afmcalc.engines.balance import SetSpring
 from afmcalc.engines.characteristic import DiscCharacteristic
 from afmcalc.spec.discs import discs
 from afmcalc.spec.springs import DiscStack
@@ -91,13 +91,25 @@ def test_the_first_place_that_holds_the_sleeve(spec, one, two, series, both):
         if back > 0:
             torque = law.mean_radius * law.pairs * friction * float(first.force(start - back))
             assert clutch.torque_returning(friction) == pytest.approx(torque, rel=1e-9)
-    # extremes: of a sweep of friction much finer than what they were looked for with
-    swept = clutch.torque(np.linspace(own.min, own.max, 2001))
-    assert clutch.torque_max >= swept.max() * (1 - 1e-6)
-    assert clutch.torque_min <= swept.min() * (1 + 1e-6)
-    if "torque-jumps" not in {each.code for each in clutch.findings()}:
-        assert clutch.torque_max == pytest.approx(swept.max(), rel=1e-3)
-        assert clutch.torque_min == pytest.approx(swept.min(), rel=1e-3)
+    # extremes: of the places that friction brings the sleeve to, the jumps left out
+    ends = [float(clutch.torque(each)) for each in (own.min, own.max)]
+    for threshold, way, least in (
+        (-law.gain_threshold, slice(None), clutch.torque_min),
+        (law.gain_threshold, slice(None, None, -1), clutch.torque_returning_min),
+    ):
+        net = (law.gain + law.gain_slope * x + threshold)[x <= far][way]
+        most, less = pushed[x <= far][way], pressed[x <= far][way]
+        with np.errstate(divide="ignore"):
+            at = (most / less - 1) / (law.pairs * net)
+        farthest = np.maximum.accumulate(at) if threshold <= 0 and way.step is None else np.minimum.accumulate(at)
+        held = law.mean_radius * ((most - less) / net)[(at == farthest) & (at >= own.min) & (at <= own.max)]
+        if way.step:
+            ends[0] = float(clutch.torque_returning(own.min))
+        else:
+            assert clutch.torque_max == pytest.approx(max([*ends, *held]), rel=1e-3)
+            assert clutch.torque_max >= max([*ends, *held]) * (1 - 1e-9)
+        assert least == pytest.approx(min([*ends, *held]), rel=1e-3)
+        assert least <= min([*ends, *held]) * (1 + 1e-9)
 
 
 def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
@@ -115,8 +127,31 @@ def test_a_pocket_cut_for_disc_springs_nearly_holds_the_torque():
     clutch = build(own)
     assert 1 < clutch.accuracy_factor < 1.03
     assert clutch.torque(0.8) == pytest.approx(clutch.torque(0.1), rel=1e-9), "the same at both ends"
+    swept = clutch.torque(np.linspace(0.1, 0.8, 10_001))
+    assert clutch.torque_min == pytest.approx(swept.min(), rel=1e-9), "between them"
+    assert clutch.torque_min < clutch.torque(0.8) / 1.001
     found, _ = synthesize(clutch)
     assert found.travel_max == pytest.approx(float(clutch.travel(0.8)))
+
+
+def test_a_jump_between_disc_springs_is_seen_from_both_sides():
+    """Far from the stop, where the discs give way: the largest torque just before it, the smallest just after."""
+    disc = {"outer_diameter": 0.071, "inner_diameter": 0.036, "thickness": 0.002, "free_height": 0.0046}
+    clutch = build({
+        "variant": "indirect",
+        "friction": {"min": 0.13, "max": 0.66},
+        "friction_group": {"pairs": 7, "mean_radius": 0.1},
+        "closing_spring": {"force": 4445.0, "stiffness": 1e5},
+        "control_spring": {"force": 22693.5, "stiffness": 1e5, "disc": disc | {"parallel": 7, "series": 10}},
+        "control_unit": {
+            "gain": 2.756, "gain_slope": 1231.0, "hub_diameter": 0.05, "key_friction": 0.01, "ball_circle_radius": 0.05,
+        },
+    })  # fmt: skip
+    own = clutch.torque_range
+    assert own.at_low == pytest.approx(own.at_high, rel=1e-9)
+    assert own.high == pytest.approx(float(clutch.torque(own.at_high * (1 - 1e-9))), rel=1e-6)
+    assert own.low == pytest.approx(float(clutch.torque(own.at_low * (1 + 1e-9))), rel=1e-6)
+    assert own.low < 0.2 * own.high
 
 
 @pytest.mark.parametrize("disc", [None, DiscCharacteristic(stack("B 40", 20))])
@@ -130,15 +165,3 @@ def test_a_set_spring_slackens_to_a_force_and_grows_by_its_stiffness(disc):
     for further in (-1e-3, 5e-4):
         slope = (float(spring.force(further + 1e-7)) - float(spring.force(further - 1e-7))) / 2e-7
         assert float(spring.stiffness(further)) == pytest.approx(slope, rel=1e-6)
-
-
-def test_the_extreme_between_places_is_that_of_the_parabola():
-    at = np.linspace(0.0, 1.0, 9)[:, None]
-    top, least = np.array([0.3, 0.55, 0.91]), np.array([7.0, -2.0, 4.0])
-    low, _ = extremes(least + 3 * (at - top) ** 2)
-    _, high = extremes(least - 3 * (at - top) ** 2)
-    assert low == pytest.approx(least, abs=1e-12)
-    assert high == pytest.approx(least, abs=1e-12)
-    # at an end, or of a straight line, the value there
-    low, high = extremes(5 * at - 1)
-    assert (low, high) == ([-1], [4])

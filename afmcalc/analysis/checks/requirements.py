@@ -1,7 +1,7 @@
 """What a clutch is to hold, each judged by the analysis that answers it."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any, Literal, NamedTuple
 
 from ...engines.protocol import Clutch
@@ -14,6 +14,9 @@ from ..heat.limit import FREEZING, share_of_rise
 from ..life import UNLIMITED
 from ..registry import ANALYSES
 from .pressure import ring_pressures
+
+_HELD = 1 + 1e-9
+"""What is beyond its limit by rounding holds it."""
 
 
 class RequirementRow(Result):
@@ -97,7 +100,10 @@ JUDGED: dict[str, Judged] = {
     "nominal_torque": Judged("torque", lambda clutch, found: found.nominal_torque, least=True),
     "machine_torque": Judged("torque", lambda clutch, found: found.machine_torque, least=True),
     "accuracy_factor": Judged("accuracy", lambda clutch, found: found.accuracy_factor),
-    "torque_max": Judged("torque", lambda clutch, found: max(found.torque.min, found.torque.max)),
+    "accuracy_factor_hysteresis": Judged(
+        "accuracy", lambda clutch, found: found.accuracy_factor_hysteresis or found.accuracy_factor
+    ),
+    "torque_max": Judged("torque", lambda clutch, found: found.torque_range.high),
     "outer_diameter": Judged("torque", _outer_diameter, needs="friction_group.outer_radius"),
     "surface_pressure": Judged("torque", _mean_pressure, needs="friction_group.inner_radius and outer_radius"),
     "travel": Judged("torque", lambda clutch, found: _most(found.travel), needs="a sleeve that travels (indirect)"),
@@ -182,7 +188,20 @@ def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[
                 celsius=(row.value or 0.0) - FREEZING, allowed=limit - FREEZING,
             )  # fmt: skip
             found.append(own)
-    return rows, found
+    return rows, [*found, *_under_load_that_lasts(answers, given)]
+
+
+def _under_load_that_lasts(answers: Answers, given: Mapping[str, float]) -> Iterator[Finding]:
+    """Warn where K_т holds its limit and K_т,h, of which nothing is asked, does not; K_т,h is never the smaller."""
+    limit, name = given.get("accuracy_factor"), "accuracy_factor_hysteresis"
+    factor, lasting_factor = float(answers.clutch.accuracy_factor), answers.clutch.accuracy_factor_hysteresis
+    if limit is None or lasting_factor is None or name in given:
+        return
+    if factor <= limit * _HELD < lasting_factor:
+        path = "requirements.accuracy_factor"
+        yield finding(
+            "accuracy-not-lasting", "warning", value=float(lasting_factor), limit=limit, path=path, factor=factor
+        )
 
 
 def _outcome(judged: Judged, answers: Answers) -> tuple[float | None, bool]:
@@ -201,7 +220,7 @@ def _unit(name: str) -> str:
 def _row(clutch: Clutch, name: str, limit: float, value: float | None, *, unknown: bool) -> RequirementRow:
     key, least = keys()[f"requirements.{name}"], JUDGED[name].least
     over, under = (limit, value) if least else (value, limit)
-    held = None if over is None or under is None else over <= under * (1 + 1e-9)
+    held = None if over is None or under is None else over <= under * _HELD
     used = over / under if over is not None and under else None
     if value is not None and _unit(name) == "K abs":
         used = share_of_rise(clutch, value, limit)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import cache, cached_property
+from functools import cache, cached_property, reduce
 
 import numpy as np
 
@@ -35,12 +35,21 @@ class DirectCandidates(Candidates):
         return np.asarray(self.law.torque_per_force(*self.frictions[0]))
 
     @cached_property
-    def low(self) -> Numbers:  # noqa: D102
-        return self.at_set if self.set_low else np.asarray(self.law.torque_per_force(*self.frictions[1]))
+    def low(self) -> Numbers:
+        """Smallest torque, m."""
+        return reduce(np.minimum, self._along)
 
     @cached_property
-    def high(self) -> Numbers:  # noqa: D102
-        return np.asarray(self.law.torque_per_force(*self.frictions[2]))
+    def high(self) -> Numbers:
+        """Largest torque, m."""
+        return reduce(np.maximum, self._along)
+
+    @cached_property
+    def _along(self) -> list[Numbers]:
+        """Torques where the extremes are: at the ends, of unlike materials also at the mean."""
+        first, second = self.need.friction.groups
+        means = [(first.mean, second.mean)] if self.need.friction.unlike else []
+        return [np.asarray(self.law.torque_per_force(*point)) for point in (*self.frictions[1:], *means)]
 
     @cached_property
     def torques(self) -> tuple[Numbers, Numbers]:

@@ -88,10 +88,9 @@ def _accuracy(clutch: Clutch, curve: Torque) -> float:
 
 def path_of(clutch: Clutch) -> Iterator[tuple[float, float]]:
     """The common path of f_1 and f_2."""
-    first, second = clutch.friction
     for number in range(POINTS):
-        part = number / (POINTS - 1)
-        yield first.min + part * (first.max - first.min), second.min + part * (second.max - second.min)
+        first, second = clutch.path(number / (POINTS - 1))
+        yield float(first), float(second)
 
 
 def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:

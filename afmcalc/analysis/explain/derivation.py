@@ -52,8 +52,6 @@ class Derivation(NamedTuple):
     source: str
     differs: str
     """What the paper prints instead."""
-    below_one: float | None = None
-    """Inverse of an accuracy factor that comes out below 1."""
 
 
 class _Told:
@@ -98,7 +96,6 @@ def _derivation(calls: list[Call], told: _Told) -> Derivation:
     result, shown = equation.result, equation.name in told.numbers
     number = told.numbers.setdefault(equation.name, len(told.numbers) + 1)
     told.results.setdefault(result.symbol, (number, set()))[1].update(f"{call.value:.12g}" for call in calls)
-    below = next((1 / call.value for call in calls if equation.name in _FACTORS and 0 < call.value < 1), None)
     return Derivation(
         number=number,
         symbol=result.symbol,
@@ -110,7 +107,6 @@ def _derivation(calls: list[Call], told: _Told) -> Derivation:
         rows=[_row(call, line=len(calls) > _FEW) for call in calls],
         source="" if shown else equation.source,
         differs="" if shown else _misprints().get(equation.name, ""),
-        below_one=below,
     )
 
 
@@ -120,10 +116,6 @@ _FEW = 4
 
 def _row(call: Call, *, line: bool) -> CaseRow:
     return CaseRow(call.case, _text(call).latex_with_numbers(line=line), float(call.value))
-
-
-_FACTORS = ("accuracy.accuracy_factor",)
-"""Ratios of torques that fall below 1 where the torque falls with friction."""
 
 
 @cache
@@ -141,7 +133,9 @@ def _misprints() -> dict[str, str]:
 
 def _text(call: Call) -> FormulaText:
     terms = call.equation.arguments
-    symbols = {name: terms[name].symbol for name in call.arguments}
+    # which frictions the extremes are at differs from clutch to clutch
+    own = call.equation.name == "accuracy.accuracy_factor"
+    symbols = {name: call.symbol(name) if own else terms[name].symbol for name in call.arguments}
     units = {name: terms[name].unit for name in call.arguments}
     return FormulaText(call.equation.function, symbols, call.arguments, units)
 

@@ -80,16 +80,6 @@ def steps_of(calls: list[Call]) -> list[Step]:
     return [_step(call) for part in in_order(distinct(calls)) for call in part]
 
 
-def _note(call: Call) -> str | None:
-    """Say what is done with a value before it is shown as a result."""
-    if call.equation.name == "accuracy.accuracy_factor" and call.value < 1:
-        inverse = 1 / call.value
-        return say(
-            "the torque falls along the path: largest over smallest is the inverse, {inverse:.5g}", inverse=inverse
-        )
-    return None
-
-
 def _printed(mended: list[Formula]) -> str | None:
     differing = [
         say("{id} prints {printed} ({misprint})", id=term(each.id), printed=term(each.printed), misprint=each.misprint)
@@ -118,7 +108,6 @@ def _step(call: Call) -> Step:
         value=float(call.value),
         unit=result.unit,
         source=call.equation.source,
-        note=_note(call),
         print_differs=_printed(mended),
         function=call.equation.name,
         formula_latex=formula.latex(),

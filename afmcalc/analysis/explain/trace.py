@@ -118,8 +118,8 @@ class Call(NamedTuple):
             return symbol
         if symbol == "κ" and value.origin == _RETURNING:
             return "κ₊"
-        if value.end and symbol in ("f_1", "f_2"):
-            return symbol + value.end
+        if value.end and symbol[:3] in ("f_1", "f_2"):
+            return symbol[:3] + value.end
         return str(value.case.friction) if value.end and symbol in ("f", "f_i") else symbol
 
     @property

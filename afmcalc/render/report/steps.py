@@ -82,8 +82,6 @@ def _block(own: Derivation, method: str) -> Derived:
         for index, row in enumerate([] if joined else own.rows)
     ]
     notes = [told("differs", printed=term(own.differs))] if own.differs else []
-    if own.below_one is not None:
-        notes.append(told("inverse", value=own.below_one))
     return Derived(
         number=own.number,
         first=bool(own.formula),

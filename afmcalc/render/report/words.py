@@ -74,7 +74,6 @@ REPORT: Mapping[str, str] = {
     "is": "{source} by ({number})",
     "again": "By formula ({number}).",
     "differs": "The print differs: {printed}",
-    "inverse": "The torque falls as friction rises: largest over smallest torque is the inverse, {value:.5g}.",
     "friction": "Friction",
     "branch": "Friction is",
     "setting": "Spring set at",

@@ -222,8 +222,9 @@ def test_falling_torque_is_explained(afmcalc):
     steps = afmcalc("explain", "accuracy", CONFIGS / "unlike-materials.toml", *falling, "--json").json["result"][
         "steps"
     ]
-    notes = [step["note"] for step in steps if step["note"]]
-    assert any("the inverse, 1.1037" in note for note in notes)
+    (factor,) = (step for step in steps if step["function"] == "accuracy.accuracy_factor")
+    assert factor["value"] == pytest.approx(1.1037, rel=1e-4)
+    assert factor["formula"].startswith("(z_1·f_1min + z_2·f_2min)"), "the largest torque is at f_min"
 
 
 RUN_DOWN = {"motor_inertia": 1.5, "speed": 30.0, "motor_torque": 90.0}
