@@ -72,7 +72,8 @@ def test_accuracy_is_the_extreme_ratio_of_the_torque_itself(spec):
 def test_sensitivities_are_the_derivatives_of_the_accuracy(spec):
     """Central differences of ln K_т over every continuous key; pairs are continuous for the law."""
     clutch = build(spec)
-    if abs(clutch.accuracy_factor - 1) < 1e-6:
+    ranges = clutch.friction if spec.friction.unlike else ()
+    if abs(clutch.accuracy_factor - 1) < 1e-6 or any(each.mean in (each.min, each.max) for each in ranges):
         return  # K_т = max/min has a kink there
     step = 1e-6
     for path, elasticity in clutch.sensitivity().items():
