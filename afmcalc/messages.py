@@ -70,8 +70,9 @@ FINDINGS: Mapping[str, str] = {
     "is that of one side only",
     "margin-role": "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of "
     "the spring as set, not as the surplus force of the mean-friction setting",
-    "narrower-below-nominal": "the narrower band is that of {method}, with which the torque falls to {value:.5g N·m} in "
-    "service: below the clutch's nominal torque {limit:.5g N·m}, within the margin over the machine's {machine:.5g N·m}",
+    "narrower-below-nominal": "the narrower band is that of {method}, with which the torque falls to {value:.5g N·m} "
+    "in service: below the clutch's nominal torque {limit:.5g N·m}, within the margin over the machine's "
+    "{machine:.5g N·m}",
     "narrower-below-nominal/machine": "the narrower band is that of {method}, with which the torque falls to "
     "{value:.5g N·m} in service: below the nominal torque {limit:.5g N·m} of the clutch and that of the machine, "
     "{machine:.5g N·m}",
@@ -91,12 +92,12 @@ FINDINGS: Mapping[str, str] = {
     "bypass-peak": "above the gain limit the bypass pairs alone may hold before the balls take over: the peak in the "
     "shaft is then up to {value:.4g N·m}, not {limit:.4g N·m}; requirements.peak_torque is judged by it",
     "inertia-torque": "a tool that stops before the slipping clutch has swung out has the shaft twisted by what turns "
-    "behind the discs, by up to ω_0 √(k (J_2 + J_h)) = {value:.4g N·m} beyond the sliding torque ({limit:.4g N·m} at f_max): no "
-    "clutch removes it, only a softer shaft, less inertia behind the discs, less speed or a slower stop",
-    "inertia-torque/slow": "the stop lasts longer than half a swing of the shaft ({swing:.4g s}): what turns behind the "
-    "discs loads the shaft with up to J a + √(J a [J a + 2 (T − T_0)]) = {value:.4g N·m} beyond the sliding torque "
-    "({limit:.4g N·m} at f_max), J = J_2 + J_h, a = ω_0/t_b, whatever its stiffness: only less inertia behind the discs, "
-    "less speed or a slower stop lowers it",
+    "behind the discs, by up to ω_0 √(k (J_2 + J_h)) = {value:.4g N·m} beyond the sliding torque ({limit:.4g N·m} at "
+    "f_max): no clutch removes it, only a softer shaft, less inertia behind the discs, less speed or a slower stop",
+    "inertia-torque/slow": "the stop lasts longer than half a swing of the shaft ({swing:.4g s}): what turns behind "
+    "the discs loads the shaft with up to J a + √(J a [J a + 2 (T − T_0)]) = {value:.4g N·m} beyond the sliding torque "
+    "({limit:.4g N·m} at f_max), J = J_2 + J_h, a = ω_0/t_b, whatever its stiffness: only less inertia behind the "
+    "discs, less speed or a slower stop lowers it",
     "ordinary-carries-hub": "the ordinary clutch of equal T_н has no control unit: the hub turns with its driven half, "
     "J_2 + J_h = {value:.4g} kg·m² behind its discs",
     "ordinary-slips-before-event": "the ordinary clutch of equal T_н carries only {value:.5g N·m} somewhere in the "
@@ -113,8 +114,8 @@ FINDINGS: Mapping[str, str] = {
     "motor-stops-at-cut-off": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
     "({value:.5g N·m}): the slip lasts until the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
     "motor-stops-at-cut-off/held": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
-    "({value:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises): the slip lasts until the "
-    "cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
+    "({value:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises): the slip lasts until "
+    "the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
     "energy-not-closed": "the energy of the event does not close, {value:.2g} of it is missing: do not trust this "
     "result, and report the spec",
     "release-lag": "at f_max the drive trips at {value:.5g N·m}: {share:.0%} of the way from T_муф = {limit:.5g N·m}, "
@@ -178,8 +179,8 @@ FINDINGS: Mapping[str, str] = {
     "discs-take-all": "no lining_conductivity, lining_density and lining_specific_heat: the discs take all the heat of "
     "the faces, an upper bound of their surface temperature",
     "discs-thick": "no disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature",
-    "spring-slack-before-worn": "the spring falls slack once each pair has worn by {value:.4g mm}, before its lining of "
-    "{limit:.4g mm} is gone: trips until it is gone are not told",
+    "spring-slack-before-worn": "the spring falls slack once each pair has worn by {value:.4g mm}, before its lining "
+    "of {limit:.4g mm} is gone: trips until it is gone are not told",
     "heat-not-told": "not told, as these are not given: {listed}",
     "heat-not-judged": "no temperature to hold the discs against: give requirements.temperature, or a material "
     "of the catalogue that has one",
@@ -321,10 +322,10 @@ FINDINGS: Mapping[str, str] = {
         "{value:.0f} samples are too few for the error of the outermost quantile, which is not told in full: "
         "at least {limit:.0f}"
     ),
-    "heavy-tails": "a few samples of a heavy tail carry the variance of the torque: the standard errors of its standard "
-    "deviation and of the Sobol indices are too small; quantiles and their errors hold",
-    "heavy-tails/indices": "a few rows of a heavy tail carry the variance of the torque: the standard errors of the Sobol "
-    "indices are too small; a larger tolerance.sobol_base helps",
+    "heavy-tails": "a few samples of a heavy tail carry the variance of the torque: the standard errors of its "
+    "standard deviation and of the Sobol indices are too small; quantiles and their errors hold",
+    "heavy-tails/indices": "a few rows of a heavy tail carry the variance of the torque: the standard errors of the "
+    "Sobol indices are too small; a larger tolerance.sobol_base helps",
     "friction-fixed": "friction does not scatter in [tolerance.fields]: the torque is taken at the mean friction",
     "friction-independent": (
         "the correlation of f_1 and f_2 is not given: they are taken as independent (F11 has them together, 1)"

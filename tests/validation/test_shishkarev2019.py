@@ -230,7 +230,7 @@ def test_the_narrower_band_is_not_advised_without_what_it_costs(afmcalc, margin,
         (said,) = found
         assert "94.815" in said["message"]
         page = afmcalc("report", "-o", "-").out
-        assert "set the spring at f_min" in page
+        assert "where that torque must be carried" in page
 
 
 def test_a_threshold_below_any_clutch_is_none(afmcalc):

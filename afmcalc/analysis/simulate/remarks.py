@@ -96,7 +96,7 @@ def _endless(train: Train, found: Sequence[Outcome]) -> list[Finding]:
 
 
 def _at_cut_off(each: Outcome) -> float | None:
-    """Torque with which the pack slips as the motor is switched off, N·m; None where the motor stops or sticks before."""
+    """Torque with which the pack slips as the motor is switched off, N·m; None where it does not slip then."""
     course, off = each.trip.course, each.case.plant.train.cut_off
     if off is None or not course or not each.energy:
         return None

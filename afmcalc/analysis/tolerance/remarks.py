@@ -35,8 +35,9 @@ def _of_the_sample(given: Tolerance, figures: Figures) -> list[Finding]:
 
 
 _UNSURE = {"monte-carlo": 0.025, "quasi-monte-carlo": 0.005}
-"""Relative standard error of the standard deviation beyond which it is too small itself: two of them cover the true value
-of lognormal torques in 92…95 % of samples below, in 89, 76 and 57 % at 0.034, 0.046 and 0.065 (quasi: 75 % at 0.013)."""
+"""Relative standard error of the standard deviation beyond which it is too small itself: two of them cover the true
+value of lognormal torques in 92…95 % of samples below, in 89, 76 and 57 % at 0.034, 0.046 and 0.065 (quasi: 75 % at
+0.013)."""
 _HEAVY = 10.0
 """Kurtosis (3 of a normal torque) below which few samples, not the tails, make that error large: it is a fair one."""
 
