@@ -91,9 +91,9 @@ def _findings(result: AdjustResult, clutches: list[Clutch]) -> list[Finding]:
     if own.holds_nominal:
         return []
     code = "narrower-below-nominal" if own.holds_machine else "narrower-below-nominal/machine"
-    names = {"method": term(result.narrower), "machine": result.machine_torque}
-    lowest, path = float(clutches[index].torque_min), "adjustment.method"
-    return [finding(code, "warning", value=lowest, limit=result.nominal_torque, path=path, **names)]
+    lowest, path, machine = float(clutches[index].torque_min), "adjustment.method", result.machine_torque
+    limit, method = result.nominal_torque, term(result.narrower)
+    return [finding(code, "warning", value=lowest, limit=limit, path=path, method=method, machine=machine)]
 
 
 def _method(clutch: Clutch, nominal: float, machine: float) -> MethodResult:

@@ -11,7 +11,12 @@ from .plant import Plant
 from .train import Train
 
 _ENDS = ("f_min", "f_cp", "f_max")
-_LEVELS: tuple[Level, Level] = ("warning", "error")
+_NEVER: tuple[tuple[str, Level], ...] = (("motor-never-stops", "error"), ("motor-never-stops/held", "error"))
+_LATE: tuple[tuple[str, Level], ...] = (
+    ("motor-stops-at-cut-off", "warning"),
+    ("motor-stops-at-cut-off/held", "warning"),
+)
+"""What the motor does, and whether the pack slips with less than T(f) of the rising branch."""
 _CLOSED = 1e-6
 _NEAR = 1e-3
 """Relative difference below which a figure of the spec is what the simulation gives."""
@@ -80,11 +85,12 @@ def _endless(train: Train, found: Sequence[Outcome]) -> list[Finding]:
         pulled = abs(each.trip.last) if each.endless else _at_cut_off(each)
         if pulled is None or not (each.endless or pulled <= strongest):
             continue
-        sliding, level = each.case.plant.sliding, _LEVELS[each.endless]
-        code = "motor-never-stops" if each.endless else "motor-stops-at-cut-off"
-        code += "/held" if pulled < sliding * (1 - _NEAR) else ""
-        names = {"at": end, "sliding": sliding, "heat": each.energy or 0.0, "off": train.cut_off}
-        said.append(finding(code, level, value=pulled, limit=strongest, path=path, **names))
+        sliding, off = each.case.plant.sliding, train.cut_off
+        code, level = _NEVER[pulled < sliding * (1 - _NEAR)] if each.endless else _LATE[pulled < sliding * (1 - _NEAR)]
+        heat = each.energy or 0.0
+        said.append(
+            finding(code, level, value=pulled, limit=strongest, path=path, at=end, sliding=sliding, heat=heat, off=off)
+        )
     for end, each in zip(_ENDS, found, strict=True):
         path, lasted = "drive.event.duration", each.trip.time
         if not each.trip.stuck:
