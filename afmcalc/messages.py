@@ -66,8 +66,16 @@ FINDINGS: Mapping[str, str] = {
     "published-against-equilibrium": "trust the equilibrium torque: at slip the load equals T_муф for every margin. "
     "The published T_ср = T_п − ΔT' (S22 (14)) swaps the weights of T_п and T_н.маш against the paper's own (12) "
     "(misprint M12); where the release force lags the load (impact), the trip lies between T_муф and T_п",
+    "elasticity-one-sided": "at C_1 = C_1* = {limit:.4g 1/mm} K_т has a kink, it grows on either side: each elasticity "
+    "is that of one side only",
     "margin-role": "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of "
     "the spring as set, not as the surplus force of the mean-friction setting",
+    "narrower-below-nominal": "the narrower band is that of {method}, with which the torque falls to {value:.5g N·m} "
+    "in service: below the clutch's nominal torque {limit:.5g N·m}, within the margin over the machine's "
+    "{machine:.5g N·m}",
+    "narrower-below-nominal/machine": "the narrower band is that of {method}, with which the torque falls to "
+    "{value:.5g N·m} in service: below the nominal torque {limit:.5g N·m} of the clutch and that of the machine, "
+    "{machine:.5g N·m}",
     "variant-not-possible": "not as {variant}: {lacks}",
     # adjust
     "control-spring-re-set": "both methods set the control spring by S21 (14), to {at_min:.5g kN} and "
@@ -89,16 +97,31 @@ FINDINGS: Mapping[str, str] = {
     # simulate
     "bypass-peak": "above the gain limit the bypass pairs alone may hold before the balls take over: the peak in the "
     "shaft is then up to {value:.4g N·m}, not {limit:.4g N·m}; requirements.peak_torque is judged by it",
-    "inertia-torque": "the driven half alone twists the shaft of a locked tool with ω_0 √(k J_2) = {value:.4g N·m}: "
-    "beyond the sliding torque ({limit:.4g N·m} at f_max) no clutch removes it, only a softer shaft or less inertia",
+    "inertia-torque": "a tool that stops before the slipping clutch has swung out has the shaft twisted by what turns "
+    "behind the discs, by up to ω_0 √(k (J_2 + J_h)) = {value:.4g N·m} beyond the sliding torque ({limit:.4g N·m} at "
+    "f_max): no clutch removes it, only a softer shaft, less inertia behind the discs, less speed or a slower stop",
+    "inertia-torque/slow": "the stop lasts longer than half a swing of the shaft ({swing:.4g s}): what turns behind "
+    "the discs loads the shaft with up to J a + √(J a [J a + 2 (T − T_0)]) = {value:.4g N·m} beyond the sliding torque "
+    "({limit:.4g N·m} at f_max), J = J_2 + J_h, a = ω_0/t_b, whatever its stiffness: only less inertia behind the "
+    "discs, less speed or a slower stop lowers it",
+    "ordinary-carries-hub": "the ordinary clutch of equal T_н has no control unit: the hub turns with its driven half, "
+    "J_2 + J_h = {value:.4g} kg·m² behind its discs",
+    "ordinary-slips-before-event": "the ordinary clutch of equal T_н carries only {value:.5g N·m} somewhere in the "
+    "friction range, less than the load of {limit:.5g N·m} before the event: it is no alternative",
     "slips-before-event": "at {at} the clutch carries {value:.5g N·m}, less than the load of {limit:.5g N·m} before "
     "the event: it slips all the time",
     "drive-not-in-balance": "before the event the motor gives {value:.5g N·m} against a load of {limit:.5g N·m}: "
     "the drive does not run steadily",
     "motor-never-stops": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch ({value:.5g N·m}): "
     "the slip does not end; give a cut-off (drive.cut_off)",
+    "motor-never-stops/held": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
+    "({value:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises): the slip does not end; "
+    "give a cut-off (drive.cut_off)",
     "motor-stops-at-cut-off": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
     "({value:.5g N·m}): the slip lasts until the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
+    "motor-stops-at-cut-off/held": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
+    "({value:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises): the slip lasts until "
+    "the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
     "energy-not-closed": "the energy of the event does not close, {value:.2g} of it is missing: do not trust this "
     "result, and report the spec",
     "release-lag": "at f_max the drive trips at {value:.5g N·m}: {share:.0%} of the way from T_муф = {limit:.5g N·m}, "
@@ -123,6 +146,7 @@ FINDINGS: Mapping[str, str] = {
     "judder": "slow slip is not steady: friction that falls with speed takes {value:.3g N·m·s} from the damping of "
     "{limit:.3g N·m·s} (an ordinary clutch of equal T_н: {ordinary:.3g N·m·s}); it may judder as the slip ends",
     # control unit
+    "hub-too-large": "a hub of {value:.5g mm} does not go into the clutch: balls and discs leave it {limit:.5g mm}",
     "balls-overlap": "{balls} balls of {value:.5g mm} do not fit on the ball circle: their centres are "
     "{limit:.5g mm} apart",
     "default-clearance": "{path} is not given: {value:g mm} is taken (S21: 2…3 mm)",
@@ -167,6 +191,8 @@ FINDINGS: Mapping[str, str] = {
     "discs-take-all": "no lining_conductivity, lining_density and lining_specific_heat: the discs take all the heat of "
     "the faces, an upper bound of their surface temperature",
     "discs-thick": "no disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature",
+    "spring-slack-before-worn": "the spring falls slack once each pair has worn by {value:.4g mm}, before its lining "
+    "of {limit:.4g mm} is gone: trips until it is gone are not told",
     "heat-not-told": "not told, as these are not given: {listed}",
     "heat-not-judged": "no temperature to hold the discs against: give requirements.temperature, or a material "
     "of the catalogue that has one",
@@ -315,6 +341,10 @@ FINDINGS: Mapping[str, str] = {
         "{value:.0f} samples are too few for the error of the outermost quantile, which is not told in full: "
         "at least {limit:.0f}"
     ),
+    "heavy-tails": "a few samples of a heavy tail carry the variance of the torque: the standard errors of its "
+    "standard deviation and of the Sobol indices are too small; quantiles and their errors hold",
+    "heavy-tails/indices": "a few rows of a heavy tail carry the variance of the torque: the standard errors of the "
+    "Sobol indices are too small; a larger tolerance.sobol_base helps",
     "friction-fixed": "friction does not scatter in [tolerance.fields]: the torque is taken at the mean friction",
     "friction-independent": (
         "the correlation of f_1 and f_2 is not given: they are taken as independent (F11 has them together, 1)"

@@ -81,7 +81,16 @@ def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyRes
         sensitivity=clutch.sensitivity(),
         sweep=swept,
     )
-    return result, [*clutch.findings(), *_sweep_findings(swept), *replaced(clutch.spec, sweeps)]
+    return result, [*clutch.findings(), *_kink(clutch), *_sweep_findings(swept), *replaced(clutch.spec, sweeps)]
+
+
+def _kink(clutch: Clutch) -> list[Finding]:
+    """Say where pockets hold the torque just so: beside it K_т grows on either side."""
+    slope, constant = clutch.gain_slope, clutch.constant_torque_slope
+    if not slope or constant is None or abs(float(slope / constant) - 1) > 1e-9:
+        return []
+    path = "control_unit.gain_slope"
+    return [finding("elasticity-one-sided", "info", value=float(slope), limit=float(constant), path=path)]
 
 
 def _sweep_findings(swept: list[AccuracySweep] | None) -> list[Finding]:

@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Iterator
-from typing import Literal
+from typing import Any, Literal
 
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import adjustment
 from ..findings import Finding, finding
+from ..messages import term
 from ..result import Result, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import with_nominal_torque
@@ -24,12 +25,15 @@ class MethodResult(Result):
     torque: Triple = quantity("N*m", "T", "slip torque")
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
+    holds_nominal: bool = quantity("", None, "holds T_н over the friction range")
+    holds_machine: bool = quantity("", None, "holds T_н.маш over the friction range")
 
 
 class AdjustResult(Result):
     """Both methods for one nominal torque."""
 
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch, which both methods are set for")
+    machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")
     margin: float = quantity("1", "β_н", "torque margin of the mean-friction method")
     min_friction: MethodResult = quantity("", "1", "set at f_min")
     mean_friction: MethodResult = quantity("", "2", "set at the mean friction, with margin")
@@ -37,10 +41,10 @@ class AdjustResult(Result):
     scatter_difference: float = quantity("N*m", "ΔT_2−ΔT_1", "band of mean-friction less that of min-friction")
     narrower: Literal["min-friction", "mean-friction", "equal"] = quantity("", None, "method with the narrower band")
     pairs_threshold: float | None = quantity(
-        "1", "z_12", "pairs above which min-friction is narrower, S19 (12)", optional=True
+        "1", "z_lim", "pairs above which min-friction is narrower, S19 (12)", optional=True
     )
     pairs_threshold_at_gain_limit: float | None = quantity(
-        "1", "z_13", "the same at the gain limit 1/(z_1 f_max), S19 (13)", optional=True
+        "1", "z_lim(C_max)", "the same at the gain limit 1/(z_1 f_max), S19 (13)", optional=True
     )
 
 
@@ -51,9 +55,9 @@ def set_by(spec: Spec, method: Method, nominal_torque: float) -> Clutch:
 
 def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     """Set the clutch by both methods for its nominal torque and compare the scatter bands."""
-    nominal = float(clutch.nominal_torque)
-    first, second = (set_by(clutch.spec, method, nominal) for method in METHODS)
-    results = [_method(each) for each in (first, second)]
+    nominal, machine = float(clutch.nominal_torque), float(clutch.machine_torque)
+    first, second = clutches = [set_by(clutch.spec, method, nominal) for method in METHODS]
+    results = [_method(each, nominal, machine) for each in clutches]
     bands = [result.scatter for result in results]
     ratio = _ratio(clutch, first, bands)
     narrower: Literal["min-friction", "mean-friction", "equal"] = "equal"
@@ -66,16 +70,17 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     limit = clutch.gain_limit if rule is not None and rule.reduced is None else None
     result = AdjustResult(
         nominal_torque=nominal,
+        machine_torque=machine,
         margin=clutch.spec.adjustment.margin,
         min_friction=results[0],
         mean_friction=results[1],
         scatter_ratio=ratio,
         scatter_difference=bands[1] - bands[0],
         narrower=narrower,
-        pairs_threshold=_threshold(clutch, float(clutch.gain)),
-        pairs_threshold_at_gain_limit=None if limit is None else _threshold(clutch, float(limit)),
+        pairs_threshold=_threshold(clutch, clutch.gain),
+        pairs_threshold_at_gain_limit=None if limit is None else _threshold(clutch, limit),
     )
-    return result, [*clutch.findings(), *_re_made(clutch, first, second)]
+    return result, [*clutch.findings(), *_findings(result, clutches), *_re_made(clutch, first, second)]
 
 
 def _re_made(clutch: Clutch, first: Clutch, second: Clutch) -> Iterator[Finding]:
@@ -90,13 +95,29 @@ def _re_made(clutch: Clutch, first: Clutch, second: Clutch) -> Iterator[Finding]
         yield finding("pockets-re-cut", "info", value=own, path="control_unit.pocket", **slopes)
 
 
-def _method(clutch: Clutch) -> MethodResult:
-    torque = triple(clutch, clutch.torque)
+def _findings(result: AdjustResult, clutches: list[Clutch]) -> list[Finding]:
+    """Warn where the setting with the narrower band does not hold the nominal torque."""
+    if result.narrower == "equal":
+        return []
+    index = METHODS.index(result.narrower)
+    own = (result.min_friction, result.mean_friction)[index]
+    if own.holds_nominal:
+        return []
+    code = "narrower-below-nominal" if own.holds_machine else "narrower-below-nominal/machine"
+    lowest, path, machine = float(clutches[index].torque_min), "adjustment.method", result.machine_torque
+    limit, method = result.nominal_torque, term(result.narrower)
+    return [finding(code, "warning", value=lowest, limit=limit, path=path, method=method, machine=machine)]
+
+
+def _method(clutch: Clutch, nominal: float, machine: float) -> MethodResult:
+    torque, lowest = triple(clutch, clutch.torque), float(clutch.torque_min) * (1 + 1e-12)
     return MethodResult(
         closing_force=clutch.closing_force,
         torque=torque,
         scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
+        holds_nominal=lowest >= nominal,
+        holds_machine=lowest >= machine,
     )
 
 
@@ -111,13 +132,12 @@ def _ratio(clutch: Clutch, set_at_min: Clutch, bands: list[float]) -> float | No
     return float(adjustment.scatter_ratio(clutch.spec.adjustment.margin, at_min, at_mean))
 
 
-def _threshold(clutch: Clutch, gain: float) -> float | None:
-    """z of S19 (12); None where it does not apply."""
-    spec = clutch.spec
+def _threshold(clutch: Clutch, gain: Any) -> float | None:
+    """z of S19 (12); None where it does not apply, or one method is narrower whatever the number of pairs."""
+    spec, own, margin = clutch.spec, clutch.friction[0], clutch.spec.adjustment.margin
     if spec.kind.travels or spec.friction.unlike:
         return None
-    if not (spec.adjustment.margin - 1) * gain > 0:
+    if not (margin - 1) * gain > 0 or margin * own.min >= own.mean:
         return None
-    own = clutch.friction[0]
-    threshold = float(adjustment.pairs_threshold(clutch.bypass_pairs, gain, own.min, own.mean, spec.adjustment.margin))
+    threshold = float(adjustment.pairs_threshold(clutch.bypass_pairs, gain, own.min, own.mean, margin))
     return threshold if math.isfinite(threshold) else None

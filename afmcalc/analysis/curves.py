@@ -93,7 +93,9 @@ class OverloadCurve(ClutchCurve):
     accuracy: OverloadSweep = quantity("", None, "accuracy over the reduced gain")
     bypass_pairs: int = quantity("1", "z_1", "pairs that bypass the control unit")
     reduced_gain: float = quantity("1", "z_2 C", "reduced gain of the clutch")
-    optimal_reduced_gain: float = quantity("1", "(zC)_opt", "reduced gain of the best actual accuracy, 1/f_max")
+    optimal_reduced_gain: float = quantity(
+        "1", "(zC)_opt", "reduced gain 1/f_max, best by the published T_ср; at equilibrium there is none"
+    )
 
 
 def torque_curve(clutch: Clutch) -> TorqueCurve:

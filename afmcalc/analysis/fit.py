@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..findings import Finding, finding
+from ..recorders import unrecorded
 from ..spec.balls import next_size
 from ..spec.edit import with_key
 from ..spec.models import ControlUnit
@@ -61,6 +62,7 @@ def _curve_findings(clutch: Clutch, result: SynthesisResult, sizes: Sequence[flo
     return found
 
 
+@unrecorded()
 def _gain_that_can_be_cut(clutch: Clutch, sizes: Sequence[float]) -> float | None:
     """Smallest gain, in steps of 2 %, with which a standard ball is large enough and does not undercut."""
     unit, gain = clutch.spec.control_unit, float(clutch.gain)

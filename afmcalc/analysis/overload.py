@@ -43,7 +43,9 @@ class OverloadResult(Result):
     friction_interval: list[float] | None = quantity(
         "1", "f (17)", "friction where published < expected, within the range", optional=True
     )
-    optimal_reduced_gain: float = quantity("1", "(zC)_opt", "reduced gain of the best actual accuracy, 1/f_max")
+    optimal_reduced_gain: float = quantity(
+        "1", "(zC)_opt", "reduced gain 1/f_max, best by the published T_ср; at equilibrium there is none"
+    )
     accuracy_factor_expected: float = quantity("1", "K_т,exp", "expected accuracy factor, S22 (18)")
     accuracy_factor_actual: float = quantity("1", "K_т,act", "actual accuracy factor with the published T_ср, S22 (19)")
     accuracy_factor_equilibrium: float = quantity("1", "K_т,eq", "accuracy factor with the equilibrium torque")

@@ -127,12 +127,16 @@ def _about_tolerance(found: Any) -> str:
 
 
 def _narrower(found: Any) -> str:
-    said = {
-        "min-friction": "The spring set at f_min gives the narrower band.",
-        "mean-friction": "The spring set at the mean friction gives the narrower band.",
-        "equal": "Both settings of the spring give the same band.",
-    }
-    return said[found.narrower]
+    if found.narrower == "equal":
+        return "Both settings of the spring give the same band."
+    if found.narrower == "min-friction":
+        return "The spring set at f_min gives the narrower band."
+    if found.mean_friction.holds_nominal:
+        return "The spring set at the mean friction gives the narrower band."
+    return (
+        "The spring set at the mean friction gives the narrower band, but with it the clutch slips below its nominal "
+        "torque in service: where that torque must be carried, set the spring at f_min."
+    )
 
 
 def _ball(found: Any) -> str:

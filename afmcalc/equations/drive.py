@@ -60,9 +60,31 @@ def inertia_torque(speed: Number, stiffness: Number, driven_inertia: Number) -> 
         T_J [N*m].
 
     Validity:
-        Sudden lock, no damping; a slower stop gives less.
+        Sudden lock, no damping; a slower stop gives less. What turns with the driven half belongs to J_2.
     """
     return speed * (stiffness * driven_inertia) ** 0.5
+
+
+def stop_torque(driven_inertia: Number, deceleration: Number, torque: Number, load_torque: Number) -> Number:
+    """Peak beyond the sliding torque while the tool slows down, T_a = J_2 a + √(J_2 a [J_2 a + 2 (T − T_0)]).
+
+    Source: Theory of the drive, section 9 (V4): its swing about T + J_2 a, with the slip that begins at t_1.
+
+    Args:
+        driven_inertia: J_2, inertia of the driven half [kg*m^2].
+        deceleration: a, deceleration of the tool, ω_0/t_b [rad/s^2].
+        torque: T, sliding torque [N*m].
+        load_torque: T_0, load before the event [N*m].
+
+    Returns:
+        T_a [N*m].
+
+    Validity:
+        The stop lasts until the peak: half a swing of the driven half after the slip begins. No damping, r_s = 1, a
+        motor side far heavier than the driven half. The stiffness of the shaft has no part in it.
+    """
+    steady = driven_inertia * deceleration
+    return steady + (steady * (steady + 2 * (torque - load_torque))) ** 0.5
 
 
 def stribeck_ratio(static_ratio: Number, decay: Number) -> Number:

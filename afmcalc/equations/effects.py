@@ -140,12 +140,12 @@ def centrifugal_thrust(
 
 
 def force_lost_by_wear(stiffness: Number, pairs: Number, wear: Number) -> Number:
-    """Spring force lost when every pair has worn, c z δ.
+    """Spring force lost when every pair has worn, c_п z δ.
 
     Source: Theory of the drive, section 10.
 
     Args:
-        stiffness: c, stiffness of the spring that follows the pack [N/m].
+        stiffness: c_п, stiffness of the spring that follows the pack [N/m].
         pairs: z, number of friction pairs [1].
         wear: δ, wear of a pair [m].
 

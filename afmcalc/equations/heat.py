@@ -338,12 +338,12 @@ def trips_to_wear_out(pairs: Number, area: Number, lining: Number, wear: Number,
 
 
 def setting_loss_per_wear(stiffness: Number, pairs: Number, force: Number) -> Number:
-    """Share of the force on the pack lost per wear of a pair, c z/F.
+    """Share of the force on the pack lost per wear of a pair, c_п z/F.
 
     Source: Theory of the drive, section 10.
 
     Args:
-        stiffness: c, stiffness of the spring that follows the pack [N/m].
+        stiffness: c_п, stiffness of the spring that follows the pack [N/m].
         pairs: z, number of friction pairs [1].
         force: F, force on the pack at rest [N].
 

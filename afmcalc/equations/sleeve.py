@@ -213,7 +213,7 @@ def torsional_stiffness(
         closing_stiffness: c_1 [N/m].
         control_stiffness: c_2 [N/m].
         mean_radius: R_cp, mean friction radius [m].
-        net_gain: κ while the sleeve moves off, κ₊ while it returns, where it is [1].
+        net_gain: κ, κ₊ while it returns, where it is [1].
         gain: C, feedback gain where the sleeve is [1].
         gain_slope: C_1, how the gain grows with travel [1/m].
         ball_torque: T_b = S/κ [N*m].
@@ -237,7 +237,7 @@ def sleeve_inertia(mass: Number, mean_radius: Number, gain: Number, net_gain: Nu
         mass: m, mass of the sleeve [kg].
         mean_radius: R_cp, mean friction radius [m].
         gain: C, feedback gain [1].
-        net_gain: κ while the sleeve moves off, κ₊ while it returns [1].
+        net_gain: κ, κ₊ while it returns [1].
 
     Returns:
         μ [kg*m^2].
@@ -263,7 +263,7 @@ def ball_torque_moving(
 
     Args:
         spring_moment: S [N*m].
-        net_gain: κ while the sleeve moves off, κ₊ while it returns [1].
+        net_gain: κ, κ₊ while it returns [1].
         sleeve_inertia: μ [kg*m^2].
         drive_torque: M, torque on the inertia before the balls [N*m].
         drive_inertia: J_1, inertia before the balls [kg*m^2].
@@ -289,7 +289,7 @@ def normal_force_at_stop(control_force: Number, net_gain: Number, ball_torque: N
 
     Args:
         control_force: F_п2, control-spring force at the stop [N].
-        net_gain: κ or κ₊ [1].
+        net_gain: κ, κ₊ while it returns [1].
         ball_torque: T_b, torque through the balls [N*m].
         mean_radius: R_cp, mean friction radius [m].
 
@@ -319,7 +319,7 @@ def slip_torque_at_stop(
         friction_pairs: zf, pairs times friction [1].
         mean_radius: R_cp, mean friction radius [m].
         control_force: F_п2, control-spring force at the stop [N].
-        net_gain: κ or κ₊ [1].
+        net_gain: κ, κ₊ while it returns [1].
         hub_inertia: J_h, inertia between discs and balls [kg*m^2].
         load_torque: L, torque of the load on the inertia behind the balls [N*m].
         load_inertia: J_2, inertia behind the balls [kg*m^2].

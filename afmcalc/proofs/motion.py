@@ -35,6 +35,10 @@ def shaft() -> Steps:
     top = drive.shaft_torque(k, swing.subs(time, sp.pi / 2 / natural), 0, 0)
     inertia = sp.nsimplify(drive.inertia_torque(speed, k, J2), rational=True)
     yield Identity("its peak is the inertia torque (V2)", inertia - top)
+    a, above = sp.symbols("a Delta", positive=True)
+    peak = drive.stop_torque(J2, a, T + above, T) - J2 * a
+    wound = k * a * sp.sqrt(2 * above / (k * a))  # rate of the torque as the slip begins, at t_1
+    yield Identity("V4: amplitude about T + J_2 a", peak**2 - (J2 * a) ** 2 - (wound / natural) ** 2)
 
 
 def _rooted(root: sp.Expr) -> sp.Expr:

@@ -6,10 +6,11 @@ import pytest
 from conftest import CONFIGS
 
 from afmcalc.analysis.dossier import dossier
+from afmcalc.analysis.heat.heat import heat
 from afmcalc.analysis.springs.springs import springs
 from afmcalc.engines import build
 from afmcalc.render.report.chapters import chapters
-from afmcalc.spec import read_spec
+from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.discs import discs
 
 ROOM = (60e-3, 160e-3, 80e-3)
@@ -255,3 +256,33 @@ def test_a_report_tells_of_the_springs_that_are_named(afmcalc, tmp_path):
     assert table.header[2:-1] == ["closing spring"]
     assert ["", "part", own.part, ""] in table.rows
     assert not {row[2] for row in table.rows} & {"–", "disc"}
+
+
+def test_a_spring_has_its_length_as_set_and_at_full_travel(afmcalc):
+    """Six discs B 40 of 2.65 mm: 15.9 mm less what 2 kN presses them; the sleeve's travel lets them go by 2.51 mm."""
+    told = afmcalc("springs", INDIRECT, "--json").json["result"]["closing"][0]
+    assert (told["length_set"], told["length"]) == pytest.approx((12.341e-3, 14.853e-3), abs=5e-7)
+    size = next(each for each in discs() if told["part"].endswith(f" {each.name}"))
+    assert force_and_slope(size, size.free_height - told["length_set"] / 6)[0] == pytest.approx(2000, rel=1e-9)
+    assert "L, mm" in (head := next(line for line in afmcalc("springs", INDIRECT).out.splitlines() if "L_1" in line))
+    assert head.index("L, mm") < head.index("L_1, mm")
+
+
+def test_what_rests_on_a_slack_spring_is_not_told():
+    """Six discs B 40 pressed by 3.56 mm by 2 kN; eight pairs wear by 4 mm: slack, no 1.5 million trips, no force < 0."""
+    stack = {"outer_diameter": 0.04, "inner_diameter": 0.0204, "thickness": 1.5e-3, "free_height": 2.65e-3, "series": 6}
+    data = resolved(read_spec(CONFIGS / "drive.toml")) | {"closing_spring": {"force": 2000.0, "disc": stack}}
+    own = build(make_spec(data))
+    told, found = heat(own)
+    assert told.trips_to_wear_out is None
+    (slack,) = [each for each in found if each.code == "spring-slack-before-worn"]
+    assert (slack.value, slack.limit) == (pytest.approx((6 * 2.65e-3 - 12.341e-3) / 8, rel=1e-4), 5e-4)
+    (named,) = springs(own)[0].named
+    assert named.force_least is None
+    thinner = build(make_spec(data | {"heat": {**data["heat"], "lining": 4e-4}}))
+    assert heat(thinner)[0].trips_to_wear_out is not None
+    assert springs(thinner)[0].named[0].force_least > 0
+    # a straight spring of the same force: 2 kN over 8 pairs of 0.5 mm is 500 N/mm
+    for stiffness, worn in ((499e3, True), (501e3, False)):
+        straight = build(make_spec(data | {"closing_spring": {"force": 2000.0, "stiffness": stiffness}}))
+        assert (heat(straight)[0].trips_to_wear_out is not None) == worn

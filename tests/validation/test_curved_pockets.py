@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from afmcalc.analysis.accuracy import accuracy
 from afmcalc.analysis.adjust import adjust
 from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.life import life
@@ -148,3 +149,14 @@ def test_the_steps_of_a_curved_pocket():
     assert {"pocket.tangent_stiffness_squared", "pocket.sleeve_stiffness", "pocket.travel"} <= set(shown)
     straight, _ = explain("torque", clutch().spec)
     assert not any(step.function.startswith("pocket.") for step in straight.steps), "a straight wall is S21's own law"
+
+
+def test_where_pockets_hold_the_torque_an_elasticity_is_one_side_s():
+    """K_т = 1 there, and more on either side of C_1*."""
+    slopes = [0.99 * BEST, BEST, 1.01 * BEST]
+    told = {slope: accuracy(build(spec_of(f"control_unit.gain_slope={slope}"))) for slope in slopes}
+    factors = [told[slope][0].accuracy_factor for slope in slopes]
+    assert factors[1] == pytest.approx(1)
+    assert min(factors[0], factors[2]) > 1.0005
+    said = [[each.limit for each in told[slope][1] if each.code == "elasticity-one-sided"] for slope in slopes]
+    assert said == [[], [pytest.approx(BEST)], []]

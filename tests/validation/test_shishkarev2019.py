@@ -1,5 +1,7 @@
 """Шишкарёв 2019 (S19): the two adjustment methods and life; P1–P3."""
 
+import math
+
 import numpy as np
 import pytest
 from conftest import CONFIGS
@@ -47,7 +49,10 @@ def test_bands_by_formula_and_by_direct_comparison(spec, margin):
         adjustment.force_ratio(*(c.torque(f) / c.closing_force for c, f in ((at_mean, own.mean), (at_min, own.min))))
     )
     if margin > 1 and clutch.gain > 1e-6 and abs(result.scatter_ratio - 1) > 1e-9:
-        assert (result.narrower == "min-friction") == (spec.friction_group.pairs > result.pairs_threshold)
+        # no threshold where the method is narrower whatever the number of pairs
+        assert (result.pairs_threshold is None) == (margin * own.min >= own.mean)
+        threshold = -math.inf if result.pairs_threshold is None else result.pairs_threshold
+        assert (result.narrower == "min-friction") == (spec.friction_group.pairs > threshold)
     if margin == 1:
         assert result.pairs_threshold is None
         assert result.narrower in ("mean-friction", "equal")
@@ -208,3 +213,28 @@ def test_adjust_without_scatter_divides_nothing_by_zero():
     assert result.scatter_ratio is None
     assert result.narrower == "equal"
     assert np.isfinite(result.mean_friction.closing_force)
+
+
+@pytest.mark.parametrize(("margin", "machine", "held"), [(1.25, 94.815, False), (2.5, 47.407, True)])
+def test_the_narrower_band_is_not_advised_without_what_it_costs(afmcalc, margin, machine, held):
+    """ΔT_2/ΔT_1 is T_min2/T_н: T(f_min) = β_н T_н g(0.1)/g(0.3), 75 N·m, is below T_н = 118.5 and the machine's 94.8."""
+    told = afmcalc("adjust", "--set", f"adjustment.margin={margin}", "--json").json
+    result, lowest = told["result"], margin * 118.519 * (0.1 / 1.35) / (0.3 / 2.05)
+    assert (result["nominal_torque"], result["machine_torque"]) == pytest.approx((118.519, machine), rel=1e-4)
+    assert (result["narrower"] == "mean-friction") == (margin == 1.25)
+    assert result["mean_friction"]["torque"]["min"] == pytest.approx(lowest, rel=1e-4)
+    for method, holds in (("min_friction", True), ("mean_friction", held)):
+        assert (result[method]["holds_nominal"], result[method]["holds_machine"]) == (holds, holds)
+    found = [each for each in told["findings"] if each["code"] == "narrower-below-nominal"]
+    assert [(each["level"], round(each["value"], 1)) for each in found] == ([] if held else [("warning", 75.0)])
+    if not held:
+        (said,) = found
+        assert "94.815" in said["message"]
+        page = afmcalc("report", "-o", "-").out
+        assert "where that torque must be carried" in page
+
+
+def test_a_threshold_below_any_clutch_is_none(afmcalc):
+    result = afmcalc("adjust", "--set", "adjustment.margin=5", "--json").json["result"]
+    assert (result["pairs_threshold"], result["pairs_threshold_at_gain_limit"]) == (None, None)
+    assert result["narrower"] == "min-friction"

@@ -158,3 +158,16 @@ def test_accuracy_of_the_all_driving_clutch():
 def test_base_clutch_with_all_pairs_controlled():
     """P7's base value: z 8, C 1, f 0.1…0.8 gives 1.946."""
     assert accuracy_factor(0, 8, 1.0, 0.1, 0.1, 0.8, 0.8) == pytest.approx(1.946, abs=5e-4)
+
+
+def test_the_best_reduced_gain_says_by_which_torque(afmcalc):
+    """At equilibrium K_т falls with the gain for ever: (zC)_opt is by the published T_ср alone."""
+    (row,) = [line for line in afmcalc("overload").out.splitlines() if line.startswith("(zC)_opt")]
+    assert "by the published T_ср; at equilibrium there is none" in row
+    gains = (0.5, 1.25, 2.5)
+    factors = [
+        afmcalc("overload", CONFIGS / "all-driving.toml", "--set", f"C={gain}", "--json").json["result"]
+        for gain in gains
+    ]
+    equilibrium = [each["accuracy_factor_equilibrium"] for each in factors]
+    assert equilibrium == sorted(equilibrium, reverse=True)

@@ -9,7 +9,7 @@ from ...result import Result, quantity
 from ...watch import Progress, unwatched
 from ..answers import Answers
 from ..registry import ANALYSES
-from .limits import Utilisation, utilisations
+from .limits import Utilisation, hub_findings, utilisations
 from .plausible import unusual_findings
 from .pressure import pressure_findings
 from .requirements import RequirementRow, requirement_rows, simulates
@@ -88,7 +88,7 @@ def all_findings(answers: Answers, *, simulated: bool = True) -> list[Finding]:
         for each in ANALYSES.values()
         if each.judged and each.applies(clutch) and (simulated or not simulates(each.name, clutch))
     ]
-    found = [*clutch.findings(), *pressure_findings(clutch), *unusual_findings(answers)]
+    found = [*clutch.findings(), *pressure_findings(clutch), *hub_findings(answers), *unusual_findings(answers)]
     unit = clutch.spec.control_unit
     if unit is not None and unit.ball_circle_radius is None:
         found.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))

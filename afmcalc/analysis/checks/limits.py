@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 
 from ...engines.parts import demands_of
 from ...engines.protocol import Clutch
-from ...findings import Finding, Level
+from ...findings import Finding, Level, finding
 from ...messages import say, term
 from ...result import Result, quantity
 from ...spec.balls import diameters
@@ -68,12 +68,13 @@ def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]
         The limits, each with its utilisation.
     """
     clutch = answers.clutch
-    levels = {finding.code: finding.level for finding in findings}
+    levels = {each.code: each.level for each in findings}
     synthesized, simulated, heated, lived = (
         ANALYSES[name].applies(clutch) for name in ("synthesize", "simulate", "heat", "life")
     )
     return [
         *(_used(each, levels) for each in _of_clutch(clutch)),
+        *(_used(each, levels) for each in _of_hub(answers)),
         *(_used(each, levels) for each in (_of_synthesis(answers) if synthesized else ())),
         *(_used(each, levels) for each in (_of_event(answers) if simulated else ())),
         *_of_springs(clutch, _travel(answers.of(SimulateResult)) if simulated else 0.0),
@@ -107,6 +108,27 @@ def _of_clutch(clutch: Clutch) -> Iterator[_Held]:
     if (returned := clutch.torque_returning_min) is not None:
         name, machine = term("least torque, friction falling under load"), float(clutch.machine_torque)
         yield _Held("returning-below-nominal", name, "T_ret ≥ T_н.маш", "N*m", float(returned), machine, least=True)
+
+
+def _of_hub(answers: Answers) -> Iterator[_Held]:
+    """The hub is within the discs, and within the balls, whose sleeve it carries."""
+    spec = answers.clutch.spec
+    hub, inner = value_at(spec, "control_unit.hub_diameter"), spec.friction_group.inner_radius
+    if hub is None:
+        return
+    room = 2 * (float(answers.clutch.mean_radius) if inner is None else inner)
+    if ANALYSES["synthesize"].applies(answers.clutch):
+        found = answers.of(SynthesisResult)
+        room = min(room, 2 * found.ball_circle_radius - found.ball_diameter)
+    if room > 0:  # else the balls reach the axis, which is said
+        yield _Held("hub-too-large", term("hub within balls and discs"), "d ≤ 2r − d_ш, 2r_i", "m", hub, room)
+
+
+def hub_findings(answers: Answers) -> list[Finding]:
+    """Say that the hub is larger than balls and discs leave room for."""
+    beyond = (each for each in _of_hub(answers) if each.value > each.limit * (1 + 1e-9))
+    path = "control_unit.hub_diameter"
+    return [finding(each.code, "error", value=each.value, limit=each.limit, path=path) for each in beyond]
 
 
 def _of_synthesis(answers: Answers) -> Iterator[_Held]:
@@ -197,13 +219,13 @@ def _of_life(found: LifeResult) -> Iterator[_Held]:
             yield _Held("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, found.endurance_limit)
 
 
-def _pressure(finding: Finding) -> Utilisation:
-    assert finding.value is not None
-    assert finding.limit is not None
+def _pressure(told: Finding) -> Utilisation:
+    assert told.value is not None
+    assert told.limit is not None
     inner, mean = term("surface pressure at the inner edge"), term("surface pressure in the mean")
-    grade: Grade = "pass" if finding.level == "info" else _GRADES[finding.level]
+    grade: Grade = "pass" if told.level == "info" else _GRADES[told.level]
     return Utilisation(
-        name=inner if finding.code.startswith("peak") else mean,
-        symbol="p ≤ [p]", unit="Pa", value=finding.value, limit=finding.limit,
-        utilisation=finding.value / finding.limit, verdict=grade,
+        name=inner if told.code.startswith("peak") else mean,
+        symbol="p ≤ [p]", unit="Pa", value=told.value, limit=told.limit,
+        utilisation=told.value / told.limit, verdict=grade,
     )  # fmt: skip

@@ -110,6 +110,10 @@ def _negated(term: Expression) -> Expression:
     return _joined(not own.negative, own.over, own.under)
 
 
+_SEVERAL = re.compile(r"^(?!sin|cos|tan|ln)\D\S* |^[^(]*/|\d .*·")
+"""One term that reads as several: a symbol such as α A_c or A/B, a number whose unit is a product or a ratio."""
+
+
 class _Text:
     """One line, Unicode: a raised dot for products, no space around it."""
 
@@ -136,8 +140,9 @@ class _Text:
         return self.brackets.format(own) if when else own
 
     def _power(self, base: Expression, exponent: Expression) -> str:
-        # a number with a unit is raised as a whole
-        parts = (self._in_brackets(each, not isinstance(each, Leaf) or " " in each.text) for each in (base, exponent))
+        # a number with a unit is raised as a whole, and so is a ratio that is one symbol
+        whole = (isinstance(each, Leaf) and not re.search("[ /]", each.text) for each in (base, exponent))
+        parts = (self._in_brackets(each, not one) for each, one in zip((base, exponent), whole, strict=True))
         return "^".join(parts)
 
     def _sum(self, terms: tuple[Expression, ...]) -> str:
@@ -156,7 +161,8 @@ class _Text:
 
     def _divisor(self, term: Expression) -> str:
         of_sum = isinstance(term, Power) and isinstance(term.base, Sum)
-        return self._in_brackets(term, isinstance(term, Sum | Product) or of_sum)
+        several = isinstance(term, Leaf) and _SEVERAL.search(term.text) is not None
+        return self._in_brackets(term, isinstance(term, Sum | Product) or of_sum or several)
 
 
 class _Latex(_Text):
@@ -172,7 +178,7 @@ class _Latex(_Text):
         return symbol_latex(text)
 
     def _power(self, base: Expression, exponent: Expression) -> str:
-        whole = isinstance(base, Leaf) and "^" not in base.text
+        whole = isinstance(base, Leaf) and not re.search(r"[ /^]|\\,", base.text)
         return f"{self._in_brackets(base, not whole)}^{{{self.show(exponent)}}}"
 
     def _quotient(self, over: tuple[Expression, ...], under: tuple[Expression, ...]) -> str:
@@ -243,10 +249,10 @@ def _number(value: Any, unit: str, *, latex: bool) -> str:
     if "e" in text:
         mantissa, _, exponent = text.partition("e")
         text = f"{mantissa}\\cdot 10^{{{int(exponent)}}}" if latex else f"({mantissa}·10^{int(exponent)})"
-    if unit == "1":
-        return text
-    shown = unit.replace("*", "·").replace("^3", "³").replace("^2", "²")
-    return f"{text}\\,\\text{{{shown}}}" if latex else f"{text} {shown}"
+    if unit != "1":
+        shown = unit.replace("*", "·").replace("^3", "³").replace("^2", "²")
+        text = f"{text}\\,\\text{{{shown}}}" if latex else f"{text} {shown}"
+    return f"({text})" if value < 0 else text
 
 
 def symbol_latex(name: str) -> str:

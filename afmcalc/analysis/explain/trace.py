@@ -20,6 +20,8 @@ _LAWS = (*get_args(Law), "drive", "heat")
 """Modules of equations whose results are for the friction that their arguments are for."""
 _RETURNING = "indirect.net_gain_returning"
 _UNPROTECTED = "life.torque_unprotected"
+_AT_LIMIT = "C_max"
+"""Symbol of the gain limit, for equations that are evaluated at it instead of at the gain of the clutch."""
 _FRICTION = ("friction", "friction_driven", "friction_driving")
 """Arguments that say for which friction an equation is evaluated."""
 _OF_THE_CLUTCH = (
@@ -112,12 +114,12 @@ class Call(NamedTuple):
     value: Any
 
     def symbol(self, name: str) -> str:
-        """Symbol of an argument; a coefficient of friction gets the end of the range it is."""
+        """Symbol of an argument: of a friction the end of its range, of a special T, C, κ … that of T', C(x), κ₊ …"""
         symbol, value = self.equation.arguments[name].symbol, self.arguments[name]
         if not isinstance(value, Marked):
             return symbol
-        if symbol == "κ" and value.origin == _RETURNING:
-            return "κ₊"
+        if value.origin and (special := equations()[value.origin].result.symbol).startswith(symbol):
+            return special
         if value.end and symbol[:3] in ("f_1", "f_2"):
             return symbol[:3] + value.end
         return str(value.case.friction) if value.end and symbol in ("f", "f_i") else symbol
@@ -149,6 +151,8 @@ class Call(NamedTuple):
         own, module = self._own, self.equation.name.partition(".")[0]
         if self.equation.name in _OF_THE_CLUTCH or ".accuracy_factor" in self.equation.name:
             return Circumstance()
+        if "gain" in self.arguments and self.symbol("gain") == _AT_LIMIT:
+            return Circumstance(_AT_LIMIT)
         if module not in _LAWS:
             return Circumstance(own) if own else self._shared(over_range=module == "life")
         if own and any(value.origin == _RETURNING for value in self._results):

@@ -14,7 +14,7 @@ from ...recorders import marked, unrecorded
 from ...result import OpenTriple, Triple
 from ...spec.heat import Heat
 from .limit import FREEZING, Limit, limit_of, limits_of
-from .remarks import remarks
+from .remarks import remarks, slack_before_worn
 from .result import HeatResult
 from .trip import ENDS, HeatedSlip, trips
 
@@ -187,7 +187,7 @@ def _rate(own: Heat, used: Values) -> float:
 
 
 def _worn_out(clutch: Clutch, own: Heat, found: Mapping[str, HeatedSlip], area: float | None) -> OpenTriple | None:
-    if own.wear is None or own.lining is None or area is None:
+    if own.wear is None or own.lining is None or area is None or slack_before_worn(clutch, own) is not None:
         return None
     return _how_many(found, lambda trip: law.trips_to_wear_out(_pairs(clutch), area, own.lining, own.wear, trip.energy))
 

@@ -2,6 +2,7 @@
 
 from ...engines.protocol import Clutch
 from ...findings import Finding, finding
+from ...recorders import unrecorded
 from ...result import OpenTriple
 from ...spec.heat import Heat
 from .limit import FREEZING, IRON_MELTS, hottest_allowed, judged_temperature, limits_of
@@ -18,6 +19,7 @@ def remarks(clutch: Clutch, own: Heat, result: HeatResult, slips: HeatedSlips) -
         *_melting(own, result),
         *_temperature_findings(clutch, result),
         *_surface_findings(own, result),
+        *_slack(clutch, own),
         *_missing_findings(clutch, own),
         *([] if limits_of(clutch) else [_unjudged(result)]),
     ]
@@ -94,6 +96,27 @@ def _surface_findings(own: Heat, result: HeatResult) -> list[Finding]:
     if own.disc_mass is None:
         said.append(finding("discs-thick", "info", path="heat.disc_mass"))
     return said
+
+
+@unrecorded()
+def slack_before_worn(clutch: Clutch, own: Heat) -> float | None:
+    """Wear of a pair at which the spring that follows the pack falls slack, m; None where the lining is gone before."""
+    (stiffness, part), rest = clutch.following, float(clutch.pack_force_at_rest)
+    if own.lining is None or (part is None and not stiffness):
+        return None
+    pressed = rest / float(stiffness or 0.0) if part is None else float(part.deflection(rest))
+    wear = pressed / clutch.spec.friction_group.pairs
+    return wear if wear < own.lining * (1 - 1e-9) else None
+
+
+def _slack(clutch: Clutch, own: Heat) -> list[Finding]:
+    """No number of trips wears a lining out that its spring does not press so long."""
+    wear, path = slack_before_worn(clutch, own), "heat.lining"
+    return (
+        []
+        if wear is None
+        else [finding("spring-slack-before-worn", "warning", value=wear, limit=own.lining, path=path)]
+    )
 
 
 def _missing_findings(clutch: Clutch, own: Heat) -> list[Finding]:

@@ -1,15 +1,22 @@
 """What a designer should know of an event in the drive."""
 
+import math
 from collections.abc import Sequence
 
 from ...engines.protocol import Clutch
 from ...equations import drive as law
-from ...findings import Finding, finding
+from ...findings import Finding, Level, finding
 from .cases import Outcome
 from .plant import Plant
 from .train import Train
 
 _ENDS = ("f_min", "f_cp", "f_max")
+_NEVER: tuple[tuple[str, Level], ...] = (("motor-never-stops", "error"), ("motor-never-stops/held", "error"))
+_LATE: tuple[tuple[str, Level], ...] = (
+    ("motor-stops-at-cut-off", "warning"),
+    ("motor-stops-at-cut-off/held", "warning"),
+)
+"""What the motor does, and whether the pack slips with less than T(f) of the rising branch."""
 _CLOSED = 1e-6
 _NEAR = 1e-3
 """Relative difference below which a figure of the spec is what the simulation gives."""
@@ -19,6 +26,7 @@ def remarks_of(clutch: Clutch, train: Train, found: Sequence[Outcome]) -> list[F
     """Return the remarks on an event, ``found`` at f_min, mean friction and f_max."""
     return [
         _inertia(train, found),
+        *_ordinary(train, found),
         *_before(train, found),
         *_endless(train, found),
         *_unclosed(found),
@@ -29,9 +37,29 @@ def remarks_of(clutch: Clutch, train: Train, found: Sequence[Outcome]) -> list[F
 
 
 def _inertia(train: Train, found: Sequence[Outcome]) -> Finding:
-    """What the driven half alone does to the shaft."""
-    path, torque = "drive.driven_inertia", train.inertia_torque
-    return finding("inertia-torque", "info", value=torque, limit=found[-1].case.plant.sliding, path=path)
+    """What turns behind the discs does to the shaft: a sudden stop by its speed, a slow one by its deceleration."""
+    path, plant = "drive.driven_inertia", found[-1].case.plant
+    behind, limit, load = train.driven_inertia + train.hub_inertia, plant.sliding, min(train.load, plant.sliding)
+    swing = math.pi * math.sqrt(behind / train.stiffness)
+    # the slip begins as the tool, slowing down with ω_0/t_b, has wound the shaft up from the load
+    wound = math.sqrt(2 * (limit - load) * train.time / (train.stiffness * train.speed))
+    if train.kind == "load" or train.time <= wound + swing:
+        return finding("inertia-torque", "info", value=train.inertia_torque, limit=limit, path=path)
+    beyond = law.stop_torque(behind, train.speed / train.time, limit, load)
+    return finding("inertia-torque/slow", "info", value=float(beyond), limit=limit, path=path, swing=swing)
+
+
+def _ordinary(train: Train, found: Sequence[Outcome]) -> list[Finding]:
+    """Where the ordinary clutch of equal nominal torque is no like for like comparison."""
+    said, load = [], train.load
+    if train.hub_inertia:
+        inertia = train.driven_inertia + train.hub_inertia
+        said.append(finding("ordinary-carries-hub", "info", value=inertia, path="drive.hub_inertia"))
+    carried = min(each.ordinary.sliding for each in found)
+    if carried < load * (1 - 1e-9):
+        path = "adjustment.method"
+        said.append(finding("ordinary-slips-before-event", "info", value=carried, limit=load, path=path))
+    return said
 
 
 def _before(train: Train, found: Sequence[Outcome]) -> list[Finding]:
@@ -53,24 +81,16 @@ def _endless(train: Train, found: Sequence[Outcome]) -> list[Finding]:
     """Does the motor stop, and does the slip end within the time that is simulated?"""
     said = []
     strongest, path = float(train.engine.torque), "drive.cut_off"
-    going = [(end, each) for end, each in zip(_ENDS, found, strict=True) if each.endless]
-    if going:
-        at, least = ", ".join(end for end, _ in going), min(abs(each.trip.last) for _, each in going)
-        said.append(finding("motor-never-stops", "error", value=least, limit=strongest, path=path, at=at))
-    cut = [
-        (end, each)
-        for end, each in zip(_ENDS, found, strict=True)
-        if train.cut_off is not None and each.energy and each.case.plant.sliding <= strongest
-    ]
-    if cut and train.cut_off is not None:
-        at, least = ", ".join(end for end, _ in cut), min(each.case.plant.sliding for _, each in cut)
-        heat = max(each.energy or 0.0 for _, each in cut)
+    for end, each in zip(_ENDS, found, strict=True):
+        pulled = abs(each.trip.last) if each.endless else _at_cut_off(each)
+        if pulled is None or not (each.endless or pulled <= strongest):
+            continue
+        sliding, off = each.case.plant.sliding, train.cut_off
+        code, level = _NEVER[pulled < sliding * (1 - _NEAR)] if each.endless else _LATE[pulled < sliding * (1 - _NEAR)]
+        heat = each.energy or 0.0
         said.append(
-            finding(
-                "motor-stops-at-cut-off", "warning", value=least, limit=strongest, path=path, at=at, heat=heat,
-                off=train.cut_off,
-            )
-        )  # fmt: skip
+            finding(code, level, value=pulled, limit=strongest, path=path, at=end, sliding=sliding, heat=heat, off=off)
+        )
     for end, each in zip(_ENDS, found, strict=True):
         path, lasted = "drive.event.duration", each.trip.time
         if not each.trip.stuck:
@@ -79,6 +99,14 @@ def _endless(train: Train, found: Sequence[Outcome]) -> list[Finding]:
         elif not each.trip.settled:
             said.append(finding("event-not-settled", "warning", value=lasted, path=path, at=end))
     return said
+
+
+def _at_cut_off(each: Outcome) -> float | None:
+    """Torque with which the pack slips as the motor is switched off, N·m; None where it does not slip then."""
+    course, off = each.trip.course, each.case.plant.train.cut_off
+    if off is None or not course or not each.energy:
+        return None
+    return next((abs(moment.torque) for moment in course if moment.time >= course[0].time + off), None)
 
 
 def _unclosed(found: Sequence[Outcome]) -> list[Finding]:

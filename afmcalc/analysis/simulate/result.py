@@ -30,7 +30,7 @@ class SimulateSweep(Series):
     peak_torque_min: list[float] = quantity("N*m", "T_peak(f_min)", "peak torque in the shaft at f_min")
     peak_torque_clutch: list[float] = quantity("N*m", "T_peak,c", "peak torque at the clutch at f_max")
     dynamic_factor: list[float] = quantity("1", "k_д", "peak torque in the shaft over sliding torque at f_max")
-    inertia_torque: list[float] = quantity("N*m", "T_J", "inertia torque ω_0 √(k J_2)")
+    inertia_torque: list[float] = quantity("N*m", "T_J", "inertia torque ω_0 √(k (J_2 + J_h))")
 
 
 class SimulateResult(Result):
@@ -57,7 +57,7 @@ class SimulateResult(Result):
     trip_position: OpenTriple | None = quantity(
         "1", "λ", "where the trip lies: 0 at T_муф (no lag), 1 at T_п (no release)", optional=True, null="no slip"
     )
-    inertia_torque: float = quantity("N*m", "T_J", "inertia torque ω_0 √(k J_2), which no clutch removes")
+    inertia_torque: float = quantity("N*m", "T_J", "inertia torque ω_0 √(k (J_2 + J_h)) of a sudden stop")
     load_torque: float = quantity("N*m", "T_0", "load before the event")
     energy_residual: float = quantity("1", "ε", "largest relative error of the energy balance")
     points: list[SimulatePoint] | None = quantity("", None, "at the friction asked for", optional=True)

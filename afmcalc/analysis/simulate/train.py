@@ -59,8 +59,8 @@ class Train:
 
     @property
     def inertia_torque(self) -> float:
-        """ω_0 √(k J_2), N·m."""
-        torque: float = law.inertia_torque(self.speed, self.stiffness, self.driven_inertia)
+        """ω_0 √(k (J_2 + J_h)), N·m: what the motor does not drive any more as the discs slip."""
+        torque: float = law.inertia_torque(self.speed, self.stiffness, self.driven_inertia + self.hub_inertia)
         return torque
 
 

@@ -108,6 +108,16 @@ def solve(
     chosen = _whole(found, wanted, target, domain, function) if is_whole(path) else found
     if not chosen:
         raise _not_attainable(name, target, wanted, domain, curve, function)
+    if not is_whole(path) and _is_level(curve, wanted, chosen[0]):
+        raise CalculationError(
+            say(
+                "{target} = {wanted} is given by a whole range of {name}, not by one value: choose one, or solve for "
+                "another parameter",
+                target=target,
+                wanted=_with_unit(wanted, TARGETS[target].unit),
+                name=name,
+            )
+        )
     solved = build(respecified(clutch.spec, {path: chosen[0]}))
     result = SolveResult(
         parameter=name,
@@ -129,6 +139,12 @@ def solve(
     )
     gone = [finding("solve-replaces", "info", path=other, by=path) for other in replaced(clutch.spec, [path])]
     return result, solved, [*solved.findings(), *gone, *_others(name, path, target, wanted, chosen[1:])]
+
+
+def _is_level(curve: Curve, wanted: float, at: float) -> bool:
+    """Whether the quantity keeps the wanted value beyond a place, as far as numbers tell."""
+    beyond = curve.value[curve.at > at][:2]
+    return len(beyond) == 2 and bool(np.all(np.abs(beyond - wanted) <= 1e-13 * abs(wanted)))
 
 
 def _symbol(name: str) -> str:

@@ -114,3 +114,22 @@ def test_a_spring_as_long_as_the_clutch_is_wide_is_unusual():
     assert (soft.path, soft.value, soft.limit) == ("control_spring.stiffness", pytest.approx(0.264), pytest.approx(0.2))
     constant = resolved(read_spec(S21, ["control_spring.stiffness=0"]))
     assert not [each for each in Answers(build(make_spec(constant))).ask("check")[1] if each.code == "unusual"]
+
+
+@pytest.mark.parametrize(("name", "value"), [("indirect", 0.5), ("constant-torque", 0.0821)])
+def test_a_hub_larger_than_balls_and_discs_leave_room_for(afmcalc, name, value):
+    """Balls of 19.84 and 18 mm on a circle of 50 mm radius: 80.2 and 82 mm are left; discs with holes leave 2 r_i."""
+    hub, spec = ["--set", f"control_unit.hub_diameter={value}"], CONFIGS / f"{name}.toml"
+    run = afmcalc("check", spec, *hub, "--json")
+    assert run.code == 1
+    (said,) = [each for each in run.json["findings"] if each["code"] == "hub-too-large"]
+    assert (said["value"], said["limit"]) == (
+        value,
+        pytest.approx(0.1 - (0.019844 if value == 0.5 else 0.018), abs=1e-6),
+    )
+    (row,) = [each for each in run.json["result"]["limits"] if each["name"] == "hub within balls and discs"]
+    assert row["verdict"] == "fail"
+    ring = [f"friction_group.{key}" for key in ("mean_radius=", "inner_radius=0.03", "outer_radius=0.17")]
+    run = afmcalc("check", spec, *overridden([*ring, "control_unit.hub_diameter=0.0601"]), "--json")
+    (said,) = [each for each in run.json["findings"] if each["code"] == "hub-too-large"]
+    assert said["limit"] == pytest.approx(0.06)

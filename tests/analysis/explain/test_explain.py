@@ -11,8 +11,8 @@ from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.explain.formula import FormulaText
-from afmcalc.analysis.explain.trace import distinct, recording
-from afmcalc.analysis.registry import ANALYSES
+from afmcalc.analysis.explain.trace import distinct, recording, with_roles
+from afmcalc.analysis.registry import ANALYSES, EXPLAINED
 from afmcalc.engines import build
 from afmcalc.equations import direct
 from afmcalc.equations.catalogue import equations
@@ -56,6 +56,61 @@ def test_the_text_of_every_equation_evaluates_to_the_equation(name):
     read = sympy.sympify(text.replace("·", "*").replace("^", "**"))
     value = read.subs({letters[argument]: values[argument] for argument in letters})
     assert complex(value) == pytest.approx(complex(equation.function(**values)), rel=1e-12), text
+
+
+NUMBER_OF_UNIT = {"m": 1.3, "kg": 1.7, "s": 2.3, "K": 2.9, "rad": 1.0}
+NUMBER_OF_UNIT["N"] = NUMBER_OF_UNIT["kg"] * NUMBER_OF_UNIT["m"] / NUMBER_OF_UNIT["s"] ** 2
+NUMBER_OF_UNIT["J"] = NUMBER_OF_UNIT["N"] * NUMBER_OF_UNIT["m"]
+NUMBER_OF_UNIT["W"] = NUMBER_OF_UNIT["J"] / NUMBER_OF_UNIT["s"]
+NUMBER_OF_UNIT["Pa"] = NUMBER_OF_UNIT["N"] / NUMBER_OF_UNIT["m"] ** 2
+"""A number for each unit, those of J, N … following from m, kg, s: units are factors like any other."""
+
+
+def read_as_printed(text, names):
+    """Value of a line of text read as anyone reads it: left to right, a number with one unit as a whole."""
+    token = "|".join(re.escape(each) for each in sorted(names, key=len, reverse=True))
+    text = re.sub("([²³])", lambda match: f"^{'²³'.index(match[1]) + 2}", text)
+    text = re.sub(r"(\d[\d.]*) ([A-Za-z]+(?:\^[\d.]+)?)", r"(\1·\2)", text)
+    parts = re.findall(rf" [-+] |{token}|\d+(?:\.\d+)?|[-·/^() ]", text)
+    assert "".join(parts) == text, text
+    symbols = {"·": "*", " ": "*", "^": "**"}
+    return eval("".join(str(names.get(part, symbols.get(part, part))) for part in parts))
+
+
+def from_latex(text):
+    """One line of text from LaTeX: a fraction's parts, and what is raised, in brackets."""
+    while match := re.search(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}|\^\{([^{}]*)\}", text):
+        own = f"^({match[3]})" if match[3] else f"(({match[1]})/({match[2]}))"
+        text = text[: match.start()] + own + text[match.end() :]
+    text = re.sub(r"\\,\\text\{([^{}]*)\}", r" \1", text).replace("\\left", "").replace("\\right", "")
+    return re.sub(r"(?<! )- ", "-", text.replace(" \\cdot ", "·").replace("\\cdot ", "·"))
+
+
+@pytest.mark.parametrize("name", sorted(n for n in equations() if n != "synthesis.least_contact_force_cubic"))
+@pytest.mark.parametrize("sign", [1, -1])
+def test_every_printed_form_reads_as_the_equation(name, sign):
+    """With its own symbols and with numbers and units, as text and as LaTeX: m·c·λ/α A_c is another quantity."""
+    equation = equations()[name]
+    numbers = {argument: 0.37 + 0.21 * index for index, argument in enumerate(equation.arguments)}
+    if sign < 0 and all(unit == "1" for unit in (term.unit for term in equation.arguments.values())):
+        numbers |= {next(iter(numbers)): -0.37}
+    symbols = {argument: term.symbol for argument, term in equation.arguments.items()}
+    assert len(set(symbols.values())) == len(symbols)
+    units = {argument: term.unit for argument, term in equation.arguments.items()}
+    text = FormulaText(equation.function, symbols, numbers, units)
+    value = complex(equation.function(**numbers))
+    # a symbol of several letters, or a ratio, is read as the product or ratio of them
+    several = re.compile(r"(?!sin|cos|tan|ln|largest)([^ /()]+)([ /])(\S+)")
+    names = {symbol: numbers[argument] for argument, symbol in symbols.items() if not several.fullmatch(symbol)}
+    for argument, symbol in symbols.items():
+        if match := several.fullmatch(symbol):
+            first = names.setdefault(match[1], 1.9)
+            names[match[3]] = numbers[argument] / first if match[2] == " " else first / numbers[argument]
+    assert complex(read_as_printed(text.text(), names)) == pytest.approx(value, rel=1e-9), text.text()
+    of_result = read_as_printed(equation.result.unit.replace("*", "·"), NUMBER_OF_UNIT)
+    for shown in (text.text_with_numbers(), *(from_latex(text.latex_with_numbers(line=on)) for on in (False, True))):
+        read = complex(read_as_printed(shown, NUMBER_OF_UNIT))
+        assert read == pytest.approx(value * of_result, rel=1e-9), shown
 
 
 def test_an_elasticity_names_its_parameter(afmcalc):
@@ -352,3 +407,57 @@ def test_settings_and_sides_are_told_apart(afmcalc):
         in afmcalc("explain", "life", "--format", "markdown").out
     )
     assert "set at" not in afmcalc("explain", "torque").out
+
+
+def test_the_search_for_a_gain_that_can_be_cut_is_not_explained(afmcalc):
+    """Eighteen steps, not the thousand of the gains that are tried."""
+    wide = ["--set", "control_unit.edge_clearance=4"]
+    told = afmcalc("explain", "synthesize", CONFIGS / "constant-torque.toml", *wide, "--json").json
+    assert "wall-undercut" in {each["code"] for each in told["findings"]}
+    assert len(told["result"]["steps"]) == 18
+
+
+def test_a_special_quantity_goes_by_its_symbol_where_it_is_used(afmcalc):
+    """D' is no D, C(x) no C, T' no T, τ_m no τ; what is evaluated at C_max says so; c is not two things."""
+    curved = afmcalc("explain", "accuracy", CONFIGS / "constant-torque.toml").out
+    assert "N = (F_п·c_2 + F_п2·c_1)/D'" in curved
+    check = afmcalc("explain", "check", CONFIGS / "constant-torque.toml").out
+    assert "κ = C(x) - 2·R_cp·f_1/d" in check
+    life = afmcalc("explain", "life").out
+    assert "τ = T'/W_p" in life
+    assert "N_ц = N_0·(τ_limb/τ_m)^m_τ" in life
+    heads = [line for line in afmcalc("explain", "adjust").out.splitlines() if line.startswith("z_lim")]
+    assert [head.partition(":")[0] for head in heads] == ["z_lim", "z_lim at C_max"]
+    heat = afmcalc("explain", "heat", CONFIGS / "drive.toml", "--set", "closing_spring.stiffness=20 N/mm").out
+    assert "= m·c·λ/(α A_c)" in heat
+    assert "= c_п·z/F" in heat
+
+
+@pytest.mark.parametrize("name", ["default", "drive", "indirect", "constant-torque", "all-driving", "unlike-materials"])
+def test_no_symbol_stands_for_quantities_of_different_units(name):
+    spec = read_spec(CONFIGS / f"{name}.toml")
+    clutch = build(spec)
+    for command in EXPLAINED:
+        if not ANALYSES[command].applies(clutch):
+            continue
+        with recording() as calls:
+            ANALYSES[command].function(build(with_roles(spec)))
+        units = {}
+        for call in distinct(calls):
+            terms = {call.symbol(name): call.equation.arguments[name].unit for name in call.arguments}
+            for symbol, unit in (terms | {call.result: call.equation.result.unit}).items():
+                units.setdefault(symbol, set()).add(unit)
+        assert not {symbol: own for symbol, own in units.items() if len(own) > 1}
+
+
+def test_a_number_with_its_unit_is_raised_as_a_whole_in_a_report():
+    """π ((0.12 m)² − (0.08 m)²), not π (0.12 m² − 0.08 m²)."""
+    area = equations()["heat.friction_area"]
+    values = {"inner_radius": 0.08, "outer_radius": 0.12, "pi": 3.14159}
+    terms = {name: area.arguments[name] for name in values}
+    text = FormulaText(
+        area.function, {n: t.symbol for n, t in terms.items()}, values, {n: t.unit for n, t in terms.items()}
+    )
+    for line in (False, True):
+        assert text.latex_with_numbers(line=line).count("m}") == 2
+        assert re.search(r"\(0\.12.{0,12}m\}.{0,7}\)\^\{2\}", text.latex_with_numbers(line=line))

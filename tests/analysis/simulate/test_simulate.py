@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 from conftest import CONFIGS
-from drives import REFERENCE, VARIANTS, begun, light, merged, plant, run
+from drives import REFERENCE, VARIANTS, begun, clutch, light, merged, plant, run
 
 from afmcalc.analysis.simulate.cases import case_of, outcome_of
 from afmcalc.analysis.simulate.simulate import simulate
@@ -19,6 +19,7 @@ from afmcalc.analysis.tolerance.study import tolerance
 from afmcalc.engines import build
 from afmcalc.engines.characteristic import DiscCharacteristic
 from afmcalc.equations import drive as law
+from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.springs import DiscStack
 
 FATIGUE = {"endurance_limit": 4e8, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7}
@@ -135,7 +136,8 @@ def test_sweep_is_what_single_runs_give(changes):
     for number, stiffness in enumerate((5000.0, 8000.0, 12000.0)):
         single = light(**merged(changes, {"drive": {**changes.get("drive", {}), "shaft_stiffness": stiffness}}))
         assert sweep[0].peak_torque_max[number] == pytest.approx(outcome_of(single, 0.8).trip.peak, rel=2e-3)
-        assert sweep[0].inertia_torque[number] == pytest.approx(15 * math.sqrt(stiffness * 0.05))
+        behind = 0.05 + changes.get("drive", {}).get("hub_inertia", 0.0)
+        assert sweep[0].inertia_torque[number] == pytest.approx(15 * math.sqrt(stiffness * behind))
 
 
 def test_peaks_over_tolerances():
@@ -260,3 +262,65 @@ def test_above_the_gain_limit_the_peak_judged_is_that_of_the_bypass_pairs(afmcal
     assert slipping["result"]["peak_torque"]["max"] < single
     assert slipping["result"]["peak_torque_bypass"] == row["value"]
     assert "bypass-peak" in {each["code"] for each in slipping["findings"]}
+
+
+@pytest.mark.parametrize("friction", [0.1, 0.8])
+def test_a_slow_stop_loads_the_shaft_by_its_deceleration_whatever_the_stiffness(friction):
+    """V4 to its end: T + J_2 a + √(J_2 a [J_2 a + 2 (T − T_0)]), 292.45 N·m at f_min, at four stiffnesses alike."""
+    slow = {"motor_inertia": 1e6, "damping_ratio": 0.0, "event": {"stop_time": 0.025}}
+    peaks = []
+    for stiffness in (8e3, 16e3, 32e3, 64e3):
+        own = clutch(friction={"static_ratio": 1.0}, drive={**slow, "shaft_stiffness": stiffness})
+        found = outcome_of(own, friction)
+        torque, steady = found.case.plant.sliding, 0.05 * 15 / 0.025
+        peaks.append(found.trip.peak)
+        assert found.trip.peak == pytest.approx(torque + steady + math.sqrt(steady * (steady + 2 * (torque - 150))))
+        said = codes(own)["inertia-torque"]
+        assert said.value == pytest.approx(30 + math.sqrt(30 * (30 + 2 * (375 - 150))))
+        assert "whatever its stiffness" in said.message
+        assert "softer shaft" not in said.message
+    if friction == 0.1:
+        assert peaks == pytest.approx([292.45] * 4, abs=5e-3)
+
+
+def test_a_sudden_stop_loads_the_shaft_by_the_speed_of_all_behind_the_discs():
+    """ω_0 √(k (J_2 + J_h)) bounds what is beyond the clutch's own peak, and J_2 alone does not."""
+    sudden = {"hub_inertia": 0.05, "damping_ratio": 0.0, "event": {"stop_time": 0.0}}
+    direct = light(friction={"static_ratio": 1.0}, drive={**sudden, "motor_inertia": 1e4})
+    said = codes(direct)["inertia-torque"]
+    assert said.value == pytest.approx(15 * math.sqrt(8000 * 0.1))
+    assert "softer shaft" in said.message
+    found = outcome_of(direct, 0.1)
+    assert found.trip.peak - found.case.plant.sliding == pytest.approx(said.value, rel=1e-3)
+    assert codes(light(**merged(INDIRECT, {"drive": sudden})))["inertia-torque"].value == pytest.approx(said.value)
+
+
+KEYED = {
+    "drive": {
+        "speed": 30, "motor_inertia": 1.5, "driven_inertia": 0.01, "hub_inertia": 0.004, "shaft_stiffness": 4000,
+        "damping_ratio": 0.03, "event": {"kind": "stop", "stop_time": 0.01},
+    }
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("cut_off", [None, 0.5])
+def test_the_motor_is_compared_with_the_torque_that_the_clutch_slips_with(cut_off):
+    """The key holds the sleeve back: the pack slips with less than the table's T, and both numbers are told as such."""
+    data = resolved(read_spec(CONFIGS / "indirect.toml", ["control_unit.key_friction=0.1"]))
+    data |= merged({}, KEYED)
+    if cut_off:
+        data["drive"] |= {"cut_off": cut_off}
+    own = build(make_spec(data))
+    result, findings = simulate(own)
+    told = {each.code: each for each in findings}
+    said = told["motor-stops-at-cut-off" if cut_off else "motor-never-stops"]
+    # seated, f_min: T falls from z R f F_п2/(1 + zκf) towards z R f F_п2/(1 + zκ₊f), which is F_п2 = F_п1 (1 + zκf_cp)
+    kappa, returning, force = 0.6, 1.4, 2000 * (1 + 8 * 0.6 * 0.3)
+    high, low = (8 * 0.1 * 0.1 * force / (1 + 8 * gain * 0.1) for gain in (kappa, returning))
+    assert result.sliding_torque.min == pytest.approx(high)
+    assert low <= said.value < high
+    assert said.limit == pytest.approx(480 / 1.75)
+    assert f"{high:.5g} N·m only as friction rises" in said.message
+    carried = told["ordinary-slips-before-event"]
+    assert (carried.value, carried.limit) == (pytest.approx(480 / 3), pytest.approx(480 / 1.75))
+    assert told["ordinary-carries-hub"].value == pytest.approx(0.014)

@@ -221,3 +221,13 @@ def test_rounding_makes_no_extremes():
     assert max(curve.value) == pytest.approx(3)
     assert curve.at[np.argmax(curve.value)] == pytest.approx(math.e, rel=1e-4)
     assert len(calls) < 30
+
+
+def test_a_plateau_is_no_answer(afmcalc):
+    """Above C_1* the largest torque is T_н whatever c_1: every c_1 below 1240 N/mm gives 160 N·m, none is the answer."""
+    pocket = ["--set", "control_unit.pocket=", "--set", "control_unit.gain_slope=900"]
+    refused = afmcalc("solve", "--for", "c1", "torque_max=160", CONFIGS / "constant-torque.toml", *pocket)
+    assert refused.code == 2
+    assert "torque_max = 160 N·m is given by a whole range of c1, not by one value" in refused.err
+    rising = afmcalc("solve", "--for", "c1", "torque_max=170", CONFIGS / "constant-torque.toml", *pocket, "--json")
+    assert rising.json["result"]["reached"] == pytest.approx(170)

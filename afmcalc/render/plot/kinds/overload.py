@@ -53,7 +53,7 @@ def _accuracy(curve: OverloadCurve) -> Chart:
     own, best = curve.reduced_gain, curve.optimal_reduced_gain
     guides = [
         Guide(told("this clutch: {stated}", stated=stated("zC", own, "1")), own, across=False),
-        Guide(told("best actual accuracy, {stated}", stated=stated("zC", best, "1")), best, across=False),
+        Guide(told("best by the published T_ср, {stated}", stated=stated("zC", best, "1")), best, across=False),
     ]
     x = ChartAxis(translate("reduced gain"), "zC" if curve.bypass_pairs == 0 else "z_2 C")
     return Chart(
