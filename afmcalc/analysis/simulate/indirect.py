@@ -7,10 +7,11 @@ from math import exp
 
 import numpy as np
 
+from ...arrays import Values
 from ...equations import direct, sleeve
 from ...equations import drive as law
 from .consistent import SleevePlant, switched
-from .plant import DECAYED, Mode, Sliding, State, Tool, Torques
+from .plant import DECAYED, Creep, Mode, Sliding, State, Tool, Torques
 from .sleeve import Sleeve
 from .train import Train
 
@@ -204,6 +205,25 @@ class IndirectPlant(SleevePlant):
         most = min(high - torque, torque - low) * both / train.hub_inertia
         slip = DECAYED / own.decay_rate if own.static_ratio > 1 else 0.0
         return Sliding(mode.pack * torque, both, most, slip) if mode.pack == mode.side else None
+
+    def creeping(self, mode: Mode) -> Creep | None:
+        """At the stop along κ or κ₊, the balls with the torque of the pack; not so far that the sleeve would leave."""
+        own, train = self.sleeve, self.train
+        smooth = own.stop_gains[0] == own.stop_gains[1] or (mode.hold > 0 and own.static_ratio > 1)
+        if mode.balls != "seat" or mode.pack != mode.side or not mode.hold or not smooth:
+            return None
+        net, both = self._net(mode), train.hub_inertia + train.driven_inertia
+
+        def torque(slip: Values) -> Values:
+            ratio = law.stribeck_ratio(own.static_ratio, np.exp(-own.decay_rate * slip))
+            return own.slipping_at_stop(own.friction_pairs * ratio, net, 0.0, 1.0)
+
+        share = own.friction_pairs * net * train.driven_inertia / both
+        # a swing of the shaft takes a share of its torque back from the pack
+        inertia = both * (1 + share) / (1 + own.friction_pairs * net)
+        steep = float(torque(0.0)) * (own.static_ratio - 1) * own.decay_rate
+        least = self.creeps_to(steep, inertia, own.decay_rate if own.static_ratio > 1 else 0.0)
+        return Creep(torque, inertia, least) if torque(least) < own.lift * (1 - _CLOSE) else None
 
     def guards(self, t: float, y: Sequence[float], mode: Mode, torques: Torques) -> list[float]:
         """Positive while the mode lasts, in the order of ``Guard``."""
