@@ -179,9 +179,7 @@ def pack_at_the_stop() -> Steps:
     reaction = F2 - F1 - Tb * kappa / R
     yield Identity("N = F_п1 + reaction of the stop", pressed - (F1 + reaction))
     seated = direct.group_torque(indirect.normal_force_seated(F2, z, kappa, f), R, z, f)
-    yield Identity(
-        "steady: the law of S21 at the stop", sleeve.slip_torque_at_stop(z * f, R, F2, kappa, 0, 1) - seated
-    )
+    yield Identity("steady: the law of S21 at the stop", sleeve.slip_torque_at_stop(z * f, R, F2, kappa, 0, 1) - seated)
     off = indirect.sleeve_stiffness(c1, c2, z, f, kappa)
     moved = indirect.travel_as_made(F1, F2, z, f, kappa, off)
     steady = indirect.normal_force_moving(F1, c1, F2, c2, off)

@@ -14,7 +14,7 @@ from numpy.polynomial import chebyshev
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
-from ...arrays import Floats
+from ...arrays import Floats, Values
 from .plant import Creep, Mode, Plant, Sliding, State
 
 _LEAST = 5.0
@@ -115,9 +115,7 @@ def creep(plant: Plant, t: float, y: State, mode: Mode, bound: float, *, lasting
         return [slowing, power, torque * slip, train.damping * driven * driven, growth]
 
     # a swing unseen grows back where friction falls with the slip: before it is as large as it was, it is integrated
-    run = _run_down(
-        plant, t, [begin, 0.0, 0.0, 0.0, 0.0], rates, slow.torque, slow.least, bound, lasting=lasting
-    )
+    run = _run_down(plant, t, [begin, 0.0, 0.0, 0.0, 0.0], rates, slow.torque, slow.least, bound, lasting=lasting)
     if run.time - t < least and not run.endless:
         return None
     (slip, *works, _), new = run.states, list(y)
@@ -145,10 +143,10 @@ def _slow_path(plant: Plant, mode: Mode, slow: Creep, begin: float) -> Callable[
     torque, driven, last = slow.torque(slip) + 0.0 * slip, np.zeros(_NODES), math.inf
 
     def fitted(values: Floats) -> Floats:
-        return chebyshev.chebfit(place, values, _NODES - 1)
+        return np.asarray(chebyshev.chebfit(place, values, _NODES - 1), float)
 
     def slope(values: Floats) -> Floats:
-        return chebyshev.chebval(place, chebyshev.chebder(fitted(values))) / wide
+        return np.asarray(chebyshev.chebval(place, chebyshev.chebder(fitted(values))), float) / wide
 
     slowing = np.zeros(_NODES)
     for _ in range(_ITERATIONS):
@@ -164,8 +162,13 @@ def _slow_path(plant: Plant, mode: Mode, slow: Creep, begin: float) -> Callable[
     if last > _CONVERGED * begin:
         return None
     series = np.stack([fitted(values) for values in (slowing, driven, twist, slope(torque))], axis=1)
+
     # a motor that wins speeds the slip up: no farther than the series goes
-    return lambda at: chebyshev.chebval(min(max((at - slow.least) / wide - 1, -1.0), 1.0), series).tolist()
+    def path(at: float) -> list[float]:
+        found = chebyshev.chebval(np.array(min(max((at - slow.least) / wide - 1, -1.0), 1.0)), series)
+        return [float(value) for value in found]
+
+    return path
 
 
 class _RunDown(NamedTuple):
@@ -183,7 +186,7 @@ def _run_down(
     t: float,
     start: list[float],
     rates: Callable[[float, Floats], list[float]],
-    drag: Callable[[float], float],
+    drag: Callable[[float], Values],
     slowest: float,
     bound: float,
     *,
@@ -201,7 +204,7 @@ def _run_down(
         return _UNGROWN - float(states[-1])
 
     def still(at: float, states: Floats) -> float:
-        return -rates(at, states)[0] - _STILL * drag(float(states[0])) / plant.train.motor_inertia
+        return -rates(at, states)[0] - _STILL * float(drag(float(states[0]))) / plant.train.motor_inertia
 
     near.terminal = swings.terminal = still.terminal = True  # type: ignore[attr-defined]
     if lasting and still(t, np.array(start)) <= 0:

@@ -141,7 +141,7 @@ class IndirectPlant(SleevePlant):
         train, own, pairs = self.train, self.sleeve, self._pairs(y[self.V])
         if mode.balls == "seat" and mode.hold:
             net = self._net(mode) * (mode.side * mode.pack)
-            alone = law.sticking_torque(0.0, train.hub_inertia, load, train.driven_inertia)
+            alone: float = law.sticking_torque(0.0, train.hub_inertia, load, train.driven_inertia)
             share = train.driven_inertia / (train.hub_inertia + train.driven_inertia)
             return own.slipping_at_stop(pairs, net, alone, share)
         pressed: float = direct.group_torque(self.normal(y, mode, 0.0), own.mean_radius, 1.0, pairs)
@@ -215,7 +215,7 @@ class IndirectPlant(SleevePlant):
         net, both = self._net(mode), train.hub_inertia + train.driven_inertia
 
         def torque(slip: Values) -> Values:
-            ratio = law.stribeck_ratio(own.static_ratio, np.exp(-own.decay_rate * slip))
+            ratio: Values = law.stribeck_ratio(own.static_ratio, np.exp(-own.decay_rate * slip))
             return own.slipping_at_stop(own.friction_pairs * ratio, net, 0.0, 1.0)
 
         share = own.friction_pairs * net * train.driven_inertia / both

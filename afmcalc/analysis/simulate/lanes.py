@@ -12,7 +12,6 @@ from .direct import DirectPack
 from .sleeve import Sleeve
 from .train import Train
 
-
 _SWING_OVER = 0.01
 """Time of a swing of the balls between their walls, in steps, below which it is over."""
 
@@ -138,9 +137,7 @@ class SleeveLanes:
         mass: Values = own.inertia(travel, net) / self.h
         return mass
 
-    def _bounced(
-        self, joint: "_Joint", pairs: Values
-    ) -> "tuple[NDArray[np.bool_], NDArray[np.bool_], Floats, _Found]":
+    def _bounced(self, joint: "_Joint", pairs: Values) -> "tuple[NDArray[np.bool_], NDArray[np.bool_], Floats, _Found]":
         """Through the stop to the other wall and back, as often as a step has it: with constant torques in closed form.
 
         Returns:
