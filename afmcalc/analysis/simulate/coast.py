@@ -24,8 +24,8 @@ _STILL = 1e-7
 _EXACT = 1e-10
 _SWINGS = 100
 """Swings of a stride whose heat is told one by one."""
-_CALM = 1e-5
-"""Swing, relative to the torque, that counts as none."""
+_CALM, _NEARLY = 1e-5, 1e-2
+"""Swing about a slow slip, relative to the torque, that counts as none; and about rest, at which that is looked at."""
 _NODES, _ITERATIONS = 64, 16
 """Of the series for a slow slip."""
 _CONVERGED = 1e-9
@@ -98,13 +98,18 @@ def creep(plant: Plant, t: float, y: State, mode: Mode, bound: float, *, lasting
     if slow is None or way * y[plant.V] <= slow.least or slow.torque(slow.least) >= plant.tool.holds(mode):
         return None
     natural = math.sqrt(train.stiffness / slow.inertia)
-    least = _LEAST * 2 * math.pi / natural
-    if bound - t < least or (path := _slow_path(plant, mode, slow, way * y[plant.V])) is None:
+    least, torque = _LEAST * 2 * math.pi / natural, float(slow.torque(way * y[plant.V]))
+    swing = math.hypot(train.stiffness * y[plant.TWIST] - way * torque, y[plant.DRIVEN] * train.stiffness / natural)
+    if (
+        bound - t < least
+        or swing > _NEARLY * torque
+        or (path := _slow_path(plant, mode, slow, way * y[plant.V])) is None
+    ):
         return None
     _, driven, twist, _ = path(way * y[plant.V])
     begin = way * plant.motor_speed(y) - driven
     off = train.stiffness * (y[plant.TWIST] - way * twist), (y[plant.DRIVEN] - way * driven) * train.stiffness / natural
-    if math.hypot(*off) > _CALM * slow.torque(slow.least):
+    if math.hypot(*off) > _CALM * torque:
         return None
 
     def rates(at: float, states: Floats) -> list[float]:
@@ -163,10 +168,14 @@ def _slow_path(plant: Plant, mode: Mode, slow: Creep, begin: float) -> Callable[
         return None
     series = np.stack([fitted(values) for values in (slowing, driven, twist, slope(torque))], axis=1)
 
+    orders = np.arange(_NODES)
+
     # a motor that wins speeds the slip up: no farther than the series goes
     def path(at: float) -> list[float]:
-        found = chebyshev.chebval(np.array(min(max((at - slow.least) / wide - 1, -1.0), 1.0)), series)
-        return [float(value) for value in found]
+        found: list[float] = (
+            np.cos(orders * math.acos(min(max((at - slow.least) / wide - 1, -1.0), 1.0))) @ series
+        ).tolist()
+        return found
 
     return path
 

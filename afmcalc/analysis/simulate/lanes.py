@@ -80,6 +80,8 @@ class SleeveLanes:
         self.pack, self.h = pack, h
         self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
         self._mass_at_stop: Values = pack.inertia(0.0, pack.net_gain) / h
+        self._mass_back: Values = pack.inertia(0.0, pack.net_gain_returning) / h
+        self._share = pack.net_gain / pack.net_gain_returning
         self._across = h / train.hub_inertia
         """What a torque adds to the speed of the hub in a step."""
         self._pack, self._balls = h / train.motor_inertia + self._across, self._across + per_torque
@@ -123,10 +125,16 @@ class SleeveLanes:
         still = self._still(joint, pairs)
         after = self.turn + h / 2 * (self.rate + moving.rate)
         stays = at_stop & (still.rate == 0)
-        if np.any(~at_stop & ((self.turn * after < 0) | (np.abs(self.turn) < h * np.abs(self.rate)))):
-            crosses, seated, ahead, bounced = self._bounced(joint, pairs)
-            stays |= crosses & seated & (still.rate == 0)
-            after, moving = np.where(crosses, ahead, after), _picked(crosses, bounced, moving)
+        turns = (np.abs(self.turn) < h * np.abs(self.rate)) & (self.turn * moving.rate <= 0)
+        near = np.flatnonzero(~at_stop & (turns | (self.turn * after < 0)))
+        if near.size:
+            crosses, seated, ahead, bounced = self._bounced(joint, pairs, near)
+            stays[near] |= crosses & seated & (still.rate[near] == 0)
+            after[near] = np.where(crosses, ahead, after[near])
+            parts = [np.array(value) for value in moving[:4]]
+            for whole, part in zip(parts, bounced[:4], strict=True):
+                whole[near] = np.where(crosses, part, whole[near])
+            moving = _Found(*parts, own.closing_force)
         found = _picked(at_stop | stays, still, moving._replace(normal=own.closing_force))
         return found, np.where(stays, 0.0, np.where(at_stop, h / 2 * (self.rate + found.rate), after))
 
@@ -137,37 +145,45 @@ class SleeveLanes:
         mass: Values = own.inertia(travel, net) / self.h
         return mass
 
-    def _bounced(self, joint: "_Joint", pairs: Values) -> "tuple[NDArray[np.bool_], NDArray[np.bool_], Floats, _Found]":
+    def _bounced(
+        self, joint: "_Joint", pairs: Values, near: NDArray[np.intp]
+    ) -> "tuple[NDArray[np.bool_], NDArray[np.bool_], Floats, _Found]":
         """Through the stop to the other wall and back, as often as a step has it: with constant torques in closed form.
 
         Returns:
             Whether the balls come to the stop, whether they come to rest there, their turn, torques and speeds.
         """
-        own, h, first = self.pack, self.h, np.where(self.turn < 0, -1.0, 1.0)
-        capacity = pairs * own.mean_radius * own.closing_force
-        resting = joint.boxed(capacity, -np.inf, np.inf, own.closing_force)
+        own, whole, begun, before = self.pack, self.h.shape, self.turn[near], self.rate[near]
+        joint = _Joint(*(np.broadcast_to(value, whole)[near] for value in joint))
+        pressed, mass, back, lift, share, h = (
+            np.broadcast_to(value, whole)[near]
+            for value in (own.closing_force, self._mass_at_stop, self._mass_back, own.lift, self._share, self.h)
+        )
+        first, capacity = (
+            np.where(begun < 0, -1.0, 1.0),
+            np.broadcast_to(pairs * own.mean_radius, whole)[near] * pressed,
+        )
+        resting = joint.boxed(capacity, -np.inf, np.inf, pressed)
         sticks = np.abs(resting.clutch) < capacity
         # speed of the balls gained in a step without their torque, and what their torque takes of it
         yields = np.where(sticks, joint.balls - joint.across * joint.across / joint.pack, joint.balls)
-        gained = joint.rate + joint.across * np.where(sticks, joint.slip / joint.pack, resting.clutch) - self.rate
-        back = own.inertia(0.0, own.net_gain_returning) / h
-        share = own.net_gain / own.net_gain_returning
+        gained = joint.rate + joint.across * np.where(sticks, joint.slip / joint.pack, resting.clutch) - before
 
         def slowed(side: Floats) -> tuple[Floats, Floats]:
             """Speed that a wall takes in a step from balls that move out, and gives them on their way back."""
             return (
-                (yields * own.lift - side * gained) / (1 + yields * self._mass_at_stop),
-                (yields * own.lift * share - side * gained) / (1 + yields * back),
+                (yields * lift - side * gained) / (1 + yields * mass),
+                (yields * lift * share - side * gained) / (1 + yields * back),
             )
 
         with np.errstate(all="ignore"):
-            (out, home), away, speed = slowed(first), np.abs(self.turn) / h, first * self.rate
+            (out, home), away, speed = slowed(first), np.abs(begun) / h, first * before
             # to the stop: up to the turning point first, where the balls still move out
             top = away + np.where(speed > 0, speed * speed / (2 * out), 0.0)
             nearing = np.maximum(-speed, 0.0)
             arriving = np.sqrt(nearing * nearing + 2 * home * top)
             left = 1 - np.where(speed > 0, speed / out, 0.0) - 2 * top / (nearing + arriving)
-            crosses = (self.turn != 0) & (left > 0) & ((speed <= 0) | (out > 0))
+            crosses = (left > 0) & ((speed <= 0) | (out > 0))
             speed, side = np.where(crosses, arriving, 0.0), -first
             walls = slowed(side), (out, home)
             # a swing over both walls takes a time, and leaves a share of the speed
@@ -180,7 +196,7 @@ class SleeveLanes:
             passed = np.where(kept < 1, swing * (1 - kept**count) / (1 - kept), swing * count)
             left = left - np.where(count > 0, passed, 0.0)
             speed = speed * np.where(count > 0, kept**count, 1.0)
-            turn, rate, going = np.zeros(h.size), np.zeros(h.size), crosses & ~seated
+            turn, rate, going = np.zeros(near.size), np.zeros(near.size), crosses & ~seated
             for place, (out, home) in zip((side, -side), walls, strict=True):
                 up = np.where(out > 0, speed / out, np.inf)
                 high, down = speed * up / 2, np.where(home > 0, speed / np.sqrt(out * home), np.inf)
@@ -191,12 +207,12 @@ class SleeveLanes:
                 turn, rate = np.where(ends, place * h * turns, turn), np.where(ends, place * moves, rate)
                 going, left = going & ~ends, left - up - down
                 speed = speed * np.sqrt(home / out)
-        balls = (self.rate + gained - rate) / yields
+        balls = (before + gained - rate) / yields
         needed = (joint.slip + joint.across * balls) / joint.pack
         clutch = np.clip(needed, -capacity, capacity)
         rate = joint.rate + joint.across * clutch - joint.balls * balls
         slip = np.where(clutch == needed, 0.0, joint.slip - joint.pack * clutch + joint.across * balls)
-        return crosses, seated, turn, _Found(clutch, balls, slip, rate, own.closing_force)
+        return crosses, seated, turn, _Found(clutch, balls, slip, rate, pressed)
 
     def _moving(self, joint: "_Joint", pairs: Values) -> "_Found":
         """Off the stop: the key holds between S/κ₊ and S/κ."""

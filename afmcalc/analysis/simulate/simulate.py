@@ -139,9 +139,13 @@ def _wide(what: str, rows: Sequence[Sequence[float]]) -> Iterator[Finding]:
     for at, (value, *others) in zip(("f_min", "f_cp", "f_max"), rows, strict=False):
         low, high = _ends([value, *others])
         if high - low > _WIDE * value or math.isinf(high) > math.isinf(low):
-            code = f"stop-bracket/{'open' if math.isinf(high) else what}"
             path, most = "control_unit.key_friction", _finite(high)
-            yield finding(code, "warning", value=low, limit=most, path=path, at=at)
+            if most is None:
+                yield finding("stop-bracket/open", "warning", value=low, path=path, at=at)
+            elif what == "heat":
+                yield finding("stop-bracket/heat", "warning", value=low, limit=most, path=path, at=at)
+            else:
+                yield finding("stop-bracket/peak", "warning", value=low, limit=most, path=path, at=at)
 
 
 def _triple(values: Sequence[float]) -> Triple:

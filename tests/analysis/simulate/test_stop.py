@@ -11,10 +11,13 @@ from drives import indirect, run
 from scipy.integrate import solve_ivp
 
 from afmcalc.analysis.simulate.cases import bracket_of, case_of, outcome_of
+from afmcalc.analysis.simulate.lanes import SleeveLanes
 from afmcalc.analysis.simulate.machine import trip
+from afmcalc.analysis.simulate.packs import pack_of
 from afmcalc.analysis.simulate.simulate import simulate
-from afmcalc.analysis.simulate.stepping import march
+from afmcalc.analysis.simulate.stepping import Shaft, march
 from afmcalc.analysis.simulate.sweep import peaks_of, step_of
+from afmcalc.analysis.simulate.train import train_of
 from afmcalc.analysis.sweep.axes import parse_axis
 from afmcalc.engines import build
 from afmcalc.spec.reading import read_spec
@@ -194,3 +197,43 @@ def test_a_constant_torque_pocket_starts_under_its_nominal_torque():
         assert getattr(found, name) == pytest.approx(getattr(near, name), rel=2e-3), name
     step = np.array([0.05 / 1000])
     assert march(full.train, full.sleeve, step, 1000).peak[0] == pytest.approx(found.peak, rel=1e-3)
+
+
+def test_the_energy_of_steps_closes():
+    """Each loss by its own law, the key's by κ and κ₊: none is what the others leave."""
+    own, friction = issue(), np.array([0.1, 0.285, 0.32, 0.8])
+    train, pack = train_of(own), pack_of(own, friction, friction)
+    h = np.broadcast_to(step_of(train, pack), friction.shape).astype(float)
+    shaft = Shaft(train, h)
+    lanes = SleeveLanes(train, pack, h, shaft.per_torque)
+
+    def stored():
+        turning = train.motor_inertia * motor**2 + train.hub_inertia * (shaft.driven + lanes.rate) ** 2
+        moving = turning + train.driven_inertia * shaft.driven**2 + shaft.elastic**2 / train.stiffness
+        return moving / 2 + pack.work(pack.travel(lanes.turn))
+
+    motor, works = shaft.driven, np.zeros((5, friction.size))
+    begun, gain = stored(), pack.law.gain
+    for number in range(1200):
+        before = motor, lanes.slip, shaft.tool, lanes.rate, lanes.turn, shaft.driven - shaft.tool
+        free = shaft.free(number, lanes.passed)
+        driven = motor + h / train.motor_inertia * train.engine.torque
+        lanes.step(free, driven, shaft.driven)
+        motor = driven - h / train.motor_inertia * lanes.torque
+        shaft.take(free + shaft.per_torque * lanes.passed)
+        after = motor, lanes.slip, shaft.tool, lanes.rate, lanes.turn, shaft.driven - shaft.tool
+        speed, slip, tool, rate, turn, twisting = ((a + b) / 2 for a, b in zip(before, after, strict=True))
+        net = np.where(turn * rate > 0, pack.net_gain, pack.net_gain_returning)
+        held = shaft.torque - train.damping * (shaft.driven - shaft.tool) - train.stiffness * h * twisting / 2
+        powers = (
+            train.engine.torque * speed,
+            lanes.torque * slip,
+            train.damping * twisting**2,
+            (held + train.damping * twisting) * tool,
+            lanes.balls * rate * (1 - net / gain),
+        )
+        works += h * np.array(powers)
+    given, *lost = works
+    residual = begun + given - stored() - np.sum(lost, axis=0)
+    assert np.all(np.abs(residual) < 1e-3 * np.maximum(begun, given))
+    assert np.all(lost[-1][1:] > 0), "the key takes its share"
