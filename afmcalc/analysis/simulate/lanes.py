@@ -134,7 +134,7 @@ class SleeveLanes:
             parts = [np.array(value) for value in moving[:4]]
             for whole, part in zip(parts, bounced[:4], strict=True):
                 whole[near] = np.where(crosses, part, whole[near])
-            moving = _Found(*parts, own.closing_force)
+            moving = _Found(parts[0], parts[1], parts[2], parts[3], own.closing_force)
         found = _picked(at_stop | stays, still, moving._replace(normal=own.closing_force))
         return found, np.where(stays, 0.0, np.where(at_stop, h / 2 * (self.rate + found.rate), after))
 
