@@ -307,11 +307,10 @@ def slip_torque_at_stop(
     mean_radius: Number,
     control_force: Number,
     net_gain: Number,
-    hub_inertia: Number,
-    load_torque: Number,
-    load_inertia: Number,
+    torque_alone: Number,
+    torque_share: Number,
 ) -> Number:
-    """Torque of the slipping pack with the sleeve at its stop, T_f = zf R N, N of T_b = (T_f J_2 + L J_h)/(J_h + J_2).
+    """Torque of the slipping pack with the sleeve at its stop, T_f = zf R N, N of T_b = T_b0 + j T_f.
 
     Source: Theory, section 9: derived from ``normal_force_at_stop`` and ``drive.sticking_torque``; solved for T_f.
 
@@ -319,10 +318,9 @@ def slip_torque_at_stop(
         friction_pairs: zf, pairs times friction [1].
         mean_radius: R_cp, mean friction radius [m].
         control_force: F_п2, control-spring force at the stop [N].
-        net_gain: κ, κ₊ while it returns [1].
-        hub_inertia: J_h, inertia between discs and balls [kg*m^2].
-        load_torque: L, torque of the load on the inertia behind the balls [N*m].
-        load_inertia: J_2, inertia behind the balls [kg*m^2].
+        net_gain: κ or κ₊ [1].
+        torque_alone: T_b0, torque that the balls would pass without friction of the pack [N*m].
+        torque_share: j, share of the pack's torque that the balls pass [1].
 
     Returns:
         T_f [N*m].
@@ -330,9 +328,8 @@ def slip_torque_at_stop(
     Validity:
         T_f and T_b of one sign.
     """
-    both = hub_inertia + load_inertia
-    pressed = control_force * mean_radius - net_gain * hub_inertia * load_torque / both
-    return friction_pairs * pressed / (1 + friction_pairs * net_gain * load_inertia / both)
+    pressed = control_force * mean_radius - net_gain * torque_alone
+    return friction_pairs * pressed / (1 + friction_pairs * net_gain * torque_share)
 
 
 def centrifugal_moment(

@@ -183,13 +183,13 @@ def pack_at_the_stop() -> Steps:
     reaction = F2 - F1 - Tb * kappa / R
     yield Identity("N = F_п1 + reaction of the stop", pressed - (F1 + reaction))
     seated = direct.group_torque(indirect.normal_force_seated(F2, z, kappa, f), R, z, f)
-    yield Identity(
-        "steady: the law of S21 at the stop", sleeve.slip_torque_at_stop(z * f, R, F2, kappa, 0, L, J2) - seated
-    )
+    yield Identity("steady: the law of S21 at the stop", sleeve.slip_torque_at_stop(z * f, R, F2, kappa, 0, 1) - seated)
     off = indirect.sleeve_stiffness(c1, c2, z, f, kappa)
     moved = indirect.travel_as_made(F1, F2, z, f, kappa, off)
     steady = indirect.normal_force_moving(F1, c1, F2, c2, off)
     yield Identity("off it: N where the sleeve is", sleeve.slackened_force(F1, c1, moved) - steady)
     balls = drive.sticking_torque(T, Jh, L, J2)
     slipping = solved(T - z * f * R * sleeve.normal_force_at_stop(F2, kappa, balls, R), T)
-    yield Identity("with the hub's inertia", sleeve.slip_torque_at_stop(z * f, R, F2, kappa, Jh, L, J2) - slipping)
+    alone, share = balls.subs(T, 0), J2 / (Jh + J2)
+    seated = sleeve.slip_torque_at_stop(z * f, R, F2, kappa, alone, share)
+    yield Identity("with the hub's inertia", seated - slipping)

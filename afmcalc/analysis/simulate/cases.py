@@ -1,6 +1,8 @@
 """Which events are simulated: the clutch at a friction, an ordinary clutch in its place, and for how long."""
 
 import functools
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -10,6 +12,7 @@ from ...engines.protocol import Clutch
 from ...equations import heat
 from ...extras import need
 from .direct import DirectPlant
+from .indirect import IndirectPlant
 from .packs import ordinary_pack, pack_of, plant_of, without_hub
 from .plant import Plant
 from .train import Train, train_of
@@ -126,6 +129,16 @@ def outcome_of(clutch: Clutch, friction: float, friction_driven: float | None = 
     case = case_of(clutch, friction, friction_driven)
     ordinary = ordinary_case(clutch, friction, friction_driven)
     return Outcome(case, case.run(), ordinary.plant, ordinary.run().peak)
+
+
+def bracket_of(found: Outcome) -> Sequence[Outcome]:
+    """Return the event as it is, then with N at the stop along κ alone, along κ₊ alone; empty without a key's play."""
+    case, plant = found.case, found.case.plant
+    if not isinstance(plant, IndirectPlant) or plant.sleeve.net_gain == plant.sleeve.net_gain_returning:
+        return []
+    plants = (replace(plant, sleeve=replace(plant.sleeve, branch=branch)) for branch in (1, -1))
+    cases = (case._replace(plant=own, horizon=case.horizon if case.given else longest(own)) for own in plants)
+    return [found, *(found._replace(case=own, trip=own.run()) for own in cases)]
 
 
 def longest(plant: Plant) -> float:

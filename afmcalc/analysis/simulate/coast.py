@@ -10,11 +10,12 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial import chebyshev
 from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
-from ...arrays import Floats
-from .plant import Mode, Plant, Sliding, State
+from ...arrays import Floats, Values
+from .plant import Creep, Mode, Plant, Sliding, State
 
 _LEAST = 5.0
 """Swings below which a stride is not worth it."""
@@ -23,10 +24,14 @@ _STILL = 1e-7
 _EXACT = 1e-10
 _SWINGS = 100
 """Swings of a stride whose heat is told one by one."""
-_CALM = 1e-5
-"""Swing, relative to the torque, that counts as none."""
-_STEP = 1e-6
-"""Of the speed, relative, over which a slope is taken."""
+_CALM, _NEARLY = 1e-5, 1e-2
+"""Swing about a slow slip, relative to the torque, that counts as none; and about rest, at which that is looked at."""
+_NODES, _ITERATIONS = 64, 16
+"""Of the series for a slow slip."""
+_CONVERGED = 1e-9
+"""Speed of the driven half, relative to the slip, up to which that series is exact."""
+_UNGROWN = 1e-9
+"""Growth of a swing, as an exponent, that is none."""
 _CREPT = 48
 """Parts of slow slip of which the heat is told."""
 _SHOWN = 12
@@ -72,95 +77,154 @@ def stride(
     least = _LEAST * 2 * math.pi / natural
     if mode.pack * plant.motor_speed(y) <= slowest or bound - t < least:
         return None
-    run = _run_down(plant, t, y, mode, lambda speed: torque, slowest, bound, lasting=lasting)
-    return _arrived(plant, y, sliding, run, run.time - t) if run.time - t >= least or run.endless else None
+    way = mode.pack
+
+    def rates(at: float, states: Floats) -> list[float]:
+        speed = float(states[0])
+        driven = way * plant.motor(way * speed, mode)
+        return [(driven - abs(torque)) / train.motor_inertia, speed, driven * speed, 0.0]
+
+    start = [way * plant.motor_speed(y), 0.0, 0.0, 0.0]
+    run = _run_down(plant, t, start, rates, lambda speed: abs(torque), slowest, bound, lasting=lasting)
+    return _arrived(plant, y, mode.pack, sliding, run, run.time - t) if run.time - t >= least or run.endless else None
 
 
 def creep(plant: Plant, t: float, y: State, mode: Mode, bound: float, *, lasting: bool) -> Stride | None:
-    """Go on while static friction comes back slowly and nothing swings: the shaft has the torque of the pack.
+    """Go on while friction rises slowly as the slip slows down and nothing swings: the shaft has the pack's torque.
 
     Args and result as ``stride``.
     """
-    slow, train = plant.creeping(), plant.train
-    if slow is None:
+    slow, train, way = plant.creeping(mode), plant.train, mode.pack
+    if slow is None or way * y[plant.V] <= slow.least or slow.torque(slow.least) >= plant.tool.holds(mode):
         return None
-    natural = math.sqrt(train.stiffness / train.driven_inertia)
-    least = _LEAST * 2 * math.pi / natural
-
-    def drag(speed: float) -> float:
-        return mode.pack * slow.torque(abs(speed))
-
-    def carried(speed: float) -> tuple[float, float]:
-        """Speed of the driven half and twist of the shaft that go with the torque."""
-        faster, slowing = speed * (1 + _STEP), (plant.motor(speed, mode) - drag(speed)) / train.motor_inertia
-        driven = (drag(faster) - drag(speed)) / (faster - speed) * slowing / train.stiffness
-        return driven, (drag(speed) - train.damping * driven) / train.stiffness
-
-    speed = plant.motor_speed(y)
-    # the torque is largest at the end: a standing tool is to stand through it
-    if bound - t < least or mode.pack * speed <= slow.least or slow.torque(slow.least) >= plant.tool.holds(mode):
+    natural = math.sqrt(train.stiffness / slow.inertia)
+    least, torque = _LEAST * 2 * math.pi / natural, float(slow.torque(way * y[plant.V]))
+    swing = math.hypot(train.stiffness * y[plant.TWIST] - way * torque, y[plant.DRIVEN] * train.stiffness / natural)
+    if (
+        bound - t < least
+        or swing > _NEARLY * torque
+        or (path := _slow_path(plant, mode, slow, way * y[plant.V])) is None
+    ):
         return None
-    driven, twist = carried(speed)
-    off = train.stiffness * (y[plant.TWIST] - twist), (y[plant.DRIVEN] - driven) * train.stiffness / natural
-    if math.hypot(*off) > _CALM * abs(drag(speed)):
+    _, driven, twist, _ = path(way * y[plant.V])
+    begin = way * plant.motor_speed(y) - driven
+    off = train.stiffness * (y[plant.TWIST] - way * twist), (y[plant.DRIVEN] - way * driven) * train.stiffness / natural
+    if math.hypot(*off) > _CALM * torque:
         return None
-    run = _run_down(plant, t, y, mode, drag, slow.least, bound, lasting=lasting)
+
+    def rates(at: float, states: Floats) -> list[float]:
+        slip = float(states[0])
+        slowing, driven, _, steep = path(slip)
+        speed, torque = slip + driven, float(slow.torque(slip))
+        power, growth = way * plant.motor(way * speed, mode) * speed, (-steep - train.damping) / (2 * slow.inertia)
+        return [slowing, power, torque * slip, train.damping * driven * driven, growth]
+
+    # a swing unseen grows back where friction falls with the slip: before it is as large as it was, it is integrated
+    run = _run_down(plant, t, [begin, 0.0, 0.0, 0.0, 0.0], rates, slow.torque, slow.least, bound, lasting=lasting)
     if run.time - t < least and not run.endless:
         return None
-    (speed, _, work, resisted), new = run.states, list(y)
-    new[plant.DRIVEN], new[plant.TWIST] = carried(speed)
-    new[plant.V] = speed - new[plant.DRIVEN]
-    new[plant.size] += work
-    stored = train.stiffness * (new[plant.TWIST] ** 2 - y[plant.TWIST] ** 2) / 2
-    new[plant.size + 1] += resisted - stored
+    (slip, *works, _), new = run.states, list(y)
+    _, driven, twist, _ = path(slip)
+    new[plant.V], new[plant.DRIVEN], new[plant.TWIST] = way * slip, way * driven, way * twist
+    for place, work in enumerate(works, plant.size):
+        new[place] += work
     times = np.linspace(t, run.time, _CREPT + 1)[1:-1]
     rows = [
-        (at, drag(speed), speed, y[plant.size + 1] + heat)
-        for at, speed, heat in np.stack([times, *run.course(times)[[0, 3]]], axis=1).tolist()
+        (at, way * float(slow.torque(slip)), way * slip, y[plant.size + 1] + heat)
+        for at, slip, heat in np.stack([times, *run.course(times)[[0, 2]]], axis=1).tolist()
     ]
     return Stride(run.time, new, run.endless, rows)
 
 
+def _slow_path(plant: Plant, mode: Mode, slow: Creep, begin: float) -> Callable[[float], list[float]] | None:
+    """Motion without swings, by the slip: growth of slip, speed of the driven half, twist, slope of the torque.
+
+    Each is the series that solves Newton's law the better the slower the slip changes; None where it does not converge.
+    """
+    train, way = plant.train, mode.pack
+    wide = (begin - slow.least) / 2
+    place = chebyshev.chebpts2(_NODES)
+    slip = slow.least + wide * (place + 1)
+    torque, driven, last = slow.torque(slip) + 0.0 * slip, np.zeros(_NODES), math.inf
+
+    def fitted(values: Floats) -> Floats:
+        return np.asarray(chebyshev.chebfit(place, values, _NODES - 1), float)
+
+    def slope(values: Floats) -> Floats:
+        return np.asarray(chebyshev.chebval(place, chebyshev.chebder(fitted(values))), float) / wide
+
+    slowing = np.zeros(_NODES)
+    for _ in range(_ITERATIONS):
+        motor = way * train.engine.at(way * (slip + driven)) if mode.powered else 0.0
+        bends = slope(driven)
+        slowing = (motor - torque) / (train.motor_inertia * (1 + bends))
+        twist = (torque - train.damping * driven - slow.inertia * bends * slowing) / train.stiffness
+        before, driven = driven, slope(twist) * slowing
+        change = float(np.max(np.abs(driven - before)))
+        if change >= last:
+            break
+        last = change
+    if last > _CONVERGED * begin:
+        return None
+    series = np.stack([fitted(values) for values in (slowing, driven, twist, slope(torque))], axis=1)
+
+    orders = np.arange(_NODES)
+
+    # a motor that wins speeds the slip up: no farther than the series goes
+    def path(at: float) -> list[float]:
+        found: list[float] = (
+            np.cos(orders * math.acos(min(max((at - slow.least) / wide - 1, -1.0), 1.0))) @ series
+        ).tolist()
+        return found
+
+    return path
+
+
 class _RunDown(NamedTuple):
-    """The motor side at the end of a stride."""
+    """A slip at the end of a stride."""
 
     time: float
     states: list[float]
-    """Speed, angle, work of the motor and against the pack, J."""
     endless: bool
     course: Callable[[Floats], Floats]
     """The states at times on the way."""
 
 
 def _run_down(
-    plant: Plant, t: float, y: State, mode: Mode, drag: Callable[[float], float], slowest: float, bound: float, *,
+    plant: Plant,
+    t: float,
+    start: list[float],
+    rates: Callable[[float, Floats], list[float]],
+    drag: Callable[[float], Values],
+    slowest: float,
+    bound: float,
+    *,
     lasting: bool,
-) -> _RunDown:  # fmt: skip
-    """Let the motor side run down against the torque of a pack that slips at its speed."""
-    train, forward = plant.train, mode.pack
+) -> _RunDown:
+    """Integrate a slip, its speed first among the states, until it is slow, no longer slows down, or at the bound.
 
-    def rates(at: float, states: Floats) -> list[float]:
-        speed = float(states[0])
-        driven, resisting = plant.motor(speed, mode), drag(speed)
-        return [(driven - resisting) / train.motor_inertia, speed, driven * speed, resisting * speed]
+    The last state is the growth of a swing that is left out: where it is above 0, it is no longer left out.
+    """
 
     def near(at: float, states: Floats) -> float:
-        return forward * float(states[0]) - slowest
+        return float(states[0]) - slowest
+
+    def swings(at: float, states: Floats) -> float:
+        return _UNGROWN - float(states[-1])
 
     def still(at: float, states: Floats) -> float:
-        return -forward * rates(at, states)[0] - _STILL * abs(drag(float(states[0]))) / train.motor_inertia
+        return -rates(at, states)[0] - _STILL * float(drag(float(states[0]))) / plant.train.motor_inertia
 
-    near.terminal = still.terminal = True  # type: ignore[attr-defined]
-    start = [plant.motor_speed(y), 0.0, 0.0, 0.0]
+    near.terminal = swings.terminal = still.terminal = True  # type: ignore[attr-defined]
     if lasting and still(t, np.array(start)) <= 0:
-        return _RunDown(t, start, True, lambda times: np.zeros((4, times.size)))
-    events = [near, still] if lasting else [near]
+        return _RunDown(t, start, True, lambda times: np.zeros((len(start), times.size)))
+    events = [near, swings, still] if lasting else [near, swings]
     found = solve_ivp(rates, (t, bound), start, "DOP853", events=events, rtol=_EXACT, atol=_EXACT, dense_output=True)
-    ended = lasting and bool(found.t_events[1].size)
+    ended = lasting and bool(found.t_events[2].size)
     return _RunDown(float(found.t[-1]), found.y[:, -1].tolist(), ended, found.sol)
 
 
-def _arrived(plant: Plant, y: State, sliding: Sliding, run: _RunDown, time: float) -> Stride:
+def _arrived(plant: Plant, y: State, way: int, sliding: Sliding, run: _RunDown, time: float) -> Stride:
     """States and work after a stride: the driven half has swung freely about its twist, everything behind it stood."""
     train, torque = plant.train, sliding.torque
     natural = math.sqrt(train.stiffness / sliding.inertia)
@@ -171,17 +235,21 @@ def _arrived(plant: Plant, y: State, sliding: Sliding, run: _RunDown, time: floa
     after = expm(turning * time) @ before
     twist, driven = float(after[0] + torque) / train.stiffness, float(after[1]) / scale
     (speed, angle, work, _), new = run.states, list(y)
-    new[plant.V] = speed - driven
+    new[plant.V] = way * speed - driven
     new[plant.DRIVEN], new[plant.TWIST] = driven, twist
     motor, pack, shaft = plant.size, plant.size + 1, plant.size + 2
     new[motor] += work
-    new[pack] += torque * (angle - (twist - y[plant.TWIST]))
-    new[shaft] += float(before @ before - after @ after) / (2 * train.stiffness)
-    return Stride(run.time, new, run.endless, _course(plant, y, run, (turning, scale, before), (torque, time)))
+    new[pack] += torque * (way * angle - (twist - y[plant.TWIST]))
+    # what damping takes is integrated beside the products of the two: a b, their squares
+    (_, turn), (_, lost) = turning
+    products = np.array([[0, 2 * turn, 0, 0], [-turn, lost, turn, 0], [0, -2 * turn, 2 * lost, 0], [0, 0, 1, 0]])
+    squared = expm(products * time)[3, :3] @ [before[0] ** 2, before[0] * before[1], before[1] ** 2]
+    new[shaft] += float(squared) * train.damping / (scale * scale)
+    return Stride(run.time, new, run.endless, _course(plant, y, way, run, (turning, scale, before), (torque, time)))
 
 
 def _course(
-    plant: Plant, y: State, run: _RunDown, swing: tuple[Floats, float, Floats], over: tuple[float, float]
+    plant: Plant, y: State, way: int, run: _RunDown, swing: tuple[Floats, float, Floats], over: tuple[float, float]
 ) -> list[tuple[float, float, float, float]]:
     """Time, torque, slip and heat on the way: swing by swing, after many as if the driven half stood."""
     (turning, scale, stretched), (torque, lasts) = swing, over
@@ -196,7 +264,7 @@ def _course(
     times = np.concatenate([start + part * np.arange(1, count + 1), np.linspace(after, max(after, run.time), _SHOWN)])
     inside = times < run.time
     times, swung = times[inside], swung[inside]
-    speed, angle, *_ = run.course(times)
+    speed, angle = way * run.course(times)[:2]
     heat = y[plant.size + 1] + torque * (angle - (swung - stretched)[:, 0] / plant.train.stiffness)
     slip = speed - swung[:, 1] / scale
     return [(at, torque, *both) for at, *both in np.stack([times, slip, heat], axis=1).tolist()]

@@ -39,10 +39,6 @@ class SleevePlant(Plant):
     def limits(self, y: Sequence[float]) -> tuple[float, float]:
         """Torques between which the key holds the sleeve off its stop."""
 
-    @abstractmethod
-    def bounds(self, balls: float) -> tuple[float, float]:
-        """Normal forces between which the key holds the sleeve at its stop."""
-
 
 class Guard(IntEnum):
     """Guards of an indirect clutch by their place."""
@@ -146,7 +142,7 @@ def _balls(plant: SleevePlant, y: State, before: _Before) -> list[tuple[Balls, i
 
 def _reached(plant: SleevePlant, before: _Before) -> int:
     """Which of its bounds a held normal force has reached."""
-    low, high = plant.bounds(before.balls)
+    low, high = plant.sleeve.play(before.balls)
     return 1 if high - before.normal < before.normal - low else -1
 
 
@@ -182,8 +178,8 @@ def _contradiction(plant: SleevePlant, t: float, y: State, mode: Mode) -> float:
 def _hold(plant: SleevePlant, y: State, mode: Mode, along: float) -> float:
     """Against the play of N: it falls only along κ, rises only along κ₊, and is held between, as a torque."""
     own, held = plant.sleeve, y[plant.HELD]
-    if own.net_gain == own.net_gain_returning:
+    if own.stop_gains[0] == own.stop_gains[1]:
         return 0.0 if mode.hold > 0 else plant.sliding
-    low, high = plant.bounds(along)
+    low, high = own.play(along)
     off = {1: high - held, -1: held - low, 0: max(held - high, low - held)}[mode.hold]
     return off * own.mean_radius

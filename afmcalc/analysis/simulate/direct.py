@@ -4,8 +4,11 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import cast
 
-from ...arrays import V
+import numpy as np
+
+from ...arrays import V, Values
 from ...equations import direct
 from ...equations import drive as law
 from .plant import DECAYED, FAST, Creep, Mode, Plant, Sliding, State, Tool, Torques, sign
@@ -204,14 +207,18 @@ class DirectPlant(Plant):
         slip = DECAYED / own.decay_rate if own.static_ratio > 1 else 0.0
         return Sliding(mode.pack * self.sliding, self.train.driven_inertia, math.inf, slip)
 
-    def creeping(self) -> Creep | None:
-        """Static friction that comes back, half of the damping left."""
-        own, calm = self.pack, self.train.damping / 2
-        if own.lag or own.static_ratio == 1 or not calm:
+    def creeping(self, mode: Mode) -> Creep | None:
+        """Static friction that comes back."""
+        own, inertia = self.pack, self.train.driven_inertia
+        if own.lag or own.static_ratio == 1:
             return None
+
+        def torque(slip: Values) -> Values:
+            return own.torque(cast(Values, law.stribeck_ratio(own.static_ratio, np.exp(-own.decay_rate * slip))))
+
         growth = max(self.growth, (own.torque(1 + _STEP) - own.torque(1.0)) / _STEP)
         steep = growth * (own.static_ratio - 1) * own.decay_rate
-        return Creep(lambda slip: own.torque(self._ratio(slip)), max(math.log(steep / calm), 0.1) / own.decay_rate)
+        return Creep(torque, inertia, self.creeps_to(steep, inertia, own.decay_rate))
 
     def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:
         """T(r_s f), or less while the normal force lags."""

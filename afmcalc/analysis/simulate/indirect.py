@@ -7,10 +7,11 @@ from math import exp
 
 import numpy as np
 
+from ...arrays import Values
 from ...equations import direct, sleeve
 from ...equations import drive as law
 from .consistent import SleevePlant, switched
-from .plant import DECAYED, Mode, Sliding, State, Tool, Torques
+from .plant import DECAYED, Creep, Mode, Sliding, State, Tool, Torques
 from .sleeve import Sleeve
 from .train import Train
 
@@ -61,7 +62,7 @@ class IndirectPlant(SleevePlant):
         """Running under the load; beyond T_н the sleeve is off its stop."""
         train, own = self.train, self.sleeve
         locked = train.kind == "stop" and not train.time
-        turn, held = float(own.turn_under(train.load)), own.pressed_at_stop(train.load, own.net_gain)
+        turn, held = float(own.turn_under(train.load)), own.pressed_at_stop(train.load, own.stop_gains[0])
         return [0.0, train.speed, train.load / train.stiffness, 0.0 if locked else train.speed, 0.0, turn, held]
 
     def scales(self) -> State:
@@ -91,8 +92,9 @@ class IndirectPlant(SleevePlant):
     def _net(self, mode: Mode) -> float:
         """κ or κ₊, as the key resists."""
         own = self.sleeve
-        rising = mode.hold > 0 if mode.balls == "seat" else mode.balls == "out"
-        return own.net_gain if rising else own.net_gain_returning
+        if mode.balls == "seat":
+            return own.stop_gains[mode.hold < 0]
+        return own.net_gain if mode.balls == "out" else own.net_gain_returning
 
     def normal(self, y: Sequence[float], mode: Mode, balls: float) -> float:
         """Normal force on the pairs; a pack that the springs leave has none."""
@@ -139,10 +141,9 @@ class IndirectPlant(SleevePlant):
         train, own, pairs = self.train, self.sleeve, self._pairs(y[self.V])
         if mode.balls == "seat" and mode.hold:
             net = self._net(mode) * (mode.side * mode.pack)
-            torque: float = sleeve.slip_torque_at_stop(
-                pairs, own.mean_radius, own.control_force, net, train.hub_inertia, load, train.driven_inertia
-            )
-            return torque
+            alone: float = law.sticking_torque(0.0, train.hub_inertia, load, train.driven_inertia)
+            share = train.driven_inertia / (train.hub_inertia + train.driven_inertia)
+            return own.slipping_at_stop(pairs, net, alone, share)
         pressed: float = direct.group_torque(self.normal(y, mode, 0.0), own.mean_radius, 1.0, pairs)
         return pressed
 
@@ -205,6 +206,25 @@ class IndirectPlant(SleevePlant):
         slip = DECAYED / own.decay_rate if own.static_ratio > 1 else 0.0
         return Sliding(mode.pack * torque, both, most, slip) if mode.pack == mode.side else None
 
+    def creeping(self, mode: Mode) -> Creep | None:
+        """At the stop along κ or κ₊, the balls with the torque of the pack; not so far that the sleeve would leave."""
+        own, train = self.sleeve, self.train
+        smooth = own.stop_gains[0] == own.stop_gains[1] or (mode.hold > 0 and own.static_ratio > 1)
+        if mode.balls != "seat" or mode.pack != mode.side or not mode.hold or not smooth:
+            return None
+        net, both = self._net(mode), train.hub_inertia + train.driven_inertia
+
+        def torque(slip: Values) -> Values:
+            ratio: Values = law.stribeck_ratio(own.static_ratio, np.exp(-own.decay_rate * slip))
+            return own.slipping_at_stop(own.friction_pairs * ratio, net, 0.0, 1.0)
+
+        share = own.friction_pairs * net * train.driven_inertia / both
+        # a swing of the shaft takes a share of its torque back from the pack
+        inertia = both * (1 + share) / (1 + own.friction_pairs * net)
+        steep = float(torque(0.0)) * (own.static_ratio - 1) * own.decay_rate
+        least = self.creeps_to(steep, inertia, own.decay_rate if own.static_ratio > 1 else 0.0)
+        return Creep(torque, inertia, least) if torque(least) < own.lift * (1 - _CLOSE) else None
+
     def guards(self, t: float, y: Sequence[float], mode: Mode, torques: Torques) -> list[float]:
         """Positive while the mode lasts, in the order of ``Guard``."""
         own = self.sleeve
@@ -255,20 +275,15 @@ class IndirectPlant(SleevePlant):
         low, high = (moment / own.steeper(net, travel) for net in nets)
         return low, high
 
-    def bounds(self, balls: float) -> tuple[float, float]:
-        """Normal forces between which the key holds the sleeve at its stop."""
-        own = self.sleeve
-        return own.pressed_at_stop(balls, own.net_gain_returning), own.pressed_at_stop(balls, own.net_gain)
-
     def _hold_guard(self, t: float, y: Sequence[float], mode: Mode, along: float) -> float:
         own = self.sleeve
-        if own.net_gain == own.net_gain_returning:
+        if own.stop_gains[0] == own.stop_gains[1]:
             return 1.0
         if mode.hold:
             ahead = [a + self._moment_time * rate for a, rate in zip(y, self.rates(t, y, mode), strict=True)]
             later = mode.side * self.torques(t + self._moment_time, ahead, mode).balls
             return mode.hold * (later - along) + 1e-11 * own.lift
-        low, high = self.bounds(along)
+        low, high = own.play(along)
         return min(high - y[self.HELD], y[self.HELD] - low) + 1e-10 * own.control_force
 
     def switched(self, t: float, y: State, mode: Mode, hit: int | None) -> tuple[State, Mode]:

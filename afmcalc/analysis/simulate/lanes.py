@@ -12,6 +12,9 @@ from .direct import DirectPack
 from .sleeve import Sleeve
 from .train import Train
 
+_SWING_OVER = 0.01
+"""Time of a swing of the balls between their walls, in steps, below which it is over."""
+
 
 class DirectLanes:
     """Packs of direct clutches."""
@@ -77,6 +80,8 @@ class SleeveLanes:
         self.pack, self.h = pack, h
         self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
         self._mass_at_stop: Values = pack.inertia(0.0, pack.net_gain) / h
+        self._mass_back: Values = pack.inertia(0.0, pack.net_gain_returning) / h
+        self._share = pack.net_gain / pack.net_gain_returning
         self._across = h / train.hub_inertia
         """What a torque adds to the speed of the hub in a step."""
         self._pack, self._balls = h / train.motor_inertia + self._across, self._across + per_torque
@@ -84,7 +89,7 @@ class SleeveLanes:
         self.torque = np.broadcast_to(train.load, h.shape).astype(float)
         self.balls = self.torque.copy()
         self.turn = np.broadcast_to(pack.turn_under(train.load), h.shape).astype(float)
-        self.held = np.broadcast_to(pack.pressed_at_stop(train.load, pack.net_gain), h.shape).astype(float)
+        self.held = np.broadcast_to(pack.pressed_at_stop(train.load, pack.stop_gains[0]), h.shape).astype(float)
         self.travel = pack.travel(self.turn)
 
     @property
@@ -119,14 +124,17 @@ class SleeveLanes:
         moving = self._moving(joint, pairs)
         still = self._still(joint, pairs)
         after = self.turn + h / 2 * (self.rate + moving.rate)
-        crosses = self.turn * after < 0
         stays = at_stop & (still.rate == 0)
-        if crosses.any():
-            rolled, ahead = self._rolled(joint, moving, pairs)
-            after = np.where(crosses, ahead, after)
-            # a swing between the walls that turns within a step is over
-            stays |= crosses & (still.rate == 0) & (rolled.rate * self.rate <= 0)
-            moving = _picked(crosses, rolled, moving)
+        turns = (np.abs(self.turn) < h * np.abs(self.rate)) & (self.turn * moving.rate <= 0)
+        near = np.flatnonzero(~at_stop & (turns | (self.turn * after < 0)))
+        if near.size:
+            crosses, seated, ahead, bounced = self._bounced(joint, pairs, near)
+            stays[near] |= crosses & seated & (still.rate[near] == 0)
+            after[near] = np.where(crosses, ahead, after[near])
+            parts = [np.array(value) for value in moving[:4]]
+            for whole, part in zip(parts, bounced[:4], strict=True):
+                whole[near] = np.where(crosses, part, whole[near])
+            moving = _Found(parts[0], parts[1], parts[2], parts[3], own.closing_force)
         found = _picked(at_stop | stays, still, moving._replace(normal=own.closing_force))
         return found, np.where(stays, 0.0, np.where(at_stop, h / 2 * (self.rate + found.rate), after))
 
@@ -137,22 +145,74 @@ class SleeveLanes:
         mass: Values = own.inertia(travel, net) / self.h
         return mass
 
-    def _rolled(self, joint: "_Joint", moving: "_Found", pairs: Values) -> "tuple[_Found, Floats]":
-        """Through the stop to the other wall, each for its share of the step, and where to; ``moving`` on the first."""
-        own, side = self.pack, np.where(self.turn < 0, -1.0, 1.0)
-        normal = own.closing_force
-        capacity = pairs * own.mean_radius * normal
-        mass = self._mass_at_stop
-        other = joint.heavier(mass, self.rate).pushed(capacity, -side * own.lift, normal)
-        balls = other.balls + mass * (other.rate - self.rate)
-        # the time to the stop at the acceleration of the first wall
-        away, nearing, gained = np.abs(self.turn), -side * self.rate, -side * (moving.rate - self.rate)
-        root = np.sqrt(np.maximum(nearing * nearing + 2 * gained / self.h * away, 0.0))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            share = np.clip(2 * away / (self.h * (nearing + root)), 0.0, 1.0)
-        found = joint.pushed(capacity, share * moving.balls + (1 - share) * balls, normal)
-        bent = share * (1 - share) * (moving.rate - other.rate)
-        return found, self.turn + self.h / 2 * (self.rate + found.rate + bent)
+    def _bounced(
+        self, joint: "_Joint", pairs: Values, near: NDArray[np.intp]
+    ) -> "tuple[NDArray[np.bool_], NDArray[np.bool_], Floats, _Found]":
+        """Through the stop to the other wall and back, as often as a step has it: with constant torques in closed form.
+
+        Returns:
+            Whether the balls come to the stop, whether they come to rest there, their turn, torques and speeds.
+        """
+        own, whole, begun, before = self.pack, self.h.shape, self.turn[near], self.rate[near]
+        joint = _Joint(*(np.broadcast_to(value, whole)[near] for value in joint))
+        pressed, mass, back, lift, share, h = (
+            np.broadcast_to(value, whole)[near]
+            for value in (own.closing_force, self._mass_at_stop, self._mass_back, own.lift, self._share, self.h)
+        )
+        first, capacity = (
+            np.where(begun < 0, -1.0, 1.0),
+            np.broadcast_to(pairs * own.mean_radius, whole)[near] * pressed,
+        )
+        resting = joint.boxed(capacity, -np.inf, np.inf, pressed)
+        sticks = np.abs(resting.clutch) < capacity
+        # speed of the balls gained in a step without their torque, and what their torque takes of it
+        yields = np.where(sticks, joint.balls - joint.across * joint.across / joint.pack, joint.balls)
+        gained = joint.rate + joint.across * np.where(sticks, joint.slip / joint.pack, resting.clutch) - before
+
+        def slowed(side: Floats) -> tuple[Floats, Floats]:
+            """Speed that a wall takes in a step from balls that move out, and gives them on their way back."""
+            return (
+                (yields * lift - side * gained) / (1 + yields * mass),
+                (yields * lift * share - side * gained) / (1 + yields * back),
+            )
+
+        with np.errstate(all="ignore"):
+            (out, home), away, speed = slowed(first), np.abs(begun) / h, first * before
+            # to the stop: up to the turning point first, where the balls still move out
+            top = away + np.where(speed > 0, speed * speed / (2 * out), 0.0)
+            nearing = np.maximum(-speed, 0.0)
+            arriving = np.sqrt(nearing * nearing + 2 * home * top)
+            left = 1 - np.where(speed > 0, speed / out, 0.0) - 2 * top / (nearing + arriving)
+            crosses = (left > 0) & ((speed <= 0) | (out > 0))
+            speed, side = np.where(crosses, arriving, 0.0), -first
+            walls = slowed(side), (out, home)
+            # a swing over both walls takes a time, and leaves a share of the speed
+            keeps = [np.sqrt(b / a) for a, b in walls]
+            takes = [1 / a + 1 / np.sqrt(a * b) for a, b in walls]
+            swing, kept = speed * (takes[0] + keeps[0] * takes[1]), keeps[0] * keeps[1]
+            seated = (swing < (1 - kept) * left) | (swing < _SWING_OVER)
+            count = np.where(kept < 1, np.log1p(-(1 - kept) * left / swing) / np.log(kept), left / swing)
+            count = np.floor(np.nan_to_num(count, nan=0.0, posinf=0.0, neginf=0.0))
+            passed = np.where(kept < 1, swing * (1 - kept**count) / (1 - kept), swing * count)
+            left = left - np.where(count > 0, passed, 0.0)
+            speed = speed * np.where(count > 0, kept**count, 1.0)
+            turn, rate, going = np.zeros(near.size), np.zeros(near.size), crosses & ~seated
+            for place, (out, home) in zip((side, -side), walls, strict=True):
+                up = np.where(out > 0, speed / out, np.inf)
+                high, down = speed * up / 2, np.where(home > 0, speed / np.sqrt(out * home), np.inf)
+                falls = np.clip(left - up, 0.0, np.inf) * (home > 0)
+                turns = np.where(left < up, speed * left - out * left * left / 2, high - home * falls * falls / 2)
+                moves = np.where(left < up, speed - out * left, -home * falls)
+                ends = going & (left < up + down)
+                turn, rate = np.where(ends, place * h * turns, turn), np.where(ends, place * moves, rate)
+                going, left = going & ~ends, left - up - down
+                speed = speed * np.sqrt(home / out)
+        balls = (before + gained - rate) / yields
+        needed = (joint.slip + joint.across * balls) / joint.pack
+        clutch = np.clip(needed, -capacity, capacity)
+        rate = joint.rate + joint.across * clutch - joint.balls * balls
+        slip = np.where(clutch == needed, 0.0, joint.slip - joint.pack * clutch + joint.across * balls)
+        return crosses, seated, turn, _Found(clutch, balls, slip, rate, pressed)
 
     def _moving(self, joint: "_Joint", pairs: Values) -> "_Found":
         """Off the stop: the key holds between S/κ₊ and S/κ."""
@@ -180,16 +240,14 @@ class SleeveLanes:
         own, radius = self.pack, self.pack.mean_radius
         alone, share = joint.rate / joint.balls, joint.across / joint.balls
         stuck = (joint.slip + joint.across * alone) / (joint.pack - joint.across * share)
-        normal = self._played(alone + share * stuck)
+        # the impulse that stops balls coming to their stop is no torque that pushes the sleeve
+        steady = alone - self.rate / joint.balls
+        normal = np.clip(self.held, *own.play(steady + share * stuck))
         way = np.where(stuck < 0, -1.0, 1.0)
-        held = alone + share * way * pairs * radius * self.held
+        held = steady + share * way * pairs * radius * self.held
         side = way * np.where(held < 0, -1.0, 1.0)
-        # N = F_п2 − κ |T_b|/R with T_b = alone + share·T_f, along the slip
-        rising, falling = (
-            pairs * (radius * own.control_force - side * net * way * alone) / (1 + side * pairs * net * share)
-            for net in (own.net_gain, own.net_gain_returning)
-        )
-        low, high = self._bounds(held)
+        rising, falling = (own.slipping_at_stop(pairs, side * net, way * steady, share) for net in own.stop_gains)
+        low, high = own.play(held)
         slipping = np.where(self.held > high, rising, np.where(self.held < low, falling, pairs * radius * self.held))
         sticks = np.abs(stuck) <= pairs * radius * normal
         clutch = np.where(sticks, stuck, way * slipping)
@@ -208,16 +266,6 @@ class SleeveLanes:
             np.where(lifted, off.rate, 0.0),
             np.where(lifted, own.closing_force, pressed),
         )
-
-    def _bounds(self, balls: Floats) -> tuple[Values, Values]:
-        own = self.pack
-        return own.pressed_at_stop(balls, own.net_gain_returning), own.pressed_at_stop(balls, own.net_gain)
-
-    def _played(self, balls: Floats) -> Floats:
-        """N at the stop as it follows a torque of the balls."""
-        low, high = self._bounds(balls)
-        played: Floats = np.clip(self.held, low, high)
-        return played
 
 
 class _Found(NamedTuple):

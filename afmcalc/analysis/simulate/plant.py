@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
+from ...arrays import Values
 from ...equations import drive as law
 from .train import Train
 
@@ -51,14 +52,18 @@ class Sliding(NamedTuple):
 class Creep(NamedTuple):
     """A pack whose torque rises slowly as its slip falls."""
 
-    torque: Callable[[float], float]
+    torque: Callable[[Values], Values]
     """Slip → torque, N·m, both without a sign."""
+    inertia: float
+    """Of what follows the shaft's twist, kg·m²."""
     least: float
-    """Slip down to which the shaft damps more than the falling friction drives, rad/s."""
+    """Slip down to which friction rises slowly against a swing of the shaft, rad/s."""
 
 
 FAST = 20.0
 """Decays in a radian of the shaft's swing beyond which an implicit method is taken."""
+_SLOW = 0.3
+"""Growth of a swing by falling friction, relative to its frequency, up to which a slip is slow."""
 DECAYED = 20.0
 """Exponent at which static friction is nothing, e^−20 = 2e-9."""
 
@@ -186,9 +191,14 @@ class Plant(ABC):
     def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:
         """How the pack slides if its torque is constant from now on; None where it is not."""
 
-    def creeping(self) -> Creep | None:
-        """How the pack slips where friction rises as it slows down; None where that is not smooth, or not damped."""
-        return None
+    @abstractmethod
+    def creeping(self, mode: Mode) -> Creep | None:
+        """How the pack slips where friction rises as it slows down; None where that is not smooth."""
+
+    def creeps_to(self, steep: float, inertia: float, decay: float) -> float:
+        """Slip down to which friction rises slowly, ``steep`` its growth at rest over the decay of the slip, rad/s."""
+        fast = 2 * _SLOW * math.sqrt(self.train.stiffness * inertia) + self.train.damping
+        return max(math.log(max(steep, fast) / fast) / decay, 0.1 / decay) if decay else 0.01 * self.train.speed
 
     @abstractmethod
     def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:

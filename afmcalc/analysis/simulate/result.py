@@ -43,6 +43,18 @@ class SimulateResult(Result):
     peak_over_machine: Triple | None = quantity("1", "T_peak/T_0", "peak torque over the load before it", optional=True)
     slip_time: OpenTriple = quantity("s", "t_s", "time of slip", null=NOT_ENDED)
     slip_energy: OpenTriple = quantity("J", "Q", "heat in the pack", null=NOT_ENDED)
+    peak_torque_low: Triple | None = quantity(
+        "N*m", "T_peak,low", "peak torque in the shaft at least, N at the stop by κ … κ₊", optional=True
+    )
+    peak_torque_high: Triple | None = quantity(
+        "N*m", "T_peak,high", "peak torque in the shaft at most, N at the stop by κ … κ₊", optional=True
+    )
+    slip_energy_low: OpenTriple | None = quantity(
+        "J", "Q_low", "heat in the pack at least, N at the stop by κ … κ₊", optional=True, null=NOT_ENDED
+    )
+    slip_energy_high: OpenTriple | None = quantity(
+        "J", "Q_high", "heat in the pack at most, N at the stop by κ … κ₊", optional=True, null=NOT_ENDED
+    )
     travel_max: Triple | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     contact_force: Triple | None = quantity("N", "F_n", "largest contact force on one ball", optional=True)
     peak_torque_bypass: float | None = quantity(

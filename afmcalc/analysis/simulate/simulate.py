@@ -1,6 +1,7 @@
 """The drive in time: what happens when the clutch trips, against an ordinary clutch of equal nominal torque."""
 
-from collections.abc import Iterable, Sequence
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from ...engines.protocol import Clutch
@@ -14,7 +15,7 @@ from ...watch import Progress, unwatched
 from ..sweep.grid import Axis
 from ..torque import Pair, friction_fields, outside_range, pairs_asked
 from .bypass import bypass_peak
-from .cases import outcome_of
+from .cases import Outcome, bracket_of, outcome_of
 from .remarks import remarks_of
 from .result import SimulatePoint, SimulateResult
 from .strain import contact_forces, strains
@@ -22,6 +23,9 @@ from .sweep import swept
 from .train import train_of
 
 __all__ = ["SimulateResult", "simulate"]
+
+_WIDE = 0.05
+"""Width of the bracket κ … κ₊, relative to the value, beyond which it is said."""
 
 
 @unrecorded()
@@ -45,6 +49,8 @@ def simulate(
     found = [outcome_of(clutch, *end) for end in ends]
     peaks = [each.trip.peak for each in found]
     bypass = bypass_peak(clutch)
+    brackets = [each for each in map(bracket_of, found) if each]
+    torques, heats = ([_ends(each) for each in rows] for rows in (_peaks(brackets), _heats(brackets)))
     sweep, rising = swept(clutch, sweeps, progress)
     travels, unit = clutch.spec.kind.travels, clutch.spec.control_unit
     late = unit is not None and bool(unit.release_lag)
@@ -58,6 +64,10 @@ def simulate(
         peak_over_machine=_triple([peak / train.load for peak in peaks]) if train.load else None,
         slip_time=_open([each.slip_time for each in found]),
         slip_energy=_open([each.energy for each in found]),
+        peak_torque_low=_triple([low for low, _ in torques]) if torques else None,
+        peak_torque_high=_triple([high for _, high in torques]) if torques else None,
+        slip_energy_low=_open([_finite(low) for low, _ in heats]) if heats else None,
+        slip_energy_high=_open([_finite(high) for _, high in heats]) if heats else None,
         travel_max=_triple([each.trip.travel_max for each in found]) if travels else None,
         contact_force=None if forces is None else _triple(forces),
         peak_torque_conventional=_triple([each.ordinary_peak for each in found]),
@@ -73,6 +83,8 @@ def simulate(
         *clutch.findings(),
         *strains(clutch, found),
         *remarks_of(clutch, train, found),
+        *_wide("peak", _peaks(brackets)),
+        *_wide("heat", _heats(brackets)),
         *([] if bypass is None else [finding("bypass-peak", "warning", value=bypass, limit=max(peaks))]),
         *rising,
         *(remark for pair in points for remark in outside_range(clutch, *pair)),
@@ -102,6 +114,38 @@ def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> Si
         travel_max=found.trip.travel_max if clutch.spec.kind.travels else None,
         peak_torque_conventional=found.ordinary_peak,
     )
+
+
+def _peaks(brackets: Sequence[Sequence[Outcome]]) -> list[list[float]]:
+    """Peak torques with the key's play, along κ, along κ₊, at every friction."""
+    return [[each.trip.peak for each in row] for row in brackets]
+
+
+def _heats(brackets: Sequence[Sequence[Outcome]]) -> list[list[float]]:
+    """Heat in the pack likewise; infinite where the slip does not end."""
+    return [[math.inf if each.energy is None else each.energy for each in row] for row in brackets]
+
+
+def _ends(values: Sequence[float]) -> tuple[float, float]:
+    return min(values), max(values)
+
+
+def _finite(value: float) -> float | None:
+    return None if math.isinf(value) else value
+
+
+def _wide(what: str, rows: Sequence[Sequence[float]]) -> Iterator[Finding]:
+    """Say where the answer hangs on how the key holds the sleeve at its stop: vibration dithers a key."""
+    for at, (value, *others) in zip(("f_min", "f_cp", "f_max"), rows, strict=False):
+        low, high = _ends([value, *others])
+        if high - low > _WIDE * value or math.isinf(high) > math.isinf(low):
+            path, most = "control_unit.key_friction", _finite(high)
+            if most is None:
+                yield finding("stop-bracket/open", "warning", value=low, path=path, at=at)
+            elif what == "heat":
+                yield finding("stop-bracket/heat", "warning", value=low, limit=most, path=path, at=at)
+            else:
+                yield finding("stop-bracket/peak", "warning", value=low, limit=most, path=path, at=at)
 
 
 def _triple(values: Sequence[float]) -> Triple:

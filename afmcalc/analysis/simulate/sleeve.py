@@ -13,6 +13,7 @@ from ...equations import direct, pocket, sleeve
 
 _IDLE = 1e-9
 """κ in an array that stands for none: the law's own limit, an ordinary clutch."""
+_ROUNDING = 1e-12
 _FAR = 1e6
 """Friction from which a sleeve returns that has been as far off as it can be."""
 
@@ -30,6 +31,8 @@ class Sleeve:
     """R/v_s, s/rad."""
     lever: float = 0.0
     """r/R; 0 where the circle of the balls is not known."""
+    branch: int = 0
+    """Law at the stop: 0 with the key's play, 1 along κ alone, −1 along κ₊ alone."""
 
     @cached_property
     def friction_pairs(self) -> float:
@@ -158,8 +161,10 @@ class Sleeve:
         """Turn of the balls, at rest under a torque that has risen to it; 0 up to T_н."""
         if self.law.curved is None:
             lifted = torque * self.net_gain / self.mean_radius - (self.control_force - self.closing_force)
-            springs = self._springs[2] + self._springs[3]
-            travel = larger(lifted / (springs - torque * self.law.gain_slope / self.mean_radius), 0.0)
+            off = lifted > _ROUNDING * self.control_force
+            stiffness = self._springs[2] + self._springs[3] - torque * self.law.gain_slope / self.mean_radius
+            # a constant-torque pocket has no stiffness at T_н, where nothing is lifted
+            travel = off * lifted / (stiffness + (1 - 1 * off))
         else:
             travel = root(
                 lambda at: self.moment(at) - torque * self.net_gain,
@@ -176,10 +181,33 @@ class Sleeve:
         force: V = sleeve.slackened_force(self.closing_force, self._springs[2], travel)
         return force
 
+    @cached_property
+    def stop_gains(self) -> tuple[float, float]:
+        """Net gains at the stop while the torque of the balls rises, and while it falls."""
+        gains = self.net_gain, self.net_gain_returning
+        return gains if not self.branch else (gains[self.branch < 0],) * 2
+
     def pressed_at_stop(self, ball_torque: V, net_gain: float) -> V:
-        """N at the stop for a gain κ or κ₊, N."""
-        force: V = sleeve.normal_force_at_stop(self.control_force, net_gain, abs(ball_torque), self.mean_radius)
-        return force
+        """N at the stop for a gain κ or κ₊, N: that of the closing spring at least."""
+        force = sleeve.normal_force_at_stop(self.control_force, net_gain, abs(ball_torque), self.mean_radius)
+        return cast(V, larger(force, self.closing_force))
+
+    def play(self, ball_torque: V) -> tuple[V, V]:
+        """Normal forces at the stop between which the key sticks, N: beyond them N follows the torque of the balls."""
+        rising, falling = self.stop_gains
+        return self.pressed_at_stop(ball_torque, falling), self.pressed_at_stop(ball_torque, rising)
+
+    def slipping_at_stop(self, pairs: V, net_gain: V, alone: V, share: V) -> V:
+        """Torque of the slipping pack at the stop, N following along κ or κ₊, N·m; along the slip.
+
+        Args:
+            pairs: z f.
+            net_gain: κ or κ₊, negative where the balls pass their torque against the slip.
+            alone: torque of the balls without that of the pack, N·m.
+            share: share of the pack's torque that they pass.
+        """
+        torque = sleeve.slip_torque_at_stop(pairs, self.mean_radius, self.control_force, net_gain, alone, share)
+        return cast(V, larger(torque, pairs * self.mean_radius * self.closing_force))
 
     def inertia(self, travel: V, net_gain: V) -> V:
         """Inertia of the sleeve's mass in the turn, kg·m²."""
