@@ -201,13 +201,10 @@ class Asked:
             elif head == "report":
                 answer = rows_of(self.run("report", self.file).out)
             else:
-                is_set = re.compile(r"(tolerance|requirements)\.").match
-                ran = self.run(
-                    head,
-                    *(part for word in rest for part in ["--set"] * bool(is_set(word)) + [word]),
-                    self.file,
-                    "--json",
-                )
+                given = [
+                    ["--set", word] if word.startswith(("tolerance.", "requirements.")) else [word] for word in rest
+                ]
+                ran = self.run(head, *itertools.chain(*given), self.file, "--json")
                 answer = ran.json["result"] if ran.code in (0, 1) else {}
             self.answers[command] = answer
         return self.answers[command]
@@ -269,10 +266,8 @@ def cycles(asked: Asked, low: float, high: float, factor: float = 1.0) -> float:
 
 
 def pressure(asked: Asked) -> float:
-    group, force = (
-        asked.spec["friction_group"],
-        asked.told("torque > pack_force_at_rest") or asked.told("torque > closing_force"),
-    )
+    group = asked.spec["friction_group"]
+    force = asked.told("torque > pack_force_at_rest") or asked.told("torque > closing_force")
     return float(force / math.pi / (group["outer_radius"] ** 2 - group["inner_radius"] ** 2))
 
 
@@ -304,7 +299,15 @@ def verdict(wrong: list[str], telling: set[str], *tables: str) -> None:
     assert not places - telling, "places that never tell a number"
 
 
-def check_quantities(ask: Callable[[Spec], Asked], seeds: range) -> None:
+def asked_often(few: tuple[Any, ...], many: tuple[Any, ...], names: str = "seeds") -> Any:
+    """The same question of few random clutches, and of many where what is exhaustive runs."""
+    return pytest.mark.parametrize(
+        names, [pytest.param(*few), pytest.param(*many, marks=pytest.mark.exhaustive)], ids=["few", "many"]
+    )
+
+
+@asked_often((range(1),), (range(1, 60),))
+def test_a_quantity_is_one_number(seeds, ask):
     wrong, telling = [], set[str]()
     for _, kind, spec in some(seeds):
         asked = ask(spec)
@@ -313,33 +316,20 @@ def check_quantities(ask: Callable[[Spec], Asked], seeds: range) -> None:
     verdict(wrong, telling, TOLD, SCATTERED)
 
 
-def test_a_quantity_is_one_number(ask):
-    check_quantities(ask, range(1))
-
-
-@pytest.mark.exhaustive
-def test_a_quantity_is_one_number_of_many_clutches(ask):
-    check_quantities(ask, range(1, 60))
-
-
-@pytest.mark.parametrize(
-    "kind", [pytest.param(kind, marks=[pytest.mark.exhaustive] * (kind != "curved")) for kind in KINDS]
-)
-def test_a_report_prints_what_the_commands_tell(kind, ask, undrawn):
+@asked_often((("curved",),), (KINDS,), "kinds")
+def test_a_report_prints_what_the_commands_tell(kinds, ask, undrawn):
     wrong, telling = [], set[str]()
-    for _, _, spec in some(range(200, 201), (kind,)):
+    for _, _, spec in some(range(200, 201), kinds):
         wrong += ask(spec).apart(PRINTED, 1e-4, telling)
     verdict(wrong, telling, PRINTED)
 
 
-@pytest.mark.parametrize(
-    "kind", [pytest.param(kind, marks=[pytest.mark.exhaustive] * (kind != "unlike")) for kind in KINDS]
-)
-def test_an_event_is_one_number(kind, ask):
-    wrong, telling = [], {"check > limits/name=contact force on one ball in the event/value"}
-    for rng, _, spec in some(range(300, 301 if kind == "unlike" else 304), (kind,)):
+@asked_often((range(300, 301), ("unlike",)), (range(301, 304), KINDS), "seeds, kinds")
+def test_an_event_is_one_number(seeds, kinds, ask):
+    wrong, telling = [], set[str]()
+    for rng, _, spec in some(seeds, kinds):
         wrong += ask(drive(spec, rng)).apart(EVENT, 1e-9, telling)
-    verdict(wrong, telling | {"simulate > contact_force/#max"}, EVENT)
+    verdict(wrong, telling, EVENT)
 
 
 class Law:
@@ -391,8 +381,9 @@ class Law:
         return float(min([locked * max(falls, low), *seats, *(torque[friction >= low] if most else [])]))
 
 
-def check_extremes(ask: Callable[[Spec], Asked], seeds: range, steps: int = 10_001) -> None:
-    wrong = []
+@asked_often((range(101, 102),), (range(102, 160),))
+def test_no_friction_exceeds_what_is_told(seeds, ask):
+    wrong, steps = [], 10_001
     for _, kind, spec in some(seeds):
         asked, given = ask(spec), spec["friction"]
         torque_of, groups = (
@@ -430,16 +421,12 @@ def check_extremes(ask: Callable[[Spec], Asked], seeds: range, steps: int = 10_0
     assert not wrong, f"{len(wrong)}\n" + "\n".join(wrong)
 
 
-def test_no_friction_exceeds_what_is_told(ask):
-    check_extremes(ask, range(100, 102))
-
-
-@pytest.mark.exhaustive
-def test_no_friction_exceeds_what_is_told_of_many_clutches(ask):
-    check_extremes(ask, range(102, 160))
-
-
-def check_band(ask: Callable[[Spec], Asked], seeds: range, frictions: tuple[float, ...]) -> None:
+@asked_often(
+    (range(400, 401), (0.29,)),
+    (range(401, 411), (0.27, 0.28, 0.285, 0.29, 0.295, 0.3, 0.305, 0.31)),
+    "seeds, frictions",
+)
+def test_about_the_setting_a_sweep_tells_what_an_event_does(seeds, frictions, ask):
     """About the friction at which the sleeve leaves its stop: an event against the steps of a sweep."""
     wrong = []
     names = ("speed", "motor_inertia", "driven_inertia", "hub_inertia", "shaft_stiffness", "damping_ratio", "cut_off")
@@ -467,15 +454,6 @@ def check_band(ask: Callable[[Spec], Asked], seeds: range, frictions: tuple[floa
     assert not wrong, "\n".join(wrong)
 
 
-def test_about_the_setting_a_sweep_tells_what_an_event_does(ask):
-    check_band(ask, range(400, 401), (0.29, 0.31))
-
-
-@pytest.mark.exhaustive
-def test_about_the_setting_every_sweep_tells_what_an_event_does(ask):
-    check_band(ask, range(401, 411), (0.27, 0.28, 0.285, 0.29, 0.295, 0.3, 0.305, 0.31))
-
-
 OF_A_ROW = {key: f"torque > {key}" for key in ("nominal_torque", "accuracy_factor", "closing_force", "control_force")}
 OF_A_ROW |= {key: f"required {key}" for key in ("torque_max", "surface_pressure", "travel")}
 OF_A_ROW["contact_force"] = "synthesize > contact_force"
@@ -499,15 +477,16 @@ def wanted(rng: Rng) -> list[str]:
     return [part for key in keys for part in ("--set", key)]
 
 
-def check_designs(run: Callable[..., Any], ask: Callable[[Spec], Asked], seeds: range, picks: int) -> None:
+@asked_often((range(500, 501), 3), (range(501, 541), 1000), "seeds, picks")
+def test_a_picked_row_is_the_clutch_of_its_file(seeds, picks, afmcalc, ask):
     """A row of the front is the clutch that its file describes, and check passes it."""
     wrong, checked = [], 0
     for seed in seeds:
         search = ("design", "example:requirements", *wanted(np.random.default_rng(seed)))
-        front = run(*search, "--json").json["result"]["front"]
+        front = afmcalc(*search, "--json").json["result"]["front"]
         for number in sorted({*map(int, np.linspace(1, len(front), picks))} if front else ()):
-            picked = run(*search, "--pick", number, "--json")
-            passed = run("check", "-", stdin=picked.out)
+            picked = afmcalc(*search, "--pick", number, "--json")
+            passed = afmcalc("check", "-", stdin=picked.out)
             asked, row = ask(picked.json["spec"]), front[number - 1]
             told = {key: asked.told(place) for key, place in OF_A_ROW.items() if row[key] is not None}
             apart = {
@@ -520,12 +499,3 @@ def check_designs(run: Callable[..., Any], ask: Callable[[Spec], Asked], seeds: 
                 wrong.append(f"{seed}, --pick {number}: {apart} {re.findall('error: .*', passed.out)}")
     assert not wrong, f"{len(wrong)} of {checked}\n" + "\n".join(wrong)
     assert checked
-
-
-def test_a_picked_row_is_the_clutch_of_its_file(afmcalc, ask):
-    check_designs(afmcalc, ask, range(500, 501), 3)
-
-
-@pytest.mark.exhaustive
-def test_every_picked_row_is_the_clutch_of_its_file(afmcalc, ask):
-    check_designs(afmcalc, ask, range(501, 541), 1000)
