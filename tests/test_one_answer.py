@@ -191,7 +191,9 @@ class Asked:
             "overload": "overload" if method == "min-friction" else "none",  # S22 sets at f_min; overload says so
             "method": "none" if "force" in spec.get("control_spring", {}) else method.replace("-", "_"),
         }
-        self.words["solve"] = f"solve --for F nominal_torque={self.told('torque > nominal_torque')!r}"
+        # with a control spring as made other closing forces give the same torque, or none does
+        goal = f"solve --for F nominal_torque={self.told('torque > nominal_torque')!r}"
+        self.words["solve"] = "none" if self.words["method"] == "none" else goal
 
     def answer(self, command: str) -> Any:
         if command not in self.answers:
@@ -224,7 +226,7 @@ class Asked:
             elif isinstance(value, list):
                 key, _, wanted = step.rpartition("=")
                 fitting = [one for one in value if one[key] == wanted] if key else value[int(step) :][:1]
-                value = fitting[-1] if fitting else None
+                value = fitting[0] if fitting else None
             else:
                 value = value.get(step) if isinstance(value, dict) else getattr(value, step, None)
         return value
@@ -235,7 +237,8 @@ class Asked:
             values = {place: self.told(place) for place in places}
             numbers = [value for value in values.values() if value is not None]
             telling.update(place for place, value in values.items() if value is not None)
-            if numbers and max(numbers) - min(numbers) > relative * max(map(abs, numbers)):
+            scale = self.told("torque > torque/max") if quantity == "scatter" else max(map(abs, numbers), default=0.0)
+            if numbers and max(numbers) - min(numbers) > relative * scale:  # a scatter is a difference of torques
                 told = "".join(f"\n    {value!r:24} {place.format_map(self.words)}" for place, value in values.items())
                 yield f"{quantity} of {json.dumps(self.spec)}{told}"
 
