@@ -151,13 +151,13 @@ torque at f_max: torque > torque/max | report > slip torque (sustained)/2
 EVENT = """
 sliding torque at f_max: simulate > sliding_torque/max | torque > torque/max
 peak at f_max: simulate > peak_torque/max | simulate --friction {f_max} > points/0/peak_torque
-peak torque: simulate > peak_torque/#max | {judged} > requirements/requirement=peak_torque/value
+peak torque: = peak, bypass pairs included | {judged} > requirements/requirement=peak_torque/value
 dynamic factor: simulate > dynamic_factor/#max | life > dynamic_factor
 contact force: simulate > contact_force/#max | check > limits/name=contact force on one ball in the event/value
 energy: simulate > slip_energy/#max | heat > energy/#max
 work of a trip: heat > specific_work/#max | {judged} > requirements/requirement=work/value
 temperature: heat > temperature/#max | {judged} > requirements/requirement=temperature/value
-trips per hour: heat > trips_per_hour/#min | {judged} > requirements/requirement=trips_per_hour/value
+trips per hour: heat > trips_per_hour/#min | required trips_per_hour
 """
 
 
@@ -187,7 +187,7 @@ class Asked:
             "sweep": f"--sweep z={spec['friction_group']['pairs']}",
             "scatter": 'tolerance.fields={friction={distribution="uniform"}} tolerance.sobol_base=64'
             " tolerance.quantiles=[1e-9,0.999999999]",
-            "judged": " ".join(["check", *map(limit, ("peak_torque", "work", "temperature", "trips_per_hour"))]),
+            "judged": " ".join(["check", *map(limit, ("peak_torque", "work", "temperature"))]),
             "overload": "overload" if method == "min-friction" else "none",  # S22 sets at f_min; overload says so
             "method": "none" if "force" in spec.get("control_spring", {}) else method.replace("-", "_"),
         }
@@ -214,7 +214,7 @@ class Asked:
     def told(self, place: str) -> Any:
         """The number in a place; None where this clutch has none."""
         if place.startswith("= "):
-            return DERIVED[place[2:]](self) if self.told("torque > torque_range/low") is not None else None
+            return DERIVED[place[2:]](self)
         if place.startswith("required "):
             place = f"check {limit(place[9:])} > requirements/requirement={place[9:]}/value"
         command, path = place.format_map(self.words).split(" > ")
@@ -274,10 +274,16 @@ def pressure(asked: Asked) -> float:
     return float(force / math.pi / (group["outer_radius"] ** 2 - group["inner_radius"] ** 2))
 
 
+def peak(asked: Asked) -> float:
+    """What a peak is judged by (finding bypass-peak)."""
+    return float(max(asked.told("simulate > peak_torque/#max"), asked.told("simulate > peak_torque_bypass") or 0.0))
+
+
 DERIVED: dict[str, Callable[[Asked], float]] = {
     "high - low": lambda asked: extremes(asked)[1] - extremes(asked)[0],
     "high / low": lambda asked: extremes(asked)[1] / extremes(asked)[0],
     "pressure at rest": pressure,
+    "peak, bypass pairs included": peak,
     "cycles": lambda asked: cycles(asked, *extremes(asked)),
     "unprotected cycles": lambda asked: cycles(asked, *extremes(asked), asked.spec["drive"]["dynamic_factor"]),
 }
@@ -315,7 +321,7 @@ def test_a_quantity_is_one_number(seeds, ask):
     for _, kind, spec in some(seeds):
         asked = ask(spec)
         wrong += asked.apart(TOLD, 1e-9, telling)
-        wrong += asked.apart(SCATTERED, 1e-6, telling) if kind != "unlike" else []
+        wrong += asked.apart(SCATTERED, 1e-3, telling) if kind != "unlike" else []
     verdict(wrong, telling, TOLD, SCATTERED)
 
 
