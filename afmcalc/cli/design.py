@@ -6,7 +6,6 @@ import typer
 
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import SPEC
 from .names import completing, parameters, targets
 from .options import Common, SpecArgument, with_common, with_long
 from .run import build_from, calculate, emit, write_spec
@@ -117,7 +116,7 @@ def design(
     from ..spec.requirements import read_requirements
     from .progress import Bar
 
-    common.keep(requirements, kind=None if pick is None else SPEC)
+    common.keep(requirements, writes="result" if pick is None else "spec")
     check_objective(sort)
     need = read_requirements(requirements, common.set or ())
     with Bar(quiet=common.quiet, agreed=common.yes) as bar:

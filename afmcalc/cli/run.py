@@ -9,7 +9,7 @@ from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..extras import need
 from ..messages import say
-from .files import SPEC, format_of_spec, result_kind
+from .files import format_of_spec
 from .options import Common
 from .streams import is_unicode
 
@@ -101,7 +101,7 @@ def emit(
         from ..render.formats.json import in_ascii
 
         text = in_ascii(text)
-    common.write(text, result_kind(common.command, chosen, text))
+    common.write(text)
     if chosen == "csv" and not result.findings_first:
         from ..render.layout import findings_lines
 
@@ -122,4 +122,4 @@ def write_spec(data: dict[str, Any], common: Common, about: str) -> None:
         from ..spec import to_toml
 
         text = to_toml(data, about)
-    common.write(text, SPEC)
+    common.write(text, utf8=True)

@@ -140,7 +140,7 @@ def _wrapped(caption: str) -> list[str]:
 
 
 _CREATOR = "afmcalc plot"
-"""By which a file is known to be replaceable; without version: it depends on the sheet only."""
+"""Without version: a file depends on its sheet only."""
 
 
 def _bytes(figure: "Figure", ending: Ending) -> bytes:
