@@ -129,7 +129,9 @@ def design(
     if top is None and printed.chosen_format in ("table", "markdown") and result.on_front > _IN_TABLES:
         top = _IN_TABLES
         common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=result.on_front))
-    emit(printed, shown(result, sort, top), findings, spec)
+    # without a front the finding is the error below; it is data in JSON alone
+    told = findings if result.front or printed.chosen_format == "json" else []
+    emit(printed, shown(result, sort, top, pick), told, spec)
     if not result.front:
         raise AfmcalcError(findings[0].message)
     if spec and common.output:

@@ -24,7 +24,18 @@ SpecArgument = Annotated[
     typer.Argument(metavar="SPEC", help="TOML or JSON file, - for standard input; without it the base clutch."),
 ]
 
+
+def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
+    """Judge overrides before the arguments: of ``--set gain 0.7`` the parser takes the value for a SPEC."""
+    from ..spec.overrides import key_of
+
+    for override in overrides or ():
+        key_of(override)
+    return overrides
+
+
 ForceOption = Annotated[bool, typer.Option("--force", "-f", help="Replace a file that exists.")]
+QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
 
 
 @dataclass(frozen=True)
@@ -39,6 +50,7 @@ class Common:
             metavar="PATH=VALUE",
             help="Override a spec key; repeatable. Empty VALUE removes it.",
             autocompletion=completing(paths, "="),
+            callback=_with_equals_sign,
         ),
     ] = None
     format: Annotated[
@@ -55,7 +67,7 @@ class Common:
     ] = None
     force: ForceOption = False
     yes: Annotated[bool, typer.Option("--yes", help="Go on with what takes longer than a minute.")] = False
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False
+    quiet: QuietOption = False
     lang: Annotated[str | None, typer.Option("--lang", metavar="NAME", help=LANG)] = None
 
     @property

@@ -84,7 +84,7 @@ def plot(
     from ..analysis.figures import Request, gathered, plot_of
     from ..render.plot import sheet_of
 
-    takes = plot_of(what).takes
+    what, takes = (chosen := plot_of(what)).name, chosen.takes
     ending = _ending(common.output)
     common.keep(*subjects or (), beside=profile, writes="document")
     request = Request(subjects or (), sweep, model, profile, length("cutter", cutter), length("chord", chord))

@@ -86,8 +86,10 @@ def emit(
     """Render the output of a command in the chosen format, to standard output or a file."""
     from ..result import Output
 
-    output = Output(command=common.command, version=__version__, spec=spec, result=result, findings=findings)
     chosen = common.chosen_format
+    if common.quiet and chosen != "json" and not result.findings_first:
+        findings = [finding for finding in findings if finding.level == "error"]
+    output = Output(command=common.command, version=__version__, spec=spec, result=result, findings=findings)
     terminal = common.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
     if curve:
         from ..render.formats import table
@@ -106,8 +108,7 @@ def emit(
         from ..render.layout import findings_lines
 
         for line in findings_lines(findings):
-            if not (common.quiet and line.startswith("info")):
-                print(line, file=sys.stderr)
+            print(line, file=sys.stderr)
     return output
 
 

@@ -10,7 +10,7 @@ from ..messages import say
 from ..variants import VARIANTS
 from .files import refuse, write
 from .names import completing, described
-from .options import Common, ForceOption, SpecArgument, with_common, with_long
+from .options import Common, ForceOption, QuietOption, SpecArgument, with_common, with_long
 from .run import calculate, emit
 
 _EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.example} | dict.fromkeys(
@@ -43,7 +43,7 @@ def init(
     ] = False,
     output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="The same as FILE.")] = None,
     force: ForceOption = False,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False,
+    quiet: QuietOption = False,
 ) -> None:
     """Write an annotated spec to start from.
 
