@@ -113,7 +113,8 @@ class Common:
         write(text, self.output, force=self.force, utf8=utf8)
 
     def takes_no_clutch(self) -> None:
-        """Refuse overrides where there is no spec to override."""
+        """Refuse overrides where there is no spec to override, and what ``keep`` refuses."""
+        self.keep()
         if self.set:
             raise AfmcalcError(say("{name} takes no clutch, so --set has nothing to override", name=self.command))
 
