@@ -35,6 +35,8 @@ def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
 
 
 ForceOption = Annotated[bool, typer.Option("--force", "-f", help="Replace a file that exists.")]
+Writes = Literal["result", "spec", "document"]
+"""What a file gets; the name of a document is judged by its command."""
 QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
 
 
@@ -89,19 +91,8 @@ class Common:
 
         return shown_in(self.units)
 
-    def keep(
-        self,
-        *sources: str | None,
-        beside: str | None = None,
-        writes: Literal["result", "spec", "document"] = "result",
-    ) -> None:
-        """Refuse a file that is read, exists or has a wrong name, before anything is calculated.
-
-        Args:
-            sources: files that are read.
-            beside: a second file that is written.
-            writes: what the file gets; the name of a document is judged by its command.
-        """
+    def keep(self, *sources: str | None, beside: str | None = None, writes: Writes = "result") -> None:
+        """Refuse a file that is one of ``sources``, exists or has a wrong name, or a second one ``beside`` it."""
         if writes == "result":
             self.chosen_format  # noqa: B018
         elif writes == "spec" and self.output:

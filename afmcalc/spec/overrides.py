@@ -35,11 +35,7 @@ def overridden(overrides: Iterable[str], model: type[BaseModel] = Spec) -> list[
 
 
 def key_of(override: str) -> str:
-    """Return the key of an override as given.
-
-    Raises:
-        AfmcalcError: there is no equals sign, or nothing before it.
-    """
+    """Return the key of an override as given; refuse where there is no equals sign, or nothing before it."""
     given, separator, _ = override.partition("=")
     if not separator or not given.strip():
         raise AfmcalcError(
