@@ -19,6 +19,8 @@ class Result(BaseModel):
     """Whether it is of more clutches than the one of the spec."""
     many_lists: ClassVar[bool] = False
     """Whether it holds several lists that belong together: CSV has one figure of any of them in each row."""
+    rows_with_values: ClassVar[bool] = False
+    """Whether CSV has the single values in every row of its list."""
 
     def words(self, name: str) -> str | None:
         """Return what people are told instead of a field's value; None: the value; "" of a nested result: nothing."""
