@@ -320,7 +320,8 @@ def test_a_quantity_is_one_number(seeds, ask):
     for _, kind, spec in some(seeds):
         asked = ask(spec)
         wrong += asked.apart(TOLD, 1e-9, telling)
-        wrong += asked.apart(SCATTERED, 1e-3, telling) if kind != "unlike" else []
+        # the two frictions of unlike materials scatter apart; samples miss a peak just before a jump
+        wrong += asked.apart(SCATTERED, 1e-3, telling) if kind not in ("unlike", "steep") else []
     verdict(wrong, telling, TOLD, SCATTERED)
 
 
@@ -421,10 +422,12 @@ def test_no_friction_exceeds_what_is_told(seeds, ask):
             searched |= {"required torque_max": torque.max(), "synthesize > contact_force": force.max()}
             searched["accuracy > accuracy_factor_hysteresis"] = torque.max() / least
         told = {place: asked.told(place) for place in searched}
+        # what is least may not be undercut, what is most not exceeded; a step of the search misses either by little
+        room = {place: (-1, 1)[place.endswith(("low", "as_set"))] for place in searched}
         wrong += [
             f"{kind}, {place} tells {told[place]!r}, the search {float(value)!r}: {json.dumps(spec)}"
             for place, value in searched.items()
-            if told[place] is None or abs(told[place] - value) > 2e-5 * value
+            if told[place] is None or not -1e-9 <= room[place] * (value / told[place] - 1) <= 2e-4
         ]
     assert not wrong, f"{len(wrong)}\n" + "\n".join(wrong)
 
