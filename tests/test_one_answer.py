@@ -314,7 +314,7 @@ def asked_often(few: tuple[Any, ...], many: tuple[Any, ...], names: str = "seeds
     )
 
 
-@asked_often((range(2, 3),), (range(60),))
+@asked_often((range(2, 3),), (range(12),))
 def test_a_quantity_is_one_number(seeds, ask):
     wrong, telling = [], set[str]()
     for _, kind, spec in some(seeds):
@@ -333,7 +333,7 @@ def test_a_report_prints_what_the_commands_tell(kinds, ask, undrawn):
     verdict(wrong, telling, PRINTED)
 
 
-@asked_often((range(300, 301), ("unlike",)), (range(301, 304), KINDS), "seeds, kinds")
+@asked_often((range(300, 301), ("unlike",)), (range(301, 302), KINDS), "seeds, kinds")
 def test_an_event_is_one_number(seeds, kinds, ask):
     wrong, telling = [], set[str]()
     for rng, _, spec in some(seeds, kinds):
@@ -390,7 +390,7 @@ class Law:
         return float(min([locked * max(falls, low), *seats, *(torque[friction >= low] if most else [])]))
 
 
-@asked_often((range(101, 102),), (range(102, 160),))
+@asked_often((range(101, 102),), (range(102, 114),))
 def test_no_friction_exceeds_what_is_told(seeds, ask):
     wrong, steps = [], 10_001
     for _, kind, spec in some(seeds):
@@ -434,7 +434,7 @@ def test_no_friction_exceeds_what_is_told(seeds, ask):
 
 @asked_often(
     (range(400, 401), (0.29,)),
-    (range(401, 411), (0.27, 0.28, 0.285, 0.29, 0.295, 0.3, 0.305, 0.31)),
+    (range(401, 404), (0.27, 0.28, 0.285, 0.29, 0.295, 0.3, 0.305, 0.31)),
     "seeds, frictions",
 )
 def test_about_the_setting_a_sweep_tells_what_an_event_does(seeds, frictions, ask):
@@ -488,7 +488,7 @@ def wanted(rng: Rng) -> list[str]:
     return [part for key in keys for part in ("--set", key)]
 
 
-@asked_often((range(512, 513), 3), (range(500, 540), 1000), "seeds, picks")
+@asked_often((range(512, 513), 3), (range(500, 540), 2), "seeds, picks")
 def test_a_picked_row_is_the_clutch_of_its_file(seeds, picks, afmcalc, ask):
     """The row told of a pick is the clutch that its file describes, its front's but for rounding; check passes it."""
     wrong, checked = [], 0
