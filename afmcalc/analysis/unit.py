@@ -2,12 +2,12 @@
 
 from typing import Literal
 
-from ..result import Result, quantity
+from ..result import Answer, quantity
 from .contact import Basis
 from .wall import WallPoint
 
 
-class SynthesisResult(Result):
+class SynthesisResult(Answer):
     """A control unit that fits the clutch."""
 
     wall_angle: float = quantity("rad", "α", "wall angle of the pockets; of a curved wall at the stop")

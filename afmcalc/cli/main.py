@@ -68,6 +68,6 @@ def _afmcalc(
     afmcalc accuracy --sweep C  accuracy of the built-in clutch over the gain
     afmcalc torque a.toml --json | afmcalc accuracy -
 
-    SPEC is a TOML or JSON file, - for standard input; without it the built-in base clutch is used.
+    SPEC is a TOML or JSON file, - for standard input; without it one that ships is used, and a note says which.
     Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written.
     """  # noqa: D301

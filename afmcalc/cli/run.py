@@ -21,15 +21,32 @@ if TYPE_CHECKING:
     from ..spec import Spec
 
 
-def read(source: str | None, common: Common) -> "Spec":
-    """Read the spec a command was given, or the built-in one with a note."""
+def read(source: str | None, common: Common, of: str | None = None) -> "Spec":
+    """Read the spec a command was given.
+
+    Args:
+        source: where it is; None for what ships for the analysis, which a note names.
+        common: the common options.
+        of: analysis that it is for, where the command has another name.
+    """
     from ..spec import read_spec
 
     if source is None:
-        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
+        source = given_instead(common, of or common.command)
     elif source == "-" and sys.stdin.isatty():
         common.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
     return read_spec(source, common.set or ())
+
+
+def given_instead(common: Common, of: str) -> str | None:
+    """Return the source of the spec that ships for an analysis, None for the base clutch, and name it in a note."""
+    example = ANALYSES[of].example if of in ANALYSES else None
+    if example is None:
+        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
+        return None
+    note = say("no SPEC given: example:{example} is used (afmcalc init --kind {example} writes it)", example=example)
+    common.note(note)
+    return f"example:{example}"
 
 
 def calculate(
@@ -69,11 +86,11 @@ def need_drawing(extra: str) -> None:
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
 
 
-def build_from(source: str | None, common: Common) -> "Clutch":
-    """Read a spec and build its clutch."""
+def build_from(source: str | None, common: Common, of: str | None = None) -> "Clutch":
+    """Read a spec and build its clutch; arguments as ``read``."""
     from ..engines import build
 
-    return build(read(source, common))
+    return build(read(source, common, of))
 
 
 def emit(
