@@ -3,7 +3,7 @@
 import typing
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, TypeAlias, TypeVar
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from . import __version__, engines
 from .analysis.registry import SpringKind, SpringOrder, StressRule
@@ -167,10 +167,10 @@ class Clutch:
     def torque(self, friction: float, friction_driven: float | None = None) -> float: ...
     @typing.overload
     def torque(self, friction: Floats, friction_driven: Floats | float | None = None) -> Floats: ...
-    def torque(self, friction: Floats | float | None = None, friction_driven: Floats | float | None = None) -> object:
+    def torque(self, *friction: Any, **named: Any) -> object:
         """Slip torque, N·m, at a friction or an array of them; without one what the command gives."""
-        if friction is not None:
-            return self.engine.torque(friction, friction_driven)
+        if friction or named:
+            return self.engine.torque(*friction, **named)
         from .analysis.torque import torque
 
         return self._answer("torque", *torque(self.engine))

@@ -84,6 +84,8 @@ class Answer(Result):
     """Whether it is of more clutches than the one of the spec."""
     many_lists: ClassVar[bool] = False
     """Whether it holds several lists that belong together: CSV has one figure of any of them in each row."""
+    rows_with_values: ClassVar[bool] = False
+    """Whether CSV has the single values in every row of its list."""
 
     _output: Output = PrivateAttr()
     _render: Callable[[Output, str], str] = PrivateAttr()

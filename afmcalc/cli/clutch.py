@@ -7,7 +7,6 @@ import typer
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import SPEC
 from .names import completing, swept
 from .options import Common, SpecArgument, with_common
 from .run import build_from, calculate, emit, write_spec
@@ -123,7 +122,7 @@ def synthesize(
     from ..spec import make_spec
     from ..spec.balls import diameters
 
-    common.keep(spec, balls, kind=SPEC)
+    common.keep(spec, balls, writes="spec")
     if common.output == "-":
         raise AfmcalcError(say("synthesize --output writes the completed spec beside the result: name a file"))
     sizes = diameters(balls) if balls else None

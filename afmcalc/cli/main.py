@@ -69,5 +69,7 @@ def _afmcalc(
     afmcalc torque a.toml --json | afmcalc accuracy -
 
     SPEC is a TOML or JSON file, - for standard input; without it one that ships is used, and a note says which.
-    Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written.
+    A file that exists is replaced only with --force (-f), whatever wrote it.
+    Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written. Only check
+    judges: other commands print an error-level finding and exit with 0.
     """  # noqa: D301

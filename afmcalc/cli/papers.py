@@ -105,5 +105,3 @@ def reproduce(
     common.takes_no_clutch()
     result, findings = analysis(paper or [], figure)
     emit(common, result, findings)
-    if not result.as_expected:
-        raise typer.Exit(1)

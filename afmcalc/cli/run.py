@@ -9,7 +9,7 @@ from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..extras import need
 from ..messages import say
-from .files import SPEC, format_of_spec, result_kind
+from .files import format_of_spec
 from .options import Common
 from .streams import is_unicode
 
@@ -103,8 +103,10 @@ def emit(
     """Render the output of a command in the chosen format, to standard output or a file."""
     from ..result import Output
 
-    output = Output(command=common.command, version=__version__, spec=spec, result=result, findings=findings)
     chosen = common.chosen_format
+    if common.quiet and chosen != "json" and not result.findings_first:
+        findings = [finding for finding in findings if finding.level == "error"]
+    output = Output(command=common.command, version=__version__, spec=spec, result=result, findings=findings)
     terminal = common.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
     if curve:
         from ..render.formats import table
@@ -118,13 +120,12 @@ def emit(
         from ..render.formats.json import in_ascii
 
         text = in_ascii(text)
-    common.write(text, result_kind(common.command, chosen, text))
+    common.write(text)
     if chosen == "csv" and not result.findings_first:
         from ..render.layout import findings_lines
 
         for line in findings_lines(findings):
-            if not (common.quiet and line.startswith("info")):
-                print(line, file=sys.stderr)
+            print(line, file=sys.stderr)
     return output
 
 
@@ -139,4 +140,4 @@ def write_spec(data: dict[str, Any], common: Common, about: str) -> None:
         from ..spec import to_toml
 
         text = to_toml(data, about)
-    common.write(text, SPEC)
+    common.write(text, utf8=True)

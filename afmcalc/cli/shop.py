@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from ..errors import AfmcalcError
 from ..extras import need
 from ..messages import say
-from .files import PLOT, Kind, write, write_file
+from .files import write, write_file
 from .options import Common
 from .progress import Bar
 from .run import build_from
@@ -23,7 +23,7 @@ def for_the_shop(what: str, request: "Request", ending: str | None, common: Comm
         AfmcalcError: another plot, a picture that is none for the shop, a pocket or a cutter that cannot be.
     """
     from ..analysis.figures import shop_drawing_of
-    from ..render.shop.profile import HEADING, profile
+    from ..render.shop.profile import profile
 
     if ending == "dxf":
         need("cad")
@@ -34,10 +34,10 @@ def for_the_shop(what: str, request: "Request", ending: str | None, common: Comm
     if ending is not None:
         assert common.output is not None
         content = getattr(import_module(f"..render.shop.{ending}", __package__), ending)(drawing)
-        write_file(common.output, content, PLOT, force=common.force)
+        write_file(common.output, content, force=common.force)
         common.wrote(say("wrote {output}", output=common.output))
     if request.profile is not None:
-        write(profile(drawing), request.profile, Kind("profile", (HEADING.encode(),)), force=common.force)
+        write(profile(drawing), request.profile, force=common.force)
         if request.profile != "-":
             common.wrote(say("wrote {output}", output=request.profile))
 
@@ -67,7 +67,6 @@ def answers_of(what: str, request: "Request", common: Common, bar: Bar) -> "list
 
     if request.subjects.count("-") > 1:
         raise AfmcalcError(say("standard input (-) can be read once only"))
-    common.keep(*request.subjects, kind=PLOT)
     sources = list(request.subjects) or [None]
     clutches = [build_from(source, common, what) for source in sources]
     return [Answers(each, model=request.model or "mean-stress", progress=bar.advance) for each in clutches]

@@ -49,18 +49,28 @@ def _each(overrides: Overrides) -> Iterator[tuple[str, object]]:
         yield override, _value(text, override) if text else None
 
 
+def key_of(override: str) -> str:
+    """Return the key of an override as given; refuse where there is no equals sign, or nothing before it."""
+    given, separator, _ = override.partition("=")
+    if not separator or not given.strip():
+        raise AfmcalcError(
+            say(
+                "--set {override:.80}: write PATH=VALUE, both and the equals sign in one word, for example "
+                "control_unit.gain=0.5",
+                override=override,
+            )
+        )
+    return given.strip()
+
+
 def _path(override: str, model: type[BaseModel]) -> list[str]:
     """Parts of the path an override names; a name or symbol stands for its path."""
     from .names import elsewhere, names, path_of
     from .suggest import did_you_mean
     from .walk import names_in
 
-    given, separator, _ = override.partition("=")
-    path = path_of(given, model) or given.strip()
-    if not separator or not path:
-        raise AfmcalcError(
-            say("--set {override:.80}: write PATH=VALUE, for example control_unit.gain=0.5", override=override)
-        )
+    given = key_of(override)
+    path = path_of(given, model) or given
     *blocks, last = path.split(".")
     known = names_in(tuple(blocks), model)
     if last not in known:

@@ -221,7 +221,7 @@ class CurvedCandidates(IndirectCandidates):
         listed = np.append(balls(self.need), np.nan)
         found = listed[np.searchsorted(listed[:-1], least * (1 - SAME))]
         undercut = 2 * wall.path_radius(self.steepening, self.cosine)
-        room = (found < undercut) & (found < self.ball_pitch) & (self._mouth(found) < self.ball_pitch)
+        room = (found < undercut) & (found < self.ball_room) & (self._mouth(found) < self.ball_pitch)
         return np.where(room, found, np.nan)
 
     def _mouth(self, diameter: Numbers) -> Numbers:

@@ -256,6 +256,14 @@ class Candidates(ABC):
         return found
 
     @cached_property
+    def ball_room(self) -> Numbers:
+        """Diameter that a ball has room for beside its neighbour, and beside the hub of the sleeve, m."""
+        if not self.variant.travels:
+            return self.ball_pitch
+        beside = 2 * self.at.ball_circle_radius - given(self.need.fixed.hub_diameter) * (1 - SAME)
+        return np.minimum(self.ball_pitch, np.maximum(beside, 0.0))
+
+    @cached_property
     def largest_ball(self) -> Numbers:
         """Largest standard ball that has room beside its neighbour, and so has its pocket, m; 0 where none has."""
         return np.append(0.0, balls(self.need))[self._places(mouths=self.variant.travels or not never_meet(self.need))]
@@ -266,11 +274,11 @@ class Candidates(ABC):
         return np.append(0.0, balls(self.need))[self._places(mouths=True)]
 
     def _places(self, *, mouths: bool) -> Places:
-        """How many standard balls have room."""
-        room = self.ball_pitch
+        """How many standard balls have room beside each other, and beside the hub of the sleeve."""
+        pitch, room = self.ball_pitch, self.ball_room
         if mouths:
             # the mouth d/cos α − s tan α is to be narrower than the pitch
-            room = np.minimum(room, (room + self.need.fixed.face_gap * self.tangent) * self.cosine)
+            room = np.minimum(room, (pitch + self.need.fixed.face_gap * self.tangent) * self.cosine)
         return np.searchsorted(balls(self.need), room * (1 - SAME))
 
     @cached_property

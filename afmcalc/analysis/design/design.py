@@ -159,10 +159,11 @@ def check_objective(name: str | None) -> None:
         )
 
 
-def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResult:
-    """Return the result with so many rows of its front, ordered by an objective; their numbers stay."""
+def shown(result: DesignResult, sort: str | None, top: int | None, pick: int | None = None) -> DesignResult:
+    """Return the result with so many rows of its front and the one picked, by an objective; their numbers stay."""
     found = result.front if sort is None else sorted(result.front, key=lambda row: row.objective(sort))
-    return result.model_copy(update={"front": found[:top]})
+    kept = [row for place, row in enumerate(found) if top is None or place < top or row.number == pick]
+    return result.model_copy(update={"front": kept})
 
 
 def _sprung(need: Requirements, front: list[DesignRow], progress: Progress) -> Iterator[DesignRow]:

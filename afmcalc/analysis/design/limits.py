@@ -99,6 +99,10 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
         "standard_ball", lambda c: c.ball_fits, (-1, int(variant.travels)),
         lambda c: c.ball_reaching - c.largest_ball, 0.0, "m",
     )  # fmt: skip
+    if variant.travels:
+        hub = given(need.fixed.hub_diameter)
+        room: _Value = lambda c: 2 * c.at.mean_radius - np.nan_to_num(c.face_width)  # noqa: E731
+        yield Constraint("hub_diameter", lambda c: room(c) >= hub * UNDER, (1, 1), room, hub, "m", at_least=True)
     if variant.travels and (travel := limits.travel) is not None:
         yield _at_most("travel", lambda c: c.travel, travel, "m", (0, 1))
 
@@ -182,7 +186,9 @@ def never_worse(need: Requirements, variant: Variant) -> dict[str, int]:
         found["ball_circle_radius"] = 1 if "ball_diameter" in aims else -1
     span = need.search.closing_force is not None
     by_gain = span and not variant.travels and "ball_diameter" not in aims
-    by_angle = unimodal(need) and (span or not variant.travels)
+    # a given force loads the balls the more the larger R is: one that is chosen for that has to grow
+    borne = need.contact is not None and "ball_diameter" in aims
+    by_angle = unimodal(need) and (span or not (variant.travels or borne))
     if by_angle if angle and variant.controlled else by_gain:
         found["mean_radius"] = 1
     if variant.travels:

@@ -72,6 +72,8 @@ def test_every_candidate_against_synthesis(profiled, method):
     for values in (dict(zip(SEARCH, each, strict=True)) for each in itertools.product(*SEARCH.values())):
         clutch = clutch_of(need, values)
         found, findings = synthesize(clutch)
+        if clutch.spec.control_unit.hub_diameter > 2 * values["ball_circle_radius"] - found.ball_diameter:
+            continue
         if found.ball_diameter_standard is not None and not any(each.level == "error" for each in findings):
             good.append(rounded(clutch.control_force, found.ball_diameter_standard, found.travel_max))
     result, _ = design(need)

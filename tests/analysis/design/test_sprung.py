@@ -129,11 +129,12 @@ def brute(need, search):
     for values in (dict(zip(search, each, strict=True)) for each in itertools.product(*search.values())):
         clutch = clutch_of(need, values)
         found, _ = synthesize(clutch)
-        # the smallest ball that reaches and bears: there is one, or none
+        hub = clutch.spec.control_unit.hub_diameter or 0.0
+        # the smallest ball that reaches and bears: there is one beside the hub, or none
         balls = (
             synthesize(build(with_value(clutch.spec, ("control_unit", "ball_diameter"), each)))[1]
             for each in diameters()
-            if each >= 2 * found.ball_radius
+            if each >= 2 * found.ball_radius and hub <= 2 * values["ball_circle_radius"] - each
         )
         if all(any(each.level == "error" for each in findings) for findings in balls) or not exists(clutch, need):
             continue

@@ -410,11 +410,11 @@ def test_settings_and_sides_are_told_apart(afmcalc):
 
 
 def test_the_search_for_a_gain_that_can_be_cut_is_not_explained(afmcalc):
-    """Eighteen steps, not the thousand of the gains that are tried."""
+    """Twenty-one steps, not the thousand of the gains that are tried."""
     wide = ["--set", "control_unit.edge_clearance=4"]
     told = afmcalc("explain", "synthesize", CONFIGS / "constant-torque.toml", *wide, "--json").json
     assert "wall-undercut" in {each["code"] for each in told["findings"]}
-    assert len(told["result"]["steps"]) == 18
+    assert len(told["result"]["steps"]) == 21
 
 
 def test_a_special_quantity_goes_by_its_symbol_where_it_is_used(afmcalc):
