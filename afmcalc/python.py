@@ -6,7 +6,7 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from . import __version__, engines
-from .analysis.registry import SpringKind, SpringOrder, StressRule
+from .analysis.registry import ANALYSES, SpringKind, SpringOrder, StressRule
 from .arrays import Floats
 from .engines.protocol import Clutch as Engine
 from .findings import Finding
@@ -67,40 +67,28 @@ class Clutch:
 
     def accuracy(self, sweep: Sweep = ()) -> "AccuracyResult":
         """Accuracy factor, its limits and sensitivities, and sweeps of it."""
-        from .analysis.accuracy import accuracy
-
-        return self._answer("accuracy", *accuracy(self.engine, self._axes(sweep)))
+        return self._ask("accuracy", self._axes(sweep))
 
     def adjust(self) -> "AdjustResult":
         """Both ways of setting the spring, at f_min and at mean friction."""
-        from .analysis.adjust import adjust
-
-        return self._answer("adjust", *adjust(self.engine))
+        return self._ask("adjust")
 
     def check(self, *, strict: bool = False) -> "CheckResult":
         """Requirements, limits and findings, with a verdict; ``strict``: a warning fails too."""
-        from .analysis.checks.check import check
-
-        return self._answer("check", *check(self.engine, strict=strict))
+        return self._ask("check", strict=strict)
 
     def effects(self) -> "EffectsResult":
         """What the torque law neglects, in numbers."""
-        from .analysis.effects.effects import effects
-
-        return self._answer("effects", *effects(self.engine))
+        return self._ask("effects")
 
     def explain(self, command: str, *, model: StressRule | None = None) -> "ExplainResult":
         """The calculation of a command step by step: formula, numbers, value, source."""
-        from .analysis.explain.explain import explain
-
         options = {"model": model} if model else {}
-        return self._answer("explain", *explain(command, self.spec, **options))
+        return _answered("explain", self.spec, *ANALYSES["explain"].function(command, self.spec, **options))
 
     def heat(self) -> "HeatResult":
         """Work, temperature and wear of a trip, and how often it may be."""
-        from .analysis.heat.heat import heat
-
-        return self._answer("heat", *heat(self.engine))
+        return self._ask("heat")
 
     def history(self, friction: Friction = ()) -> dict[str, Floats]:
         """The event over time as arrays, SI, by name: time, torque_shaft, travel, …; without friction all three."""
@@ -114,21 +102,15 @@ class Clutch:
 
     def life(self, model: StressRule = "mean-stress", sweep: Sweep = ()) -> "LifeResult":
         """Cycles to failure on both sides of the clutch; ``sweep`` also takes dT, the scatter band."""
-        from .analysis.life import life
-
-        return self._answer("life", *life(self.engine, model, self._axes(sweep, band=True)))
+        return self._ask("life", model, self._axes(sweep, band=True))
 
     def overload(self, sweep: Sweep = ()) -> "OverloadResult":
         """Potential and actuation torque with a torque margin (S22)."""
-        from .analysis.overload import overload
-
-        return self._answer("overload", *overload(self.engine, self._axes(sweep)))
+        return self._ask("overload", self._axes(sweep))
 
     def simulate(self, friction: Friction = (), sweep: Sweep = ()) -> "SimulateResult":
         """The drive in time when the clutch trips, also at the friction asked for."""
-        from .analysis.simulate.simulate import simulate
-
-        return self._answer("simulate", *simulate(self.engine, _pairs(friction), self._axes(sweep)))
+        return self._ask("simulate", _pairs(friction), self._axes(sweep))
 
     def solve(self, name: str, target: str, wanted: float | str, *, beyond_limit: bool = False) -> "SolveResult":
         """One parameter from one wanted quantity; ``Clutch(answer.spec)`` is the clutch that has it."""
@@ -137,29 +119,23 @@ class Clutch:
 
         quantity, value = parse_target(f"{target}={wanted}")
         result, solved, findings = solve(self.engine, name, quantity, value, beyond_limit=beyond_limit)
-        return _answered("solve", result, findings, solved.spec)
+        return _answered("solve", solved.spec, result, findings)
 
     def springs(
         self, sort: SpringOrder | None = None, top: int = 10, kind: SpringKind = "any", tolerance: float = 0.1
     ) -> "SpringsResult":
         """Disc stacks and coil springs that give the forces and stiffnesses of the clutch."""
-        from .analysis.springs.springs import springs
-
-        return self._answer("springs", *springs(self.engine, sort, top, kind, tolerance))
+        return self._ask("springs", sort, top, kind, tolerance)
 
     def synthesize(self, balls: str | PathLike[str] | Sequence[float] | None = None) -> "SynthesisResult":
         """Wall angle, balls and pockets of the control unit; ``balls``: diameters to choose from, m, or their file."""
-        from .analysis.synthesize import synthesize
         from .spec.balls import diameters
 
-        sizes = diameters(balls) if isinstance(balls, str | PathLike) else balls
-        return self._answer("synthesize", *synthesize(self.engine, sizes))
+        return self._ask("synthesize", diameters(balls) if isinstance(balls, str | PathLike) else balls)
 
     def tolerance(self, *, threads: int | None = None) -> "ToleranceResult":
         """Torque over tolerances and scatter: quantiles, risks, life, Sobol indices."""
-        from .analysis.tolerance.study import tolerance
-
-        return self._answer("tolerance", *tolerance(self.engine, threads=threads))
+        return self._ask("tolerance", threads=threads)
 
     @typing.overload
     def torque(self) -> "TorqueResult": ...
@@ -171,9 +147,7 @@ class Clutch:
         """Slip torque, N·m, at a friction or an array of them; without one what the command gives."""
         if friction or named:
             return self.engine.torque(*friction, **named)
-        from .analysis.torque import torque
-
-        return self._answer("torque", *torque(self.engine))
+        return self._ask("torque")
 
     if not TYPE_CHECKING:
 
@@ -193,8 +167,8 @@ class Clutch:
         """Return what it is of."""
         return f"<{self.spec.variant} clutch of {self.spec.label}>"
 
-    def _answer(self, command: str, result: A, findings: list[Finding]) -> A:
-        return _answered(command, result, findings, self.spec)
+    def _ask(self, command: str, *arguments: object, **options: object) -> Any:
+        return _answered(command, self.spec, *ANALYSES[command].function(self.engine, *arguments, **options))
 
     def _axes(self, sweep: Sweep, *, band: bool = False) -> "list[Axis]":
         from .analysis.sweep.axes import parse_axes
@@ -202,7 +176,7 @@ class Clutch:
         return parse_axes([sweep] if isinstance(sweep, str) else sweep, self.engine, band=band)
 
 
-def _answered(command: str, result: A, findings: list[Finding], spec: Spec | None = None) -> A:
+def _answered(command: str, spec: Spec | None, result: A, findings: list[Finding]) -> A:
     """Return a result with all that its command prints."""
     data = None if spec is None else resolved(spec)
     return result.printed_as(Output(command, __version__, data, result, findings), _rendered)
@@ -242,7 +216,7 @@ def compare(*clutches: Clutch | str | PathLike[str], variants: bool = False) -> 
 
     asked = [each if isinstance(each, Clutch) else load(each) for each in clutches or (None,)]
     found = analysis([each.engine for each in asked], variants=variants)
-    return _answered("compare", *found, asked[0].spec)
+    return _answered("compare", asked[0].spec, *found)
 
 
 def design(requirements: str | PathLike[str] | Mapping[str, object], *, pick: int | None = None) -> "DesignResult":
@@ -263,4 +237,4 @@ def design(requirements: str | PathLike[str] | Mapping[str, object], *, pick: in
     spec = None
     if pick is not None:
         result, spec = with_picked(need, result, pick)
-    return _answered("design", result, findings, spec)
+    return _answered("design", spec, result, findings)

@@ -120,6 +120,9 @@ def test_other_values_of_keys():
     before = copy.deepcopy(data)
     clutch = package.load(data, {"F": "3 kN", "z_1": None, "pairs": 4, "friction.max": 0.6})
     assert data == before
+    assert package.load(None, {"fatigue": None, "closing_spring.force": None, "T_n": "200 N*m"}).torque(
+        0.1
+    ) == pytest.approx(200)
     # T = F R z f/(1 + z C f), C = (R/r) tan α
     gain = 2 * math.tan(math.radians(14))
     assert clutch.torque(0.2) == pytest.approx(3000 * 0.1 * 4 * 0.2 / (1 + 4 * gain * 0.2))

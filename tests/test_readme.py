@@ -98,9 +98,7 @@ def gap(spec: SpecArgument = None, *, common: Common) -> None:
     "python.py": '''
     def gap(self) -> "GapResult":
         """Width of the friction range."""
-        from .analysis.gap import gap
-
-        return self._answer("gap", *gap(self.engine))
+        return self._ask("gap")
 
 ''',
 }

@@ -22,13 +22,7 @@ if TYPE_CHECKING:
 
 
 def read(source: str | None, common: Common, of: str | None = None) -> "Spec":
-    """Read the spec a command was given.
-
-    Args:
-        source: where it is; None for what ships for the analysis, which a note names.
-        common: the common options.
-        of: analysis that it is for, where the command has another name.
-    """
+    """Read the spec a command was given, or the one that ships; ``of``: what a plot or explanation is of."""
     from ..spec import read_spec
 
     if source is None:
@@ -39,14 +33,12 @@ def read(source: str | None, common: Common, of: str | None = None) -> "Spec":
 
 
 def given_instead(common: Common, of: str) -> str | None:
-    """Return the source of the spec that ships for an analysis, None for the base clutch, and name it in a note."""
-    example = ANALYSES[of].example if of in ANALYSES else None
-    if example is None:
+    """Return the example that ships for an analysis, None for the base clutch, and name it in a note."""
+    if of not in ANALYSES or (kind := ANALYSES[of].example) is None:
         common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
         return None
-    note = say("no SPEC given: example:{example} is used (afmcalc init --kind {example} writes it)", example=example)
-    common.note(note)
-    return f"example:{example}"
+    common.note(say("no SPEC given: example:{kind} is used (afmcalc init --kind {kind} writes it)", kind=kind))
+    return f"example:{kind}"
 
 
 def calculate(
