@@ -131,6 +131,8 @@ def test_other_values_of_keys():
     assert (other.spec.friction.max, other.spec.control_unit.wall_angle) == (0.5, None)
     assert clutch.spec.control_unit.gain is None
     assert other.with_(gain=None, wall_angle=math.radians(14)).gain == pytest.approx(gain)
+    assert clutch.with_(gain=None).gain == pytest.approx(gain), "nothing takes the place of the angle"
+    assert package.load(None, {"margin": None}).spec.adjustment.margin == 1
     assert clutch.with_(nominal_torque=100.0).torque(0.1) == pytest.approx(100)
     for wrong, says in (
         ({"gian": 1}, "did you mean"),
