@@ -133,7 +133,8 @@ def ball_of(need, clutch, made):
         if need.limits.contact_force is not None or made.contact_force <= borne * (1 + 1e-9):
             _, findings = synthesize(build(with_value(clutch.spec, ("control_unit", "ball_diameter"), size)))
             room = {"balls-overlap", "pockets-overlap", "ball-reaches-axis"} & {each.code for each in findings}
-            return None if room else size
+            unit = clutch.spec.control_unit
+            return None if room or (unit.hub_diameter or 0.0) > 2 * unit.ball_circle_radius - size else size
     return None
 
 
@@ -184,6 +185,7 @@ def one(need, variant, z, face, z1, turn, circle, c1, c2):
         limits.outer_diameter is None or 2 * radius + width <= limits.outer_diameter * over,
         limits.reduced_gain is None or clutch.reduced_gain <= limits.reduced_gain * over,
         not limits.gain_limit or clutch.gain_limit is None or clutch.gain <= clutch.gain_limit * over,
+        variant != "indirect" or fixed.hub_diameter <= 2 * radius - (width or 0.0),
     ]  # fmt: skip
     if (material := need.friction.material) is not None and width is not None:
         allowed = {"cork-dry": 55e3, "woven-dry": 345e3}[material]
