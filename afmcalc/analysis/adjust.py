@@ -9,7 +9,7 @@ from ..engines.protocol import Clutch
 from ..equations import adjustment
 from ..findings import Finding, Level, finding
 from ..messages import term
-from ..result import Result, Triple, quantity
+from ..result import Answer, Result, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import with_nominal_torque
 from ..spec.models import Method
@@ -29,7 +29,7 @@ class MethodResult(Result):
     holds_machine: bool = quantity("", None, "holds T_н.маш over the friction range")
 
 
-class AdjustResult(Result):
+class AdjustResult(Answer):
     """Both methods for one nominal torque."""
 
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch, which both methods are set for")

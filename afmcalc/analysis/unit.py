@@ -2,12 +2,12 @@
 
 from typing import ClassVar, Literal
 
-from ..result import Result, quantity
+from ..result import Answer, quantity
 from .contact import Basis
 from .wall import WallPoint
 
 
-class SynthesisResult(Result):
+class SynthesisResult(Answer):
     """A control unit that fits the clutch."""
 
     rows_with_values: ClassVar[bool] = True

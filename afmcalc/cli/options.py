@@ -21,7 +21,7 @@ LANG = "Language: en or ru; else by AFMCALC_LANG or the locale."
 
 SpecArgument = Annotated[
     str | None,
-    typer.Argument(metavar="SPEC", help="TOML or JSON file, - for standard input; without it the base clutch."),
+    typer.Argument(metavar="SPEC", help="TOML or JSON file, - for standard input; without it one that ships."),
 ]
 
 

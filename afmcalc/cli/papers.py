@@ -47,7 +47,7 @@ def explain(
     if model and command != "life":
         raise AfmcalcError(say("explain: --model belongs to life"))
     common.keep(spec)
-    given = read(spec, common)
+    given = read(spec, common, command)
     result, findings = analysis(command, given, **({"model": model} if model else {}))
     emit(common, result, findings, resolved(given))
 

@@ -107,7 +107,7 @@ def _of_clutches(what: str, request: "Request", common: Common) -> Any:
     from ..analysis.figures import gathered
 
     with Bar(quiet=common.quiet, agreed=common.yes) as bar:
-        return gathered(what, request._replace(subjects=answers_of(request, common, bar)))
+        return gathered(what, request._replace(subjects=answers_of(what, request, common, bar)))
 
 
 def _of_requirements(what: str, request: "Request", common: Common) -> Any:

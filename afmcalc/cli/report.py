@@ -12,7 +12,7 @@ from ..messages import say
 from .files import html_only, write_file
 from .options import Common, SpecArgument, common_options
 from .progress import Bar
-from .run import need_drawing
+from .run import given_instead, need_drawing
 
 if TYPE_CHECKING:
     from ..spec import Spec
@@ -109,9 +109,7 @@ def _read(source: str | None, common: Common) -> "tuple[bytes, str, Spec]":
     from ..spec.parsing import bytes_of, parse, text_in
     from ..spec.reading import spec_of
 
-    if source is None:
-        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
-    raw, name = bytes_of(source)
+    raw, name = bytes_of(given_instead(common, "report") if source is None else source)
     text, label = text_in(raw, name)
     spec = spec_of(text, label, common.set or ())
     if text.lstrip().startswith("{"):

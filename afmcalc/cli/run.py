@@ -21,15 +21,24 @@ if TYPE_CHECKING:
     from ..spec import Spec
 
 
-def read(source: str | None, common: Common) -> "Spec":
-    """Read the spec a command was given, or the built-in one with a note."""
+def read(source: str | None, common: Common, of: str | None = None) -> "Spec":
+    """Read the spec a command was given, or the one that ships; ``of``: what a plot or explanation is of."""
     from ..spec import read_spec
 
     if source is None:
-        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
+        source = given_instead(common, of or common.command)
     elif source == "-" and sys.stdin.isatty():
         common.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
     return read_spec(source, common.set or ())
+
+
+def given_instead(common: Common, of: str) -> str | None:
+    """Return the example that ships for an analysis, None for the base clutch, and name it in a note."""
+    if of not in ANALYSES or (kind := ANALYSES[of].example) is None:
+        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
+        return None
+    common.note(say("no SPEC given: example:{kind} is used (afmcalc init --kind {kind} writes it)", kind=kind))
+    return f"example:{kind}"
 
 
 def calculate(
@@ -69,11 +78,11 @@ def need_drawing(extra: str) -> None:
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
 
 
-def build_from(source: str | None, common: Common) -> "Clutch":
-    """Read a spec and build its clutch."""
+def build_from(source: str | None, common: Common, of: str | None = None) -> "Clutch":
+    """Read a spec and build its clutch; arguments as ``read``."""
     from ..engines import build
 
-    return build(read(source, common))
+    return build(read(source, common, of))
 
 
 def emit(

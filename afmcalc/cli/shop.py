@@ -30,7 +30,7 @@ def for_the_shop(what: str, request: "Request", ending: str | None, common: Comm
     if ending in ("png", "pdf"):
         raise AfmcalcError(say("--profile goes with -o FILE.dxf or FILE.svg, or stands alone"))
     with Bar(quiet=common.quiet, agreed=common.yes) as bar:
-        drawing = shop_drawing_of(what, request._replace(subjects=answers_of(request, common, bar)))
+        drawing = shop_drawing_of(what, request._replace(subjects=answers_of(what, request, common, bar)))
     if ending is not None:
         assert common.output is not None
         content = getattr(import_module(f"..render.shop.{ending}", __package__), ending)(drawing)
@@ -61,12 +61,12 @@ def length(name: str, text: str | None) -> float | None:
     return value
 
 
-def answers_of(request: "Request", common: Common, bar: Bar) -> "list[Answers]":
+def answers_of(what: str, request: "Request", common: Common, bar: Bar) -> "list[Answers]":
     """Read and build the clutches that are drawn."""
     from ..analysis.answers import Answers
 
     if request.subjects.count("-") > 1:
         raise AfmcalcError(say("standard input (-) can be read once only"))
     sources = list(request.subjects) or [None]
-    clutches = [build_from(source, common) for source in sources]
+    clutches = [build_from(source, common, what) for source in sources]
     return [Answers(each, model=request.model or "mean-stress", progress=bar.advance) for each in clutches]

@@ -43,6 +43,27 @@ def test_no_spec_means_the_base_clutch_and_says_so(afmcalc):
     assert afmcalc("torque", "--quiet").err == ""
 
 
+@pytest.mark.parametrize(
+    ("command", "example", "light"),
+    [
+        (["simulate"], "drive", "drive.event.duration=0.02"),
+        (["heat"], "drive", "drive.event.duration=0.02"),
+        (["effects"], "drive", "friction.mean=0.4"),
+        (["explain", "heat"], "drive", "drive.event.duration=0.02"),
+        (["plot", "effects"], "drive", "friction.mean=0.4"),
+        (["tolerance"], "tolerance", "tolerance.samples=2000"),
+        (["springs"], None, "friction.mean=0.4"),
+        (["explain", "life"], None, "friction.mean=0.4"),
+    ],
+)
+def test_no_spec_means_what_the_command_can_calculate_and_a_note_says_which(command, example, light, afmcalc):
+    run = afmcalc(*command, "--set", light)
+    assert run.code == 0
+    says = f"example:{example} is used (afmcalc init --kind {example} writes it)" if example else "built-in base clutch"
+    assert says in run.err
+    assert run.out == afmcalc(*command, f"example:{example or 'default'}", "--set", light).out
+
+
 EVERYWHERE = ["torque", "accuracy", "check", "adjust", "life", "compare"]
 PAIRS = [(c, n) for c in EVERYWHERE for n in ("default", "conventional", "unlike-materials", "all-driving", "indirect")]
 PAIRS += [("overload", n) for n in ("default", "all-driving")]

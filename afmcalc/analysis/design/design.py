@@ -8,7 +8,7 @@ import numpy as np
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...messages import joined, measured, say, term
-from ...result import Result, quantity
+from ...result import Answer, quantity
 from ...spec.requirements import Requirements
 from ...spec.suggest import did_you_mean
 from ...watch import Progress, unwatched
@@ -27,7 +27,7 @@ MOST = 10_000_000_000
 """Candidates beyond which a search is refused."""
 
 
-class DesignResult(Result):
+class DesignResult(Answer):
     """The front of a design: the best between the grid points."""
 
     candidates: int = quantity("", None, "candidates searched")
