@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, InstanceOf, WithJsonSchema
 
 from .findings import Finding
 
@@ -34,6 +34,10 @@ def quantity(unit: str, symbol: str | None, description: str, *, optional: bool 
     if optional:
         return Field(default=None, description=description, json_schema_extra=about)
     return Field(description=description, json_schema_extra=about)
+
+
+Sentence = Annotated[InstanceOf[str], WithJsonSchema({"type": "string"})]
+"""A text that stays the ``Text`` it is, so that people are told it in their language; ``str`` would forget that."""
 
 
 class Triple(Result):
