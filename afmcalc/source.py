@@ -8,6 +8,7 @@ from .messages import say
 
 if TYPE_CHECKING:
     from .spans import Span
+    from .spec.quantity import Unlikely
 
 _WIDTH = 100
 """Characters of a line that are shown."""
@@ -48,16 +49,22 @@ class Source(str):
 
     text: str
     overridden: frozenset[str]
+    doubts: "tuple[Unlikely, ...]"
+    """Numbers without a unit that may be meant in another than SI."""
 
-    def __new__(cls, label: str, text: str = "", overridden: Iterable[str] = ()) -> "Source":
+    def __new__(
+        cls, label: str, text: str = "", overridden: Iterable[str] = (), doubts: "Iterable[Unlikely]" = ()
+    ) -> "Source":
         """Name ``text``; the values at the dotted paths ``overridden`` are no longer those that stand in it."""
         made = super().__new__(cls, label)
-        made.text, made.overridden = text, frozenset(overridden)
+        made.text, made.overridden, made.doubts = text, frozenset(overridden), tuple(doubts)
         return made
 
     def but(self, paths: Iterable[str]) -> "Source":
         """The same text, with other values at some paths."""
-        return Source(self, self.text, self.overridden.union(paths))
+        gone = set(paths)
+        kept = (each for each in self.doubts if each.path not in gone)
+        return Source(self, self.text, self.overridden | gone, kept)
 
     @cached_property
     def _spans(self) -> "dict[str, Span]":

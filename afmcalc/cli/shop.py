@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 
 from ..errors import AfmcalcError
 from ..extras import need
+from ..findings import doubts
 from ..messages import say
 from .files import PLOT, Kind, write, write_file
 from .options import Common
@@ -70,4 +71,6 @@ def answers_of(request: "Request", common: Common, bar: Bar) -> "list[Answers]":
     common.keep(*request.subjects, kind=PLOT)
     sources = list(request.subjects) or [None]
     clutches = [build_from(source, common) for source in sources]
+    for asked in (each for clutch in clutches for each in doubts(clutch.spec.label.doubts)):
+        common.note(asked.message)  # a plot has no findings
     return [Answers(each, model=request.model or "mean-stress", progress=bar.advance) for each in clutches]
