@@ -8,7 +8,7 @@ from typing import ClassVar
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..errors import SpecError
-from ..findings import Finding, finding
+from ..findings import Finding, doubts, finding
 from ..messages import joined, say, term
 from ..result import Result, Sentence, Triple, quantity
 from ..spec import Spec
@@ -73,7 +73,8 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
             rows.append(_row(own, basis, spec.name, found))
             remarks += _told(own, variant, found)
     rows.sort(key=lambda row: row.basis != "spring force")
-    return CompareResult(clutches=rows), [*dict.fromkeys(remarks), *missing]
+    asked = doubts(clutch.spec.label.doubts)
+    return CompareResult(clutches=rows), [*asked, *dict.fromkeys(remarks), *missing]
 
 
 def _names(specs: Sequence[Spec]) -> list[str | None]:

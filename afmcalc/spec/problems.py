@@ -111,11 +111,11 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None,
             return say("must not be empty")
         case "greater_than":
             return say("must be greater than {bound:g}", bound=context["gt"])
-        case "greater_than_equal" if _is_temperature(location, root) and isinstance(detail["input"], int | float):
+        case "greater_than_equal" if _is_temperature(location, root) and re.fullmatch(r"[-\d.]+", given or ""):
             return say(
-                'a number without a unit is in K, and must be at least {bound:g}: "{number:g} degC"?',
+                'a number without a unit is in K, and must be at least {bound:g}: "{number} degC"?',
                 bound=context["ge"],
-                number=detail["input"],
+                number=given,
             )
         case "greater_than_equal":
             return say("must be at least {bound:g}", bound=context["ge"])

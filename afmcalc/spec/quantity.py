@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Callable
 from decimal import Decimal
 from typing import NamedTuple
 
@@ -18,8 +19,12 @@ _DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+\s*[^\d\s,.].*)", re.DOTALL)
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}(?!\d)")
 """A comma that may be that of groups."""
 
-_UNLIKELY = {"N": (0.0, 20.0, "kN"), "m": (0.5, math.inf, "mm"), "rad/s": (1000.0, math.inf, "rpm")}
-"""SI unit → numbers, from and to, that are rarely meant in it, and the unit that may be meant."""
+_UNLIKELY: dict[str, tuple[Callable[[float], bool], str]] = {
+    "N": (lambda force: 0 < force < 20, "kN"),
+    "m": (lambda length: length >= 0.5, "mm"),
+    "rad/s": (lambda speed: speed > 1000, "rpm"),
+}
+"""SI unit → whether a number is rarely meant in it, and the unit that may be meant."""
 _LARGEST = {"m": 10.0}
 """SI unit → number above which it cannot be meant."""
 
@@ -44,8 +49,8 @@ def unlikely(value: object, unit: str | None, path: str = "") -> Unlikely | None
     """
     if unit not in _UNLIKELY or isinstance(value, bool) or not isinstance(value, int | float):
         return None
-    low, high, other = _UNLIKELY[unit]
-    if not (low < value < high or value == low > 0):
+    rare, other = _UNLIKELY[unit]
+    if not rare(value):
         return None
     possible = value <= _LARGEST.get(unit, math.inf)
     return Unlikely(path, float(value), f"{value:g} {unit}", f"{value:g} {other}", possible)
