@@ -2,15 +2,13 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field
 
 from .arrays import finite
 from .messages import sentence
-
-if TYPE_CHECKING:
-    from .spec.quantity import Unlikely
+from .source import Unlikely
 
 Level = Literal["info", "warning", "error"]
 
@@ -59,7 +57,7 @@ def finding(
     return Finding(level, code.partition("/")[0], sentence(code, said), number, bound, path)
 
 
-def doubts(found: "Iterable[Unlikely]") -> list[Finding]:
+def doubts(found: Iterable[Unlikely]) -> list[Finding]:
     """Ask after numbers without a unit that may be meant in another than SI."""
     return [
         finding("number-without-unit", "warning", value=each.value, path=each.path, given=each.given, meant=each.meant)

@@ -8,7 +8,6 @@ from .messages import say
 
 if TYPE_CHECKING:
     from .spans import Span
-    from .spec.quantity import Unlikely
 
 _WIDTH = 100
 """Characters of a line that are shown."""
@@ -39,6 +38,18 @@ class Place(NamedTuple):
         return f"  {number} | {cut.rstrip()}", f"  {' ' * len(number)} | {' ' * before}{carets}"
 
 
+class Unlikely(NamedTuple):
+    """A number without a unit that may be meant in another than SI."""
+
+    path: str
+    value: float
+    given: str
+    """With its SI unit."""
+    meant: str
+    """With the unit that may be meant."""
+    possible: bool
+
+
 STANDARD_INPUT, BUILT_IN = say("standard input"), say("built-in default")
 LABELS = {str.__str__(each): each for each in (STANDARD_INPUT, BUILT_IN)}
 """What a text is called that is in no file."""
@@ -49,11 +60,11 @@ class Source(str):
 
     text: str
     overridden: frozenset[str]
-    doubts: "tuple[Unlikely, ...]"
+    doubts: tuple[Unlikely, ...]
     """Numbers without a unit that may be meant in another than SI."""
 
     def __new__(
-        cls, label: str, text: str = "", overridden: Iterable[str] = (), doubts: "Iterable[Unlikely]" = ()
+        cls, label: str, text: str = "", overridden: Iterable[str] = (), doubts: Iterable[Unlikely] = ()
     ) -> "Source":
         """Name ``text``; the values at the dotted paths ``overridden`` are no longer those that stand in it."""
         made = super().__new__(cls, label)

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING
 
 from ..errors import AfmcalcError
 from ..extras import need
-from ..findings import doubts
 from ..messages import say
 from .files import PLOT, Kind, write, write_file
 from .options import Common
@@ -65,6 +64,7 @@ def length(name: str, text: str | None) -> float | None:
 def answers_of(request: "Request", common: Common, bar: Bar) -> "list[Answers]":
     """Read and build the clutches that are drawn."""
     from ..analysis.answers import Answers
+    from ..findings import doubts
 
     if request.subjects.count("-") > 1:
         raise AfmcalcError(say("standard input (-) can be read once only"))

@@ -10,9 +10,10 @@ from pydantic_core import ErrorDetails
 
 from ..errors import Problem
 from ..messages import say
+from ..source import Unlikely
 from .models import Spec
 from .names import elsewhere
-from .quantity import Unlikely, impossible
+from .quantity import impossible
 from .rules import RuleError, Table
 from .suggest import did_you_mean
 from .walk import keys_below, names_in

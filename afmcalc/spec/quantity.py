@@ -4,9 +4,9 @@ import math
 import re
 from collections.abc import Callable
 from decimal import Decimal
-from typing import NamedTuple
 
 from ..messages import localized, say, term
+from ..source import Unlikely
 from .units import EXAMPLES, SCALES, allowed, factor
 
 _LONGEST = 100
@@ -27,18 +27,6 @@ _UNLIKELY: dict[str, tuple[Callable[[float], bool], str]] = {
 """SI unit → whether a number is rarely meant in it, and the unit that may be meant."""
 _LARGEST = {"m": 10.0}
 """SI unit → number above which it cannot be meant."""
-
-
-class Unlikely(NamedTuple):
-    """A number without a unit that may be meant in another than SI."""
-
-    path: str
-    value: float
-    given: str
-    """With its SI unit."""
-    meant: str
-    """With the unit that may be meant."""
-    possible: bool
 
 
 def unlikely(value: object, unit: str | None, path: str = "") -> Unlikely | None:

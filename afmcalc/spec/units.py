@@ -62,7 +62,7 @@ _PLAIN = {
     "rpm": f"{_RPM} rad/s", "rev": f"{_TWO_PI} rad", "revolution": f"{_TWO_PI} rad", "U": f"{_TWO_PI} rad",
     "min": "60 s", "minute": "60 s", "h": "3600 s", "hour": "3600 s",
 }  # fmt: skip
-"""Unit → what it is in SI; those above take a prefix."""
+"""UnitProduct → what it is in SI; those above take a prefix."""
 _PREFIXES = {
     "k": "1e3", "kilo": "1e3", "M": "1e6", "mega": "1e6", "G": "1e9", "giga": "1e9", "d": "0.1", "deci": "0.1",
     "c": "0.01", "centi": "0.01", "m": "1e-3", "milli": "1e-3", "u": "1e-6", "µ": "1e-6", "μ": "1e-6", "micro": "1e-6",
@@ -82,10 +82,10 @@ FREEZING = Decimal("273.15")
 SCALES: dict[str, dict[str, Decimal]] = {
     "K abs": {"K": Decimal(0), "К": Decimal(0)} | dict.fromkeys(("degC", "°C", "°С"), FREEZING),
 }
-"""Unit of a field that counts from a zero of its own → scale as written → its zero, in SI."""
+"""UnitProduct of a field that counts from a zero of its own → scale as written → its zero, in SI."""
 
 
-class Unit(NamedTuple):
+class UnitProduct(NamedTuple):
     """A unit, or a product of units."""
 
     factor: Decimal
@@ -101,9 +101,9 @@ class UnknownUnitError(ValueError):
 
 
 @cache
-def _words() -> dict[str, Unit]:
+def _words() -> dict[str, UnitProduct]:
     """Every word that is a unit."""
-    known = {name: Unit(Decimal(1), tuple(int(name == base) for base in _BASES), name) for name in _BASES}
+    known = {name: UnitProduct(Decimal(1), tuple(int(name == base) for base in _BASES), name) for name in _BASES}
     table = {
         prefix + name: (by, *si.split(), prefix + name)
         for prefix, by in {"": "1", **_PREFIXES}.items()
@@ -116,7 +116,7 @@ def _words() -> dict[str, Unit]:
                 table.setdefault(prefix + name, table[latin_prefix + latin])
     powers = {si: _product(si, known).exponents for si in {si for _, _, si, _ in table.values()}}
     for word, (by, number, si, latin) in table.items():
-        known[word] = Unit(Decimal(by) * Decimal(number), powers[si], latin)
+        known[word] = UnitProduct(Decimal(by) * Decimal(number), powers[si], latin)
     return known
 
 
@@ -125,7 +125,7 @@ _FACTOR = re.compile(r"(\s*[*/]\s*|\s+|)([^\W\d_]+|°)(?:\^?(-?[1-4])(?!\d))?")
 _DIVISOR = re.compile(r"/\s*\(([^()/]*)\)")
 
 
-def _product(text: str, words: Mapping[str, Unit]) -> Unit:
+def _product(text: str, words: Mapping[str, UnitProduct]) -> UnitProduct:
     """Read a product such as ``kN*m/rad``, ``1/min``, ``min^-1``, ``J/(kg*K)`` or ``kgm2``.
 
     Raises:
@@ -146,10 +146,10 @@ def _product(text: str, words: Mapping[str, Unit]) -> Unit:
             exponents = [own + power * more for own, more in zip(exponents, unit.exponents, strict=True)]
         latin += found[1] + "*".join(unit.latin for unit, _ in _factors(found[2], 1, 1, words)) + (found[3] or "")
         at = found.end()
-    return Unit(factor, tuple(exponents), latin)
+    return UnitProduct(factor, tuple(exponents), latin)
 
 
-def _factors(word: str, power: int, sign: int, words: Mapping[str, Unit]) -> list[tuple[Unit, int]]:
+def _factors(word: str, power: int, sign: int, words: Mapping[str, UnitProduct]) -> list[tuple[UnitProduct, int]]:
     """Units that a word is made of, with their powers: one, or a force or mass with a length (Nm, kgm2)."""
     for name in (word, word.removesuffix("s") if len(word) > len("hour") else word):
         if name in words:

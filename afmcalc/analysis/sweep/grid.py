@@ -9,8 +9,8 @@ from ...errors import AfmcalcError
 from ...findings import Finding, doubts, finding
 from ...messages import say
 from ...result import Series
+from ...source import Unlikely
 from ...spec import Spec, edit
-from ...spec.quantity import Unlikely
 from ...spec.walk import Key
 
 MOST_POINTS = 200_000

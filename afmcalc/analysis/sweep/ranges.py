@@ -6,10 +6,11 @@ from ...arrays import Floats
 from ...engines import build
 from ...errors import AfmcalcError, SpecError
 from ...messages import say
+from ...source import Unlikely
 from ...spec import Spec
 from ...spec.edit import value_at, with_key
 from ...spec.models import FrictionRange
-from ...spec.quantity import Unlikely, impossible, parse_quantity, unlikely
+from ...spec.quantity import impossible, parse_quantity, unlikely
 from ...spec.walk import Key
 from .grid import MOST_POINTS
 
