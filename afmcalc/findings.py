@@ -1,5 +1,6 @@
 """Findings: what a designer should know about a legal design."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
@@ -7,6 +8,7 @@ from pydantic import Field
 
 from .arrays import finite
 from .messages import sentence
+from .source import Unlikely
 
 Level = Literal["info", "warning", "error"]
 
@@ -53,6 +55,14 @@ def finding(
     said = {"value": value, "limit": limit, "path": path, **values}
     number, bound = (each if each is None or type(each) is int else float(each) for each in (value, limit))
     return Finding(level, code.partition("/")[0], sentence(code, said), number, bound, path)
+
+
+def doubts(found: Iterable[Unlikely]) -> list[Finding]:
+    """Ask after numbers without a unit that may be meant in another than SI."""
+    return [
+        finding("number-without-unit", "warning", value=each.value, path=each.path, given=each.given, meant=each.meant)
+        for each in found
+    ]
 
 
 def worst(findings: list[Finding]) -> Level | None:

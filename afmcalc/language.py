@@ -5,7 +5,7 @@ English needs nothing of it. A catalogue is a file of gettext, ``locale/NAME.po`
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cache
 
 FOLDER = os.path.join(os.path.dirname(__file__), "locale")
@@ -22,8 +22,6 @@ class Language:
     """Count → which of the plural forms."""
     signs: Mapping[int, str]
     """Sign of a number as Python writes it → as people do."""
-    said: dict[str, str] = field(default_factory=dict)
-    """What was said: the English sentence → that sentence with what it was made of."""
 
     def found(self, text: str, context: str = "", count: int = 1) -> str | None:
         """Return the text that stands for an English one, in its form for a count; None where there is none."""

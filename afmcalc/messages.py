@@ -343,6 +343,7 @@ FINDINGS: Mapping[str, str] = {
         "every sample is set on the bench (tolerance.setting = each-adjusted): its springs follow its own dimensions; "
         "as-made holds those of the nominal clutch"
     ),
+    "number-without-unit": ('{path}: a number without a unit is in SI, {given}; {meant}? Write "{meant}" or "{given}"'),
     "few-samples": (
         "{value:.0f} samples are too few for the error of the outermost quantile, which is not told in full: "
         "at least {limit:.0f}"

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
-from pydantic import BaseModel, ConfigDict, Field, PrivateAttr
+from pydantic import BaseModel, ConfigDict, Field, InstanceOf, PrivateAttr, WithJsonSchema
 
 from .errors import AfmcalcError
 from .findings import Finding
@@ -37,6 +37,10 @@ def quantity(unit: str, symbol: str | None, description: str, *, optional: bool 
     if optional:
         return Field(default=None, description=description, json_schema_extra=about)
     return Field(description=description, json_schema_extra=about)
+
+
+Sentence = Annotated[InstanceOf[str], WithJsonSchema({"type": "string"})]
+"""A text that stays the ``Text`` it is, so that people are told it in their language; ``str`` would forget that."""
 
 
 class Triple(Result):

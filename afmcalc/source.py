@@ -38,6 +38,18 @@ class Place(NamedTuple):
         return f"  {number} | {cut.rstrip()}", f"  {' ' * len(number)} | {' ' * before}{carets}"
 
 
+class Unlikely(NamedTuple):
+    """A number without a unit that may be meant in another than SI."""
+
+    path: str
+    value: float
+    given: str
+    """With its SI unit."""
+    meant: str
+    """With the unit that may be meant."""
+    possible: bool
+
+
 STANDARD_INPUT, BUILT_IN = say("standard input"), say("built-in default")
 LABELS = {str.__str__(each): each for each in (STANDARD_INPUT, BUILT_IN)}
 """What a text is called that is in no file."""
@@ -48,16 +60,22 @@ class Source(str):
 
     text: str
     overridden: frozenset[str]
+    doubts: tuple[Unlikely, ...]
+    """Numbers without a unit that may be meant in another than SI."""
 
-    def __new__(cls, label: str, text: str = "", overridden: Iterable[str] = ()) -> "Source":
+    def __new__(
+        cls, label: str, text: str = "", overridden: Iterable[str] = (), doubts: Iterable[Unlikely] = ()
+    ) -> "Source":
         """Name ``text``; the values at the dotted paths ``overridden`` are no longer those that stand in it."""
         made = super().__new__(cls, label)
-        made.text, made.overridden = text, frozenset(overridden)
+        made.text, made.overridden, made.doubts = text, frozenset(overridden), tuple(doubts)
         return made
 
     def but(self, paths: Iterable[str]) -> "Source":
         """The same text, with other values at some paths."""
-        return Source(self, self.text, self.overridden.union(paths))
+        gone = set(paths)
+        kept = (each for each in self.doubts if each.path not in gone)
+        return Source(self, self.text, self.overridden | gone, kept)
 
     @cached_property
     def _spans(self) -> "dict[str, Span]":

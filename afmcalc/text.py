@@ -53,25 +53,26 @@ class Text(str):
     """What fills it; None where it is no template."""
     amount: int
     """Number that decides the plural form, where there is one."""
+    context: str
+    """Context of the template in the catalogue, where it is not a sentence."""
 
     def __new__(
-        cls, template: str, values: Mapping[str, object] | None = None, many: str = "", count: int = 1
+        cls,
+        template: str,
+        values: Mapping[str, object] | None = None,
+        many: str = "",
+        count: int = 1,
+        context: str = "",
     ) -> "Text":
         """Fill a template, or the one for many where ``count`` is not 1."""
         chosen = many if many and count != 1 else template
         text = super().__new__(cls, _SENTENCE.vformat(chosen, (), values) if values is not None else chosen)
-        text.template, text.values, text.amount = template, values, count
-        if own := _LANGUAGE.get():
-            own.said[str.__str__(text)] = text
+        text.template, text.values, text.amount, text.context = template, values, count, context
         return text
 
     def __str__(self) -> str:
-        """Itself: it is not to forget."""
+        """Return self, so that the template survives ``str()``."""
         return self
-
-    def __reduce__(self) -> "tuple[type[str], tuple[str]]":
-        """Copies are plain texts."""
-        return str, (str.__str__(self),)
 
 
 class _Sentence(string.Formatter):
@@ -107,7 +108,7 @@ class _Translated(_Sentence):
     """The same in the language of the user."""
 
     def format_field(self, value: object, format_spec: str) -> str:
-        return super().format_field(_again(value), format_spec)
+        return super().format_field(translate(value) if isinstance(value, Text) else value, format_spec)
 
     def listed(self, shown: list[str]) -> str:
         # a decimal comma does not separate as well
@@ -132,13 +133,6 @@ def _is_number(value: object) -> bool:
     return isinstance(value, SupportsFloat) and not isinstance(value, bool)
 
 
-def _again(value: object) -> object:
-    """Say a value again that was itself said, or is the name of a clutch that ships."""
-    own = _LANGUAGE.get()
-    known = own and isinstance(value, str) and (isinstance(value, Text) or value in own.said)
-    return translate(str(value)) if known else named(value) if isinstance(value, str) else value
-
-
 @contextmanager
 def speaking(language: "Language | None") -> Iterator[None]:
     """Speak a language for a while; None is English."""
@@ -156,26 +150,26 @@ def spoken() -> str:
 
 
 def translate(text: str, context: str = "") -> str:
-    """Return an English text in the language of the user: a sentence that was said, or one of the catalogue.
+    """Return an English text in the language of the user: a ``Text`` by its template, any other by the catalogue.
+
+    What a user wrote is neither: only ``named`` is for it.
 
     Args:
         text: the text; one that is not known is returned as it is.
-        context: what tells it from others of the same letters: ``unit``, ``value``.
+        context: what tells it from others of the same letters: ``unit``, ``value``; a ``Text`` may know its own.
     """
-    own = _LANGUAGE.get()
-    if own is None:
+    language = _LANGUAGE.get()
+    if language is None:
         return text
-    said = text if isinstance(text, Text) else own.said.get(text)
-    if isinstance(said, Text):
-        contexts = dict.fromkeys((context, ""))
-        template = next(filter(None, (own.found(said.template, each, said.amount) for each in contexts)), said.template)
-        return template if said.values is None else _TRANSLATED.vformat(template, (), said.values)
-    return own.found(text, context) or text
+    if not isinstance(text, Text):
+        return language.found(text, context) or text
+    template = language.found(text.template, text.context or context, text.amount) or text.template
+    return template if text.values is None else _TRANSLATED.vformat(template, (), text.values)
 
 
 def named(name: str | None) -> str:
-    """Return the name of a clutch; one that ships with the program has one in every language."""
-    return translate(name, "name") if name else ""
+    """Return the name of a clutch, as given; only one that ships with the program has one in every language."""
+    return translate(Text(name, context="name")) if name else ""
 
 
 def localized(number: str) -> str:
@@ -235,11 +229,9 @@ def joined(parts: Iterable[object], sign: str = ", ") -> str:
     return Text("{sign}".join(f"{{{name}}}" for name in listed), {**listed, "sign": sign})
 
 
-def term(text: str) -> str:
+def term(text: str, context: str = "") -> str:
     """Return a text of a table (a kind, a name) such that a sentence that names it is translated with it."""
-    own = _LANGUAGE.get()
-    known = own.said.get(text) if own else None
-    return text if isinstance(text, Text) else known or Text(text)
+    return text if isinstance(text, Text) else Text(text, context=context)
 
 
 _HIDDEN = re.compile(

@@ -1,6 +1,8 @@
 """Russian: everything has it, in whole sentences, and only people see it."""
 
+import copy
 import os
+import pickle
 import re
 import string
 import subprocess
@@ -10,6 +12,8 @@ from pathlib import Path
 import pytest
 from babel.messages.pofile import read_po
 from conftest import CONFIGS, ROOT
+from hypothesis import given
+from hypothesis import strategies as st
 from texts import texts
 
 from afmcalc.cli.speech import chosen, without_lang
@@ -69,9 +73,26 @@ def test_a_sentence_is_said_again_with_all_that_it_names():
         assert outer == "not told, as these are not given: 1.25 MPa (min-friction), 1.25 MPa (min-friction)"
         expected = "не рассчитано, так как не задано: 1,25 МПа (при f_min), 1,25 МПа (при f_min)"
         assert translate(outer) == expected
-        assert translate(f"{outer}") == expected, "what has lost its type on the way"
+        assert translate(copy.deepcopy(outer)) == translate(pickle.loads(pickle.dumps(outer))) == expected
         assert translate("no such text") == "no such text"
     assert translate(outer) == outer
+
+
+@given(st.recursive(st.text(max_size=5), lambda parts: st.lists(parts, min_size=1, max_size=3)))
+def test_sentences_in_sentences_end_and_plain_texts_in_them_stay(nested):
+    """However alike they look: only what was said is said again, never what looks like it."""
+
+    def said(parts):
+        if isinstance(parts, str):
+            return say("unknown key{hint}", hint=parts)
+        return say("{where}: {message}", where="unknown key", message=joined(map(said, parts)))
+
+    def expected(parts):
+        inside = "".join if isinstance(parts, str) else ", ".join
+        return f"неизвестный ключ{parts}" if isinstance(parts, str) else f"unknown key: {inside(map(expected, parts))}"
+
+    with speaking(language("ru")):
+        assert translate(said(nested)) == expected(nested)
 
 
 @pytest.mark.parametrize(

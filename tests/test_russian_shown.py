@@ -36,7 +36,7 @@ WITHOUT_CLUTCH = [
 ERRORS = [
     *(["torque", "no.toml"], ["torque", "."], ["torqe"], ["torque", "--hepl"], ["torque", "--format", "xml"], ["solve"]),
     *(["torque", "--set", f"closing_spring.force={text}"] for text in ("2 mm", "5 J", "2 kNN", "-1", "0,5", "true")),
-    *(["torque", "--set", text] for text in ("friction.mux=1", "variant=foo", "friction.max=0.05", "variant=indirect")),
+    *(["torque", "--set", text] for text in ("friction_group.gain=1", "friction.mux=1", "variant=foo", "friction.max=0.05", "variant=indirect")),
     *(["accuracy", "--sweep", "C=1:2"], ["plot", "foo"], ["explain", "foo"], ["equations", "--id", "X"]),
     *(["reproduce", "--figure", "S22-9"], ["springs", "--top", "0"], ["design"], ["torque", "-o", "a.pdf"]),
 ]  # fmt: skip
@@ -102,6 +102,32 @@ def test_every_other_command(afmcalc, russian):
     for command in WITHOUT_CLUTCH:
         run = afmcalc(*command)
         assert not english(BIBLIOGRAPHY.sub("", run.out) + run.err), command
+
+
+NAMED = [
+    *(["torque"], ["check"], ["explain", "torque"], ["report"], ["plot", "torque"], ["plot", "pocket", "--force", "-o", "pocket.svg"]),
+    *(["compare", "--format", format_] for format_ in ("table", "csv", "markdown", "json")),
+    *(["compare", "--variants"], ["accuracy", "--sweep", "C=0.1,0.2"]),
+]  # fmt: skip
+"""Commands that show the name of a clutch."""
+
+
+@pytest.mark.parametrize("name", ["spec", "torque", "yes", "pairs", "closing spring"])
+def test_a_name_of_the_user_stays_as_it_is(name, afmcalc, russian, undrawn, tmp_path, monkeypatch):
+    """Whatever else it means: all that is shown is what is shown of a name that means nothing, but for the name."""
+    monkeypatch.chdir(tmp_path)
+    nothing = re.sub("[a-z]", "Q", name)
+    for command, *given in NAMED:
+        words = given[:1] if command in ("explain", "plot") else []
+        shown = []
+        for each in (name, nothing):
+            run = afmcalc(command, *words, "example:default", *given[len(words) :], "--set", f"name={each}")
+            assert run.code == 0, run.err
+            text = (tmp_path / given[-1]).read_text(encoding="utf-8") if "-o" in given else run.out
+            shown.append(html.unescape(text).replace(r"\20 ", " "))
+        said, unsaid = shown
+        assert name in said, (command, *given)
+        assert said == unsaid.replace(nothing, name), (command, *given)
 
 
 @pytest.mark.parametrize("command", ERRORS, ids=" ".join)

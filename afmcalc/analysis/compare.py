@@ -8,9 +8,9 @@ from typing import ClassVar
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..errors import AfmcalcError, SpecError
-from ..findings import Finding, finding
+from ..findings import Finding, doubts, finding
 from ..messages import joined, say, term
-from ..result import Answer, Result, Triple, quantity
+from ..result import Answer, Result, Sentence, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import as_variant, with_force, with_nominal_torque
 from ..variants import VARIANTS
@@ -21,9 +21,9 @@ from .torque import triple
 class ComparedClutch(Result):
     """The main quantities of one clutch; it is called by its file where names are equal."""
 
-    name: str | None = quantity("", None, "clutch", optional=True)
+    name: Sentence | None = quantity("", None, "clutch", optional=True)
     variant: str = quantity("", None, "variant")
-    basis: str | None = quantity("", None, "kept equal", optional=True)
+    basis: Sentence | None = quantity("", None, "kept equal", optional=True)
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")
     gain: float = quantity("1", "C", "feedback gain")
@@ -81,7 +81,8 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
             rows.append(_row(own, basis, spec.name, found))
             remarks += _told(own, variant, found)
     rows.sort(key=lambda row: row.basis != "spring force")
-    return CompareResult(clutches=rows), [*dict.fromkeys(remarks), *missing]
+    asked = doubts(clutch.spec.label.doubts)
+    return CompareResult(clutches=rows), [*asked, *dict.fromkeys(remarks), *missing]
 
 
 def _names(specs: Sequence[Spec]) -> list[str | None]:
@@ -101,13 +102,13 @@ def _told(clutch: Clutch, name: str, found: Sequence[Finding]) -> list[Finding]:
 
 def _named(remark: Finding, name: str) -> Finding:
     """Say which clutch a finding is about."""
-    return replace(remark, message=say("{name}: {message}", name=name, message=remark.message))
+    return replace(remark, message=say("{name}: {message}", name=term(name, "name"), message=remark.message))
 
 
 def _row(clutch: Clutch, basis: str | None, name: str | None, found: Sequence[Finding]) -> ComparedClutch:
     torque = triple(clutch, clutch.torque)
     return ComparedClutch(
-        name=name,
+        name=name and term(name, "name"),
         variant=clutch.spec.variant,
         basis=basis,
         closing_force=clutch.closing_force,

@@ -17,7 +17,7 @@ from .adjust import METHODS, set_by
 from .registry import StressRule
 from .simulate.result import SimulateResult
 from .slips import RULES, Load, cycles, damaging_stress, dynamic_factor, is_static, load_of
-from .sweep.grid import Axis, grid
+from .sweep.grid import Axis, grid, replaced
 
 if TYPE_CHECKING:
     from .answers import Answers
@@ -122,6 +122,7 @@ def life(
         *(each for side, times in sides.items() for each in _judged(part, model, side, load.times(times))),
         *([] if answers else _underrated(clutch)),
         *about,
+        *replaced(clutch.spec, sweeps),
     ]
 
 

@@ -11,7 +11,7 @@ from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
 from ..result import Answer, Series, Triple, quantity
-from .sweep.grid import series
+from .sweep.grid import replaced, series
 
 if TYPE_CHECKING:
     from .sweep.grid import Axis
@@ -85,7 +85,7 @@ def overload(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[OverloadRes
         accuracy_factor_equilibrium=law.accuracy_factor_equilibrium(at["max"].equilibrium, at["min"].equilibrium),
         sweep=series(OverloadSweep, clutch, sweeps, SWEEP_OUTPUTS),
     )
-    return result, [*clutch.findings(), *_findings(clutch)]
+    return result, [*clutch.findings(), *_findings(clutch), *replaced(clutch.spec, sweeps)]
 
 
 class Actuation:

@@ -129,11 +129,12 @@ def design(
     if top is None and printed.chosen_format in ("table", "markdown") and result.on_front > _IN_TABLES:
         top = _IN_TABLES
         common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=result.on_front))
-    # without a front the finding is the error below; it is data in JSON alone
-    told = findings if result.front or printed.chosen_format == "json" else []
+    none = [each for each in findings if each.code == "no-candidate"]
+    # without a front this is the error below; a finding it is in JSON alone
+    told = findings if printed.chosen_format == "json" else [each for each in findings if each not in none]
     emit(printed, shown(result, sort, top, pick), told, spec)
-    if not result.front:
-        raise AfmcalcError(findings[0].message)
+    if none:
+        raise AfmcalcError(none[0].message)
     if spec and common.output:
         write_spec(spec, common, say("Number {pick} of the front of afmcalc design.", pick=pick))
         common.wrote(say("wrote number {pick} to {output}", pick=pick, output=common.output))

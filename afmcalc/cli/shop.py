@@ -64,9 +64,12 @@ def length(name: str, text: str | None) -> float | None:
 def answers_of(what: str, request: "Request", common: Common, bar: Bar) -> "list[Answers]":
     """Read and build the clutches that are drawn."""
     from ..analysis.answers import Answers
+    from ..findings import doubts
 
     if request.subjects.count("-") > 1:
         raise AfmcalcError(say("standard input (-) can be read once only"))
     sources = list(request.subjects) or [None]
     clutches = [build_from(source, common, what) for source in sources]
+    for asked in (each for clutch in clutches for each in doubts(clutch.spec.label.doubts)):
+        common.note(asked.message)  # a plot has no findings
     return [Answers(each, model=request.model or "mean-stress", progress=bar.advance) for each in clutches]

@@ -99,6 +99,7 @@ SAID = (
     "Invalid value for {name}: {message}",
     "Invalid value: {message}",
     "{value} is not one of {choices}",
+    "must be at least {least}",
 )
 """What it says where a command line is wrong, as templates; of two that fit the first is meant."""
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from ..arrays import Values, chosen, larger, smaller
 from ..equations import accuracy, adjustment, effects, overload
-from ..findings import Finding
+from ..findings import Finding, doubts
 from ..recorders import unrecorded
 from ..spec.models import Method, Range, Spec
 from . import setting
@@ -344,7 +344,8 @@ class Clutch(ABC):
         """What a designer should know: what the law says of it, and the setting; no steps of a calculation."""
         with unrecorded():
             found, nominal = self._law_findings(), float(self.nominal_torque)
-            return [*found, *setting.findings(self.spec, nominal, float(self.torque_min)), *self._part_findings()]
+            found = [*found, *setting.findings(self.spec, nominal, float(self.torque_min))]
+            return [*doubts(self.spec.label.doubts), *found, *self._part_findings()]
 
     def wishes(self, travel: float = 0.0) -> "list[Wish]":
         """What each spring is to give, and what happens to it where the sleeve travels by the law, or farther."""

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from typing import NamedTuple
 
-from ..messages import localized, printable, spoken, translate, with_unit
+from ..messages import Text, localized, printable, spoken, translate, with_unit
 
 
 class Unit(NamedTuple):
@@ -102,6 +102,8 @@ def display(value: object, unit: str) -> str:
 
 def worded(text: str) -> str:
     """Return a text of a result in the language of the user; one made of several may be known in its parts only."""
+    if isinstance(text, Text):
+        return translate(text)
     # one word may be a name; a sentence is none
     for context in ("value", "", "comment", "name") if " " in text else ("value", "unit"):
         if (told := translate(text, context)) != text:

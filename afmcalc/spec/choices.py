@@ -3,14 +3,14 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple, get_args
 
 from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler, TypeAdapter, ValidationError
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
 from ..messages import say
-from .fields import Count, Force, Length, Ratio, Stiffness, StiffnessOrNone, WallAngle
+from .fields import Count, Force, Length, Quantity, Ratio, Stiffness, StiffnessOrNone, WallAngle
 from .rules import Table
 
 if TYPE_CHECKING:
@@ -55,6 +55,12 @@ class Searched:
     kind: Any
     """Type of a spec's field; every value is held to what it is held to."""
     most: int = MOST_VALUES
+
+    @property
+    def about(self) -> Quantity:
+        """What each value may be."""
+        found: Quantity = get_args(self.kind)[1]
+        return found
 
     @cached_property
     def _field(self) -> TypeAdapter[float]:

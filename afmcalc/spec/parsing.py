@@ -88,15 +88,19 @@ def parse(text: str, label: str) -> dict[str, object]:
     Raises:
         SpecError: it is neither, or beyond a limit.
     """
-    start = text.lstrip()[:1]
-    if not start:
+    if not text.strip():
         raise _refused(label, say("is empty; a clutch spec in TOML or JSON is wanted"))
     try:
-        data = _json_of(text, label) if start == "{" or label.endswith(".json") else toml_of(text, label)
+        data = _json_of(text, label) if is_json(text, label) else toml_of(text, label)
     except RecursionError:
         raise _refused(label, too_deep()) from None
     check_size(data, label)
     return data
+
+
+def is_json(text: str, label: str) -> bool:
+    """Whether a text is meant as JSON."""
+    return text.lstrip()[:1] == "{" or label.endswith(".json")
 
 
 def toml_of(text: str, label: str) -> dict[str, object]:

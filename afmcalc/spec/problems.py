@@ -3,18 +3,20 @@
 import json
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from ..errors import Problem
 from ..messages import say
+from ..source import Unlikely
 from .models import Spec
 from .names import elsewhere
+from .quantity import impossible
 from .rules import RuleError, Table
 from .suggest import did_you_mean
-from .walk import choices_at, names_in
+from .walk import choices_at, keys_below, names_in
 
 _MOST_TOLD = 100
 """Problems that are told; of the others the number."""
@@ -28,6 +30,11 @@ def problems_of(error: ValidationError, data: Table, model: type[BaseModel]) -> 
     found = list(_found(error, ()))
     told = [_told(each, data, model) for each in found[:_MOST_TOLD]]
     return list(dict.fromkeys(told)), len(found[_MOST_TOLD:])
+
+
+def too_large(doubts: Iterable[Unlikely], data: Table) -> list[Problem]:
+    """Numbers without a unit that cannot be meant in SI."""
+    return [Problem(each.path, _given(each.path, data), impossible(each)) for each in doubts if not each.possible]
 
 
 def mistaken(data: Table, model: type[BaseModel]) -> Problem | None:
@@ -106,6 +113,12 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None,
             return say("must not be empty")
         case "greater_than":
             return say("must be greater than {bound:g}", bound=context["gt"])
+        case "greater_than_equal" if _is_temperature(location, root) and re.fullmatch(r"[-\d.]+", given or ""):
+            return say(
+                'a number without a unit is in K, and must be at least {bound:g}: "{number} degC"?',
+                bound=context["ge"],
+                number=given,
+            )
         case "greater_than_equal":
             return say("must be at least {bound:g}", bound=context["ge"])
         case "less_than_equal":
@@ -118,6 +131,11 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None,
             return str(context["error"])
         case _:
             return detail["msg"]
+
+
+def _is_temperature(location: tuple[str, ...], root: type[BaseModel]) -> bool:
+    key = keys_below(root).get(".".join(location))
+    return key is not None and key.unit == "K abs"
 
 
 def _too_steep(given: str | None) -> str:

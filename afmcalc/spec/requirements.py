@@ -4,19 +4,20 @@ from collections.abc import Iterable
 from os import PathLike
 from typing import Annotated, Literal
 
-from pydantic import Field, StrictBool, model_validator
+from pydantic import Field, PrivateAttr, StrictBool, model_validator
 
 from ..errors import Problem
 from ..messages import say
+from ..source import Source
 from ..variants import VARIANTS
 from . import rules
 from .choices import Angles, Choice, Diameters, Forces, Lengths, Pairs, Ratios, Stiffnesses, StiffnessesOrNone
 from .contact import HARDENED_STEEL, Contact
 from .fields import AtLeastOne, Block, Count, Force, Gap, Length, Name, Ratio, Stress, Torque, key_field
-from .models import Friction, Method, PocketShape, Profiled, VariantName
-from .overrides import Overrides, apply_overrides, overridden
-from .parsing import parse, text_of
-from .reading import validated
+from .models import Friction, Method, Origin, PocketShape, Profiled, VariantName
+from .overrides import Overrides
+from .parsing import text_of
+from .reading import data_of, validated
 from .springs import Room
 
 Objective = Literal[
@@ -163,6 +164,18 @@ class Requirements(Block):
     fixed: Fixed = Field(default_factory=Fixed)
     limits: Limits = Field(default_factory=Limits)
 
+    _origin: Origin = PrivateAttr(Origin(Source("requirements")))
+
+    def model_post_init(self, context: object) -> None:
+        """Keep where they were read from, if that is known."""
+        if isinstance(context, Source):
+            self._origin = Origin(context)
+
+    @property
+    def label(self) -> Source:
+        """The file they were read from."""
+        return self._origin.label
+
     @property
     def contact(self) -> Contact | None:
         """Elastic data by which a check of the written clutch judges its balls; None: by the force given alone."""
@@ -254,8 +267,7 @@ def read_requirements(source: str | PathLike[str], overrides: Overrides = ()) ->
         FileError: the file cannot be read.
     """
     text, label = text_of(source)
-    data = apply_overrides(parse(text, label), overrides, Requirements)
-    return make_requirements(data, label.but(overridden(overrides, Requirements)))
+    return make_requirements(*data_of(text, label, overrides, Requirements))
 
 
 def make_requirements(data: rules.Table, label: str = "requirements") -> Requirements:

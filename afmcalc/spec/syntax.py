@@ -14,7 +14,7 @@ from .suggest import in_latin, plain
 
 _POSITION = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
-_UNIT = r"""[ \t]*(?:[^\W\d_](?:[^],}#"'\n]*[^],}#"'\s])?|[°%])"""
+_UNIT = r"""[ \t]*(?:(?:1?[ \t]*/[ \t]*)?[^\W\d_](?:[^],}#"'\n]*[^],}#"'\s])?|[°%])"""
 _END = r"""(?=[ \t]*(?:[],}#]|$))"""
 _KEY = re.compile(r"""[ \t]*(\[*[ \t]*)([^]=:\s#"']+)""")
 _LONG = 60

@@ -1,12 +1,13 @@
-"""The units of fields, and those that specs are written in, known by heart: pint costs half the start-up.
+"""Units: one table of them, and the products of its rows that a unit may be written as."""
 
-Factors are decimal and exactly those pint finds (a test compares every row), so that it makes no difference which of
-the two reads a unit. What is not here is pint's.
-"""
-
+import re
+from collections.abc import Mapping
 from decimal import Decimal
+from functools import cache
+from typing import NamedTuple
 
 from ..messages import say, term
+from .suggest import did_you_mean
 
 EXAMPLES = {
     "N": ("a force", "2 kN"),
@@ -34,69 +35,186 @@ EXAMPLES = {
 }
 """SI unit of a field → what it is, and how one may be written."""
 
-SIGNS = str.maketrans({"·": "*", "⋅": "*", "×": "*", "²": "^2", "³": "^3"})
-"""Signs that people write → those of the table."""
-
-_FORCES = {"N": "1", "kN": "1e3", "MN": "1e6", "Н": "1", "кН": "1e3", "МН": "1e6"}
-_LENGTHS = {"m": "1", "cm": "1e-2", "mm": "1e-3", "м": "1", "см": "1e-2", "мм": "1e-3"}
-_PRESSURES = {"Pa": "1", "kPa": "1e3", "MPa": "1e6", "GPa": "1e9", "bar": "1e5"}
-_PRESSURES |= {"Па": "1", "кПа": "1e3", "МПа": "1e6", "ГПа": "1e9", "N/mm^2": "1e6", "Н/мм^2": "1e6"}
-_TIMES = {"s": "1", "ms": "1e-3", "с": "1", "мс": "1e-3"}
-_RPM = "0.1047197551196597746154214461"
-_DEGREE = "0.01745329251994329576923690768"
-
-
-def _alike(first: str, second: str) -> bool:
-    """Whether two units are of one alphabet."""
-    return first.isascii() == second.isascii()
-
-
-KNOWN: dict[str, dict[str, Decimal]] = {
-    "N": {unit: Decimal(factor) for unit, factor in _FORCES.items()},
-    "m": {unit: Decimal(factor) for unit, factor in _LENGTHS.items()},
-    "N*m": {
-        force + sign + length: Decimal(newtons) * Decimal(metres)
-        for force, newtons in _FORCES.items()
-        for length, metres in _LENGTHS.items()
-        for sign in ("*", " ", "")
-        if _alike(force, length)
-    },
-    "N/m": {
-        f"{force}/{length}": Decimal(newtons) / Decimal(metres)
-        for force, newtons in _FORCES.items()
-        for length, metres in _LENGTHS.items()
-        if _alike(force, length)
-    },
-    "1/m": {f"1/{unit}": 1 / Decimal(factor) for unit, factor in _LENGTHS.items()},
-    "rad": {"rad": Decimal(1), "рад": Decimal(1)} | dict.fromkeys(("deg", "°", "degree", "град"), Decimal(_DEGREE)),
-    "Pa": {unit: Decimal(factor) for unit, factor in _PRESSURES.items()},
-    "rad/s": {"rad/s": Decimal(1), "рад/с": Decimal(1)} | dict.fromkeys(("rpm", "об/мин"), Decimal(_RPM)),
-    "m/s": {"m/s": Decimal(1), "mm/s": Decimal("1e-3"), "м/с": Decimal(1), "мм/с": Decimal("1e-3")},
-    "s": {unit: Decimal(factor) for unit, factor in _TIMES.items()},
-    "kg": {"kg": Decimal(1), "g": Decimal("1e-3"), "кг": Decimal(1), "г": Decimal("1e-3")},
-    "kg*m^2": {f"{mass}{sign}{length}^2": Decimal(1) for mass, length in (("kg", "m"), ("кг", "м")) for sign in "* "},
-    "N*m/rad": {
-        f"{force}{sign}m/rad": Decimal(_FORCES[force]) for force in ("N", "kN", "MN") for sign in ("*", " ", "")
-    },
-    "m^3": {f"{unit}^3": Decimal(factor) ** 3 for unit, factor in _LENGTHS.items()},
-    "kg/m^3": {"kg/m^3": Decimal(1), "кг/м^3": Decimal(1), "g/cm^3": Decimal(1000)},
-    "J/kg/K": {"J/kg/K": Decimal(1), "J/(kg*K)": Decimal(1), "Дж/(кг*К)": Decimal(1)},
-    "W/m/K": {"W/m/K": Decimal(1), "W/(m*K)": Decimal(1), "Вт/(м*К)": Decimal(1)},
-    "W/K": {"W/K": Decimal(1), "Вт/К": Decimal(1)},
-    "J/m^2": {"J/m^2": Decimal(1), "kJ/m^2": Decimal(1000)}
-    | dict.fromkeys(("J/mm^2", "Дж/мм^2"), Decimal("1e6"))
-    | dict.fromkeys(("J/cm^2", "Дж/см^2"), Decimal("1e4")),
-    "m^3/J": {"m^3/J": Decimal(1), "mm^3/J": Decimal("1e-9"), "мм^3/Дж": Decimal("1e-9")},
+_FOREIGN = {
+    "J": say("an energy"),
+    "m^2": say("an area"),
+    "K": say("a temperature difference"),
+    "W": say("a power"),
 }
-"""SI unit of a field → unit as written → how many SI units it is."""
+"""Dimensions that no field has, by a unit of theirs."""
+
+# An angle and an energy are dimensions of their own, so that 0.1 rad is no coefficient and 200 J is no torque.
+_BASES = ("m", "N", "rad", "J", "s", "kg", "K")
+
+_TWO_PI = "6.283185307179586476925286766559"
+_RPM = Decimal("0.1047197551196597746154214461")
+
+_PREFIXED = {
+    "m": "1 m", "meter": "1 m", "metre": "1 m", "N": "1 N", "newton": "1 N", "rad": "1 rad", "radian": "1 rad",
+    "J": "1 J", "joule": "1 J", "s": "1 s", "second": "1 s", "g": "1e-3 kg", "gram": "1e-3 kg", "K": "1 K",
+    "kelvin": "1 K", "Pa": "1 N/m^2", "pascal": "1 N/m^2", "bar": "1e5 N/m^2", "W": "1 J/s", "watt": "1 J/s",
+}  # fmt: skip
+_PLAIN = {
+    "in": "25.4e-3 m", "inch": "25.4e-3 m", "ft": "0.3048 m", "foot": "0.3048 m", "lbf": "4.4482216152605 N",
+    "kgf": "9.80665 N", "kp": "9.80665 N", "psi": "6894.757293168361336722673445 N/m^2",
+    "ksi": "6894757.293168361336722673445 N/m^2", "deg": "0.01745329251994329576923690768489 rad",
+    "degree": "0.01745329251994329576923690768489 rad", "°": "0.01745329251994329576923690768489 rad",
+    "rpm": f"{_RPM} rad/s", "rev": f"{_TWO_PI} rad", "revolution": f"{_TWO_PI} rad", "U": f"{_TWO_PI} rad",
+    "min": "60 s", "minute": "60 s", "h": "3600 s", "hour": "3600 s",
+}  # fmt: skip
+"""UnitProduct → what it is in SI; those above take a prefix."""
+_PREFIXES = {
+    "k": "1e3", "kilo": "1e3", "M": "1e6", "mega": "1e6", "G": "1e9", "giga": "1e9", "d": "0.1", "deci": "0.1",
+    "c": "0.01", "centi": "0.01", "m": "1e-3", "milli": "1e-3", "u": "1e-6", "µ": "1e-6", "μ": "1e-6", "micro": "1e-6",
+}  # fmt: skip
+
+_RUSSIAN = {
+    "м": "m", "Н": "N", "рад": "rad", "Дж": "J", "с": "s", "г": "g", "К": "K", "Па": "Pa", "бар": "bar", "Вт": "W",
+    "град": "deg", "кгс": "kgf", "об": "rev", "мин": "min", "ч": "h",
+}  # fmt: skip
+_RUSSIAN_PREFIXES = {"к": "k", "М": "M", "Г": "G", "д": "d", "с": "c", "м": "m", "мк": "u"}
+
+_COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН", "мм", "см", "МПа", "мс", "кг")
+"""Units to suggest before others."""
 
 FREEZING = Decimal("273.15")
 """0 °C in kelvin."""
-
 SCALES: dict[str, dict[str, Decimal]] = {
     "K abs": {"K": Decimal(0), "К": Decimal(0)} | dict.fromkeys(("degC", "°C", "°С"), FREEZING),
 }
-"""Unit of a field that counts from a zero of its own → scale as written → its zero, in SI."""
+"""UnitProduct of a field that counts from a zero of its own → scale as written → its zero, in SI."""
+
+
+class UnitProduct(NamedTuple):
+    """A unit, or a product of units."""
+
+    factor: Decimal
+    """How many SI units it is."""
+    exponents: tuple[int, ...]
+    """Powers of ``_BASES``."""
+    latin: str
+    """How it is written in Latin letters."""
+
+
+class UnknownUnitError(ValueError):
+    """A word that is no unit; ``args`` hold it."""
+
+
+@cache
+def _words() -> dict[str, UnitProduct]:
+    """Every word that is a unit."""
+    known = {name: UnitProduct(Decimal(1), tuple(int(name == base) for base in _BASES), name) for name in _BASES}
+    table = {
+        prefix + name: (by, *si.split(), prefix + name)
+        for prefix, by in {"": "1", **_PREFIXES}.items()
+        for name, si in _PREFIXED.items()
+    }
+    table |= {name: ("1", *si.split(), name) for name, si in _PLAIN.items()}
+    for prefix, latin_prefix in {"": "", **_RUSSIAN_PREFIXES}.items():
+        for name, latin in _RUSSIAN.items():
+            if not prefix or latin in _PREFIXED:
+                table.setdefault(prefix + name, table[latin_prefix + latin])
+    powers = {si: _product(si, known).exponents for si in {si for _, _, si, _ in table.values()}}
+    for word, (by, number, si, latin) in table.items():
+        known[word] = UnitProduct(Decimal(by) * Decimal(number), powers[si], latin)
+    return known
+
+
+_SIGNS = str.maketrans({"·": "*", "⋅": "*", "×": "*", "⁻": "-", "−": "-", "¹": "1", "²": "2", "³": "3", "⁴": "4"})
+_FACTOR = re.compile(r"(\s*[*/]\s*|\s+|)([^\W\d_]+|°)(?:\^?(-?[1-4])(?!\d))?")
+_DIVISOR = re.compile(r"/\s*\(([^()/]*)\)")
+
+
+def _product(text: str, words: Mapping[str, UnitProduct]) -> UnitProduct:
+    """Read a product such as ``kN*m/rad``, ``1/min``, ``min^-1``, ``J/(kg*K)`` or ``kgm2``.
+
+    Raises:
+        UnknownUnitError: a word of it is no unit.
+        ValueError: it is no product.
+    """
+    plain = text.translate(_SIGNS).replace("**", "^").strip()
+    plain = _DIVISOR.sub(lambda found: "/" + re.sub(r"\s*\*\s*|\s+", "/", found[1].strip()), plain)
+    plain = re.sub(r"^1\s*(?=/)", "", plain)
+    factor, exponents, latin, at = Decimal(1), [0] * len(_BASES), "", 0
+    while at < len(plain) or not at:
+        found = _FACTOR.match(plain, at)
+        if found is None or (found[1] == "" if at else "*" in found[1]):
+            raise ValueError(text)
+        sign = -1 if "/" in found[1] else 1
+        for unit, power in _factors(found[2], sign * int(found[3] or 1), sign, words):
+            factor *= unit.factor**power
+            exponents = [own + power * more for own, more in zip(exponents, unit.exponents, strict=True)]
+        latin += found[1] + "*".join(unit.latin for unit, _ in _factors(found[2], 1, 1, words)) + (found[3] or "")
+        at = found.end()
+    return UnitProduct(factor, tuple(exponents), latin)
+
+
+def _factors(word: str, power: int, sign: int, words: Mapping[str, UnitProduct]) -> list[tuple[UnitProduct, int]]:
+    """Units that a word is made of, with their powers: one, or a force or mass with a length (Nm, kgm2)."""
+    for name in (word, word.removesuffix("s") if len(word) > len("hour") else word):
+        if name in words:
+            return [(words[name], power)]
+    for at in range(1, len(word)):
+        head, tail = words.get(word[:at]), words.get(word[at:])
+        if head and tail and head.latin[-1] in "Ng" and tail.latin in ("m", "cm", "mm"):
+            return [(head, sign), (tail, power)]
+    raise UnknownUnitError(word)
+
+
+@cache
+def factor(text: str, unit: str) -> Decimal:
+    """How many SI units of the field one ``text`` is; decimal, so that 15 cm^3 is exactly 15e-6 m^3.
+
+    Raises:
+        ValueError: no unit, or one of another dimension than the field's ``unit``.
+    """
+    try:
+        given = _product(text, _words())
+    except UnknownUnitError as error:
+        if hint := _in_one_alphabet(text, unit):
+            raise ValueError(say("unknown unit {text!r}{hint}", text=text, hint=hint)) from None
+        (word,) = error.args
+        near = did_you_mean(word, [each for each in (*_COMMON, *_words()) if _fits(text.replace(word, each), unit)])
+        message = say("unknown unit {names!r}{hint}; {allowed}", names=word, hint=near, allowed=allowed(unit))
+        raise ValueError(message) from None
+    except ValueError:
+        raise ValueError(say("{text!r} is not a unit; {allowed}", text=text, allowed=allowed(unit))) from None
+    if given.exponents == _product(unit, _words()).exponents:
+        return given.factor
+    if unit == "rad/s" and given == _product("1/min", _words())._replace(latin=given.latin):
+        return _RPM  # a speed of rotation in 1/min is one of revolutions; in 1/s it could be either
+    kinds = {si: kind for si, (kind, _) in EXAMPLES.items() if si != "1" and si not in SCALES} | _FOREIGN
+    others = (term(kind) for si, kind in kinds.items() if _product(si, _words()).exponents == given.exponents)
+    other = next(others, say("of dimension {dimension}", dimension=_dimension(given.exponents)))
+    kind = term(EXAMPLES[unit][0])
+    raise ValueError(
+        say("{text} is {other}, not {kind}; {allowed}", text=text, other=other, kind=kind, allowed=allowed(unit))
+    )
+
+
+def _fits(text: str, unit: str) -> bool:
+    """Whether a text is a unit of the dimension of ``unit``."""
+    try:
+        return _product(text, _words()).exponents == _product(unit, _words()).exponents
+    except ValueError:
+        return False
+
+
+def _dimension(exponents: tuple[int, ...]) -> str:
+    powers = zip(_BASES, exponents, strict=True)
+    return "*".join(base if power == 1 else f"{base}^{power}" for base, power in powers if power) or "1"
+
+
+_CYRILLIC = str.maketrans("ABEKMHOPCTXacekmop", "АВЕКМНОРСТХасекмор")
+
+
+def _in_one_alphabet(text: str, unit: str) -> str:
+    """Hint for a unit of the field that is typed with letters of two alphabets, or of the wrong one; else nothing."""
+    meant = text.translate(_CYRILLIC)
+    if not _fits(meant, unit):
+        return ""
+    latin = _product(meant, _words()).latin
+    return say("; write {latin!r}, or {meant!r} in Cyrillic letters alone", latin=latin, meant=meant)
 
 
 def allowed(unit: str) -> str:

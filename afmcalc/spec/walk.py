@@ -70,4 +70,5 @@ def _block_of(field: FieldInfo) -> type[BaseModel] | None:
 
 def _quantity(field: FieldInfo) -> Quantity | None:
     nested = (item for part in get_args(field.annotation) for item in getattr(part, "__metadata__", ()))
-    return next((item for item in (*field.metadata, *nested) if isinstance(item, Quantity)), None)
+    of = (getattr(item, "about", item) for item in (*field.metadata, *nested))
+    return next((item for item in of if isinstance(item, Quantity)), None)

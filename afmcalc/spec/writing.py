@@ -8,7 +8,7 @@ from typing import Any
 from .models import Spec
 from .paths import keys, unit_at
 from .quantity import parse_quantity
-from .units import KNOWN
+from .units import factor
 
 _WRITTEN = {"N": "kN", "m": "mm", "N*m": "N*m", "N/m": "N/mm", "rad": "deg", "Pa": "MPa", "m^3": "cm^3"}
 """SI unit → the one that a written spec has."""
@@ -95,7 +95,7 @@ def _quantity(value: float, unit: str) -> str:
     """Write a number in SI with the engineer's unit, or with its own where only that reads back to the same."""
     written = _WRITTEN[unit]
     # of a decimal zero the exponent would be kept
-    text = f"{Decimal(value) / KNOWN[unit][written]:.{_DIGITS}g}" if value else "0"
+    text = f"{Decimal(value) / factor(written, unit):.{_DIGITS}g}" if value else "0"
     plain = f"{value:.{_DIGITS}g}"
     if float(plain) == value and parse_quantity(f"{text} {written}", unit) != value:
         return f"{plain} {unit}"

@@ -192,7 +192,7 @@ def test_unwritable_and_missing_files_are_exit_3(afmcalc, tmp_path):
 
 
 def test_a_result_beyond_the_range_of_numbers_is_an_error_for_people(afmcalc):
-    run = afmcalc("torque", "--set", "F=1e308", "--set", "R=1e10")
+    run = afmcalc("torque", "--set", "F=1e308", "--set", "R=1e10 m")
     assert (run.code, run.out) == (2, "")
     assert "not finite" in run.err
     tiny = afmcalc("accuracy", "--set", "friction.min=1e-320", "--set", "friction.mean=", "--json")

@@ -1,6 +1,7 @@
 """Files to start from: every kind and variant, with the schema beside them, and the examples by name."""
 
 import json
+import re
 import tomllib
 
 import pytest
@@ -74,3 +75,87 @@ def test_examples_are_sources_by_name(afmcalc):
         assert by_name.json == by_path.json
     wrong = afmcalc("torque", "example:indirekt")
     assert (wrong.code, wrong.err) == (2, "error: example:indirekt: no such example; did you mean 'indirect'?\n")
+
+
+OPTIONAL = re.compile(r"# (?=\[[\w.]+\](?! and)|[\w.\"]+ = )")
+"""Before a key or block that is there to be taken up."""
+SPRUNG = ["springs", "closing_room"]
+INDIRECT = [*SPRUNG, "control_room", "closing_stiffness", "control_stiffness", "hub_diameter", "key_friction"]
+RADII = ["inner_radius", "outer_radius", "radius_model"]
+TOGETHER = (
+    {"material": (["material"], ["min", "mean", "max"]), "wall_angle": (["wall_angle"], ["gain"])}
+    | {"gain_slope": (["gain_slope"], ["pocket"])}
+    | dict.fromkeys(RADII, (RADII, ["mean_radius"]))
+    | dict.fromkeys(INDIRECT, (INDIRECT, ["variants"]))
+    | dict.fromkeys(SPRUNG, (SPRUNG, []))
+)
+"""Key → keys that are taken up with it, and those that they stand in for."""
+
+
+def optional(text):
+    """Places of what may be taken up: (table, key) of a key, (table, "") of a block with all below it → lines."""
+    found, table, block = {}, "", None
+    for number, line in enumerate(text.splitlines()):
+        if head := re.match(r"(# )?\[([\w.]+)\](?! and)", line):
+            table, block = head[2], (head[2], "") if head[1] else None
+            if block:
+                found[block] = [number]
+        elif OPTIONAL.match(line):
+            key = (table, line[2:].partition(" = ")[0])
+            found.setdefault(block or key, []).append(number)
+    return found
+
+
+def taken_up(text, table, key):
+    """A text with a key taken up, and what belongs to it, without what that stands in for."""
+    many, gone = TOGETHER.get(key, ([key], []))
+    anywhere = many[0] == "springs"
+    places = {of: numbers for of, numbers in optional(text).items() if of[0] == table or anywhere}
+    chosen = {number for (_, name), numbers in places.items() if name in many for number in numbers}
+    lines, inside = [], ""
+    for number, line in enumerate(text.splitlines()):
+        if head := re.match(r"\[([\w.]+)\]", line):
+            inside = head[1]
+        if line.partition(" = ")[0] in gone and (inside == table or anywhere):
+            lines.append('variants = ["indirect"]' if "variants" in gone else f"# {line}")
+        else:
+            lines.append(line[2:] if number in chosen else line)
+    return "\n".join(lines)
+
+
+STARTS = [
+    *(["--kind", "clutch", "--variant", each] for each in _EXAMPLES),
+    *(["--kind", "drive", "--variant", each] for each in _EXAMPLES),
+    *(["--kind", each] for each in _KINDS),
+]
+
+
+def test_every_key_that_is_commented_out_can_be_taken_up(afmcalc):
+    """In every file that ships and every template; those in Russian have the same keys with the same values."""
+    texts = [path.read_text(encoding="utf-8") for path in sorted(CONFIGS.glob("*.toml"))]
+    for start in STARTS:
+        english, russian = (afmcalc("init", "-", *start, "--lang", name).out for name in ("en", "ru"))
+        texts.append(english)
+        assert optional(russian) == optional(english)
+        for table, key in optional(russian):
+            data, other = (tomllib.loads(taken_up(text, table, key)) for text in (english, russian))
+            assert {**data, "name": ""} == {**other, "name": ""}
+    asked = {}
+    for text in dict.fromkeys(texts):
+        for table, key in optional(text):
+            variant = tomllib.loads(text).get("variant")
+            if (table, key) == ("drive", "hub_inertia"):
+                assert variant != "indirect"
+                continue
+            (value, *_), made = optional(text)[table, key], taken_up(text, table, key)
+            asked.setdefault((variant, table, key, text.splitlines()[value].partition("   ")[0]), made)
+    assert {("indirect", "control_unit", "gain_slope"), (None, "fixed", "control_room")} <= {each[:3] for each in asked}
+    assert len(asked) > 80
+    for (variant, table, key, _), text in asked.items():
+        few = ["search.pairs=8"]
+        if "\ninner_radius = [" in text:
+            few += ["fixed.face_width=", "search.outer_radius=0.1"]
+        small = [part for each in few for part in ("--set", each)]
+        run = afmcalc("torque" if variant else "design", "-", *([] if variant else small), "-q", stdin=text)
+        assert run.code == 0 or not variant and "meets every requirement" in run.err, (variant, table, key, run.err)
+        assert "number-without-unit" not in run.out

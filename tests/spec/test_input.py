@@ -18,6 +18,7 @@ from afmcalc.spec import Spec, make_spec
 from afmcalc.spec.edit import put
 from afmcalc.spec.reading import spec_of
 from afmcalc.spec.requirements import Requirements, make_requirements
+from afmcalc.spec.suggest import did_you_mean
 from afmcalc.spec.walk import keys_below
 
 BASE = """\
@@ -295,3 +296,108 @@ def test_a_mistyped_file_is_a_spec_or_an_error_at_a_place_that_there_is(file, as
         for place in (problem.place for problem in error.problems if problem.place):
             assert text.split("\n")[place.line - 1].removesuffix("\r") == place.text
             assert 1 <= place.column <= len(place.text) + 1
+
+
+BARE = [
+    # key = value → what is asked, or how it is refused
+    ("friction_group.mean_radius", "0.4999", ""), ("friction_group.mean_radius", "0.5", '0.5 m; 0.5 mm? Write "0.5 mm" or "0.5 m"'),
+    ("friction_group.mean_radius", "10", '10 m; 10 mm? Write "10 mm" or "10 m"'),
+    ("friction_group.mean_radius", "100", 'and 100 m is too large: write "100 mm"'),
+    ("friction_group.mean_radius", '"600 mm"', ""), ("friction_group.mean_radius", '"0.6 m"', ""), ("friction_group.mean_radius", '"12 m"', ""),
+    ("control_unit.ball_circle_radius", "50", 'write "50 mm"'), ("control_unit.face_gap", "2", '2 m; 2 mm?'),
+    ("closing_spring.force", "2", '2 N; 2 kN? Write "2 kN" or "2 N"'), ("closing_spring.force", "19.9", "19.9 kN?"),
+    ("closing_spring.force", "20", ""), ("closing_spring.force", '"2 N"', ""),
+    ("drive.speed", "1460", '1460 rad/s; 1460 rpm? Write "1460 rpm" or "1460 rad/s"'),
+    ("drive.speed", "1000", ""), ("drive.speed", '"1460 1/min"', ""),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("path", "value", "says"), BARE)
+@pytest.mark.parametrize("way", ["toml", "set"])
+def test_a_number_without_a_unit_that_may_be_meant_in_another_is_asked_after(path, value, says, way, afmcalc):
+    block, key = path.split(".")
+    text = re.sub(rf"(?m)^{key} = .*\n", "", BASE)
+    written = (
+        text.replace(f"[{block}]", f"[{block}]\n{key} = {value}")
+        if f"[{block}]" in text
+        else f"{text}[{block}]\n{key} = {value}\n"
+    )
+    run = (
+        afmcalc("torque", "-", "--json", stdin=written)
+        if way == "toml"
+        else afmcalc("torque", "-", "--json", "--set", f"{path}={value}", stdin=BASE)
+    )
+    if "too large" in says or says.startswith("write"):
+        assert run.code == 2
+        assert f"{path} = {value}: a number without a unit is in SI, and" in run.err
+        assert says in run.err
+        return
+    asked = [each for each in run.json["findings"] if each["code"] == "number-without-unit"]
+    assert [(each["level"], each["path"], each["value"]) for each in asked] == (
+        [("warning", path, float(value))] if says else []
+    )
+    assert all(says in each["message"] for each in asked)
+    # what afmcalc writes is in SI: it is not asked after where it is read again
+    again = afmcalc("torque", "-", "--json", stdin=run.out).json
+    assert "number-without-unit" not in str(again["findings"])
+    assert again["result"] == run.json["result"]
+
+
+@pytest.mark.parametrize(
+    "command",
+    ["torque", "accuracy", "adjust", "overload", "synthesize", "life", "check", "springs", "explain torque", "solve", "compare", "compare --variants"],
+)  # fmt: skip
+def test_every_command_asks(command, afmcalc):
+    text = (
+        BASE.replace('"2 kN"', "2")
+        + "[fatigue]\nendurance_limit = '400 MPa'\npolar_section_modulus = '15 cm^3'\nexponent = 6\nbase_cycles = 1e7\n"
+    )
+    run = afmcalc(*(["solve", "accuracy_factor=2"] if "solve" in command else command.split()), "-", stdin=text)
+    assert "2 N; 2 kN?" in run.out, run.err
+
+
+def test_sweeps_drawings_and_designs_ask_too(afmcalc, tmp_path):
+    for command in ("accuracy", "overload"):
+        assert "0.6 m; 0.6 mm?" in afmcalc(command, "-", "--sweep", "R=0.6:0.8:2", stdin=BASE).out
+        for unlikely in ("R=80:120:5", "R=0.1,80"):
+            run = afmcalc(command, "-", "--sweep", unlikely, stdin=BASE)
+            assert (run.code, run.err) == (
+                2,
+                f'error: --sweep {unlikely}: a number without a unit is in SI, and 80 m is too large: write "80 mm"\n',
+            )
+        for likely in ("R=80 mm:120 mm:5", "R=0.6 m,0.7 m", "R=0.1:0.2:3"):
+            run = afmcalc(command, "-", "--sweep", likely, stdin=BASE)
+            assert (run.code, "number-without-unit" in run.out) == (0, False)
+    wanted = (
+        (CONFIGS / "requirements.toml")
+        .read_text(encoding="utf-8")
+        .replace('start = "60 mm", stop = "140 mm", count = 41', "{}")
+    )
+    few = ["--set", "search.pairs=8", "--set", "search.gain=0.5"]
+    assert (
+        "0.6 m; 0.6 mm?"
+        in afmcalc("design", "-", *few, stdin=wanted.replace("{}", "start = 0.06, stop = 0.6, count = 3")).out
+    )
+    run = afmcalc("design", "-", *few, stdin=wanted.replace("{}", "start = 60, stop = 140, count = 3"))
+    assert run.code == 2
+    assert 'and 60 m is too large: write "60 mm"' in run.err
+
+
+def test_a_temperature_without_a_unit_asks_for_degrees(afmcalc):
+    err = afmcalc("torque", "-", stdin=BASE + "[heat]\nambient = 20\n").err
+    assert 'heat.ambient = 20: a number without a unit is in K, and must be at least 173.15: "20 degC"?\n' in err
+    assert "at least 173.15\n" in afmcalc("torque", "-", stdin=BASE + '[heat]\nambient = "20 K"\n').err
+
+
+@pytest.mark.parametrize(
+    ("word", "known", "said"),
+    [
+        ("gаin", ["gain"], "; did you mean 'gain' (all Latin)?"),
+        ("расе", ["pack"], "; did you mean 'pack'?"),  # not a letter of it is Latin
+        ("РАСК", ["Pack"], "; did you mean 'Pack'?"),
+        ("Gian", ["gain", "GAIN"], "; did you mean 'gain'?"),
+        ("gain", ["gain"], ""), ("stone", ["gain"], ""), ("g" * 61, ["g" * 60], ""),
+    ],
+)  # fmt: skip
+def test_look_alike_letters_are_compared_as_what_they_look_like(word, known, said):
+    assert did_you_mean(word, known) == said

@@ -8,7 +8,7 @@ from ...engines.parts import demands_of
 from ...engines.protocol import Clutch
 from ...findings import Finding, Level, finding
 from ...messages import say, term
-from ...result import Result, quantity
+from ...result import Result, Sentence, quantity
 from ...spec.balls import diameters
 from ...spec.edit import value_at
 from ..answers import Answers
@@ -28,8 +28,8 @@ _GRADES: dict[str, Grade] = {"info": "note", "warning": "warning", "error": "fai
 class Utilisation(Result):
     """One limit, and how much of it a design uses."""
 
-    name: str = quantity("", None, "check")
-    symbol: str = quantity("", None, "condition")
+    name: Sentence = quantity("", None, "check")
+    symbol: Sentence = quantity("", None, "condition")
     value: float = quantity("", None, "value", unit_in="shown_unit")
     limit: float = quantity("", None, "limit", unit_in="shown_unit")
     unit: str = quantity("", None, "unit", is_unit=True, unit_in="shown_unit")

@@ -7,7 +7,7 @@ from typing import Any, Literal, NamedTuple
 from ...engines.protocol import Clutch
 from ...findings import Finding, finding
 from ...messages import term, translate
-from ...result import OpenTriple, Result, Triple, quantity
+from ...result import OpenTriple, Result, Sentence, Triple, quantity
 from ...spec.paths import keys
 from ..answers import Answers
 from ..heat.limit import FREEZING, share_of_rise
@@ -23,7 +23,7 @@ class RequirementRow(Result):
     """One requirement, and whether the clutch holds it."""
 
     requirement: str = quantity("", None, "requirement")
-    name: str = quantity("", None, "quantity")
+    name: Sentence = quantity("", None, "quantity")
     symbol: str = quantity("", None, "symbol")
     value: float | None = quantity("", None, "value", unit_in="shown_unit")
     bound: Literal["at least", "at most"] = quantity("", None, "is to be")

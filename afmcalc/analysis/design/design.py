@@ -6,7 +6,7 @@ from itertools import product
 import numpy as np
 
 from ...errors import AfmcalcError
-from ...findings import Finding, finding
+from ...findings import Finding, doubts, finding
 from ...messages import joined, measured, say, term
 from ...result import Answer, quantity
 from ...spec.requirements import Requirements
@@ -92,7 +92,7 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
         front=best,
     )
     missed = [finding("springs-miss", "warning", value=float(unsprung), path="springs")] if unsprung else []
-    return result, [*_findings(result), *missed]
+    return result, [*doubts(need.label.doubts), *_findings(result), *missed]
 
 
 def refinement(need: Requirements, found: Found, progress: Progress = unwatched) -> list[tuple[DesignRow, DesignRow]]:

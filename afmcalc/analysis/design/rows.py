@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from ...messages import say
-from ...result import Result, quantity
+from ...result import Result, Sentence, quantity
 from ...spec import Spec, make_spec
 from ...spec.edit import as_written
 from ...spec.requirements import Requirements
@@ -45,8 +45,8 @@ class DesignRow(Result):
     travel: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     contact_force: float | None = quantity("N", "F_n", "largest force on one ball", optional=True)
     surface_pressure: float | None = quantity("Pa", "p", "mean surface pressure", optional=True)
-    closing_part: str | None = quantity("", None, "closing spring, discs in parallel × packs", optional=True)
-    control_part: str | None = quantity("", None, "control spring, discs in parallel × packs", optional=True)
+    closing_part: Sentence | None = quantity("", None, "closing spring, discs in parallel × packs", optional=True)
+    control_part: Sentence | None = quantity("", None, "control spring, discs in parallel × packs", optional=True)
     accuracy_factor_sprung: float | None = quantity("1", "K_т,п", "accuracy factor with these springs", optional=True)
     torque_max_sprung: float | None = quantity(
         "N*m", "T_max,п", "largest torque with these springs", optional=True, detail=True

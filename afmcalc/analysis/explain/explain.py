@@ -7,7 +7,7 @@ from ...errors import AfmcalcError
 from ...findings import Finding
 from ...messages import joined, say, term
 from ...papers.register import Formula, register
-from ...result import Answer, Result, quantity
+from ...result import Answer, Result, Sentence, quantity
 from ...spec import Spec
 from ...spec.models import Method
 from ...spec.suggest import did_you_mean
@@ -23,7 +23,7 @@ class Step(Result):
     symbol: str = quantity("", None, "symbol")
     symbol_latex: str = quantity("", None, "symbol, LaTeX")
     name: str = quantity("", None, "what it is")
-    at: str | None = quantity("", None, "friction it is for", optional=True)
+    at: Sentence | None = quantity("", None, "friction it is for", optional=True)
     setting: Method | None = quantity("", None, "how the spring is set", optional=True)
     side: str | None = quantity("", None, "side of the clutch that the load is on", optional=True)
     formula: str = quantity("", None, "formula")
@@ -31,7 +31,7 @@ class Step(Result):
     value: float = quantity("", None, "value, SI")
     unit: str = quantity("", None, "SI unit")
     source: str = quantity("", None, "source")
-    print_differs: str | None = quantity("", None, "what the paper prints instead", optional=True)
+    print_differs: Sentence | None = quantity("", None, "what the paper prints instead", optional=True)
     note: str | None = quantity("", None, "note", optional=True)
     function: str = quantity("", None, "equation function that ran")
     formula_latex: str = quantity("", None, "formula, LaTeX")

@@ -12,7 +12,7 @@ from ...recorders import unrecorded
 from ...result import OpenTriple, Triple
 from ...spec import Spec, resolved
 from ...watch import Progress, unwatched
-from ..sweep.grid import Axis
+from ..sweep.grid import Axis, replaced
 from ..torque import Pair, friction_fields, outside_range, pairs_asked
 from .bypass import bypass_peak
 from .cases import Outcome, bracket_of, outcome_of
@@ -87,6 +87,7 @@ def simulate(
         *_wide("heat", _heats(brackets)),
         *([] if bypass is None else [finding("bypass-peak", "warning", value=bypass, limit=max(peaks))]),
         *rising,
+        *replaced(clutch.spec, sweeps),
         *(remark for pair in points for remark in outside_range(clutch, *pair)),
     ]
 

@@ -7,7 +7,7 @@ from ...engines.protocol import Clutch
 from ...engines.wish import SpringName, Wish
 from ...errors import CalculationError
 from ...messages import say
-from ...result import Result, quantity
+from ...result import Result, Sentence, quantity
 from .candidates import label_of
 from .options import part_of
 from .springs import ranked
@@ -19,7 +19,7 @@ class SpringCurve(Result):
     """One spring."""
 
     spring: SpringName = quantity("", None, "spring")
-    part: str = quantity("", None, "part")
+    part: Sentence = quantity("", None, "part")
     deflection: list[float] = quantity("m", "s", "deflection")
     force: list[float] = quantity("N", "F", "force")
     tangent: list[float] = quantity("N", "c s", "straight spring of the stiffness as set")

@@ -3,7 +3,7 @@
 from typing import Literal
 
 from ...engines.wish import SpringName
-from ...result import Answer, Result, quantity
+from ...result import Answer, Result, Sentence, quantity
 
 Kind = Literal["disc", "coil"]
 
@@ -14,7 +14,7 @@ class SpringOption(Result):
     number: int | None = quantity("", None, "number", optional=True)
     spring: SpringName | None = quantity("", None, "spring", optional=True)
     kind: Kind = quantity("", None, "kind", detail=True)
-    part: str = quantity("", None, "part")
+    part: Sentence = quantity("", None, "part")
     parallel: int | None = quantity("1", "n", "discs laid into each other")
     series: int | None = quantity("1", "i", "packs against each other")
     count: int | None = quantity("1", "n_п", "springs around the shaft")

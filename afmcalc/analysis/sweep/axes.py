@@ -68,7 +68,9 @@ def parse_axis(text: str, spec: Spec) -> Axis:
         )
     scale = 1 / (spec.friction_group.pairs - spec.bypass_pairs) if name == "zC" else 1.0
     # here, not above: it loads NumPy, which only a sweep needs
-    from .ranges import default_range, parse_values
+    from .ranges import default_range, doubted, parse_values
 
-    values = parse_values(text, given, key.unit or "1") if separator else default_range(key, spec) / scale
-    return Axis(name, key, values, scale)
+    if not separator:
+        return Axis(name, key, default_range(key, spec) / scale, scale)
+    values = parse_values(text, given, key.unit or "1")
+    return Axis(name, key, values, scale, doubted(text, given, key, values))

@@ -6,9 +6,10 @@ from typing import NamedTuple, TypeVar
 from ...arrays import Floats, Values
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
-from ...findings import Finding, finding
+from ...findings import Finding, doubts, finding
 from ...messages import say
 from ...result import Series
+from ...source import Unlikely
 from ...spec import Spec, edit
 from ...spec.walk import Key
 
@@ -26,12 +27,15 @@ class Axis(NamedTuple):
     """Values of the parameter as called."""
     scale: float = 1.0
     """What a value is multiplied by to give the spec key (zC → C)."""
+    doubt: Unlikely | None = None
+    """The first value without a unit that may be meant in another than SI."""
 
 
 def replaced(spec: Spec, axes: Sequence[Axis]) -> list[Finding]:
-    """Say which keys of the spec a sweep has taken the place of."""
+    """Say which keys of the spec a sweep has taken the place of, and ask after its numbers without a unit."""
     gone = edit.replaced(spec, [axis.key.path for axis in axes])
-    return [finding("sweep-replaces", "info", path=path, by=by) for path, by in gone.items()]
+    asked = doubts(axis.doubt for axis in axes if axis.doubt)
+    return [*asked, *(finding("sweep-replaces", "info", path=path, by=by) for path, by in gone.items())]
 
 
 def grid(axes: Sequence[Axis]) -> list[Floats]:

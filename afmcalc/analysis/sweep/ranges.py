@@ -8,10 +8,11 @@ from ...arrays import Floats
 from ...engines import build
 from ...errors import AfmcalcError, SpecError
 from ...messages import say
+from ...source import Unlikely
 from ...spec import Spec
 from ...spec.edit import value_at, with_key
 from ...spec.models import FrictionRange
-from ...spec.quantity import parse_quantity
+from ...spec.quantity import impossible, parse_quantity, unlikely
 from ...spec.walk import Key
 from .grid import MOST_POINTS
 
@@ -61,6 +62,20 @@ def parse_values(text: str, given: str, unit: str) -> Floats:
 
 _RANGE = re.compile(r"\.\.|…|\d\s*(?:-|–|to)\s*\d")
 """How a range is written elsewhere."""
+
+
+def doubted(text: str, given: str, key: Key, values: Floats) -> Unlikely | None:
+    """Return the first of the values of a sweep that, given without a unit, may be meant in another than SI.
+
+    Raises:
+        AfmcalcError: one that cannot be meant in SI.
+    """
+    if _has_unit(given):
+        return None
+    found = [each for value in values.tolist() if (each := unlikely(value, key.unit, key.path))]
+    if never := next((each for each in found if not each.possible), None):
+        raise AfmcalcError(say("--sweep {text:.80}: {why}", text=text, why=impossible(never)))
+    return next(iter(found), None)
 
 
 def _has_unit(part: str) -> bool:

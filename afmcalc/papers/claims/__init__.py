@@ -6,7 +6,7 @@ from importlib import import_module
 
 from ...findings import Finding, finding
 from ...messages import joined, say, term
-from ...result import Answer, Result, quantity
+from ...result import Answer, Result, Sentence, quantity
 from ..figures import FIGURES, PaperFigure, paper_figure
 from ..register import PAPERS, check_papers, data
 from .found import Found, Verdict
@@ -19,7 +19,7 @@ class Row(Result):
     source: str = quantity("", None, "source")
     inputs: str = quantity("", None, "inputs", detail=True)
     printed: str = quantity("", None, "printed")
-    computed: str = quantity("", None, "computed")
+    computed: Sentence = quantity("", None, "computed")
     deviation: float | None = quantity("1", "dev.", "computed over printed, less 1")
     verdict: Verdict = quantity("", None, "verdict")
     correction: str | None = quantity("", None, "correction")
@@ -32,12 +32,12 @@ class CurveRow(Result):
     figure: str = quantity("", None, "figure")
     curve: str = quantity("", None, "curve")
     label: str = quantity("", None, "what it shows")
-    axes: str = quantity("", None, "axes")
+    axes: Sentence = quantity("", None, "axes")
     first: float = quantity("1", None, "y first")
     least: float = quantity("1", None, "y least")
     largest: float = quantity("1", None, "y largest")
     last: float = quantity("1", None, "y last")
-    corrections: str = quantity("", None, "corrections", detail=True)
+    corrections: Sentence = quantity("", None, "corrections", detail=True)
 
 
 class CurvePoint(Result):

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
 from ...analysis.dossier import Dossier
-from ...messages import localized, named, printable, spoken, translate
+from ...messages import localized, named, printable, spoken, term, translate
 from ...messages import told as message
 from ...papers.references import REFERENCES
 from ...spec import resolved
@@ -148,6 +148,8 @@ def _keys(subject: Subject) -> list[_SpecLine]:
             continue
         key = known[path]
         shown = list(value) if isinstance(value, tuple) else str(value) if key.unit is None else value
+        if path == "name" or path.startswith("report."):  # what a user writes is not translated
+            shown = term(str(value), "name")
         found.append(
             _SpecLine(
                 path,
