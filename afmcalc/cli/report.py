@@ -98,11 +98,12 @@ def _pdf_beside(output: str | None) -> str:
 
 def _title_block(spec: "Spec", options: dict[str, str | None]) -> "TitleBlock":
     """The [report] block of the spec under the options, dated today where neither has a date."""
+    from ..spec.reading import validated
     from ..spec.report import TitleBlock
 
     given = {name: text for name, text in options.items() if text is not None}
     block = {"date": None} if spec.report is None else spec.report.model_dump()
-    return TitleBlock(**{**block, "date": block["date"] or _date(), **given})
+    return validated(TitleBlock, {**block, "date": block["date"] or _date(), **given}, "report")
 
 
 def _read(source: str | None, common: Common) -> "tuple[bytes, str, Spec]":
