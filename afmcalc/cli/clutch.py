@@ -182,7 +182,8 @@ def compare(
     sources: list[str | None] = [*specs] if specs else [None]
     common.keep(*sources)
     clutches = [build_from(source, common) for source in sources]
-    result, findings = compare_variants(clutches[0]) if variants else analysis(clutches)
+    with common.bar():
+        result, findings = compare_variants(clutches[0]) if variants else analysis(clutches)
     emit(common, result, findings, resolved(clutches[0].spec))
 
 

@@ -11,7 +11,6 @@ from ..errors import AfmcalcError
 from ..messages import say
 from .files import REPORT, REPORT_PDF, html_only, refuse, write_file
 from .options import Common, SpecArgument, common_options
-from .progress import Bar
 from .run import need_drawing
 
 if TYPE_CHECKING:
@@ -74,8 +73,8 @@ def report(
     }  # fmt: skip
     title, digest = _title_block(read, options), sha256(raw).hexdigest()
     steps = 3 if browser else 2
-    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
-        found = dossier(read, model, progress=bar.advance)
+    with common.bar() as bar:
+        found = dossier(read, model)
         bar.advance("report", 1, steps)
         page = render(Subject(found, given, title, digest, read.label, common.set or (), __version__))
         bar.advance("report", 2, steps)
