@@ -91,3 +91,22 @@ def test_an_option_of_a_title_block_is_held_to_its_rules(text, afmcalc):
     assert (run.code, run.out) == (2, "")
     assert "project" in run.err
     assert "must be one line of printable text" in run.err
+
+
+def test_the_duration_of_an_event_can_be_swept(afmcalc):
+    """The longer it is, the more of a peak is seen; each is what that duration alone gives."""
+    durations = (0.002, 0.008)
+    run = afmcalc(
+        "simulate",
+        "example:drive",
+        "--set",
+        "drive.event.duration=0.002",
+        "--sweep",
+        "drive.event.duration=0.002,0.008",
+        "--json",
+    )
+    swept = run.json["result"]["sweep"][0]["peak_torque_max"]
+    assert swept[0] < swept[1]
+    for duration, peak in zip(durations, swept, strict=True):
+        alone = afmcalc("simulate", "example:drive", "--set", f"drive.event.duration={duration}", "--json")
+        assert peak == pytest.approx(alone.json["result"]["peak_torque"]["max"], rel=2e-3)

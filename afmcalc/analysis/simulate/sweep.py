@@ -60,9 +60,9 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values) -> Peaks:
     if isinstance(pack, DirectPack) and np.any(train.hub_inertia):
         train = without_hub(train)
     sliding = pack.torque(1.0)
-    shape = np.broadcast_shapes((1,), *_shapes(train), *_shapes(pack))
-    longest = np.broadcast_to(step_of(train, pack), shape).astype(float)
     duration = None if clutch.spec.drive.event is None else clutch.spec.drive.event.duration
+    shape = np.broadcast_shapes((1,), *_shapes(train), *_shapes(pack), np.shape(0.0 if duration is None else duration))
+    longest = np.broadcast_to(step_of(train, pack), shape).astype(float)
     steps = int(np.ceil(np.max((swings_time(train) if duration is None else duration) / longest)))
     if steps > _MOST_STEPS:
         raise CalculationError(
