@@ -8,9 +8,8 @@
 
 TYPE_CHECKING = False  # typing costs more than all the rest, and Ctrl-C may come meanwhile
 if TYPE_CHECKING:
-    from .engines import Clutch
     from .errors import AfmcalcError, FileError, SpecError
-    from .python import build, compare, design, load
+    from .python import Clutch, build, compare, design, load
     from .spec import Spec, read_spec
 
 __version__ = "0.2.0"
@@ -28,7 +27,7 @@ __all__ = [
 ]
 
 _HOMES = {
-    "Clutch": "engines",
+    "Clutch": "python",
     "build": "python",
     "compare": "python",
     "design": "python",
@@ -41,10 +40,17 @@ _HOMES = {
 }
 
 
-def __getattr__(name: str) -> object:
-    """Import a public name on first use, so that ``import afmcalc`` costs nothing."""
-    if name not in _HOMES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    from importlib import import_module
+if not TYPE_CHECKING:  # who checks types is to know every name
 
-    return getattr(import_module(f".{_HOMES[name]}", __name__), name)
+    def __getattr__(name: str) -> object:
+        """Import a public name on first use, so that ``import afmcalc`` costs nothing."""
+        if name not in _HOMES:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        from importlib import import_module
+
+        return getattr(import_module(f".{_HOMES[name]}", __name__), name)
+
+
+def __dir__() -> list[str]:
+    """List the public names, imported or not."""
+    return ["__version__", *__all__]

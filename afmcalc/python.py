@@ -1,149 +1,240 @@
-"""The calculator from Python: a clutch that answers by one call each, answers that show themselves in a notebook."""
+"""The calculator from Python: a clutch with a method for each calculation, and answers for notebooks."""
 
+import typing
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from . import __version__, engines
-from .analysis.registry import ANALYSES
-from .engines.protocol import Clutch
-from .result import Output
-from .spec import Spec, resolved
+from .analysis.registry import ANALYSES, SpringKind, SpringOrder, StressRule
+from .arrays import Floats
+from .engines.protocol import Clutch as Engine
+from .findings import Finding
+from .result import Answer, Output
+from .spec import Spec, read_spec, resolved
+from .spec.edit import respecified
+from .spec.overrides import Overrides, overridden
 
 if TYPE_CHECKING:
-    from .findings import Finding
+    from .analysis.accuracy import AccuracyResult
+    from .analysis.adjust import AdjustResult
+    from .analysis.checks.check import CheckResult
+    from .analysis.compare import CompareResult
+    from .analysis.design.design import DesignResult
+    from .analysis.effects.effects import EffectsResult
+    from .analysis.explain.explain import ExplainResult
+    from .analysis.heat.result import HeatResult
+    from .analysis.life import LifeResult
+    from .analysis.overload import OverloadResult
+    from .analysis.simulate.result import SimulateResult
+    from .analysis.solve.solve import SolveResult
+    from .analysis.springs.result import SpringsResult
+    from .analysis.sweep.grid import Axis
+    from .analysis.tolerance.result import ToleranceResult
+    from .analysis.torque import Pair, TorqueResult
+    from .analysis.unit import SynthesisResult
 
-_OF_ONE_CLUTCH = ("clutch", "design", "drive", "specs")
-"""Groups whose analyses are asked of a clutch."""
-_OTHERWISE = ("compare", "design", "examples", "materials")
-"""Those of them that take something else."""
-_NONE = object()
-
-
-class Answer(Output):
-    """What a command prints, as a value: the fields of its result are its own, a notebook shows its tables."""
-
-    def __getattr__(self, name: str) -> Any:
-        """Return a field of the result."""
-        if name.startswith("__") or name == "result":
-            raise AttributeError(name)
-        return getattr(self.result, name)
-
-    def __dir__(self) -> Iterator[str]:
-        """List the fields of the result too."""
-        yield from super().__dir__()
-        yield from type(self.result).model_fields
-
-    def __repr__(self) -> str:
-        """Return the tables of the terminal."""
-        return self._as("table")
-
-    def _repr_html_(self) -> str:
-        return self._as("html")
-
-    def _repr_markdown_(self) -> str:
-        return self._as("markdown")
-
-    def _as(self, name: str) -> str:
-        from .render import renderer
-
-        return renderer(name)(self, False)
+Sweep: TypeAlias = str | Sequence[str]
+"""``"C"``, ``"C=0:1.25:6"``, or several as on the command line; they make a grid."""
+Friction: TypeAlias = float | tuple[float, float] | Sequence[float | tuple[float, float]]
+"""A friction, a pair f_1, f_2 of unlike materials, or several of them."""
+A = TypeVar("A", bound=Answer)
 
 
-class AskedClutch:
-    """A clutch that can be asked everything the commands are asked: ``clutch.accuracy()``, ``clutch.life()`` and so on.
+class Clutch:
+    """A clutch that is asked by a method for each command: ``clutch.accuracy()``, ``clutch.life(sweep="dT")``.
 
-    What the engine offers (``clutch.accuracy_factor``, ``clutch.torque(0.3)``, arrays of any shape) is its own too;
-    ``clutch.torque()`` without a friction is the answer of the command.
+    An answer is the result of the command, with ``findings``, ``spec``, ``to_dict()`` and ``to_dataframe()``. What the
+    engine gives, as numbers or arrays of any shape, the clutch has too: ``clutch.accuracy_factor``, which type checkers
+    know as ``clutch.engine.accuracy_factor``.
     """
 
-    def __init__(self, engine: Clutch) -> None:
-        """Take the engine that calculates."""
-        self.engine = engine
+    def __init__(self, spec: Spec | Mapping[str, object]) -> None:
+        """Build the clutch of a spec."""
+        self.engine: Engine = engines.build(spec)
 
-    def __getattr__(self, name: str) -> Any:
-        """Return an analysis of the registry, ready to be called, or what the engine offers."""
-        if name in _asked():
-            return lambda *arguments, **options: _answer(name, self.engine, arguments, options)
-        return getattr(self.engine, name)
+    @property
+    def spec(self) -> Spec:
+        """The spec it was built from."""
+        return self.engine.spec
+
+    def with_(self, keys: Mapping[str, object] | None = None, /, **named: object) -> "Clutch":
+        """Return the clutch with other values of some keys, by name, symbol or path; None removes a key.
+
+        A key takes the place of those that exclude it (the gain that of a wall angle).
+        """
+        return Clutch(respecified(self.spec, overridden({**(keys or {}), **named})))
+
+    def accuracy(self, sweep: Sweep = ()) -> "AccuracyResult":
+        """Accuracy factor, its limits and sensitivities, and sweeps of it."""
+        return self._ask("accuracy", self._axes(sweep))
+
+    def adjust(self) -> "AdjustResult":
+        """Both ways of setting the spring, at f_min and at mean friction."""
+        return self._ask("adjust")
+
+    def check(self, *, strict: bool = False) -> "CheckResult":
+        """Requirements, limits and findings, with a verdict; ``strict``: a warning fails too."""
+        return self._ask("check", strict=strict)
+
+    def effects(self) -> "EffectsResult":
+        """What the torque law neglects, in numbers."""
+        return self._ask("effects")
+
+    def explain(self, command: str, *, model: StressRule | None = None) -> "ExplainResult":
+        """The calculation of a command step by step: formula, numbers, value, source."""
+        options = {"model": model} if model else {}
+        return _answered("explain", self.spec, *ANALYSES["explain"].function(command, self.spec, **options))
+
+    def heat(self) -> "HeatResult":
+        """Work, temperature and wear of a trip, and how often it may be."""
+        return self._ask("heat")
+
+    def history(self, friction: Friction = ()) -> dict[str, Floats]:
+        """The event over time as arrays, SI, by name: time, torque_shaft, travel, …; without friction all three."""
+        import numpy as np
+
+        from .analysis.simulate.history import history
+
+        moments = [moment.to_dict() for moment in history(self.engine, _pairs(friction)).moments]
+        names = [name for name, value in moments[0].items() if value is not None]
+        return {name: np.array([moment[name] for moment in moments]) for name in names}
+
+    def life(self, model: StressRule = "mean-stress", sweep: Sweep = ()) -> "LifeResult":
+        """Cycles to failure on both sides of the clutch; ``sweep`` also takes dT, the scatter band."""
+        return self._ask("life", model, self._axes(sweep, band=True))
+
+    def overload(self, sweep: Sweep = ()) -> "OverloadResult":
+        """Potential and actuation torque with a torque margin (S22)."""
+        return self._ask("overload", self._axes(sweep))
+
+    def simulate(self, friction: Friction = (), sweep: Sweep = ()) -> "SimulateResult":
+        """The drive in time when the clutch trips, also at the friction asked for."""
+        return self._ask("simulate", _pairs(friction), self._axes(sweep))
+
+    def solve(self, name: str, target: str, wanted: float | str, *, beyond_limit: bool = False) -> "SolveResult":
+        """One parameter from one wanted quantity; ``Clutch(answer.spec)`` is the clutch that has it."""
+        from .analysis.solve.solve import solve
+        from .analysis.solve.targets import parse_target
+
+        quantity, value = parse_target(f"{target}={wanted}")
+        result, solved, findings = solve(self.engine, name, quantity, value, beyond_limit=beyond_limit)
+        return _answered("solve", solved.spec, result, findings)
+
+    def springs(
+        self, sort: SpringOrder | None = None, top: int = 10, kind: SpringKind = "any", tolerance: float = 0.1
+    ) -> "SpringsResult":
+        """Disc stacks and coil springs that give the forces and stiffnesses of the clutch."""
+        return self._ask("springs", sort, top, kind, tolerance)
+
+    def synthesize(self, balls: str | PathLike[str] | Sequence[float] | None = None) -> "SynthesisResult":
+        """Wall angle, balls and pockets of the control unit; ``balls``: diameters to choose from, m, or their file."""
+        from .spec.balls import diameters
+
+        return self._ask("synthesize", diameters(balls) if isinstance(balls, str | PathLike) else balls)
+
+    def tolerance(self, *, threads: int | None = None) -> "ToleranceResult":
+        """Torque over tolerances and scatter: quantiles, risks, life, Sobol indices."""
+        return self._ask("tolerance", threads=threads)
+
+    @typing.overload
+    def torque(self) -> "TorqueResult": ...
+    @typing.overload
+    def torque(self, friction: float, friction_driven: float | None = None) -> float: ...
+    @typing.overload
+    def torque(self, friction: Floats, friction_driven: Floats | float | None = None) -> Floats: ...
+    def torque(self, *friction: Any, **named: Any) -> object:
+        """Slip torque, N·m, at a friction or an array of them; without one what the command gives."""
+        if friction or named:
+            return self.engine.torque(*friction, **named)
+        return self._ask("torque")
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> object:
+            """Return what the engine gives."""
+            return getattr(self.engine, name)
 
     def __dir__(self) -> Iterator[str]:
-        """List the analyses and what the engine offers."""
-        yield from {*super().__dir__(), *dir(self.engine), *_asked()}
+        """List what the engine gives too."""
+        yield from {*super().__dir__(), *dir(self.engine)}
+
+    def __reduce__(self) -> tuple[type["Clutch"], tuple[Spec]]:
+        """Copy and pickle the spec; the clutch is built from it."""
+        return Clutch, (self.spec,)
 
     def __repr__(self) -> str:
         """Return what it is of."""
-        return f"<{self.engine.spec.variant} clutch of {self.engine.spec.label}>"
+        return f"<{self.spec.variant} clutch of {self.spec.label}>"
 
-    def explain(self, command: str, **options: object) -> Answer:
-        """Steps of an answer: formula, numbers, value, source."""
-        result, findings = ANALYSES["explain"].function(command, self.engine.spec, **options)
-        return _told("explain", result, findings, self.engine.spec)
+    def _ask(self, command: str, *arguments: object, **options: object) -> Any:
+        return _answered(command, self.spec, *ANALYSES[command].function(self.engine, *arguments, **options))
 
-    def torque(self, friction: Any = _NONE, friction_driven: Any = None) -> Any:
-        """Slip torque, N·m, at a friction or an array of them; without one the answer of the command."""
-        if friction is _NONE:
-            return _answer("torque", self.engine, (), {})
-        return self.engine.torque(friction, friction_driven)
+    def _axes(self, sweep: Sweep, *, band: bool = False) -> "list[Axis]":
+        from .analysis.sweep.axes import parse_axes
+
+        return parse_axes([sweep] if isinstance(sweep, str) else sweep, self.engine, band=band)
 
 
-def _asked() -> list[str]:
-    return [each.name for each in ANALYSES.values() if each.group in _OF_ONE_CLUTCH and each.name not in _OTHERWISE]
+def _answered(command: str, spec: Spec | None, result: A, findings: list[Finding]) -> A:
+    """Return a result with all that its command prints."""
+    data = None if spec is None else resolved(spec)
+    return result.printed_as(Output(command, __version__, data, result, findings), _rendered)
 
 
-def _answer(name: str, engine: Clutch, arguments: Sequence[object], options: Mapping[str, object]) -> Answer:
-    """Ask; ``sweep`` is written as on the command line, one text or several."""
-    given = dict(options)
-    if sweep := given.pop("sweep", None):
-        from .analysis.sweep.axes import parse_axis
+def _rendered(output: Output, name: str) -> str:
+    from .render import renderer
 
-        texts = [sweep] if isinstance(sweep, str) else sweep
-        given["sweeps"] = [parse_axis(text, engine.spec) for text in texts]  # type: ignore[attr-defined]
-    found = ANALYSES[name].function(engine, *arguments, **given)
-    # a solution comes with the clutch that it is
-    spec = found[1].spec if len(found) > 2 else engine.spec
-    return _told(name, found[0], found[-1], spec)
+    return renderer(name)(output, False)
 
 
-def _told(name: str, result: object, findings: "list[Finding]", spec: Spec | None = None) -> Answer:
-    return Answer(name, __version__, None if spec is None else resolved(spec), result, findings)
+def _pairs(friction: Friction) -> "list[Pair]":
+    given = [friction] if isinstance(friction, float | int | tuple) and friction != () else friction
+    return [each if isinstance(each, tuple) else (float(each), None) for each in given]
 
 
-def load(source: str | PathLike[str] | None = None) -> AskedClutch:
-    """Read a spec (a path, ``"-"`` for standard input, None for the built-in base clutch) and build its clutch.
+def load(source: str | PathLike[str] | Mapping[str, object] | None = None, set: Overrides = ()) -> Clutch:
+    """Read a spec and build its clutch.
+
+    Args:
+        source: a path, ``"-"`` for standard input, ``"example:NAME"``, plain data; None for the built-in base clutch.
+        set: other values of its keys, by name, symbol or path; None removes a key.
 
     Raises:
         SpecError: the spec is invalid.
         FileError: the file cannot be read.
     """
-    return AskedClutch(engines.load(source))
+    return Clutch(read_spec(source, set))
 
 
-def build(spec: Spec | Mapping[str, object]) -> AskedClutch:
-    """Build the clutch of a spec, a validated one or plain data of the same structure.
-
-    Raises:
-        SpecError: no valid spec; an indirect clutch whose gain does not overcome the friction at the key.
-    """
-    return AskedClutch(engines.build(spec))
+build = Clutch
 
 
-def compare(*clutches: AskedClutch | str | PathLike[str]) -> Answer:
-    """Several clutches, or files of specs, side by side."""
-    asked = [each if isinstance(each, AskedClutch) else load(each) for each in clutches]
-    result, findings = ANALYSES["compare"].function([each.engine for each in asked])
-    return _told("compare", result, findings, asked[0].engine.spec)
+def compare(*clutches: Clutch | str | PathLike[str], variants: bool = False) -> "CompareResult":
+    """Several clutches, or files of specs, side by side; with ``variants`` one as every variant it can be built as."""
+    from .analysis.compare import compare as analysis
+
+    asked = [each if isinstance(each, Clutch) else load(each) for each in clutches or (None,)]
+    found = analysis([each.engine for each in asked], variants=variants)
+    return _answered("compare", asked[0].spec, *found)
 
 
-def design(requirements: str | PathLike[str] | Mapping[str, object]) -> Answer:
+def design(requirements: str | PathLike[str] | Mapping[str, object], *, pick: int | None = None) -> "DesignResult":
     """All that nothing else beats, of what meets the requirements: a file's, or plain data of the same structure.
+
+    With ``pick`` that number of the front gets round figures: ``Clutch(answer.spec)``.
 
     Raises:
         SpecError: the requirements are invalid.
-        AfmcalcError: nothing meets them.
+        AfmcalcError: more candidates than are searched; no such number.
     """
+    from .analysis.design.design import design as analysis
+    from .analysis.design.pick import with_picked
     from .spec.requirements import make_requirements, read_requirements
 
     need = make_requirements(requirements) if isinstance(requirements, Mapping) else read_requirements(requirements)
-    result, findings = ANALYSES["design"].function(need)
-    return _told("design", result, findings)
+    result, findings = analysis(need)
+    spec = None
+    if pick is not None:
+        result, spec = with_picked(need, result, pick)
+    return _answered("design", spec, result, findings)

@@ -1,11 +1,17 @@
 """Results are values: frozen, typed, SI, with symbol, unit and description on every field."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, PrivateAttr
 
+from .errors import AfmcalcError
 from .findings import Finding
+from .messages import say
+
+if TYPE_CHECKING:
+    import pandas
 
 
 class Result(BaseModel):
@@ -13,16 +19,13 @@ class Result(BaseModel):
 
     model_config = ConfigDict(frozen=True, allow_inf_nan=False, extra="forbid", defer_build=True)
 
-    findings_first: ClassVar[bool] = False
-    """Whether the findings are what the command is called for (CSV then lists them)."""
-    of_several: ClassVar[bool] = False
-    """Whether it is of more clutches than the one of the spec."""
-    many_lists: ClassVar[bool] = False
-    """Whether it holds several lists that belong together: CSV has one figure of any of them in each row."""
-
     def words(self, name: str) -> str | None:
         """Return what people are told instead of a field's value; None: the value; "" of a nested result: nothing."""
         return None
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return plain data, SI, as the JSON of the command has it."""
+        return self.model_dump(mode="json")
 
 
 def quantity(unit: str, symbol: str | None, description: str, *, optional: bool = False, **extra: Any) -> Any:
@@ -70,3 +73,67 @@ class Output:
     spec: Annotated[dict[str, Any] | None, Field(description="the spec as resolved, SI")]
     result: Annotated[Any, Field(description="the result of the command")]
     findings: Annotated[list[Finding], Field(description="what a designer should know")]
+
+
+class Answer(Result):
+    """Base of what a command calculates; asked from Python it carries the rest of what the command prints."""
+
+    findings_first: ClassVar[bool] = False
+    """Whether the findings are what the command is called for (CSV then lists them)."""
+    of_several: ClassVar[bool] = False
+    """Whether it is of more clutches than the one of the spec."""
+    many_lists: ClassVar[bool] = False
+    """Whether it holds several lists that belong together: CSV has one figure of any of them in each row."""
+    rows_with_values: ClassVar[bool] = False
+    """Whether CSV has the single values in every row of its list."""
+
+    _output: Output = PrivateAttr()
+    _render: Callable[[Output, str], str] = PrivateAttr()
+
+    def printed_as(self, output: Output, render: Callable[[Output, str], str]) -> Self:
+        """Return the answer with the output that it is in, and with what writes that in a format."""
+        answer = self.model_copy()
+        answer._output, answer._render = output, render
+        return answer
+
+    @property
+    def output(self) -> Output:
+        """What the command prints; only of an answer that was asked for from Python."""
+        return self._output
+
+    @property
+    def result(self) -> Self:
+        """The answer itself, which holds the fields of the result."""
+        return self
+
+    @property
+    def spec(self) -> dict[str, Any] | None:
+        """The spec as resolved, SI."""
+        return self._output.spec
+
+    @property
+    def findings(self) -> list[Finding]:
+        """What a designer should know."""
+        return self._output.findings
+
+    def to_dataframe(self) -> "pandas.DataFrame":
+        """Return the rows that the command writes as CSV; needs pandas."""
+        import io
+
+        try:
+            import pandas
+        except ModuleNotFoundError:
+            raise AfmcalcError(say("to_dataframe() needs pandas, not installed here: pip install pandas")) from None
+        return pandas.read_csv(io.StringIO(self._render(self._output, "csv")), float_precision="round_trip")
+
+    def __repr__(self) -> str:
+        """Return the tables of the terminal."""
+        return self._render(self._output, "table") if hasattr(self, "_output") else super().__repr__()
+
+    __str__ = __repr__
+
+    def _repr_html_(self) -> str:
+        return self._render(self._output, "html")
+
+    def _repr_markdown_(self) -> str:
+        return self._render(self._output, "markdown")

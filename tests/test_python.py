@@ -1,14 +1,21 @@
 """The package from Python."""
 
 import copy
+import csv
 import doctest
 import importlib
 import json
+import math
 import pickle
+import runpy
+import sys
+import tomllib
+from types import ModuleType
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, ROOT
 from sources import FILES
 
 import afmcalc as package
@@ -28,6 +35,7 @@ def test_public_names():
     names: dict[str, object] = {}
     exec("from afmcalc import *", names)
     assert set(package.__all__) <= set(names)
+    assert {"Clutch", "load", "compare", "design", "SpecError", "__version__"} <= set(dir(package))
     with pytest.raises(AttributeError, match="no attribute 'nothing'"):
         _ = package.nothing
     assert doctest.testmod(package).failed == 0
@@ -35,31 +43,120 @@ def test_public_names():
         package.read_spec(None, ["C=-1"])
 
 
-FEW = ("default", "drive", "indirect", "requirements")
-"""Examples to which every analysis applies between them."""
+EVERY = {
+    "name": "A",
+    "control_unit.gain": 1.2,
+    "friction_group.pairs": np.int64(9),
+    "fatigue.mean_stress_sensitivity": 0.1,
+}
+DRIVE = {"drive.event.duration": 0.05}
+LITTLE = {"tolerance.samples": 2000, "tolerance.sobol_base": 64, "tolerance.seed": 7}
+
+ASKED = [
+    ("default", EVERY, "torque", {}, []),
+    ("indirect", {}, "torque", {}, []),
+    ("default", EVERY, "accuracy", {"sweep": ["C=0,0.5", "z=4,8"]}, ["--sweep", "C=0,0.5", "--sweep", "z=4,8"]),
+    ("default", EVERY, "adjust", {}, []),
+    ("all-driving", {}, "overload", {"sweep": "zC=1:4:4"}, ["--sweep", "zC=1:4:4"]),
+    ("indirect", {}, "synthesize", {"balls": "balls.csv"}, ["--balls", "balls.csv"]),
+    ("default", EVERY, "life", {"model": "amplitude", "sweep": "dT=500,900"}, ["--model", "amplitude", "--sweep", "dT=500,900"]),
+    ("default", EVERY, "check", {"strict": True}, ["--strict"]),
+    ("default", EVERY, "solve", {"name": "F", "target": "T_н", "wanted": "250 N*m"}, ["--for", "F", "T_н=250 N*m"]),
+    ("default", EVERY, "explain", {"command": "life", "model": "amplitude"}, ["life", "--model", "amplitude"]),
+    ("default", EVERY, "springs", {"sort": "mass", "top": 2, "kind": "coil"}, ["--sort", "mass", "--top", "2", "--kind", "coil"]),
+    ("drive", DRIVE, "simulate", {"friction": [0.15, 0.3], "sweep": "J_2=0.01,0.02"},
+     ["--friction", "0.15", "--friction", "0.3", "--sweep", "J_2=0.01,0.02"]),
+    ("drive", DRIVE, "heat", {}, []),
+    ("drive", DRIVE, "effects", {}, []),
+    ("tolerance", LITTLE, "tolerance", {"threads": 1}, ["--threads", "1"]),
+]  # fmt: skip
+"""Example, other values of its keys, method, its arguments, those of the command: every command about a clutch."""
 
 
-@pytest.mark.parametrize(
-    "spec",
-    [
-        pytest.param(path, id=path.stem, marks=[] if path.stem in FEW else pytest.mark.exhaustive)
-        for path in sorted(CONFIGS.glob("*.toml"))
-    ],
-)
-def test_what_python_answers_is_what_the_command_prints(spec, afmcalc):
-    light = ["drive.event.duration=0.05"] if spec.stem == "drive" else []
-    if spec.stem == "requirements":
-        answers = {"design": package.design(spec)}
-    else:
-        clutch = package.build(package.read_spec(spec, light)) if light else package.load(spec)
-        asked = [name for name in dir(clutch) if name in ANALYSES and ANALYSES[name].applies(clutch.engine)]
-        assert {"torque", "accuracy", "check"} <= set(asked)
-        answers = {name: getattr(clutch, name)() for name in asked if name not in ("solve", "explain", "tolerance")}
-    for name, answer in answers.items():
-        run = afmcalc(name, spec, "--json", *(part for each in light for part in ("--set", each)))
-        assert json.loads(renderer("json")(answer, False)) == run.json
-        assert answer.result.model_dump(mode="json") == run.json["result"]
-        assert renderer("table")(answer, False) == str(answer)
+@pytest.mark.parametrize(("example", "keys", "name", "given", "arguments"), ASKED, ids=[each[2] for each in ASKED])
+def test_what_python_answers_is_what_the_command_prints(
+    example, keys, name, given, arguments, afmcalc, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "balls.csv").write_text("diameter_mm\n9\n31\n")
+    answer = getattr(package.load(CONFIGS / f"{example}.toml", keys), name)(**given)
+    options = [part for key, value in keys.items() for part in ("--set", f"{key}={value}")]
+    run = afmcalc(name, *arguments, CONFIGS / f"{example}.toml", *options, "--json")
+    assert json.loads(renderer("json")(answer.output, False)) == run.json
+    assert answer.to_dict() == run.json["result"]
+    assert [finding.code for finding in answer.findings] == [finding["code"] for finding in run.json["findings"]]
+    assert type(answer) is ANALYSES[name].result_class
+    assert renderer("table")(answer.output, False) == str(answer)
+
+
+def test_clutches_side_by_side_and_designs(afmcalc):
+    default = CONFIGS / "default.toml"
+    two = package.compare(package.load(), CONFIGS / "indirect.toml")
+    assert two.to_dict() == afmcalc("compare", default, CONFIGS / "indirect.toml", "--json").json["result"]
+    assert (
+        package.compare(default, variants=True).to_dict() == afmcalc("compare", "--variants", "--json").json["result"]
+    )
+    with pytest.raises(package.AfmcalcError, match="one SPEC"):
+        package.compare(default, default, variants=True)
+    wanted = CONFIGS / "requirements.toml"
+    picked, run = (
+        package.design(wanted, pick=1),
+        afmcalc("design", wanted, "--pick", "1", "--top", "9999", "--json").json,
+    )
+    assert picked.to_dict() == run["result"]
+    assert package.load(picked.spec).torque().nominal_torque == pytest.approx(picked.picked[0].nominal_torque)
+    assert package.design(tomllib.loads(wanted.read_text(encoding="utf-8"))).front == picked.front
+
+
+def test_other_values_of_keys():
+    """By path, name or symbol, in SI or with a unit; a key takes the place of those that exclude it."""
+    data = {
+        "variant": "all-driving",
+        "friction": {"min": 0.1, "max": 0.8},
+        "friction_group": {"pairs": 8, "mean_radius": 0.1},
+        "closing_spring": {"force": 2000},
+        "control_unit": {"wall_angle": "14 deg", "ball_circle_radius": 0.05},
+    }
+    before = copy.deepcopy(data)
+    clutch = package.load(data, {"F": "3 kN", "z_1": None, "pairs": 4, "friction.max": 0.6})
+    assert data == before
+    assert package.load(None, {"fatigue": None, "closing_spring.force": None, "T_n": "200 N*m"}).torque(
+        0.1
+    ) == pytest.approx(200)
+    # T = F R z f/(1 + z C f), C = (R/r) tan α
+    gain = 2 * math.tan(math.radians(14))
+    assert clutch.torque(0.2) == pytest.approx(3000 * 0.1 * 4 * 0.2 / (1 + 4 * gain * 0.2))
+    other = clutch.with_({"closing_spring.force": "1 kN"}, gain=1.2, f_max=0.5)
+    assert other.torque(0.2) == pytest.approx(1000 * 0.1 * 4 * 0.2 / (1 + 4 * 1.2 * 0.2))
+    assert (other.spec.friction.max, other.spec.control_unit.wall_angle) == (0.5, None)
+    assert clutch.spec.control_unit.gain is None
+    assert other.with_(gain=None, wall_angle=math.radians(14)).gain == pytest.approx(gain)
+    assert clutch.with_(gain=None).gain == pytest.approx(gain), "nothing takes the place of the angle"
+    assert package.load(None, {"margin": None}).spec.adjustment.margin == 1
+    assert clutch.with_(nominal_torque=100.0).torque(0.1) == pytest.approx(100)
+    for wrong, says in (
+        ({"gian": 1}, "did you mean"),
+        ({"gain": -1}, "gain"),
+        ({"pairs": 4.5}, "whole"),
+        ({"gain": "1 N"}, "unit"),
+    ):
+        with pytest.raises(package.AfmcalcError, match=says):
+            clutch.with_(**wrong)
+        with pytest.raises(package.AfmcalcError, match=says):
+            package.load(None, wrong)
+
+
+def test_a_clutch_can_be_copied_and_kept():
+    clutch = package.load("example:indirect")
+    assert isinstance(clutch, package.Clutch)
+    for other in (copy.copy(clutch), copy.deepcopy(clutch), pickle.loads(pickle.dumps(clutch))):
+        assert isinstance(other, package.Clutch)
+        assert other.spec == clutch.spec
+        assert other.torque() == clutch.torque()
+    assert clutch.accuracy_factor == clutch.engine.accuracy_factor == clutch.accuracy().accuracy_factor
+    assert {"accuracy", "with_", "accuracy_factor", "travel"} <= set(dir(clutch))
+    with pytest.raises(AttributeError, match="nothing"):
+        _ = clutch.nothing
 
 
 def test_an_answer_shows_itself():
@@ -70,18 +167,44 @@ def test_an_answer_shows_itself():
     assert "<b>" not in page
     for entry in swept.sweep[0].values:
         assert f">{entry:g}<" in page
-    assert swept.accuracy_factor == clutch.accuracy_factor == swept.result.accuracy_factor
+    assert swept._repr_markdown_() == renderer("markdown")(swept.output, False)
+    assert swept.accuracy_factor == swept.result.accuracy_factor
     assert "accuracy_factor" in dir(swept)
-    assert "accuracy" in dir(clutch)
-    assert "accuracy_factor" in dir(clutch)
-    with pytest.raises(AttributeError, match="nothing"):
-        _ = clutch.nothing
     with pytest.raises(AttributeError, match="nothing"):
         _ = swept.nothing
-    assert clutch.explain("torque").steps
+    for other in (copy.copy(swept), copy.deepcopy(swept), pickle.loads(pickle.dumps(swept))):
+        assert (other, str(other), other.findings) == (swept, str(swept), swept.findings)
     solved = clutch.solve("C", "accuracy_factor", 2.0)
     assert package.build(solved.spec).accuracy_factor == pytest.approx(2)
-    assert [row.accuracy_factor for row in package.compare(clutch, CONFIGS / "default.toml").clutches] == [
-        pytest.approx(clutch.accuracy_factor)
-    ] * 2
-    assert copy.copy(swept) == pickle.loads(pickle.dumps(swept)) == swept
+
+
+def test_rows_for_pandas(monkeypatch):
+    """What pandas is given are the rows of the CSV; without pandas an error says how to get it."""
+    swept = package.load().accuracy(sweep="C=0,0.5")
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(package.AfmcalcError, match="pip install pandas"):
+        swept.to_dataframe()
+    pandas = ModuleType("pandas")
+    pandas.read_csv = lambda text, float_precision: (list(csv.DictReader(text)), float_precision)
+    monkeypatch.setitem(sys.modules, "pandas", pandas)
+    rows, precision = swept.to_dataframe()
+    # K_т = 8 (1 + 7 C 0.1)/(1 + 7 C 0.8)
+    assert [float(row["accuracy_factor [1]"]) for row in rows] == pytest.approx([8, 8 * 1.35 / 3.8], rel=1e-14)
+    assert [float(row["control_unit.gain [1]"]) for row in rows] == [0, 0.5]
+    assert precision == "round_trip", "else pandas reads the last digit wrong"
+
+
+def test_a_history_is_arrays(afmcalc, tmp_path):
+    clutch = package.load("example:drive", DRIVE)
+    one, every = clutch.history(0.3), clutch.history()
+    afmcalc("simulate", "example:drive", "--set", "drive.event.duration=0.05", "--history", tmp_path / "h.csv")
+    rows = list(csv.reader((tmp_path / "h.csv").read_text(encoding="utf-8").splitlines()))
+    assert [name.partition(" ")[0] for name in rows[0]] == list(every)
+    assert np.array_equal(np.array(rows[1:], float), np.column_stack(list(every.values())))
+    assert np.array_equal(one["torque_shaft"], every["torque_shaft"][every["friction"] == 0.3])
+    assert one["torque_shaft"].max() == pytest.approx(clutch.simulate().peak_torque.mean, rel=1e-3)
+
+
+def test_code_as_a_user_writes_it():
+    """mypy checks its types."""
+    runpy.run_path(str(ROOT / "tests" / "typed.py"))

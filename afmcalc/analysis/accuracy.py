@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from ..engines.protocol import Clutch
 from ..equations import accuracy as law
 from ..findings import Finding, finding
-from ..result import Result, Series, quantity
+from ..result import Answer, Series, quantity
 from .sweep.grid import replaced, series
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ class AccuracySweep(Series):
     torque_max: list[float] = quantity("N*m", "T_max", "largest torque")
 
 
-class AccuracyResult(Result):
+class AccuracyResult(Answer):
     """Accuracy of the clutch over its friction range."""
 
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor along the common path of f_1 and f_2")

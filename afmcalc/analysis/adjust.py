@@ -7,9 +7,9 @@ from typing import Any, Literal
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import adjustment
-from ..findings import Finding, finding
+from ..findings import Finding, Level, finding
 from ..messages import term
-from ..result import Result, Triple, quantity
+from ..result import Answer, Result, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import with_nominal_torque
 from ..spec.models import Method
@@ -29,7 +29,7 @@ class MethodResult(Result):
     holds_machine: bool = quantity("", None, "holds T_н.маш over the friction range")
 
 
-class AdjustResult(Result):
+class AdjustResult(Answer):
     """Both methods for one nominal torque."""
 
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch, which both methods are set for")
@@ -80,7 +80,7 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
         pairs_threshold=_threshold(clutch, clutch.gain),
         pairs_threshold_at_gain_limit=None if limit is None else _threshold(clutch, limit),
     )
-    return result, [*clutch.findings(), *_findings(result, clutches), *_re_made(clutch, first, second)]
+    return result, [*clutch.findings(), *_findings(clutch, result, clutches), *_re_made(clutch, first, second)]
 
 
 def _re_made(clutch: Clutch, first: Clutch, second: Clutch) -> Iterator[Finding]:
@@ -95,8 +95,8 @@ def _re_made(clutch: Clutch, first: Clutch, second: Clutch) -> Iterator[Finding]
         yield finding("pockets-re-cut", "info", value=own, path="control_unit.pocket", **slopes)
 
 
-def _findings(result: AdjustResult, clutches: list[Clutch]) -> list[Finding]:
-    """Warn where the setting with the narrower band does not hold the nominal torque."""
+def _findings(clutch: Clutch, result: AdjustResult, clutches: list[Clutch]) -> list[Finding]:
+    """Say where the setting with the narrower band does not hold the nominal torque; warn where the clutch has it."""
     if result.narrower == "equal":
         return []
     index = METHODS.index(result.narrower)
@@ -106,7 +106,8 @@ def _findings(result: AdjustResult, clutches: list[Clutch]) -> list[Finding]:
     code = "narrower-below-nominal" if own.holds_machine else "narrower-below-nominal/machine"
     lowest, path, machine = float(clutches[index].torque_min), "adjustment.method", result.machine_torque
     limit, method = result.nominal_torque, term(result.narrower)
-    return [finding(code, "warning", value=lowest, limit=limit, path=path, method=method, machine=machine)]
+    level: Level = "warning" if result.narrower == clutch.spec.adjustment.method else "info"
+    return [finding(code, level, value=lowest, limit=limit, path=path, method=method, machine=machine)]
 
 
 def _method(clutch: Clutch, nominal: float, machine: float) -> MethodResult:

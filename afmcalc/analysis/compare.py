@@ -7,10 +7,10 @@ from typing import ClassVar
 
 from ..engines import build
 from ..engines.protocol import Clutch
-from ..errors import SpecError
+from ..errors import AfmcalcError, SpecError
 from ..findings import Finding, finding
 from ..messages import joined, say, term
-from ..result import Result, Triple, quantity
+from ..result import Answer, Result, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import as_variant, with_force, with_nominal_torque
 from ..variants import VARIANTS
@@ -38,15 +38,23 @@ class ComparedClutch(Result):
     errors: int = quantity("", None, "errors of check, nothing simulated")
 
 
-class CompareResult(Result):
+class CompareResult(Answer):
     """Clutches side by side."""
 
     of_several: ClassVar[bool] = True
     clutches: list[ComparedClutch] = quantity("", None, "clutches compared", across=True, by="basis")
 
 
-def compare(clutches: Sequence[Clutch]) -> tuple[CompareResult, list[Finding]]:
-    """Set the main quantities of several clutches side by side."""
+def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[CompareResult, list[Finding]]:
+    """Set the main quantities of several clutches side by side, or one clutch as every variant.
+
+    Raises:
+        AfmcalcError: the variants of several clutches.
+    """
+    if variants:
+        if len(clutches) > 1:
+            raise AfmcalcError(say("compare --variants takes one SPEC"))
+        return compare_variants(clutches[0])
     names = _names([clutch.spec for clutch in clutches])
     rows, remarks = [], []
     for clutch, name in zip(clutches, names, strict=True):

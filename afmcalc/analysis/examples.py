@@ -3,7 +3,7 @@
 import tomllib
 
 from ..findings import Finding
-from ..result import Result, quantity
+from ..result import Answer, Result, quantity
 from ..spec import builtin
 
 
@@ -15,7 +15,7 @@ class ExampleRow(Result):
     about: str = quantity("", None, "what it is")
 
 
-class ExamplesResult(Result):
+class ExamplesResult(Answer):
     """The examples."""
 
     examples: list[ExampleRow] = quantity("", None, "examples that ship")

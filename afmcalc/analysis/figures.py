@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import AfmcalcError, CalculationError
 from ..messages import say
 from ..spec.suggest import did_you_mean
-from .registry import PLOTS, Plot, StressRule
+from .registry import ANALYSES, PLOTS, Plot, StressRule
 
 if TYPE_CHECKING:
     from ..papers.figures import PaperFigure
@@ -79,21 +79,23 @@ class ParetoFigure(NamedTuple):
 
 
 def plot_of(name: str) -> Plot:
-    """Return the plot of a name.
+    """Return the plot of a name: its own, that of the command whose result it draws, or "front".
 
     Raises:
         AfmcalcError: there is none.
     """
-    if name not in PLOTS:
+    of_commands = {each.name: each.plot for each in ANALYSES.values() if each.plot}
+    plots = of_commands | {"front": PLOTS["pareto"]} | PLOTS
+    if name not in plots:
         raise AfmcalcError(
             say(
                 "no plot {name!r}{hint}; there are: {kinds}",
                 name=name,
-                hint=did_you_mean(name, PLOTS),
+                hint=did_you_mean(name, plots),
                 kinds=", ".join(PLOTS),
             )
         )
-    return PLOTS[name]
+    return plots[name]
 
 
 def check_request(name: str, request: Request) -> None:

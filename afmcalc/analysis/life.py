@@ -10,7 +10,7 @@ from ..errors import AfmcalcError, Problem, SpecError
 from ..extras import installed
 from ..findings import Finding, finding
 from ..messages import say, term
-from ..result import Result, Series, quantity
+from ..result import Answer, Result, Series, quantity
 from ..spec.fatigue import Fatigue
 from ..spec.models import Method
 from .adjust import METHODS, set_by
@@ -55,7 +55,7 @@ class LifeSweep(Series):
     )
 
 
-class LifeResult(Result):
+class LifeResult(Answer):
     """Cycles to failure of the protected and the unprotected side."""
 
     model: StressRule = quantity("", None, "rule for the damaging stress")

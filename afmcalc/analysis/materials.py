@@ -1,7 +1,7 @@
 """The friction-material catalogue as a result."""
 
 from ..findings import Finding
-from ..result import Result, quantity
+from ..result import Answer, Result, quantity
 from ..spec.materials import catalogue
 
 
@@ -20,7 +20,7 @@ class MaterialRow(Result):
     source: str = quantity("", None, "source")
 
 
-class MaterialsResult(Result):
+class MaterialsResult(Answer):
     """The catalogue."""
 
     materials: list[MaterialRow] = quantity("", None, "friction materials")

@@ -10,7 +10,7 @@ from ..equations import overload as law
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
-from ..result import Result, Series, Triple, quantity
+from ..result import Answer, Series, Triple, quantity
 from .sweep.grid import series
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ class OverloadSweep(Series):
     actuation_torque_equilibrium: list[float] = quantity("N*m", "T_eq", "actuation torque at equilibrium, at f_max")
 
 
-class OverloadResult(Result):
+class OverloadResult(Answer):
     """Overload of a clutch set at f_min with a margin over the machine's torque."""
 
     nominal_torque: float = quantity("N*m", "T_н.муф", "nominal torque of the clutch, at f_min")

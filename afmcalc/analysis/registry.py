@@ -72,6 +72,8 @@ class Analysis(NamedTuple):
     """Whether ``check`` takes in its findings."""
     section: Section | None = None
     plot: Plot | None = None
+    example: str | None = None
+    """Example that is calculated where no SPEC is given, for what the built-in base clutch does not have."""
 
     @property
     def function(self) -> Callable[..., Any]:
@@ -247,6 +249,7 @@ ANALYSES: dict[str, Analysis] = {
             ),
             judged=True,
             plot=Plot("simulate", "torques, speeds and travel over time when the clutch trips", "clutch"),
+            example="drive",
         ),
         Analysis(
             "heat", "analysis.heat.heat", "HeatResult", "parts", _heat_is_known, ("answers",), explained=True,
@@ -257,6 +260,7 @@ ANALYSES: dict[str, Analysis] = {
                 _heated,
                 ("CJ",),
             ),
+            example="drive",
         ),
         Analysis(
             "effects", "analysis.effects.effects", "EffectsResult", "parts", _any_effect, judged=True,
@@ -268,6 +272,7 @@ ANALYSES: dict[str, Analysis] = {
                 ("Fi68", "F11"), ("Fi68", "S21"),
             ),
             plot=Plot("effects", "torque with each effect that the law neglects", "clutch", applies=_any_effect),
+            example="drive",
         ),
         Analysis(
             "springs", "analysis.springs.springs", "SpringsResult", "parts",
@@ -291,6 +296,7 @@ ANALYSES: dict[str, Analysis] = {
                 "{standard_deviation:.4g N·m}.",
             ),
             plot=Plot("tolerance", "histogram of the torque with quantiles, by the block tolerance", "clutch"),
+            example="tolerance",
         ),
         Analysis(
             "design", "analysis.design.design", "DesignResult", "design",

@@ -7,7 +7,7 @@ from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
-from ..result import Result, Triple, quantity
+from ..result import Answer, Result, Triple, quantity
 
 
 class FrictionPoint(Result):
@@ -31,7 +31,7 @@ class TorqueExtremes(Result):
     at_high: float = quantity("1", "f(T_max)", "friction (f_1) where it is largest")
 
 
-class TorqueResult(Result):
+class TorqueResult(Answer):
     """Torque, forces and accuracy over the friction range."""
 
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")

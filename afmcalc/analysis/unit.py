@@ -1,14 +1,16 @@
 """A control unit as synthesized: angles, balls, pockets, contact."""
 
-from typing import Literal
+from typing import ClassVar, Literal
 
-from ..result import Result, quantity
+from ..result import Answer, quantity
 from .contact import Basis
 from .wall import WallPoint
 
 
-class SynthesisResult(Result):
+class SynthesisResult(Answer):
     """A control unit that fits the clutch."""
+
+    rows_with_values: ClassVar[bool] = True
 
     wall_angle: float = quantity("rad", "α", "wall angle of the pockets; of a curved wall at the stop")
     wall_angle_max: float | None = quantity("rad", "α_max", "wall angle at the largest travel", optional=True)

@@ -7,7 +7,6 @@ import typer
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import SPEC
 from .names import completing, swept
 from .options import Common, SpecArgument, with_common
 from .run import build_from, calculate, emit, write_spec
@@ -123,7 +122,7 @@ def synthesize(
     from ..spec import make_spec
     from ..spec.balls import diameters
 
-    common.keep(spec, balls, kind=SPEC)
+    common.keep(spec, balls, writes="spec")
     if common.output == "-":
         raise AfmcalcError(say("synthesize --output writes the completed spec beside the result: name a file"))
     sizes = diameters(balls) if balls else None
@@ -174,31 +173,21 @@ def compare(
     afmcalc compare clutch.toml --variants
     """  # noqa: D301
     from ..analysis.compare import compare as analysis
-    from ..analysis.compare import compare_variants
     from ..spec import resolved
 
-    if variants and len(specs or ()) > 1:
-        raise AfmcalcError(say("compare --variants takes one SPEC"))
     sources: list[str | None] = [*specs] if specs else [None]
     common.keep(*sources)
     clutches = [build_from(source, common) for source in sources]
     with common.bar():
-        result, findings = compare_variants(clutches[0]) if variants else analysis(clutches)
+        result, findings = analysis(clutches, variants=variants)
     emit(common, result, findings, resolved(clutches[0].spec))
 
 
 def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":
     """Read the axes of a sweep; ``band`` takes dT for the scatter band."""
-    from ..analysis.sweep.axes import parse_axis
+    from ..analysis.sweep.axes import parse_axes
 
-    def axis(text: str) -> "Axis":
-        if band and text.partition("=")[0].strip() == "dT":
-            from ..analysis.life import band_axis
-
-            return band_axis(text, clutch)
-        return parse_axis(text, clutch.spec)
-
-    return [axis(text) for text in sweep or ()]
+    return parse_axes(sweep or (), clutch, band=band)
 
 
 def curve_of(plot: bool, sweep: list[str] | None, common: Common) -> "SweepDrawing | None":

@@ -6,7 +6,6 @@ import typer
 
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import SPEC
 from .names import completing, parameters, targets
 from .options import Common, SpecArgument, with_common
 from .run import build_from, calculate, emit, write_spec
@@ -117,7 +116,7 @@ def design(
     from ..spec import resolved
     from ..spec.requirements import read_requirements
 
-    common.keep(requirements, kind=None if pick is None else SPEC)
+    common.keep(requirements, writes="result" if pick is None else "spec")
     check_objective(sort)
     need = read_requirements(requirements, common.set or ())
     with common.bar():
@@ -130,7 +129,9 @@ def design(
     if top is None and printed.chosen_format in ("table", "markdown") and result.on_front > _IN_TABLES:
         top = _IN_TABLES
         common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=result.on_front))
-    emit(printed, shown(result, sort, top), findings, spec)
+    # without a front the finding is the error below; it is data in JSON alone
+    told = findings if result.front or printed.chosen_format == "json" else []
+    emit(printed, shown(result, sort, top, pick), told, spec)
     if not result.front:
         raise AfmcalcError(findings[0].message)
     if spec and common.output:

@@ -7,15 +7,13 @@ import typer
 from ..errors import AfmcalcError
 from ..messages import say
 from .clutch import FrictionOption, SweepOption, axes_of, curve_of, friction_of
-from .files import PLOT, SPEC, Kind, refuse, write
+from .files import write
 from .options import Common, SpecArgument, with_common
 from .run import calculate, write_spec
 
 if TYPE_CHECKING:
     from ..analysis.torque import Pair
     from ..engines import Clutch
-
-HISTORY = Kind("history", holds=b"time [s],torque_shaft [N*m]")
 
 HistoryOption = Annotated[
     str | None,
@@ -54,10 +52,9 @@ def simulate(
     from ..engines import build
     from ..spec import make_spec
 
-    common.keep(spec, kind=SPEC)
-    if "-" in (common.output, history) or (history and history == common.output):
+    if "-" in (common.output, history):
         raise AfmcalcError(say("simulate --output and --history write files beside the result: name one for each"))
-    refuse(history, HISTORY, force=common.force, inputs=[spec])
+    common.keep(spec, beside=history, writes="spec")
     own = common.to_standard_output()
     curve = curve_of(plot, sweep, own) if sweep else None
     if plot and own.chosen_format != "table":
@@ -86,7 +83,7 @@ def _draw(clutch: "Clutch", common: Common) -> None:
 
     with common.bar():
         sheet = sheet_of("simulate", gathered("simulate", Request([Answers(clutch)])))
-    write("\n" + draw_sheet(sheet, unicode=is_unicode(), width=columns()), None, PLOT)
+    write("\n" + draw_sheet(sheet, unicode=is_unicode(), width=columns()), None)
 
 
 def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Common) -> None:
@@ -97,5 +94,5 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
 
     with common.bar():
         found = Output(command="history", version=__version__, spec=None, result=history(clutch, points), findings=[])
-    write(csv.render(found, terminal=False), path, HISTORY, force=common.force)
+    write(csv.render(found, terminal=False), path, force=common.force)
     common.wrote(say("wrote the history to {output}", output=path))

@@ -1,34 +1,15 @@
-"""Writing to standard output, or to a file that is either whole or untouched; nothing of the user's is lost."""
+"""Writing to standard output, or to a file that is either whole or untouched; no file that exists is lost."""
 
 import os
 import sys
 from collections.abc import Iterable
 from contextlib import suppress
-from typing import NamedTuple
+from itertools import combinations
 
 from ..errors import AfmcalcError, FileError, reason
-from ..messages import say, term
+from ..messages import say
 from .signals import put_off, unreported
 from .streams import is_unicode
-
-
-class Kind(NamedTuple):
-    """What is written to a file, and how one that was written as the same is known again."""
-
-    name: str
-    starts: tuple[bytes, ...] = ()
-    holds: bytes = b""
-
-    def wrote(self, content: bytes) -> bool:
-        """Whether a file is of this kind, written by afmcalc; of what people edit none is."""
-        return content.startswith(self.starts) if self.starts else bool(self.holds) and self.holds in content
-
-
-SPEC = Kind(say("spec"))
-REPORT = Kind(say("report"), holds=b'<meta name="generator" content="afmcalc ')
-REPORT_PDF = Kind(say("report as PDF"), holds=b"\n%afmcalc report\n")
-PLOT = Kind(say("plot"), holds=b"afmcalc plot")
-SCHEMA = Kind(say("schema"), (b'{\n  "$schema": ',))
 
 _ENDINGS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
 _NO_RESULT = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
@@ -93,70 +74,55 @@ def html_only(output: str | None) -> None:
         )  # fmt: skip
 
 
-def result_kind(command: str, format_: str, text: str = "") -> Kind:
-    """The output of a command in a format; of CSV, which carries no mark, the header line of ``text`` tells."""
-    starts = {
-        "table": (f"{command}: ", f"{command}\n"),
-        "markdown": (f"## {command}: ", f"## {command}\n"),
-        "json": (f'{{\n  "command": "{command}",',),
-        "csv": (text.partition("\n")[0] + "\n",) if text else ("",),
-    }[format_]
-    return Kind(
-        say("{format} of {command}", format=format_, command=command), tuple(start.encode() for start in starts)
-    )
-
-
-def refuse(path: str | None, kind: Kind, *, force: bool, inputs: Iterable[str | None] = ()) -> None:
-    """Refuse to write over what is read, and without ``force`` over what was not written as the same kind.
+def refuse(*paths: str | None, force: bool, inputs: Iterable[str | None] = ()) -> None:
+    """Refuse to write over what is read, two outputs to one file, and without ``force`` over a file that exists.
 
     Raises:
-        AfmcalcError: it would be lost.
+        AfmcalcError: a file would be lost.
     """
-    if path in (None, "-") or not os.path.isfile(path):
-        return
-    for source in inputs:
-        if source not in (None, "-") and os.path.exists(source) and os.path.samefile(source, path):
+    written = [path for path in paths if path not in (None, "-") and (os.path.isfile(path) or not os.path.exists(path))]
+    for path in written:
+        if any(_is_same(path, source) for source in inputs):
             raise AfmcalcError(say("{path}: is read itself; write to another file", path=path))
-    if force or not os.path.getsize(path):
-        return
-    if not os.stat(path).st_mode & 0o222:
-        raise AfmcalcError(say("{path}: is write-protected; --force replaces it", path=path))
-    try:
-        with open(path, "rb") as file:
-            known = kind.wrote(file.read())
-    except OSError:
-        known = False
-    if not known:
-        raise AfmcalcError(
-            say("{path}: exists already, and not as a {kind} that afmcalc wrote; --force replaces it",
-                path=path, kind=term(kind.name))
-            if kind is not SPEC
-            else say("{path}: exists already, and may have been edited; --force replaces it", path=path)
-        )  # fmt: skip
+    for path, other in combinations(written, 2):
+        if _is_same(path, other):
+            raise AfmcalcError(say("{path} and {other} are one file: name two", path=path, other=other))
+    for path in written:
+        if os.path.exists(path) and not force:
+            raise _exists(path)
 
 
-def write(text: str, path: str | None, kind: Kind, *, force: bool = False) -> None:
-    """Write text to standard output, or to a file that is either whole or untouched."""
+def _is_same(path: str, other: str | None) -> bool:
+    """Whether two names are of one file, that exists or would be written."""
+    if other in (None, "-") or os.path.exists(path) != os.path.exists(other):
+        return False
+    return os.path.samefile(path, other) if os.path.exists(path) else os.path.realpath(path) == os.path.realpath(other)
+
+
+def _exists(path: str) -> AfmcalcError:
+    return AfmcalcError(say("{path}: exists already; --force replaces it", path=path))
+
+
+def write(text: str, path: str | None, *, force: bool = False, utf8: bool = False) -> None:
+    """Write text to standard output, there as UTF-8 whatever the locale where asked, or to a file."""
     if path is None or path == "-":
-        if kind is SPEC and not is_unicode(sys.stdout) and not sys.stdout.isatty():
-            # a spec is read as UTF-8, whatever the locale of the one who writes it
+        if utf8 and not is_unicode(sys.stdout) and not sys.stdout.isatty():
             sys.stdout.flush()
             sys.stdout.buffer.write(text.encode())
         else:
             sys.stdout.write(text)
         sys.stdout.flush()
         return
-    write_file(path, text.encode("utf-8", "backslashreplace"), kind, force=force)
+    write_file(path, text.encode("utf-8", "backslashreplace"), force=force)
 
 
-def write_file(path: str, content: bytes, kind: Kind, *, force: bool = False) -> None:
-    """Replace a file at once, by way of a temporary one beside it.
+def write_file(path: str, content: bytes, *, force: bool = False) -> None:
+    """Write a file that is either whole or untouched; one that exists only with ``force``.
 
     Raises:
-        AfmcalcError: a file is there that was not written as the same kind.
+        AfmcalcError: the file exists.
         FileError: it cannot be written.
     """
-    refuse(path, kind, force=force)
     try:
         target = os.path.realpath(path)
         if os.path.exists(target) and not os.path.isfile(target):
@@ -164,35 +130,40 @@ def write_file(path: str, content: bytes, kind: Kind, *, force: bool = False) ->
                 file.write(content)
             return
         with put_off():
-            _replace(target, content)
+            created = _create(target)
+            if not (created or force):
+                raise _exists(path)
+            _replace(target, content, created=created)
             unreported.append(path)
     except OSError as error:
         raise FileError(say("{path}: cannot be written: {why}", path=path, why=reason(error))) from None
 
 
-def _replace(target: str, content: bytes) -> None:
-    import tempfile
-
+def _create(target: str) -> bool:
+    """Create an empty file, and return whether it was not there: of several programs at once one creates it."""
     if os.path.islink(target):
         # links that lead to each other: replacing one would hide the fault
         os.stat(target)
-    handle, temporary = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".afmcalc-")
     try:
+        open(target, "xb").close()
+    except FileExistsError:
+        return False
+    return True
+
+
+def _replace(target: str, content: bytes, *, created: bool) -> None:
+    """Replace a file at once, by way of a temporary one beside it; one just created goes where that fails."""
+    import tempfile
+
+    temporary = ""
+    try:
+        handle, temporary = tempfile.mkstemp(dir=os.path.dirname(target), prefix=".afmcalc-")
         with os.fdopen(handle, "wb") as file:
             file.write(content)
-        os.chmod(temporary, _mode(target))
+        os.chmod(temporary, os.stat(target).st_mode & 0o777)
         os.replace(temporary, target)
     except BaseException:
-        with suppress(OSError):
-            os.unlink(temporary)
+        for path in (temporary, target if created else ""):
+            with suppress(OSError):
+                os.unlink(path)
         raise
-
-
-def _mode(target: str) -> int:
-    """Permissions for a written file: those it had, or those the umask leaves."""
-    try:
-        return os.stat(target).st_mode & 0o777
-    except FileNotFoundError:
-        mask = os.umask(0)
-        os.umask(mask)
-        return 0o666 & ~mask

@@ -68,6 +68,8 @@ def _afmcalc(
     afmcalc accuracy --sweep C  accuracy of the built-in clutch over the gain
     afmcalc torque a.toml --json | afmcalc accuracy -
 
-    SPEC is a TOML or JSON file, - for standard input; without it the built-in base clutch is used.
-    Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written.
+    SPEC is a TOML or JSON file, - for standard input; without it one that ships is used, and a note says which.
+    A file that exists is replaced only with --force (-f), whatever wrote it.
+    Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written. Only check
+    judges: other commands print an error-level finding and exit with 0.
     """  # noqa: D301

@@ -12,7 +12,7 @@ import typer
 
 from ..errors import AfmcalcError
 from ..messages import say, told
-from .files import SPEC, Kind, format_of, format_of_spec, refuse, result_kind, write
+from .files import format_of, format_of_spec, refuse, write
 from .names import completing, paths
 from .progress import Bar
 from .signals import unreported
@@ -22,8 +22,23 @@ LANG = "Language: en or ru; else by AFMCALC_LANG or the locale."
 
 SpecArgument = Annotated[
     str | None,
-    typer.Argument(metavar="SPEC", help="TOML or JSON file, - for standard input; without it the base clutch."),
+    typer.Argument(metavar="SPEC", help="TOML or JSON file, - for standard input; without it one that ships."),
 ]
+
+
+def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
+    """Judge overrides before the arguments: of ``--set gain 0.7`` the parser takes the value for a SPEC."""
+    from ..spec.overrides import key_of
+
+    for override in overrides or ():
+        key_of(override)
+    return overrides
+
+
+ForceOption = Annotated[bool, typer.Option("--force", "-f", help="Replace a file that exists.")]
+Writes = Literal["result", "spec", "document"]
+"""What a file gets; the name of a document is judged by its command."""
+QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
 
 
 @dataclass(frozen=True)
@@ -38,6 +53,7 @@ class Common:
             metavar="PATH=VALUE",
             help="Override a spec key; repeatable. Empty VALUE removes it.",
             autocompletion=completing(paths, "="),
+            callback=_with_equals_sign,
         ),
     ] = None
     format: Annotated[
@@ -52,9 +68,9 @@ class Common:
     output: Annotated[
         str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
     ] = None
-    force: Annotated[bool, typer.Option("--force", help="Replace FILE, whatever it is.")] = False
+    force: ForceOption = False
     yes: Annotated[bool, typer.Option("--yes", help="Go on with what takes longer than a minute.")] = False
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False
+    quiet: QuietOption = False
     lang: Annotated[str | None, typer.Option("--lang", metavar="NAME", help=LANG)] = None
 
     @property
@@ -76,19 +92,21 @@ class Common:
 
         return shown_in(self.units)
 
-    def keep(self, *sources: str | None, kind: Kind | None = None) -> None:
-        """Refuse to write over what is read or what is not to be replaced; before anything is calculated."""
-        if kind is SPEC and self.output:
+    def keep(self, *sources: str | None, beside: str | None = None, writes: Writes = "result") -> None:
+        """Refuse a file that is one of ``sources``, exists or has a wrong name, or a second one ``beside`` it."""
+        if writes == "result":
+            self.chosen_format  # noqa: B018
+        elif writes == "spec" and self.output:
             format_of_spec(self.output)
-        found = kind or result_kind(self.command, self.chosen_format)
-        refuse(self.output, found, force=self.force, inputs=sources)
+        refuse(self.output, beside, force=self.force, inputs=sources)
 
-    def write(self, text: str, kind: Kind) -> None:
+    def write(self, text: str, *, utf8: bool = False) -> None:
         """Write to the file, or to standard output."""
-        write(text, self.output, kind, force=self.force)
+        write(text, self.output, force=self.force, utf8=utf8)
 
     def takes_no_clutch(self) -> None:
-        """Refuse overrides where there is no spec to override."""
+        """Refuse overrides where there is no spec to override, and what ``keep`` refuses."""
+        self.keep()
         if self.set:
             raise AfmcalcError(say("{name} takes no clutch, so --set has nothing to override", name=self.command))
 

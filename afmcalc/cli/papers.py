@@ -46,7 +46,7 @@ def explain(
     if model and command != "life":
         raise AfmcalcError(say("explain: --model belongs to life"))
     common.keep(spec)
-    given = read(spec, common)
+    given = read(spec, common, command)
     with common.bar():
         result, findings = analysis(command, given, **({"model": model} if model else {}))
     emit(common, result, findings, resolved(given))
@@ -105,5 +105,3 @@ def reproduce(
     common.takes_no_clutch()
     result, findings = analysis(paper or [], figure)
     emit(common, result, findings)
-    if not result.as_expected:
-        raise typer.Exit(1)

@@ -7,7 +7,6 @@ import typer
 from ..analysis.registry import SpringKind, SpringOrder
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import SPEC
 from .options import Common, SpecArgument, with_common
 from .run import build_from, calculate, emit, write_spec
 
@@ -74,7 +73,7 @@ def springs(
     from ..analysis.springs.springs import picked
     from ..analysis.springs.springs import springs as found
 
-    common.keep(spec, kind=SPEC)
+    common.keep(spec, writes="spec")
     clutch = build_from(spec, common)
     with common.bar():
         result, findings = found(clutch, sort, top, kind, tolerance)

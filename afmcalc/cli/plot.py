@@ -7,7 +7,7 @@ import typer
 from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import PLOT, write, write_file
+from .files import write, write_file
 from .names import completing, plots, swept
 from .options import Common, common_options
 from .run import need_drawing
@@ -83,8 +83,9 @@ def plot(
     from ..analysis.figures import Request, gathered, plot_of
     from ..render.plot import sheet_of
 
-    takes = plot_of(what).takes
+    what, takes = (chosen := plot_of(what)).name, chosen.takes
     ending = _ending(common.output)
+    common.keep(*subjects or (), beside=profile, writes="document")
     request = Request(subjects or (), sweep, model, profile, length("cutter", cutter), length("chord", chord))
     if (what == "pocket" and ending in _SHOP) or profile is not None:
         for_the_shop(what, request, ending, common)
@@ -104,7 +105,7 @@ def _of_clutches(what: str, request: "Request", common: Common) -> Any:
     """Read and build the clutches, and calculate what is drawn of them."""
     from ..analysis.figures import gathered
 
-    subjects = answers_of(request, common)
+    subjects = answers_of(what, request, common)
     with common.bar():
         return gathered(what, request._replace(subjects=subjects))
 
@@ -116,7 +117,6 @@ def _of_requirements(what: str, request: "Request", common: Common) -> Any:
 
     check_request(what, request)
     (source,) = request.subjects
-    common.keep(source, kind=PLOT)
     need = read_requirements(source, common.set or ())
     with common.bar():
         return gathered(what, request._replace(subjects=[need]))
@@ -141,10 +141,10 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
 
         if not any(isinstance(panel, Chart) for panel in sheet.panels):
             raise AfmcalcError(say("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)"))
-        write(draw_sheet(sheet, unicode=is_unicode(), width=columns()), None, PLOT)
+        write(draw_sheet(sheet, unicode=is_unicode(), width=columns()), None)
         return
     from ..render.plot.figure import save
 
     assert common.output is not None
-    write_file(common.output, save(sheet, ending), PLOT, force=common.force)  # type: ignore[arg-type]
+    write_file(common.output, save(sheet, ending), force=common.force)  # type: ignore[arg-type]
     common.wrote(say("wrote {output}", output=common.output))

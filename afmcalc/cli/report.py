@@ -9,9 +9,9 @@ from .. import __version__
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import REPORT, REPORT_PDF, html_only, refuse, write_file
+from .files import html_only, write_file
 from .options import Common, SpecArgument, common_options
-from .run import need_drawing
+from .run import given_instead, need_drawing
 
 if TYPE_CHECKING:
     from ..spec import Spec
@@ -63,8 +63,7 @@ def report(
     html_only(output)
     target = _pdf_beside(output) if pdf else None
     browser = find_browser() if pdf else None
-    common.keep(spec, kind=REPORT)
-    refuse(target, REPORT_PDF, force=common.force, inputs=[spec])
+    common.keep(spec, beside=target, writes="document")
     raw, given, read = _read(spec, common)
     options = {
         "organisation": organisation, "project": project, "drawing": drawing, "revision": revision,
@@ -79,12 +78,12 @@ def report(
         page = render(Subject(found, given, title, digest, read.label, common.set or (), __version__))
         bar.advance("report", 2, steps)
         # both, or neither where the browser fails
-        printed = print_pdf(browser, page) + REPORT_PDF.holds if browser else b""
-    common.write(page, REPORT)
+        printed = print_pdf(browser, page) if browser else b""
+    common.write(page)
     if output not in (None, "-"):
         common.wrote(say("wrote {output}", output=output))
     if target:
-        write_file(target, printed, REPORT_PDF, force=common.force)
+        write_file(target, printed, force=common.force)
         common.wrote(say("wrote {target}", target=target))
 
 
@@ -110,9 +109,7 @@ def _read(source: str | None, common: Common) -> "tuple[bytes, str, Spec]":
     from ..spec.parsing import bytes_of, parse, text_in
     from ..spec.reading import spec_of
 
-    if source is None:
-        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
-    raw, name = bytes_of(source)
+    raw, name = bytes_of(given_instead(common, "report") if source is None else source)
     text, label = text_in(raw, name)
     spec = spec_of(text, label, common.set or ())
     if text.lstrip().startswith("{"):

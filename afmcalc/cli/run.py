@@ -9,7 +9,7 @@ from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..extras import need
 from ..messages import say
-from .files import SPEC, format_of_spec, result_kind
+from .files import format_of_spec
 from .options import Common
 from .streams import is_unicode
 
@@ -21,15 +21,24 @@ if TYPE_CHECKING:
     from ..spec import Spec
 
 
-def read(source: str | None, common: Common) -> "Spec":
-    """Read the spec a command was given, or the built-in one with a note."""
+def read(source: str | None, common: Common, of: str | None = None) -> "Spec":
+    """Read the spec a command was given, or the one that ships; ``of``: what a plot or explanation is of."""
     from ..spec import read_spec
 
     if source is None:
-        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
+        source = given_instead(common, of or common.command)
     elif source == "-" and sys.stdin.isatty():
         common.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
     return read_spec(source, common.set or ())
+
+
+def given_instead(common: Common, of: str) -> str | None:
+    """Return the example that ships for an analysis, None for the base clutch, and name it in a note."""
+    if of not in ANALYSES or (kind := ANALYSES[of].example) is None:
+        common.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
+        return None
+    common.note(say("no SPEC given: example:{kind} is used (afmcalc init --kind {kind} writes it)", kind=kind))
+    return f"example:{kind}"
 
 
 def calculate(
@@ -64,11 +73,11 @@ def need_drawing(extra: str) -> None:
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
 
 
-def build_from(source: str | None, common: Common) -> "Clutch":
-    """Read a spec and build its clutch."""
+def build_from(source: str | None, common: Common, of: str | None = None) -> "Clutch":
+    """Read a spec and build its clutch; arguments as ``read``."""
     from ..engines import build
 
-    return build(read(source, common))
+    return build(read(source, common, of))
 
 
 def emit(
@@ -81,8 +90,10 @@ def emit(
     """Render the output of a command in the chosen format, to standard output or a file."""
     from ..result import Output
 
-    output = Output(command=common.command, version=__version__, spec=spec, result=result, findings=findings)
     chosen = common.chosen_format
+    if common.quiet and chosen != "json" and not result.findings_first:
+        findings = [finding for finding in findings if finding.level == "error"]
+    output = Output(command=common.command, version=__version__, spec=spec, result=result, findings=findings)
     terminal = common.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
     if curve:
         from ..render.formats import table
@@ -96,13 +107,12 @@ def emit(
         from ..render.formats.json import in_ascii
 
         text = in_ascii(text)
-    common.write(text, result_kind(common.command, chosen, text))
+    common.write(text)
     if chosen == "csv" and not result.findings_first:
         from ..render.layout import findings_lines
 
         for line in findings_lines(findings):
-            if not (common.quiet and line.startswith("info")):
-                print(line, file=sys.stderr)
+            print(line, file=sys.stderr)
     return output
 
 
@@ -117,4 +127,4 @@ def write_spec(data: dict[str, Any], common: Common, about: str) -> None:
         from ..spec import to_toml
 
         text = to_toml(data, about)
-    common.write(text, SPEC)
+    common.write(text, utf8=True)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from ..errors import AfmcalcError
 from ..extras import need
 from ..messages import say
-from .files import PLOT, Kind, write, write_file
+from .files import write, write_file
 from .options import Common
 from .run import build_from
 
@@ -22,22 +22,22 @@ def for_the_shop(what: str, request: "Request", ending: str | None, common: Comm
         AfmcalcError: another plot, a picture that is none for the shop, a pocket or a cutter that cannot be.
     """
     from ..analysis.figures import shop_drawing_of
-    from ..render.shop.profile import HEADING, profile
+    from ..render.shop.profile import profile
 
     if ending == "dxf":
         need("cad")
     if ending in ("png", "pdf"):
         raise AfmcalcError(say("--profile goes with -o FILE.dxf or FILE.svg, or stands alone"))
-    subjects = answers_of(request, common)
+    subjects = answers_of(what, request, common)
     with common.bar():
         drawing = shop_drawing_of(what, request._replace(subjects=subjects))
     if ending is not None:
         assert common.output is not None
         content = getattr(import_module(f"..render.shop.{ending}", __package__), ending)(drawing)
-        write_file(common.output, content, PLOT, force=common.force)
+        write_file(common.output, content, force=common.force)
         common.wrote(say("wrote {output}", output=common.output))
     if request.profile is not None:
-        write(profile(drawing), request.profile, Kind("profile", (HEADING.encode(),)), force=common.force)
+        write(profile(drawing), request.profile, force=common.force)
         if request.profile != "-":
             common.wrote(say("wrote {output}", output=request.profile))
 
@@ -61,13 +61,12 @@ def length(name: str, text: str | None) -> float | None:
     return value
 
 
-def answers_of(request: "Request", common: Common) -> "list[Answers]":
+def answers_of(what: str, request: "Request", common: Common) -> "list[Answers]":
     """Read and build the clutches that are drawn."""
     from ..analysis.answers import Answers
 
     if request.subjects.count("-") > 1:
         raise AfmcalcError(say("standard input (-) can be read once only"))
-    common.keep(*request.subjects, kind=PLOT)
     sources = list(request.subjects) or [None]
-    clutches = [build_from(source, common) for source in sources]
+    clutches = [build_from(source, common, what) for source in sources]
     return [Answers(each, model=request.model or "mean-stress") for each in clutches]

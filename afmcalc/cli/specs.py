@@ -8,9 +8,9 @@ import typer
 from ..errors import AfmcalcError, SpecError
 from ..messages import say
 from ..variants import VARIANTS
-from .files import SCHEMA, SPEC, refuse, write
+from .files import refuse, write
 from .names import completing, described
-from .options import Common, SpecArgument, with_common
+from .options import Common, ForceOption, QuietOption, SpecArgument, with_common
 from .run import calculate, emit
 
 _EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.example} | dict.fromkeys(
@@ -42,8 +42,8 @@ def init(
         bool, typer.Option("--schema", help="Write the JSON Schema beside FILE too, for completion in an editor.")
     ] = False,
     output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="The same as FILE.")] = None,
-    force: Annotated[bool, typer.Option("--force", help="Replace an existing file.")] = False,
-    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No notes on standard error.")] = False,
+    force: ForceOption = False,
+    quiet: QuietOption = False,
 ) -> None:
     """Write an annotated spec to start from.
 
@@ -63,18 +63,17 @@ def init(
     if schema and target == "-":
         raise AfmcalcError(say("--schema writes a file beside FILE: name one"))
     text = annotated(_text(kind, variant))
-    written = {target: (text, SPEC)}
+    written = [(target, text)]
     if schema:
         beside, described = _schema_beside(target, kind)
-        written = {target: (f"#:schema ./{os.path.basename(beside)}\n{text}", SPEC), beside: (described, SCHEMA)}
-    for path, (_, own) in written.items():
-        refuse(path, own, force=force)
-    for path, (text, own) in written.items():
-        write(text, path, own, force=force)
+        written = [(target, f"#:schema ./{os.path.basename(beside)}\n{text}"), (beside, described)]
+    refuse(*(path for path, _ in written), force=force)
+    for path, content in written:
+        write(content, path, force=force, utf8=True)
     if target != "-":
         Common("init", quiet=quiet).wrote(
             say("wrote {written}; calculate it with: afmcalc {command} {target}",
-                written=", ".join(written), command=_KINDS[kind], target=target)
+                written=", ".join(path for path, _ in written), command=_KINDS[kind], target=target)
         )  # fmt: skip
 
 
@@ -171,7 +170,7 @@ def schema(
     output: Annotated[
         str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
     ] = None,
-    force: Annotated[bool, typer.Option("--force", help="Replace FILE, whatever it is.")] = False,
+    force: ForceOption = False,
 ) -> None:
     """JSON Schema of the spec, or of a command's JSON output.
 
@@ -179,4 +178,5 @@ def schema(
     afmcalc schema > clutch.schema.json
     afmcalc schema torque
     """  # noqa: D301
-    write(_schema_of(command), output, SCHEMA, force=force)
+    refuse(output, force=force)
+    write(_schema_of(command), output, force=force)

@@ -1,14 +1,13 @@
 """Engines: one per torque law, behind one protocol."""
 
 from collections.abc import Mapping
-from os import PathLike
 from typing import Any
 
-from ..spec import Spec, make_spec, read_spec
+from ..spec import Spec, make_spec
 from ..variants import Law
 from .protocol import Clutch
 
-__all__ = ["Clutch", "build", "load"]
+__all__ = ["Clutch", "build"]
 
 
 def build(spec: Spec | Mapping[str, Any]) -> Clutch:
@@ -31,13 +30,3 @@ def _engine(law: Law) -> type[Clutch]:
     from .indirect import IndirectClutch
 
     return IndirectClutch
-
-
-def load(source: str | PathLike[str] | None = None) -> Clutch:
-    """Read a spec (a path, ``"-"`` for standard input, None for the built-in base clutch) and build its clutch.
-
-    Raises:
-        SpecError: the spec is invalid.
-        FileError: the file cannot be read.
-    """
-    return build(read_spec(source))

@@ -8,7 +8,7 @@ from typing import Literal
 from ..errors import AfmcalcError
 from ..findings import Finding
 from ..messages import say
-from ..result import Result, quantity
+from ..result import Answer, Result, quantity
 from ..spec.suggest import did_you_mean
 from ..watch import counted
 
@@ -48,7 +48,7 @@ class Proved(Result):
     shows: str = quantity("", None, "what it shows")
 
 
-class EquationsResult(Result):
+class EquationsResult(Answer):
     """The register, or the part of it asked for."""
 
     numbered: int = quantity("", None, "numbered formulas in the papers asked for")

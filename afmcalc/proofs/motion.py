@@ -36,7 +36,7 @@ def shaft() -> Steps:
     inertia = sp.nsimplify(drive.inertia_torque(speed, k, J2), rational=True)
     yield Identity("its peak is the inertia torque (V2)", inertia - top)
     a, above = sp.symbols("a Delta", positive=True)
-    peak = drive.stop_torque(J2, a, T + above, T) - J2 * a
+    peak = sp.nsimplify(drive.stop_torque(J2, a, T + above, T) - J2 * a, rational=True)
     wound = k * a * sp.sqrt(2 * above / (k * a))  # rate of the torque as the slip begins, at t_1
     yield Identity("V4: amplitude about T + J_2 a", peak**2 - (J2 * a) ** 2 - (wound / natural) ** 2)
 

@@ -264,11 +264,15 @@ def _is_shared(block: TextTable, number: int, cells: list[str]) -> bool:
     return not block.numeric[number] and len(set(cells)) == 1
 
 
+def ranked(findings: list[Finding]) -> list[Finding]:
+    """Return findings, the gravest first."""
+    order = {"error": 0, "warning": 1, "info": 2}
+    return sorted(findings, key=lambda finding: order[finding.level])
+
+
 def findings_lines(findings: list[Finding]) -> list[str]:
     """One line per finding, gravest first."""
-    order = {"error": 0, "warning": 1, "info": 2}
-    ranked = sorted(findings, key=lambda finding: order[finding.level])
     return [
         printable(f"{translate(f.level, 'value')}: {translate(f.message)} [{f.code}{', ' + f.path if f.path else ''}]")
-        for f in ranked
+        for f in ranked(findings)
     ]

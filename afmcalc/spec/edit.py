@@ -1,6 +1,6 @@
 """A spec with one thing changed."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TypeVar
 
 from pydantic import BaseModel
@@ -8,7 +8,6 @@ from pydantic import BaseModel
 from ..arrays import Values
 from ..messages import say
 from .models import Method, Spec
-from .paths import is_whole
 from .reading import make_spec
 from .rules import foreign_keys
 from .writing import resolved, written
@@ -89,15 +88,16 @@ def with_key(spec: Spec, path: str, value: Values) -> Spec:
     return with_value(_without_replaced(spec, [path]), path.split("."), value)
 
 
-def respecified(spec: Spec, values: dict[str, float]) -> Spec:
-    """Return the validated spec with other values of some keys, and without what they stand in for.
+def respecified(spec: Spec, values: Mapping[str, object]) -> Spec:
+    """Return the validated spec with other values of some keys, None for none, and without what they stand in for.
 
     Raises:
         SpecError: a value no spec may have.
     """
-    data = _without_replaced(spec, values).model_dump(exclude_none=True)
+    given = [path for path, value in values.items() if value is not None]
+    data = _without_replaced(spec, given).model_dump(exclude_none=True)
     for path, value in values.items():
-        put(data, path, int(value) if is_whole(path) else value)
+        put(data, path, value)
     return make_spec(data, spec.label.but(values))
 
 

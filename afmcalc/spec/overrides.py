@@ -1,6 +1,7 @@
-"""Overrides of a spec from the command line: ``path=value``."""
+"""Overrides of a spec: ``path=value`` from the command line, a mapping from Python."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterator, Mapping
+from typing import TypeAlias
 
 from pydantic import BaseModel
 
@@ -10,10 +11,13 @@ from .limits import check_size, too_deep
 from .models import Spec
 from .rules import Table
 
+Overrides: TypeAlias = Collection[str] | Mapping[str, object]
+"""Texts ``path=value``, an empty value removes the key; or path → value, None removes it."""
 
-def apply_overrides(data: dict[str, object], overrides: Iterable[str], model: type[BaseModel] = Spec) -> Table:
-    """Apply ``path=value`` overrides to parsed data; an empty value removes the key."""
-    for override in overrides:
+
+def apply_overrides(data: dict[str, object], overrides: Overrides, model: type[BaseModel] = Spec) -> Table:
+    """Apply overrides to parsed data."""
+    for override, value in _each(overrides):
         *blocks, name = _path(override, model)
         block = data
         for depth, part in enumerate(blocks, start=1):
@@ -22,16 +26,41 @@ def apply_overrides(data: dict[str, object], overrides: Iterable[str], model: ty
                 path = ".".join(blocks[:depth])
                 raise AfmcalcError(say("--set {override:.80}: {path} is no table", override=override, path=path))
             block = nested
-        if text := override.partition("=")[2].strip():
-            block[name] = _value(text, override)
-        else:
+        if value is None:
             block.pop(name, None)
+        else:
+            block[name] = value
     return data
 
 
-def overridden(overrides: Iterable[str], model: type[BaseModel] = Spec) -> list[str]:
-    """Return the dotted paths that overrides name."""
-    return [".".join(_path(override, model)) for override in overrides]
+def overridden(overrides: Overrides, model: type[BaseModel] = Spec) -> dict[str, object]:
+    """Return the dotted paths that overrides name, each with its value."""
+    return {".".join(_path(override, model)): value for override, value in _each(overrides)}
+
+
+def _each(overrides: Overrides) -> Iterator[tuple[str, object]]:
+    """Overrides as texts, each with its value; None removes the key."""
+    if isinstance(overrides, Mapping):
+        for name, value in overrides.items():
+            yield f"{name}={value}", getattr(value, "tolist", lambda given=value: given)()  # of NumPy
+        return
+    for override in overrides:
+        text = override.partition("=")[2].strip()
+        yield override, _value(text, override) if text else None
+
+
+def key_of(override: str) -> str:
+    """Return the key of an override as given; refuse where there is no equals sign, or nothing before it."""
+    given, separator, _ = override.partition("=")
+    if not separator or not given.strip():
+        raise AfmcalcError(
+            say(
+                "--set {override:.80}: write PATH=VALUE, both and the equals sign in one word, for example "
+                "control_unit.gain=0.5",
+                override=override,
+            )
+        )
+    return given.strip()
 
 
 def _path(override: str, model: type[BaseModel]) -> list[str]:
@@ -40,12 +69,8 @@ def _path(override: str, model: type[BaseModel]) -> list[str]:
     from .suggest import did_you_mean
     from .walk import names_in
 
-    given, separator, _ = override.partition("=")
-    path = path_of(given, model) or given.strip()
-    if not separator or not path:
-        raise AfmcalcError(
-            say("--set {override:.80}: write PATH=VALUE, for example control_unit.gain=0.5", override=override)
-        )
+    given = key_of(override)
+    path = path_of(given, model) or given
     *blocks, last = path.split(".")
     known = names_in(tuple(blocks), model)
     if last not in known:

@@ -14,7 +14,7 @@ from .models import Spec
 from .names import elsewhere
 from .rules import RuleError, Table
 from .suggest import did_you_mean
-from .walk import names_in
+from .walk import choices_at, names_in
 
 _MOST_TOLD = 100
 """Problems that are told; of the others the number."""
@@ -85,7 +85,8 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None,
     context = detail.get("ctx", {})
     match detail["type"]:
         case "missing":
-            return say("required")
+            choices = ", ".join(choices_at(location, root))
+            return say("required: one of {choices}", choices=choices) if choices else say("required")
         case "extra_forbidden":
             return _unknown_key(location, root)
         case "model_type" | "model_attributes_type" | "dict_type":

@@ -1,6 +1,7 @@
 """From text to spec: TOML or JSON, a path, standard input or the built-in default."""
 
-from collections.abc import Iterable
+from collections.abc import Mapping
+from copy import deepcopy
 from os import PathLike
 from typing import TypeVar
 
@@ -9,19 +10,20 @@ from pydantic import BaseModel, ValidationError
 from ..errors import SpecError
 from ..source import Source
 from .models import Spec
-from .overrides import apply_overrides, overridden
+from .overrides import Overrides, apply_overrides, overridden
 from .parsing import parse, text_of
 from .rules import Table
 
 
-def read_spec(source: str | PathLike[str] | None = None, overrides: Iterable[str] = ()) -> Spec:
+def read_spec(source: str | PathLike[str] | Mapping[str, object] | None = None, overrides: Overrides = ()) -> Spec:
     """Read a clutch spec.
 
     Args:
         source: path of a TOML or JSON file, ``"-"`` for standard input, ``"example:NAME"`` for a file that ships,
-            None for the built-in base clutch.
+            None for the built-in base clutch; or plain data of the same structure.
             JSON printed by any command counts: its ``spec`` block is taken.
-        overrides: ``"path=value"`` strings applied before validation; an empty value removes the key.
+        overrides: ``"path=value"`` strings applied before validation, an empty value removes the key; or path → value,
+            None removes the key. A name or a symbol stands for its path.
 
     Returns:
         The validated spec, SI inside.
@@ -30,12 +32,13 @@ def read_spec(source: str | PathLike[str] | None = None, overrides: Iterable[str
         SpecError: every problem found, with file, line, key, value and what is allowed.
         FileError: the file cannot be read.
     """
+    if isinstance(source, Mapping):
+        return make_spec(apply_overrides(deepcopy(dict(source)), overrides))
     return spec_of(*text_of(source), overrides)
 
 
-def spec_of(text: str, label: Source, overrides: Iterable[str] = ()) -> Spec:
+def spec_of(text: str, label: Source, overrides: Overrides = ()) -> Spec:
     """Read a clutch spec from its text, named ``label``; see ``read_spec``."""
-    overrides = list(overrides)
     data = apply_overrides(parse(text, label), overrides)
     return make_spec(data, label.but(overridden(overrides)))
 

@@ -14,7 +14,7 @@ from .choices import Angles, Choice, Diameters, Forces, Lengths, Pairs, Ratios, 
 from .contact import HARDENED_STEEL, Contact
 from .fields import AtLeastOne, Block, Count, Force, Gap, Length, Name, Ratio, Stress, Torque, key_field
 from .models import Friction, Method, PocketShape, Profiled, VariantName
-from .overrides import apply_overrides, overridden
+from .overrides import Overrides, apply_overrides, overridden
 from .parsing import parse, text_of
 from .reading import validated
 from .springs import Room
@@ -246,7 +246,7 @@ class Requirements(Block):
             yield rules.wrong("search.outer_radius", say("must reach beyond search.inner_radius"))
 
 
-def read_requirements(source: str | PathLike[str], overrides: Iterable[str] = ()) -> Requirements:
+def read_requirements(source: str | PathLike[str], overrides: Overrides = ()) -> Requirements:
     """Read a requirements file (TOML or JSON, ``"-"`` for standard input) with ``"path=value"`` overrides.
 
     Raises:
@@ -254,7 +254,6 @@ def read_requirements(source: str | PathLike[str], overrides: Iterable[str] = ()
         FileError: the file cannot be read.
     """
     text, label = text_of(source)
-    overrides = list(overrides)
     data = apply_overrides(parse(text, label), overrides, Requirements)
     return make_requirements(data, label.but(overridden(overrides, Requirements)))
 

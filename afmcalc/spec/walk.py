@@ -39,13 +39,25 @@ def keys_below(model: type[BaseModel], prefix: str = "") -> dict[str, Key]:
 
 def names_in(path: tuple[str, ...], model: type[BaseModel]) -> list[str]:
     """Return the names allowed in the block at ``path``."""
+    block = _model_at(path, model)
+    return list(block.model_fields) if block else []
+
+
+def choices_at(path: tuple[str, ...], model: type[BaseModel]) -> list[str]:
+    """Return the words that the key at ``path`` may be; none where it is no choice of words."""
+    block = _model_at(path[:-1], model)
+    return [*block.model_json_schema()["properties"][path[-1]].get("enum", ())] if block else []
+
+
+def _model_at(path: tuple[str, ...], model: type[BaseModel]) -> type[BaseModel] | None:
+    """Return the model of the block at ``path``."""
     for name in path:
         field = model.model_fields.get(name)
         block = _block_of(field) if field else None
         if block is None:
-            return []
+            return None
         model = block
-    return list(model.model_fields)
+    return model
 
 
 def _block_of(field: FieldInfo) -> type[BaseModel] | None:

@@ -91,9 +91,10 @@ def test_a_motor_that_carries_the_slip_torque_goes_on_until_cut_off(afmcalc, tmp
     at_rest = clutch(337, {"motor_inertia": 8, "speed": 100}, adjustment={"nominal_torque": 337, "margin": 1.25})
     assert heat(at_rest)[0].slip_time.min == pytest.approx(800 / (337 * 0.2))
     spec = tmp_path / "a.toml"
-    assert afmcalc("heat").code == 2
-    assert "drive.speed: required by heat" in afmcalc("heat").err
-    spec.write_text(afmcalc("heat", "--set", "drive.speed=100", "--set", "drive.motor_inertia=8", "--set",
+    refused = afmcalc("heat", "example:default")
+    assert refused.code == 2
+    assert "drive.speed: required by heat" in refused.err
+    spec.write_text(afmcalc("heat", "example:default", "--set", "drive.speed=100", "--set", "drive.motor_inertia=8", "--set",
                             "drive.motor_torque=400", "--json", "-q").out, encoding="utf-8")  # fmt: skip
     assert "not ended" in afmcalc("heat", spec).out
     assert afmcalc("check", spec).code == 1
@@ -357,7 +358,8 @@ def test_discs_that_melt_are_an_error_whatever_is_given():
 def test_a_motor_with_a_curve_wants_an_event(afmcalc):
     """It said: drive.event: required by heat (or give drive.event)."""
     motor = {"breakdown_torque": 400, "breakdown_slip": 0.2, "synchronous_speed": 157}
-    ended = afmcalc("heat", *(part for key, value in motor.items() for part in ("--set", f"drive.motor.{key}={value}")))
+    given = [part for key, value in motor.items() for part in ("--set", f"drive.motor.{key}={value}")]
+    ended = afmcalc("heat", "example:default", *given)
     assert ended.code == 2
     assert "drive.event: required by heat beside drive.motor" in ended.err
 

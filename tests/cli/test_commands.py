@@ -1,7 +1,10 @@
 """The program as a person or a script calls it."""
 
+import csv
+import io
 import json
 import os
+import re
 import subprocess
 import sys
 import tomllib
@@ -10,7 +13,12 @@ import pytest
 from conftest import CONFIGS, ROOT
 
 import afmcalc as package
+from afmcalc.analysis.checks.check import check
 from afmcalc.cli.main import COMMANDS
+from afmcalc.engines import build
+from afmcalc.render.formats import table
+from afmcalc.result import Output
+from afmcalc.spec import read_spec
 
 VARIANTS = ["conventional", "differentiated", "all-driving", "indirect", "unlike-materials"]
 
@@ -33,6 +41,27 @@ def test_no_spec_means_the_base_clutch_and_says_so(afmcalc):
     assert "built-in base clutch" in run.err
     assert run.out == afmcalc("torque", CONFIGS / "default.toml").out
     assert afmcalc("torque", "--quiet").err == ""
+
+
+@pytest.mark.parametrize(
+    ("command", "example", "light"),
+    [
+        (["simulate"], "drive", "drive.event.duration=0.02"),
+        (["heat"], "drive", "drive.event.duration=0.02"),
+        (["effects"], "drive", "friction.mean=0.4"),
+        (["explain", "heat"], "drive", "drive.event.duration=0.02"),
+        (["plot", "effects"], "drive", "friction.mean=0.4"),
+        (["tolerance"], "tolerance", "tolerance.samples=2000"),
+        (["springs"], None, "friction.mean=0.4"),
+        (["explain", "life"], None, "friction.mean=0.4"),
+    ],
+)
+def test_no_spec_means_what_the_command_can_calculate_and_a_note_says_which(command, example, light, afmcalc):
+    run = afmcalc(*command, "--set", light)
+    assert run.code == 0
+    says = f"example:{example} is used (afmcalc init --kind {example} writes it)" if example else "built-in base clutch"
+    assert says in run.err
+    assert run.out == afmcalc(*command, f"example:{example or 'default'}", "--set", light).out
 
 
 EVERYWHERE = ["torque", "accuracy", "check", "adjust", "life", "compare"]
@@ -213,3 +242,100 @@ def test_commands_without_a_clutch_take_no_overrides_and_give_no_spec(command, a
     piped = afmcalc("torque", "-", stdin=afmcalc(command, "--json").out)
     assert piped.code == 2
     assert "carries no clutch" in piped.err
+
+
+NOTED = ["accuracy", CONFIGS / "default.toml", "--sweep", "C=0:2:3"]
+"""Calculated with a warning alone."""
+
+
+@pytest.mark.parametrize("lang", ["en", "ru"])
+@pytest.mark.parametrize("format_", ["table", "markdown", "csv", "json"])
+def test_quiet_leaves_results_and_errors(format_, lang, afmcalc):
+    """Whatever the language: the same result, without notes and warnings; JSON has its findings as data."""
+    for arguments, kept in ((["life"], 0), (NOTED, 0), (ERRONEOUS, 2)):
+        spoken = [*arguments, "--format", format_, "--lang", lang]
+        run, quiet = afmcalc(*spoken), afmcalc(*spoken, "-q")
+        assert run.code == quiet.code == 0
+        if format_ == "json":
+            assert (quiet.out, quiet.err) == (run.out, "")
+            continue
+        said = quiet.err if format_ == "csv" else quiet.out
+        assert len(re.findall(r"\[[a-z-]+(?:, \S+)?\]$", said, re.MULTILINE)) == kept
+        assert (quiet.out == run.out) == (format_ == "csv")
+        assert format_ == "csv" or quiet.err == ""
+
+
+ERRONEOUS = ["synthesize", CONFIGS / "default.toml", "--set", "balls=60", "--set", "allowable_contact_force="]
+"""Calculated with two findings of level error, among others."""
+
+
+def test_an_error_of_another_command_than_check_ends_with_0(afmcalc):
+    run = afmcalc(*ERRONEOUS, "--json")
+    assert run.code == 0
+    assert [each["level"] for each in run.json["findings"]].count("error") == 2
+    assert afmcalc("check", *ERRONEOUS[1:]).code == 1
+
+
+def test_findings_stand_gravest_first_in_their_colours(afmcalc):
+    """In tables, Markdown and CSV; JSON has them in the order of the analyses."""
+    arguments = ["check", CONFIGS / "default.toml", "--set", "C=2", "--set", "requirements.torque_max=50"]
+    levels = [each["level"] for each in afmcalc(*arguments, "--json").json["findings"]]
+    ranked = sorted(levels, key=["error", "warning", "info"].index)
+    assert set(levels) == {"error", "warning", "info"}
+    assert levels != ranked
+    for format_ in ("table", "markdown", "csv"):
+        out = afmcalc(*arguments, "--format", format_).out
+        assert re.findall(r"^(?:- )?(?:\*\*)?(error|warning|info)", out, re.MULTILINE) == ranked
+    result, findings = check(build(read_spec(arguments[1], arguments[3::2])))
+    shown = table.render(Output("check", "0", None, result, findings), True)
+    colours = {"error": "1;31", "warning": "33", "info": "36"}
+    assert re.findall(r"^\x1b\[([\d;]+)m(error|warning|info)", shown, re.MULTILINE) == [
+        (colours[level], level) for level in ranked
+    ]
+
+
+def test_csv_of_a_check_has_requirements_and_limits(afmcalc):
+    arguments = ["check", CONFIGS / "indirect.toml", "--set", "requirements.torque_max=300", "--set",
+                 "requirements.cycles=1e6"]  # fmt: skip
+    asked, run = afmcalc(*arguments, "--json").json, afmcalc(*arguments, "--format", "csv")
+    rows = list(csv.DictReader(io.StringIO(run.out)))
+    for name in ("requirements", "limits"):
+        listed, entries = [row for row in rows if row["level"] == name], asked["result"][name]
+        assert len(listed) == len(entries) > 1
+        for row, entry in zip(listed, entries, strict=True):
+            for key, value in entry.items():
+                text = "" if value is None else str(value).lower() if isinstance(value, bool) else value
+                assert row[key] == text or float(row[key]) == value
+    assert len(rows) == sum(map(len, (asked["findings"], asked["result"]["requirements"], asked["result"]["limits"])))
+
+
+def test_csv_of_a_curved_wall_has_the_values_of_the_control_unit(afmcalc):
+    spec = CONFIGS / "constant-torque.toml"
+    result = afmcalc("synthesize", spec, "--json").json["result"]
+    rows = list(csv.DictReader(io.StringIO(afmcalc("synthesize", spec, "--format", "csv").out)))
+    wall = result.pop("wall")
+    assert [float(row["travel [m]"]) for row in rows] == [point["travel"] for point in wall]
+    assert [float(row["wall_angle [rad]"]) for row in rows] == [point["wall_angle"] for point in wall]
+    assert result.pop("wall_angle") == wall[0]["wall_angle"]
+    given = {name: value for name, value in result.items() if value is not None}
+    assert len(given) > 20
+    for row in rows:
+        named = {heading.partition(" [")[0]: text for heading, text in row.items()}
+        for name, value in given.items():
+            assert named[name] == value if isinstance(value, str) else float(named[name]) == value
+
+
+@pytest.mark.parametrize("given", ["C=0..1", "C=0…1", "C=0-1", "C=0 – 1", "C=0 to 1", "R=80mm..120mm", "C=0:1"])
+def test_a_range_written_otherwise_is_told_how(given, afmcalc):
+    run = afmcalc("accuracy", CONFIGS / "default.toml", "--sweep", given)
+    assert (run.code, run.out) == (2, "")
+    assert run.err == f"error: --sweep {given}: write start:stop:count with a whole count of at least 2\n"
+    assert afmcalc("accuracy", "--sweep", "C=1e-1,5e-1").code == 0
+
+
+@pytest.mark.parametrize("spec", [[], [CONFIGS / "default.toml"]])
+@pytest.mark.parametrize("given", [["gain", "0.7"], ["gain", "=", "0.7"], ["=0.7"]])
+def test_an_override_without_its_equals_sign_is_told_of_it(given, spec, afmcalc):
+    run = afmcalc("torque", *spec, "--set", *given)
+    assert (run.code, run.out) == (2, "")
+    assert run.err.startswith(f"error: --set {given[0]}: write PATH=VALUE, both and the equals sign in one word, for")

@@ -171,7 +171,7 @@ BAD = {
     "no max": ({"friction__max": None}, "friction.max", "", "required"),
     "no friction block": ({"friction": None}, "friction", "", "required"),
     "misspelt variant": ({"variant": "diferentiated"}, "variant", '"diferentiated"', "did you mean 'differentiated'"),
-    "variant missing": ({"variant": None}, "variant", "", "required"),
+    "variant missing": ({"variant": None}, "variant", "", "one of conventional, differentiated, all-driving, indirect"),
     "control unit on an ordinary clutch": ({"variant": "conventional"}, "control_unit", "", "not for variant"),
     "control spring on a direct clutch": (
         {"control_spring": {"stiffness": 1}},

@@ -5,7 +5,7 @@ from typing import ClassVar
 from ...engines.protocol import Clutch
 from ...errors import SpecError
 from ...findings import Finding, finding, worst
-from ...result import Result, quantity
+from ...result import Answer, quantity
 from ..answers import Answers
 from ..registry import ANALYSES
 from .limits import Utilisation, hub_findings, utilisations
@@ -14,7 +14,7 @@ from .pressure import pressure_findings
 from .requirements import RequirementRow, requirement_rows, simulates
 
 
-class CheckResult(Result):
+class CheckResult(Answer):
     """Whether a design passes, and how many findings of each level it has."""
 
     findings_first: ClassVar[bool] = True

@@ -8,7 +8,7 @@ import numpy as np
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...messages import joined, measured, say, term
-from ...result import Result, quantity
+from ...result import Answer, quantity
 from ...spec.requirements import Requirements
 from ...spec.suggest import did_you_mean
 from ...watch import tell
@@ -27,7 +27,7 @@ MOST = 10_000_000_000
 """Candidates beyond which a search is refused."""
 
 
-class DesignResult(Result):
+class DesignResult(Answer):
     """The front of a design: the best between the grid points."""
 
     candidates: int = quantity("", None, "candidates searched")
@@ -158,10 +158,11 @@ def check_objective(name: str | None) -> None:
         )
 
 
-def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResult:
-    """Return the result with so many rows of its front, ordered by an objective; their numbers stay."""
+def shown(result: DesignResult, sort: str | None, top: int | None, pick: int | None = None) -> DesignResult:
+    """Return the result with so many rows of its front and the one picked, by an objective; their numbers stay."""
     found = result.front if sort is None else sorted(result.front, key=lambda row: row.objective(sort))
-    return result.model_copy(update={"front": found[:top]})
+    kept = [row for place, row in enumerate(found) if top is None or place < top or row.number == pick]
+    return result.model_copy(update={"front": kept})
 
 
 def _sprung(need: Requirements, front: list[DesignRow]) -> Iterator[DesignRow]:

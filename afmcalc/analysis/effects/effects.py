@@ -6,7 +6,7 @@ from ...engines.protocol import Clutch
 from ...errors import Problem, SpecError
 from ...findings import Finding, finding
 from ...messages import say
-from ...result import Result, Triple, quantity
+from ...result import Answer, Result, Triple, quantity
 from .brackets import SOURCES, Bracket, EffectName, Torque
 
 NOTICEABLE = 0.05
@@ -26,7 +26,7 @@ class Effect(Result):
     accuracy_factor_high: float = quantity("1", "K_high", "larger accuracy factor")
 
 
-class EffectsResult(Result):
+class EffectsResult(Answer):
     """The law's torque, and what each effect makes of it."""
 
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor by the law")

@@ -7,7 +7,7 @@ from ...errors import AfmcalcError
 from ...findings import Finding
 from ...messages import joined, say, term
 from ...papers.register import Formula, register
-from ...result import Result, quantity
+from ...result import Answer, Result, quantity
 from ...spec import Spec
 from ...spec.models import Method
 from ...spec.suggest import did_you_mean
@@ -38,7 +38,7 @@ class Step(Result):
     substituted_latex: str = quantity("", None, "formula with numbers, LaTeX")
 
 
-class ExplainResult(Result):
+class ExplainResult(Answer):
     """The steps of a calculation, each quantity before it is used."""
 
     explained: str = quantity("", None, "command explained")

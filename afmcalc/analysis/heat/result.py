@@ -1,11 +1,11 @@
 """What is told of heat and wear of a trip."""
 
-from ...result import OpenTriple, Result, Triple, quantity
+from ...result import Answer, OpenTriple, Triple, quantity
 from ..simulate.result import NOT_ENDED
 from .trip import EnergySource
 
 
-class HeatResult(Result):
+class HeatResult(Answer):
     """Heat and wear of one trip; what the spec does not allow to tell is left out."""
 
     energy_source: EnergySource = quantity("", None, "where time and heat of the slip are from")

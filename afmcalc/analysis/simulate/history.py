@@ -4,7 +4,7 @@ from collections.abc import Iterable
 
 from ...engines.protocol import Clutch
 from ...messages import say
-from ...result import Result, quantity
+from ...result import Answer, Result, quantity
 from ...watch import counted
 from ..torque import Pair, friction_fields, pairs_asked
 from .cases import case_of, peak_time
@@ -25,7 +25,7 @@ class MomentRow(Result):
     travel: float | None = quantity("m", "x", "travel of the sleeve", optional=True)
 
 
-class HistoryResult(Result):
+class HistoryResult(Answer):
     """The events at every friction asked for, one after the other."""
 
     moments: list[MomentRow] = quantity("", None, "moments")

@@ -1,6 +1,6 @@
 """What a simulation of the drive tells."""
 
-from ...result import OpenTriple, Result, Series, Triple, quantity
+from ...result import Answer, OpenTriple, Result, Series, Triple, quantity
 
 NOT_ENDED = "not ended"
 """Of a slip: the motor keeps it going, or what is simulated is over before it; a finding says which."""
@@ -33,7 +33,7 @@ class SimulateSweep(Series):
     inertia_torque: list[float] = quantity("N*m", "T_J", "inertia torque ω_0 √(k (J_2 + J_h))")
 
 
-class SimulateResult(Result):
+class SimulateResult(Answer):
     """The event in the drive at f_min, mean friction and f_max; friction is constant during one event."""
 
     sliding_torque: Triple = quantity("N*m", "T", "sliding torque")

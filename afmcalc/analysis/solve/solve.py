@@ -11,7 +11,7 @@ from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
 from ...messages import joined, measured, say
-from ...result import Result, quantity
+from ...result import Answer, quantity
 from ...spec import Spec
 from ...spec.edit import replaced, respecified, with_key
 from ...spec.names import path_of
@@ -38,7 +38,7 @@ class NotAttainableError(CalculationError):
         self.best, self.at = best, at
 
 
-class SolveResult(Result):
+class SolveResult(Answer):
     """The value of one parameter that gives what is wanted, and the clutch it gives."""
 
     parameter: str = quantity("", None, "parameter solved for")

@@ -3,7 +3,7 @@
 from typing import Literal
 
 from ...engines.wish import SpringName
-from ...result import Result, quantity
+from ...result import Answer, Result, quantity
 
 Kind = Literal["disc", "coil"]
 
@@ -56,7 +56,7 @@ class SpringOption(Result):
     mass: float = quantity("kg", "m_s", "mass")
 
 
-class SpringsResult(Result):
+class SpringsResult(Answer):
     """Parts that give forces and stiffnesses of the springs, the best first."""
 
     closing_force: float = quantity("N", "F_п", "force wanted of the closing spring")

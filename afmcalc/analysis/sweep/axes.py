@@ -1,5 +1,8 @@
 """Axes of a sweep as written on the command line: which key is meant."""
 
+from collections.abc import Iterable
+
+from ...engines.protocol import Clutch
 from ...errors import AfmcalcError
 from ...messages import say
 from ...spec import Spec
@@ -32,6 +35,16 @@ def find_key(name: str) -> Key:
     if known[path].unit is None:
         raise AfmcalcError(say("{name!r} is not a number and cannot be swept", name=name))
     return known[path]
+
+
+def parse_axes(texts: Iterable[str], clutch: Clutch, *, band: bool = False) -> list[Axis]:
+    """Read the axes of a sweep; ``band`` takes dT for the scatter band, of which a life can be told."""
+    from ..life import band_axis
+
+    return [
+        band_axis(text, clutch) if band and text.partition("=")[0].strip() == "dT" else parse_axis(text, clutch.spec)
+        for text in texts
+    ]
 
 
 def parse_axis(text: str, spec: Spec) -> Axis:

@@ -1,6 +1,7 @@
 """Values of a swept key: as given, or over a sensible range."""
 
 import math
+import re
 
 import numpy as np
 
@@ -35,11 +36,12 @@ def parse_values(text: str, given: str, unit: str) -> Floats:
                 say("--sweep {text:.80}: {part!r:.80}: {why}", text=text, part=part, why=error)
             ) from None
 
-    parts = given.split(":") if ":" in given else given.split(",")
-    listed = parts[:2] if ":" in given else parts
+    ranged = ":" in given or _RANGE.search(given)
+    parts = given.split(":") if ranged else given.split(",")
+    listed = parts[:2] if ranged else parts
     if len({_has_unit(part) for part in listed}) > 1:
         raise AfmcalcError(say("--sweep {text:.80}: give every value a unit, or none (SI)", text=text))
-    if ":" not in given:
+    if not ranged:
         return np.array([number(part) for part in parts])
     asked = parts[2].strip() if len(parts) == 3 else ""
     if not asked.isdecimal() or (len(asked) <= 4 and int(asked) < 2):
@@ -56,6 +58,10 @@ def parse_values(text: str, given: str, unit: str) -> Floats:
             )
         )
     return np.linspace(number(parts[0]), number(parts[1]), count)
+
+
+_RANGE = re.compile(r"\.\.|…|\d\s*(?:-|–|to)\s*\d")
+"""How a range is written elsewhere."""
 
 
 def _has_unit(part: str) -> bool:

@@ -4,7 +4,7 @@ from functools import cache
 from typing import Any, ClassVar, Literal, NamedTuple, Self
 
 from ...findings import Finding
-from ...result import Result, quantity
+from ...result import Answer, Result, quantity
 from ...spec.tolerance import Setting
 
 
@@ -94,7 +94,7 @@ class IndexRow(Estimated):
     total_standard_error: float = error("total", "1", "± S_T", "standard error of S_T")
 
 
-class ToleranceResult(Estimated):
+class ToleranceResult(Estimated, Answer):
     """Distribution of the slip torque; standard errors are 0 where the answer is exact."""
 
     many_lists: ClassVar[bool] = True

@@ -6,7 +6,7 @@ from importlib import import_module
 
 from ...findings import Finding, finding
 from ...messages import joined, say, term
-from ...result import Result, quantity
+from ...result import Answer, Result, quantity
 from ..figures import FIGURES, PaperFigure, paper_figure
 from ..register import PAPERS, check_papers, data
 from .found import Found, Verdict
@@ -49,7 +49,7 @@ class CurvePoint(Result):
     y: float = quantity("", None, "ordinate, SI")
 
 
-class ReproduceResult(Result):
+class ReproduceResult(Answer):
     """The rows asked for, and whether every verdict is the one on record."""
 
     rows: list[Row] = quantity("", None, "printed figures and claims")

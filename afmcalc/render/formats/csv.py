@@ -2,11 +2,13 @@
 
 import csv
 import io
+from itertools import chain
 from typing import Any
 
 from ...messages import printable
 from ...result import Output
 from ..document import Column, Document, Entry, document
+from ..layout import ranked
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -14,11 +16,13 @@ def render(output: Output, terminal: bool) -> str:
 
     Of a result of several lists, a row for every figure: which, of what, value, standard error, SI unit.
     """
-    result = output.result
+    result, laid_out = output.result, document(output.result)
     if result.findings_first:
-        columns = _findings(output)
+        columns = _findings(output, laid_out)
     else:
-        columns = (_long if result.many_lists else _columns)(document(result))
+        columns = (_long if result.many_lists else _columns)(laid_out)
+        if result.rows_with_values:
+            columns = _with_values(columns, laid_out)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([_header(column.path, column.unit) for column in columns])
@@ -44,10 +48,16 @@ def _inert(text: str) -> str:
     return f"'{shown}" if shown.startswith(("=", "+", "-", "@")) else shown
 
 
-def _findings(output: Output) -> list[Column]:
-    """One row per finding."""
-    names = ("level", "code", "value", "limit", "path", "message")
-    return [Column(name, "", name, "", [getattr(finding, name) for finding in output.findings]) for name in names]
+def _findings(output: Output, laid_out: Document) -> list[Column]:
+    """One row per finding, gravest first, then one per entry of the result's lists, whose name stands for the level."""
+    names, found = ("level", "code", "value", "limit", "path", "message"), ranked(output.findings)
+    rows: list[dict[str, Any]] = [{name: getattr(finding, name) for name in names} for finding in found]
+    for table in laid_out.tables:
+        paths = "level", *(column.path for column in table.columns)
+        entries = zip(*(column.values for column in table.columns), strict=True)
+        rows += [dict(zip(paths, (table.path, *entry), strict=True)) for entry in entries]
+    every = dict.fromkeys([*names, *chain(*rows)])
+    return [Column(name, "", name, "", [row.get(name) for row in rows]) for name in every]
 
 
 def _columns(laid_out: Document) -> list[Column]:
@@ -64,6 +74,13 @@ def _columns(laid_out: Document) -> list[Column]:
             for name, value in zip(names.values, values.values, strict=True)
         ]
     return wide
+
+
+def _with_values(columns: list[Column], laid_out: Document) -> list[Column]:
+    """The columns of a list, then the single values that no column is of, the same in every row."""
+    known, count = {column.path for column in columns}, len(columns[0].values)
+    single = [column for row in laid_out.singles for column in _flat(row) if column.path not in known]
+    return columns + [column._replace(values=column.values * count) for column in single]
 
 
 def _long(laid_out: Document) -> list[Column]:

@@ -5,7 +5,7 @@ import os
 import sys
 import textwrap
 import warnings
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -25,6 +25,13 @@ _HIGH, _LOW = 3.3, 2.5
 """Inches that axes with their labels have in a picture of its own, and in a page among others."""
 _LINE = 0.165
 """Inches between lines of the caption."""
+_TITLE_LINE = 0.19
+"""Inches between lines of the title."""
+_TITLE: dict[str, Any] = {"fontsize": 11, "fontweight": "bold"}
+_MOST = 120
+"""Letters of a line of the title that is all thin ones."""
+_LEFT = 0.015
+"""Share of the width that title and caption are set in by."""
 
 
 def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
@@ -86,7 +93,8 @@ def _figure(sheet: Sheet, *, bare: bool) -> "Figure":
     heights = [_height(panel, _LOW if bare else _HIGH) for panel in sheet.panels]
     caption = [] if bare else _wrapped(sheet.caption)
     below = len(caption) * _LINE + (0.14 if caption else 0.02)
-    above = 0.02 if bare or not sheet.title else 0.34
+    title = [] if bare or not sheet.title else _title(sheet)
+    above = 0.34 + _TITLE_LINE * (len(title) - 1) if title else 0.02
     total = sum(heights) + below + above
     figure = Figure(figsize=(WIDTH, total))
     if not bare:
@@ -101,10 +109,29 @@ def _figure(sheet: Sheet, *, bare: bool) -> "Figure":
         else:
             panel.paint(axes)
     if not bare:
-        title = mathtext(sheet.title) + (f" – {literal(named(sheet.name))}" if sheet.name else "")
-        figure.text(0.015, 1 - 0.2 / total, title, fontsize=11, fontweight="bold", va="center")
-        figure.text(0.015, 0.08 / total, "\n".join(map(mathtext, caption)), fontsize=8, va="bottom", linespacing=1.35)
+        middle = 0.2 + _TITLE_LINE * (len(title) - 1) / 2
+        figure.text(_LEFT, 1 - middle / total, "\n".join(title), va="center", **_TITLE)
+        figure.text(_LEFT, 0.08 / total, "\n".join(map(mathtext, caption)), fontsize=8, va="bottom", linespacing=1.35)
     return figure
+
+
+def _title(sheet: Sheet) -> list[str]:
+    """Title and name of a sheet in a line, or each folded to the width that there is: nothing of them is cut."""
+    from matplotlib.figure import Figure
+
+    measured = Figure(figsize=(WIDTH, 1)).text(_LEFT, 0, "", **_TITLE)
+
+    def fits(line: str) -> bool:
+        measured.set_text(line)
+        return bool(measured.get_window_extent().width <= (1 - 2 * _LEFT) * WIDTH * measured.figure.dpi)
+
+    def folded(text: str, typeset: Callable[[str], str]) -> list[str]:
+        every = ([*map(typeset, textwrap.wrap(text, columns))] for columns in range(_MOST, 0, -1))
+        return next((lines for lines in every if all(map(fits, lines))), [])
+
+    name = named(sheet.name)
+    whole = " – ".join(filter(None, (mathtext(sheet.title), literal(name))))
+    return [whole] if fits(whole) else folded(sheet.title, mathtext) + folded(name, literal)
 
 
 def _height(panel: Any, axes: float) -> float:
@@ -140,7 +167,7 @@ def _wrapped(caption: str) -> list[str]:
 
 
 _CREATOR = "afmcalc plot"
-"""By which a file is known to be replaceable; without version: it depends on the sheet only."""
+"""Without version: a file depends on its sheet only."""
 
 
 def _bytes(figure: "Figure", ending: Ending) -> bytes:

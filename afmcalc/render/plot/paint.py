@@ -1,6 +1,7 @@
 """From a chart to matplotlib's axes."""
 
 import math
+import textwrap
 from typing import Any
 
 from ...messages import localized, spoken
@@ -36,8 +37,12 @@ def paint(axes: Any, chart: Chart) -> None:
     for number, span in enumerate(chart.spans):
         _span(axes, number, span, high)
     axes.set_xlabel(mathtext(chart.x.label))
-    axes.set_ylabel(mathtext(chart.y.label))
+    axes.set_ylabel("\n".join(map(mathtext, textwrap.wrap(chart.y.label, _HIGHEST))))
     _ticks(axes)
+
+
+_HIGHEST = 40
+"""Letters of a label beside the axes that are as high as these."""
 
 
 def _ticks(axes: Any) -> None:

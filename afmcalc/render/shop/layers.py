@@ -13,5 +13,5 @@ LAYERS = {
 """Layer → what it shows, its number among AutoCAD's colours, its colour."""
 
 CREATOR = "afmcalc plot"
-"""By which a drawing is known as ours, to be replaced."""
+"""What a drawing says it was made by."""
 MM = 1e3

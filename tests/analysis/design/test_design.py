@@ -133,7 +133,8 @@ def ball_of(need, clutch, made):
         if need.limits.contact_force is not None or made.contact_force <= borne * (1 + 1e-9):
             _, findings = synthesize(build(with_value(clutch.spec, ("control_unit", "ball_diameter"), size)))
             room = {"balls-overlap", "pockets-overlap", "ball-reaches-axis"} & {each.code for each in findings}
-            return None if room else size
+            unit = clutch.spec.control_unit
+            return None if room or (unit.hub_diameter or 0.0) > 2 * unit.ball_circle_radius - size else size
     return None
 
 
@@ -184,6 +185,7 @@ def one(need, variant, z, face, z1, turn, circle, c1, c2):
         limits.outer_diameter is None or 2 * radius + width <= limits.outer_diameter * over,
         limits.reduced_gain is None or clutch.reduced_gain <= limits.reduced_gain * over,
         not limits.gain_limit or clutch.gain_limit is None or clutch.gain <= clutch.gain_limit * over,
+        variant != "indirect" or fixed.hub_diameter <= 2 * radius - (width or 0.0),
     ]  # fmt: skip
     if (material := need.friction.material) is not None and width is not None:
         allowed = {"cork-dry": 55e3, "woven-dry": 345e3}[material]
@@ -500,8 +502,34 @@ def test_the_example_runs_as_it_is(afmcalc, tmp_path):
     table = afmcalc("design", CONFIGS / "requirements.toml")
     assert table.code == 0
     assert f"30 of {len(front_)} shown" in table.err
+    assert numbers_in(table.out) == [*range(1, 31)]
+    picked = afmcalc("design", CONFIGS / "requirements.toml", "--pick", 50, "--quiet")
+    assert numbers_in(picked.out) == [*range(1, 31), 50]
+    assert picked.err == ""
+    markdown = afmcalc("design", CONFIGS / "requirements.toml", "--top", 31, "--format", "markdown").out
+    assert numbers_in(markdown) == [*range(1, 32)]
     assert afmcalc("design", CONFIGS / "requirements.toml", "--sort", "closing_forc").code == 2
     assert afmcalc("design", CONFIGS / "requirements.toml", "--pick", 10**6).code == 2
+
+
+def numbers_in(text):
+    """Numbers of the rows of a front's table: its first column, from its heading to the next blank line."""
+    rows = text.replace("| ", "").split("\nno. ")[1].split("\n\n")[0].splitlines()
+    return [int(row.split()[0]) for row in rows[1:] if row.split()[0].isdecimal()]
+
+
+@pytest.mark.parametrize("format_", ["table", "markdown", "csv", "json"])
+def test_that_there_is_no_candidate_is_said_once(format_, afmcalc):
+    """To people: on standard error, with the exit code; as data: in the JSON."""
+    run = afmcalc("design", CONFIGS / "requirements.toml", *ALONE, "--format", format_)
+    assert run.code == 2
+    assert run.err.count("meets every requirement") == 1
+    assert run.out.count("meets every requirement") == (format_ == "json")
+    assert (run.json["findings"][0]["code"] if format_ == "json" else "no-candidate") == "no-candidate"
+
+
+ALONE = ["--set", "wanted.accuracy_factor=1.01", "--set", "search.gain=0.5", "--set", "search.pairs=8"]
+ALONE += ["--set", "search.mean_radius=0.1"]
 
 
 def test_an_empty_result_says_why(afmcalc, tmp_path):

@@ -202,7 +202,7 @@ def test_expected_life_by_miner():
 
 
 def test_without_a_block_or_scipy(afmcalc, monkeypatch):
-    missing = afmcalc("tolerance")
+    missing = afmcalc("tolerance", "example:default")
     assert missing.code == 2
     assert "tolerance: required by tolerance" in missing.err
     monkeypatch.setitem(sys.modules, "scipy.stats", None)

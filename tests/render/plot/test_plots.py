@@ -6,23 +6,26 @@ import os
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from conftest import CONFIGS, ROOT
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from PIL import Image
 
 import afmcalc as package
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.curves import torque_curve
-from afmcalc.analysis.figures import Request, gathered
+from afmcalc.analysis.figures import Request, gathered, plot_of
 from afmcalc.analysis.registry import PLOTS
-from afmcalc.cli.files import PLOT
 from afmcalc.engines import build
+from afmcalc.language import language
+from afmcalc.messages import named, speaking
 from afmcalc.papers.figures import FIGURES
 from afmcalc.render.plot import sheet_of
-from afmcalc.render.plot.figure import save
+from afmcalc.render.plot.figure import _figure, _settings, save
 from afmcalc.render.plot.style import COLOURS, DASHES
 from afmcalc.spec import read_spec
 from afmcalc.spec.requirements import read_requirements
@@ -120,7 +123,6 @@ AGAIN |= {
 def test_picture(name):
     path = BASELINE / f"{name}.png"
     made = save(sheet(name), "png", DPI)
-    assert PLOT.wrote(made)
     if os.environ.get("AFMCALC_UPDATE"):
         few = Image.open(io.BytesIO(made)).convert("RGB").quantize(128, dither=Image.Dither.NONE)
         few.save(path, optimize=True)
@@ -135,6 +137,40 @@ def test_a_missing_curve_exceeds_the_tolerance():
     made = pixels(save(whole, "png", DPI))
     panel.lines[1] = panel.lines[1]._replace(y=[None] * len(panel.lines[1].y))
     assert difference(made, pixels(save(whole, "png", DPI))) > TOLERANCE
+
+
+@pytest.mark.parametrize("lang", [None, "ru"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[] if name in ("torque", "accuracy-pairs") else pytest.mark.exhaustive)
+        for name in PICTURES
+    ],
+)
+def test_no_title_is_cut(name, lang):
+    """Neither in width nor in height, whatever the clutch is called; nor does it reach into what is drawn."""
+    with speaking(language(lang) if lang else None), _settings():
+        own = sheet(name)
+        for called in (own.name, "W" * 200, "a clutch $x_1$ of many words " * 9):
+            figure = _figure(replace(own, name=called), bare=False)
+            FigureCanvasAgg(figure).draw()
+            title, _ = figure.texts
+            box = title.get_window_extent()
+            assert 0 <= box.x0 < box.x1 <= figure.bbox.x1
+            assert figure.axes[0].yaxis.label.get_window_extent().y1 < box.y0 < box.y1 <= figure.bbox.y1
+            plain = re.sub(r"\$_\{\\mathregular\{(.*?)\}\}\$", r"_\1", title.get_text()).replace("\\$", "$")
+            whole = str(own.title) + (named(called) and f" – {named(called)}")
+            assert "".join(plain.split()).replace("–", "") == "".join(whole.split()).replace("–", "")
+
+
+@pytest.mark.parametrize(("name", "same"), [("front", "pareto"), ("design", "pareto"), ("synthesize", "pocket")])
+def test_a_plot_goes_by_the_name_of_its_command_too(name, same):
+    assert plot_of(name) is PLOTS[same]
+
+
+def test_the_front_is_drawn_by_every_name(afmcalc):
+    few = [WISHES, "--set", "search.gain=[0.5, 0.7]", "--set", "search.mean_radius=0.1"]
+    assert len({afmcalc("plot", name, *few).out for name in ("pareto", "front", "design")}) == 1
 
 
 def test_every_kind_has_a_picture():
@@ -163,7 +199,6 @@ def test_same_spec_same_bytes(endings, tmp_path):
     for each in again:
         made = save(sheet_of("torque", [torque_curve(package.load(CONFIGS / "default.toml"))]), each.suffix[1:])
         assert made.startswith(starts[each.suffix])
-        assert PLOT.wrote(made)
         assert made == each.read_bytes()
 
 
@@ -183,7 +218,9 @@ def test_a_name_is_text(afmcalc, tmp_path):
     assert "<script" not in target.read_text(encoding="utf-8")
     other = tmp_path / "other.toml"
     other.write_text((CONFIGS / "default.toml").read_text(encoding="utf-8"), encoding="utf-8")
-    assert afmcalc("plot", "torque", other, CONFIGS / "indirect.toml", "--set", "name=$a$_b", "-o", target).code == 0
+    assert (
+        afmcalc("plot", "torque", other, CONFIGS / "indirect.toml", "--set", "name=$a$_b", "-o", target, "-f").code == 0
+    )
 
 
 LONG = {"simulate", "springs"}
