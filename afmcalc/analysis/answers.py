@@ -7,7 +7,6 @@ from ..engines.protocol import Clutch
 from ..findings import Finding
 from ..recorders import unrecorded
 from ..result import Result
-from ..watch import Progress, unwatched
 from .registry import ANALYSES, Analysis, StressRule
 
 if TYPE_CHECKING:
@@ -19,10 +18,9 @@ R = TypeVar("R", bound=Result)
 class Answers:
     """A clutch with the answers to what was asked of it; each is calculated when first asked for, and kept."""
 
-    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress", progress: Progress = unwatched) -> None:
-        """Ask of ``clutch``, the life by the rule ``model``; ``progress`` is told how far what takes long is."""
+    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress") -> None:
+        """Ask of ``clutch``, the life by the rule ``model``."""
         self.clutch = clutch
-        self._progress = progress
         self._options = {"model": model, "answers": self}
         self._found: dict[str, tuple[Any, list[Finding]]] = {}
 
@@ -43,7 +41,7 @@ class Answers:
         """The tolerance study, with what only a picture needs."""
         from .tolerance.study import study
 
-        return study(self.clutch, progress=self._progress)
+        return study(self.clutch)
 
     def _run(self, analysis: Analysis) -> tuple[Any, list[Finding]]:
         if not analysis.explained:

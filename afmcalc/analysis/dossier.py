@@ -8,7 +8,6 @@ from ..findings import Finding
 from ..messages import filled, term
 from ..result import Result
 from ..spec import Spec
-from ..watch import Progress, unwatched
 from .answers import Answers
 from .checks.check import CheckResult
 from .checks.limits import Utilisation
@@ -54,24 +53,21 @@ class Dossier(NamedTuple):
         return self.check.limits
 
 
-def dossier(
-    spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True, progress: Progress = unwatched
-) -> Dossier:
+def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
     """Ask everything of a clutch that applies to it, each thing once.
 
     Args:
         spec: the clutch.
         model: rule for the damaging stress of the life.
         explained: whether to say how it was calculated, of the same run.
-        progress: is told how far what takes long is.
 
     Returns:
         Results, findings of all of them, each once, steps, and what there is to draw.
     """
     if explained:
-        answers, derived = _explained(spec, model, progress)
+        answers, derived = _explained(spec, model)
     else:
-        answers, derived = Answers(build(spec), model=model, progress=progress), {}
+        answers, derived = Answers(build(spec), model=model), {}
     applying = [each for each in ANALYSES.values() if _reported(each, answers.clutch)]
     verdict, findings = answers.ask("check")
     findings = list(dict.fromkeys([*findings, *(each for own in applying for each in answers.ask(own.name)[1])]))
@@ -87,14 +83,14 @@ def _reported(analysis: Analysis, clutch: Clutch) -> bool:
     return analysis.section is not None and analysis.applies(clutch) and analysis.section.applies(clutch)
 
 
-def _explained(spec: Spec, model: StressRule, progress: Progress) -> tuple[Answers, dict[str, list[Derivation]]]:
+def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:
     """Ask what can be explained, and note the equations that ran; each formula is shown where it first stands."""
     wanted = [each for each in ANALYSES.values() if each.section and each.explained]
     # imported before anything is recorded, so that none keeps a recording function
     assert all(each.function for each in wanted)
     ends = {}
     with recording() as calls:
-        answers = Answers(build(with_roles(spec)), model=model, progress=progress)
+        answers = Answers(build(with_roles(spec)), model=model)
         for each in wanted:
             if each.applies(answers.clutch):
                 answers.ask(each.name)

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from ..errors import AfmcalcError, CalculationError
 from ..messages import say
 from ..spec.suggest import did_you_mean
-from ..watch import Progress, unwatched
 from .registry import ANALYSES, PLOTS, Plot, StressRule
 
 if TYPE_CHECKING:
@@ -38,8 +37,6 @@ class Request(NamedTuple):
     """Diameter of the cutter that cuts it, m."""
     chord: float | None = None
     """How far a chord may lie off it, m."""
-    progress: Progress = unwatched
-    """Is told how many candidates of a design are behind."""
 
 
 class PocketSection(NamedTuple):
@@ -231,7 +228,7 @@ def _pareto(request: Request) -> ParetoFigure:
     (need,) = request.subjects
     if len(set(need.objectives)) < 2:
         raise CalculationError(say("plot pareto: one objective has one best clutch and no front; give two or more"))
-    result, findings = design(need, request.progress)
+    result, findings = design(need)
     if not result.front:
         raise CalculationError(findings[0].message)
     return ParetoFigure(need.name, result)

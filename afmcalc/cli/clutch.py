@@ -178,7 +178,8 @@ def compare(
     sources: list[str | None] = [*specs] if specs else [None]
     common.keep(*sources)
     clutches = [build_from(source, common) for source in sources]
-    result, findings = analysis(clutches, variants=variants)
+    with common.bar():
+        result, findings = analysis(clutches, variants=variants)
     emit(common, result, findings, resolved(clutches[0].spec))
 
 

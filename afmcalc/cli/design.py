@@ -7,7 +7,7 @@ import typer
 from ..errors import AfmcalcError
 from ..messages import say
 from .names import completing, parameters, targets
-from .options import Common, SpecArgument, with_common, with_long
+from .options import Common, SpecArgument, with_common
 from .run import build_from, calculate, emit, write_spec
 
 
@@ -52,11 +52,12 @@ def solve(
     common.keep(spec)
     name, wanted = parse_target(target)
     clutch = build_from(spec, common)
-    result, solved, findings = analysis(clutch, parameter, name, wanted, beyond_limit=beyond_limit)
+    with common.bar():
+        result, solved, findings = analysis(clutch, parameter, name, wanted, beyond_limit=beyond_limit)
     emit(common, result, findings, resolved(solved.spec))
 
 
-@with_long
+@with_common
 def tolerance(
     spec: SpecArgument = None,
     threads: Annotated[
@@ -74,10 +75,10 @@ def tolerance(
     afmcalc tolerance clutch.toml --set tolerance.samples=10_000_000 --json
     afmcalc tolerance clutch.toml --set tolerance.method=quasi-monte-carlo
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"threads": threads}, watched=True)
+    calculate(common, spec, lambda clutch: {"threads": threads})
 
 
-@with_long
+@with_common
 def design(
     requirements: Annotated[
         str, typer.Argument(metavar="REQUIREMENTS", help="TOML or JSON file of what is wanted, - for standard input.")
@@ -114,13 +115,12 @@ def design(
     from ..analysis.design.pick import with_picked
     from ..spec import resolved
     from ..spec.requirements import read_requirements
-    from .progress import Bar
 
     common.keep(requirements, writes="result" if pick is None else "spec")
     check_objective(sort)
     need = read_requirements(requirements, common.set or ())
-    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
-        result, findings = analysis(need, bar.advance)
+    with common.bar():
+        result, findings = analysis(need)
     printed = common if pick is None else common.to_standard_output()
     spec = None
     if pick is not None and result.front:

@@ -8,7 +8,7 @@ from ..errors import AfmcalcError
 from ..messages import say
 from .clutch import FrictionOption, SweepOption, axes_of, curve_of, friction_of
 from .files import write
-from .options import Common, SpecArgument, with_long
+from .options import Common, SpecArgument, with_common
 from .run import calculate, write_spec
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ HistoryOption = Annotated[
 PlotOption = Annotated[bool, typer.Option("--plot", help="Draw the event, or the sweep, below the table.")]
 
 
-@with_long
+@with_common
 def simulate(
     spec: SpecArgument = None,
     friction: FrictionOption = None,
@@ -60,13 +60,11 @@ def simulate(
     if plot and own.chosen_format != "table":
         raise AfmcalcError(say("--plot draws under a table, not with --format {name}", name=own.chosen_format))
     points = [friction_of(text) for text in friction or ()]
-    output = calculate(
-        own, spec, lambda clutch: {"friction": points, "sweeps": axes_of(sweep, clutch)}, curve, watched=True
-    )
+    output = calculate(own, spec, lambda clutch: {"friction": points, "sweeps": axes_of(sweep, clutch)}, curve)
     assert output.spec is not None
     resolved = make_spec(output.spec)
     if plot and not sweep:
-        _draw(build(resolved))
+        _draw(build(resolved), common)
     if history:
         _write_history(build(resolved), points, history, common)
     if common.output:
@@ -75,7 +73,7 @@ def simulate(
         common.wrote(say("wrote the spec with the dynamic factor to {output}", output=common.output))
 
 
-def _draw(clutch: "Clutch") -> None:
+def _draw(clutch: "Clutch", common: Common) -> None:
     """Draw the event in the terminal."""
     from ..analysis.answers import Answers
     from ..analysis.figures import Request, gathered
@@ -83,7 +81,8 @@ def _draw(clutch: "Clutch") -> None:
     from ..render.plot import sheet_of
     from ..render.plot.text import draw_sheet
 
-    sheet = sheet_of("simulate", gathered("simulate", Request([Answers(clutch)])))
+    with common.bar():
+        sheet = sheet_of("simulate", gathered("simulate", Request([Answers(clutch)])))
     write("\n" + draw_sheet(sheet, unicode=is_unicode(), width=columns()), None)
 
 
@@ -93,6 +92,7 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
     from ..render.formats import csv
     from ..result import Output
 
-    found = Output(command="history", version=__version__, spec=None, result=history(clutch, points), findings=[])
+    with common.bar():
+        found = Output(command="history", version=__version__, spec=None, result=history(clutch, points), findings=[])
     write(csv.render(found, terminal=False), path, force=common.force)
     common.wrote(say("wrote the history to {output}", output=path))

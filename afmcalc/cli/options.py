@@ -14,6 +14,7 @@ from ..errors import AfmcalcError
 from ..messages import say, told
 from .files import format_of, format_of_spec, refuse, write
 from .names import completing, paths
+from .progress import Bar
 from .signals import unreported
 from .streams import tell
 
@@ -109,6 +110,10 @@ class Common:
         if self.set:
             raise AfmcalcError(say("{name} takes no clutch, so --set has nothing to override", name=self.command))
 
+    def bar(self) -> Bar:
+        """Progress of what is calculated in the block; what takes longer than a minute is refused without ``--yes``."""
+        return Bar(quiet=self.quiet, agreed=self.yes)
+
     def note(self, text: str) -> None:
         """Say something beside the result."""
         if not self.quiet:
@@ -120,7 +125,7 @@ class Common:
         unreported.clear()
 
 
-_EVERYWHERE = tuple(option.name for option in fields(Common)[1:] if option.name != "yes")
+_EVERYWHERE = tuple(option.name for option in fields(Common)[1:])
 
 
 def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
@@ -162,8 +167,6 @@ def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]],
 
 
 with_common = common_options()
-with_long = common_options(*_EVERYWHERE, "yes")
-"""For what may take long."""
 
 
 def _with_help(annotation: Any, text: str | None) -> Any:

@@ -9,7 +9,6 @@ from ..errors import AfmcalcError
 from ..messages import say
 from .names import completing, explained, figures
 from .options import Common, SpecArgument, with_common
-from .progress import Bar
 from .run import emit, read
 
 PaperOption = Annotated[
@@ -48,7 +47,8 @@ def explain(
         raise AfmcalcError(say("explain: --model belongs to life"))
     common.keep(spec)
     given = read(spec, common, command)
-    result, findings = analysis(command, given, **({"model": model} if model else {}))
+    with common.bar():
+        result, findings = analysis(command, given, **({"model": model} if model else {}))
     emit(common, result, findings, resolved(given))
 
 
@@ -73,8 +73,8 @@ def equations(
     from ..papers.register import equations as analysis
 
     common.takes_no_clutch()
-    with Bar(quiet=common.quiet, agreed=True) as bar:
-        result, findings = analysis(paper or [], id_ or [], show_misprints=misprints, prove=prove, progress=bar.advance)
+    with common.bar():
+        result, findings = analysis(paper or [], id_ or [], show_misprints=misprints, prove=prove)
     emit(common, result, findings)
 
 

@@ -75,7 +75,8 @@ def springs(
 
     common.keep(spec, writes="spec")
     clutch = build_from(spec, common)
-    result, findings = found(clutch, sort, top, kind, tolerance)
+    with common.bar():
+        result, findings = found(clutch, sort, top, kind, tolerance)
     data = picked(clutch, result, pick)
     emit(common.to_standard_output(), result, findings, data)
     if common.output in (None, "-"):

@@ -10,7 +10,6 @@ from ..messages import say
 from .files import write, write_file
 from .names import completing, plots, swept
 from .options import Common, common_options
-from .progress import Bar
 from .run import need_drawing
 from .shop import answers_of, for_the_shop, length
 
@@ -106,8 +105,9 @@ def _of_clutches(what: str, request: "Request", common: Common) -> Any:
     """Read and build the clutches, and calculate what is drawn of them."""
     from ..analysis.figures import gathered
 
-    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
-        return gathered(what, request._replace(subjects=answers_of(what, request, common, bar)))
+    subjects = answers_of(what, request, common)
+    with common.bar():
+        return gathered(what, request._replace(subjects=subjects))
 
 
 def _of_requirements(what: str, request: "Request", common: Common) -> Any:
@@ -118,8 +118,8 @@ def _of_requirements(what: str, request: "Request", common: Common) -> Any:
     check_request(what, request)
     (source,) = request.subjects
     need = read_requirements(source, common.set or ())
-    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
-        return gathered(what, request._replace(subjects=[need], progress=bar.advance))
+    with common.bar():
+        return gathered(what, request._replace(subjects=[need]))
 
 
 def _ending(output: str | None) -> str | None:

@@ -7,13 +7,12 @@ from typing import Any
 
 from ..errors import AfmcalcError
 from ..messages import say, say_many
+from ..watch import watched_by
 
 PATIENCE = 1.0
 """Seconds before the bar appears, and before it is known how long the whole takes."""
 LONG = 60.0
 """Seconds beyond which somebody has to agree."""
-_DECIDED = 10.0
-"""Seconds after which it is too late to refuse."""
 _EACH = 0.1
 """Seconds between two looks of the bar."""
 
@@ -28,7 +27,7 @@ class Bar:
         self._wanted = not quiet and sys.stderr.isatty()
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
-        self._work, self._begun, self._before = "", 0.0, 0
+        self._work, self._begun, self._before, self._last = "", 0.0, 0, (0, 0)
 
     def advance(self, work: str, done: int, total: int) -> None:
         """Note how much of a piece of work is behind.
@@ -37,22 +36,38 @@ class Bar:
             AfmcalcError: the whole takes longer than somebody agreed to.
         """
         now = time.monotonic()
-        if work != self._work:
+        if work != self._work or done < self._last[0]:
             # the pace is taken from here on: what came first also had to be imported and laid out
             self._work, self._begun, self._before = work, now, done
+        self._last = done, total
+        self._note(now, done, total, done)
+
+    def pulse(self) -> None:
+        """Note that the part under way goes on; the others are taken to last as long as it does at least.
+
+        Raises:
+            AfmcalcError: the whole takes longer than somebody agreed to.
+        """
+        done, total = self._last
+        if done < total:
+            self._note(time.monotonic(), done, total, done + 1)
+
+    def _note(self, now: float, done: int, total: int, paced: int) -> None:
+        """Refuse, or show; ``paced`` is how much the time until now was for."""
         if now - self.started < PATIENCE:
             return
-        self._refuse(now, done, total)
+        self._refuse(now, paced, total)
         if self._wanted and (now - self._shown > _EACH or done >= total):
             self._shown = now
-            self._show(work, done, total)
+            self._show(self._work, done, total)
 
     def _refuse(self, now: float, done: int, total: int) -> None:
-        spent, behind = now - self._begun, done - self._before
-        if self._agreed or now - self.started > _DECIDED or not behind or spent < PATIENCE / 2:
+        """Refuse by the pace so far; not any more when less is left than is behind."""
+        spent, behind, gone = now - self._begun, done - self._before, now - self.started
+        if self._agreed or not behind or spent < PATIENCE / 2:
             return
         left = spent * (total - done) / behind
-        if now - self.started + left > LONG:
+        if gone + left > LONG and left > gone:
             raise AfmcalcError(
                 say("this takes about {time}: --yes goes on with it, or ask for less", time=_in_words(left))
             )
@@ -71,10 +86,13 @@ class Bar:
 
     def __enter__(self) -> "Bar":
         """Start."""
+        self._watched = watched_by(self)
+        self._watched.__enter__()
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
         """Take the bar away, whatever ended the work."""
+        self._watched.__exit__(kind, error, at)
         if self._bar is not None:
             self._bar.stop()
 

@@ -11,7 +11,6 @@ from ..errors import AfmcalcError
 from ..messages import say
 from .files import html_only, write_file
 from .options import Common, SpecArgument, common_options
-from .progress import Bar
 from .run import given_instead, need_drawing
 
 if TYPE_CHECKING:
@@ -73,8 +72,8 @@ def report(
     }  # fmt: skip
     title, digest = _title_block(read, options), sha256(raw).hexdigest()
     steps = 3 if browser else 2
-    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
-        found = dossier(read, model, progress=bar.advance)
+    with common.bar() as bar:
+        found = dossier(read, model)
         bar.advance("report", 1, steps)
         page = render(Subject(found, given, title, digest, read.label, common.set or (), __version__))
         bar.advance("report", 2, steps)
@@ -97,11 +96,12 @@ def _pdf_beside(output: str | None) -> str:
 
 def _title_block(spec: "Spec", options: dict[str, str | None]) -> "TitleBlock":
     """The [report] block of the spec under the options, dated today where neither has a date."""
+    from ..spec.reading import validated
     from ..spec.report import TitleBlock
 
     given = {name: text for name, text in options.items() if text is not None}
     block = {"date": None} if spec.report is None else spec.report.model_dump()
-    return TitleBlock(**{**block, "date": block["date"] or _date(), **given})
+    return validated(TitleBlock, {**block, "date": block["date"] or _date(), **given}, "report")
 
 
 def _read(source: str | None, common: Common) -> "tuple[bytes, str, Spec]":

@@ -46,8 +46,6 @@ def calculate(
     source: str | None,
     options: "Callable[[Clutch], Mapping[str, object]]" = lambda clutch: {},
     curve: "SweepDrawing | None" = None,
-    *,
-    watched: bool = False,
 ) -> "Output":
     """Read the spec, build the clutch, run the analysis of the command on it and print what it returns.
 
@@ -56,17 +54,14 @@ def calculate(
         source: where the spec is.
         options: arguments of the analysis beside the clutch.
         curve: what draws under a table's sweep.
-        watched: whether the analysis may take long, and tells how far it is.
     """
     from ..spec import resolved
-    from .progress import Bar
 
     common.keep(source)
     clutch = build_from(source, common)
     analysis = ANALYSES[common.command].function
-    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
-        told = {"progress": bar.advance} if watched else {}
-        result, findings = analysis(clutch, **options(clutch), **told)
+    with common.bar():
+        result, findings = analysis(clutch, **options(clutch))
     return emit(common, result, findings, resolved(clutch.spec), curve)
 
 

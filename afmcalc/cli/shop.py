@@ -8,7 +8,6 @@ from ..extras import need
 from ..messages import say
 from .files import write, write_file
 from .options import Common
-from .progress import Bar
 from .run import build_from
 
 if TYPE_CHECKING:
@@ -29,8 +28,9 @@ def for_the_shop(what: str, request: "Request", ending: str | None, common: Comm
         need("cad")
     if ending in ("png", "pdf"):
         raise AfmcalcError(say("--profile goes with -o FILE.dxf or FILE.svg, or stands alone"))
-    with Bar(quiet=common.quiet, agreed=common.yes) as bar:
-        drawing = shop_drawing_of(what, request._replace(subjects=answers_of(what, request, common, bar)))
+    subjects = answers_of(what, request, common)
+    with common.bar():
+        drawing = shop_drawing_of(what, request._replace(subjects=subjects))
     if ending is not None:
         assert common.output is not None
         content = getattr(import_module(f"..render.shop.{ending}", __package__), ending)(drawing)
@@ -61,7 +61,7 @@ def length(name: str, text: str | None) -> float | None:
     return value
 
 
-def answers_of(what: str, request: "Request", common: Common, bar: Bar) -> "list[Answers]":
+def answers_of(what: str, request: "Request", common: Common) -> "list[Answers]":
     """Read and build the clutches that are drawn."""
     from ..analysis.answers import Answers
     from ..findings import doubts
@@ -72,4 +72,4 @@ def answers_of(what: str, request: "Request", common: Common, bar: Bar) -> "list
     clutches = [build_from(source, common, what) for source in sources]
     for asked in (each for clutch in clutches for each in doubts(clutch.spec.label.doubts)):
         common.note(asked.message)  # a plot has no findings
-    return [Answers(each, model=request.model or "mean-stress", progress=bar.advance) for each in clutches]
+    return [Answers(each, model=request.model or "mean-stress") for each in clutches]

@@ -10,7 +10,7 @@ from ..messages import say
 from ..variants import VARIANTS
 from .files import refuse, write
 from .names import completing, described
-from .options import Common, ForceOption, QuietOption, SpecArgument, with_common, with_long
+from .options import Common, ForceOption, QuietOption, SpecArgument, with_common
 from .run import calculate, emit
 
 _EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.example} | dict.fromkeys(
@@ -118,7 +118,7 @@ def examples(*, common: Common) -> None:
     emit(common, result, findings)
 
 
-@with_long
+@with_common
 def check(
     spec: SpecArgument = None,
     strict: Annotated[bool, typer.Option("--strict", help="Warnings fail the check too.")] = False,
@@ -132,7 +132,7 @@ def check(
     afmcalc check clutch.toml --strict --json
     """  # noqa: D301
     try:
-        output = calculate(common, spec, lambda clutch: {"strict": strict}, watched=True)
+        output = calculate(common, spec, lambda clutch: {"strict": strict})
     except SpecError as error:
         if common.chosen_format == "json":
             from ..analysis.checks.check import refused

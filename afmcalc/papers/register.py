@@ -10,7 +10,7 @@ from ..findings import Finding
 from ..messages import say
 from ..result import Answer, Result, quantity
 from ..spec.suggest import did_you_mean
-from ..watch import Progress, unwatched
+from ..watch import counted
 
 PAPERS = ("F11", "S19", "S21", "S22")
 
@@ -110,7 +110,6 @@ def equations(
     *,
     show_misprints: bool = False,
     prove: bool = False,
-    progress: Progress = unwatched,
 ) -> tuple[EquationsResult, list[Finding]]:
     """Look up the register.
 
@@ -119,7 +118,6 @@ def equations(
         ids: formulas wanted, e.g. ``S21 (15)``; empty for all.
         show_misprints: the misprints instead of the formulas.
         prove: run the proofs of what is listed.
-        progress: is told how many of them are behind.
 
     Raises:
         AfmcalcError: no such paper or formula.
@@ -147,19 +145,15 @@ def equations(
         accounted=sum(is_accounted(entry) for entry in numbered),
         formulas=None if show_misprints else chosen,
         misprints=slips,
-        proved=_prove([entry.proof for entry in listed if entry.proof], progress) if prove else None,
+        proved=_prove([entry.proof for entry in listed if entry.proof]) if prove else None,
     )
     return result, []
 
 
-def _prove(names: list[str], progress: Progress) -> list[Proved]:
+def _prove(names: list[str]) -> list[Proved]:
     from ..extras import need
     from ..proofs import prove
 
     need("explain")
-    found: list[Proved] = []
     wanted = list(dict.fromkeys(names))
-    for name in wanted:
-        found.append(Proved(proof=name, shows="; ".join(prove(name))))
-        progress(say("proving"), len(found), len(wanted))
-    return found
+    return [Proved(proof=name, shows="; ".join(prove(name))) for name in counted(say("proving"), wanted)]

@@ -110,5 +110,5 @@ def _event(data: rules.Table) -> Iterable[Problem]:
             given = rules.has(data, "drive", "event", key)
             if own == kind and not given:
                 yield rules.wrong(f"drive.event.{key}", say("required for an event of kind {kind}", kind=own))
-            if own != kind and given and kind in _OF_EVENT:
+            if own != kind and given and str(kind) in _OF_EVENT:
                 yield rules.wrong(f"drive.event.{key}", say("only for an event of kind {kind}", kind=own))

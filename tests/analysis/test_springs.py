@@ -7,11 +7,14 @@ from conftest import CONFIGS
 
 from afmcalc.analysis.dossier import dossier
 from afmcalc.analysis.heat.heat import heat
+from afmcalc.analysis.springs.candidates import _coils, coil_candidates
 from afmcalc.analysis.springs.springs import springs
 from afmcalc.engines import build
+from afmcalc.engines.wish import Wish
 from afmcalc.render.report.chapters import chapters
 from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.discs import discs
+from afmcalc.spec.springs import Room
 
 ROOM = (60e-3, 160e-3, 80e-3)
 DEFAULT, INDIRECT = CONFIGS / "default.toml", CONFIGS / "indirect.toml"
@@ -286,3 +289,37 @@ def test_what_rests_on_a_slack_spring_is_not_told():
     for stiffness, worn in ((499e3, True), (501e3, False)):
         straight = build(make_spec(data | {"closing_spring": {"force": 2000.0, "stiffness": stiffness}}))
         assert (heat(straight)[0].trips_to_wear_out is not None) == worn
+
+
+G = 81.5e9
+COIL = {"relaxes": 0.0, "follows": None, "pitch": None, "friction": None, "name": "closing"}
+
+
+def test_coils_are_of_sizes_that_a_works_makes():
+    """Mean diameters in whole millimetres, every one that fits; turns in quarters, the nearest; lengths in tenths, up."""
+    wish = Wish(
+        force=2000.0, stiffness=20e3, compresses=1.23e-3, room=Room(inner_diameter=0.04, outer_diameter=0.07), **COIL
+    )
+    found = [each.part for each in coil_candidates(wish, 0.1)]
+    assert {part.count for part in found} >= {1, 3}
+    sizes = {}
+    for part in found:
+        wire, coil, turns = part.wire_diameter, part.coil_diameter, part.turns
+        sizes.setdefault((part.count, round(wire * 1e3, 3)), set()).add(round(coil * 1e3, 6))
+        wanted = part.count * G * wire**4 / (8 * coil**3) / 20e3
+        assert (4 * turns).is_integer()
+        assert abs(turns - wanted) <= 0.125 + 1e-9
+        rate = part.count * G * wire**4 / (8 * coil**3 * turns)
+        needed = (turns + 2) * wire + turns * (0.0015 * coil**2 / wire + 0.1 * wire) + 2000 / rate + 1.23e-3
+        assert part.free_length * 1e4 == pytest.approx(round(part.free_length * 1e4), abs=1e-6)
+        assert -1e-9 <= part.free_length - needed < 1e-4
+    assert all(size == round(size) for each in sizes.values() for size in each)
+    # around 40 mm and within 70 mm: wire of 5 mm from 45 to 65, of 4.5 from 44.5 to 65.5; by its turns from 2 on
+    whole = _coils(wish, 1, 5e-3)
+    assert whole == pytest.approx([each * 1e-3 for each in range(45, 66)], rel=1e-12)
+    assert _coils(wish, 1, 4.5e-3) == pytest.approx([each * 1e-3 for each in range(45, 66)], rel=1e-12)
+    # on a circle of 55 mm in the gap of 15 mm: index 4 to 20, within 15 − d
+    assert _coils(wish, 3, 2e-3) == pytest.approx([each * 1e-3 for each in range(8, 14)], rel=1e-12)
+    # 33 + 4 and 44 − 4 are 37.00000000000001 and 39.99999999999999 in floats
+    tight = wish._replace(room=Room(inner_diameter=0.033, outer_diameter=0.044))
+    assert _coils(tight, 1, 4e-3) == pytest.approx([each * 1e-3 for each in range(37, 41)], rel=1e-12)

@@ -1,8 +1,12 @@
 """Full disks, readers that leave, closed streams, Ctrl-C, folders that are gone, browsers that fail: never a traceback."""
 
+import contextlib
+import errno
+import itertools
 import json
 import os
 import resource
+import signal
 import subprocess
 import sys
 import textwrap
@@ -10,6 +14,7 @@ import textwrap
 import pytest
 from conftest import CONFIGS, ROOT
 
+from afmcalc.cli import signals
 from afmcalc.errors import AfmcalcError
 from afmcalc.render.report.browser import print_pdf
 
@@ -176,3 +181,93 @@ def test_a_fault_of_our_own_is_said_and_never_a_failed_check(afmcalc, monkeypatc
     assert "Traceback" not in run.err
     monkeypatch.setenv("AFMCALC_TRACEBACK", "1")
     assert "Traceback" in afmcalc("check", SPEC).err
+
+
+WRITE = {
+    "x.json": ["torque", SPEC, "--force", "-o"],
+    "x.toml": ["init", "--force", "-o"],
+    "y.toml": ["synthesize", SPEC, "--force", "-o"],
+    "x.svg": ["plot", "torque", SPEC, "--force", "-o"],
+}
+FAULTS = {"full": 3, "no memory": 2, "Ctrl-C": 130}
+
+
+def strike(fault):
+    if fault == "full":
+        raise OSError(errno.ENOSPC, "No space left on device")
+    if fault == "no memory":
+        raise MemoryError
+    signal.raise_signal(signal.SIGINT)
+
+
+_WRITES = ("mkstemp", "fdopen", "open", "write", "flush", "fsync", "chmod", "replace", "link", "unlink")
+
+
+@contextlib.contextmanager
+def struck(fault, at):
+    """A fault as call number ``at`` of those that write begins, from cli/files.py. Counts these calls."""
+    count = [0]
+
+    def observe(frame, event, called):
+        caller, name = (frame, called.__name__) if event == "c_call" else (frame.f_back, frame.f_code.co_name)
+        if event not in ("c_call", "call") or name not in _WRITES:
+            return
+        if caller is None or not caller.f_code.co_filename.endswith("cli/files.py"):
+            return
+        count[0] += 1
+        if count[0] == at:
+            sys.setprofile(None)
+            strike(fault)
+
+    sys.setprofile(observe)
+    try:
+        yield count
+    finally:
+        sys.setprofile(None)
+
+
+@pytest.fixture
+def signals_watched():
+    before = {number: signal.getsignal(number) for number in signals._SIGNALS}
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a background job would ignore it
+    hook = sys.unraisablehook
+    signals.watch()
+    yield
+    sys.unraisablehook = hook
+    for number, handler in before.items():
+        signal.signal(number, handler)
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("name", [*few(WRITE)])
+def test_a_fault_at_any_write(name, fault, afmcalc, tmp_path, signals_watched, monkeypatch):
+    """At every call that writes: old or new, whole, and nothing beside it; the exit code says what it was."""
+    target = tmp_path / name
+    monkeypatch.setattr("afmcalc.cli.entry.drop_output", lambda: None)  # of this process
+    command = [*WRITE[name], target]
+    assert afmcalc(*command).code == 0
+    new = {each: (tmp_path / each).read_bytes() for each in os.listdir(tmp_path)}
+    for at in itertools.count(1):
+        for each in new:
+            (tmp_path / each).write_bytes(b"old")
+        signals.unreported.clear()
+        with struck(fault, at) as count:
+            run = afmcalc(*command)
+        if count[0] < at:
+            break
+        assert run.code == FAULTS[fault], (at, run.err)
+        assert "Traceback" not in run.err
+        assert run.err.count("error: ") == (fault != "Ctrl-C"), run.err
+        left = {each: (tmp_path / each).read_bytes() for each in os.listdir(tmp_path)}
+        assert left.keys() == new.keys(), at
+        assert all(content in (b"old", new[each]) for each, content in left.items()), at
+    assert at > 3
+
+
+def test_memory_that_does_not_suffice_is_said(afmcalc, monkeypatch):
+    def greedy(*arguments, **options):
+        raise MemoryError
+
+    monkeypatch.setattr("afmcalc.analysis.torque.torque", greedy)
+    run = afmcalc("torque", SPEC)
+    assert (run.code, run.out, run.err) == (2, "", "error: not enough memory for what was asked\n")

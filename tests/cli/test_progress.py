@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import itertools
 import os
 import re
 import subprocess
@@ -10,11 +11,14 @@ import sys
 import pytest
 from conftest import CONFIGS, ROOT
 
+import afmcalc
+from afmcalc import watch
 from afmcalc.cli import progress
 from afmcalc.cli.entry import main
 from afmcalc.errors import AfmcalcError
 
 STUDY = CONFIGS / "tolerance.toml"
+DRIVE = CONFIGS / "drive.toml"
 
 
 class Terminal(io.StringIO):
@@ -55,6 +59,19 @@ LONG = {
     ],
     "check": ["check", STUDY, "--set", "requirements.exceedance=0.5"],
     "equations": ["equations", "--prove", "--id", "F11 (1)"],
+    "heat": ["heat", DRIVE, "--set", "drive.event.duration=0.02"],
+    "tolerance of a drive": [
+        "tolerance",
+        DRIVE,
+        "--set",
+        "drive.event.duration=0.004",
+        "--set",
+        "tolerance={samples=1000, sobol_base=64, fields={\"control_unit.gain\"={distribution='normal', spread=0.01}}}",
+    ],
+    "history": ["simulate", DRIVE, "--set", "drive.event.duration=0.02", "--plot"],
+    "life": ["life", DRIVE, "--set", "drive.event.duration=0.02"],
+    "explain": ["explain", "heat", DRIVE, "--set", "drive.event.duration=0.02"],
+    "compare": ["compare", DRIVE, "--set", "drive.event.duration=0.02"],
 }
 
 
@@ -98,8 +115,10 @@ def test_a_bar_on_a_real_terminal():
 
 @pytest.mark.parametrize("command", ["tolerance", "design", "plot", "report"])
 def test_what_takes_longer_than_a_minute_wants_a_yes(command, undrawn, afmcalc, monkeypatch):
-    monkeypatch.setattr(progress, "PATIENCE", -1.0)
-    monkeypatch.setattr(progress, "LONG", 1e-6)
+    monkeypatch.setattr(progress, "PATIENCE", -1e12)
+    monkeypatch.setattr(progress, "LONG", -1e12)
+    clock = itertools.chain([1e9], itertools.count(0.0, 1e-3))  # nothing has been waited for: all is left
+    monkeypatch.setattr(progress.time, "monotonic", lambda: next(clock))
     run = afmcalc(*LONG[command])
     assert (run.code, run.out) == (2, "")
     assert re.fullmatch("error: this takes about 0 min: --yes goes on with it, or ask for less\n", run.err)
@@ -115,9 +134,69 @@ def test_how_long_is_told_from_what_is_behind(monkeypatch):
         bar.advance("sampling", 2, 1000)
 
 
-def test_it_is_too_late_to_refuse_what_runs_for_long(monkeypatch):
-    now = iter([0.0, 11.0, 12.0])
-    monkeypatch.setattr(progress.time, "monotonic", lambda: next(now))
-    bar = progress.Bar(quiet=True)
-    bar.advance("searching", 9, 10)
-    bar.advance("refining", 1, 1000)
+@contextlib.contextmanager
+def clock(monkeypatch, *, agreed=False):
+    """A bar, and a way to let time pass."""
+    now = [0.0]
+    monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
+
+    def passes(seconds):
+        now[0] += seconds
+
+    with progress.Bar(quiet=True, agreed=agreed):
+        yield passes
+
+
+def test_it_is_too_late_to_refuse_when_less_is_left_than_is_behind(monkeypatch):
+    with clock(monkeypatch) as passes:
+        watch.tell("searching", 0, 10)
+        for done in range(1, 11):
+            passes(5.5 if done < 6 else 9)  # 55 s to go by at first, 72.5 s as it turns out
+            watch.tell("searching", done, 10)
+
+
+@pytest.mark.parametrize(("first", "refused"), [(1.0, False), (5.0, False), (15.0, True)])
+def test_one_event_of_several_tells_what_all_take(first, refused, monkeypatch):
+    """A trial of the work's own cost: one of five parts, which cannot itself say how long it takes."""
+
+    def all_five(passes):
+        for _ in watch.counted("simulating", range(5)):
+            for _ in range(100):
+                passes(first / 100)
+                watch.pulse()
+
+    with clock(monkeypatch) as passes:
+        if refused:
+            with pytest.raises(AfmcalcError, match="takes about 1 min"):
+                all_five(passes)
+        else:
+            all_five(passes)
+    with clock(monkeypatch, agreed=True) as passes:
+        all_five(passes)
+
+
+def test_nobody_is_told_when_nobody_waits():
+    watch.pulse()
+    assert [*watch.counted("simulating", "abc")] == [*"abc"]
+    with pytest.raises(ZeroDivisionError), progress.Bar(quiet=True):
+        raise ZeroDivisionError
+    assert watch._watcher.get() is None
+
+
+def test_a_slow_event_is_told_of_while_it_lasts(monkeypatch):
+    """At every step of an integration, of which each is a matter of milliseconds."""
+    told = []
+
+    class Watcher:
+        def advance(self, work, done, total):
+            told.append((work, done, total))
+
+        def pulse(self):
+            told.append("on")
+
+    with watch.watched_by(Watcher()):
+        afmcalc.load(DRIVE).simulate()
+    parts = [each for each in told if each != "on"]
+    assert parts == [("simulating the event", done, 3) for done in range(4)]
+    between = [told.index(part) for part in parts]
+    assert all(later - earlier > 50 for earlier, later in itertools.pairwise(between))

@@ -14,8 +14,10 @@ from jsonschema import validate
 
 from afmcalc.errors import SpecError
 from afmcalc.source import Source
-from afmcalc.spec import Spec, make_spec
-from afmcalc.spec.edit import put
+from afmcalc.spec import Spec, make_spec, read_spec
+from afmcalc.spec.choices import Searched
+from afmcalc.spec.edit import put, replaced, respecified
+from afmcalc.spec.fields import Ratio
 from afmcalc.spec.reading import spec_of
 from afmcalc.spec.requirements import Requirements, make_requirements
 from afmcalc.spec.suggest import did_you_mean
@@ -401,3 +403,25 @@ def test_a_temperature_without_a_unit_asks_for_degrees(afmcalc):
 )  # fmt: skip
 def test_look_alike_letters_are_compared_as_what_they_look_like(word, known, said):
     assert did_you_mean(word, known) == said
+
+
+@pytest.mark.parametrize(
+    ("grid", "values"),
+    [
+        ({"start": 0.1, "stop": 0.3, "step": 0.1}, [0.1, 0.2, 0.3]),  # (0.3 − 0.1)/0.1 is 1.9999999999999998
+        ({"start": 0.1, "stop": 0.35, "step": 0.1}, [0.1, 0.2, 0.3]),
+        ({"start": 0.1, "stop": 0.2999, "step": 0.1}, [0.1, 0.2]),
+    ],
+)
+def test_a_range_by_steps_has_its_end(grid, values):
+    assert list(Searched(Ratio).read(grid).array()) == pytest.approx(values, rel=1e-12)
+
+
+def test_a_nominal_torque_takes_the_place_of_both_springs():
+    """The forces as given are those of another torque."""
+    spec = read_spec(CONFIGS / "indirect.toml", ["control_spring.force=2640"])
+    assert replaced(spec, ["adjustment.nominal_torque"]) == dict.fromkeys(
+        ("closing_spring.force", "control_spring.force"), "adjustment.nominal_torque"
+    )
+    other = respecified(spec, {"adjustment.nominal_torque": 300.0})
+    assert (other.closing_spring.force, other.control_spring.force) == (None, None)

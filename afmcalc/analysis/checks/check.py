@@ -6,7 +6,6 @@ from ...engines.protocol import Clutch
 from ...errors import SpecError
 from ...findings import Finding, finding, worst
 from ...result import Answer, quantity
-from ...watch import Progress, unwatched
 from ..answers import Answers
 from ..registry import ANALYSES
 from .limits import Utilisation, hub_findings, utilisations
@@ -28,21 +27,18 @@ class CheckResult(Answer):
     limits: list[Utilisation] = quantity("", None, "every limit, and how much of it is used")
 
 
-def check(
-    clutch: Clutch, *, strict: bool = False, answers: Answers | None = None, progress: Progress = unwatched
-) -> tuple[CheckResult, list[Finding]]:
+def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = None) -> tuple[CheckResult, list[Finding]]:
     """Collect the findings of a design.
 
     Args:
         clutch: the clutch.
         strict: warnings fail the check too.
         answers: what was asked of it already.
-        progress: is told how far what takes long is.
 
     Returns:
         The verdict and the findings.
     """
-    answers = answers or Answers(clutch, progress=progress)
+    answers = answers or Answers(clutch)
     findings = all_findings(answers)
     requirements, missed = requirement_rows(answers)
     findings += missed

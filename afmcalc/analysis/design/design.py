@@ -11,7 +11,7 @@ from ...messages import joined, measured, say, term
 from ...result import Answer, quantity
 from ...spec.requirements import Requirements
 from ...spec.suggest import did_you_mean
-from ...watch import Progress, unwatched
+from ...watch import tell
 from .attainable import Attainable, attainable
 from .by_law import candidates
 from .found import Found
@@ -50,12 +50,11 @@ class DesignResult(Answer):
     )
 
 
-def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignResult, list[Finding]]:
+def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
     """Search everything the requirements allow.
 
     Args:
         need: the requirements.
-        progress: is told how far the search, then the refinement is.
 
     Returns:
         The front, empty where nothing meets the requirements, and findings.
@@ -72,15 +71,15 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
                 most=MOST,
             )
         )
-    found = search(need, lambda done: progress(say("searching"), done, count))
-    best = numbered(need, [fine for _, fine in refinement(need, found, progress)])
+    found = search(need, lambda done: tell(say("searching"), done, count))
+    best = numbered(need, [fine for _, fine in refinement(need, found)])
     unsprung = 0
     if need.springs is not None:
-        sprung = list(_sprung(need, best, progress))
+        sprung = list(_sprung(need, best))
         unsprung, best = len(best) - len(sprung), numbered(need, sprung)
     missing = None
     if not best:
-        missing = attainable(need, lambda done, of: progress(say("looking for what is attainable"), done, of))
+        missing = attainable(need, lambda done, of: tell(say("looking for what is attainable"), done, of))
     result = DesignResult(
         candidates=found.candidates,
         feasible=found.feasible,
@@ -95,7 +94,7 @@ def design(need: Requirements, progress: Progress = unwatched) -> tuple[DesignRe
     return result, [*doubts(need.label.doubts), *_findings(result), *missed]
 
 
-def refinement(need: Requirements, found: Found, progress: Progress = unwatched) -> list[tuple[DesignRow, DesignRow]]:
+def refinement(need: Requirements, found: Found) -> list[tuple[DesignRow, DesignRow]]:
     """Return every member of the front on the grid, and what it becomes between the grid points.
 
     With the ball an objective twice: with the smallest that gives nothing up, and as good as can be with its own.
@@ -107,7 +106,7 @@ def refinement(need: Requirements, found: Found, progress: Progress = unwatched)
         behind = len(both)
 
         def told(done: int, behind: int = behind) -> None:
-            progress(say("refining"), behind + done, count)
+            tell(say("refining"), behind + done, count)
 
         best = refined(need, variant, at, told, ball_first=ball_first and variant.controlled)
         both += zip(*(rows(candidates(need, variant, each)) for each in (at, best)), strict=True)
@@ -166,11 +165,11 @@ def shown(result: DesignResult, sort: str | None, top: int | None, pick: int | N
     return result.model_copy(update={"front": kept})
 
 
-def _sprung(need: Requirements, front: list[DesignRow], progress: Progress) -> Iterator[DesignRow]:
+def _sprung(need: Requirements, front: list[DesignRow]) -> Iterator[DesignRow]:
     for number, row in enumerate(front, 1):
         if (sprung := made(need, row)) is not None:
             yield sprung.row
-        progress(say("choosing springs"), number, len(front))
+        tell(say("choosing springs"), number, len(front))
 
 
 def _findings(result: DesignResult) -> list[Finding]:

@@ -13,6 +13,7 @@ from ...messages import say
 from ...recorders import marked, unrecorded
 from ...spec.drive import Drive
 from ...spec.heat import missing_of
+from ...watch import counted
 from ..registry import ANALYSES
 
 if TYPE_CHECKING:
@@ -87,7 +88,7 @@ def _simulated(clutch: Clutch, answers: "Answers | None") -> HeatedSlips:
     found, said = simulate(clutch) if answers is None else answers.ask("simulate")
     told = found.sliding_torque, found.slip_time, found.slip_energy
     at = {}
-    for end in ENDS:
+    for end in counted(say("simulating the event"), ENDS):
         torque, time, energy = (getattr(each, end) for each in told)
         at[end] = _of(clutch, end, HeatedSlip(torque, time, energy, _course(clutch, end)))
     ends = tuple(each for each in said if each.path in ("drive.cut_off", "drive.event.duration"))

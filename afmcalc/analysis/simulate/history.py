@@ -3,7 +3,9 @@
 from collections.abc import Iterable
 
 from ...engines.protocol import Clutch
+from ...messages import say
 from ...result import Answer, Result, quantity
+from ...watch import counted
 from ..torque import Pair, friction_fields, pairs_asked
 from .cases import case_of, peak_time
 
@@ -44,7 +46,7 @@ def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = Fals
     unlike = clutch.spec.friction.unlike
     ends = [(first, second if unlike else None) for first, second in zip(*clutch.friction, strict=True)]
     rows = []
-    for pair in pairs_asked(clutch, friction) or ends:
+    for pair in counted(say("simulating the event"), pairs_asked(clutch, friction) or ends):
         case = case_of(clutch, *pair)
         if short:
             window = float(peak_time(case.plant.train, case.plant.sliding))

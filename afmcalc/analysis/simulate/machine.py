@@ -9,6 +9,7 @@ from scipy.integrate import DOP853, OdeSolver, Radau
 from ...arrays import finite
 from ...errors import CalculationError
 from ...messages import say
+from ...watch import pulse
 from .coast import creep, stride
 from .plant import Mode, Plant, State, Torques
 from .record import Heating, Moment, Trip
@@ -236,6 +237,7 @@ class _Run:
 
     def _patient(self, t: float) -> None:
         """Count a step; after too many the drive is left, or the duration given is refused."""
+        pulse()
         self.steps += 1
         if not self.given and self.steps > PATIENCE:
             self.horizon = t

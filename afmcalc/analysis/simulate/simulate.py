@@ -11,7 +11,7 @@ from ...messages import say
 from ...recorders import unrecorded
 from ...result import OpenTriple, Triple
 from ...spec import Spec, resolved
-from ...watch import Progress, unwatched
+from ...watch import counted
 from ..sweep.grid import Axis, replaced
 from ..torque import Pair, friction_fields, outside_range, pairs_asked
 from .bypass import bypass_peak
@@ -30,7 +30,7 @@ _WIDE = 0.05
 
 @unrecorded()
 def simulate(
-    clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = (), progress: Progress = unwatched
+    clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = ()
 ) -> tuple[SimulateResult, list[Finding]]:
     """Simulate the event of the [drive] block at f_min, mean friction and f_max, constant during the event.
 
@@ -38,7 +38,6 @@ def simulate(
         clutch: a clutch with float parameters.
         friction: further frictions: pairs (f, None) for all pairs alike or (f_1, f_2).
         sweeps: axes of a sweep of the peaks.
-        progress: is told how far a sweep is.
 
     Raises:
         SpecError: the spec has no event.
@@ -46,12 +45,12 @@ def simulate(
     """
     train, points = train_of(clutch), pairs_asked(clutch, friction)
     ends = list(zip(*clutch.friction, strict=True))
-    found = [outcome_of(clutch, *end) for end in ends]
+    both = [(one := outcome_of(clutch, *end), bracket_of(one)) for end in counted(say("simulating the event"), ends)]
+    found, brackets = [one for one, _ in both], [bracket for _, bracket in both if bracket]
     peaks = [each.trip.peak for each in found]
     bypass = bypass_peak(clutch)
-    brackets = [each for each in map(bracket_of, found) if each]
     torques, heats = ([_ends(each) for each in rows] for rows in (_peaks(brackets), _heats(brackets)))
-    sweep, rising = swept(clutch, sweeps, progress)
+    sweep, rising = swept(clutch, sweeps)
     travels, unit = clutch.spec.kind.travels, clutch.spec.control_unit
     late = unit is not None and bool(unit.release_lag)
     forces = contact_forces(clutch, found)
@@ -76,7 +75,7 @@ def simulate(
         inertia_torque=train.inertia_torque,
         load_torque=train.load,
         energy_residual=max(each.trip.residual for each in found),
-        points=[_point(clutch, *pair) for pair in points] or None,
+        points=[_point(clutch, *pair) for pair in counted(say("simulating the event"), points)] or None,
         sweep=sweep,
     )
     return result, [

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ...arrays import Floats
 from ...messages import say
-from ...watch import Progress, unwatched
+from ...watch import tell
 from .direct import DirectPack
 from .lanes import DirectLanes, SleeveLanes
 from .rest import Slipping, Stuck, settled, slips_below
@@ -50,7 +50,6 @@ def march(
     pack: DirectPack | Sleeve,
     step: Floats,
     steps: int,
-    progress: Progress = unwatched,
     look: int | None = None,
 ) -> Marched:
     """Step events from start to ``steps`` times ``step``.
@@ -60,18 +59,19 @@ def march(
         pack: clutches, likewise.
         step: time step of each, s.
         steps: how many.
-        progress: is told how many steps are behind, of all drives.
         look: steps from which on it is seen whether all peaks have passed, and the rest left out; None: never.
 
     Returns:
         Peaks, heat and travel, in the shape of ``step``.
     """
     parts: list[Marched] = []
-    count = steps * -(-step.size // _LANES)
+    blocks, least = -(-step.size // _LANES), look or steps
 
     def behind(number: int) -> None:
         if number % _TOLD == 0:
-            progress(say("stepping the drives"), len(parts) * steps + number, count)
+            # up to the first look it may be that none needs more
+            each = least if number < least else steps
+            tell(say("stepping the drives"), len(parts) * each + number, blocks * each)
 
     for start in range(0, step.size, _LANES):
         lanes = slice(start, start + _LANES)
@@ -81,7 +81,7 @@ def march(
             clutch: DirectLanes | SleeveLanes = DirectLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
         else:
             clutch = SleeveLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
-        parts.append(_march(own, shaft, clutch, h, steps, behind, look or steps))
+        parts.append(_march(own, shaft, clutch, h, steps, behind, least))
     return Marched(*(np.concatenate(each).reshape(step.shape) for each in zip(*parts, strict=True)))
 
 

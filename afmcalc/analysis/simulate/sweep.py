@@ -13,7 +13,6 @@ from ...errors import CalculationError
 from ...findings import Finding, finding
 from ...messages import say
 from ...spec.models import Range
-from ...watch import Progress, unwatched
 from ..sweep.grid import Axis, series
 from .cases import swings_time, whole_time
 from .direct import DirectPack
@@ -45,14 +44,13 @@ class Peaks(NamedTuple):
     """Whether it was seen that no torque passes the peak any more, or has come to the duration given."""
 
 
-def peaks_of(clutch: Clutch, driving: Values, driven: Values, progress: Progress = unwatched) -> Peaks:
+def peaks_of(clutch: Clutch, driving: Values, driven: Values) -> Peaks:
     """Return the peaks of an event.
 
     Args:
         clutch: a clutch whose parameters are numbers or arrays.
         driving: f of all pairs or f_1; shapes broadcast.
         driven: f_2, likewise.
-        progress: is told how many steps are behind.
 
     Raises:
         SpecError: no event.
@@ -62,9 +60,9 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values, progress: Progress
     if isinstance(pack, DirectPack) and np.any(train.hub_inertia):
         train = without_hub(train)
     sliding = pack.torque(1.0)
-    shape = np.broadcast_shapes((1,), *_shapes(train), *_shapes(pack))
-    longest = np.broadcast_to(step_of(train, pack), shape).astype(float)
     duration = None if clutch.spec.drive.event is None else clutch.spec.drive.event.duration
+    shape = np.broadcast_shapes((1,), *_shapes(train), *_shapes(pack), np.shape(0.0 if duration is None else duration))
+    longest = np.broadcast_to(step_of(train, pack), shape).astype(float)
     steps = int(np.ceil(np.max((swings_time(train) if duration is None else duration) / longest)))
     if steps > _MOST_STEPS:
         raise CalculationError(
@@ -77,9 +75,9 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values, progress: Progress
         )
     if duration is None:
         most = min(int(np.ceil(np.max(whole_time(train, sliding) / longest))), _MOST_STEPS)
-        found = march(train, pack, longest, most, progress, steps)
+        found = march(train, pack, longest, most, steps)
     else:
-        found = march(train, pack, np.broadcast_to(duration / steps, shape), steps, progress)
+        found = march(train, pack, np.broadcast_to(duration / steps, shape), steps)
     passed = found.passed if duration is None else np.ones(shape, bool)
     return Peaks(np.broadcast_to(sliding, shape), found.peak, found.peak_clutch, passed)
 
@@ -110,11 +108,9 @@ def _shapes(record: object) -> list[tuple[int, ...]]:
     ]
 
 
-def swept(
-    clutch: Clutch, sweeps: Sequence[Axis], progress: Progress = unwatched
-) -> tuple[list[SimulateSweep] | None, list[Finding]]:
+def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] | None, list[Finding]]:
     """Peaks over swept keys, None without any; and a remark where some may yet rise."""
-    found = _Found(progress)
+    found = _Found()
     outputs: dict[str, Callable[[Clutch], Values]] = {
         "peak_torque_max": lambda own: found.of(own).shaft[2],
         "peak_torque_mean": lambda own: found.of(own).shaft[1],
@@ -139,8 +135,7 @@ def dynamic_factors(clutch: Clutch) -> Floats:
 class _Found:
     """The peaks of the clutch that was asked last, each clutch calculated once."""
 
-    def __init__(self, progress: Progress) -> None:
-        self._progress = progress
+    def __init__(self) -> None:
         self._clutch: Clutch | None = None
         self._peaks: Peaks | None = None
         self.rising = 0
@@ -150,7 +145,7 @@ class _Found:
         """Peaks at f_min, mean friction and f_max, a row each."""
         if clutch is not self._clutch or self._peaks is None:
             first, second = (_rows(friction) for friction in clutch.friction)
-            self._clutch, self._peaks = clutch, peaks_of(clutch, first, second, self._progress)
+            self._clutch, self._peaks = clutch, peaks_of(clutch, first, second)
             self.rising += int(np.count_nonzero(~self._peaks.passed))
         return self._peaks
 

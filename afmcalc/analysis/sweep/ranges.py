@@ -1,5 +1,6 @@
 """Values of a swept key: as given, or over a sensible range."""
 
+import math
 import re
 
 import numpy as np
@@ -10,7 +11,7 @@ from ...errors import AfmcalcError, SpecError
 from ...messages import say
 from ...source import Unlikely
 from ...spec import Spec
-from ...spec.edit import value_at, with_key
+from ...spec.edit import respecified, value_at
 from ...spec.models import FrictionRange
 from ...spec.quantity import impossible, parse_quantity, unlikely
 from ...spec.walk import Key
@@ -101,12 +102,17 @@ def default_range(key: Key, spec: Spec) -> Floats:
         return np.linspace(1.0, max(2.0, float(current or 1)), 21)
     if current is None:
         raise AfmcalcError(say("{path} is not in the spec: give a range, {path}=start:stop:count", path=key.path))
+    about = key.about
+    assert about is not None
     low, high = 0.5 * current, 2 * current
-    if key.path.startswith("friction."):
+    if key.path.startswith("friction.") and key.path.rpartition(".")[2] in FrictionRange.model_fields:
         low, high = _friction_range(key.path, spec, low, high)
     if key.path == "control_unit.wall_angle":
         high = min(high, 1.5)
-    return np.linspace(_feasible(spec, key.path, current, low), _feasible(spec, key.path, current, high), 26)
+    low = low if about.low is None else max(low, about.low)
+    high = high if about.high is None else min(high, about.high)
+    low, high = (_feasible(spec, key.path, current, end) for end in (low, high))
+    return _whole(math.ceil(low), math.floor(high)) if about.whole else np.linspace(low, high, 26)
 
 
 def _whole(low: int, high: int) -> Floats:
@@ -117,11 +123,11 @@ def _whole(low: int, high: int) -> Floats:
 
 
 def _feasible(spec: Spec, path: str, current: float, end: float) -> float:
-    """Draw an end of a default range in to where the clutch can still be built (the key's threshold)."""
+    """Draw an end of a default range in to where the spec is valid and the clutch can be built."""
 
     def builds(value: float) -> bool:
         try:
-            build(with_key(spec, path, value))
+            build(respecified(spec, {path: value}))
         except SpecError:
             return False
         return True

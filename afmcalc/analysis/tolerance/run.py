@@ -7,7 +7,7 @@ import numpy as np
 
 from ...errors import CalculationError
 from ...messages import say
-from ...watch import Count, Progress, unwatched
+from ...watch import Count
 from .bins import Grid
 from .distributions import Array
 from .model import Model
@@ -29,7 +29,6 @@ class Plan:
     seed: int
     quasi: bool = False
     threads: int = 1
-    progress: Progress = unwatched
 
 
 def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> list[Tally]:
@@ -54,7 +53,7 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
     grid, shift = Grid.of(torques), float(np.median(torques))
     slips = None if model.spec.fatigue is None else service_of(model)
 
-    behind = Count(plan.progress, say("sampling"), sum(each))
+    behind = Count(say("sampling"), sum(each))
 
     def replicate(number: int) -> Tally:
         stream = Stream(model.inputs, plan.seed, number, quasi=plan.quasi, model=model)

@@ -55,7 +55,7 @@ def sobol_indices(model: Model, plan: Plan) -> list[Index]:
     def torque(values: Sequence[Array]) -> Array:
         return np.broadcast_to(model.torque(values) - center, values[0].shape)
 
-    behind = Count(plan.progress, say("indices"), sum(each))
+    behind = Count(say("indices"), sum(each))
 
     def replicate(number: int) -> Array:
         # streams of their own, apart from those of the sample

@@ -9,7 +9,6 @@ from ...findings import Finding
 from ...messages import say
 from ...spec import Spec
 from ...spec.tolerance import Tolerance
-from ...watch import Progress, unwatched
 from .distributions import Input, inputs_of
 from .exact import exact_of
 from .figures import LIFE_PROBABILITIES, Figures, exact_figures, sampled_figures
@@ -24,21 +23,18 @@ from .sobol import sobol_indices
 __all__ = ["Study", "ToleranceResult", "study", "tolerance"]
 
 
-def tolerance(
-    clutch: Clutch, *, threads: int | None = None, progress: Progress = unwatched
-) -> tuple[ToleranceResult, list[Finding]]:
+def tolerance(clutch: Clutch, *, threads: int | None = None) -> tuple[ToleranceResult, list[Finding]]:
     """Calculate the distribution of the torque; ``study`` without its histogram."""
-    found = study(clutch, threads=threads, progress=progress)
+    found = study(clutch, threads=threads)
     return found.result, found.findings
 
 
-def study(clutch: Clutch, *, threads: int | None = None, progress: Progress = unwatched) -> Study:
+def study(clutch: Clutch, *, threads: int | None = None) -> Study:
     """Calculate the distribution of the torque by the [tolerance] block of the spec.
 
     Args:
         clutch: the clutch.
         threads: how many; None for as many as there are processors, up to 8. Changes no digit.
-        progress: is told how much of the sample is behind.
 
     Raises:
         SpecError: no [tolerance] block, or a field that the clutch does not have.
@@ -48,18 +44,18 @@ def study(clutch: Clutch, *, threads: int | None = None, progress: Progress = un
     spec = with_setting(clutch, given)
     model = Model(spec, inputs_of(spec), given.friction_correlation or 0.0)
     machine = float(clutch.machine_torque)
-    figures = _figures(model, given, machine, _threads(threads), progress)
+    figures = _figures(model, given, machine, _threads(threads))
     findings = [*clutch.findings(), *findings_of(model, given, figures)]
     result = _result(figures, model.inputs, given, machine, peak_figures(model, given, clutch))
     return Study(result, figures.histogram, findings)
 
 
-def _figures(model: Model, given: Tolerance, machine: float, threads: int, progress: Progress) -> Figures:
+def _figures(model: Model, given: Tolerance, machine: float, threads: int) -> Figures:
     exact = exact_of(model) if given.method == "auto" else None
     if exact is not None:
         return exact_figures(exact, given, machine)
     quasi = given.method == "quasi-monte-carlo"
-    sample, base = (Plan(size, given.seed, quasi, threads, progress) for size in (given.samples, given.sobol_base))
+    sample, base = (Plan(size, given.seed, quasi, threads) for size in (given.samples, given.sobol_base))
     tallies = simulate(model, sample, given.torque_limit, machine)
     indices = sobol_indices(model, base)
     return sampled_figures(model, tallies, given, indices)

@@ -1,0 +1,112 @@
+"""Every command about every example, with every key swept or taken away, in both languages: a result or a sentence."""
+
+import itertools
+import re
+
+import pytest
+from conftest import CONFIGS
+
+from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
+from afmcalc.cli.main import COMMANDS
+from afmcalc.spec.paths import keys
+
+EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem not in ("materials", "requirements"))
+NUMBERS = [key.path for key in keys().values() if key.unit]
+TEXTS = [key.path for key in keys().values() if not key.unit]
+SWEEPING = ["accuracy", "overload", "life", "simulate", "plot accuracy", "plot life"]
+SHORT = ["--set", "drive.event.duration=0.002", "--set", "tolerance.samples=1000", "--set", "tolerance.sobol_base=64"]
+REFUSED = {"en": "error: ", "ru": "ошибка: "}
+WRONG = ['["stop"]', "{a = 1}", "1", "true", "x"]
+ASKED = [
+    *(name for name in COMMANDS if name in ANALYSES and ANALYSES[name].group in ("clutch", "drive", "parts") and name not in SWEEPING),
+    "tolerance",
+    "check",
+    "solve accuracy_factor=2",
+    *(f"explain {name}" for name in EXPLAINED),
+    *(f"plot {name}" for name, plot in PLOTS.items() if plot.takes in ("clutch", "clutches") and name not in ("pocket", "accuracy", "life")),
+]  # fmt: skip
+
+
+def cases():
+    """Command lines: keys swept over their default range, keys without a value, text keys with a wrong one."""
+    for example, language in itertools.product(EXAMPLES, REFUSED):
+        spec = f"example:{example}"
+        short = SHORT[:2] if example == "drive" else SHORT[2:] if example == "tolerance" else []
+        for command, key in itertools.product(SWEEPING, NUMBERS):
+            yield [*command.split(), spec, "--sweep", key, *short], language
+        for command in ASKED:
+            yield [*command.split(), spec, *short], language
+        for key in [*NUMBERS, *TEXTS]:
+            yield ["check", spec, *short, "--set", f"{key}="], language
+        for key, value in itertools.product(TEXTS, WRONG):
+            yield ["check", spec, *short, "--set", f"{key}={value}"], language
+
+
+@pytest.mark.parametrize("step", [211, pytest.param(1, marks=pytest.mark.exhaustive)])
+def test_a_result_or_a_sentence(step, afmcalc, monkeypatch):
+    monkeypatch.setenv("COLUMNS", "80")
+    wrong = []
+    for arguments, language in itertools.islice(cases(), 0, None, step):
+        monkeypatch.setenv("AFMCALC_LANG", language)
+        run = afmcalc(*arguments)
+        said = run.code in (0, 1) if arguments[0] == "check" else run.code == 0
+        refused = run.code == 2 and REFUSED[language] in run.err
+        if not (said or refused) or "Traceback" in run.err or (language == "en" and broken_range(arguments, run)):
+            wrong.append((run.code, language, " ".join(arguments), run.err[:300]))
+    assert not wrong
+
+
+def broken_range(arguments, run):
+    """Whether a range that nobody gave breaks a rule of its key."""
+    return "--sweep" in arguments and re.search("sweep at|whole number", run.err)
+
+
+@pytest.mark.parametrize(
+    ("key", "ends"),
+    [
+        # of 6 balls whole numbers, half to twice; ratios, radii and temperatures within what each may be
+        ("control_unit.balls", (3, 12)),
+        ("friction.static_ratio", (1, 2.3)),
+        ("friction_group.inner_radius", (0.04, 0.12)),
+        ("friction_group.outer_radius", (0.08, 0.24)),
+        ("heat.ambient", (173.15, 586.3)),
+    ],
+)
+def test_a_range_nobody_gave_keeps_the_rules_of_its_key(key, ends, afmcalc):
+    run = afmcalc("accuracy", "example:drive", "--sweep", key, "--json")
+    values = run.json["result"]["sweep"][0]["values"]
+    assert (values[0], values[-1]) == pytest.approx(ends, rel=1e-9)
+    assert values == sorted(values)
+
+
+def test_what_is_no_text_is_a_mistake_that_is_told(afmcalc):
+    run = afmcalc("check", "example:drive", "--set", 'drive.event.kind=["stop"]')
+    assert run.code == 2
+    assert 'drive.event.kind = ["stop"]: must be one of stop, load' in run.err
+
+
+@pytest.mark.parametrize("text", ["a\tb", "a\nb", "a\u202eb"])
+def test_an_option_of_a_title_block_is_held_to_its_rules(text, afmcalc):
+    run = afmcalc("report", "example:default", "--project", text)
+    assert (run.code, run.out) == (2, "")
+    assert "project" in run.err
+    assert "must be one line of printable text" in run.err
+
+
+def test_the_duration_of_an_event_can_be_swept(afmcalc):
+    """The longer it is, the more of a peak is seen; each is what that duration alone gives."""
+    durations = (0.002, 0.008)
+    run = afmcalc(
+        "simulate",
+        "example:drive",
+        "--set",
+        "drive.event.duration=0.002",
+        "--sweep",
+        "drive.event.duration=0.002,0.008",
+        "--json",
+    )
+    swept = run.json["result"]["sweep"][0]["peak_torque_max"]
+    assert swept[0] < swept[1]
+    for duration, peak in zip(durations, swept, strict=True):
+        alone = afmcalc("simulate", "example:drive", "--set", f"drive.event.duration={duration}", "--json")
+        assert peak == pytest.approx(alone.json["result"]["peak_torque"]["max"], rel=2e-3)
