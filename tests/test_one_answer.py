@@ -169,7 +169,7 @@ AT_LEAST = {"nominal_torque", "machine_torque", "cycles"}
 
 
 def limit(key: str) -> str:
-    return f"requirements.{key}={1e-9 if key in AT_LEAST else 1e9}"
+    return f"requirements.{key}={1e-9 if key in AT_LEAST else '9m' if key == 'travel' else 1e9}"
 
 
 class Asked:

@@ -46,7 +46,6 @@ _FOREIGN = {
 # An angle and an energy are dimensions of their own, so that 0.1 rad is no coefficient and 200 J is no torque.
 _BASES = ("m", "N", "rad", "J", "s", "kg", "K")
 
-_TWO_PI = "6.283185307179586476925286766559"
 _RPM = Decimal("0.1047197551196597746154214461")
 
 _PREFIXED = {
@@ -59,7 +58,8 @@ _PLAIN = {
     "kgf": "9.80665 N", "kp": "9.80665 N", "psi": "6894.757293168361336722673445 N/m^2",
     "ksi": "6894757.293168361336722673445 N/m^2", "deg": "0.01745329251994329576923690768489 rad",
     "degree": "0.01745329251994329576923690768489 rad", "°": "0.01745329251994329576923690768489 rad",
-    "rpm": f"{_RPM} rad/s", "rev": f"{_TWO_PI} rad", "revolution": f"{_TWO_PI} rad", "U": f"{_TWO_PI} rad",
+    "rpm": "0.1047197551196597746154214461 rad/s",
+    **dict.fromkeys(("rev", "revolution", "U"), "6.283185307179586476925286766559 rad"),
     "min": "60 s", "minute": "60 s", "h": "3600 s", "hour": "3600 s",
 }  # fmt: skip
 """UnitProduct → what it is in SI; those above take a prefix."""
