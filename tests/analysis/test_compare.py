@@ -105,4 +105,6 @@ def test_among_its_variants_a_clutch_stands_as_it_is(example, change, afmcalc):
     as_made = [row for row in rows if row["variant"] == "indirect"]
     assert [row["basis"] for row in as_made] == ["spring force", "nominal torque"]
     for row in as_made:
-        assert {key: row[key] for key in ("closing_force", "torque", "accuracy_factor", "scatter")}.items() <= torque.items()
+        assert {
+            key: row[key] for key in ("closing_force", "torque", "accuracy_factor", "scatter")
+        }.items() <= torque.items()
