@@ -69,20 +69,27 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
     rows, remarks, missing = [], [], []
     for variant in VARIANTS:
         try:
-            spec = as_variant(clutch.spec, variant)
-            by_force = build(with_force(spec, float(clutch.closing_force)))
-            by_torque = build(with_nominal_torque(spec, float(clutch.nominal_torque)))
+            by_force, by_torque = _as_variant(clutch, variant)
         except SpecError as error:
             missing.append(_missing(variant, error))
             continue
         by_name = term("spring force"), term("nominal torque")
         for own, basis in zip((by_force, by_torque), by_name, strict=True):
             found = found_unsimulated(own)
-            rows.append(_row(own, basis, spec.name, found))
+            rows.append(_row(own, basis, clutch.spec.name, found))
             remarks += _told(own, variant, found)
     rows.sort(key=lambda row: row.basis != "spring force")
     asked = doubts(clutch.spec.label.doubts)
     return CompareResult(clutches=rows), [*asked, *dict.fromkeys(remarks), *missing]
+
+
+def _as_variant(clutch: Clutch, variant: str) -> tuple[Clutch, Clutch]:
+    """A clutch as another variant of equal spring force, and of equal nominal torque; itself as its own variant."""
+    if variant == clutch.spec.variant:
+        return clutch, clutch
+    spec = as_variant(clutch.spec, variant)
+    by_torque = build(with_nominal_torque(spec, float(clutch.nominal_torque)))
+    return build(with_force(spec, float(clutch.closing_force))), by_torque
 
 
 def _names(specs: Sequence[Spec]) -> list[str | None]:

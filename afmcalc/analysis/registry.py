@@ -279,7 +279,8 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Springs",
                 "The springs named, as set and in service; η is the largest share used of range or stress allowed.",
-                "Of what they may bear the springs use {utilisation:.3g} at most.",
+                "In service, without an event, the springs use {utilisation:.3g} at most of the deflection and stress "
+                "allowed.",
                 ("Di17", "En13", "Sh11"),
                 applies=lambda clutch: bool(clutch.spec.spring_parts),
             ),

@@ -116,9 +116,7 @@ def dynamic_factor(clutch: Clutch, event: Callable[[], SimulateResult] | None = 
         return 1.0 if drive.dynamic_factor is None else drive.dynamic_factor
     from .simulate.simulate import simulate
 
-    found = event() if event else simulate(clutch)[0]
-    factor = found.dynamic_factor
-    return max(factor.min, factor.mean, factor.max)
+    return (event() if event else simulate(clutch)[0]).largest_dynamic_factor
 
 
 def damaging_stress(part: Fatigue, rule: StressRule, load: Load) -> Values:

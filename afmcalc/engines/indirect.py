@@ -4,7 +4,7 @@ from dataclasses import replace
 from typing import Literal
 
 from ..arrays import Values, checked_friction, is_array, larger, smaller
-from ..equations import indirect
+from ..equations import accuracy, indirect
 from ..findings import Finding
 from ..messages import say
 from ..spec.models import Method, Spec
@@ -166,7 +166,7 @@ class IndirectClutch(Clutch):
         """K_т (S21 (15), with the stop)."""
         own = self.friction[0]
         if self.law.made_control_force is not None or self.law.curved is not None or not self.law.straight:
-            ratio: Values = self.torque_max / self.torque_min
+            ratio: Values = accuracy.accuracy_factor_of_torques(self.torque_max, self.torque_min)
             return ratio
         factor: Values = indirect.accuracy_factor(
             own.min,

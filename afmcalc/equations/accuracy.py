@@ -97,6 +97,21 @@ def scatter_band(torque_max: Number, torque_min: Number) -> Number:
     return torque_max - torque_min
 
 
+def accuracy_factor_of_torques(torque_max: Number, torque_min: Number) -> Number:
+    """Accuracy factor, T_max/T_min.
+
+    Source: Theory, section 3 (beyond F11).
+
+    Args:
+        torque_max: T_max, largest torque [N*m].
+        torque_min: T_min, smallest torque [N*m].
+
+    Returns:
+        K_т [1].
+    """
+    return torque_max / torque_min
+
+
 def accuracy_factor_worst_case(torque_max: Number, torque_min: Number) -> Number:
     """Accuracy factor with f_1 and f_2 independent: largest over smallest torque of the four corners of their ranges.
 

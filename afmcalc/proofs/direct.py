@@ -67,6 +67,7 @@ def accuracy_factor_is_the_ratio_of_torques() -> Steps:
     torques = [direct.torque(F, R, z1, z2, C, a, b) for a, b in ((f1max, f2max), (f1min, f2min))]
     factor = accuracy.accuracy_factor(z1, z2, C, f1min, f2min, f1max, f2max)
     yield Identity("(14) = T(f_max)/T(f_min)", factor - torques[0] / torques[1])
+    yield Identity("of the two torques", accuracy.accuracy_factor_of_torques(*torques) - factor)
     yield Identity("of any two corners", accuracy.accuracy_factor_worst_case(*torques) - factor)
     yield Identity("by peaks, where T is the peak", accuracy.accuracy_factor_peak(*torques) - factor)
     yield Identity("ΔT = (K_т − 1) T(f_min)", accuracy.scatter_band(*torques) - (factor - 1) * torques[1])

@@ -92,3 +92,19 @@ def test_adjust_says_what_it_sets_anew(example, change, code, values, afmcalc):
     assert {each["code"]: each["message"] for each in run["findings"] if values in each["message"]}.keys() == {code}
     plain = afmcalc("adjust", "example:indirect", "--json").json
     assert not {"control-spring-re-set", "pockets-re-cut"} & {each["code"] for each in plain["findings"]}
+
+
+@pytest.mark.parametrize(
+    ("example", "change"), [("indirect", "control_spring.force=5500"), ("constant-torque", "name=x")]
+)
+def test_among_its_variants_a_clutch_stands_as_it_is(example, change, afmcalc):
+    """The control spring and the pockets as made: with both springs set by S21 (14) K_т were 2.1304, not 2.1868."""
+    spec = f"example:{example}"
+    torque = afmcalc("torque", spec, "--set", change, "--json").json["result"]
+    rows = afmcalc("compare", spec, "--variants", "--set", change, "--json").json["result"]["clutches"]
+    as_made = [row for row in rows if row["variant"] == "indirect"]
+    assert [row["basis"] for row in as_made] == ["spring force", "nominal torque"]
+    for row in as_made:
+        assert {
+            key: row[key] for key in ("closing_force", "torque", "accuracy_factor", "scatter")
+        }.items() <= torque.items()

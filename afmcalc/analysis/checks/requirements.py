@@ -79,15 +79,14 @@ def _most(found: Triple | OpenTriple | None) -> float | None:
     return max((each for each in values if each is not None), default=None)
 
 
-def _open(found: Triple | OpenTriple | None) -> bool:
-    """Whether a slip has not ended at some friction, so that there is no largest."""
-    return found is not None and None in vars(found).values()
-
-
-def _peak(clutch: Clutch, found: Any) -> float | None:
-    """The largest in the shaft, also where the bypass pairs may hold first."""
-    slipping: float | None = _most(found.peak_torque)
-    return slipping if found.peak_torque_bypass is None else max(slipping or 0.0, found.peak_torque_bypass)
+def _of_heat(name: str, needs: str) -> Judged:
+    """Judge the largest of a trip; where a slip has not ended at some friction, it may be more."""
+    return Judged(
+        "heat",
+        lambda clutch, found: _most(getattr(found, name)),
+        needs=needs,
+        open=lambda found: getattr(found, name) is not None and None in vars(getattr(found, name)).values(),
+    )
 
 
 def _cycles(clutch: Clutch, found: Any) -> float:
@@ -108,26 +107,11 @@ JUDGED: dict[str, Judged] = {
     "surface_pressure": Judged("torque", _mean_pressure, needs="friction_group.inner_radius and outer_radius"),
     "travel": Judged("torque", lambda clutch, found: _most(found.travel), needs="a sleeve that travels (indirect)"),
     "reduced_gain": Judged("torque", lambda clutch, found: found.reduced_gain),
-    "peak_torque": Judged("simulate", _peak, needs="[drive] with an event"),
+    "peak_torque": Judged("simulate", lambda clutch, found: found.judged_peak, needs="[drive] with an event"),
     "exceedance": Judged("tolerance", _exceedance, needs="[tolerance], its torque_limit absent or that torque_max"),
-    "work": Judged(
-        "heat",
-        lambda clutch, found: _most(found.specific_work),
-        needs="[drive], [heat] and both radii",
-        open=lambda found: _open(found.specific_work),
-    ),
-    "temperature": Judged(
-        "heat",
-        lambda clutch, found: _most(found.temperature),
-        needs="[drive] and [heat]",
-        open=lambda found: _open(found.temperature),
-    ),
-    "face_temperature": Judged(
-        "heat",
-        lambda clutch, found: _most(found.face_temperature),
-        needs="[drive], [heat] with conductivity and density, and both radii",
-        open=lambda found: _open(found.face_temperature),
-    ),
+    "work": _of_heat("specific_work", "[drive], [heat] and both radii"),
+    "temperature": _of_heat("temperature", "[drive] and [heat]"),
+    "face_temperature": _of_heat("face_temperature", "[drive], [heat] with conductivity and density, and both radii"),
     "contact_pressure": Judged(
         "synthesize",
         lambda clutch, found: found.contact_pressure,

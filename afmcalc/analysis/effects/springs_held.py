@@ -3,6 +3,7 @@
 from dataclasses import replace
 from typing import TypeVar
 
+from ...arrays import Values
 from ...engines.laws import IndirectLaw
 from ...engines.protocol import Clutch
 
@@ -31,7 +32,7 @@ def with_gain(clutch: C, gain: float) -> C:
     return replace(own, law=replace(own.law, gain=max(gain, float(clutch.gain_threshold or 0.0))))
 
 
-def with_pairs(clutch: C, bypass: float, controlled: float) -> C:
+def with_pairs(clutch: C, bypass: Values, controlled: Values) -> C:
     """The clutch with pairs that count in part."""
     own = held(clutch)
     if isinstance(own.law, IndirectLaw):

@@ -21,7 +21,10 @@ def bypass_peak(clutch: Clutch) -> float | None:
     first, second = (own.max for own in clutch.friction)
     if not clutch.breakaway_torque(first, second) > clutch.torque(first, second) * (1 + 1e-9):
         return None
-    # the load before the event stays that of the clutch as it is
+    return case_of(bypass_alone(clutch), first, second).run().peak
+
+
+def bypass_alone(clutch: Clutch) -> Clutch:
+    """Return the clutch with its bypass pairs only; the load before the event stays that of the clutch as it is."""
     loaded = with_value(clutch.spec, ("drive", "load_torque"), train_of(clutch).load)
-    alone = replace(with_pairs(clutch, float(clutch.bypass_pairs), 0.0), spec=loaded)
-    return case_of(alone, first, second).run().peak
+    return replace(with_pairs(clutch, clutch.bypass_pairs, 0.0), spec=loaded)

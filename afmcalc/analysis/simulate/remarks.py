@@ -8,6 +8,7 @@ from ...equations import drive as law
 from ...findings import Finding, Level, finding
 from .cases import Outcome
 from .plant import Plant
+from .result import SimulateResult
 from .train import Train
 
 _ENDS = ("f_min", "f_cp", "f_max")
@@ -20,10 +21,11 @@ _LATE: tuple[tuple[str, Level], ...] = (
 _CLOSED = 1e-6
 _NEAR = 1e-3
 """Relative difference below which a figure of the spec is what the simulation gives."""
+_ROUNDING = 1e-9
 
 
-def remarks_of(clutch: Clutch, train: Train, found: Sequence[Outcome]) -> list[Finding]:
-    """Return the remarks on an event, ``found`` at f_min, mean friction and f_max."""
+def remarks_of(clutch: Clutch, train: Train, found: Sequence[Outcome], result: SimulateResult) -> list[Finding]:
+    """Return the remarks on an event, ``found`` at f_min, mean friction and f_max, and on its ``result``."""
     return [
         _inertia(train, found),
         *_ordinary(train, found),
@@ -31,7 +33,7 @@ def remarks_of(clutch: Clutch, train: Train, found: Sequence[Outcome]) -> list[F
         *_endless(train, found),
         *_unclosed(found),
         *_lag(clutch, found),
-        *_dynamic_factor(clutch, found),
+        *_dynamic_factor(clutch, result),
         *_judder(clutch, train, found),
     ]
 
@@ -56,7 +58,7 @@ def _ordinary(train: Train, found: Sequence[Outcome]) -> list[Finding]:
         inertia = train.driven_inertia + train.hub_inertia
         said.append(finding("ordinary-carries-hub", "info", value=inertia, path="drive.hub_inertia"))
     carried = min(each.ordinary.sliding for each in found)
-    if carried < load * (1 - 1e-9):
+    if carried < load * (1 - _ROUNDING):
         path = "adjustment.method"
         said.append(finding("ordinary-slips-before-event", "info", value=carried, limit=load, path=path))
     return said
@@ -68,7 +70,7 @@ def _before(train: Train, found: Sequence[Outcome]) -> list[Finding]:
     load, motor = train.load, float(train.engine.at(train.speed))
     for end, each in zip(_ENDS, found, strict=True):
         carried = each.case.plant.breakaway
-        if carried < load:
+        if carried < load * (1 - _ROUNDING):
             path = "drive.load_torque"
             said.append(finding("slips-before-event", "error", value=carried, limit=load, path=path, at=end))
     if abs(motor - load) > _NEAR * max(load, motor):
@@ -125,9 +127,9 @@ def _lag(clutch: Clutch, found: Sequence[Outcome]) -> list[Finding]:
     return [finding("release-lag", "info", value=at, limit=expected, path=path, share=share, held=held)]
 
 
-def _dynamic_factor(clutch: Clutch, found: Sequence[Outcome]) -> list[Finding]:
+def _dynamic_factor(clutch: Clutch, result: SimulateResult) -> list[Finding]:
     """Say that the dynamic factor given, which the life takes, is smaller than that of the event."""
-    assumed, computed = clutch.spec.drive.dynamic_factor, max(each.dynamic_factor for each in found)
+    assumed, computed = clutch.spec.drive.dynamic_factor, result.largest_dynamic_factor
     if clutch.spec.fatigue is None or assumed is None or computed <= assumed * (1 + _NEAR):
         return []
     path = "drive.dynamic_factor"

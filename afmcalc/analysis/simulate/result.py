@@ -29,6 +29,9 @@ class SimulateSweep(Series):
     peak_torque_mean: list[float] = quantity("N*m", "T_peak(f_cp)", "peak torque in the shaft at the mean friction")
     peak_torque_min: list[float] = quantity("N*m", "T_peak(f_min)", "peak torque in the shaft at f_min")
     peak_torque_clutch: list[float] = quantity("N*m", "T_peak,c", "peak torque at the clutch at f_max")
+    peak_torque_bypass: list[float | None] | None = quantity(
+        "N*m", "T_peak,1", "peak torque in the shaft at f_max if the bypass pairs alone carry", optional=True
+    )
     dynamic_factor: list[float] = quantity("1", "k_д", "peak torque in the shaft over sliding torque at f_max")
     inertia_torque: list[float] = quantity("N*m", "T_J", "inertia torque ω_0 √(k (J_2 + J_h))")
 
@@ -74,3 +77,14 @@ class SimulateResult(Answer):
     energy_residual: float = quantity("1", "ε", "largest relative error of the energy balance")
     points: list[SimulatePoint] | None = quantity("", None, "at the friction asked for", optional=True)
     sweep: list[SimulateSweep] | None = quantity("", None, "peaks over the swept values", optional=True, columns=True)
+
+    @property
+    def judged_peak(self) -> float:
+        """Largest peak torque in the shaft, that of the bypass pairs alone with it, N·m."""
+        return max(self.peak_torque.min, self.peak_torque.mean, self.peak_torque.max, self.peak_torque_bypass or 0.0)
+
+    @property
+    def largest_dynamic_factor(self) -> float:
+        """Largest peak torque in the shaft over the sliding torque of its friction."""
+        slipping = max(self.dynamic_factor.min, self.dynamic_factor.mean, self.dynamic_factor.max)
+        return max(slipping, (self.peak_torque_bypass or 0.0) / self.sliding_torque.max)

@@ -81,7 +81,7 @@ def simulate(
     return result, [
         *clutch.findings(),
         *strains(clutch, found),
-        *remarks_of(clutch, train, found),
+        *remarks_of(clutch, train, found, result),
         *_wide("peak", _peaks(brackets)),
         *_wide("heat", _heats(brackets)),
         *([] if bypass is None else [finding("bypass-peak", "warning", value=bypass, limit=max(peaks))]),
@@ -94,8 +94,7 @@ def simulate(
 def with_dynamic_factor(spec: Spec, result: SimulateResult) -> dict[str, Any]:
     """Return the spec with the largest dynamic factor found, for the life of the unprotected side."""
     data = resolved(spec)
-    factor = result.dynamic_factor
-    data["drive"]["dynamic_factor"] = max(factor.min, factor.mean, factor.max)
+    data["drive"]["dynamic_factor"] = result.largest_dynamic_factor
     return data
 
 

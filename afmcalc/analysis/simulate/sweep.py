@@ -14,6 +14,7 @@ from ...findings import Finding, finding
 from ...messages import say
 from ...spec.models import Range
 from ..sweep.grid import Axis, series
+from .bypass import bypass_alone
 from .cases import swings_time, whole_time
 from .direct import DirectPack
 from .packs import pack_of, without_hub
@@ -119,7 +120,9 @@ def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] |
         "dynamic_factor": lambda own: found.of(own).shaft[2] / found.of(own).sliding[2],
         "inertia_torque": lambda own: train_of(own).inertia_torque,
     }
-    told = series(SimulateSweep, clutch, sweeps, outputs)
+    if clutch.bypass_pairs and clutch.spec.kind.controlled:
+        outputs["peak_torque_bypass"] = bypass_peaks
+    told = series(SimulateSweep, clutch, sweeps, outputs, open_at=("peak_torque_bypass",))
     path, count = "drive.cut_off", found.rising
     return told, [finding("sweep-not-settled", "warning", value=count, path=path)] if count else []
 
@@ -128,8 +131,19 @@ def dynamic_factors(clutch: Clutch) -> Floats:
     """Largest T_peak/T over f_min, mean friction and f_max, of every clutch of a sweep."""
     first, second = map(_rows, clutch.friction)
     found = peaks_of(clutch, first, second)
-    largest: Floats = np.max(found.shaft / found.sliding, axis=0)
+    slipping = np.max(found.shaft / found.sliding, axis=0)
+    largest: Floats = np.fmax(slipping, bypass_peaks(clutch) / found.sliding[2])
     return largest
+
+
+def bypass_peaks(clutch: Clutch) -> Floats:
+    """Peaks in the shaft if the bypass pairs alone carry, as of ``bypass_peak``; NaN where they carry less, N·m."""
+    first, second = (own.max for own in clutch.friction)
+    sliding, breakaway = clutch.torque(first, second), clutch.breakaway_torque(first, second)
+    more = np.atleast_1d(breakaway > sliding * (1 + 1e-9))
+    if not more.any():
+        return np.full(more.shape, np.nan)
+    return np.where(more, peaks_of(bypass_alone(clutch), first, second).shaft, np.nan)
 
 
 class _Found:

@@ -66,9 +66,13 @@ S = TypeVar("S", bound=Series)
 
 
 def series(
-    kind: type[S], clutch: Clutch, axes: Sequence[Axis], outputs: Mapping[str, Callable[[Clutch], Values]]
+    kind: type[S],
+    clutch: Clutch,
+    axes: Sequence[Axis],
+    outputs: Mapping[str, Callable[[Clutch], Values]],
+    open_at: Sequence[str] = (),
 ) -> list[S] | None:
-    """Sweep ``outputs`` over the grid of ``axes``, one series per axis; None without axes."""
+    """Sweep ``outputs`` over the grid of ``axes``, one series per axis, NaN in ``open_at`` None; None without axes."""
     if not axes:
         return None
     from .points import evaluate
@@ -76,6 +80,7 @@ def series(
     points = grid(axes)
     values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
     answers = {name: array.tolist() for name, array in evaluate(clutch.spec, values, outputs).items()}
+    answers |= {name: [None if each != each else each for each in answers[name]] for name in open_at if name in answers}
     return [
         kind(parameter=axis.name, path=axis.key.path, unit=axis.key.unit or "1", values=given.tolist(), **answers)
         for axis, given in zip(axes, points, strict=True)

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
+from afmcalc.analysis.accuracy import accuracy
 from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.explain.formula import FormulaText
 from afmcalc.analysis.explain.trace import distinct, recording, with_roles
@@ -461,3 +462,11 @@ def test_a_number_with_its_unit_is_raised_as_a_whole_in_a_report():
     for line in (False, True):
         assert text.latex_with_numbers(line=line).count("m}") == 2
         assert re.search(r"\(0\.12.{0,12}m\}.{0,7}\)\^\{2\}", text.latex_with_numbers(line=line))
+
+
+@pytest.mark.parametrize("force", [2500, 5500, 9000])
+def test_accuracy_of_springs_as_made_has_a_step(force):
+    spec = read_spec("example:indirect", [f"control_spring.force={force}"])
+    found, _ = explain("accuracy", spec)
+    values = {step.symbol: step.value for step in found.steps}
+    assert values["K_т"] == pytest.approx(accuracy(build(spec))[0].accuracy_factor, rel=1e-12)

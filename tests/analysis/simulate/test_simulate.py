@@ -12,6 +12,7 @@ from drives import REFERENCE, VARIANTS, begun, clutch, light, merged, plant, run
 
 from afmcalc.analysis.simulate.cases import case_of, outcome_of
 from afmcalc.analysis.simulate.simulate import simulate
+from afmcalc.analysis.simulate.sweep import dynamic_factors
 from afmcalc.analysis.sweep.axes import parse_axis
 from afmcalc.analysis.tolerance.peaks import SAMPLES
 from afmcalc.analysis.tolerance.streams import REPLICATES
@@ -262,6 +263,22 @@ def test_above_the_gain_limit_the_peak_judged_is_that_of_the_bypass_pairs(afmcal
     assert slipping["result"]["peak_torque"]["max"] < single
     assert slipping["result"]["peak_torque_bypass"] == row["value"]
     assert "bypass-peak" in {each["code"] for each in slipping["findings"]}
+    # the same peak in the column of a sweep, none where the balls hold first; the dynamic factor of a life is by it
+    swept = afmcalc("simulate", CONFIGS / "drive.toml", *own, "--sweep", "control_unit.gain=0.5,5", "--json").json
+    below, above = swept["result"]["sweep"][0]["peak_torque_bypass"]
+    assert (below, above) == (None, pytest.approx(single, rel=1e-3))
+    factor = single / slipping["result"]["sliding_torque"]["max"]
+    lasting = afmcalc("life", CONFIGS / "drive.toml", *own, "--json").json["result"]
+    assert lasting["dynamic_factor"] == pytest.approx(factor, rel=1e-6)
+    assert dynamic_factors(build(spec))[0] == pytest.approx(factor, rel=1e-3)
+
+
+def test_a_load_that_is_carried_but_for_rounding_is_carried():
+    """Margin 1: a load of T_н, which is also what the clutch carries at f_min."""
+    own = light()
+    carried = case_of(own, own.friction[0].min).plant.breakaway
+    assert "slips-before-event" not in codes(light(drive={"load_torque": carried * (1 + 1e-12)}))
+    assert "slips-before-event" in codes(light(drive={"load_torque": carried * (1 + 1e-6)}))
 
 
 @pytest.mark.parametrize("friction", [0.1, 0.8])
