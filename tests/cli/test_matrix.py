@@ -42,7 +42,7 @@ def cases():
             yield ["check", spec, *short, "--set", f"{key}={value}"], language
 
 
-@pytest.mark.parametrize("step", [211, pytest.param(1, marks=pytest.mark.exhaustive)])
+@pytest.mark.parametrize("step", [211, pytest.param(7, marks=pytest.mark.exhaustive)])
 def test_a_result_or_a_sentence(step, afmcalc, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     wrong = []
