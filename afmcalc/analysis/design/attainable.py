@@ -89,7 +89,9 @@ def _of_tile(need: Requirements, variant: Variant, tile: Tile, most: int) -> Bes
 
 
 def _keep(found: dict[tuple[str, ...], list[Attainable]], missed: tuple[Constraint, ...], values: list[float]) -> None:
-    """Take in what is better than what was found before."""
+    """Take in what is better than what was found before; what has no number is nothing to bargain for."""
+    if not np.isfinite(values).all():
+        return
     names = tuple(f"{bound.name} {_sense(bound)}" for bound in missed)
     rows = [
         Attainable(
