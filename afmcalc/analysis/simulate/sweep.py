@@ -98,6 +98,8 @@ def step_of(train: Train, pack: DirectPack | Sleeve, steps_a_swing: int = STEPS_
         straight = np.maximum(stiffness, _YIELDING * train.stiffness)
         swinging = (straight * (1 / train.hub_inertia + 1 / train.driven_inertia)) ** 0.5
         step = np.clip(2 * np.pi / (swinging * _BALLS), step / _FINEST, step)
+        # discs that stick and break loose while the balls swing: the peak comes closer by the first order alone
+        step = np.where(np.asarray(pack.static_ratio) > 1, step / 2, step)
     return step
 
 
