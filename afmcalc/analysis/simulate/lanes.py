@@ -190,9 +190,11 @@ class SleeveLanes:
             keeps = [np.sqrt(b / a) for a, b in walls]
             takes = [1 / a + 1 / np.sqrt(a * b) for a, b in walls]
             swing, kept = speed * (takes[0] + keeps[0] * takes[1]), keeps[0] * keeps[1]
-            seated = (swing < (1 - kept) * left) | (swing < _SWING_OVER)
+            # only where both walls send the balls back is there such a swing
+            swings = (np.minimum(out, home) > 0) & (np.minimum(*walls[0]) > 0)
+            seated = swings & ((swing < (1 - kept) * left) | (swing < _SWING_OVER))
             count = np.where(kept < 1, np.log1p(-(1 - kept) * left / swing) / np.log(kept), left / swing)
-            count = np.floor(np.nan_to_num(count, nan=0.0, posinf=0.0, neginf=0.0))
+            count = swings * np.floor(np.nan_to_num(count, nan=0.0, posinf=0.0, neginf=0.0))
             passed = np.where(kept < 1, swing * (1 - kept**count) / (1 - kept), swing * count)
             left = left - np.where(count > 0, passed, 0.0)
             speed = speed * np.where(count > 0, kept**count, 1.0)

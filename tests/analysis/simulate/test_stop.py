@@ -248,3 +248,13 @@ def test_a_peak_that_has_passed_is_not_found_again_beside_others():
     assert together.passed.all()
     assert together.shaft == pytest.approx([each.peak for each in alone], rel=2e-3)
     assert together.clutch == pytest.approx([each.peak_clutch for each in alone], rel=5e-3)
+
+
+def test_lanes_that_are_stepped_on_stay_where_the_event_is():
+    """Balls that one wall alone sends back swing no more: taken for a swing over both, it threw them about at 0.38 s."""
+    clutch = issue(**{"drive.cut_off": 0.05, "friction.max": 0.3779})
+    train, pack = train_of(clutch), pack_of(clutch, np.array([0.3779]), np.array([0.3779]))
+    found = march(train, pack, np.broadcast_to(step_of(train, pack), (1,)).astype(float), 8000)
+    event = outcome_of(clutch, 0.3779).trip
+    assert found.peak == pytest.approx(event.peak, rel=1e-3)
+    assert found.peak_clutch == pytest.approx(event.peak_clutch, rel=5e-3)
