@@ -39,6 +39,7 @@ def shaft() -> Steps:
     peak = sp.nsimplify(drive.stop_torque(J2, a, T + above, T) - J2 * a, rational=True)
     wound = k * a * sp.sqrt(2 * above / (k * a))  # rate of the torque as the slip begins, at t_1
     yield Identity("V4: amplitude about T + J_2 a", peak**2 - (J2 * a) ** 2 - (wound / natural) ** 2)
+    yield Identity("V4: a shaft that is loaded by T already swings to T + 2 J_2 a", peak.subs(above, 0) - J2 * a)
 
 
 def _rooted(root: sp.Expr) -> sp.Expr:
