@@ -40,7 +40,7 @@ def equations() -> dict[str, Equation]:
     package = __name__.rpartition(".")[0]
     found: dict[str, Equation] = {}
     for module in pkgutil.iter_modules(import_module(package).__path__):
-        if module.name.startswith("_") or module.name == "catalogue":
+        if module.name.startswith("_") or module.name in ("calls", "catalogue"):
             continue
         namespace = import_module(f"{package}.{module.name}")
         for name, function in inspect.getmembers(namespace, inspect.isfunction):
