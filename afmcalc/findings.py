@@ -1,13 +1,13 @@
-"""Findings: what a designer should know about a legal design."""
+"""Findings: what a designer should know about a legal design, and the sentence of each."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
 from pydantic import Field
 
 from .arrays import finite
-from .messages import sentence
+from .messages import Text
 from .source import Unlikely
 
 Level = Literal["info", "warning", "error"]
@@ -36,7 +36,7 @@ def finding(
     path: str | None = None,
     **values: object,
 ) -> Finding:
-    """Make a finding whose sentence is that of its code in ``messages.FINDINGS``.
+    """Make a finding whose sentence is that of its code in ``FINDINGS``.
 
     Args:
         code: short name that scripts may rely on; one with several sentences is followed by ``/case``.
@@ -49,12 +49,13 @@ def finding(
     Raises:
         OverflowError: a number is beyond the range of numbers: it would be told as nan or inf.
     """
-    for each in (value, limit, *values.values()):
-        if isinstance(each, float):
-            finite(each)
-    said = {"value": value, "limit": limit, "path": path, **values}
-    number, bound = (each if each is None or type(each) is int else float(each) for each in (value, limit))
-    return Finding(level, code.partition("/")[0], sentence(code, said), number, bound, path)
+    values = {"value": value, "limit": limit, "path": path, **values}
+    for number in values.values():
+        if isinstance(number, float):
+            finite(number)
+    # a float of NumPy is no float of JSON
+    value, limit = (number if number is None or type(number) is int else float(number) for number in (value, limit))
+    return Finding(level, code.partition("/")[0], Text(FINDINGS[code], values), value, limit, path)
 
 
 def doubts(found: Iterable[Unlikely]) -> list[Finding]:
@@ -65,7 +66,317 @@ def doubts(found: Iterable[Unlikely]) -> list[Finding]:
     ]
 
 
-def worst(findings: list[Finding]) -> Level | None:
-    """Return the gravest level present."""
-    order: tuple[Level, ...] = ("error", "warning", "info")
-    return next((level for level in order if any(finding.level == level for finding in findings)), None)
+FINDINGS: Mapping[str, str] = {
+    "slips-averaged": "every slip swings the load from {value:.5g N·m} (fatigue.load_low) to T(f) and back; every "
+    "friction from f_min to f_max is taken as equally likely, and the life is that of the mean damage (Miner)",
+    "bad-spec": "{where}: {problem}",
+    # torque, accuracy, overload, compare
+    "friction-outside-range": "friction {value:g} is outside the range of the spec, {least:g} to {largest:g}",
+    "sweep-beyond-gain-limit": "{value} of {points} swept points lie above the gain limit 1/(z_1 f_1max): breakaway "
+    "peaks there exceed the sustained torque, K_т,p is the accuracy factor with them",
+    "published-against-equilibrium": "trust the equilibrium torque: at slip the load equals T_муф for every margin. "
+    "The published T_ср = T_п − ΔT' (S22 (14)) swaps the weights of T_п and T_н.маш against the paper's own (12) "
+    "(misprint M12); where the release force lags the load (impact), the trip lies between T_муф and T_п",
+    "elasticity-one-sided": "at C_1 = C_1* = {limit:.4g 1/mm} K_т has a kink, it grows on either side: each elasticity "
+    "is that of one side only",
+    "margin-role": "S22 sets the clutch at f_min: the margin is taken as T_н.муф/T_н.маш with T_н.муф = T(f_min) of "
+    "the spring as set, not as the surplus force of the mean-friction setting",
+    "narrower-below-nominal": "the narrower band is that of {method}, with which the torque falls to {value:.5g N·m} "
+    "in service: below the clutch's nominal torque {limit:.5g N·m}, within the margin over the machine's "
+    "{machine:.5g N·m}",
+    "narrower-below-nominal/machine": "the narrower band is that of {method}, with which the torque falls to "
+    "{value:.5g N·m} in service: below the nominal torque {limit:.5g N·m} of the clutch and that of the machine, "
+    "{machine:.5g N·m}",
+    "variant-not-possible": "not as {variant}: {lacks}",
+    # adjust
+    "control-spring-re-set": "both methods set the control spring by S21 (14), to {at_min:.5g kN} and "
+    "{at_mean:.5g kN}: the clutch as made has {value:.5g kN}",
+    "pockets-re-cut": "a pocket that holds the torque is cut for its springs: set at f_min it takes the slope "
+    "{at_min:.5g 1/m}, at the mean friction {at_mean:.5g 1/m}; the clutch as it is has {value:.5g 1/m}",
+    # life
+    "life-not-limited/extrapolated": "{side} side: the damaging stress, {value:.4g MPa}, springs as set, is below the "
+    "endurance limit {limit:.4g MPa}: life is not limited by fatigue (the number extrapolates the S-N line, as the "
+    "paper does)",
+    "life-not-limited/no-number": "{side} side: the damaging stress, {value:.4g MPa}, springs as set, is below the "
+    "endurance limit {limit:.4g MPa}: life is not limited by fatigue (no number is given)",
+    "life-limited": "{side} side: fatigue limits its life to {value:,.0f} slips, springs as set: the damaging stress, "
+    "{stress:.4g MPa}, is above the endurance limit {endurance:.4g MPa}",
+    "static-strength-exceeded": "the largest stress of the {side} side, {value:.4g MPa}, reaches the ultimate "
+    "strength {limit:.4g MPa}: the shaft fails at once",
+    "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
+    "band at equal mean costs nothing (M23); --model amplitude or goodman weighs it",
+    # simulate
+    "bypass-peak": "above the gain limit the bypass pairs alone may hold before the balls take over: the peak in the "
+    "shaft is then up to {value:.4g N·m}, not {limit:.4g N·m}; requirements.peak_torque is judged by it",
+    "inertia-torque": "a tool that stops before the slipping clutch has swung out has the shaft twisted by what turns "
+    "behind the discs, by up to ω_0 √(k (J_2 + J_h)) = {value:.4g N·m} beyond the sliding torque ({limit:.4g N·m} at "
+    "f_max): no clutch removes it, only a softer shaft, less inertia behind the discs, less speed or a slower stop",
+    "inertia-torque/slow": "the stop lasts longer than half a swing of the shaft ({swing:.4g s}): what turns behind "
+    "the discs loads the shaft with up to J a + √(J a [J a + 2 (T − T_0)]) = {value:.4g N·m} beyond the sliding torque "
+    "({limit:.4g N·m} at f_max), J = J_2 + J_h, a = ω_0/t_b, whatever its stiffness: only less inertia behind the "
+    "discs, less speed or a slower stop lowers it",
+    "ordinary-carries-hub": "the ordinary clutch of equal T_н has no control unit: the hub turns with its driven half, "
+    "J_2 + J_h = {value:.4g} kg·m² behind its discs",
+    "ordinary-slips-before-event": "the ordinary clutch of equal T_н carries only {value:.5g N·m} somewhere in the "
+    "friction range, less than the load of {limit:.5g N·m} before the event: it is no alternative",
+    "slips-before-event": "at {at} the clutch carries {value:.5g N·m}, less than the load of {limit:.5g N·m} before "
+    "the event: it slips all the time",
+    "drive-not-in-balance": "before the event the motor gives {value:.5g N·m} against a load of {limit:.5g N·m}: "
+    "the drive does not run steadily",
+    "motor-never-stops": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch ({value:.5g N·m}): "
+    "the slip does not end; give a cut-off (drive.cut_off)",
+    "motor-never-stops/held": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
+    "({value:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises): the slip does not end; "
+    "give a cut-off (drive.cut_off)",
+    "motor-stops-at-cut-off": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
+    "({value:.5g N·m}): the slip lasts until the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
+    "motor-stops-at-cut-off/held": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
+    "({value:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises): the slip lasts until "
+    "the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
+    "energy-not-closed": "the energy of the event does not close, {value:.2g} of it is missing: do not trust this "
+    "result, and report the spec",
+    "release-lag": "at f_max the drive trips at {value:.5g N·m}: {share:.0%} of the way from T_муф = {limit:.5g N·m}, "
+    "where the release force follows at once, to T_п = {held:.5g N·m}, where it does not follow (S22)",
+    "slip-outlasts-duration": "at {at} the slip has not ended within the {value:.4g s} that are simulated",
+    "event-not-settled": "at {at} the drive has neither come to rest nor to a steady run within the {value:.4g} s that "
+    "are simulated: it may slip again, and the peak may yet rise (a motor that stalls swings the shaft up until it is "
+    "switched off, drive.cut_off)",
+    "stop-bracket/peak": "at {at} the peak torque depends on how the key holds the sleeve at its stop: "
+    "{value:.5g N·m} … {limit:.5g N·m} with the normal force along κ … κ₊; vibration loosens a key",
+    "stop-bracket/heat": "at {at} the heat depends on how the key holds the sleeve at its stop: {value:.4g kJ} … "
+    "{limit:.4g kJ} with the normal force along κ … κ₊; vibration loosens a key",
+    "stop-bracket/open": "at {at} it depends on how the key holds the sleeve at its stop whether the slip ends: after "
+    "{value:.4g kJ} or not at all, with the normal force along κ … κ₊; vibration loosens a key",
+    "sweep-not-settled": "{value} of the swept drives have neither come to rest nor to a steady run as their "
+    "simulation ends: their peaks may yet rise",
+    "event-contact-force": "at {at} the event presses a ball against its wall with {value:.5g kN}; {limit:.5g kN} is "
+    "allowable",
+    "event-ball-leaves-pocket": "at {at} the sleeve travels {value:.5g mm} in the event: beyond {limit:.5g mm} the "
+    "ball runs on the edge of its pocket",
+    "event-clearance": "at {at} the sleeve travels {travel:.5g mm} in the event, which leaves the ball {value:.4g mm} "
+    "to the edge of its pocket instead of {limit:.4g mm}: a larger ball, or stiffer springs",
+    "event-spring-let-go": "at {at} the sleeve travels {value:.5g mm} in the event: at {limit:.5g mm} the closing "
+    "spring presses no more",
+    "event-spring": "in the event, where the sleeve travels {travel:.5g mm}, a spring does not hold: {what}",
+    "dynamic-factor-exceeded": "the event loads the shaft with {value:.4g} times the sliding torque; the life of the "
+    "unprotected side takes {limit:g}, as given; without drive.dynamic_factor it takes that of the event",
+    "judder": "slow slip is not steady: friction that falls with speed takes {value:.3g N·m·s} from the damping of "
+    "{limit:.3g N·m·s} (an ordinary clutch of equal T_н: {ordinary:.3g N·m·s}); it may judder as the slip ends",
+    # control unit
+    "hub-too-large": "a hub of {value:.5g mm} does not go into the clutch: balls and discs leave it {limit:.5g mm}",
+    "balls-overlap": "{balls} balls of {value:.5g mm} do not fit on the ball circle: their centres are "
+    "{limit:.5g mm} apart",
+    "default-clearance": "{path} is not given: {value:g mm} is taken (S21: 2…3 mm)",
+    "no-sleeve-travel": "a direct clutch has no sleeve: x_max is 0; allow for wear and disc release in the clearance",
+    "ball-reaches-axis": "a ball of radius {value:.5g mm} reaches the axis: its centre lies {limit:.5g mm} from it",
+    "pockets-overlap": "{balls} pockets cut into each other: each is {value:.5g mm} wide at the face, their centres "
+    "are {limit:.5g mm} apart",
+    "depth-beyond-sleeve": "the pockets, cut {value:.5g mm} deep, go through the sleeve of {limit:.5g mm}",
+    "no-standard-ball": "no standard ball is as large as {value:.5g mm}, the largest is {limit:.5g mm}: change gain, "
+    "springs, gap or list",
+    "ball-too-small": "the ball given, {value:.5g mm}, is smaller than the {limit:.5g mm} that travel, gap and "
+    "clearance need",
+    "wall-undercut": "no curved wall for this ball: travel, gap and clearance need a ball of at least "
+    "{needed:.5g mm}, it is {value:.5g mm}, and from {limit:.5g mm} on the ball undercuts the wall: softer springs, a "
+    "smaller gap or clearance make it possible",
+    "wall-undercut/gain": "no curved wall for this ball: travel, gap and clearance need a ball of at least "
+    "{needed:.5g mm}, it is {value:.5g mm}, and from {limit:.5g mm} on the ball undercuts the wall: a gain of "
+    "{gain:.4g} makes it possible; so do softer springs, a smaller gap or clearance",
+    "both-sleeves-unstable": "with the curved wall in both sleeves nothing makes the ball share the travel equally: "
+    "F_o (tan α_1 − tan α_2) drives it on into the steeper wall. Give it a cage, or profile one sleeve",
+    "ball-slides-in-seat": "the ball stays seated in the sleeve with the straight walls and slides there: the gain is "
+    "that of rolling only as far as its friction is small",
+    "balls-not-given": "the number of balls is not given: neither the contact force is calculated nor whether they fit",
+    "control-unit-not-judged": "{path} is not given: whether balls and pockets can be made is not judged",
+    "contact-force-exceeded": "the contact force {value:.5g kN} exceeds the allowable {limit:.5g kN}",
+    "contact-force-exceeded/hertz": "the contact force {value:.5g kN} exceeds the {limit:.5g kN} that Hertz allows: "
+    "the contact pressure is {reached:.5g MPa}, allowable {allowed:.5g MPa}",
+    "contact-assumed": "control_unit.contact is not given: ball and wall are taken as hardened steel, "
+    "{modulus:.5g GPa}, Poisson's ratio {poisson:g}, contact pressure at most {limit:.5g MPa}: it is {value:.5g MPa}",
+    # heat
+    "temperature-exceeded": "discs or faces reach {celsius:.4g} °C in one trip: above the {low:g}…{high:g} °C that "
+    "{name} allows",
+    "temperature-in-range": "discs or faces reach {celsius:.4g} °C in one trip: within the printed range of what "
+    "{name} allows, {low:g}…{high:g} °C",
+    "discs-melt": "steel discs or their faces would reach {celsius:.4g} °C in one trip: iron melts at {melts:.0f} °C "
+    "(CRC Handbook), steel below it; more mass, less heat or an earlier cut-off is needed",
+    "temperature-beyond-catalogue": "discs or faces reach {celsius:.4g} °C in one trip: no material of the catalogue "
+    "allows more than {allowed:g} °C ({name})",
+    "faces-not-judged": "the temperature of the faces is not known (it needs heat.conductivity, heat.density and both "
+    "radii): the mean of the discs, which is lower, is held against what {name} allows",
+    "lining-thick": "no heat.lining: the lining is taken as endlessly thick, a lower bound of the surface temperature",
+    "discs-take-all": "no lining_conductivity, lining_density and lining_specific_heat: the discs take all the heat of "
+    "the faces, an upper bound of their surface temperature",
+    "discs-thick": "no disc_mass: the discs are taken as endlessly thick, a lower bound of their surface temperature",
+    "spring-slack-before-worn": "the spring falls slack once each pair has worn by {value:.4g mm}, before its lining "
+    "of {limit:.4g mm} is gone: trips until it is gone are not told",
+    "heat-not-told": "not told, as these are not given: {listed}",
+    "heat-not-judged": "no temperature to hold the discs against: give requirements.temperature, or a material "
+    "of the catalogue that has one",
+    # effects
+    "splines-lock": "μ_s f R/r_s reaches {value:.3g}: from {limit:g} on a disc locks in its spline, and the pack no "
+    "longer follows spring and balls",
+    "cams-lock": "the friction of the walls leaves a gain of {value:.3g}, no more than {limit:.3g}: the cams are not "
+    "driven up, the clutch is an ordinary one",
+    "cams-stay": "the friction of the walls, {value:.3g}, is not below cot α = {limit:.3g}: no cam slides back",
+    "force-used-up": "{path} takes {value:.5g kN} from the {limit:.5g kN} that press the pack: nothing is left of it",
+    "effect-on-accuracy/spline-friction": "discs held in their splines: K_т lies between {low:.4g} and {high:.4g}, "
+    "the law says {limit:.4g}",
+    "effect-on-accuracy/sliding-cams": "cams that slide on their walls: K_т lies between {low:.4g} and {high:.4g}, "
+    "the law says {limit:.4g}",
+    "effect-on-accuracy/centrifugal": "balls thrown against conical pockets: K_т lies between {low:.4g} and "
+    "{high:.4g}, the law says {limit:.4g}",
+    "effect-on-accuracy/wear": "wear of the lining: K_т lies between {low:.4g} and {high:.4g}, the law says "
+    "{limit:.4g}",
+    "effect-on-torque/spline-friction": "discs held in their splines change the torque by up to {value:+.1%}",
+    "effect-on-torque/sliding-cams": "cams that slide on their walls change the torque by up to {value:+.1%}",
+    "effect-on-torque/centrifugal": "balls thrown against conical pockets change the torque by up to {value:+.1%}",
+    "effect-on-torque/wear": "wear of the lining changes the torque by up to {value:+.1%}",
+    "worn-below-machine": "its lining worn off, the clutch carries {value:.5g N·m} at least, less than the machine's "
+    "nominal torque {limit:.5g N·m}",
+    "worn-below-nominal": "its lining worn off, the clutch carries {value:.5g N·m} at least, below its nominal torque "
+    "{limit:.5g N·m} and within its margin over the machine's {machine:.5g N·m}",
+    "effect-not-told": "{name} is not told: it needs {listed}",
+    # requirements
+    "requirement-missed/number": "{name}: {value:.5g}, but {bound} {limit:.5g} is required",
+    "requirement-missed/torque": "{name}: {value:.5g N·m}, but {bound} {limit:.5g N·m} is required",
+    "requirement-missed/length": "{name}: {value:.5g mm}, but {bound} {limit:.5g mm} is required",
+    "requirement-missed/work": "{name}: {value:.5g J/mm²}, but {bound} {limit:.5g J/mm²} is required",
+    "requirement-missed/pressure": "{name}: {value:.5g MPa}, but {bound} {limit:.5g MPa} is required",
+    "requirement-missed/temperature": "{name}: {celsius:.5g} °C, but {bound} {allowed:.5g} °C is required",
+    "requirement-not-judged": "{name} not judged: needs {needs}",
+    # unusual
+    "unusual/friction": "a coefficient of friction of {value:.4g} is unusual: {low:g}…{high:g} is usual, the materials "
+    "of the catalogue have {least:g}…{most:g}",
+    "unusual/mean-radius": "a mean friction radius of {value:.4g mm} is unusual: {low:g mm…}{high:g mm} is usual",
+    "unusual/pairs": "{value:.0f} friction pairs are unusual: {low:g}…{high:g} are usual",
+    "unusual/margin": "a torque margin of {value:.4g} is unusual: {low:g}…{high:g} is usual",
+    "unusual/pressure": "the force on the pack, {value:.4g MPa} over a full disc of the mean radius, is unusual: "
+    "{low:g MPa…}{high:g MPa} is usual",
+    "unusual/deflection": "a spring deflected by {value:.4g mm} is unusual: up to {high:.4g mm}, the clutch's width "
+    "at the mean radius, is usual",
+    "unusual/wall-angle": "a wall angle of {value:.4g deg} is unusual: {low:.4g deg…}{high:.4g deg} is usual",
+    "unusual/ball-circle": "a ball-circle radius of {value:.4g mm} is unusual: {low:.4g mm…}{high:.4g mm}, 0.2 to 2 "
+    "times the mean friction radius, is usual",
+    # springs
+    "curved-springs": "{path}: torque, accuracy, tolerance, simulation, heat and effects follow its true "
+    "characteristic; sensitivities take a straight spring of the stiffness given",
+    "spring-too-weak": "{path}: pressed flat or solid it gives {value:.5g kN}, less than the {limit:.5g kN} as set",
+    "spring-slack": "{path}: let go by {value:.4g mm} in service it falls slack: as set it is pressed by "
+    "{limit:.4g mm}",
+    "spring-beyond-range": "{path}: used to {value:.3g} of its cone height; 0.15 to 0.75 is usual",
+    "spring-does-not-fit": "{path}: {what} {value:.5g mm}, the room has {limit:.5g mm}",
+    "disc-overstressed": "{path}: {value:.4g MPa} where the section turns, more than the {limit:.4g MPa} that a disc "
+    "bears: it sets",
+    "coil-index": "{path}: its index D/d is {value:.3g}; 4 to 20 is usual (EN 13906-1)",
+    "coil-solid": "{path}: pressed by {value:.4g mm} in service it is solid before, at {limit:.4g mm}",
+    "coil-gaps-closed": "{path}: pressed by {value:.4g mm} in service, more than the {limit:.4g mm} that leave its "
+    "turns the gaps of EN 13906-1: they may touch",
+    "coil-buckles": "{path}: pressed by {value:.4g mm} in service it buckles before, at {limit:.4g mm}: guide it "
+    "(shaft or bore by its room, within a wire's thickness)",
+    "coil-overstressed": "{path}: the shear stress in service is {value:.4g MPa}, more than the {limit:.4g MPa} that "
+    "the wire bears at rest (0.56 R_m, EN 13906-1): it sets",
+    "coil-stress-solid": "{path}: pressed solid the shear stress is {value:.4g MPa}, more than the {limit:.4g MPa} "
+    "that the wire bears (0.56 R_m, EN 13906-1): keep it from that",
+    "coil-fatigue": "{path}: it moves at every trip; with k_τ the shear stress is {value:.4g MPa}, more than the "
+    "{limit:.4g MPa} that the wire, not shot peened, bears for ever (Goodman, Zimmerli)",
+    "wire-not-judged": "{path}: EN 10270-1 has no wire of {value:.4g mm} (0.3 to 20 mm): its stress is not judged",
+    "stiffness-of-the-discs": "{path} is {value:.5g N/mm}, that of the discs as set {limit:.5g N/mm}: the law takes "
+    "their curve; leave the stiffness out, or the discs",
+    "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
+    "springs-miss": "{value:g} clutches are left out of the front: with straight springs of the stiffness searched "
+    "they pass a check, with the disc springs tried they fail it",
+    "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
+    "any-stiffness": "{path} is not given: any stiffness will do",
+    "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g kN}, more than the "
+    "allowable {limit:.5g kN}: the curved wall pushes the ball across it",
+    # surface pressure
+    "mean-pressure-exceeded": "surface pressure {value:.5g MPa} in the mean, utilisation {used:.3g}: "
+    "above the allowable {low:g MPa…}{high:g MPa} of {name}",
+    "mean-pressure-in-range": "surface pressure {value:.5g MPa} in the mean, utilisation {used:.3g}: "
+    "within the printed range of the allowable, {low:g MPa…}{high:g MPa} of {name}",
+    "mean-pressure": "surface pressure {value:.5g MPa} in the mean, utilisation {used:.3g}: "
+    "below the allowable {low:g MPa} of {name}",
+    "peak-pressure-exceeded": "surface pressure {value:.5g MPa} at the inner edge, utilisation {used:.3g}: "
+    "above the allowable {low:g MPa…}{high:g MPa} of {name}",
+    "peak-pressure-in-range": "surface pressure {value:.5g MPa} at the inner edge, utilisation {used:.3g}: "
+    "within the printed range of the allowable, {low:g MPa…}{high:g MPa} of {name}",
+    "peak-pressure": "surface pressure {value:.5g MPa} at the inner edge, utilisation {used:.3g}: "
+    "below the allowable {low:g MPa} of {name}",
+    "no-candidate": "none of {candidates:,} candidates meets every requirement: {listed}",
+    "no-candidate/attainable": "none of {candidates:,} candidates meets every requirement: {listed}; give up {names}",
+    "returning-covered": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
+    "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m} and within its margin over the machine's "
+    "{machine:.5g N·m}: the friction at the key holds the sleeve back",
+    "returning-below-nominal": "when friction falls from f_max to f_min under a load that lasts, the torque falls to "
+    "{value:.5g N·m}, below the clutch's nominal torque {limit:.5g N·m}: the friction at the key holds the sleeve back",
+    "unexpected-verdict": "{row}: {verdict}; on record is: {record}",
+    "below-nominal-torque": "the torque falls to {value:.5g N·m} in service, below the clutch's nominal torque "
+    "{limit:.5g N·m}",
+    "feedback-idle": "the gain is 0: the control unit gives no release force, the clutch is an ordinary one",
+    "feedback-idle/key": "C equals 2 R f_1/d = {limit:.5g}: the key holds the sleeve, the clutch is an ordinary one",
+    "gain-above-limit": (
+        "C = {value:.4g} is above 1/(z_1 f_1max) = {limit:.4g}: at f_max the bypass pairs alone may carry "
+        "{peak:.5g N·m} before the balls take over, the sustained torque is {sustained:.5g N·m}"
+    ),
+    "hysteresis": (
+        "the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction has "
+        "fallen {value:.4g} times, and the torque then stays below the rising branch; full unloading reseats it"
+    ),
+    "torque-falls-with-travel": (
+        "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold the torque: a load that "
+        "reaches {most:.5g N·m} makes the sleeve run off its stop, and the torque jumps, to {falls:.5g N·m} at f_max"
+    ),
+    "torque-jumps": (
+        "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold the torque, and above "
+        "{jumping:.4g 1/mm}: the sleeve jumps off its stop even as friction rises in slip, and the torque jumps down "
+        "from {most:.5g N·m}, to {falls:.5g N·m} at f_max"
+    ),
+    "material": "{name}: friction {low:g}…{high:g} from the catalogue ({source})",
+    "nominal-torque-missed": (
+        "closing_spring.force is given, so it decides: it gives a nominal torque of {value:.5g N·m} of the clutch, "
+        "not the {limit:.5g N·m} of adjustment.nominal_torque"
+    ),
+    "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",
+    "torque-falls": (
+        "the torque falls as the friction of both groups rises: the largest torque, {most:.5g N·m}, is at "
+        "f_1 = {at:.4g}"
+    ),
+    "accuracy-not-lasting": (
+        "K_т = {factor:.4g} holds as friction rises; under a load that lasts, friction falling again, K_т,h = "
+        "{value:.4g} is above {limit:.4g}: requirements.accuracy_factor_hysteresis says what it may be"
+    ),
+    "as-made": (
+        "the springs are those of the nominal clutch, held in every sample (tolerance.setting = as-made); "
+        "each-adjusted sets every clutch on the bench"
+    ),
+    "each-adjusted": (
+        "every sample is set on the bench (tolerance.setting = each-adjusted): its springs follow its own dimensions; "
+        "as-made holds those of the nominal clutch"
+    ),
+    "number-without-unit": ('{path}: a number without a unit is in SI, {given}; {meant}? Write "{meant}" or "{given}"'),
+    "few-samples": (
+        "{value:.0f} samples are too few for the error of the outermost quantile, which is not told in full: "
+        "at least {limit:.0f}"
+    ),
+    "heavy-tails": "a few samples of a heavy tail carry the variance of the torque: the standard errors of its "
+    "standard deviation and of the Sobol indices are too small; quantiles and their errors hold",
+    "heavy-tails/indices": "a few rows of a heavy tail carry the variance of the torque: the standard errors of the "
+    "Sobol indices are too small; a larger tolerance.sobol_base helps",
+    "friction-fixed": "friction does not scatter in [tolerance.fields]: the torque is taken at the mean friction",
+    "friction-independent": (
+        "the correlation of f_1 and f_2 is not given: they are taken as independent (F11 has them together, 1)"
+    ),
+    "miner": (
+        "life by Miner's rule: friction varies from slip to slip, the rest from clutch to clutch; each slip loads the "
+        "shaft with its torque, damage 1/N by the S-N line, extrapolated below the endurance limit as the paper does"
+    ),
+    "no-clutch": (
+        "{value:.3g} of the samples are no clutch (feedback does not overcome the friction at the key, or the faces "
+        "have no width); the figures are those of the others"
+    ),
+    "solve-replaces": "{path} of the spec gives way to the {by} found",
+    "solve-another-value": "{target} = {wanted} is given by {others} as well",
+    "sweep-replaces": "{path} of the spec gives way to the swept {by}",
+}
+"""Code of a finding, with its case where it has several → its sentence."""

@@ -7,7 +7,8 @@ from functools import cache
 from sources import FILES, calls, nodes
 
 from afmcalc.errors import Problem, SpecError
-from afmcalc.messages import FINDINGS, SCALES, say
+from afmcalc.findings import FINDINGS
+from afmcalc.messages import SCALES, say
 
 ALWAYS = {"value", "limit", "path", None}
 """What a finding carries whether or not its sentence shows it; None: a dictionary of further values."""
@@ -18,7 +19,7 @@ ERRORS = ("AfmcalcError", "FileError", "CalculationError")
 @cache
 def constants() -> set[str]:
     """Strings of the package outside the table of its sentences."""
-    everything = (node for module in FILES if module != "messages" for node in nodes(module))
+    everything = (node for module in FILES if module != "findings" for node in nodes(module))
     return {node.value for node in everything if isinstance(node, ast.Constant) and isinstance(node.value, str)}
 
 

@@ -11,7 +11,7 @@ LINE = ("equations", "ground", "variants", "proofs", "spec", "engines", "papers"
 """A room imports from itself and from rooms to its left."""
 
 GROUND = {
-    *("result", "findings", "errors", "messages", "text", "language", "arrays", "extras"),
+    *("result", "findings", "errors", "messages", "arrays", "extras"),
     *("recorders", "source", "spans", "spelling", "watch"),
 }
 MAY_ONLY = {"equations": set(), "ground": set(), "proofs": {"equations"}}

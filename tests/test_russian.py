@@ -18,8 +18,7 @@ from texts import texts
 
 from afmcalc.cli.speech import chosen, without_lang
 from afmcalc.errors import AfmcalcError
-from afmcalc.language import FOLDER, language
-from afmcalc.messages import joined, localized, say, say_many, speaking, term, translate
+from afmcalc.messages import FOLDER, joined, language, localized, say, say_many, speaking, term, translate
 
 
 @pytest.fixture(scope="module")
@@ -108,33 +107,25 @@ def test_numbers(number, shown):
 @pytest.mark.parametrize(
     ("arguments", "environment", "name"),
     [
-        ([], {}, None),
+        ([], {}, "en"),
         ([], {"LANG": "ru_RU.UTF-8"}, "ru"),
-        ([], {"LANG": "ru_RU.UTF-8", "LC_ALL": "C.UTF-8"}, None),
-        ([], {"LANG": "de_DE.UTF-8"}, None),
-        ([], {"LANG": "ru_RU.UTF-8", "AFMCALC_LANG": "en"}, None),
+        ([], {"LANG": "ru_RU.UTF-8", "LC_ALL": "C.UTF-8"}, "en"),
+        ([], {"LANG": "de_DE.UTF-8"}, "en"),
+        ([], {"LANG": "ru_RU.UTF-8", "AFMCALC_LANG": "en"}, "en"),
         ([], {"AFMCALC_LANG": "ru"}, "ru"),
         (["torque", "--lang", "ru"], {"AFMCALC_LANG": "en"}, "ru"),
-        (["--lang=en", "torque"], {"AFMCALC_LANG": "ru"}, None),
-        (["torque", "--", "--lang", "ru"], {}, None),
+        (["--lang=en", "torque"], {"AFMCALC_LANG": "ru"}, "en"),
+        (["torque", "--", "--lang", "ru"], {}, "en"),
     ],
 )
 def test_the_language_is_the_options_else_the_variables_else_the_locales(arguments, environment, name):
-    own = chosen(arguments, environment)
-    assert (own.name if own else None) == name
+    assert chosen(arguments, environment).name == name
 
 
 def test_an_unknown_language_is_refused():
     for arguments, environment in ((["--lang", "xx"], {}), (["--lang"], {}), ([], {"AFMCALC_LANG": "Russian"})):
         with pytest.raises(AfmcalcError, match="known are en, ru"):
             chosen(arguments, environment)
-
-
-def test_without_its_library_a_wish_is_refused_and_a_locale_is_not(monkeypatch):
-    monkeypatch.setattr("afmcalc.extras.find_spec", lambda name: None)
-    assert chosen([], {"LANG": "ru_RU.UTF-8"}) is None
-    with pytest.raises(AfmcalcError, match=r"afmcalc\[ru\]"):
-        chosen(["--lang", "ru"], {})
 
 
 def test_the_option_may_stand_anywhere():

@@ -90,7 +90,7 @@ def _strings(node: ast.AST) -> Iterator[str]:
 
 
 def _findings() -> Iterator[Key]:
-    from afmcalc.messages import FINDINGS
+    from afmcalc.findings import FINDINGS
 
     yield from (("", text) for text in FINDINGS.values())
 

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from ..engines import Clutch, build
 from ..errors import CalculationError
 from ..findings import Finding
-from ..messages import filled, term
+from ..messages import Text, term
 from ..result import Result
 from ..spec import Spec
 from .answers import Answers
@@ -118,7 +118,7 @@ def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> T
 
 def _said(told: Told, result: Result) -> str:
     """Fill what a section says with the fields of its result."""
-    return filled(
+    return Text(
         told(result) if callable(told) else told,
         {name: term(each) if isinstance(each, str) else each for name, each in dict(result).items()},
     )

@@ -7,8 +7,7 @@ import typer
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
-from ..messages import spoken
-from ..text import ENGLISH
+from ..messages import ENGLISH, spoken
 from .help import Command, Program
 from .options import LANG
 
@@ -41,7 +40,7 @@ def application(arguments: list[str]) -> Any:
     for name in [called] if called else COMMANDS:
         module = import_module(f".{COMMANDS[name]}", __package__)
         app.command(name, cls=Command)(getattr(module, name))
-    if spoken() == ENGLISH:
+    if spoken() == ENGLISH.name:
         return app
     from .speech import translated
 

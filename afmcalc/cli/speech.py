@@ -4,42 +4,30 @@ import re
 import string
 import sys
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..errors import AfmcalcError
-from ..messages import filled, say, translate
-from ..text import ENGLISH
-
-if TYPE_CHECKING:
-    from ..language import Language
+from ..messages import ENGLISH, Language, Text, known, language, say, translate
 
 OPTION = "--lang"
 _LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
 
 
-def chosen(arguments: list[str], environment: Mapping[str, str]) -> "Language | None":
-    """The language asked for: by the option, else by AFMCALC_LANG, else by the locale; None is English.
+def chosen(arguments: list[str], environment: Mapping[str, str]) -> Language:
+    """The language asked for: by the option, else by AFMCALC_LANG, else by the locale, which asks for nothing more.
 
     Raises:
-        AfmcalcError: there is no such language, or what it needs is not installed; a locale asks for nothing.
+        AfmcalcError: there is no such language.
     """
-    asked = ((_option(arguments), OPTION), (environment.get("AFMCALC_LANG"), "AFMCALC_LANG"))
     by_locale = re.split("[_.@]", next(filter(None, map(environment.get, _LOCALE)), ""))[0]
-    name, by = next(filter(lambda each: each[0], asked), (by_locale, ""))
-    if name == ENGLISH or not by and name in ("", "C", "POSIX"):
-        return None  # without what other languages need
-
-    from ..extras import installed, need
-    from ..language import known, language
-
+    asked = {OPTION: _option(arguments), "AFMCALC_LANG": environment.get("AFMCALC_LANG"), "": by_locale}
+    by, name = next(((by, name) for by, name in asked.items() if name), ("", ENGLISH.name))
+    if name == ENGLISH.name or (not by and name not in known()):
+        return ENGLISH
     if name not in known():
-        if not by:
-            return None
-        languages = ", ".join([ENGLISH, *known()])
+        languages = ", ".join([ENGLISH.name, *known()])
         raise AfmcalcError(say("{by} {name:.40}: known are {languages}", by=by, name=name, languages=languages))
-    if by:
-        need(name)
-    return language(name) if installed(name) else None
+    return language(name)
 
 
 def _option(arguments: list[str]) -> str | None:
@@ -110,7 +98,7 @@ def heard(message: str) -> str:
         found = re.fullmatch(_pattern(template), message, re.DOTALL)
         if found:
             parts = {name: heard(part) if name == "message" else part for name, part in found.groupdict().items()}
-            return translate(filled(template, parts))
+            return translate(Text(template, parts))
     return translate(message)
 
 

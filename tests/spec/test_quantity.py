@@ -11,8 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import CHARACTERS
 
-from afmcalc.language import language
-from afmcalc.messages import speaking
+from afmcalc.messages import language, speaking
 from afmcalc.spec.quantity import parse_quantity, unread_number
 from afmcalc.spec.units import _PLAIN, _PREFIXED, _PREFIXES, _RUSSIAN, _RUSSIAN_PREFIXES, EXAMPLES, SCALES, factor
 

@@ -4,7 +4,7 @@ from typing import ClassVar
 
 from ...engines.protocol import Clutch
 from ...errors import SpecError
-from ...findings import Finding, finding, worst
+from ...findings import Finding, finding
 from ...result import Answer, quantity
 from ..answers import Answers
 from ..registry import ANALYSES
@@ -43,9 +43,9 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
     requirements, missed = requirement_rows(answers)
     findings += missed
     levels = [each.level for each in findings]
-    failing = ("error", "warning") if strict else ("error",)
+    failing = {"error", "warning"} if strict else {"error"}
     result = CheckResult(
-        passed=worst(findings) not in failing,
+        passed=failing.isdisjoint(levels),
         errors=levels.count("error"),
         warnings=levels.count("warning"),
         notes=levels.count("info"),

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from ...messages import filled, translate
+from ...messages import Text, translate
 
 REPORT: Mapping[str, str] = {
     "kind": "Calculation report",
@@ -118,4 +118,4 @@ REPORT: Mapping[str, str] = {
 
 def told(key: str, **values: object) -> str:
     """Say what stands under a key, in the language of the user."""
-    return translate(filled(REPORT[key], values))
+    return translate(Text(REPORT[key], values))

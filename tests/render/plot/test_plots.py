@@ -21,8 +21,7 @@ from afmcalc.analysis.curves import torque_curve
 from afmcalc.analysis.figures import Request, gathered, plot_of
 from afmcalc.analysis.registry import PLOTS
 from afmcalc.engines import build
-from afmcalc.language import language
-from afmcalc.messages import named, speaking
+from afmcalc.messages import ENGLISH, language, named, speaking
 from afmcalc.papers.figures import FIGURES
 from afmcalc.render.plot import sheet_of
 from afmcalc.render.plot.figure import _figure, _settings, save
@@ -149,7 +148,7 @@ def test_a_missing_curve_exceeds_the_tolerance():
 )
 def test_no_title_is_cut(name, lang):
     """Neither in width nor in height, whatever the clutch is called; nor does it reach into what is drawn."""
-    with speaking(language(lang) if lang else None), _settings():
+    with speaking(language(lang) if lang else ENGLISH), _settings():
         own = sheet(name)
         for called in (own.name, "W" * 200, "a clutch $x_1$ of many words " * 9):
             figure = _figure(replace(own, name=called), bare=False)
