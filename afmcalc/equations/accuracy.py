@@ -1,36 +1,26 @@
 """Accuracy of direct regulation: K_т, its slopes and its elasticities (theory, section 3)."""
 
-from ._types import Number
+from typing import Annotated
+
+from .calls import equation
+from .terms import *
 
 
+@equation
 def accuracy_factor(
-    bypass_pairs: Number,
-    controlled_pairs: Number,
-    gain: Number,
-    friction_driving_min: Number,
-    friction_driven_min: Number,
-    friction_driving_max: Number,
-    friction_driven_max: Number,
-) -> Number:
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    gain: Gain,
+    friction_driving_min: FrictionDrivingMin,
+    friction_driven_min: FrictionDrivenMin,
+    friction_driving_max: FrictionDrivingMax,
+    friction_driven_max: FrictionDrivenMax,
+) -> AccuracyFactor:
     """Accuracy factor along the common path, K_т = T(f_1max, f_2max)/T(f_1min, f_2min).
 
     Source: F11 (14); with one material S19 and S22 (18).
-
-    Args:
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        gain: C, feedback gain [1].
-        friction_driving_min: f_1min, smallest friction of the bypass pairs [1].
-        friction_driven_min: f_2min, smallest friction of the controlled pairs [1].
-        friction_driving_max: f_1max, largest friction of the bypass pairs [1].
-        friction_driven_max: f_2max, largest friction of the controlled pairs [1].
-
-    Returns:
-        K_т [1]. Below 1 where the torque falls with friction (unlike materials, z_1 C f_1 > 1); the ratio
-        largest/smallest torque is then 1/K_т.
-
-    Validity:
-        f_1 and f_2 move together (F11's working hypothesis).
+    Validity: f_1 and f_2 move together (F11's working hypothesis). Below 1 where the torque falls with friction (unlike
+        materials, z_1 C f_1 > 1); the ratio largest/smallest torque is then 1/K_т.
 
     >>> accuracy_factor(1, 7, 0.0, 0.125, 0.125, 0.75, 0.75)
     6.0
@@ -45,31 +35,19 @@ def accuracy_factor(
     )
 
 
+@equation
 def conventional_accuracy_factor(
-    bypass_pairs: Number,
-    controlled_pairs: Number,
-    friction_driving_min: Number,
-    friction_driven_min: Number,
-    friction_driving_max: Number,
-    friction_driven_max: Number,
-) -> Number:
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    friction_driving_min: FrictionDrivingMin,
+    friction_driven_min: FrictionDrivenMin,
+    friction_driving_max: FrictionDrivingMax,
+    friction_driven_max: FrictionDrivenMax,
+) -> Annotated[Number, Term("K_т,0", "", "1")]:
     """Accuracy factor of an ordinary clutch in its place, K_т at C = 0; with one material f_max/f_min.
 
     Source: F11 (14) at C = 0.
-
-    Args:
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        friction_driving_min: f_1min, smallest friction of the bypass pairs [1].
-        friction_driven_min: f_2min, smallest friction of the controlled pairs [1].
-        friction_driving_max: f_1max, largest friction of the bypass pairs [1].
-        friction_driven_max: f_2max, largest friction of the controlled pairs [1].
-
-    Returns:
-        K_т,0 [1].
-
-    Validity:
-        f_1 and f_2 move together (F11's working hypothesis).
+    Validity: f_1 and f_2 move together (F11's working hypothesis).
 
     >>> conventional_accuracy_factor(1, 7, 0.125, 0.125, 0.75, 0.75)
     6.0
@@ -79,102 +57,61 @@ def conventional_accuracy_factor(
     )
 
 
-def scatter_band(torque_max: Number, torque_min: Number) -> Number:
+@equation
+def scatter_band(torque_max: TorqueMax, torque_min: TorqueMin) -> Scatter:
     """Torque scatter band, ΔT = T_max − T_min.
 
     Source: S19 (10), (11).
-
-    Args:
-        torque_max: T_max, largest slip torque in service [N*m].
-        torque_min: T_min, smallest slip torque in service [N*m].
-
-    Returns:
-        ΔT [N*m].
-
-    Validity:
-        Any clutch.
+    Validity: Any clutch.
     """
     return torque_max - torque_min
 
 
-def accuracy_factor_of_torques(torque_max: Number, torque_min: Number) -> Number:
+@equation
+def accuracy_factor_of_torques(torque_max: TorqueMax, torque_min: TorqueMin) -> AccuracyFactor:
     """Accuracy factor, T_max/T_min.
 
     Source: Theory, section 3 (beyond F11).
-
-    Args:
-        torque_max: T_max, largest torque [N*m].
-        torque_min: T_min, smallest torque [N*m].
-
-    Returns:
-        K_т [1].
     """
     return torque_max / torque_min
 
 
-def accuracy_factor_worst_case(torque_max: Number, torque_min: Number) -> Number:
+@equation
+def accuracy_factor_worst_case(
+    torque_max: CornerTorqueMax, torque_min: CornerTorqueMin
+) -> Annotated[Number, Term("K_т,w", "", "1")]:
     """Accuracy factor with f_1 and f_2 independent: largest over smallest torque of the four corners of their ranges.
 
     Source: Theory, section 3 (beyond F11).
-
-    Args:
-        torque_max: T_max, largest torque at a corner [N*m].
-        torque_min: T_min, smallest torque at a corner [N*m].
-
-    Returns:
-        K_т,w [1].
-
-    Validity:
-        T is monotone in f_1 and in f_2.
+    Validity: T is monotone in f_1 and in f_2.
     """
     return torque_max / torque_min
 
 
-def accuracy_factor_peak(peak_max: Number, peak_min: Number) -> Number:
+@equation
+def accuracy_factor_peak(peak_max: PeakMax, peak_min: PeakMin) -> Annotated[Number, Term("K_т,p", "", "1")]:
     """Accuracy factor by breakaway peaks, P(f_max)/P(f_min).
 
     Source: Theory, section 3 (beyond F11).
-
-    Args:
-        peak_max: P_max, at f_max the larger of the sustained torque and the bypass pairs' under the full spring [N*m].
-        peak_min: P_min, at f_min the larger of the sustained torque and the bypass pairs' under the full spring [N*m].
-
-    Returns:
-        K_т,p [1].
-
-    Validity:
-        Upper bound: it depends on how much the balls carried before slip.
+    Validity: Upper bound: it depends on how much the balls carried before slip.
     """
     return peak_max / peak_min
 
 
+@equation
 def accuracy_factor_by_ratios(
-    bypass_pairs: Number,
-    controlled_pairs: Number,
-    gain: Number,
-    ratio_max: Number,
-    ratio_min: Number,
-    friction_driving_min: Number,
-    friction_driving_max: Number,
-) -> Number:
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    gain: Gain,
+    ratio_max: FrictionRatioMax,
+    ratio_min: FrictionRatioMin,
+    friction_driving_min: FrictionDrivingMin,
+    friction_driving_max: FrictionDrivingMax,
+) -> AccuracyFactor:
     """Accuracy factor in ratios, n = f_2max/f_1max, p = f_2min/f_1min, m = f_1max/f_1min.
 
     Source: F11 (17) with (15), (16).
-
-    Args:
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        gain: C, feedback gain [1].
-        ratio_max: n = f_2max/f_1max [1].
-        ratio_min: p = f_2min/f_1min [1].
-        friction_driving_min: f_1min [1].
-        friction_driving_max: f_1max [1].
-
-    Returns:
-        K_т [1].
-
-    Validity:
-        As ``accuracy_factor``; n and p are free as long as f_2min ≤ f_2max.
+    Validity: As ``accuracy_factor``; n and p are free as long as f_2min ≤ f_2max.
     """
     spread = friction_driving_max / friction_driving_min
     return (
@@ -188,33 +125,20 @@ def accuracy_factor_by_ratios(
     )
 
 
+@equation
 def slope_in_ratio_max(
-    bypass_pairs: Number,
-    controlled_pairs: Number,
-    gain: Number,
-    ratio_max: Number,
-    ratio_min: Number,
-    friction_driving_min: Number,
-    friction_driving_max: Number,
-) -> Number:
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    gain: Gain,
+    ratio_max: FrictionRatioMax,
+    ratio_min: FrictionRatioMin,
+    friction_driving_min: FrictionDrivingMin,
+    friction_driving_max: FrictionDrivingMax,
+) -> Annotated[Number, Term("∂K_т/∂n", "", "1")]:
     """Slope ∂K_т/∂n; its sign is that of 1 − z_1 C f_1max for every n.
 
     Source: F11 (18), mended (M2: printed with the factor z_1 − C f_1max).
-
-    Args:
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        gain: C, feedback gain [1].
-        ratio_max: n = f_2max/f_1max [1].
-        ratio_min: p = f_2min/f_1min [1].
-        friction_driving_min: f_1min [1].
-        friction_driving_max: f_1max [1].
-
-    Returns:
-        ∂K_т/∂n [1].
-
-    Validity:
-        As ``accuracy_factor_by_ratios``.
+    Validity: As ``accuracy_factor_by_ratios``.
     """
     spread = friction_driving_max / friction_driving_min
     return (
@@ -229,33 +153,20 @@ def slope_in_ratio_max(
     )
 
 
+@equation
 def slope_in_ratio_min(
-    bypass_pairs: Number,
-    controlled_pairs: Number,
-    gain: Number,
-    ratio_max: Number,
-    ratio_min: Number,
-    friction_driving_min: Number,
-    friction_driving_max: Number,
-) -> Number:
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    gain: Gain,
+    ratio_max: FrictionRatioMax,
+    ratio_min: FrictionRatioMin,
+    friction_driving_min: FrictionDrivingMin,
+    friction_driving_max: FrictionDrivingMax,
+) -> Annotated[Number, Term("∂K_т/∂p", "", "1")]:
     """Slope ∂K_т/∂p; its sign is that of z_1 C f_1min − 1 for every p.
 
     Source: F11 (22), mended (M3: printed with the factor C f_1min − z_1).
-
-    Args:
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        gain: C, feedback gain [1].
-        ratio_max: n = f_2max/f_1max [1].
-        ratio_min: p = f_2min/f_1min [1].
-        friction_driving_min: f_1min [1].
-        friction_driving_max: f_1max [1].
-
-    Returns:
-        ∂K_т/∂p [1].
-
-    Validity:
-        As ``accuracy_factor_by_ratios``.
+    Validity: As ``accuracy_factor_by_ratios``.
     """
     spread = friction_driving_max / friction_driving_min
     return (
@@ -270,25 +181,18 @@ def slope_in_ratio_min(
     )
 
 
+@equation
 def accuracy_factor_peak_above_limit(
-    bypass_pairs: Number, controlled_pairs: Number, gain: Number, friction_min: Number, friction_max: Number
-) -> Number:
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    gain: Gain,
+    friction_min: FrictionMin,
+    friction_max: FrictionMax,
+) -> Annotated[Number, Term("K_peak", "P(f_max)/P(f_min)", "1")]:
     """Accuracy by breakaway peaks between the limits, z_1 f_max (1 + z_2 C f_min)/(z f_min).
 
     Source: theory, section 3 (beyond the papers).
-
-    Args:
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        gain: C, feedback gain [1].
-        friction_min: f_min, one material [1].
-        friction_max: f_max, one material [1].
-
-    Returns:
-        K_peak, P(f_max)/P(f_min) [1].
-
-    Validity:
-        1/(z_1 f_max) ≤ C ≤ 1/(z_1 f_min). Below it K_т itself holds, above it f_max/f_min.
+    Validity: 1/(z_1 f_max) ≤ C ≤ 1/(z_1 f_min). Below it K_т itself holds, above it f_max/f_min.
     """
     return (
         bypass_pairs
@@ -298,91 +202,60 @@ def accuracy_factor_peak_above_limit(
     )
 
 
+@equation
 def best_accuracy_factor_peak(
-    bypass_pairs: Number, controlled_pairs: Number, friction_min: Number, friction_max: Number
-) -> Number:
+    bypass_pairs: BypassPairs, controlled_pairs: ControlledPairs, friction_min: FrictionMin, friction_max: FrictionMax
+) -> BestAccuracyFactor:
     """Best accuracy a differentiated clutch attains by peaks, (z_1 f_max + z_2 f_min)/(z f_min), at its gain limit.
 
     Source: theory, section 3 (beyond the papers).
-
-    Args:
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        friction_min: f_min, one material [1].
-        friction_max: f_max, one material [1].
-
-    Returns:
-        K_best, the smallest P(f_max)/P(f_min) over the gain [1].
-
-    Validity:
-        z_1 ≥ 1, one material.
+    Validity: z_1 ≥ 1, one material.
     """
     return (bypass_pairs * friction_max + controlled_pairs * friction_min) / (
         (bypass_pairs + controlled_pairs) * friction_min
     )
 
 
-def torque_elasticity_in_gain(controlled_pairs: Number, gain: Number, friction_driven: Number) -> Number:
+@equation
+def torque_elasticity_in_gain(
+    controlled_pairs: ControlledPairs, gain: Gain, friction_driven: FrictionDriven
+) -> Annotated[Number, Term("∂ln T/∂ln C", "", "1")]:
     """Elasticity ∂ln T/∂ln C of the direct law, −C z_2 f_2/(1 + C z_2 f_2).
 
     Source: derivative of F11 (12).
-
-    Args:
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        gain: C, feedback gain [1].
-        friction_driven: f_2, friction of the controlled pairs [1].
-
-    Returns:
-        ∂ln T/∂ln C [1].
-
-    Validity:
-        As ``direct.torque``.
+    Validity: As ``direct.torque``.
     """
     feedback = gain * controlled_pairs * friction_driven
     return -feedback / (1 + feedback)
 
 
+@equation
 def torque_elasticity_in_friction_driving(
-    bypass_pairs: Number, controlled_pairs: Number, friction_driving: Number, friction_driven: Number
-) -> Number:
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    friction_driving: FrictionDriving,
+    friction_driven: FrictionDriven,
+) -> Annotated[Number, Term("∂ln T/∂ln f_1", "", "1")]:
     """Elasticity ∂ln T/∂ln f_1 of the direct law, z_1 f_1/(z_1 f_1 + z_2 f_2).
 
     Source: derivative of F11 (12).
-
-    Args:
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        friction_driving: f_1, friction of the bypass pairs [1].
-        friction_driven: f_2, friction of the controlled pairs [1].
-
-    Returns:
-        ∂ln T/∂ln f_1 [1]; equally ∂ln T/∂ln z_1 at fixed z_2.
-
-    Validity:
-        As ``direct.torque``.
+    Validity: As ``direct.torque``. Equally ∂ln T/∂ln z_1 at fixed z_2.
     """
     return bypass_pairs * friction_driving / (bypass_pairs * friction_driving + controlled_pairs * friction_driven)
 
 
+@equation
 def torque_elasticity_in_friction_driven(
-    bypass_pairs: Number, controlled_pairs: Number, gain: Number, friction_driving: Number, friction_driven: Number
-) -> Number:
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    gain: Gain,
+    friction_driving: FrictionDriving,
+    friction_driven: FrictionDriven,
+) -> Annotated[Number, Term("∂ln T/∂ln f_2", "", "1")]:
     """Elasticity ∂ln T/∂ln f_2 of the direct law; negative where z_1 C f_1 > 1.
 
     Source: derivative of F11 (12).
-
-    Args:
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        gain: C, feedback gain [1].
-        friction_driving: f_1, friction of the bypass pairs [1].
-        friction_driven: f_2, friction of the controlled pairs [1].
-
-    Returns:
-        ∂ln T/∂ln f_2 [1]; equally ∂ln T/∂ln z_2 at fixed z_1.
-
-    Validity:
-        As ``direct.torque``.
+    Validity: As ``direct.torque``. Equally ∂ln T/∂ln z_2 at fixed z_1.
     """
     carried = controlled_pairs * friction_driven
     return (

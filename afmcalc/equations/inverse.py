@@ -1,35 +1,25 @@
 """The way back: from a wanted accuracy or torque to gain, pairs, radius, stiffness (inverses of the laws)."""
 
-from ._types import Number
+from typing import Annotated
+
+from .calls import equation
+from .terms import *
 
 
+@equation
 def gain_for_accuracy_factor(
-    bypass_pairs: Number,
-    controlled_pairs: Number,
-    accuracy_factor: Number,
-    friction_driving_min: Number,
-    friction_driven_min: Number,
-    friction_driving_max: Number,
-    friction_driven_max: Number,
-) -> Number:
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    accuracy_factor: WantedAccuracyFactor,
+    friction_driving_min: FrictionDrivingMin,
+    friction_driven_min: FrictionDrivenMin,
+    friction_driving_max: FrictionDrivingMax,
+    friction_driven_max: FrictionDrivenMax,
+) -> Gain:
     """Gain for a wanted K_т, C = (A − K_т)/[z_2 (K_т f_2max − A f_2min)] with A = K_т at C = 0.
 
     Source: F11 (14) solved for C.
-
-    Args:
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        accuracy_factor: K_т wanted [1].
-        friction_driving_min: f_1min, smallest friction of the bypass pairs [1].
-        friction_driven_min: f_2min, smallest friction of the controlled pairs [1].
-        friction_driving_max: f_1max, largest friction of the bypass pairs [1].
-        friction_driven_max: f_2max, largest friction of the controlled pairs [1].
-
-    Returns:
-        C [1].
-
-    Validity:
-        A f_2min/f_2max < K_т ≤ A. The gain limit of the variant is a condition of its own.
+    Validity: A f_2min/f_2max < K_т ≤ A. The gain limit of the variant is a condition of its own.
 
     >>> gain_for_accuracy_factor(0, 8, 2.0, 0.125, 0.125, 0.5, 0.5)
     0.5
@@ -42,119 +32,71 @@ def gain_for_accuracy_factor(
     )
 
 
+@equation
 def gain_for_torque(
-    torque: Number,
-    closing_force: Number,
-    mean_radius: Number,
-    bypass_pairs: Number,
-    controlled_pairs: Number,
-    friction_driving: Number,
-    friction_driven: Number,
-) -> Number:
+    torque: WantedTorque,
+    closing_force: ClosingForce,
+    mean_radius: MeanRadius,
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    friction_driving: FrictionDriving,
+    friction_driven: FrictionDriven,
+) -> Gain:
     """Gain for a wanted torque at one friction, C = [F_п R (z_1 f_1 + z_2 f_2)/T − 1]/(z_2 f_2).
 
     Source: F11 (12) solved for C.
-
-    Args:
-        torque: T wanted [N*m].
-        closing_force: F_п, closing-spring force as set [N].
-        mean_radius: R_cp, mean friction radius [m].
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        friction_driving: f_1, friction of the bypass pairs [1].
-        friction_driven: f_2, friction of the controlled pairs [1].
-
-    Returns:
-        C [1].
-
-    Validity:
-        T not above that of the ordinary clutch (C = 0); z_2 ≥ 1.
+    Validity: T not above that of the ordinary clutch (C = 0); z_2 ≥ 1.
     """
     carried = bypass_pairs * friction_driving + controlled_pairs * friction_driven
     return (closing_force * mean_radius * carried / torque - 1) / (controlled_pairs * friction_driven)
 
 
+@equation
 def controlled_pairs_for_accuracy_factor(
-    gain: Number, accuracy_factor: Number, friction_min: Number, friction_max: Number
-) -> Number:
+    gain: Gain, accuracy_factor: WantedAccuracyFactor, friction_min: FrictionMin, friction_max: FrictionMax
+) -> ControlledPairs:
     """Controlled pairs for a wanted K_т, z_2 = (f_max/f_min − K_т)/[C f_max (K_т − 1)].
 
     Source: S22 (18), F11 (14) with one material, solved for z_2.
-
-    Args:
-        gain: C, feedback gain [1].
-        accuracy_factor: K_т wanted [1].
-        friction_min: f_min, smallest coefficient of friction [1].
-        friction_max: f_max, largest coefficient of friction [1].
-
-    Returns:
-        z_2 [1], not rounded to a whole number.
-
-    Validity:
-        One material; C > 0; 1 < K_т ≤ f_max/f_min.
+    Validity: One material; C > 0; 1 < K_т ≤ f_max/f_min. Not rounded to a whole number.
     """
     return (friction_max / friction_min - accuracy_factor) / (gain * friction_max * (accuracy_factor - 1))
 
 
+@equation
 def controlled_pairs_for_torque(
-    torque: Number,
-    closing_force: Number,
-    mean_radius: Number,
-    bypass_pairs: Number,
-    gain: Number,
-    friction_driving: Number,
-    friction_driven: Number,
-) -> Number:
+    torque: WantedTorque,
+    closing_force: ClosingForce,
+    mean_radius: MeanRadius,
+    bypass_pairs: BypassPairs,
+    gain: Gain,
+    friction_driving: FrictionDriving,
+    friction_driven: FrictionDriven,
+) -> ControlledPairs:
     """Controlled pairs for a wanted torque, z_2 = (T − F_п R z_1 f_1)/[f_2 (F_п R − C T)].
 
     Source: F11 (12) solved for z_2.
-
-    Args:
-        torque: T wanted [N*m].
-        closing_force: F_п, closing-spring force as set [N].
-        mean_radius: R_cp, mean friction radius [m].
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        gain: C, feedback gain [1].
-        friction_driving: f_1, friction of the bypass pairs [1].
-        friction_driven: f_2, friction of the controlled pairs [1].
-
-    Returns:
-        z_2 [1], not rounded to a whole number.
-
-    Validity:
-        C T < F_п R: with ever more pairs the torque tends to F_п R/C and no further.
+    Validity: C T < F_п R: with ever more pairs the torque tends to F_п R/C and no further. Not rounded to a whole
+        number.
     """
     arm = closing_force * mean_radius
     return (torque - arm * bypass_pairs * friction_driving) / (friction_driven * (arm - gain * torque))
 
 
+@equation
 def mean_radius_for_torque(
-    torque: Number,
-    closing_force: Number,
-    bypass_pairs: Number,
-    controlled_pairs: Number,
-    gain: Number,
-    friction_driving: Number,
-    friction_driven: Number,
-) -> Number:
+    torque: WantedTorque,
+    closing_force: ClosingForce,
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    gain: Gain,
+    friction_driving: FrictionDriving,
+    friction_driven: FrictionDriven,
+) -> MeanRadius:
     """Mean radius for a wanted torque at fixed gain, R = T (1 + C z_2 f_2)/[F_п (z_1 f_1 + z_2 f_2)].
 
     Source: F11 (12) solved for R.
-
-    Args:
-        torque: T wanted [N*m].
-        closing_force: F_п, closing-spring force as set [N].
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        gain: C, feedback gain, kept [1].
-        friction_driving: f_1, friction of the bypass pairs [1].
-        friction_driven: f_2, friction of the controlled pairs [1].
-
-    Returns:
-        R_cp [m].
-
-    Validity:
-        C given as such, not by a wall angle (C would follow R).
+    Validity: C given as such, not by a wall angle (C would follow R).
     """
     return (
         torque
@@ -163,30 +105,19 @@ def mean_radius_for_torque(
     )
 
 
+@equation
 def best_accuracy_factor_differentiated(
-    bypass_pairs: Number,
-    controlled_pairs: Number,
-    friction_driving_min: Number,
-    friction_driven_min: Number,
-    friction_driving_max: Number,
-) -> Number:
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    friction_driving_min: FrictionDrivingMin,
+    friction_driven_min: FrictionDrivenMin,
+    friction_driving_max: FrictionDrivingMax,
+) -> BestAccuracyFactor:
     """Best K_т up to the gain limit 1/(z_1 f_1max), (z_1 f_1max + z_2 f_2min)/(z_1 f_1min + z_2 f_2min).
 
-    Source: F11 (14) at C = 1/(z_1 f_1max); with one material (m z_1 + z_2)/z, m = f_max/f_min. It does not
-        depend on f_2max, as the slope in n vanishes at the limit (M2).
-
-    Args:
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        friction_driving_min: f_1min, smallest friction of the bypass pairs [1].
-        friction_driven_min: f_2min, smallest friction of the controlled pairs [1].
-        friction_driving_max: f_1max, largest friction of the bypass pairs [1].
-
-    Returns:
-        K_best, K_т at the limit [1].
-
-    Validity:
-        z_1 ≥ 1, and K_т ≥ 1 on the way there (f_1 and f_2 rise together).
+    Source: F11 (14) at C = 1/(z_1 f_1max); with one material (m z_1 + z_2)/z, m = f_max/f_min. It does not depend on
+        f_2max, as the slope in n vanishes at the limit (M2).
+    Validity: z_1 ≥ 1, and K_т ≥ 1 on the way there (f_1 and f_2 rise together).
 
     >>> best_accuracy_factor_differentiated(1, 7, 0.125, 0.125, 0.75)
     1.625
@@ -196,54 +127,35 @@ def best_accuracy_factor_differentiated(
     )
 
 
-def best_accuracy_factor_all_driving(friction_min: Number, friction_max: Number, reduced_gain_limit: Number) -> Number:
+@equation
+def best_accuracy_factor_all_driving(
+    friction_min: FrictionMin, friction_max: FrictionMax, reduced_gain_limit: ReducedGainLimit
+) -> BestAccuracyFactor:
     """Best K_т of the all-driving clutch at its largest zC, m (1 + zC f_min)/(1 + zC f_max).
 
     Source: S22 (18) at zC = 5; m = f_max/f_min.
-
-    Args:
-        friction_min: f_min, smallest coefficient of friction [1].
-        friction_max: f_max, largest coefficient of friction [1].
-        reduced_gain_limit: largest zC, 5 by S22 [1].
-
-    Returns:
-        K_best, K_т at the limit [1].
-
-    Validity:
-        z_1 = 0; the limit is a recommendation.
+    Validity: z_1 = 0; the limit is a recommendation.
     """
     return friction_max * (1 + reduced_gain_limit * friction_min) / (
         friction_min * (1 + reduced_gain_limit * friction_max)
     )  # fmt: skip
 
 
+@equation
 def net_loop_gain_for_accuracy_factor(
-    friction_min: Number,
-    friction_set: Number,
-    friction_max: Number,
-    closing_stiffness: Number,
-    control_stiffness: Number,
-    accuracy_factor: Number,
-) -> Number:
+    friction_min: FrictionMin,
+    friction_set: FrictionSet,
+    friction_max: FrictionMax,
+    closing_stiffness: ClosingStiffness,
+    control_stiffness: ControlStiffness,
+    accuracy_factor: WantedAccuracyFactor,
+) -> Annotated[Number, Term("zκ", "", "1")]:
     """Net loop gain of the indirect clutch for a wanted K_т, zκ = a, the positive root of a quadratic.
 
     With s = c_1 + c_2: f_max (s + c_1 f_set a)(1 + f_min a) = K_т f_min (1 + f_set a)(s + c_1 f_max a).
 
     Source: S21 (15) mended (M9) with the seated sleeve below f_set (theory, section 5), solved for zκ.
-
-    Args:
-        friction_min: f_min, smallest coefficient of friction [1].
-        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
-        friction_max: f_max, largest coefficient of friction [1].
-        closing_stiffness: c_1, stiffness of the closing spring [N/m].
-        control_stiffness: c_2, stiffness of the control spring [N/m].
-        accuracy_factor: K_т wanted [1].
-
-    Returns:
-        zκ [1].
-
-    Validity:
-        1 < K_т ≤ f_max/f_min.
+    Validity: 1 < K_т ≤ f_max/f_min.
     """
     springs = closing_stiffness + control_stiffness
     square = closing_stiffness * friction_set * friction_min * friction_max * (accuracy_factor - 1)
@@ -253,35 +165,22 @@ def net_loop_gain_for_accuracy_factor(
     return 2 * constant / ((linear**2 + 4 * square * constant) ** 0.5 - linear)
 
 
+@equation
 def net_gain_for_accuracy_factor(
-    friction_min: Number,
-    friction_set: Number,
-    friction_max: Number,
-    closing_stiffness: Number,
-    control_stiffness: Number,
-    pairs: Number,
-    accuracy_factor: Number,
-) -> Number:
+    friction_min: FrictionMin,
+    friction_set: FrictionSet,
+    friction_max: FrictionMax,
+    closing_stiffness: ClosingStiffness,
+    control_stiffness: ControlStiffness,
+    pairs: Pairs,
+    accuracy_factor: WantedAccuracyFactor,
+) -> NetGain:
     """Net gain of the indirect clutch for a wanted K_т.
 
     κ = (zκ)/z with zκ by ``net_loop_gain_for_accuracy_factor``; C is κ + 2 R f_1/d.
 
     Source: S21 (15) mended (M9), solved for κ.
-
-    Args:
-        friction_min: f_min, smallest coefficient of friction [1].
-        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
-        friction_max: f_max, largest coefficient of friction [1].
-        closing_stiffness: c_1, stiffness of the closing spring [N/m].
-        control_stiffness: c_2, stiffness of the control spring [N/m].
-        pairs: z, friction pairs [1].
-        accuracy_factor: K_т wanted [1].
-
-    Returns:
-        κ [1].
-
-    Validity:
-        1 < K_т ≤ f_max/f_min.
+    Validity: 1 < K_т ≤ f_max/f_min.
     """
     loop = net_loop_gain_for_accuracy_factor(
         friction_min, friction_set, friction_max, closing_stiffness, control_stiffness, accuracy_factor
@@ -289,35 +188,22 @@ def net_gain_for_accuracy_factor(
     return loop / pairs
 
 
+@equation
 def pairs_for_accuracy_factor_indirect(
-    friction_min: Number,
-    friction_set: Number,
-    friction_max: Number,
-    closing_stiffness: Number,
-    control_stiffness: Number,
-    net_gain: Number,
-    accuracy_factor: Number,
-) -> Number:
+    friction_min: FrictionMin,
+    friction_set: FrictionSet,
+    friction_max: FrictionMax,
+    closing_stiffness: ClosingStiffness,
+    control_stiffness: ControlStiffness,
+    net_gain: NetGain,
+    accuracy_factor: WantedAccuracyFactor,
+) -> Pairs:
     """Pairs of the indirect clutch for a wanted K_т.
 
     z = (zκ)/κ with zκ by ``net_loop_gain_for_accuracy_factor``.
 
     Source: S21 (15) mended (M9), solved for z.
-
-    Args:
-        friction_min: f_min, smallest coefficient of friction [1].
-        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
-        friction_max: f_max, largest coefficient of friction [1].
-        closing_stiffness: c_1, stiffness of the closing spring [N/m].
-        control_stiffness: c_2, stiffness of the control spring [N/m].
-        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
-        accuracy_factor: K_т wanted [1].
-
-    Returns:
-        z [1], not rounded to a whole number.
-
-    Validity:
-        κ > 0; 1 < K_т ≤ f_max/f_min.
+    Validity: κ > 0; 1 < K_т ≤ f_max/f_min. Not rounded to a whole number.
     """
     loop = net_loop_gain_for_accuracy_factor(
         friction_min, friction_set, friction_max, closing_stiffness, control_stiffness, accuracy_factor
@@ -325,33 +211,21 @@ def pairs_for_accuracy_factor_indirect(
     return loop / net_gain
 
 
+@equation
 def stiffness_ratio_for_accuracy_factor(
-    friction_min: Number,
-    friction_set: Number,
-    friction_max: Number,
-    pairs: Number,
-    net_gain: Number,
-    accuracy_factor: Number,
-) -> Number:
+    friction_min: FrictionMin,
+    friction_set: FrictionSet,
+    friction_max: FrictionMax,
+    pairs: Pairs,
+    net_gain: NetGain,
+    accuracy_factor: WantedAccuracyFactor,
+) -> Annotated[Number, Term("c_2/c_1", "", "1")]:
     """Stiffness ratio of the indirect clutch for a wanted K_т, by which either spring follows from the other.
 
     With a = zκ, w = K_т f_min (1 + f_set a), v = 1 + f_min a: 1 + c_2/c_1 = f_max a (w − f_set v)/(f_max v − w).
 
     Source: S21 (15) mended (M9), solved for c_2/c_1: K_т depends on the ratio only.
-
-    Args:
-        friction_min: f_min, smallest coefficient of friction [1].
-        friction_set: f_set, friction at the setting (f_min or f_cp) [1].
-        friction_max: f_max, largest coefficient of friction [1].
-        pairs: z, friction pairs [1].
-        net_gain: κ = C − 2 R f_1/d, gain net of the key's friction [1].
-        accuracy_factor: K_т wanted [1].
-
-    Returns:
-        c_2/c_1 [1].
-
-    Validity:
-        κ > 0; K_т between its value at c_2 = 0 and f_max/f_min.
+    Validity: κ > 0; K_т between its value at c_2 = 0 and f_max/f_min.
     """
     loop = pairs * net_gain
     at_min, at_set = 1 + loop * friction_min, 1 + loop * friction_set

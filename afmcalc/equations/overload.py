@@ -3,89 +3,57 @@
 One material, set at f_min. u = (z − z_1) C f_min and v = (z − z_1) C f are the loop gains at f_min and at f.
 """
 
-from ._types import Number
+from typing import Annotated
+
+from .calls import equation
+from .terms import *
 
 
-def loop_gain(controlled_pairs: Number, gain: Number, friction: Number) -> Number:
+@equation
+def loop_gain(controlled_pairs: ControlledPairs, gain: Gain, friction: Friction) -> LoopGain:
     """Loop gain, v = (z − z_1) C f.
 
     Source: S22 (5)–(24), the group (z − z_1) C f.
-
-    Args:
-        controlled_pairs: z_2, pairs whose torque passes the balls [1].
-        gain: C, feedback gain [1].
-        friction: f, coefficient of friction [1].
-
-    Returns:
-        v, loop gain (u at f_min) [1].
-
-    Validity:
-        All-driving: z_1 = 0.
+    Validity: All-driving: z_1 = 0.
     """
     return controlled_pairs * gain * friction
 
 
+@equation
 def expected_torque(
-    pairs: Number, closing_force: Number, mean_radius: Number, friction: Number, loop_gain: Number
-) -> Number:
+    pairs: Pairs, closing_force: ClosingForce, mean_radius: MeanRadius, friction: Friction, loop_gain: LoopGain
+) -> ExpectedTorque:
     """Expected slip torque, T_муф = z F_п R f/(1 + v).
 
     Source: S22 (4), (16).
-
-    Args:
-        pairs: z, friction pairs [1].
-        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
-        mean_radius: R_cp, mean friction radius [m].
-        friction: f, coefficient of friction [1].
-        loop_gain: v, loop gain at f [1].
-
-    Returns:
-        T_муф [N*m].
-
-    Validity:
-        One material.
+    Validity: One material.
     """
     return pairs * closing_force * mean_radius * friction / (1 + loop_gain)
 
 
-def machine_torque(nominal_torque: Number, margin: Number) -> Number:
+@equation
+def machine_torque(nominal_torque: ClutchNominalTorque, margin: Margin) -> MachineTorque:
     """Nominal torque of the machine, T_н.маш = T_н.муф/β_н.
 
     Source: S22 (1)–(3).
-
-    Args:
-        nominal_torque: T_н.муф, torque of the clutch at f_min [N*m].
-        margin: β_н, torque margin [1].
-
-    Returns:
-        T_н.маш [N*m].
-
-    Validity:
-        β_н ≥ 1.
+    Validity: β_н ≥ 1.
     """
     return nominal_torque / margin
 
 
+@equation
 def potential_torque(
-    pairs: Number, closing_force: Number, mean_radius: Number, friction: Number, margin: Number, loop_gain_min: Number
-) -> Number:
+    pairs: Pairs,
+    closing_force: ClosingForce,
+    mean_radius: MeanRadius,
+    friction: Friction,
+    margin: Margin,
+    loop_gain_min: LoopGainMin,
+) -> PotentialTorque:
     """Torque the pack could carry while the machine runs at T_н.маш, T_п = z F_п R f [β_н + (β_н − 1) u]/[β_н (1 + u)].
 
     Source: S22 (5), (8), (20) mended (M16) with β_н = 1, (22).
-
-    Args:
-        pairs: z, friction pairs [1].
-        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
-        mean_radius: R_cp, mean friction radius [m].
-        friction: f, coefficient of friction [1].
-        margin: β_н, torque margin [1].
-        loop_gain_min: u, loop gain at f_min [1].
-
-    Returns:
-        T_п [N*m].
-
-    Validity:
-        Below slip the load is shared z_1 : z_2 between bypass and controlled pairs.
+    Validity: Below slip the load is shared z_1 : z_2 between bypass and controlled pairs.
     """
     return (
         pairs
@@ -97,290 +65,179 @@ def potential_torque(
     )
 
 
-def load_rise(potential_torque: Number, machine_torque: Number, loop_gain: Number) -> Number:
+@equation
+def load_rise(potential_torque: PotentialTorque, machine_torque: MachineTorque, loop_gain: LoopGain) -> LoadRise:
     """Load rise until slip, ΔT' = (T_п − T_н.маш)/(1 + v).
 
     Source: S22 (12), (13).
-
-    Args:
-        potential_torque: T_п, potential torque [N*m].
-        machine_torque: T_н.маш, nominal torque of the machine [N*m].
-        loop_gain: v, loop gain at f [1].
-
-    Returns:
-        ΔT' [N*m].
-
-    Validity:
-        The release force follows the load without lag.
+    Validity: The release force follows the load without lag.
     """
     return (potential_torque - machine_torque) / (1 + loop_gain)
 
 
+@equation
 def load_rise_at_min(
-    pairs: Number,
-    closing_force: Number,
-    mean_radius: Number,
-    friction_min: Number,
-    margin: Number,
-    loop_gain_min: Number,
-) -> Number:
+    pairs: Pairs,
+    closing_force: ClosingForce,
+    mean_radius: MeanRadius,
+    friction_min: FrictionMin,
+    margin: Margin,
+    loop_gain_min: LoopGainMin,
+) -> Annotated[Number, Term("ΔT_max", "", "N*m")]:
     """Load rise until slip at f_min, z F_п R f_min (β_н − 1)/[β_н (1 + u)].
 
     Source: S22 (7).
-
-    Args:
-        pairs: z, friction pairs [1].
-        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
-        mean_radius: R_cp, mean friction radius [m].
-        friction_min: f_min, smallest coefficient of friction [1].
-        margin: β_н, torque margin [1].
-        loop_gain_min: u, loop gain at f_min [1].
-
-    Returns:
-        ΔT_max [N*m].
-
-    Validity:
-        f = f_min.
+    Validity: f = f_min.
     """
     return pairs * closing_force * mean_radius * friction_min * (margin - 1) / (margin * (1 + loop_gain_min))
 
 
+@equation
 def actuation_factor(
-    loop_gain: Number, loop_gain_min: Number, friction: Number, friction_min: Number, margin: Number
-) -> Number:
+    loop_gain: LoopGain, loop_gain_min: LoopGainMin, friction: Friction, friction_min: FrictionMin, margin: Margin
+) -> Annotated[Number, Term("A", "T_ср/T_муф", "1")]:
     """Published over expected actuation torque, A = [β_н v (1 + u) + (1 − v²) f_min/f]/[β_н (1 + u)].
 
     Source: S22 (14), (15) mended (M11), (21) with β_н = 1, (23).
-
-    Args:
-        loop_gain: v, loop gain at f [1].
-        loop_gain_min: u, loop gain at f_min [1].
-        friction: f, coefficient of friction [1].
-        friction_min: f_min, smallest coefficient of friction [1].
-        margin: β_н, torque margin [1].
-
-    Returns:
-        A = T_ср/T_муф [1].
-
-    Validity:
-        As published: rests on T_ср = T_п − ΔT', which the paper's own (12) contradicts (M12).
+    Validity: As published: rests on T_ср = T_п − ΔT', which the paper's own (12) contradicts (M12).
     """
     return (margin * loop_gain * (1 + loop_gain_min) + (1 - loop_gain * loop_gain) * friction_min / friction) / (
         margin * (1 + loop_gain_min)
     )
 
 
-def actuation_torque_published(potential_torque: Number, load_rise: Number) -> Number:
+@equation
+def actuation_torque_published(
+    potential_torque: PotentialTorque, load_rise: LoadRise
+) -> Annotated[Number, Term("T_ср", "", "N*m")]:
     """Actuation torque as published, T_ср = T_п − ΔT'.
 
     Source: S22 (14).
-
-    Args:
-        potential_torque: T_п, potential torque [N*m].
-        load_rise: ΔT', load rise until slip [N*m].
-
-    Returns:
-        T_ср [N*m].
-
-    Validity:
-        See M12: the weights of T_п and T_н.маш are swapped against the equilibrium.
+    Validity: See M12: the weights of T_п and T_н.маш are swapped against the equilibrium.
     """
     return potential_torque - load_rise
 
 
-def actuation_torque_equilibrium(machine_torque: Number, load_rise: Number) -> Number:
+@equation
+def actuation_torque_equilibrium(
+    machine_torque: MachineTorque, load_rise: LoadRise
+) -> Annotated[Number, Term("T_eq", "load at slip", "N*m")]:
     """Load at slip, T_н.маш + ΔT': equal to T_муф(f) for every margin.
 
     Source: Theory, section 6 (M12).
-
-    Args:
-        machine_torque: T_н.маш, nominal torque of the machine [N*m].
-        load_rise: ΔT', load rise until slip [N*m].
-
-    Returns:
-        T_eq, load at slip [N*m].
-
-    Validity:
-        The release force follows the load without lag.
+    Validity: The release force follows the load without lag.
     """
     return machine_torque + load_rise
 
 
-def interval_low(friction_min: Number, margin: Number, loop_gain_min: Number) -> Number:
+@equation
+def interval_low(
+    friction_min: FrictionMin, margin: Margin, loop_gain_min: LoopGainMin
+) -> Annotated[Number, Term("f_low", "one end of the interval", "1")]:
     """Friction at which T_п = T_н.маш, f_min/(β_н + (β_н − 1) u): one end of the interval where T_ср < T_муф.
 
     Source: S22 (17).
-
-    Args:
-        friction_min: f_min, smallest coefficient of friction [1].
-        margin: β_н, torque margin [1].
-        loop_gain_min: u, loop gain at f_min [1].
-
-    Returns:
-        f_low, one end of the interval [1].
-
-    Validity:
-        At or below f_min; clip to the friction range.
+    Validity: At or below f_min; clip to the friction range.
     """
     return friction_min / (margin + (margin - 1) * loop_gain_min)
 
 
-def interval_high(reduced_gain: Number) -> Number:
+@equation
+def interval_high(reduced_gain: ReducedGain) -> Annotated[Number, Term("f_high", "the other end of the interval", "1")]:
     """Friction at which v = 1, 1/((z − z_1) C): the other end of the interval where T_ср < T_муф.
 
     Source: S22 (17).
-
-    Args:
-        reduced_gain: zC, reduced gain (z − z_1) C [1].
-
-    Returns:
-        f_high, the other end of the interval [1].
-
-    Validity:
-        C > 0.
+    Validity: C > 0.
     """
     return 1 / reduced_gain
 
 
-def discriminant(margin: Number, loop_gain_min: Number) -> Number:
+@equation
+def discriminant(margin: Margin, loop_gain_min: LoopGainMin) -> Annotated[Number, Term("D", "", "1")]:
     """Discriminant of (17), D = (β_н + (β_н − 2) u)²: a perfect square, never negative.
 
     Source: S22 (17).
-
-    Args:
-        margin: β_н, torque margin [1].
-        loop_gain_min: u, loop gain at f_min [1].
-
-    Returns:
-        D [1].
-
-    Validity:
-        Any β_н, u.
+    Validity: Any β_н, u.
     """
     root = margin + (margin - 2) * loop_gain_min
     return root * root
 
 
-def accuracy_factor_expected(expected_torque: Number, nominal_torque: Number) -> Number:
+@equation
+def accuracy_factor_expected(
+    expected_torque: ExpectedTorque, nominal_torque: ClutchNominalTorque
+) -> Annotated[Number, Term("K_т,exp", "", "1")]:
     """Expected accuracy factor, T_муф(f_max)/T_н.муф.
 
     Source: S22 (18).
-
-    Args:
-        expected_torque: T_муф, expected slip torque at f_max [N*m].
-        nominal_torque: T_н.муф, nominal torque of the clutch, T_муф at f_min [N*m].
-
-    Returns:
-        K_т,exp [1].
-
-    Validity:
-        The clutch set at f_min.
+    Validity: The clutch set at f_min.
     """
     return expected_torque / nominal_torque
 
 
-def accuracy_factor_actual(actuation_torque: Number, nominal_torque: Number) -> Number:
+@equation
+def accuracy_factor_actual(
+    actuation_torque: ActuationTorque, nominal_torque: ClutchNominalTorque
+) -> Annotated[Number, Term("K_т,act", "", "1")]:
     """Actual accuracy factor, the larger of published and expected torque at f_max over T_н.муф.
 
     Source: S22 (19).
-
-    Args:
-        actuation_torque: T_act, the larger of T_ср and T_муф at f_max [N*m].
-        nominal_torque: T_н.муф, nominal torque of the clutch, T_муф at f_min [N*m].
-
-    Returns:
-        K_т,act [1].
-
-    Validity:
-        The published actuation torque (M12).
+    Validity: The published actuation torque (M12).
     """
     return actuation_torque / nominal_torque
 
 
-def accuracy_factor_equilibrium(torque_max: Number, torque_min: Number) -> Number:
+@equation
+def accuracy_factor_equilibrium(
+    torque_max: EquilibriumTorqueMax, torque_min: EquilibriumTorqueMin
+) -> Annotated[Number, Term("K_т,eq", "", "1")]:
     """Accuracy factor with the torque at equilibrium, T_eq(f_max)/T_eq(f_min).
 
     Source: Theory, section 6 (M12).
-
-    Args:
-        torque_max: T_eq.max, load at slip at f_max [N*m].
-        torque_min: T_eq.min, load at slip at f_min [N*m].
-
-    Returns:
-        K_т,eq [1].
-
-    Validity:
-        Quasi-static loading.
+    Validity: Quasi-static loading.
     """
     return torque_max / torque_min
 
 
-def optimal_reduced_gain(friction_max: Number) -> Number:
+@equation
+def optimal_reduced_gain(
+    friction_max: FrictionMax,
+) -> Annotated[Number, Term("(zC)_opt", "reduced gain (z − z_1) C", "1")]:
     """Reduced gain at which the actual accuracy is best, 1/f_max.
 
     Source: S22, text on the optimum, mended (M13); A = 1 there.
-
-    Args:
-        friction_max: f_max, largest coefficient of friction [1].
-
-    Returns:
-        (zC)_opt, reduced gain (z − z_1) C [1].
-
-    Validity:
-        Published actuation torque; a kink of max(T_ср, T_муф).
+    Validity: Published actuation torque; a kink of max(T_ср, T_муф).
     """
     return 1 / friction_max
 
 
-def best_actual_accuracy_factor(friction_min: Number, friction_max: Number) -> Number:
+@equation
+def best_actual_accuracy_factor(friction_min: FrictionMin, friction_max: FrictionMax) -> AccuracyFactor:
     """Accuracy factor at the optimal reduced gain, (f_max + f_min)/(2 f_min).
 
     Source: Theory, section 6.
-
-    Args:
-        friction_min: f_min, smallest coefficient of friction [1].
-        friction_max: f_max, largest coefficient of friction [1].
-
-    Returns:
-        K_т [1].
-
-    Validity:
-        All-driving; (z − z_1) C = 1/f_max.
+    Validity: All-driving; (z − z_1) C = 1/f_max.
     """
     return (friction_max + friction_min) / (2 * friction_min)
 
 
+@equation
 def potential_torque_gain_of_differentiated(
-    pairs: Number,
-    bypass_pairs: Number,
-    closing_force: Number,
-    mean_radius: Number,
-    friction: Number,
-    friction_min: Number,
-    gain: Number,
-    margin: Number,
-) -> Number:
+    pairs: Pairs,
+    bypass_pairs: BypassPairs,
+    closing_force: ClosingForce,
+    mean_radius: MeanRadius,
+    friction: Friction,
+    friction_min: FrictionMin,
+    gain: Gain,
+    margin: Margin,
+) -> Annotated[Number, Term("T'_п − T_п", "", "N*m")]:
     """By how much T_п of the differentiated clutch exceeds that of the all-driving one.
 
     z F_п R f z_1 C f_min/{β_н (1 + zC f_min)[1 + (z − z_1) C f_min]}
 
     Source: Difference of S22 (22) and (8) (M15, M18).
-
-    Args:
-        pairs: z, friction pairs [1].
-        bypass_pairs: z_1, pairs that bypass the control unit [1].
-        closing_force: F_п, closing-spring force as set (S21: F_п1) [N].
-        mean_radius: R_cp, mean friction radius [m].
-        friction: f, coefficient of friction [1].
-        friction_min: f_min, smallest coefficient of friction [1].
-        gain: C, feedback gain [1].
-        margin: β_н, torque margin [1].
-
-    Returns:
-        T'_п − T_п [N*m].
-
-    Validity:
-        Equal spring force, gain and margin.
+    Validity: Equal spring force, gain and margin.
     """
     all_driving = 1 + pairs * gain * friction_min
     differentiated = 1 + (pairs - bypass_pairs) * gain * friction_min

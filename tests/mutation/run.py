@@ -14,7 +14,7 @@ import sys
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module, reload
-from inspect import getsource
+from inspect import getsource, unwrap
 from pathlib import Path
 from typing import NamedTuple
 
@@ -101,9 +101,9 @@ def _passes(mutant: Mutant, order: list[str]) -> bool:
     try:
         module = import_module(f"afmcalc.equations.{mutant.module}")
         code = compile(ast.fix_missing_locations(mutant.tree), "mutant", "exec")
-        original = vars(module)[mutant.function]
+        original = unwrap(vars(module)[mutant.function])
         exec(code, vars(module))
-        original.__code__ = vars(module)[mutant.function].__code__
+        original.__code__ = unwrap(vars(module)[mutant.function]).__code__
         _check_dimensions(mutant.equation)
         _proofs_anew()
         for name in order:
@@ -178,7 +178,7 @@ def main(chosen: list[str]) -> int:
         print("the control, an unchanged function, did not survive: nothing here can be believed")
         return 2
     names = chosen or sorted(
-        p.stem for p in folder.glob("*.py") if not p.stem.startswith("_") and p.stem != "catalogue"
+        p.stem for p in folder.glob("*.py") if p.stem not in ("__init__", "calls", "catalogue", "terms")
     )
     found = [mutant for name in names for mutant in mutants(name, (folder / f"{name}.py").read_text(encoding="utf-8"))]
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
