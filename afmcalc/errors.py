@@ -1,9 +1,10 @@
 """Errors meant for people: what is wrong, where, what was given, what is allowed."""
 
 from collections.abc import Callable
+from importlib.util import find_spec
 from typing import NamedTuple
 
-from .messages import Text, say, term, translate
+from .messages import Text, joined, say, term, translate
 from .source import LABELS, Place, Source
 
 MOST_SHOWN = 20
@@ -51,6 +52,33 @@ def reason(error: OSError) -> str:
         except FileNotFoundError:
             return say("the working directory {path} does not exist any more", path=os.environ.get("PWD", "."))
     return term(error.strerror or str(error))
+
+
+EXTRAS = {
+    "explain": ("sympy",),
+    "plot": ("matplotlib",),
+    "ru": ("babel",),
+    "cad": ("ezdxf",),
+    "report": ("jinja2", "matplotlib", "latex2mathml"),
+}
+"""Optional dependencies, as pip knows them → modules they bring."""
+
+
+def need(extra: str) -> None:
+    """Make sure that the modules of an extra are installed, without importing them.
+
+    Raises:
+        AfmcalcError: one is missing; it says how to get it.
+    """
+    missing = [name for name in EXTRAS[extra] if find_spec(name) is None]
+    if missing:
+        raise AfmcalcError(
+            say(
+                "this needs {missing}, not installed here: pip install 'afmcalc[{extra}]'",
+                missing=joined(missing, say(" and ")),
+                extra=extra,
+            )
+        )
 
 
 class CalculationError(AfmcalcError, ValueError):

@@ -11,8 +11,8 @@ LINE = ("equations", "ground", "variants", "proofs", "spec", "engines", "papers"
 """A room imports from itself and from rooms to its left."""
 
 GROUND = {
-    *("result", "findings", "errors", "messages", "arrays", "extras"),
-    *("recorders", "source", "spans", "spelling", "watch"),
+    *("result", "findings", "errors", "messages", "arrays"),
+    *("recorders", "source", "spans", "spelling", "progress"),
 }
 MAY_ONLY = {"equations": set(), "ground": set(), "proofs": {"equations"}}
 """Rooms that know less than what is left of them."""

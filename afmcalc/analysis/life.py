@@ -7,7 +7,6 @@ from ..arrays import Values
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..errors import AfmcalcError, Problem, SpecError
-from ..extras import installed
 from ..findings import Finding, finding
 from ..messages import say, term
 from ..result import Answer, Result, Series, quantity
@@ -84,7 +83,6 @@ def life(
 
     Raises:
         SpecError: no [fatigue] block, or one that lacks what the model needs.
-        AfmcalcError: an event gives the dynamic factor, and SciPy is missing.
     """
     part = _part(clutch, model)
     factor = dynamic_factor(clutch, None if answers is None else lambda: answers.of(SimulateResult))
@@ -270,7 +268,7 @@ def _is_unlimited(part: Fatigue, stress: float | None) -> bool:
 def _underrated(clutch: Clutch) -> list[Finding]:
     """Say that the dynamic factor given is smaller than that of the event, where that can be simulated."""
     drive = clutch.spec.drive
-    if drive.dynamic_factor is None or drive.event is None or not installed("drive"):
+    if drive.dynamic_factor is None or drive.event is None:
         return []
     from .simulate.simulate import simulate
 

@@ -36,7 +36,7 @@ def simulate(
     """The drive in time: what happens when the clutch trips, by the [drive] block.
 
     --output FILE writes the spec with the dynamic factor found, for life; the result goes to standard output all the
-    same. With --friction the history is that of these frictions alone. Needs SciPy: pip install 'afmcalc[drive]'.
+    same. With --friction the history is that of these frictions alone.
 
     An event is followed until nothing more can come, or for drive.event.duration. The time to a cut-off runs from the
     first slip on, also while the clutch is stuck again. A load resists as friction does and holds a stopped tool; that

@@ -12,9 +12,9 @@ import typer
 
 from ..errors import AfmcalcError
 from ..messages import say, told
+from ..progress import Bar
 from .files import format_of, format_of_spec, refuse, write
 from .names import completing, paths
-from .progress import Bar
 from .signals import unreported
 from .streams import tell
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
-from ..extras import need
+from ..errors import need
 from ..messages import say
 from .files import format_of_spec
 from .options import Common

@@ -3,8 +3,7 @@
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from ..errors import AfmcalcError
-from ..extras import need
+from ..errors import AfmcalcError, need
 from ..messages import say
 from .files import write, write_file
 from .options import Common

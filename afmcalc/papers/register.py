@@ -8,9 +8,9 @@ from typing import Literal
 from ..errors import AfmcalcError
 from ..findings import Finding
 from ..messages import say
+from ..progress import counted
 from ..result import Answer, Result, quantity
 from ..spec.suggest import did_you_mean
-from ..watch import counted
 
 PAPERS = ("F11", "S19", "S21", "S22")
 
@@ -151,7 +151,7 @@ def equations(
 
 
 def _prove(names: list[str]) -> list[Proved]:
-    from ..extras import need
+    from ..errors import need
     from ..proofs import prove
 
     need("explain")

@@ -396,12 +396,3 @@ def test_an_event_is_simulated():
     assert power > 1.2 * 200 * 15, "the driven half swings back: more than as the slip begins"
     assert result.power_density.min == pytest.approx(power / (8 * AREA), rel=2e-3)
     assert "motor-never-stops" in codes(heat(clutch(140, {**drive, "load_torque": 100}))[1])
-
-
-def test_without_scipy_an_event_has_no_other_heat(afmcalc, monkeypatch):
-    """V1 in its place would give other digits, and not say why."""
-    monkeypatch.setattr("afmcalc.extras.find_spec", lambda name: None)
-    for command in ("heat", "check", "simulate"):
-        ended = afmcalc(command, "example:drive")
-        assert (ended.code, ended.out) == (2, "")
-        assert "this needs scipy, not installed here: pip install 'afmcalc[drive]'" in ended.err

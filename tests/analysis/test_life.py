@@ -117,14 +117,6 @@ def test_a_default_dynamic_factor_stays_one_when_a_spec_is_piped_on(afmcalc):
     assert "dynamic_factor" not in json.loads(piped)["spec"]["drive"]
 
 
-def test_a_life_needs_scipy_only_where_an_event_gives_its_factor(afmcalc, monkeypatch):
-    monkeypatch.setattr("afmcalc.extras.find_spec", lambda name: None)
-    ended = afmcalc("life", CONVEYOR, "--set", "drive.dynamic_factor=")
-    assert (ended.code, ended.out) == (2, "")
-    assert "this needs scipy, not installed here: pip install 'afmcalc[drive]'" in ended.err
-    assert afmcalc("life", CONVEYOR).code == 0
-
-
 @pytest.mark.parametrize("sweep", ["C=1", "drive.shaft_stiffness=2e3", "friction_group.pairs=3"])
 def test_a_sweep_simulates_the_event_of_every_point(sweep):
     """Stepped, within 0.1 % of the peak: 0.6 % of a life by its 6th power."""

@@ -12,8 +12,7 @@ import pytest
 from conftest import CONFIGS, ROOT
 
 import afmcalc
-from afmcalc import watch
-from afmcalc.cli import progress
+from afmcalc import progress
 from afmcalc.cli.entry import main
 from afmcalc.errors import AfmcalcError
 
@@ -98,7 +97,7 @@ def test_a_bar_with_the_time_left(command, undrawn, monkeypatch):
 
 def test_a_bar_on_a_real_terminal():
     person, terminal = os.openpty()
-    code = "from afmcalc.cli import progress; progress.PATIENCE = progress._EACH = 0; from afmcalc.cli.entry import main; main()"
+    code = "from afmcalc import progress; progress.PATIENCE = progress._EACH = 0; from afmcalc.cli.entry import main; main()"
     with subprocess.Popen(
         [sys.executable, "-c", code, *map(str, LONG["design"])], stdout=subprocess.DEVNULL, stderr=terminal,
         env={**os.environ, "PYTHONPATH": str(ROOT), "TERM": "xterm", "COLUMNS": "100", "CI": ""},
@@ -149,10 +148,10 @@ def clock(monkeypatch, *, agreed=False):
 
 def test_it_is_too_late_to_refuse_when_less_is_left_than_is_behind(monkeypatch):
     with clock(monkeypatch) as passes:
-        watch.tell("searching", 0, 10)
+        progress.tell("searching", 0, 10)
         for done in range(1, 11):
             passes(5.5 if done < 6 else 9)  # 55 s to go by at first, 72.5 s as it turns out
-            watch.tell("searching", done, 10)
+            progress.tell("searching", done, 10)
 
 
 @pytest.mark.parametrize(("first", "refused"), [(1.0, False), (5.0, False), (15.0, True)])
@@ -160,10 +159,10 @@ def test_one_event_of_several_tells_what_all_take(first, refused, monkeypatch):
     """A trial of the work's own cost: one of five parts, which cannot itself say how long it takes."""
 
     def all_five(passes):
-        for _ in watch.counted("simulating", range(5)):
+        for _ in progress.counted("simulating", range(5)):
             for _ in range(100):
                 passes(first / 100)
-                watch.pulse()
+                progress.pulse()
 
     with clock(monkeypatch) as passes:
         if refused:
@@ -176,11 +175,11 @@ def test_one_event_of_several_tells_what_all_take(first, refused, monkeypatch):
 
 
 def test_nobody_is_told_when_nobody_waits():
-    watch.pulse()
-    assert [*watch.counted("simulating", "abc")] == [*"abc"]
+    progress.pulse()
+    assert [*progress.counted("simulating", "abc")] == [*"abc"]
     with pytest.raises(ZeroDivisionError), progress.Bar(quiet=True):
         raise ZeroDivisionError
-    assert watch._watcher.get() is None
+    assert progress.WATCHER.get() is None
 
 
 def test_a_slow_event_is_told_of_while_it_lasts(monkeypatch):
@@ -194,8 +193,9 @@ def test_a_slow_event_is_told_of_while_it_lasts(monkeypatch):
         def pulse(self):
             told.append("on")
 
-    with watch.watched_by(Watcher()):
-        afmcalc.load(DRIVE).simulate()
+    waiting = progress.WATCHER.set(Watcher())
+    afmcalc.load(DRIVE).simulate()
+    progress.WATCHER.reset(waiting)
     parts = [each for each in told if each != "on"]
     assert parts == [("simulating the event", done, 3) for done in range(4)]
     between = [told.index(part) for part in parts]

@@ -8,10 +8,10 @@ import numpy as np
 from ...errors import AfmcalcError
 from ...findings import Finding, doubts, finding
 from ...messages import joined, measured, say, term
+from ...progress import tell
 from ...result import Answer, quantity
 from ...spec.requirements import Requirements
 from ...spec.suggest import did_you_mean
-from ...watch import tell
 from .attainable import Attainable, attainable
 from .by_law import candidates
 from .found import Found

@@ -10,10 +10,10 @@ from ...equations import heat as law
 from ...errors import Problem, SpecError
 from ...findings import Finding
 from ...messages import say
+from ...progress import counted
 from ...recorders import marked, unrecorded
 from ...spec.drive import Drive
 from ...spec.heat import missing_of
-from ...watch import counted
 from ..registry import ANALYSES
 
 if TYPE_CHECKING:

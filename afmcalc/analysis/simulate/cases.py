@@ -10,7 +10,6 @@ import numpy as np
 from ...arrays import Values
 from ...engines.protocol import Clutch
 from ...equations import heat
-from ...extras import need
 from .direct import DirectPlant
 from .indirect import IndirectPlant
 from .packs import ordinary_pack, pack_of, plant_of, without_hub
@@ -40,10 +39,8 @@ class Case(NamedTuple):
         """Simulate.
 
         Raises:
-            AfmcalcError: SciPy is missing.
             CalculationError: the integration fails.
         """
-        need("drive")
         from .machine import trip
 
         return trip(self.plant, self.horizon, recorded=recorded, given=self.given)

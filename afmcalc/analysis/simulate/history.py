@@ -4,8 +4,8 @@ from collections.abc import Iterable
 
 from ...engines.protocol import Clutch
 from ...messages import say
+from ...progress import counted
 from ...result import Answer, Result, quantity
-from ...watch import counted
 from ..torque import Pair, friction_fields, pairs_asked
 from .cases import case_of, peak_time
 

@@ -9,7 +9,7 @@ from scipy.integrate import DOP853, OdeSolver, Radau
 from ...arrays import finite
 from ...errors import CalculationError
 from ...messages import say
-from ...watch import pulse
+from ...progress import pulse
 from .coast import creep, stride
 from .plant import Mode, Plant, State, Torques
 from .record import Heating, Moment, Trip

@@ -8,10 +8,10 @@ from ...engines.protocol import Clutch
 from ...errors import CalculationError
 from ...findings import Finding, finding
 from ...messages import say
+from ...progress import counted
 from ...recorders import unrecorded
 from ...result import OpenTriple, Triple
 from ...spec import Spec, resolved
-from ...watch import counted
 from ..sweep.grid import Axis, replaced
 from ..torque import Pair, friction_fields, outside_range, pairs_asked
 from .bypass import bypass_peak

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ...arrays import Floats
 from ...messages import say
-from ...watch import tell
+from ...progress import tell
 from .direct import DirectPack
 from .lanes import DirectLanes, SleeveLanes
 from .rest import Slipping, Stuck, settled, slips_below

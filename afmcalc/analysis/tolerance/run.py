@@ -7,7 +7,7 @@ import numpy as np
 
 from ...errors import CalculationError
 from ...messages import say
-from ...watch import Count
+from ...progress import Count
 from .bins import Grid
 from .distributions import Array
 from .model import Model

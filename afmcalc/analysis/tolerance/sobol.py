@@ -8,7 +8,7 @@ import numpy as np
 
 from ...errors import CalculationError
 from ...messages import say
-from ...watch import Count
+from ...progress import Count
 from .distributions import Array
 from .model import Model
 from .result import Estimate

@@ -627,7 +627,7 @@ def test_ctrl_c_leaves_no_file(tmp_path):
     springs = {"closing_stiffness": grid(1e4, 2e5, 20), "control_stiffness": grid(1e4, 2e5, 20)}
     wide = {"mean_radius": grid(0.06, 0.14, 1000), "gain": grid(0.1, 3, 1000), **springs}
     source.write_text(json.dumps(changed(variants=["indirect"], search=wide, fixed=INDIRECT["fixed"])))
-    code = "from afmcalc.cli import progress; progress.PATIENCE = 0; from afmcalc.__main__ import program; program()"
+    code = "from afmcalc import progress; progress.PATIENCE = 0; from afmcalc.__main__ import program; program()"
     command = [sys.executable, "-c", code, "design", str(source), "--pick", "1", "-o", str(target), "--yes"]
     person, terminal = os.openpty()
     # started from a background job it would ignore the signal from the outset

@@ -252,7 +252,7 @@ def test_errors(afmcalc, monkeypatch):
     assert (run.code, "did you mean 'torque'" in run.err) == (2, True)
     refused = afmcalc("explain", "overload", S21)
     assert refused.code == 2
-    monkeypatch.setattr("afmcalc.extras.find_spec", lambda name: None)
+    monkeypatch.setattr("afmcalc.errors.find_spec", lambda name: None)
     assert afmcalc("explain", "torque").code == 0
     missing = afmcalc("equations", "--id", "S21 (15)", "--prove")
     assert missing.code == 2

@@ -1,13 +1,20 @@
-"""A progress bar on standard error for what takes longer than a second; what takes longer than a minute is refused."""
+"""How far a calculation is: any loop may tell, and a bar on standard error shows it to whoever waits.
+
+The bar appears where something takes longer than a second; what takes longer than a minute is refused.
+"""
 
 import sys
 import time
+from collections.abc import Iterator, Sequence
+from contextvars import ContextVar
+from threading import Lock
 from types import TracebackType
-from typing import Any
+from typing import Any, TypeVar
 
-from ..errors import AfmcalcError
-from ..messages import say, say_many
-from ..watch import watched_by
+from .errors import AfmcalcError
+from .messages import say, say_many
+
+T = TypeVar("T")
 
 PATIENCE = 1.0
 """Seconds before the bar appears, and before it is known how long the whole takes."""
@@ -15,6 +22,48 @@ LONG = 60.0
 """Seconds beyond which somebody has to agree."""
 _EACH = 0.1
 """Seconds between two looks of the bar."""
+
+
+WATCHER: "ContextVar[Bar | None]" = ContextVar("watcher", default=None)
+"""What tells of the calculation under way; it ends the calculation by raising an error."""
+
+
+def tell(work: str, done: int, total: int) -> None:
+    """Tell how much of a piece of work is behind, of how much."""
+    if watcher := WATCHER.get():
+        watcher.advance(work, done, total)
+
+
+def pulse() -> None:
+    """Tell that the part under way goes on."""
+    if watcher := WATCHER.get():
+        watcher.pulse()
+
+
+def counted(work: str, parts: Sequence[T]) -> Iterator[T]:
+    """Go through the parts of a piece of work, and tell how many are behind."""
+    for done, part in enumerate(parts):
+        tell(work, done, len(parts))
+        yield part
+    if parts:
+        tell(work, len(parts), len(parts))
+
+
+class Count:
+    """Counts what several threads have done of one piece of work."""
+
+    def __init__(self, work: str, total: int) -> None:
+        """Begin to count up to ``total``; whoever waits for this thread is told by the others too."""
+        self._watcher, self._work, self._total = WATCHER.get(), work, total
+        self._done = 0
+        self._lock = Lock()
+
+    def add(self, more: int) -> None:
+        """Count more, and tell."""
+        with self._lock:
+            self._done += more
+            if self._watcher:
+                self._watcher.advance(self._work, self._done, self._total)
 
 
 class Bar:
@@ -86,13 +135,12 @@ class Bar:
 
     def __enter__(self) -> "Bar":
         """Start."""
-        self._watched = watched_by(self)
-        self._watched.__enter__()
+        self._token = WATCHER.set(self)
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
         """Take the bar away, whatever ended the work."""
-        self._watched.__exit__(kind, error, at)
+        WATCHER.reset(self._token)
         if self._bar is not None:
             self._bar.stop()
 
@@ -105,8 +153,6 @@ def _in_words(seconds: float) -> str:
     """
     if seconds < 5400:
         return say("{count:.0f} min", count=seconds / 60)
-    return (
-        say("{count:.0f} h", count=seconds / 3600)
-        if seconds < 172800
-        else say_many("{count} day", "{count} days", count=round(seconds / 86400))
-    )
+    if seconds < 172800:
+        return say("{count:.0f} h", count=seconds / 3600)
+    return say_many("{count} day", "{count} days", count=round(seconds / 86400))
