@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from .analysis.adjust import AdjustResult
     from .analysis.checks.check import CheckResult
     from .analysis.compare import CompareResult
-    from .analysis.design.design import DesignResult
+    from .analysis.design.rows import DesignResult
     from .analysis.effects.effects import EffectsResult
     from .analysis.explain.explain import ExplainResult
     from .analysis.heat.result import HeatResult

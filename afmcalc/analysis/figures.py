@@ -11,7 +11,7 @@ from .registry import ANALYSES, PLOTS, Plot, StressRule
 if TYPE_CHECKING:
     from ..papers.figures import PaperFigure
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
-    from .design.design import DesignResult
+    from .design.rows import DesignResult
     from .effects.curve import EffectsCurve
     from .shop import ShopDrawing
     from .simulate.history import MomentRow

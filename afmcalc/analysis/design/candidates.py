@@ -1,27 +1,41 @@
-"""Candidates of a design: the laws over arrays, asked piece by piece, each piece over no more axes than it needs."""
+"""Candidates of a design: each law over arrays, asked piece by piece, each piece over no more axes than it needs."""
 
 import math
-from abc import ABC, abstractmethod
-from dataclasses import dataclass
-from functools import cached_property
-from typing import ClassVar
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cache, cached_property, reduce
+from typing import Any
 
 import numpy as np
 
-from ...equations import adjustment, direct, geometry, synthesis
+from ...engines.direct_law import DirectLaw
+from ...engines.laws import IndirectLaw
+from ...equations import adjustment, direct, geometry, synthesis, wall
+from ...spec.contact import HARDENED_STEEL
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
-from .room import never_meet
 from .space import SAME, Axes, Mask, Numbers, Places, balls, given
+
+_NEWTON_STEPS = 12
+"""To the mouth of a pocket: each doubles the digits."""
+_MOST_CIRCLES = 10_000
+"""Ball circles beyond which it is not asked beforehand whether pockets can meet at all."""
+
+
+def candidates(need: Requirements, variant: Variant, at: Axes) -> "Candidates":
+    """Candidates of a variant."""
+    if not variant.travels:
+        return Candidates(need, variant, at)
+    return (IndirectCandidates if need.fixed.pocket is None else CurvedCandidates)(need, variant, at)
 
 
 @dataclass(frozen=True)
-class Candidates(ABC):
-    """Candidates of a variant; the arrays of ``at`` broadcast, and so does every answer, in SI.
+class Candidates:
+    """Candidates of direct regulation; the arrays of ``at`` broadcast, and so does every answer, in SI.
 
     The spring force is the least that gives the nominal torque, or the next of a catalogue: every law is
-    proportional to it and nothing gets better with more of it.
+    proportional to it and nothing gets better with more of it. What ends in ``_per_force`` is per N of it.
     """
 
     need: Requirements
@@ -30,44 +44,50 @@ class Candidates(ABC):
     digits: int | None = None
     """Digits that the spring force is rounded up to; None: it is exact."""
 
-    no_clutch: ClassVar[str]
-    """Name under which candidates count that are no clutch, and under no other."""
-
-    # per N of closing force, from the law
     @property
-    @abstractmethod
-    def at_set(self) -> Numbers:
+    def no_clutch(self) -> str:
+        """Name under which candidates count that are no clutch, and under no other."""
+        return "pairs"
+
+    @cached_property
+    def law(self) -> Any:
+        """The law of all candidates."""
+        return DirectLaw(self.at.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain)
+
+    @cached_property
+    def torque_per_force(self) -> Numbers:
         """Torque at the setting, m."""
+        return self.law.torque_per_force(*self.frictions[0])
 
-    @property
-    @abstractmethod
-    def low(self) -> Numbers:
-        """Torque at f_min, m."""
+    @cached_property
+    def torques_per_force(self) -> tuple[Numbers, Numbers]:
+        """Smallest and largest torque, m: at the ends of the friction; of unlike materials also where both are mean."""
+        points = self.frictions[1:]
+        if self.need.friction.unlike:
+            first, second = self.need.friction.groups
+            points += ((first.mean, second.mean),)
+        torques = [self.law.torque_per_force(*point) for point in points]
+        return reduce(np.minimum, torques), reduce(np.maximum, torques)
 
-    @property
-    @abstractmethod
-    def high(self) -> Numbers:
-        """Torque at f_max, m."""
+    @cached_property
+    def ball_torque_per_force(self) -> Numbers:
+        """Largest torque that passes the balls, m: it grows with f_2, whatever the gain."""
+        return self.law.ball_torque(1.0, self.frictions[2][1])
 
-    @property
-    @abstractmethod
-    def on_balls(self) -> Numbers:
-        """Largest torque that passes the balls, m."""
-
-    @property
-    @abstractmethod
-    def pack(self) -> Numbers:
+    @cached_property
+    def pack_force_per_force(self) -> Numbers:
         """Force that presses the pack at rest."""
+        return np.ones(1)
 
-    @property
-    @abstractmethod
-    def moved(self) -> Numbers:
-        """Travel at f_max, m/N."""
+    @cached_property
+    def travel_per_force(self) -> Numbers:
+        """Largest travel, m/N."""
+        return np.zeros(1)
 
-    @property
-    @abstractmethod
+    @cached_property
     def is_clutch(self) -> Mask:
         """Whether it can be built and adapts at all."""
+        return self.controlled_pairs > 0 if self.variant.controlled else np.ones(1, bool)
 
     @cached_property
     def frictions(self) -> tuple[tuple[float, float], ...]:
@@ -75,11 +95,6 @@ class Candidates(ABC):
         first, second = self.need.friction.groups
         at_set = "mean" if self.need.wanted.method == "mean-friction" else "min"
         return tuple((getattr(first, name), getattr(second, name)) for name in (at_set, "min", "max"))
-
-    @property
-    def set_low(self) -> bool:
-        """Whether the spring is set at f_min."""
-        return self.frictions[0] == self.frictions[1]
 
     @cached_property
     def bypass_pairs(self) -> Numbers:
@@ -95,20 +110,12 @@ class Candidates(ABC):
     @cached_property
     def gain(self) -> Numbers:
         """C."""
-        found: Numbers
         if not self.variant.controlled:
-            found = np.zeros(1)
-        elif self.need.search.gain is not None:
-            found = self.at.steering
-        else:
-            # r and α first: they are fewer than with R
-            found = direct.gain(1.0, self.at.ball_circle_radius, self.tangent) * self.at.mean_radius
-        return found
-
-    @cached_property
-    def torques(self) -> tuple[Numbers, Numbers]:
-        """Smallest and largest torque, m: the law rises or falls all the way."""
-        return np.minimum(self.low, self.high), np.maximum(self.low, self.high)
+            return np.zeros(1)
+        if self.need.search.gain is not None:
+            return self.at.steering
+        # r and α first: they are fewer than with R
+        return direct.gain(1.0, self.at.ball_circle_radius, self.tangent) * self.at.mean_radius
 
     @property
     def gain_limit(self) -> Numbers:
@@ -119,28 +126,32 @@ class Candidates(ABC):
         return np.asarray(limit.gain(self.bypass_pairs, self.controlled_pairs, friction))
 
     @cached_property
+    def reduced_gain(self) -> Numbers:
+        """Controlled pairs times gain."""
+        return direct.reduced_gain(self.controlled_pairs, self.gain)
+
+    @cached_property
+    def gain_slope(self) -> Numbers:
+        """C_1 of the pockets, 1/m."""
+        return np.zeros(1)
+
+    @cached_property
     def tangent(self) -> Numbers:
         """tan α."""
-        found: Numbers
         if self.need.search.gain is None:
-            found = np.tan(self.at.steering)
-        else:
-            found = synthesis.tan_wall_angle(self.gain, self.at.ball_circle_radius, self.at.mean_radius)
-        return found
+            return np.tan(self.at.steering)
+        return synthesis.tan_wall_angle(self.gain, self.at.ball_circle_radius, self.at.mean_radius)
 
     @cached_property
     def cosine(self) -> Numbers:
         """cos α."""
-        found: Numbers = 1 / np.sqrt(1 + self.tangent * self.tangent)
-        return found
+        return 1 / np.sqrt(1 + self.tangent * self.tangent)
 
     @cached_property
     def wanted_force(self) -> Numbers:
         """Closing force that gives the nominal torque, N."""
-        found: Numbers = adjustment.closing_force(
-            self.need.wanted.clutch_torque, self.need.wanted.in_spring, self.at_set
-        )
-        return found
+        wanted = self.need.wanted
+        return adjustment.closing_force(wanted.clutch_torque, wanted.in_spring, self.torque_per_force)
 
     @cached_property
     def closing_force(self) -> Numbers:
@@ -154,30 +165,23 @@ class Candidates(ABC):
     @cached_property
     def pack_force(self) -> Numbers:
         """Force that presses the pack at rest, N."""
-        return self.closing_force * self.pack
+        return self.closing_force * self.pack_force_per_force
 
     @cached_property
     def nominal_torque(self) -> Numbers:
         """T_н, N·m."""
-        found: Numbers = adjustment.nominal_torque(self.closing_force * self.at_set, self.need.wanted.in_spring)
-        return found
+        return adjustment.nominal_torque(self.closing_force * self.torque_per_force, self.need.wanted.in_spring)
 
     @cached_property
     def torque_max(self) -> Numbers:
         """Largest sustained torque, N·m."""
-        return self.closing_force * self.torques[1]
+        return self.closing_force * self.torques_per_force[1]
 
     @cached_property
     def accuracy_factor(self) -> Numbers:
         """K_т."""
-        smallest, largest = self.torques
-        return np.asarray(largest / smallest)
-
-    @cached_property
-    def reduced_gain(self) -> Numbers:
-        """Controlled pairs times gain."""
-        found: Numbers = direct.reduced_gain(self.controlled_pairs, self.gain)
-        return found
+        smallest, largest = self.torques_per_force
+        return largest / smallest
 
     @cached_property
     def face_width(self) -> Numbers:
@@ -195,33 +199,18 @@ class Candidates(ABC):
         """Mean surface pressure under the force at rest, Pa; NaN where the width of the faces is not known."""
         half = self.face_width / 2
         per_force = geometry.mean_pressure(1.0, self.at.mean_radius - half, self.at.mean_radius + half, np.pi)
-        found: Numbers = self.pack_force * per_force
-        return found
+        return self.pack_force * per_force
 
     @cached_property
     def peak_pressure(self) -> Numbers:
         """Surface pressure at the inner edge, which a friction material is held to, Pa; NaN as the mean."""
-        half = self.face_width / 2
-        found: Numbers = geometry.peak_pressure_uniform_wear(
-            self.pack_force, self.at.mean_radius - half, self.at.mean_radius + half, np.pi
-        )
-        return found
+        half, mean = self.face_width / 2, self.at.mean_radius
+        return geometry.peak_pressure_uniform_wear(self.pack_force, mean - half, mean + half, np.pi)
 
     @cached_property
     def force_per_ball(self) -> Numbers:
         """Normal force on one ball per torque, 1/m."""
-        found: Numbers = synthesis.contact_force(1.0, self.need.fixed.balls, self.at.ball_circle_radius, self.cosine)
-        return found
-
-    @cached_property
-    def ball_torque(self) -> Numbers:
-        """Largest torque that passes the balls, N·m."""
-        return self.closing_force * self.on_balls
-
-    @cached_property
-    def contact_force(self) -> Numbers:
-        """Largest normal force on one ball, N."""
-        return self.ball_torque * self.force_per_ball
+        return synthesis.contact_force(1.0, self.need.fixed.balls, self.at.ball_circle_radius, self.cosine)
 
     @property
     def most_per_ball(self) -> Numbers:
@@ -229,9 +218,19 @@ class Candidates(ABC):
         return self.force_per_ball
 
     @cached_property
+    def ball_torque(self) -> Numbers:
+        """Largest torque that passes the balls, N·m."""
+        return self.closing_force * self.ball_torque_per_force
+
+    @cached_property
+    def contact_force(self) -> Numbers:
+        """Largest normal force on one ball, N."""
+        return self.ball_torque * self.force_per_ball
+
+    @cached_property
     def travel(self) -> Numbers:
         """Largest travel of the sleeve, m; 0 without one."""
-        return self.closing_force * self.moved
+        return self.closing_force * self.travel_per_force
 
     @cached_property
     def control_force(self) -> Numbers:
@@ -251,9 +250,7 @@ class Candidates(ABC):
     @cached_property
     def ball_pitch(self) -> Numbers:
         """Distance between neighbouring balls, m; of a single one the width to the other side of the axis."""
-        sine = math.sin(math.pi / max(self.need.fixed.balls, 2))
-        found: Numbers = synthesis.ball_pitch(self.at.ball_circle_radius, sine)
-        return found
+        return synthesis.ball_pitch(self.at.ball_circle_radius, math.sin(math.pi / max(self.need.fixed.balls, 2)))
 
     @cached_property
     def ball_room(self) -> Numbers:
@@ -281,28 +278,19 @@ class Candidates(ABC):
             room = np.minimum(room, (pitch + self.need.fixed.face_gap * self.tangent) * self.cosine)
         return np.searchsorted(balls(self.need), room * (1 - SAME))
 
-    @cached_property
-    def ball_borne(self) -> Numbers:
-        """Diameter of the smallest ball that bears its force on a flat wall, m; 0 at gain 0, where there are none."""
-        if (contact := self.need.contact) is None:
-            return np.zeros(1)
-        # what a ball bears goes with its diameter squared
-        return np.where(self.tangent > 0, np.sqrt(self.contact_force / hertz.allowable_force(contact, 0.5)), 0.0)
-
-    @cached_property
-    def contact_pressure(self) -> Numbers:
-        """Contact pressure of the largest ball that has room, Pa; 0 at gain 0."""
-        contact = given(self.need.contact)
-        found = hertz.pressure(contact, self.contact_force, self.largest_bearing_ball / 2)
-        return np.where(self.tangent > 0, found, 0.0)
-
     @property
     def bears(self) -> Mask:
         """Whether there is room for a standard ball that bears its force."""
         contact, listed = given(self.need.contact), np.append(0.0, balls(self.need))
         borne = np.asarray(hertz.allowable_force(contact, listed / 2)) * (1 + SAME)
         allowed = borne[self._places(mouths=True)] / self.most_per_ball
-        return np.asarray(self.ball_torque <= np.where(self.tangent > 0, allowed, np.inf))
+        return self.ball_torque <= np.where(self.tangent > 0, allowed, np.inf)
+
+    @cached_property
+    def contact_pressure(self) -> Numbers:
+        """Contact pressure of the largest ball that has room, Pa; 0 at gain 0."""
+        pressure = hertz.pressure(given(self.need.contact), self.contact_force, self.largest_bearing_ball / 2)
+        return np.where(self.tangent > 0, pressure, 0.0)
 
     def travel_room(self, diameter: Numbers | float) -> Numbers:
         """Travel for which a ball is large enough, m: half of it goes off the clearance; no bound at gain 0."""
@@ -314,12 +302,22 @@ class Candidates(ABC):
     @property
     def ball_fits(self) -> Mask:
         """Whether a standard ball is large enough, and has room with its pocket."""
-        return np.asarray(self.travel <= self.travel_room(self.largest_ball * (1 + SAME)))
+        return self.travel <= self.travel_room(self.largest_ball * (1 + SAME))
 
-    @property
-    def gain_slope(self) -> Numbers:
-        """C_1 of the pockets, 1/m."""
-        return np.zeros(1)
+    @cached_property
+    def ball_reaching(self) -> Numbers:
+        """Diameter of the smallest ball that travel, gap and clearance allow, m; 0 at gain 0."""
+        fixed, sine = self.need.fixed, self.tangent * self.cosine
+        radius = synthesis.ball_radius(self.travel, fixed.face_gap, fixed.edge_clearance, sine)
+        return np.where(self.tangent > 0, 2 * radius, 0.0)
+
+    @cached_property
+    def ball_borne(self) -> Numbers:
+        """Diameter of the smallest ball that bears its force on a flat wall, m; 0 at gain 0, where there are none."""
+        if (contact := self.need.contact) is None:
+            return np.zeros(1)
+        # what a ball bears goes with its diameter squared
+        return np.where(self.tangent > 0, np.sqrt(self.contact_force / hertz.allowable_force(contact, 0.5)), 0.0)
 
     @cached_property
     def ball_needed(self) -> Numbers:
@@ -327,21 +325,212 @@ class Candidates(ABC):
         return np.maximum(self.ball_reaching, self.ball_borne)
 
     @cached_property
-    def ball_reaching(self) -> Numbers:
-        """The same of travel, gap and clearance alone."""
-        fixed, sine = self.need.fixed, self.tangent * self.cosine
-        found = 2 * synthesis.ball_radius(self.travel, fixed.face_gap, fixed.edge_clearance, sine)
-        return np.where(self.tangent > 0, found, 0.0)
-
-    @cached_property
     def ball_diameter(self) -> Numbers:
         """Next standard ball, m; NaN at gain 0 and where there is none."""
         if not self.variant.controlled:
             return np.full(1, np.nan)
+        return np.where(self.tangent > 0, self._next_listed(self.ball_needed), np.nan)
+
+    def _next_listed(self, least: Numbers) -> Numbers:
+        """Next standard ball, m; NaN where there is none."""
         listed = np.append(balls(self.need), np.nan)
-        place = np.searchsorted(listed[:-1], self.ball_needed * (1 - SAME))
-        found: Numbers = np.where(self.tangent > 0, listed[place], np.nan)
-        return found
+        return listed[np.searchsorted(listed[:-1], least * (1 - SAME))]
+
+
+class IndirectCandidates(Candidates):
+    """Candidates of indirect regulation: the release force moves a sleeve between two springs."""
+
+    @property
+    def no_clutch(self) -> str:  # noqa: D102
+        return "gain_threshold"
+
+    @cached_property
+    def law(self) -> Any:  # noqa: D102
+        fixed, at = self.need.fixed, self.at
+        return IndirectLaw(
+            at.mean_radius, at.pairs, self.gain, at.closing_stiffness, at.control_stiffness,
+            given(fixed.key_friction), given(fixed.hub_diameter), self.frictions[0][0],
+        )  # fmt: skip
+
+    @cached_property
+    def torque_per_force(self) -> Numbers:  # noqa: D102
+        return self.law.torque_per_force
+
+    @cached_property
+    def ends_per_force(self) -> tuple[Numbers, Numbers]:
+        """Torque at f_min and at f_max, m."""
+        at_set, (low, _), (high, _) = self.frictions
+        return self.torque_per_force if at_set[0] == low else self.law.torque(1.0, low), self.law.torque(1.0, high)
+
+    @cached_property
+    def torques_per_force(self) -> tuple[Numbers, Numbers]:
+        """Smallest and largest torque, m: the law rises or falls all the way."""
+        return np.minimum(*self.ends_per_force), np.maximum(*self.ends_per_force)
+
+    @cached_property
+    def ball_torque_per_force(self) -> Numbers:
+        """All torque passes the balls, and it rises with friction."""
+        return self.ends_per_force[1]
+
+    @cached_property
+    def pack_force_per_force(self) -> Numbers:  # noqa: D102
+        return self.law.control_force(1.0)
+
+    @cached_property
+    def travel_per_force(self) -> Numbers:  # noqa: D102
+        return self.law.travel(1.0, self.frictions[2][0])
+
+    @cached_property
+    def is_clutch(self) -> Mask:  # noqa: D102
+        return self.law.net_gain > 0
+
+
+class CurvedCandidates(IndirectCandidates):
+    """Pockets whose curved wall holds the torque: C_1* goes with 1/F_п, so that torques stay proportional."""
+
+    @cached_property
+    def law(self) -> Any:  # noqa: D102
+        straight = super().law
+        return replace(straight, gain_slope=straight.constant_torque_slope(1.0, self.frictions[2][0]))
+
+    @cached_property
+    def ball_torque_per_force(self) -> Numbers:
+        """It is held from the setting on."""
+        return self.torques_per_force[1]
+
+    @cached_property
+    def gain_slope(self) -> Numbers:  # noqa: D102
+        return self.law.gain_slope / self.closing_force
+
+    @property
+    def sleeves(self) -> int:
+        """m, sleeves that the ball moves in."""
+        return 2 if self.need.fixed.profiled == "both" else 1
+
+    @cached_property
+    def steepening(self) -> Numbers:
+        """Y'', 1/m."""
+        return wall.path_steepening(self.gain_slope, self.at.ball_circle_radius, self.at.mean_radius, self.sleeves)
+
+    @cached_property
+    def tangent_max(self) -> Numbers:
+        """tan α at the largest travel."""
+        return wall.path_tangent(self.tangent, self.steepening, self.travel / self.sleeves)
+
+    @cached_property
+    def force_per_ball(self) -> Numbers:
+        """Most at the largest travel: the torque is held and the wall is steepest."""
+        cosine = 1 / np.sqrt(1 + self.tangent_max**2)
+        return synthesis.contact_force(1.0, self.need.fixed.balls, self.at.ball_circle_radius, cosine)
+
+    @property
+    def most_per_ball(self) -> Numbers:
+        """The seat in the other sleeve bears more than the curved wall."""
+        if self.sleeves == 2:
+            return self.force_per_ball
+        steepest, stop = np.arctan(self.tangent_max), np.arctan(self.tangent)
+        return wall.seat_force(self.force_per_ball, np.sin(steepest + stop), np.sin(stop), np.cos(stop))
+
+    @property
+    def ball_fits(self) -> Mask:
+        """Whether there is a ball that neither undercuts the wall nor has its pocket cut into the next."""
+        return np.isfinite(self._next_fitting(self.ball_reaching))
+
+    @property
+    def bears(self) -> Mask:
+        """Whether a ball that fits bears its force, or none fits anyway."""
+        return np.isfinite(self.ball_diameter) | ~self.ball_fits
+
+    @cached_property
+    def ball_reaching(self) -> Numbers:
+        """Of the wall at the largest travel."""
+        fixed, sine = self.need.fixed, np.sin(np.arctan(self.tangent_max))
+        reach = 2 * self.travel / self.sleeves
+        return 2 * synthesis.ball_radius(reach, fixed.face_gap, fixed.edge_clearance, sine)
+
+    @cached_property
+    def ball_borne(self) -> Numbers:
+        """Largest of what the stop, the largest travel and the flat seat ask for: between them less of it is used."""
+        if self.need.contact is None:
+            return np.zeros(1)
+        bent = [2 * path * np.interp(share, *_bearing()[0], right=np.inf) for path, share in self._shares]
+        seat = np.sqrt(self.ball_torque * self.most_per_ball / hertz.allowable_force(given(self.need.contact), 0.5))
+        return np.maximum(np.maximum(*bent), seat)
+
+    @property
+    def _shares(self) -> Iterator[tuple[Numbers, Numbers]]:
+        """Radius of the path at the stop and at the largest travel; root of the force over what such a ball bears."""
+        for tangent in (self.tangent, self.tangent_max):
+            cosine = 1 / np.sqrt(1 + tangent**2)
+            path = wall.path_radius(self.steepening, cosine)
+            force = synthesis.contact_force(self.ball_torque, self.need.fixed.balls, self.at.ball_circle_radius, cosine)
+            yield path, np.sqrt(force / hertz.allowable_force(given(self.need.contact), path))
+
+    @cached_property
+    def ball_diameter(self) -> Numbers:
+        """Next standard ball, m; NaN where it undercuts the wall, or has no room."""
+        diameter = self._next_fitting(self.ball_needed)
+        if self.need.contact is not None:
+            # nearly as large as the path is bent, a ball bears less again
+            for path, share in self._shares:
+                diameter = np.where(diameter <= 2 * path * np.interp(-share, *_bearing()[1]), diameter, np.nan)
+        return diameter
+
+    def _next_fitting(self, least: Numbers) -> Numbers:
+        """Next standard ball, m; NaN where it undercuts the wall, or has no room."""
+        diameter = self._next_listed(least)
+        undercut = 2 * wall.path_radius(self.steepening, self.cosine)
+        room = (diameter < undercut) & (diameter < self.ball_room) & (self._mouth(diameter) < self.ball_pitch)
+        return np.where(room, diameter, np.nan)
+
+    def _mouth(self, diameter: Numbers) -> Numbers:
+        """Width of the pocket at the face, m: where the contact comes to it, by Newton's steps from beyond."""
+        radius, gap = diameter / 2, self.need.fixed.face_gap
+        depth = radius
+        for _ in range(_NEWTON_STEPS):
+            angle = np.arctan(wall.path_tangent(self.tangent, self.steepening, depth))
+            left = wall.contact_depth(radius, np.sin(angle), depth, gap)
+            depth = depth + left / (1 - radius * self.steepening * np.cos(angle) ** 3)
+        around = wall.path(self.tangent, self.steepening, depth)
+        return 2 * wall.wall_around(around, radius, np.cos(angle))
+
+
+@cache
+def _bearing() -> tuple[tuple[Numbers, Numbers], tuple[Numbers, Numbers]]:
+    """Root of what balls bear on a path bent by 1, over a ball of radius 1 on a flat, and their radii.
+
+    Up to the ball that bears most, then, negative, beyond it: both ascend, for interpolation (1e-9).
+    """
+    radii = np.linspace(0.0, 1.0, 8193)[1:-1]
+    root = np.sqrt(hertz.allowable_force(HARDENED_STEEL, radii, 1.0) / hertz.allowable_force(HARDENED_STEEL, 1.0))
+    top = int(np.argmax(root))
+    return (np.append(0.0, root[: top + 1]), np.append(0.0, radii[: top + 1])), (-root[top:], radii[top:])
+
+
+@cache
+@np.errstate(all="ignore")
+def never_meet(need: Requirements) -> bool:
+    """Whether nowhere in the space pockets meet whose balls do not: a mouth is widest where the wall is flattest.
+
+    Of direct clutches only: where a sleeve travels, a ball stands for many wall angles.
+    """
+    circles = given(need.search.ball_circle_radius)
+    if circles.size > _MOST_CIRCLES or need.fixed.balls < 2:
+        return need.fixed.balls < 2
+    fixed, listed = need.fixed, balls(need)
+    circle = circles.array()[:, None]
+    if need.search.gain is None:
+        steepest = math.tan(given(need.search.wall_angle).array()[-1])
+    else:
+        steepest = given(need.search.gain).array()[-1] * circle / need.search.least_mean_radius
+    pitch = synthesis.ball_pitch(circle, math.sin(math.pi / fixed.balls))
+    needed = fixed.face_gap + 2 * fixed.edge_clearance
+    # a ball is the next standard one down to where the one before it would do
+    sine = np.minimum(needed / np.concatenate([[SAME], listed[:-1]]), 1 - SAME)
+    tangent = np.minimum(sine / np.sqrt(1 - sine**2), steepest)
+    depth = synthesis.pocket_depth(listed / 2, tangent / np.sqrt(1 + tangent * tangent), fixed.face_gap)
+    mouth = synthesis.pocket_width(depth, tangent)
+    return not ((listed < pitch) & (listed >= needed) & (mouth >= pitch * (1 - SAME))).any()
 
 
 def rounded(values: Numbers, digits: int, *, up: bool) -> Numbers:
@@ -350,5 +539,4 @@ def rounded(values: Numbers, digits: int, *, up: bool) -> Numbers:
     scaled = values * size
     whole = np.rint(scaled)
     near = np.where(np.abs(scaled - whole) <= 1e-12 * np.abs(whole), whole, np.ceil(scaled) if up else np.floor(scaled))
-    found: Numbers = np.where(values == 0, 0.0, near / size)
-    return found
+    return np.where(values == 0, 0.0, near / size)

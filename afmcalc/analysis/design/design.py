@@ -1,7 +1,9 @@
 """Which clutch is needed: the Pareto front of everything that meets the requirements."""
 
-from collections.abc import Iterator
+from collections.abc import Callable
+from functools import reduce
 from itertools import product
+from operator import and_
 
 import numpy as np
 
@@ -9,55 +11,27 @@ from ...errors import AfmcalcError
 from ...findings import Finding, doubts, finding
 from ...messages import joined, measured, say, term
 from ...progress import tell
-from ...result import Answer, quantity
 from ...spec.requirements import Requirements
 from ...spec.suggest import did_you_mean
-from .attainable import Attainable, attainable
-from .by_law import candidates
-from .found import Found
-from .limits import OBJECTIVES
-from .pareto import front
-from .parts import made
+from ...variants import VARIANTS, Variant
+from .candidates import candidates
+from .limits import OBJECTIVES, Constraint, constraints
+from .pick import made
 from .refine import refined
-from .rows import DesignRow, rows
-from .search import search
-from .space import Numbers, total
+from .rows import Attainable, DesignResult, DesignRow, rows
+from .search import TILE, Outcome, front, search
+from .space import Numbers, Tile, grids, tiles, total
 
 MOST = 10_000_000_000
 """Candidates beyond which a search is refused."""
-
-
-class DesignResult(Answer):
-    """The front of a design: the best between the grid points."""
-
-    candidates: int = quantity("", None, "candidates searched")
-    feasible: int = quantity("", None, "candidates that meet every requirement")
-    objectives: list[str] = quantity("", None, "what is small on the front")
-    on_front: int = quantity("", None, "clutches on the front: none beats another in everything")
-    knee: int | None = quantity(
-        "", None, "number of the knee: least sum of the objectives, each over its range",
-        optional=True,
-    )  # fmt: skip
-    excluded: dict[str, int] = quantity(
-        "", None, "candidates excluded by each constraint", ranked=True, of="constraint"
-    )
-    attainable: list[Attainable] | None = quantity(
-        "", None, "what could be had instead, with all other requirements held", optional=True
-    )
-    front: list[DesignRow] = quantity("", None, "the front")
-    picked: list[DesignRow] | None = quantity(
-        "", None, "the clutch picked, calculated from the round values as written", optional=True
-    )
+MOST_AGAIN = 30_000_000
+"""Candidates that are looked through again for what is attainable; of a larger space every so many radii."""
+SAME = 1e-9
+"""Relative distance within which refined clutches are the same one, reached from two grid points."""
 
 
 def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
-    """Search everything the requirements allow.
-
-    Args:
-        need: the requirements.
-
-    Returns:
-        The front, empty where nothing meets the requirements, and findings.
+    """Search everything the requirements allow: the front, empty where nothing meets them, and findings.
 
     Raises:
         AfmcalcError: more candidates than are searched.
@@ -75,7 +49,11 @@ def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
     best = numbered(need, [fine for _, fine in refinement(need, found)])
     unsprung = 0
     if need.springs is not None:
-        sprung = list(_sprung(need, best))
+        sprung = []
+        for number, row in enumerate(best, 1):
+            if (with_springs := made(need, row)) is not None:
+                sprung.append(with_springs.row)
+            tell(say("choosing springs"), number, len(best))
         unsprung, best = len(best) - len(sprung), numbered(need, sprung)
     missing = None
     if not best:
@@ -94,7 +72,7 @@ def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
     return result, [*doubts(need.label.doubts), *_findings(result), *missed]
 
 
-def refinement(need: Requirements, found: Found) -> list[tuple[DesignRow, DesignRow]]:
+def refinement(need: Requirements, found: Outcome) -> list[tuple[DesignRow, DesignRow]]:
     """Return every member of the front on the grid, and what it becomes between the grid points.
 
     With the ball an objective twice: with the smallest that gives nothing up, and as good as can be with its own.
@@ -105,30 +83,26 @@ def refinement(need: Requirements, found: Found) -> list[tuple[DesignRow, Design
     for (variant, at, _), ball_first in product(found.members, ways):
         behind = len(both)
 
-        def told(done: int, behind: int = behind) -> None:
+        def progress(done: int, behind: int = behind) -> None:
             tell(say("refining"), behind + done, count)
 
-        best = refined(need, variant, at, told, ball_first=ball_first and variant.controlled)
-        both += zip(*(rows(candidates(need, variant, each)) for each in (at, best)), strict=True)
+        best = refined(need, variant, at, progress, ball_first=ball_first and variant.controlled)
+        both += zip(*(rows(candidates(need, variant, columns)) for columns in (at, best)), strict=True)
     return both
 
 
-def numbered(need: Requirements, found: list[DesignRow]) -> list[DesignRow]:
+def numbered(need: Requirements, unordered: list[DesignRow]) -> list[DesignRow]:
     """Leave out what is beaten, or the same as another, number the others by their objectives and mark the knee."""
-    if not found:
+    if not unordered:
         return []
-    values = np.array([[row.objective(name) for name in need.objectives] for row in found])
+    values = np.array([[row.objective(name) for name in need.objectives] for row in unordered])
     kept = front(values, SAME)
     order = kept[np.lexsort(values[kept].T[::-1])]
     knee = _knee(values[order])
     return [
-        found[place].model_copy(update={"number": number, "mark": "knee" if number == knee else None})
+        unordered[place].model_copy(update={"number": number, "mark": "knee" if number == knee else None})
         for number, place in enumerate(order, 1)
     ]
-
-
-SAME = 1e-9
-"""Relative distance within which refined clutches are the same one, reached from two grid points."""
 
 
 @np.errstate(all="ignore")
@@ -160,48 +134,106 @@ def check_objective(name: str | None) -> None:
 
 def shown(result: DesignResult, sort: str | None, top: int | None, pick: int | None = None) -> DesignResult:
     """Return the result with so many rows of its front and the one picked, by an objective; their numbers stay."""
-    found = result.front if sort is None else sorted(result.front, key=lambda row: row.objective(sort))
-    kept = [row for place, row in enumerate(found) if top is None or place < top or row.number == pick]
+    ordered = result.front if sort is None else sorted(result.front, key=lambda row: row.objective(sort))
+    kept = [row for place, row in enumerate(ordered) if top is None or place < top or row.number == pick]
     return result.model_copy(update={"front": kept})
 
 
-def _sprung(need: Requirements, front: list[DesignRow]) -> Iterator[DesignRow]:
-    for number, row in enumerate(front, 1):
-        if (sprung := made(need, row)) is not None:
-            yield sprung.row
-        tell(say("choosing springs"), number, len(front))
+_Best = dict[tuple[Constraint, ...], list[float]]
+"""Bounds missed together → the best found of each."""
+
+
+@np.errstate(all="ignore")
+def attainable(need: Requirements, progress: Callable[[int, int], None] = lambda done, of: None) -> list[Attainable]:
+    """Return a row for each requirement missed, alone or together, by the candidates on the grid that miss the fewest.
+
+    ``progress`` is told how many candidates are behind, of how many.
+    """
+    count = total(need)
+    step, done = -(-count // MOST_AGAIN), 0
+    best: dict[tuple[str, ...], list[Attainable]] = {}
+    fewest = 1 << 30
+    for variant in (VARIANTS[name] for name in dict.fromkeys(need.variants)):
+        for laid in grids(need, variant):
+            few = laid._replace(mean_radius=np.unique(np.append(laid.mean_radius[::step], laid.mean_radius[-1])))
+            for tile in tiles(few, TILE):
+                for missed, values in _nearest(need, variant, tile, fewest).items():
+                    if len(missed) < fewest:
+                        fewest = len(missed)
+                        best.clear()
+                    _keep(best, missed, values)
+                done += tile.size
+                progress(done * step, count)
+    return [row for together in best.values() for row in together]
+
+
+def _nearest(need: Requirements, variant: Variant, tile: Tile, most: int) -> _Best:
+    """What the candidates of a tile that miss the fewest bounds, at most so many, have of those."""
+    at_points, every = candidates(need, variant, tile.axes), constraints(need, variant)
+    bounds = [bound for bound in every if bound.value]
+    built = reduce(and_, (bound.holds(at_points) for bound in every if not bound.value), at_points.is_clutch)
+    misses = [np.broadcast_to(~bound.holds(at_points), tile.shape) for bound in bounds]
+    number = np.where(built, np.sum(misses, axis=0, dtype=np.int16), np.int16(len(bounds) + 1))
+    fewest = int(number.min())
+    if fewest > min(most, len(bounds)):
+        return {}
+    near = np.flatnonzero(number == fewest)
+    missed = np.stack([mask.ravel()[near] for mask in misses], axis=1)
+    best: _Best = {}
+    for row in np.unique(missed, axis=0):
+        alike = near[(missed == row).all(axis=1)]
+        chosen = tuple(bound for bound, out in zip(bounds, row, strict=True) if out)
+        values = (
+            np.broadcast_to(bound.value(at_points), tile.shape).ravel()[alike]
+            for bound in chosen
+            if bound.value is not None
+        )
+        best[chosen] = [
+            float(column.max() if bound.at_least else column.min())
+            for bound, column in zip(chosen, values, strict=True)
+        ]
+    return best
+
+
+def _keep(best: dict[tuple[str, ...], list[Attainable]], missed: tuple[Constraint, ...], values: list[float]) -> None:
+    """Take in what is better than what was found before; what has no number is nothing to bargain for."""
+    if not np.isfinite(values).all():
+        return
+    names = tuple(f"{bound.name} {bound.sense}" for bound in missed)
+    new_rows = [
+        Attainable(
+            together=" + ".join(bound.name for bound in missed) if len(missed) > 1 else None,
+            requirement=bound.name, sense=bound.sense, limit=bound.limit, best=value, unit=bound.unit,
+        )
+        for bound, value in zip(missed, values, strict=True)
+    ]  # fmt: skip
+    best[names] = [
+        new if (new.best > old.best) == bound.at_least else old
+        for bound, new, old in zip(missed, new_rows, best.get(names, new_rows), strict=True)
+    ]
 
 
 def _findings(result: DesignResult) -> list[Finding]:
+    """Say what excludes the candidates where there is no front, and what to give up: alone, else together."""
     if result.front:
         return []
     most = sorted(result.excluded.items(), key=lambda item: -item[1])
     listed = joined(say("{name} excludes {number:,}", name=name, number=number) for name, number in most)
-    given_up = _given_up(result.attainable or [])
-    if given_up:
-        names = joined(given_up, say(" or "))
-        return [
-            finding(
-                "no-candidate/attainable", "error", value=0.0, candidates=result.candidates, listed=listed, names=names
-            )
-        ]
+    missed = result.attainable or []
+    alone = [_instead(row) for row in missed if row.together is None]
+    if given_up := alone or list(dict.fromkeys(row.together for row in missed if row.together)):
+        names, count = joined(given_up, say(" or ")), result.candidates
+        return [finding("no-candidate/attainable", "error", value=0.0, candidates=count, listed=listed, names=names)]
     return [finding("no-candidate", "error", value=0.0, candidates=result.candidates, listed=listed)]
 
 
-def _given_up(found: list[Attainable]) -> list[str]:
-    """What to give up: one requirement, or several together, and what there is of it instead."""
-    alone = [each for each in found if each.together is None]
-    together = dict.fromkeys(each.together for each in found if each.together)
-    return [_instead(each) for each in alone] or [text for text in together if text]
-
-
-def _instead(each: Attainable) -> str:
-    unit = _UNITS[each.unit]
-    limit, best = (measured(value, unit, 5) for value in (each.limit, each.best))
+def _instead(row: Attainable) -> str:
+    """Say a requirement to give up, and what there is of it instead."""
+    limit, best = (measured(value, _UNITS[row.unit], 5) for value in (row.limit, row.best))
     return say(
         "{name} ({sense} {limit}; there is {best})",
-        name=each.requirement,
-        sense=term(each.sense),
+        name=row.requirement,
+        sense=term(row.sense),
         limit=limit,
         best=best,
     )

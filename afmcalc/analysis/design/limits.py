@@ -14,7 +14,7 @@ from ...variants import Variant
 from ..checks.pressure import allowable
 from ..springs.stacks import holds_force, travel_held
 from .candidates import Candidates
-from .space import SAME, Axes, Mask, Numbers, given
+from .space import SAME, Mask, Numbers, given
 
 OVER, UNDER = 1 + SAME, 1 - SAME
 
@@ -34,6 +34,11 @@ class Constraint(NamedTuple):
     limit: float = 0.0
     unit: str = ""
     at_least: bool = False
+
+    @property
+    def sense(self) -> str:
+        """How the limit bounds the value."""
+        return "at least" if self.at_least else "at most"
 
 
 def constraints(need: Requirements, variant: Variant) -> list[Constraint]:
@@ -158,7 +163,7 @@ def feasible(found: Candidates, among: Mask) -> Mask:
     good = reduce(and_, (each.holds(found) for each in held if each.value), among & found.is_clutch)
     if not good.any():
         return good
-    few = Axes(*(column[good] for column in found.at))
+    few = found.at.at(good)
     own = replace(found, at=few)
     good[good] = reduce(and_, (each.holds(own) for each in held if not each.value), np.ones(few.pairs.shape, bool))
     return good

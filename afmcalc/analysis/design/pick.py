@@ -1,30 +1,34 @@
-"""A clutch of a front for a drawing: in round figures, on the right side of every limit."""
+"""A clutch of a front for a drawing: in round figures, with disc springs if wanted, right of every limit."""
 
 import math
 from dataclasses import replace
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 
 from ...engines import build
+from ...engines.protocol import Clutch
 from ...errors import CalculationError
 from ...messages import say
 from ...result import Result
 from ...spec import Spec
 from ...spec.choices import Choice
+from ...spec.edit import as_written
 from ...spec.requirements import Requirements
 from ...variants import VARIANTS
 from ..answers import Answers
+from ..checks.check import found_unsimulated
 from ..checks.pressure import ring_pressures
 from ..registry import ANALYSES
+from ..springs.options import part_of
+from ..springs.result import SpringOption
+from ..springs.springs import ranked
 from ..torque import TorqueResult
 from ..unit import SynthesisResult
-from .by_law import candidates
-from .candidates import rounded
-from .design import DesignResult
+from .candidates import candidates, rounded
 from .limits import feasible, objectives
-from .parts import Made, made
-from .rows import DesignRow, as_spec, rows
+from .rows import DesignResult, DesignRow, as_spec, rows
 from .space import Axes, given, searched
 
 _DIGITS = range(4, 13)
@@ -33,29 +37,28 @@ _GIVEN_UP = 0.005
 """Share of an objective that round figures may cost, unless nothing else passes: less than to the next ball."""
 _TRIED = 4
 """Roundings to as many digits that are given to a check, the best first."""
+_STACKS = 5
+"""Stacks of each spring that are tried."""
+_PLAIN = ("pairs", "driving_pairs", "closing_stiffness", "control_stiffness", "ball_circle_radius")
+"""What is searched as it is told in a row; radii and steering are told in other terms."""
 
 
-def picked(need: Requirements, result: DesignResult, number: int) -> Spec:
-    """Return a clutch of the front as a spec of round figures that passes a check.
+def with_picked(need: Requirements, result: DesignResult, number: int) -> tuple[DesignResult, Spec]:
+    """Return the result with a clutch of its front in round figures as a row of its own, and as a spec that passes.
 
     Raises:
         CalculationError: no such number.
     """
-    return with_picked(need, result, number)[1]
-
-
-def with_picked(need: Requirements, result: DesignResult, number: int) -> tuple[DesignResult, Spec]:
-    """Return the result with the clutch picked as a row of its own, and as a spec; the front stays exact."""
     if not 1 <= number <= len(result.front):
         raise CalculationError(
             say("--pick {number}: the front has the numbers 1 to {count}", number=number, count=len(result.front))
         )
     exact = result.front[number - 1]
     tried = (
-        found
+        clutch
         for given_up, digits in product((_GIVEN_UP, math.inf), _DIGITS)
         for row in _rounded(need, exact, digits, given_up)
-        if (found := made(need, row)) is not None
+        if (clutch := made(need, row)) is not None
     )
     chosen = next(tried, Made(as_spec(need, exact), exact))
     return result.model_copy(update={"picked": [_as_written(*chosen)]}), chosen.spec
@@ -75,20 +78,17 @@ def _rounded(need: Requirements, row: DesignRow, digits: int, given_up: float) -
         outer = _sides(given(row.outer_diameter) / 2, choices["mean_radius"], digits)
         radii = [((one + other) / 2, one) for one, other in product(inner, outer)]
     tried = [
-        {**dict(zip(sides, values, strict=True)), "mean_radius": mean, "inner_radius": one}
+        {**dict(zip(sides, values, strict=True)), "mean_radius": mean, "inner_radius": inside}
         for values in product(*sides.values())
-        for mean, one in radii
+        for mean, inside in radii
     ]
-    at = Axes(*(np.array([each[name] for each in tried], float) for name in Axes._fields))
+    at = Axes(*(np.array([values[name] for values in tried], float) for name in Axes._fields))
     every = replace(candidates(need, variant, at), digits=digits)
     values, most = objectives(every), [row.objective(name) * (1 + given_up) for name in need.objectives]
     good = np.flatnonzero(feasible(every, np.asarray((values <= most).all(axis=1))))
     best = good[np.lexsort(values[good].T[::-1])][:_TRIED]
-    chosen = rows(replace(every, at=Axes(*(column[best] for column in at))))
+    chosen = rows(replace(every, at=at.at(best)))
     return [each.model_copy(update={"number": row.number, "mark": row.mark}) for each in chosen]
-
-
-_PLAIN = ("pairs", "driving_pairs", "closing_stiffness", "control_stiffness", "ball_circle_radius")
 
 
 def _sides(value: float | None, choice: Choice | None, digits: int, *, in_degrees: bool = False) -> list[float]:
@@ -98,7 +98,7 @@ def _sides(value: float | None, choice: Choice | None, digits: int, *, in_degree
     shown, back = (math.degrees(value), math.radians) if in_degrees else (value, float)
     ways = product((digits - 1, digits), (False, True))
     near = (back(float(rounded(np.array(shown), count, up=up))) for count, up in ways)
-    return sorted({min(max(each, choice.start), choice.stop) for each in near})
+    return sorted({min(max(side, choice.start), choice.stop) for side in near})
 
 
 def _as_written(spec: Spec, row: DesignRow) -> DesignRow:
@@ -106,10 +106,12 @@ def _as_written(spec: Spec, row: DesignRow) -> DesignRow:
     clutch, group = build(spec), spec.friction_group
     answers = Answers(clutch)
     torque = answers.of(TorqueResult)
-    found: list[Result] = [torque]
+    results: list[Result] = [torque]
     if ANALYSES["synthesize"].applies(clutch):
-        found.append(answers.of(SynthesisResult))
-    values = {name: getattr(each, name) for each in found for name in DesignRow.model_fields if hasattr(each, name)}
+        results.append(answers.of(SynthesisResult))
+    values = {
+        name: getattr(result, name) for result in results for name in DesignRow.model_fields if hasattr(result, name)
+    }
     values |= {
         "mean_radius": float(clutch.mean_radius),
         "inner_radius": group.inner_radius,
@@ -123,3 +125,61 @@ def _as_written(spec: Spec, row: DesignRow) -> DesignRow:
             values |= {f"{name}_stiffness": spring.stiffness}
             values |= {f"{name}_deflection": values[f"{name}_force"] / spring.stiffness}
     return row.model_copy(update={name: value for name, value in values.items() if getattr(row, name) is not None})
+
+
+class Made(NamedTuple):
+    """A clutch as it is written, with disc springs where they are wanted, and its row."""
+
+    spec: Spec
+    row: DesignRow
+
+
+def made(need: Requirements, row: DesignRow) -> Made | None:
+    """Write a row as a spec that passes a check, with the first disc springs, if wanted, with which it does.
+
+    Springs that stay in their range come first: with them the sleeve travels farther, or less, than with straight ones.
+    None where a check fails with all that are tried.
+    """
+    plain = as_spec(need, row)
+    if need.springs is None:
+        return Made(plain, row) if passes(build(plain)) else None
+    lists: dict[str, list[SpringOption]] = {wish.name: ranked(wish, "disc")[:_STACKS] for wish in build(plain).wishes()}
+    strayed = None
+    for parts in product(*lists.values()):
+        options = dict(zip(lists, parts, strict=True))
+        clutch = build(as_written(_with_stacks(plain, options)))
+        if passes(clutch):
+            sprung = Made(clutch.spec, row.model_copy(update=_of_discs(clutch, options)))
+            if not any(remark.code == "spring-beyond-range" for remark in clutch.findings()):
+                return sprung
+            strayed = strayed or sprung
+    return strayed
+
+
+def passes(clutch: Clutch) -> bool:
+    """Whether a clutch passes a check, its friction material below what it is allowed."""
+    findings = found_unsimulated(clutch)
+    return not any(each.level == "error" or each.code.endswith("-pressure-in-range") for each in findings)
+
+
+def _of_discs(clutch: Clutch, options: dict[str, SpringOption]) -> dict[str, str | float]:
+    """Name the stacks, and the K_т that an indirect clutch has with them, whose force is no straight line."""
+    names = {f"{name}_part": f"{option.part}, {option.parallel} × {option.series}" for name, option in options.items()}
+    if not clutch.spec.kind.travels:
+        return {**names}
+    return {
+        **names,
+        "torque_max_sprung": float(clutch.torque_max),
+        "accuracy_factor_sprung": float(clutch.accuracy_factor),
+    }
+
+
+def _with_stacks(plain: Spec, options: dict[str, SpringOption]) -> Spec:
+    """With the stacks and their own stiffness; the forces stay."""
+    springs = {
+        f"{name}_spring": getattr(plain, f"{name}_spring").model_copy(
+            update={"disc": part_of(option), "stiffness": option.stiffness}
+        )
+        for name, option in options.items()
+    }
+    return plain.model_copy(update=springs)

@@ -16,10 +16,9 @@ from ...spec.choices import Choice
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
-from .by_law import candidates
-from .candidates import Candidates
+from .candidates import Candidates, candidates
 from .limits import curved, feasible, objectives
-from .space import Axes, Mask, Numbers, searched
+from .space import Axes, Mask, Numbers, joined, searched
 
 FIRST, LATER, ROUNDS = 256, 32, 10
 """Choice of u tried at first, and between the neighbours of the best in each later round."""
@@ -56,9 +55,9 @@ def refined(
         return at
     parts = []
     for start in range(0, count, ROWS):
-        parts.append(_Rows(need, variant, Axes(*(column[start : start + ROWS] for column in at))).best(ball_first))
+        parts.append(_Rows(need, variant, at.at(slice(start, start + ROWS))).best(ball_first))
         progress(min(start + ROWS, count))
-    return Axes(*(np.concatenate(columns) for columns in zip(*parts, strict=True))) if parts else at
+    return joined(parts) if parts else at
 
 
 def _free(need: Requirements, variant: Variant) -> dict[str, Choice]:
@@ -278,7 +277,9 @@ class _Rows:
     def _torque_allowed(self, own: Candidates) -> Numbers:
         wanted, limits = self.need.wanted, self.need.limits
         factor = np.minimum(self._most("accuracy_factor"), wanted.accuracy_factor or np.inf)
-        allowed: Numbers = np.minimum(factor * own.closing_force * own.low, wanted.torque_max or np.inf)
+        allowed = np.minimum(
+            factor * own.closing_force * own.torques_per_force[0], wanted.torque_max or np.inf
+        )
         contact = np.full(1, np.inf if limits.contact_force is None else limits.contact_force)
         if self.need.contact is not None:
             ball = np.minimum(self._most("ball_diameter"), own.largest_bearing_ball)

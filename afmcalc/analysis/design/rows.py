@@ -1,4 +1,4 @@
-"""One clutch of a front: as a row of the result, and as a spec."""
+"""The result of a design; a clutch of its front as a row of it, and as a spec."""
 
 import math
 from typing import Literal
@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from ...messages import say
-from ...result import Result, Sentence, quantity
+from ...result import Answer, Result, Sentence, quantity
 from ...spec import Spec, make_spec
 from ...spec.edit import as_written
 from ...spec.requirements import Requirements
@@ -60,6 +60,40 @@ class DesignRow(Result):
         if value is None and name == "control_deflection" and self.control_stiffness == 0:
             return math.inf
         return float(value or 0.0)
+
+
+class Attainable(Result):
+    """The best of a requirement among clutches that miss nothing else, or only what is named together with it."""
+
+    together: str | None = quantity("", None, "requirements given up together", optional=True)
+    requirement: str = quantity("", None, "requirement given up")
+    sense: str = quantity("", None, "is to be")
+    limit: float = quantity("", None, "limit", unit_in="unit")
+    best: float = quantity("", None, "best found", unit_in="unit")
+    unit: str = quantity("", None, "unit", is_unit=True)
+
+
+class DesignResult(Answer):
+    """The front of a design: the best between the grid points."""
+
+    candidates: int = quantity("", None, "candidates searched")
+    feasible: int = quantity("", None, "candidates that meet every requirement")
+    objectives: list[str] = quantity("", None, "what is small on the front")
+    on_front: int = quantity("", None, "clutches on the front: none beats another in everything")
+    knee: int | None = quantity(
+        "", None, "number of the knee: least sum of the objectives, each over its range",
+        optional=True,
+    )  # fmt: skip
+    excluded: dict[str, int] = quantity(
+        "", None, "candidates excluded by each constraint", ranked=True, of="constraint"
+    )
+    attainable: list[Attainable] | None = quantity(
+        "", None, "what could be had instead, with all other requirements held", optional=True
+    )
+    front: list[DesignRow] = quantity("", None, "the front")
+    picked: list[DesignRow] | None = quantity(
+        "", None, "the clutch picked, calculated from the round values as written", optional=True
+    )
 
 
 _SEARCHED = ("pairs", "driving_pairs", "mean_radius", "ball_circle_radius", "closing_stiffness", "control_stiffness")

@@ -1,6 +1,6 @@
-"""The discrete space of a design: its axes, and how many candidates they span."""
+"""The discrete space of a design: its axes, how many candidates they span, and the tiles it is cut into."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import cache
 from math import prod
 from typing import NamedTuple, TypeAlias, TypeVar
@@ -23,7 +23,7 @@ SAME = 1e-12
 
 
 class Axes(NamedTuple):
-    """Choice of the searched parameters, SI: an axis each, or a column of candidates; NaN where a variant has none."""
+    """Values of the searched parameters, SI: an axis each, or a column of candidates; NaN where a variant has none."""
 
     pairs: Numbers
     driving_pairs: Numbers
@@ -35,6 +35,15 @@ class Axes(NamedTuple):
     mean_radius: Numbers
     inner_radius: Numbers
     """One value in a grid; NaN where the mean radius itself is searched."""
+
+    def at(self, places: Places | Mask | slice) -> "Axes":
+        """Some of the candidates of columns."""
+        return Axes(*(column[places] for column in self))
+
+
+def joined(parts: Iterable[Axes]) -> Axes:
+    """Columns one after the other."""
+    return Axes(*map(np.concatenate, zip(*parts, strict=True)))
 
 
 T = TypeVar("T")
@@ -49,22 +58,22 @@ def given(values: T | None) -> T:
 def searched(need: Requirements, variant: Variant) -> dict[str, Choice]:
     """Choice of every axis that a variant has; the mean radius may be searched by the outer one."""
     search = need.search
-    found = {"pairs": search.pairs, "mean_radius": search.radii}
+    choices = {"pairs": search.pairs, "mean_radius": search.radii}
     if variant.chooses_bypass:
-        found["driving_pairs"] = search.driving_pairs
+        choices["driving_pairs"] = search.driving_pairs
     if variant.controlled:
-        found["steering"] = given(search.gain or search.wall_angle)
-        found["ball_circle_radius"] = given(search.ball_circle_radius)
+        choices["steering"] = given(search.gain or search.wall_angle)
+        choices["ball_circle_radius"] = given(search.ball_circle_radius)
     if variant.travels:
-        found["closing_stiffness"] = given(search.closing_stiffness)
-        found["control_stiffness"] = given(search.control_stiffness)
-    return found
+        choices["closing_stiffness"] = given(search.closing_stiffness)
+        choices["control_stiffness"] = given(search.control_stiffness)
+    return choices
 
 
 def grids(need: Requirements, variant: Variant) -> Iterator[Axes]:
     """Lay out the axes of a variant, for every inner radius; an axis it does not have holds one NaN."""
-    had = searched(need, variant)
-    laid = Axes(*(had[name].array() if name in had else np.array([np.nan]) for name in Axes._fields))
+    choices = searched(need, variant)
+    laid = Axes(*(choices[name].array() if name in choices else np.array([np.nan]) for name in Axes._fields))
     if need.search.inner_radius is None:
         yield laid
         return
@@ -81,16 +90,15 @@ def forces(need: Requirements) -> int:
 
 def total(need: Requirements) -> int:
     """Number of candidates asked for."""
-    variants = (VARIANTS[name] for name in need.variants)
     radii, inner = need.search.radii, need.search.inner_radius
-    both = radii.size
+    faces = radii.size
     if inner is not None:
-        both = int((radii.size - np.searchsorted(radii.array(), inner.array(), "right")).sum())
+        faces = int((radii.size - np.searchsorted(radii.array(), inner.array(), "right")).sum())
     others = (
-        prod(values.size for name, values in searched(need, variant).items() if name != "mean_radius")
-        for variant in variants
+        prod(choice.size for name, choice in searched(need, VARIANTS[variant]).items() if name != "mean_radius")
+        for variant in need.variants
     )
-    return forces(need) * both * sum(others)
+    return forces(need) * faces * sum(others)
 
 
 @cache
@@ -102,3 +110,51 @@ def balls(need: Requirements) -> Numbers:
     """Standard ball diameters to choose from, ascending, m."""
     listed = need.search.ball_diameters
     return np.array(_shipped()) if listed is None else listed.array()
+
+
+class Tile(NamedTuple):
+    """A part of a grid: every axis in a dimension of its own, so that a piece of a law costs only the axes it needs."""
+
+    axes: Axes
+    shape: tuple[int, ...]
+    order: tuple[int, ...]
+    """Which axis lies along each dimension."""
+
+    @property
+    def size(self) -> int:
+        """Number of grid points."""
+        return prod(self.shape)
+
+    def dimension(self, name: str) -> int:
+        """Dimension along which a parameter varies."""
+        return self.order.index(Axes._fields.index(name))
+
+    def points(self, places: Places) -> Axes:
+        """Columns of the points at flat places."""
+        along = dict(zip(self.order, np.unravel_index(places, self.shape), strict=True))
+        return Axes(*(axis.ravel()[along[k]] for k, axis in enumerate(self.axes)))
+
+
+def tiles(laid: Axes, most: int) -> Iterator[Tile]:
+    """Cut a grid into tiles of at most so many points.
+
+    Inner loops run along the longest axis; the next longest are cut, so that a tile has all of the short ones.
+    """
+    *short, longest = sorted(range(len(laid)), key=lambda k: laid[k].size)
+    order = (*reversed(short), longest)
+    for parts in _cut([laid[k] for k in order], most):
+        # the axis of each dimension, in the order of the fields
+        spread = np.ix_(*parts)
+        yield Tile(Axes(*(spread[order.index(k)] for k in range(len(order)))), tuple(map(len, parts)), order)
+
+
+def _cut(laid: list[Numbers], most: int) -> Iterator[list[Numbers]]:
+    sizes = [axis.size for axis in laid]
+    cut = 0
+    while cut < len(laid) - 1 and prod(sizes[cut + 1 :]) > most:
+        cut += 1
+    step = max(1, most // prod(sizes[cut + 1 :]))
+    for outer in np.ndindex(*sizes[:cut]):
+        head = [axis[k : k + 1] for axis, k in zip(laid, outer, strict=False)]
+        for start in range(0, sizes[cut], step):
+            yield [*head, laid[cut][start : start + step], *laid[cut + 1 :]]

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.checks.requirements import JUDGED
 from afmcalc.analysis.design.design import design
-from afmcalc.analysis.design.pick import picked
+from afmcalc.analysis.design.pick import with_picked
 from afmcalc.analysis.dossier import dossier
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
@@ -242,7 +242,7 @@ def test_what_design_picks_holds_what_was_wanted(wanted):
     need = need.model_copy(update={"wanted": need.wanted.model_copy(update={"torque_max": 700.0})})
     result, _ = design(need)
     for number in (1, 1 + len(result.front) // 2, len(result.front)):
-        spec = picked(need, result, number)
+        spec = with_picked(need, result, number)[1]
         assert set(resolved(spec)["requirements"]) >= {"accuracy_factor", "torque_max"}
         passed, rows, findings = rows_of(spec)
         assert passed, [each for each in findings if each.level == "error"]
@@ -278,7 +278,7 @@ def test_what_design_picks_is_held_to_its_limits(variant, carried):
     need = need.model_copy(update={"objectives": ("closing_force", "pairs")})
     result, _ = design(need)
     assert result.front
-    spec = picked(need, result, 1)
+    spec = with_picked(need, result, 1)[1]
     passed, rows, findings = rows_of(spec)
     assert set(rows) == carried | {"nominal_torque"}
     assert passed, [each for each in findings if each.level == "error"]

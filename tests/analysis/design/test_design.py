@@ -19,12 +19,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.design.design import design, refinement, shown
-from afmcalc.analysis.design.found import Found
-from afmcalc.analysis.design.pareto import front
-from afmcalc.analysis.design.pick import picked
-from afmcalc.analysis.design.radius import by_radius, separable
+from afmcalc.analysis.design.pick import with_picked
+from afmcalc.analysis.design.search import Outcome, by_radius, by_tile, front, separable
 from afmcalc.analysis.design.search import search as searched
-from afmcalc.analysis.design.tiles import by_tile
 from afmcalc.analysis.overload import overload
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
@@ -233,7 +230,7 @@ def test_the_front_against_brute_force(need):
 @given(requirements(separable=True))
 def test_two_ways_through_one_space(need):
     """Looking the radii up gives what evaluating all of them gives, exclusions included."""
-    quick, slow = Found(), Found()
+    quick, slow = Outcome(), Outcome()
     variants = [variant for variant in (VARIANTS[name] for name in need.variants) if separable(need, variant)]
     assume(variants)
     for variant in variants:
@@ -254,7 +251,7 @@ def test_what_is_picked_holds_what_was_wanted(need, place):
     assume(result.front)
     number = place % len(result.front) + 1
     row = result.front[number - 1]
-    clutch = build(picked(need, result, number))
+    clutch = build(with_picked(need, result, number)[1])
     assert clutch.nominal_torque >= need.wanted.nominal_torque * (1 - 1e-9)
     assert clutch.accuracy_factor == pytest.approx(row.accuracy_factor, rel=5e-3)
     assert clutch.torque_max == pytest.approx(row.torque_max, rel=5e-3)
@@ -360,7 +357,7 @@ def test_a_margin_lies_between_clutch_and_machine():
         for row in result.front:
             assert row.nominal_torque == pytest.approx(clutch_torque)
             assert row.machine_torque == pytest.approx(200)
-        made = build(picked(need, result, 3))
+        made = build(with_picked(need, result, 3)[1])
         assert made.nominal_torque == pytest.approx(clutch_torque, rel=1e-3)
         if method == "min-friction":
             assert overload(made)[0].machine_torque == pytest.approx(200, rel=1e-3)
@@ -424,7 +421,7 @@ def test_balls_that_have_no_room_are_not_proposed():
     need = make_requirements(BASE)
     result, _ = design(need)
     for number in range(1, result.on_front + 1, 7):
-        _, found = synthesize(build(picked(need, result, number)))
+        _, found = synthesize(build(with_picked(need, result, number)[1]))
         assert not [each for each in found if each.level == "error"]
 
 
@@ -465,7 +462,7 @@ def test_the_front_reaches_the_outer_diameter(faces):
     assert row.outer_diameter == pytest.approx(0.33)
     assert row.mean_radius == pytest.approx(radius)
     assert row.closing_force == pytest.approx(200 / (radius * 8 * 0.1 / (1 + 8 * 0.5 * 0.1)))
-    spec = picked(need, result, 1)
+    spec = with_picked(need, result, 1)[1]
     assert spec.friction_group.outer_radius == pytest.approx(0.165)
     assert spec.requirements.outer_diameter == 0.33
     assert 200 <= build(spec).nominal_torque < 200.1

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from afmcalc.analysis.design.pareto import _culled, front, ranks
+from afmcalc.analysis.design.search import _culled, front, ranks
 
 
 def brute(points):

@@ -6,7 +6,7 @@ import itertools
 import numpy as np
 import pytest
 
-from afmcalc.analysis.design import parts
+from afmcalc.analysis.design import pick
 from afmcalc.analysis.design.design import design
 from afmcalc.analysis.design.pick import with_picked
 from afmcalc.analysis.springs.springs import springs
@@ -240,7 +240,7 @@ def test_clutches_that_fail_with_every_stack_are_left_out(monkeypatch):
     before = design(need)[0].front
     heavy = [row for row in before if row.pack_force_at_rest > 4500]
     assert 0 < len(heavy) < len(before)
-    monkeypatch.setattr(parts, "passes", lambda clutch: clutch.pack_force_at_rest <= 4500)
+    monkeypatch.setattr(pick, "passes", lambda clutch: clutch.pack_force_at_rest <= 4500)
     result, findings = design(need)
     assert [row.pack_force_at_rest for row in result.front] == [r.pack_force_at_rest for r in before if r not in heavy]
     assert [row.number for row in result.front] == list(range(1, len(result.front) + 1))

@@ -1,7 +1,6 @@
 """The Pareto front of a design: the first objective against the others, each clutch with its number."""
 
-from ....analysis.design.design import DesignResult
-from ....analysis.design.rows import DesignRow
+from ....analysis.design.rows import DesignResult, DesignRow
 from ....analysis.figures import ParetoFigure
 from ....messages import joined, say, term, told, translate
 from ..chart import Chart, ChartAxis, Line, Sheet, axis_of
