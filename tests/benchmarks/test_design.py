@@ -9,7 +9,7 @@ import tomllib
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.design.search import Outcome, by_tile, search
+from afmcalc.analysis.design.search import Survey, by_tile, search
 from afmcalc.analysis.design.space import total
 from afmcalc.spec.requirements import make_requirements
 from afmcalc.variants import VARIANTS
@@ -93,7 +93,7 @@ def test_every_candidate_evaluated(report):
     need = make_requirements(wide(["closing_force", "accuracy_factor"], radii=100, gains=100))
     report(
         "evaluated one by one, ns per candidate",
-        nanoseconds(lambda: by_tile(need, VARIANTS["differentiated"], Outcome(), print_nothing), total(need)),
+        nanoseconds(lambda: by_tile(need, VARIANTS["differentiated"], Survey(), print_nothing), total(need)),
         50,
     )
 

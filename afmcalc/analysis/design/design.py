@@ -19,7 +19,7 @@ from .limits import OBJECTIVES, Constraint, constraints
 from .pick import made
 from .refine import refined
 from .rows import Attainable, DesignResult, DesignRow, rows
-from .search import TILE, Outcome, front, search
+from .search import TILE, Survey, front, search
 from .space import Numbers, Tile, grids, tiles, total
 
 MOST = 10_000_000_000
@@ -72,7 +72,7 @@ def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
     return result, [*doubts(need.label.doubts), *_findings(result), *missed]
 
 
-def refinement(need: Requirements, found: Outcome) -> list[tuple[DesignRow, DesignRow]]:
+def refinement(need: Requirements, found: Survey) -> list[tuple[DesignRow, DesignRow]]:
     """Return every member of the front on the grid, and what it becomes between the grid points.
 
     With the ball an objective twice: with the smallest that gives nothing up, and as good as can be with its own.

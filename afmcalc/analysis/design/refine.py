@@ -277,9 +277,7 @@ class _Rows:
     def _torque_allowed(self, own: Candidates) -> Numbers:
         wanted, limits = self.need.wanted, self.need.limits
         factor = np.minimum(self._most("accuracy_factor"), wanted.accuracy_factor or np.inf)
-        allowed = np.minimum(
-            factor * own.closing_force * own.torques_per_force[0], wanted.torque_max or np.inf
-        )
+        allowed = np.minimum(factor * own.closing_force * own.torques_per_force[0], wanted.torque_max or np.inf)
         contact = np.full(1, np.inf if limits.contact_force is None else limits.contact_force)
         if self.need.contact is not None:
             ball = np.minimum(self._most("ball_diameter"), own.largest_bearing_ball)

@@ -38,8 +38,8 @@ class Members(NamedTuple):
 
 
 @dataclass
-class Outcome:
-    """Outcome of a search: counts, and the front among all it was shown, once settled one entry per variant."""
+class Survey:
+    """What a search found: counts, and the front among all it was shown, once settled one entry per variant."""
 
     candidates: int = 0
     feasible: int = 0
@@ -78,9 +78,9 @@ class Outcome:
         self._room = max(_WAITING, int(np.count_nonzero(keep)))
 
 
-def search(need: Requirements, progress: Callable[[int], None] = lambda done: None) -> Outcome:
+def search(need: Requirements, progress: Callable[[int], None] = lambda done: None) -> Survey:
     """Go through the whole space; ``progress`` is told how many candidates are behind."""
-    found = Outcome()
+    found = Survey()
     for variant in (VARIANTS[name] for name in dict.fromkeys(need.variants)):
         looked_up = separable(need, variant) and need.search.radii.size >= _MANY
         (by_radius if looked_up else by_tile)(need, variant, found, progress)
@@ -89,7 +89,7 @@ def search(need: Requirements, progress: Callable[[int], None] = lambda done: No
 
 
 @np.errstate(all="ignore")
-def by_tile(need: Requirements, variant: Variant, found: Outcome, progress: Callable[[int], None]) -> None:
+def by_tile(need: Requirements, variant: Variant, found: Survey, progress: Callable[[int], None]) -> None:
     """Evaluate every candidate of a variant, a tile of the grid at a time."""
     listed = forces(need)
     for tile in (tile for laid in grids(need, variant) for tile in tiles(laid, TILE)):
@@ -142,7 +142,7 @@ def separable(need: Requirements, variant: Variant) -> bool:
 
 
 @np.errstate(all="ignore")
-def by_radius(need: Requirements, variant: Variant, found: Outcome, progress: Callable[[int], None]) -> None:
+def by_radius(need: Requirements, variant: Variant, found: Survey, progress: Callable[[int], None]) -> None:
     """Go through every combination but the mean radius, and look up the radii it allows.
 
     Where the spring force is a range, at a given gain or at a given wall angle the largest feasible radius is best in
@@ -162,7 +162,7 @@ class _Rows:
         self.need, self.variant, self.tile, self.radii = need, variant, tile, radii
         self.by_gain = need.search.gain is not None or not variant.controlled
 
-    def into(self, found: Outcome) -> None:
+    def into(self, found: Survey) -> None:
         """Count, and hand on the best of every row."""
         size, at_largest = self.radii.size, candidates(self.need, self.variant, self.tile.axes)
         built = np.broadcast_to(at_largest.is_clutch, self.tile.shape)

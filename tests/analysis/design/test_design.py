@@ -20,7 +20,7 @@ from hypothesis import strategies as st
 
 from afmcalc.analysis.design.design import design, refinement, shown
 from afmcalc.analysis.design.pick import with_picked
-from afmcalc.analysis.design.search import Outcome, by_radius, by_tile, front, separable
+from afmcalc.analysis.design.search import Survey, by_radius, by_tile, front, separable
 from afmcalc.analysis.design.search import search as searched
 from afmcalc.analysis.overload import overload
 from afmcalc.analysis.synthesize import synthesize
@@ -230,7 +230,7 @@ def test_the_front_against_brute_force(need):
 @given(requirements(separable=True))
 def test_two_ways_through_one_space(need):
     """Looking the radii up gives what evaluating all of them gives, exclusions included."""
-    quick, slow = Outcome(), Outcome()
+    quick, slow = Survey(), Survey()
     variants = [variant for variant in (VARIANTS[name] for name in need.variants) if separable(need, variant)]
     assume(variants)
     for variant in variants:
