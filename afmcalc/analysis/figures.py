@@ -198,7 +198,7 @@ def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
 
 
 def _tolerance(request: Request) -> ToleranceFigure:
-    from .tolerance.histogram import CENTRAL
+    from .tolerance.statistics import CENTRAL
 
     (answers,) = request.subjects
     study, spec = answers.study, answers.clutch.spec

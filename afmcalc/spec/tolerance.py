@@ -58,9 +58,7 @@ class Distribution(Block):
 class Tolerance(Block):
     """What scatters, and how it is calculated."""
 
-    method: SamplingMethod = key_field(
-        "auto: exact where only friction varies, else Monte Carlo; quasi-Monte Carlo needs SciPy", default="auto"
-    )
+    method: SamplingMethod = key_field("auto: exact where only friction varies, else Monte Carlo", default="auto")
     setting: Setting = key_field(
         "as-made: springs set for the nominal clutch and held; each-adjusted: every clutch set on the bench",
         default="as-made",

@@ -11,7 +11,7 @@ from afmcalc.analysis.checks.check import check
 from afmcalc.analysis.life import life, life_sweep
 from afmcalc.analysis.simulate.simulate import simulate
 from afmcalc.analysis.sweep.axes import parse_axis
-from afmcalc.analysis.tolerance.streams import REPLICATES
+from afmcalc.analysis.tolerance.sampling import REPLICATES
 from afmcalc.engines import build
 from afmcalc.spec import read_spec
 
@@ -85,7 +85,7 @@ def event_factor(clutch):
 def test_one_dynamic_factor_wherever_a_life_is_told(afmcalc, monkeypatch):
     """Without a factor that of the event, 2.83: τ' 16.43 MPa; with one it wins, and is said to be the smaller."""
     clutch = build(read_spec(CONVEYOR, ["drive.dynamic_factor=", "tolerance.samples=1000", "tolerance.sobol_base=64"]))
-    monkeypatch.setattr("afmcalc.analysis.tolerance.peaks.SAMPLES", 2 * REPLICATES)
+    monkeypatch.setattr("afmcalc.analysis.tolerance.sampling.DRIVES", 2 * REPLICATES)
     factor, answers = event_factor(clutch), Answers(clutch)
     assert factor == pytest.approx(2.83, abs=5e-3)
     found, said = life(clutch)

@@ -9,8 +9,7 @@ from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.life import life
 from afmcalc.analysis.solve.solve import solve
 from afmcalc.analysis.tolerance.distributions import inputs_of
-from afmcalc.analysis.tolerance.model import Model
-from afmcalc.analysis.tolerance.setting import with_setting
+from afmcalc.analysis.tolerance.model import Model, with_setting
 from afmcalc.analysis.tolerance.study import tolerance
 from afmcalc.engines import build
 from afmcalc.errors import SpecError

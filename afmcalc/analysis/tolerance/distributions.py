@@ -3,7 +3,6 @@
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from statistics import NormalDist
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -17,7 +16,6 @@ from ...spec.paths import physical_limits, unit_at
 from ...spec.tolerance import FRICTION, Distribution, percentage
 
 Array: TypeAlias = NDArray[np.float64]
-_NORMAL = NormalDist()
 _NEVER = 1e-20
 """Probability that no sample is large enough to meet."""
 _LEAST_MASS = 1e-3
@@ -40,12 +38,17 @@ class Input:
     """Truncation."""
 
     @property
+    def has_ends(self) -> bool:
+        """Whether the distribution ends by itself."""
+        return self.kind in ("uniform", "triangular")
+
+    @property
     def bounds(self) -> tuple[float | None, float | None]:
         """Least and largest value there can be; None where there is none but what physics sets."""
-        if self.kind in ("uniform", "triangular"):
+        if self.has_ends:
             return max(self.ends[0], self.limits[0]), min(self.ends[1], self.limits[1])
         physical = physical_limits(self.path)
-        low, high = (None if own == free else own for own, free in zip(self.limits, physical, strict=True))
+        low, high = (None if limit == free else limit for limit, free in zip(self.limits, physical, strict=True))
         return low, high
 
     @cached_property
@@ -58,16 +61,12 @@ class Input:
 
     def cdf(self, x: float) -> float:
         """Probability below x, before truncation."""
-        if self.kind in ("normal", "lognormal"):
+        low, high = self.ends
+        if not self.has_ends:
             a, b = self.scores
             if self.kind == "lognormal":
-                if x <= 0:
-                    return 0.0
-                x = math.log(x) if x < math.inf else math.inf
-            if b == 0:
-                return float(x >= a)
-            return _NORMAL.cdf((x - a) / b)
-        low, high = self.ends
+                x = -math.inf if x <= 0 else math.log(x)
+            return float(x >= a) if b == 0 else float(normal_probability((x - a) / b))
         if x <= low:
             return 0.0
         if x >= high:
@@ -98,12 +97,17 @@ class Input:
         """Value at each probability of an array, truncation included."""
         below, above = self.mass
         u = below + u * (above - below)
-        if self.kind in ("normal", "lognormal"):
+        low, high = self.ends
+        if not self.has_ends:
             a, b = self.scores
             values = a + b * normal_score(u)
             values = np.exp(values) if self.kind == "lognormal" else values
+        elif self.kind == "uniform" or high == low:
+            values = low + (high - low) * u
         else:
-            values = self._between(u)
+            rising = low + np.sqrt(u * ((high - low) * (self.center - low)))
+            falling = high - np.sqrt((1 - u) * ((high - low) * (high - self.center)))
+            values = np.where(u < (self.center - low) / (high - low), rising, falling)
         return np.clip(values, *self.limits)
 
     def draw(self, stream: np.random.Generator, into: Array) -> None:
@@ -111,19 +115,19 @@ class Input:
         if self.spread == 0:
             into[...] = self.center
             return
-        if self.kind in ("uniform", "triangular"):
+        if self.has_ends:
             stream.random(out=into)
             into[...] = self.quantiles(into)
             return
-        self._fill(stream, into)
+        self._draw_untruncated(stream, into)
         low, high = self.limits
         while (self.mass[0] > _NEVER and into.min() < low) or (high < math.inf and into.max() > high):
             outside = np.flatnonzero((into < low) | (into > high))
             again = np.empty(outside.size)
-            self._fill(stream, again)
+            self._draw_untruncated(stream, again)
             into[outside] = again
 
-    def _fill(self, stream: np.random.Generator, into: Array) -> None:
+    def _draw_untruncated(self, stream: np.random.Generator, into: Array) -> None:
         a, b = self.scores
         stream.standard_normal(out=into)
         into *= b
@@ -131,44 +135,21 @@ class Input:
         if self.kind == "lognormal":
             np.exp(into, out=into)
 
-    def _between(self, u: Array) -> Array:
-        low, high = self.ends
-        if self.kind == "uniform" or high == low:
-            return low + (high - low) * u
-        peak = (self.center - low) / (high - low)
-        rising = low + np.sqrt(u * ((high - low) * (self.center - low)))
-        falling = high - np.sqrt((1 - u) * ((high - low) * (high - self.center)))
-        return np.where(u < peak, rising, falling)
-
 
 def inputs_of(spec: Spec) -> list[Input]:
-    """Return what scatters in a spec, in the order of its [tolerance] block."""
+    """Return what scatters in a spec, in the order of its [tolerance] block.
+
+    Raises:
+        CalculationError: a number that the spec does not have, or a distribution that leaves what it may be.
+    """
     assert spec.tolerance is not None
     return [_input(spec, path, given) for path, given in spec.tolerance.fields.items()]
 
 
 def _input(spec: Spec, path: str, given: Distribution) -> Input:
-    unit = unit_at(path)
+    unit, limits = unit_at(path), physical_limits(path)
     assert unit is not None
-    center = _float(given.center)
-    low, high = _float(given.min), _float(given.max)
-    limits = physical_limits(path)
-    if path in FRICTION:
-        own = spec.friction if path == "friction" else getattr(spec.friction, path.rpartition(".")[2])
-        center = own.range.mean if center is None else center
-        if given.distribution in ("uniform", "triangular") and given.spread is None:
-            low, high = own.range.min if low is None else low, own.range.max if high is None else high
-    elif value_at(spec, path.rpartition(".")[0]) is None:
-        raise CalculationError(say("tolerance.fields.{path}: the spec has no such table to scatter in", path=path))
-    elif center is None:
-        value = value_at(spec, path)
-        if value is None and low is not None and high is not None:
-            value = (low + high) / 2
-        if value is None:
-            raise CalculationError(
-                say("tolerance.fields.{path}: the spec has no {path} to scatter; give center", path=path)
-            )
-        center = float(value)
+    center, low, high = _center_and_ends(spec, path, given)
     share = percentage(given.spread)
     spread = abs(center) * share if share is not None else _float(given.spread)
     if spread is None:
@@ -202,10 +183,9 @@ def _input(spec: Spec, path: str, given: Distribution) -> Input:
         limits = max(limits[0], -math.inf if low is None else low), min(limits[1], math.inf if high is None else high)
     if given.distribution == "lognormal" and not center > 0:
         raise CalculationError(say("tolerance.fields.{path}: a lognormal center must be greater than 0", path=path))
-    found = Input(path, unit, given.distribution, center, spread, ends, limits)
-    below, above = found.mass
-    possible = above - below > _LEAST_MASS if spread > 0 else limits[0] <= center <= limits[1]
-    if not possible:
+    scattering = Input(path, unit, given.distribution, center, spread, ends, limits)
+    below, above = scattering.mass
+    if not (above - below > _LEAST_MASS if spread > 0 else limits[0] <= center <= limits[1]):
         raise CalculationError(
             say(
                 "tolerance.fields.{path}: the limits {low:g} to {high:g} leave nothing of the distribution",
@@ -214,7 +194,29 @@ def _input(spec: Spec, path: str, given: Distribution) -> Input:
                 high=limits[1],
             )
         )
-    return found
+    return scattering
+
+
+def _center_and_ends(spec: Spec, path: str, given: Distribution) -> tuple[float, float | None, float | None]:
+    """Center, lower and upper end as given, else by the spec: the range of friction, or the value of the key."""
+    center, low, high = (_float(number) for number in (given.center, given.min, given.max))
+    if path in FRICTION:
+        friction = spec.friction if path == "friction" else getattr(spec.friction, path.rpartition(".")[2])
+        if given.distribution in ("uniform", "triangular") and given.spread is None:
+            low = friction.range.min if low is None else low
+            high = friction.range.max if high is None else high
+        return friction.range.mean if center is None else center, low, high
+    if value_at(spec, path.rpartition(".")[0]) is None:
+        raise CalculationError(say("tolerance.fields.{path}: the spec has no such table to scatter in", path=path))
+    if center is None:
+        center = value_at(spec, path)
+    if center is None and low is not None and high is not None:
+        center = (low + high) / 2
+    if center is None:
+        raise CalculationError(
+            say("tolerance.fields.{path}: the spec has no {path} to scatter; give center", path=path)
+        )
+    return float(center), low, high
 
 
 def _float(value: float | str | None) -> float | None:
@@ -222,22 +224,15 @@ def _float(value: float | str | None) -> float | None:
 
 
 def normal_score(u: Array) -> Array:
-    """Inverse of the normal distribution over an array; SciPy's where it is installed, else the standard library's."""
+    """Inverse of the normal distribution, of a number or an array."""
+    from scipy.special import ndtri
+
     # 0 and 1 have no score; a probability so near to them is not told apart anyway
-    inside: Array = np.clip(u, 1e-300, 1 - 2**-53)
-    try:
-        from scipy.special import ndtri
-    except ImportError:
-        return np.fromiter(map(_NORMAL.inv_cdf, inside.ravel()), float, inside.size).reshape(inside.shape)
-    found: Array = ndtri(inside)
-    return found
+    return ndtri(np.clip(u, 1e-300, 1 - 2**-53))
 
 
-def normal_probability(z: Array) -> Array:
-    """Normal distribution over an array."""
-    try:
-        from scipy.special import ndtr
-    except ImportError:
-        return np.fromiter(map(_NORMAL.cdf, z.ravel()), float, z.size).reshape(z.shape)
-    found: Array = ndtr(z)
-    return found
+def normal_probability(z: float | Array) -> Array:
+    """Normal distribution of a number or an array."""
+    from scipy.special import ndtr
+
+    return ndtr(z)

@@ -1,4 +1,4 @@
-"""The torque of a clutch as a function of what scatters."""
+"""The torque of a clutch as a function of what scatters, its springs as made or adjusted for each sample."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -10,13 +10,26 @@ from numpy.typing import NDArray
 from ...arrays import Values
 from ...engines import Clutch, build, geometry
 from ...equations import indirect
+from ...errors import Problem, SpecError
+from ...messages import say
 from ...spec import Spec
-from ...spec.edit import with_values
-from ...spec.tolerance import FRICTION
-from .distributions import Input
+from ...spec.edit import with_force, with_key, with_value, with_values
+from ...spec.tolerance import FRICTION, Tolerance
+from ..slips import dynamic_factor
+from .distributions import Array, Input
 
 _IN_NET_GAIN = ("friction_group.", "control_unit.")
 _RADII = ("friction_group.inner_radius", "friction_group.outer_radius")
+_ONLY_SETTING = (
+    "adjustment.",
+    "friction.min",
+    "friction.mean",
+    "friction.max",
+    "friction.driving.",
+    "friction.driven.",
+)
+"""Keys that act on a clutch through its setting alone."""
+_CONTROL_FORCE = ("control_spring", "force")
 
 
 @dataclass(frozen=True)
@@ -31,51 +44,64 @@ class Model:
     @property
     def pair(self) -> tuple[int, int] | None:
         """Places of the two correlated frictions."""
-        names = [each.path for each in self.inputs]
-        if self.correlation and "friction.driving" in names and "friction.driven" in names:
-            return names.index("friction.driving"), names.index("friction.driven")
+        paths = [scattering.path for scattering in self.inputs]
+        if self.correlation and "friction.driving" in paths and "friction.driven" in paths:
+            return paths.index("friction.driving"), paths.index("friction.driven")
         return None
+
+    @cached_property
+    def centers(self) -> list[float]:
+        """Center of each number that scatters."""
+        return [scattering.center for scattering in self.inputs]
 
     @cached_property
     def may_fail(self) -> bool:
         """Whether there may be samples that are no clutch."""
         causes = _IN_NET_GAIN if self.spec.kind.law == "indirect" else _RADII
-        return any(each.path.startswith(causes) for each in self.inputs)
+        return any(scattering.path.startswith(causes) for scattering in self.inputs)
 
     def possible(self, values: Sequence[Values]) -> NDArray[np.bool_]:
         """Which samples are a clutch: feedback overcomes the friction at the key, the faces have a width."""
         spec = self._spec(values)
         group, unit = spec.friction_group, spec.control_unit
-        found: NDArray[np.bool_] = np.ones(np.shape(values[0]), np.bool_)
+        possible: NDArray[np.bool_] = np.ones(np.shape(values[0]), np.bool_)
         if group.inner_radius is not None and group.outer_radius is not None:
-            found &= group.inner_radius < group.outer_radius
+            possible &= group.inner_radius < group.outer_radius
         if spec.kind.law == "indirect" and unit is not None:
             assert unit.key_friction is not None
             assert unit.hub_diameter is not None
             radius = geometry.mean_radius(spec)
-            found &= indirect.net_gain(geometry.feedback_gain(spec), radius, unit.key_friction, unit.hub_diameter) > 0
-        return found
+            possible &= (
+                indirect.net_gain(geometry.feedback_gain(spec), radius, unit.key_friction, unit.hub_diameter) > 0
+            )
+        return possible
+
+    def clutches_of(self, values: Sequence[Array]) -> Sequence[Array]:
+        """Leave out the samples that are no clutch."""
+        if not self.may_fail:
+            return values
+        possible = self.possible(values)
+        return values if possible.all() else [column[possible] for column in values]
 
     def clutch(self, values: Sequence[Values]) -> Clutch:
         """Engine with values (numbers or arrays) in place of those of the spec."""
         return build(self._spec(values))
 
     def _spec(self, values: Sequence[Values]) -> Spec:
-        given = zip(self.inputs, values, strict=True)
-        return with_values(
-            self.spec, ((each.path.split("."), value) for each, value in given if each.path not in FRICTION)
-        )
+        given = self._by_path(values)
+        return with_values(self.spec, ((path.split("."), given[path]) for path in given if path not in FRICTION))
+
+    def _by_path(self, values: Sequence[Values]) -> dict[str, Values]:
+        return {scattering.path: value for scattering, value in zip(self.inputs, values, strict=True)}
 
     def torque(self, values: Sequence[Values], clutch: Clutch | None = None) -> Values:
-        """Slip torque, N·m."""
-        named = {each.path: value for each, value in zip(self.inputs, values, strict=True)}
-        return self.torque_of(clutch or self.clutch(values), named)
+        """Slip torque, N·m; of ``clutch`` where it is built of the values already."""
+        return self.torque_of(clutch or self.clutch(values), self._by_path(values))
 
-    def torque_of(self, clutch: Clutch, named: Mapping[str, Values]) -> Values:
+    def torque_of(self, clutch: Clutch, frictions: Mapping[str, Values]) -> Values:
         """Slip torque of a clutch, N·m, at the frictions named; at the mean where none is."""
-        first, second = self.frictions(named)
-        torque: Values = clutch.torque(first, second) if self.spec.friction.unlike else clutch.torque(first)
-        return torque
+        first, second = self.frictions(frictions)
+        return clutch.torque(first, second) if self.spec.friction.unlike else clutch.torque(first)
 
     def frictions(self, named: Mapping[str, Values]) -> tuple[Values, Values]:
         """f_1 and f_2 as named, twice the same with one material; the mean where none is."""
@@ -84,3 +110,42 @@ class Model:
             return named.get("friction.driving", first), named.get("friction.driven", second)
         alike = named.get("friction", first)
         return alike, alike
+
+    def frictions_at(self, values: Sequence[Values]) -> tuple[Values, Values]:
+        """f_1 and f_2 of samples."""
+        return self.frictions(self._by_path(values))
+
+
+def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
+    """Return the spec of the samples, whose springs are set in one of the two ways.
+
+    Args:
+        clutch: the nominal clutch.
+        given: its [tolerance] block; as-made: the springs of the nominal clutch, each-adjusted: those a sample needs.
+
+    Raises:
+        SpecError: a field scatters that could have no effect.
+    """
+    as_made = given.setting == "as-made"
+    for path in given.fields:
+        if as_made and path.startswith(_ONLY_SETTING):
+            message = say(
+                'acts through the setting alone, which "as-made" holds: give tolerance.setting = "each-adjusted"'
+            )
+        elif not as_made and path == ".".join(_CONTROL_FORCE):
+            message = say('follows from the setting of each clutch: give tolerance.setting = "as-made"')
+        else:
+            continue
+        raise SpecError(clutch.spec.label, [Problem(f"tolerance.fields.{path}", None, message)])
+    spec = clutch.spec
+    if spec.fatigue is not None:
+        # the life of every sample takes that of the nominal clutch
+        spec = with_value(spec, ("drive", "dynamic_factor"), dynamic_factor(clutch))
+    if as_made:
+        spec = with_force(spec, float(clutch.closing_force))
+    if clutch.control_force is not None:
+        spec = with_value(spec, _CONTROL_FORCE, float(clutch.control_force) if as_made else None)
+    if clutch.gain_slope:
+        # pockets are cut once, for the nominal clutch
+        spec = with_key(spec, "control_unit.gain_slope", float(clutch.gain_slope))
+    return spec

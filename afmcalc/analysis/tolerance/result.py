@@ -7,6 +7,11 @@ from ...findings import Finding
 from ...result import Answer, Result, quantity
 from ...spec.tolerance import Setting
 
+ROBUST = (0.005, 0.995)
+"""Probabilities whose quantiles stand for the smallest and largest torque."""
+LIFE_PROBABILITIES = (0.01, 0.1, 0.5)
+"""Of the quantiles of life: the share of clutches that have failed by then."""
+
 
 class Estimate(NamedTuple):
     """A figure of a sample and its standard error, 0 where it is exact."""
@@ -22,18 +27,16 @@ class Estimated(Result):
     @cache
     def error_fields(cls) -> dict[str, str]:
         """Return the field of the error by that of the figure."""
-        about = {name: info.json_schema_extra for name, info in cls.model_fields.items()}
-        extras = {name: extra for name, extra in about.items() if isinstance(extra, dict)}
-        return {str(extra["error_of"]): name for name, extra in extras.items() if "error_of" in extra}
+        about = ((name, field.json_schema_extra) for name, field in cls.model_fields.items())
+        return {str(more["error_of"]): name for name, more in about if isinstance(more, dict) and "error_of" in more}
 
     @classmethod
     def of(cls, **figures: object) -> Self:
         """Build the result from figures, an ``Estimate`` giving both of its fields."""
-        errors = cls.error_fields()
         flat = dict(figures)
         for name, figure in figures.items():
             if isinstance(figure, Estimate):
-                flat[name], flat[errors[name]] = figure
+                flat[name], flat[cls.error_fields()[name]] = figure
         return cls.model_validate(flat)
 
     def estimate(self, name: str) -> Estimate:

@@ -14,8 +14,7 @@ from afmcalc.analysis.simulate.cases import case_of, outcome_of
 from afmcalc.analysis.simulate.simulate import simulate
 from afmcalc.analysis.simulate.sweep import dynamic_factors
 from afmcalc.analysis.sweep.axes import parse_axis
-from afmcalc.analysis.tolerance.peaks import SAMPLES
-from afmcalc.analysis.tolerance.streams import REPLICATES
+from afmcalc.analysis.tolerance.sampling import DRIVES, REPLICATES
 from afmcalc.analysis.tolerance.study import tolerance
 from afmcalc.engines import build
 from afmcalc.engines.characteristic import DiscCharacteristic
@@ -147,7 +146,7 @@ def test_peaks_over_tolerances():
     own = light(tolerance={"fields": spread, "quantiles": [0.25, 0.5, 0.75]}, requirements={"peak_torque": 600.0})
     result, _ = tolerance(own)
     assert result.method == "exact"
-    assert result.peak_samples == SAMPLES
+    assert result.peak_samples == DRIVES
     assert result.peak_quantiles is not None
     for row in result.peak_quantiles:
         single = outcome_of(own, 0.1 + 0.7 * row.probability).trip.peak
@@ -160,7 +159,7 @@ def test_peaks_over_tolerances():
 
 def test_peaks_of_a_clutch_with_disc_springs_over_tolerances(monkeypatch):
     """Of hardly any scatter: the event's own peak."""
-    monkeypatch.setattr("afmcalc.analysis.tolerance.peaks.SAMPLES", 2 * REPLICATES)
+    monkeypatch.setattr("afmcalc.analysis.tolerance.sampling.DRIVES", 2 * REPLICATES)
     own = light(
         **SPRUNG, tolerance={"fields": {"drive.shaft_stiffness": {"distribution": "normal", "spread": "0.01 %"}}}
     )

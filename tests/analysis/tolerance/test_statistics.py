@@ -9,14 +9,21 @@ from conftest import CONFIGS
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from afmcalc.analysis.tolerance.bins import BINS, Grid
 from afmcalc.analysis.tolerance.distributions import Input, inputs_of
-from afmcalc.analysis.tolerance.histogram import histogram_of_sample
-from afmcalc.analysis.tolerance.quadrature import gauss
-from afmcalc.analysis.tolerance.ranked import Ranked, needed
-from afmcalc.analysis.tolerance.streams import sizes
+from afmcalc.analysis.tolerance.sampling import Plan
+from afmcalc.analysis.tolerance.service import gauss
+from afmcalc.analysis.tolerance.statistics import (
+    BINS,
+    Grid,
+    Ranked,
+    Tally,
+    histogram_of_sample,
+    merged,
+    needed,
+    ranked,
+    ranked_values,
+)
 from afmcalc.analysis.tolerance.study import study
-from afmcalc.analysis.tolerance.tally import Tally, merged, ranked, ranked_values
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec, resolved
 
@@ -137,7 +144,7 @@ def test_the_resolution_is_part_of_the_error():
 
 @given(st.integers(1000, 10**7), st.booleans())
 def test_sizes(samples, quasi):
-    each = sizes(samples, quasi)
+    each = Plan(samples, 1, quasi).sizes
     assert sum(each) >= samples
     assert quasi or sum(each) == samples
     assert not quasi or all(size & (size - 1) == 0 for size in each)

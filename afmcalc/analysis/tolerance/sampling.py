@@ -1,0 +1,329 @@
+"""Samples of what scatters, cell by cell in threads: torques, their Sobol indices, peak torques.
+
+A sample is cut into a fixed number of replicates, each with its own stream and its own statistics: they run in any
+number of threads and still give the same digits, and the spread between them is the standard error.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+import numpy as np
+
+from ...engines import Clutch
+from ...errors import CalculationError
+from ...messages import say
+from ...progress import Count
+from ...spec.edit import with_value
+from ...spec.tolerance import Tolerance
+from ..registry import ANALYSES
+from ..simulate.sweep import peaks_of
+from .distributions import Array, normal_probability, normal_score
+from .model import Model
+from .result import LIFE_PROBABILITIES, ROBUST, Estimate, IndexRow, LifeRow, PeakRow, QuantileRow
+from .service import life_of, service_of, unprotected
+from .statistics import Grid, Population, Tally, deviation, estimate, mean, merged, ranked_values, share, spread
+
+REPLICATES = 32
+CELL = 16384
+"""Numbers drawn at once: what stays in the cache."""
+POPULATION = 200_000
+"""Clutches whose life is calculated, at most: each is asked at every node of its service."""
+DRIVES = 4096
+"""Drives that are simulated: each takes thousands of steps."""
+_LEAST_CLUTCHES = 2
+"""In each replicate: one has no spread."""
+R = TypeVar("R")
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How to sample; threads change the time, never a digit."""
+
+    samples: int
+    seed: int
+    quasi: bool = False
+    threads: int = 1
+
+    @property
+    def sizes(self) -> list[int]:
+        """Sizes of the replicates; a Sobol sequence needs powers of two."""
+        if self.quasi:
+            return [1 << max(5, -(-self.samples // REPLICATES) - 1).bit_length()] * REPLICATES
+        whole, rest = divmod(self.samples, REPLICATES)
+        return [whole + (index < rest) for index in range(REPLICATES)]
+
+    def run(self, work: str, replicate: Callable[[int, Iterator[int]], R]) -> list[R]:
+        """Results of all replicates in order, each by its number and the widths of its cells."""
+        sizes = self.sizes
+        count = Count(work, sum(sizes))
+
+        def cells(size: int) -> Iterator[int]:
+            for start in range(0, size, CELL):
+                count.add(width := min(CELL, size - start))
+                yield width
+
+        with ThreadPoolExecutor(self.threads) as pool:
+            return list(pool.map(lambda number: replicate(number, cells(sizes[number])), range(REPLICATES)))
+
+
+class Stream:
+    """Random or quasi-random columns, one per number that scatters, cell by cell."""
+
+    def __init__(self, model: Model, seed: int, number: int, *, quasi: bool = False, copies: int = 1) -> None:
+        """Open the stream of a number; with ``copies`` it has every column more than once, independently."""
+        self._inputs, self._period = [*model.inputs] * copies, len(model.inputs)
+        self._pair, self._correlation = model.pair, model.correlation
+        self._generator = np.random.Generator(np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(number,))))
+        self._sequence = None
+        if quasi:
+            from scipy.stats import qmc
+
+            self._sequence = qmc.Sobol(len(self._inputs), scramble=True, seed=self._generator)
+
+    def draw(self, width: int) -> list[Array]:
+        """Return the next cell: an array per column."""
+        columns = [np.empty(width) for _ in self._inputs]
+        self.fill(columns)
+        return columns
+
+    def fill(self, columns: Sequence[Array]) -> None:
+        """Fill one cell: an array per column, all of one length."""
+        points = None if self._sequence is None else self._sequence.random(len(columns[0]))
+        for number, (scattering, column) in enumerate(zip(self._inputs, columns, strict=True)):
+            if points is not None:
+                column[...] = scattering.quantiles(points[:, number])
+            elif self._pair is None or number % self._period not in self._pair:
+                scattering.draw(self._generator, column)
+        if self._pair is not None:
+            for start in range(0, len(columns), self._period):
+                self._correlate(columns, points, start + self._pair[0], start + self._pair[1])
+
+    def _correlate(self, columns: Sequence[Array], points: Array | None, first: int, second: int) -> None:
+        """Fill the two frictions by a Gaussian copula."""
+        if points is None:
+            one, two = (self._generator.standard_normal(len(columns[first])) for _ in range(2))
+        else:
+            one, two = normal_score(points[:, first]), normal_score(points[:, second])
+        two = self._correlation * one + (1 - self._correlation**2) ** 0.5 * two
+        columns[first][...] = self._inputs[first].quantiles(normal_probability(one))
+        columns[second][...] = self._inputs[second].quantiles(normal_probability(two))
+
+
+def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> list[Tally]:
+    """Sample the torque.
+
+    Args:
+        model: torque as a function of what scatters.
+        plan: size, seed, method, threads.
+        upper: torque whose exceedance is counted, N·m; None for none.
+        lower: torque below which samples are counted, N·m.
+
+    Returns:
+        A tally per replicate.
+
+    Raises:
+        CalculationError: hardly any sample is a clutch.
+    """
+    # bins and shift are chosen from the first cell of the first replicate
+    pilot = model.clutches_of(Stream(model, plan.seed, 0, quasi=plan.quasi).draw(min(CELL, plan.sizes[0])))
+    _refuse_few(pilot[0].size)
+    torques = np.broadcast_to(model.torque(pilot), pilot[0].shape)
+    grid, shift = Grid.of(torques), float(np.median(torques))
+    slips = None if model.spec.fatigue is None else service_of(model)
+
+    def replicate(number: int, cells: Iterator[int]) -> Tally:
+        stream, tally = Stream(model, plan.seed, number, quasi=plan.quasi), Tally(grid, shift)
+        room = min(CELL, plan.sizes[number])
+        columns, work, index = [np.empty(room) for _ in model.inputs], np.empty(room), np.empty(room, np.uint64)
+        for width in cells:
+            drawn = [column[:width] for column in columns]
+            stream.fill(drawn)
+            values = model.clutches_of(drawn)
+            size = values[0].size
+            tally.impossible += width - size
+            if not size:
+                continue
+            torque = np.broadcast_to(model.torque(values), size)
+            tally.add(torque, work[:size], index[:size])
+            tally.above += 0 if upper is None else int(np.count_nonzero(torque > upper))
+            tally.below += int(np.count_nonzero(torque < lower))
+            few = min(size, POPULATION // REPLICATES - tally.clutches)
+            if slips is not None and few > 0:
+                clutch = model.clutch([column[:few] for column in values])
+                life = life_of(model, clutch, slips)
+                tally.lives.append(np.stack([np.broadcast_to(side, few) for side in (life, unprotected(clutch, life))]))
+        return tally
+
+    tallies = plan.run(say("sampling"), replicate)
+    _refuse_few(min(tally.count for tally in tallies))
+    return tallies
+
+
+def _refuse_few(clutches: int) -> None:
+    if clutches < _LEAST_CLUTCHES:
+        raise CalculationError(
+            say(
+                "tolerance: hardly a sample is a clutch (feedback must overcome the key's friction, faces have a width)"
+            )
+        )
+
+
+def sampled_figures(model: Model, tallies: Sequence[Tally], torques: Population, given: Tolerance) -> dict[str, object]:
+    """Fields of the result that are figures of a sample; errors of moments and probabilities from the replicates."""
+    whole = merged(tallies)
+    fields: dict[str, object] = {
+        "method": "quasi-monte-carlo" if torques.replicates else "monte-carlo",
+        "samples": whole.count + whole.impossible,
+        "mean": estimate(mean, tallies, whole),
+        "standard_deviation": estimate(deviation, tallies, whole),
+        "accuracy_factor_robust": torques.ratio(*ROBUST),
+        "probability_below_machine": share(lambda tally: tally.below / tally.count, tallies, whole),
+        "quantiles": [QuantileRow.of(probability=p, torque=torques.quantile(p)) for p in given.quantiles],
+    }
+    if model.may_fail:
+        fields["probability_no_clutch"] = share(
+            lambda tally: tally.impossible / (tally.count + tally.impossible), tallies, whole
+        )
+    if given.torque_limit is not None:
+        fields["probability_above_limit"] = share(lambda tally: tally.above / tally.count, tallies, whole)
+    if whole.lives:
+        sides = [np.concatenate(tally.lives, axis=1) for tally in tallies]
+        protected, unprotected = (ranked_values(np.concatenate(lives)) for lives in zip(*sides, strict=True))
+        fields["life_protected"], fields["life_unprotected"] = (_mean_life(lives) for lives in zip(*sides, strict=True))
+        fields["life_quantiles"] = [
+            LifeRow.of(probability=p, protected=protected.estimate(p), unprotected=unprotected.estimate(p))
+            for p in LIFE_PROBABILITIES
+        ]
+    return fields
+
+
+def _mean_life(parts: Sequence[Array]) -> Estimate:
+    """Life of the mean damage of all clutches."""
+    damage = float((1 / np.concatenate(parts)).mean())
+    # the error of 1/x is that of x over x²
+    return Estimate(1 / damage, spread([float((1 / lives).mean()) for lives in parts]) / damage**2)
+
+
+def sobol_indices(model: Model, plan: Plan) -> list[IndexRow]:
+    """First-order and total Sobol indices of the torque, ``plan.samples`` the base sample (Saltelli 2010, Jansen 1999).
+
+    Raises:
+        CalculationError: no row of the base sample is a clutch throughout.
+    """
+    groups = _groups(model)
+    count, center = len(model.inputs), model.torque(model.centers)
+
+    def torque(values: Sequence[Array]) -> Array:
+        return np.broadcast_to(model.torque(values) - center, values[0].shape)
+
+    def replicate(number: int, cells: Iterator[int]) -> Array:
+        # streams of their own, apart from those of the sample
+        stream = Stream(model, plan.seed, REPLICATES + number, quasi=plan.quasi, copies=2)
+        sums = np.zeros(3 + 2 * len(groups))
+        for width in cells:
+            columns = stream.draw(width)
+            one, other = columns[:count], columns[count:]
+            mixed = ([other[k] if k in members else one[k] for k in range(count)] for members in groups.values())
+            samples = [one, other, *mixed]
+            if model.may_fail:
+                kept = np.logical_and.reduce([model.possible(values) for values in samples])
+                samples = [[column[kept] for column in values] for values in samples]
+            if samples[0][0].size:
+                sums += _sums([torque(values) for values in samples])
+        return sums
+
+    rows = np.array(plan.run(say("indices"), replicate))
+    if not rows[:, 0].any():
+        raise CalculationError(say("tolerance.sobol_base: too few of the samples are a clutch; give a larger one"))
+    return _indices(rows, list(groups))
+
+
+def _groups(model: Model) -> dict[str, tuple[int, ...]]:
+    """Name and places of what varies apart: each input alone, the correlated frictions together."""
+    groups: dict[str, tuple[int, ...]] = {}
+    for number, scattering in enumerate(model.inputs):
+        if model.pair is None or number not in model.pair:
+            groups[scattering.path] = (number,)
+        elif number == model.pair[0]:
+            groups["friction.driving + friction.driven"] = model.pair
+    return groups
+
+
+def _sums(torques: Sequence[Array]) -> Array:
+    """Sums of one cell: size, values, squares, then both numerators of each group."""
+    one, other, *mixed = torques
+    sums = [float(one.size), float(one.sum() + other.sum()), float((one**2).sum() + (other**2).sum())]
+    for torque in mixed:
+        difference = torque - one
+        sums += [float((other * difference).sum()), float((difference**2).sum()) / 2]
+    return np.array(sums)
+
+
+def _indices(rows: Array, names: Sequence[str]) -> list[IndexRow]:
+    """Indices as ratios of sums; their errors from the spread of the replicates about the ratio."""
+    whole = rows.sum(axis=0)
+    mean = whole[1] / (2 * whole[0])
+    variance = whole[2] / (2 * whole[0]) - mean**2
+    # each replicate's variance about the common mean, so that the ratio's numerator and denominator match
+    parts = rows[:, 2] / 2 - mean * rows[:, 1] + mean**2 * rows[:, 0]
+
+    def index(column: int) -> Estimate:
+        if not variance > 0:
+            return Estimate(0.0)
+        ratio = whole[column] / whole[0] / variance
+        residual = rows[:, column] - ratio * parts
+        error = math.sqrt(float(np.sum(residual**2)) * len(rows) / (len(rows) - 1)) / whole[0]
+        return Estimate(float(ratio), float(error / variance))
+
+    return [
+        IndexRow.of(path=name, first_order=index(3 + 2 * k), total=index(4 + 2 * k)) for k, name in enumerate(names)
+    ]
+
+
+def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> dict[str, object]:
+    """Fields of the result that are figures of the peak torque in the shaft, of the event of the [drive] block.
+
+    The drives are a sample of their own, each simulated once; none where the clutch has no event to simulate.
+
+    Args:
+        model: the clutch and what of it scatters.
+        given: its [tolerance] block.
+        clutch: the nominal clutch, whose machine's torque is the load of all unless the spec gives one.
+
+    Raises:
+        CalculationError: hardly any sample is a clutch.
+    """
+    if not ANALYSES["simulate"].applies(clutch):
+        return {}
+    load = clutch.spec.drive.load_torque
+    spec = with_value(model.spec, ("drive", "load_torque"), float(clutch.machine_torque) if load is None else load)
+    model = replace(model, spec=spec)
+    # streams apart from those of the torque and of its indices
+    parts = [
+        model.clutches_of(Stream(model, given.seed, 2 * REPLICATES + number).draw(DRIVES // REPLICATES))
+        for number in range(REPLICATES)
+    ]
+    sizes = [part[0].size for part in parts]
+    if min(sizes) < _LEAST_CLUTCHES:
+        raise CalculationError(say("tolerance: hardly a sample is a clutch: there is no peak torque to tell"))
+    values = [np.concatenate(columns) for columns in zip(*parts, strict=True)]
+    peaks = np.broadcast_to(peaks_of(model.clutch(values), *model.frictions_at(values)).shaft, values[0].shape)
+    pieces = np.split(peaks, np.cumsum(sizes)[:-1])
+    order = ranked_values(peaks)
+    fields: dict[str, object] = {
+        "peak_samples": peaks.size,
+        "peak_torque_mean": Estimate(float(peaks.mean()), spread([float(piece.mean()) for piece in pieces])),
+        "peak_torque_deviation": Estimate(
+            float(peaks.std(ddof=1)), spread([float(piece.std(ddof=1)) for piece in pieces])
+        ),
+        "peak_quantiles": [PeakRow.of(probability=p, peak_torque=order.estimate(p)) for p in given.quantiles],
+    }
+    required = model.spec.requirements
+    if required is not None and required.peak_torque is not None:
+        above = float(np.mean(peaks > required.peak_torque))
+        error = max(1 / peaks.size, (above * (1 - above) / peaks.size) ** 0.5)
+        fields["probability_peak_above"] = Estimate(above, error)
+    return fields
