@@ -23,16 +23,15 @@ if TYPE_CHECKING:
     from .analysis.design.rows import DesignResult
     from .analysis.effects.effects import EffectsResult
     from .analysis.explain.explain import ExplainResult
-    from .analysis.heat.result import HeatResult
     from .analysis.life import LifeResult
     from .analysis.overload import OverloadResult
-    from .analysis.simulate.result import SimulateResult
     from .analysis.solve.solve import SolveResult
     from .analysis.springs.result import SpringsResult
     from .analysis.sweep.grid import Axis
     from .analysis.tolerance.result import ToleranceResult
     from .analysis.torque import Pair, TorqueResult
     from .analysis.unit import SynthesisResult
+    from .drive.result import HeatResult, SimulateResult
 
 Sweep: TypeAlias = str | Sequence[str]
 """``"C"``, ``"C=0:1.25:6"``, or several as on the command line; they make a grid."""
@@ -94,7 +93,7 @@ class Clutch:
         """The event over time as arrays, SI, by name: time, torque_shaft, travel, …; without friction all three."""
         import numpy as np
 
-        from .analysis.simulate.history import history
+        from .analysis.simulate import history
 
         moments = [moment.to_dict() for moment in history(self.engine, _pairs(friction)).moments]
         names = [name for name, value in moments[0].items() if value is not None]

@@ -9,13 +9,13 @@ from ..spec.suggest import did_you_mean
 from .registry import ANALYSES, PLOTS, Plot, StressRule
 
 if TYPE_CHECKING:
+    from ..drive.result import SimulateResult
     from ..papers.figures import PaperFigure
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
     from .design.rows import DesignResult
     from .effects.curve import EffectsCurve
     from .shop import ShopDrawing
-    from .simulate.history import MomentRow
-    from .simulate.result import SimulateResult
+    from .simulate import MomentRow
     from .springs.curve import SpringsCurve
     from .tolerance.study import Study
     from .unit import SynthesisResult
@@ -212,8 +212,8 @@ def _tolerance(request: Request) -> ToleranceFigure:
 def _simulate(request: Request) -> SimulateFigure:
     from itertools import groupby
 
-    from .simulate.history import history
-    from .simulate.result import SimulateResult
+    from ..drive.result import SimulateResult
+    from .simulate import history
 
     (answers,) = request.subjects
     clutch, result = answers.clutch, answers.of(SimulateResult)

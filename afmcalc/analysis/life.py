@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
 from ..arrays import Values
+from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..errors import AfmcalcError, Problem, SpecError
@@ -14,7 +15,6 @@ from ..spec.fatigue import Fatigue
 from ..spec.models import Method
 from .adjust import METHODS, set_by
 from .registry import StressRule
-from .simulate.result import SimulateResult
 from .slips import RULES, Load, cycles, damaging_stress, dynamic_factor, is_static, load_of
 from .sweep.grid import Axis, grid, replaced
 
@@ -187,7 +187,7 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: 
             return cycles(_part(own, model), model, load_of(own, from_mean=from_mean).times(times))
 
         def factor_of(own: Clutch) -> Values:
-            from .simulate.sweep import dynamic_factors
+            from .simulate import dynamic_factors
 
             given = own.spec.drive.dynamic_factor
             return given if given is not None else factor if held else dynamic_factors(own)
@@ -270,6 +270,6 @@ def _underrated(clutch: Clutch) -> list[Finding]:
     drive = clutch.spec.drive
     if drive.dynamic_factor is None or drive.event is None:
         return []
-    from .simulate.simulate import simulate
+    from .simulate import simulate
 
     return [each for each in simulate(clutch)[1] if each.code == "dynamic-factor-exceeded"]

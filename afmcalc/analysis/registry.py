@@ -240,7 +240,7 @@ ANALYSES: dict[str, Analysis] = {
             plot=Plot("life", "cycles against the scatter band", options=("sweep", "model")),
         ),
         Analysis(
-            "simulate", "analysis.simulate.simulate", "SimulateResult", "drive", _can_be_simulated,
+            "simulate", "analysis.simulate", "SimulateResult", "drive", _can_be_simulated,
             section=Section(
                 "Drive",
                 "The event of the block [drive] in time: peaks, slip, heat; against an ordinary clutch of equal T_н.",
@@ -252,7 +252,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "heat", "analysis.heat.heat", "HeatResult", "parts", _heat_is_known, ("answers",), explained=True,
+            "heat", "analysis.heat", "HeatResult", "parts", _heat_is_known, ("answers",), explained=True,
             judged=True,
             section=Section(
                 "Heat and wear",

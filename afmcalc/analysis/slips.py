@@ -10,12 +10,12 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from ..arrays import Values, all_nonzero, finite, is_array, larger, smaller
+from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..recorders import marked, unrecorded
 from ..spec.fatigue import Fatigue
 from .registry import StressRule
-from .simulate.result import SimulateResult
 
 _NODES = 32
 """Gauss–Legendre nodes of a smooth piece of the damage."""
@@ -114,7 +114,7 @@ def dynamic_factor(clutch: Clutch, event: Callable[[], SimulateResult] | None = 
     drive = clutch.spec.drive
     if drive.dynamic_factor is not None or drive.event is None:
         return 1.0 if drive.dynamic_factor is None else drive.dynamic_factor
-    from .simulate.simulate import simulate
+    from .simulate import simulate
 
     return (event() if event else simulate(clutch)[0]).largest_dynamic_factor
 

@@ -48,7 +48,7 @@ def simulate(
     afmcalc simulate drive.toml --sweep drive.shaft_stiffness --plot
     afmcalc simulate drive.toml --output drive-with-factor.toml
     """  # noqa: D301
-    from ..analysis.simulate.simulate import with_dynamic_factor
+    from ..analysis.simulate import with_dynamic_factor
     from ..engines import build
     from ..spec import make_spec
 
@@ -88,7 +88,7 @@ def _draw(clutch: "Clutch", common: Common) -> None:
 
 def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Common) -> None:
     from .. import __version__
-    from ..analysis.simulate.history import history
+    from ..analysis.simulate import history
     from ..render.formats import csv
     from ..result import Output
 

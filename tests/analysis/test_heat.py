@@ -10,11 +10,9 @@ from hypothesis import strategies as st
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.checks.check import check
 from afmcalc.analysis.checks.requirements import requirement_rows
-from afmcalc.analysis.heat.course import course_of
-from afmcalc.analysis.heat.heat import heat
-from afmcalc.analysis.heat.surface import Body, largest_rise, most_in_disc
-from afmcalc.analysis.heat.trip import trips
-from afmcalc.analysis.simulate.history import history
+from afmcalc.analysis.heat import heat, trips
+from afmcalc.analysis.simulate import history
+from afmcalc.drive.heat import Body, course_of, largest_rise, most_in_disc
 from afmcalc.engines import build
 from afmcalc.equations import heat as law
 from afmcalc.spec import make_spec

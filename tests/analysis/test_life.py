@@ -9,7 +9,7 @@ from conftest import CONFIGS
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.checks.check import check
 from afmcalc.analysis.life import life, life_sweep
-from afmcalc.analysis.simulate.simulate import simulate
+from afmcalc.analysis.simulate import simulate
 from afmcalc.analysis.sweep.axes import parse_axis
 from afmcalc.analysis.tolerance.sampling import REPLICATES
 from afmcalc.engines import build
@@ -129,7 +129,7 @@ def test_a_sweep_simulates_the_event_of_every_point(sweep):
 def test_a_sweep_of_the_part_simulates_the_event_once(monkeypatch):
     """And one of the factor not at all."""
     clutch = build(read_spec(CONVEYOR, ["drive.dynamic_factor="]))
-    monkeypatch.setattr("afmcalc.analysis.simulate.sweep.peaks_of", None)
+    monkeypatch.setattr("afmcalc.drive.peaks.peaks_of", None)
     single, _ = life(clutch, sweeps=[parse_axis("fatigue.exponent=5,6", clutch.spec)])
     assert single.sweep[0].unprotected[1] == single.unprotected.as_set
     axis = parse_axis("drive.dynamic_factor=1,2", clutch.spec)

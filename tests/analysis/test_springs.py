@@ -6,7 +6,7 @@ import pytest
 from conftest import CONFIGS
 
 from afmcalc.analysis.dossier import dossier
-from afmcalc.analysis.heat.heat import heat
+from afmcalc.analysis.heat import heat
 from afmcalc.analysis.springs.candidates import _coils, coil_candidates
 from afmcalc.analysis.springs.springs import springs
 from afmcalc.engines import build

@@ -9,11 +9,11 @@ from conftest import CONFIGS
 from drives import clutch
 
 import afmcalc
-from afmcalc.analysis.simulate.cases import case_of
-from afmcalc.analysis.simulate.machine import trip
-from afmcalc.analysis.simulate.packs import pack_of
-from afmcalc.analysis.simulate.stepping import march
-from afmcalc.analysis.simulate.train import train_of
+from afmcalc.drive.cases import case_of
+from afmcalc.drive.machine import trip
+from afmcalc.drive.packs import pack_of
+from afmcalc.drive.stepping import march
+from afmcalc.drive.train import train_of
 
 DRIVES, STEPS = 10_000, 10_000
 SAMPLE = 100

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
+from ...drive.result import HeatResult, SimulateResult
 from ...engines.parts import demands_of
 from ...engines.protocol import Clutch
 from ...findings import Finding, Level, finding
@@ -13,11 +14,9 @@ from ...spec.balls import diameters
 from ...spec.edit import value_at
 from ..answers import Answers
 from ..fit import contact_limits
-from ..heat.limit import judged_temperature, share_of_rise
-from ..heat.result import HeatResult
+from ..heat_findings import judged_temperature, share_of_rise
 from ..life import LifeResult
 from ..registry import ANALYSES
-from ..simulate.result import SimulateResult
 from ..unit import SynthesisResult
 from .pressure import pressure_findings
 
@@ -170,7 +169,7 @@ def _travel(found: SimulateResult) -> float:
 
 def _of_event(answers: Answers) -> Iterator[_Held]:
     """What an event asks of balls and pockets."""
-    from ..simulate.strain import strength_of
+    from ..event import strength_of
 
     found, own = answers.of(SimulateResult), strength_of(answers.clutch)
     if found.contact_force is not None and own.contact_force is not None:

@@ -10,7 +10,7 @@ from ...messages import term, translate
 from ...result import OpenTriple, Result, Sentence, Triple, quantity
 from ...spec.paths import keys
 from ..answers import Answers
-from ..heat.limit import FREEZING, share_of_rise
+from ..heat_findings import FREEZING, share_of_rise
 from ..life import UNLIMITED
 from ..registry import ANALYSES
 from .pressure import ring_pressures

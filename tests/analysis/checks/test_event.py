@@ -9,9 +9,9 @@ from drives import merged
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.checks.check import check
 from afmcalc.analysis.life import LifeResult, life
-from afmcalc.analysis.simulate.result import SimulateResult
-from afmcalc.analysis.simulate.simulate import simulate
+from afmcalc.analysis.simulate import simulate
 from afmcalc.analysis.unit import SynthesisResult
+from afmcalc.drive.result import SimulateResult
 from afmcalc.engines import build
 from afmcalc.engines.parts import demands_of
 from afmcalc.spec import read_spec

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from ....analysis.figures import SimulateFigure
-from ....analysis.simulate.history import MomentRow
+from ....analysis.simulate import MomentRow
 from ....messages import term, told, translate
 from ....result import OpenTriple, Triple
 from ...units import display

@@ -1,0 +1,243 @@
+"""What a designer should know of an event in the drive."""
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from ..drive.cases import Outcome
+from ..drive.indirect import IndirectPlant
+from ..drive.plant import Plant
+from ..drive.result import SimulateResult
+from ..drive.train import Train
+from ..engines.parts import demands_of
+from ..engines.protocol import Clutch
+from ..equations import drive as law
+from ..equations import synthesis
+from ..findings import Finding, Level, finding
+from ..messages import term
+from .registry import ANALYSES
+from .synthesize import synthesize
+from .wall import Wall, wall_of
+
+_ENDS = ("f_min", "f_cp", "f_max")
+_NEVER: tuple[tuple[str, Level], ...] = (("motor-never-stops", "error"), ("motor-never-stops/held", "error"))
+_LATE: tuple[tuple[str, Level], ...] = (
+    ("motor-stops-at-cut-off", "warning"),
+    ("motor-stops-at-cut-off/held", "warning"),
+)
+"""What the motor does, and whether the pack slips with less than T(f) of the rising branch."""
+_CLOSED = 1e-6
+_NEAR = 1e-3
+"""Relative difference below which a figure of the spec is what the simulation gives."""
+_ROUNDING = 1e-9
+
+
+def remarks_of(clutch: Clutch, train: Train, found: Sequence[Outcome], result: SimulateResult) -> list[Finding]:
+    """Return the remarks on an event, ``found`` at f_min, mean friction and f_max, and on its ``result``."""
+    return [
+        _inertia(train, found),
+        *_ordinary(train, found),
+        *_before(train, found),
+        *_endless(train, found),
+        *_unclosed(found),
+        *_lag(clutch, found),
+        *_dynamic_factor(clutch, result),
+        *_judder(clutch, train, found),
+    ]
+
+
+def _inertia(train: Train, found: Sequence[Outcome]) -> Finding:
+    """What turns behind the discs does to the shaft: a sudden stop by its speed, a slow one by its deceleration."""
+    path, plant = "drive.driven_inertia", found[-1].case.plant
+    behind, limit, load = train.driven_inertia + train.hub_inertia, plant.sliding, min(train.load, plant.sliding)
+    swing = math.pi * math.sqrt(behind / train.stiffness)
+    # the slip begins as the tool, slowing down with ω_0/t_b, has wound the shaft up from the load
+    wound = math.sqrt(2 * (limit - load) * train.time / (train.stiffness * train.speed))
+    if train.kind == "load" or train.time <= wound + swing:
+        return finding("inertia-torque", "info", value=train.inertia_torque, limit=limit, path=path)
+    beyond = law.stop_torque(behind, train.speed / train.time, limit, load)
+    return finding("inertia-torque/slow", "info", value=float(beyond), limit=limit, path=path, swing=swing)
+
+
+def _ordinary(train: Train, found: Sequence[Outcome]) -> list[Finding]:
+    """Where the ordinary clutch of equal nominal torque is no like for like comparison."""
+    said, load = [], train.load
+    if train.hub_inertia:
+        inertia = train.driven_inertia + train.hub_inertia
+        said.append(finding("ordinary-carries-hub", "info", value=inertia, path="drive.hub_inertia"))
+    carried = min(each.ordinary.sliding for each in found)
+    if carried < load * (1 - _ROUNDING):
+        path = "adjustment.method"
+        said.append(finding("ordinary-slips-before-event", "info", value=carried, limit=load, path=path))
+    return said
+
+
+def _before(train: Train, found: Sequence[Outcome]) -> list[Finding]:
+    """The drive before the event: does the clutch carry the load, the motor drive it?"""
+    said = []
+    load, motor = train.load, float(train.engine.at(train.speed))
+    for end, each in zip(_ENDS, found, strict=True):
+        carried = each.case.plant.breakaway
+        if carried < load * (1 - _ROUNDING):
+            path = "drive.load_torque"
+            said.append(finding("slips-before-event", "error", value=carried, limit=load, path=path, at=end))
+    if abs(motor - load) > _NEAR * max(load, motor):
+        path = "drive.speed" if train.engine.slip is not None else "drive.motor_torque"
+        said.append(finding("drive-not-in-balance", "info", value=motor, limit=load, path=path))
+    return said
+
+
+def _endless(train: Train, found: Sequence[Outcome]) -> list[Finding]:
+    """Does the motor stop, and does the slip end within the time that is simulated?"""
+    said = []
+    strongest, path = float(train.engine.torque), "drive.cut_off"
+    for end, each in zip(_ENDS, found, strict=True):
+        pulled = abs(each.trip.last) if each.endless else _at_cut_off(each)
+        if pulled is None or not (each.endless or pulled <= strongest):
+            continue
+        sliding, off = each.case.plant.sliding, train.cut_off
+        code, level = _NEVER[pulled < sliding * (1 - _NEAR)] if each.endless else _LATE[pulled < sliding * (1 - _NEAR)]
+        heat = each.energy or 0.0
+        said.append(
+            finding(code, level, value=pulled, limit=strongest, path=path, at=end, sliding=sliding, heat=heat, off=off)
+        )
+    for end, each in zip(_ENDS, found, strict=True):
+        path, lasted = "drive.event.duration", each.trip.time
+        if not each.trip.stuck:
+            if not each.endless:
+                said.append(finding("slip-outlasts-duration", "warning", value=lasted, path=path, at=end))
+        elif not each.trip.settled:
+            said.append(finding("event-not-settled", "warning", value=lasted, path=path, at=end))
+    return said
+
+
+def _at_cut_off(each: Outcome) -> float | None:
+    """Torque with which the pack slips as the motor is switched off, N·m; None where it does not slip then."""
+    course, off = each.trip.course, each.case.plant.train.cut_off
+    if off is None or not course or not each.energy:
+        return None
+    return next((abs(moment.torque) for moment in course if moment.time >= course[0].time + off), None)
+
+
+def _unclosed(found: Sequence[Outcome]) -> list[Finding]:
+    """Does the energy close? It always has."""
+    worst = max(each.trip.residual for each in found)
+    return [finding("energy-not-closed", "error", value=worst, limit=_CLOSED)] if worst > _CLOSED else []
+
+
+def _lag(clutch: Clutch, found: Sequence[Outcome]) -> list[Finding]:
+    """S22's open question, as a number: where between T_муф and T_п does this drive trip?"""
+    unit, each = clutch.spec.control_unit, found[-1]
+    share, at, held = each.trip_position, each.trip.trip_torque, each.potential
+    if unit is None or not unit.release_lag or share is None:
+        return []
+    expected, path = each.case.plant.breakaway, "control_unit.release_lag"
+    return [finding("release-lag", "info", value=at, limit=expected, path=path, share=share, held=held)]
+
+
+def _dynamic_factor(clutch: Clutch, result: SimulateResult) -> list[Finding]:
+    """Say that the dynamic factor given, which the life takes, is smaller than that of the event."""
+    assumed, computed = clutch.spec.drive.dynamic_factor, result.largest_dynamic_factor
+    if clutch.spec.fatigue is None or assumed is None or computed <= assumed * (1 + _NEAR):
+        return []
+    path = "drive.dynamic_factor"
+    return [finding("dynamic-factor-exceeded", "warning", value=computed, limit=float(assumed), path=path)]
+
+
+def _judder(clutch: Clutch, train: Train, found: Sequence[Outcome]) -> list[Finding]:
+    """Whether slow slip is steady (V6), where friction falls most with speed."""
+    friction = clutch.spec.friction
+    ratio, speed = friction.static_ratio or 1.0, friction.stribeck_speed
+    if ratio == 1 or speed is None:
+        return []
+
+    def needed(plant: Plant) -> float:
+        return float(law.judder_damping(plant.growth, clutch.mean_radius, ratio, speed))
+
+    worst = max(found, key=lambda each: needed(each.case.plant))
+    own, ordinary, damping = needed(worst.case.plant), needed(worst.ordinary), train.damping
+    if damping > own:
+        return []
+    return [finding("judder", "info", value=own, limit=damping, path="drive.damping_ratio", ordinary=ordinary)]
+
+
+class Strength(NamedTuple):
+    """What a control unit bears; None where it is not known, or nothing travels."""
+
+    contact_force: float | None
+    """On one ball, N."""
+    contact_path: str
+    """Key of the spec that this is from."""
+    travel: float | None
+    """At which a ball touches the edge of its pocket, m."""
+    clearance: float
+    """y that is to be left, m."""
+    wall: Wall | None
+
+
+def contact_forces(clutch: Clutch, found: Sequence[Outcome]) -> list[float] | None:
+    """Largest F_n of every event, N; None without balls whose number and circle are known."""
+    unit = clutch.spec.control_unit
+    if unit is None or unit.balls is None or unit.ball_circle_radius is None or not clutch.gain:
+        return None
+    if clutch.spec.kind.travels and let_go(found) is None:
+        return None  # feedback that the key just holds is simulated without its balls
+    count, radius = unit.balls, unit.ball_circle_radius
+    return [float(synthesis.contact_force(each.trip.peak_wall, count, radius, 1.0)) for each in found]
+
+
+def strength_of(clutch: Clutch) -> Strength:
+    """Return what the control unit as synthesized bears."""
+    if not ANALYSES["synthesize"].applies(clutch):
+        return Strength(None, "", None, 0.0, None)
+    found, _ = synthesize(clutch)
+    wall = wall_of(clutch, found.face_gap, found.ball_diameter / 2)
+    if not clutch.spec.kind.travels or found.ball_diameter_standard is None or not wall.can_be_cut:
+        return Strength(found.contact_force_allowable, found.contact_path, None, 0.0, None)
+    travel = wall.sleeves * wall.mouth
+    return Strength(found.contact_force_allowable, found.contact_path, travel, found.edge_clearance, wall)
+
+
+def let_go(found: Sequence[Outcome]) -> float | None:
+    """Travel at which the closing spring presses no more, m; None without a sleeve."""
+    plant = found[-1].case.plant
+    return float(plant.sleeve.farthest) if isinstance(plant, IndirectPlant) else None
+
+
+def strains(clutch: Clutch, found: Sequence[Outcome]) -> Iterator[Finding]:
+    """Say where an event asks for more than balls, pockets or the closing spring have."""
+    own = strength_of(clutch)
+    if (forces := contact_forces(clutch, found)) is not None and own.contact_force is not None:
+        force, at = max(zip(forces, _ENDS, strict=True))
+        if force > own.contact_force * (1 + 1e-9):
+            limit, path = own.contact_force, own.contact_path
+            yield finding("event-contact-force", "error", value=force, limit=limit, path=path, at=at)
+    travel, at = max((each.trip.travel_max, end) for each, end in zip(found, _ENDS, strict=True))
+    if own.travel is not None and own.wall is not None:
+        left = own.wall.clearance(travel)
+        if travel > own.travel:
+            yield finding("event-ball-leaves-pocket", "error", value=travel, limit=own.travel, at=at)
+        elif left < own.clearance * (1 - 1e-9):
+            path = "control_unit.edge_clearance"
+            yield finding(
+                "event-clearance", "warning", value=left, limit=own.clearance, path=path, at=at, travel=travel
+            )
+    yield from _springs(clutch, travel)
+    free = let_go(found)
+    if free is not None and travel > free * (1 - 1e-9):
+        yield finding("event-spring-let-go", "error", value=travel, limit=free, path="closing_spring", at=at)
+
+
+def _springs(clutch: Clutch, travel: float) -> Iterator[Finding]:
+    """What the springs named do not hold where the sleeve swings, and held where the law has it."""
+    own, rules = clutch.spec, {}
+    if not own.spring_parts or not own.kind.travels:
+        return
+    for path, each in demands_of(own, clutch.wishes()):
+        rules[path, each.rule] = each.beyond > _ROUNDING
+    for path, each in demands_of(own, clutch.wishes(travel)):
+        if each.beyond > _ROUNDING and not rules.get((path, each.rule)):
+            yield finding(
+                "event-spring", each.rule.level, value=each.value, limit=each.limit, path=path, travel=travel,
+                what=term(each.rule.what),
+            )  # fmt: skip

@@ -1,1 +1,0 @@
-"""Heat and wear of a trip."""

@@ -1,1 +1,0 @@
-"""The drive in time: what happens when the clutch trips."""

@@ -1,0 +1,129 @@
+"""The drive around a clutch, reduced to its shaft: inertias, shaft, motor, event.
+
+Everything is typed as a number; in a sweep arrays stand in the place of numbers, as they do in the spec.
+"""
+
+from dataclasses import dataclass
+from typing import TypeVar, cast
+
+import numpy as np
+
+from ..arrays import V
+from ..engines.protocol import Clutch
+from ..equations import drive as law
+from ..errors import Problem, SpecError
+from ..messages import say
+from ..recorders import unrecorded
+from ..spec.drive import Drive, EventKind
+
+
+@dataclass(frozen=True)
+class Engine:
+    """The motor: a constant torque, or Kloss' curve."""
+
+    torque: float
+    """M_1, or M_b, N·m."""
+    slip: float | None
+    """s_b; None for a constant torque."""
+    synchronous: float
+    """ω_s, rad/s."""
+
+    def at(self, speed: V) -> V | float:
+        """M_1 at a speed, N·m."""
+        if self.slip is None:
+            return self.torque
+        driven: V = law.kloss_torque(self.torque, self.slip, law.motor_slip(speed, self.synchronous))
+        return driven
+
+
+@dataclass(frozen=True)
+class Train:
+    """Motor side J_1, driven half J_2 (indirect: hub J_h between), shaft k, d, tool."""
+
+    motor_inertia: float
+    hub_inertia: float
+    driven_inertia: float
+    tool_inertia: float
+    stiffness: float
+    damping: float
+    speed: float
+    load: float
+    """T_0, before the event."""
+    engine: Engine
+    kind: EventKind
+    time: float
+    """t_b of a stop, t_r of a load."""
+    overload: float
+    """M_L, to which a load rises."""
+    cut_off: float | None
+
+    @property
+    def inertia_torque(self) -> float:
+        """ω_0 √(k (J_2 + J_h)), N·m: what the motor does not drive any more as the discs slip."""
+        torque: float = law.inertia_torque(self.speed, self.stiffness, self.driven_inertia + self.hub_inertia)
+        return torque
+
+
+@unrecorded()
+def train_of(clutch: Clutch) -> Train:
+    """Return the drive of a clutch.
+
+    Raises:
+        SpecError: the spec has no event, or a motor that cannot carry the load.
+    """
+    given = clutch.spec.drive
+    if (event := given.event) is None:
+        message = say(
+            'required by simulate: what happens, for example event = {{ kind = "stop", stop_time = "10 ms" }}'
+        )
+        raise SpecError(clutch.spec.label, [Problem("drive.event", None, message)])
+    load = cast(float, clutch.machine_torque) if given.load_torque is None else given.load_torque
+    inertia, stiffness = _given(given.driven_inertia), _given(given.shaft_stiffness)
+    damping = given.damping_ratio
+    return Train(
+        motor_inertia=_given(given.motor_inertia),
+        hub_inertia=0.0 if given.hub_inertia is None else given.hub_inertia,
+        driven_inertia=inertia,
+        tool_inertia=0.0 if given.tool_inertia is None else given.tool_inertia,
+        stiffness=stiffness,
+        damping=0.0 if damping is None else law.shaft_damping(damping, stiffness, inertia),
+        speed=_speed(clutch, load),
+        load=load,
+        engine=_engine(given, load),
+        kind=event.kind,
+        time=_given(event.stop_time if event.kind == "stop" else event.rise_time),
+        overload=load if event.torque is None else event.torque,
+        cut_off=given.cut_off,
+    )
+
+
+def _engine(given: Drive, load: float) -> Engine:
+    if given.motor is None:
+        return Engine(load if given.motor_torque is None else given.motor_torque, None, 0.0)
+    own = given.motor
+    return Engine(own.breakdown_torque, own.breakdown_slip, own.synchronous_speed)
+
+
+def _speed(clutch: Clutch, load: float) -> float:
+    """ω_0 as given, or that of the motor under the load."""
+    given = clutch.spec.drive
+    if given.speed is not None:
+        return given.speed
+    motor = _given(given.motor)
+    if not np.all(load <= motor.breakdown_torque):
+        message = say("required: drive.motor cannot carry the load before the event, its breakdown torque is smaller")
+        raise SpecError(clutch.spec.label, [Problem("drive.speed", None, message)])
+    # the formula has no slip without load, where the motor runs at its synchronous speed
+    loaded = np.all(load > 0)
+    slip = law.kloss_slip(motor.breakdown_torque, motor.breakdown_slip, load) if loaded else 0.0
+    speed: float = motor.synchronous_speed * (1 - slip)
+    return speed
+
+
+T = TypeVar("T")
+
+
+def _given(value: T | None) -> T:
+    """Return a value that the rules of the spec require beside an event."""
+    assert value is not None
+    return value

@@ -1,0 +1,144 @@
+"""Drives to simulate: the reference drive of the theory, and bare ones for closed forms."""
+
+from dataclasses import replace
+from typing import Any
+
+from afmcalc.drive.direct import DirectPack, DirectPlant
+from afmcalc.drive.indirect import IndirectPlant
+from afmcalc.drive.machine import Trip, trip
+from afmcalc.drive.plant import Plant
+from afmcalc.drive.sleeve import Sleeve
+from afmcalc.drive.train import Engine, Train
+from afmcalc.engines import Clutch, build
+from afmcalc.engines.laws import IndirectLaw
+
+REFERENCE: dict[str, Any] = {
+    "variant": "differentiated",
+    "friction": {"min": 0.1, "mean": 0.3, "max": 0.8, "static_ratio": 1.2, "stribeck_speed": 0.3},
+    "friction_group": {"pairs": 8, "mean_radius": 0.1},
+    "control_unit": {"gain": 1.25},
+    "adjustment": {"nominal_torque": 200.0, "margin": 4 / 3},
+    "drive": {
+        "speed": 15.0,
+        "motor_inertia": 8.0,
+        "driven_inertia": 0.05,
+        "shaft_stiffness": 8000.0,
+        "damping_ratio": 0.03,
+        "load_torque": 150.0,
+        "motor_torque": 150.0,
+        "event": {"kind": "stop", "stop_time": 0.01},
+    },
+}
+"""Reference drive of theory-drive.md, section 9."""
+
+VARIANTS: dict[str, dict[str, Any]] = {
+    "conventional": {"variant": "conventional", "control_unit": None},
+    "differentiated": {},
+    "all-driving": {"variant": "all-driving", "control_unit": {"gain": 0.625}},
+}
+
+
+def merged(data: dict[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
+    """A spec with some keys changed, None taking them out."""
+    found = dict(data)
+    for key, value in changes.items():
+        if value is None:
+            found.pop(key, None)
+        elif isinstance(value, dict) and isinstance(found.get(key), dict):
+            found[key] = merged(found[key], value)
+        else:
+            found[key] = value
+    return found
+
+
+def clutch(**changes: Any) -> Clutch:
+    """The reference drive with changes."""
+    return build(merged(REFERENCE, changes))
+
+
+def light(**changes: Any) -> Clutch:
+    """The reference drive with a small motor, which is soon at rest, with changes."""
+    return build(merged(merged(REFERENCE, {"drive": {"motor_inertia": 0.2}}), changes))
+
+
+TRAIN = Train(
+    motor_inertia=8.0,
+    hub_inertia=0.0,
+    driven_inertia=0.05,
+    tool_inertia=0.0,
+    stiffness=8000.0,
+    damping=0.0,
+    speed=15.0,
+    load=150.0,
+    engine=Engine(150.0, None, 0.0),
+    kind="stop",
+    time=0.02,
+    overload=150.0,
+    cut_off=None,
+)
+
+
+def plant(sliding: float, *, pack: dict[str, Any] | None = None, **changes: Any) -> DirectPlant:
+    """An ordinary clutch that slides at a torque (one pair, R = 0.1 m, f = 0.5), in a drive with changes."""
+    own = DirectPack(sliding / 0.05, 0.1, 1.0, 0.0, 0.0, 0.5, 0.5)
+    return DirectPlant(replace(TRAIN, **changes), replace(own, **(pack or {})))
+
+
+class Begun(DirectPlant):
+    """A drive that begins in a state of its own."""
+
+    state: tuple[float, ...]
+
+    def start(self) -> list[float]:
+        return list(self.state)
+
+
+def begun(own: DirectPlant, *state: float) -> Begun:
+    """The same drive, begun elsewhere: v, ω_2, φ, ω_3, N."""
+    found = Begun(own.train, own.pack)
+    object.__setattr__(found, "state", state)
+    return found
+
+
+def run(own: Plant, horizon: float, *, recorded: bool = False) -> Trip:
+    """Simulate; the energy must close, whatever is asked."""
+    found = trip(own, horizon, recorded=recorded)
+    assert found.residual < 1e-6
+    return found
+
+
+SPRINGS = IndirectLaw(
+    mean_radius=0.1,
+    pairs=8,
+    gain=1.0,
+    closing_stiffness=2e4,
+    control_stiffness=1e4,
+    key_friction=0.15,
+    hub_diameter=0.05,
+    friction_set=0.1,
+)
+"""Data of P5: κ 0.4, κ₊ 1.6, springs 20 and 10 N/mm."""
+SLEEVE = Sleeve(SPRINGS, closing_force=2500.0, friction=0.3)
+"""With T_н = 200 N·m at f 0.1: F_п2 3300 N."""
+
+
+def indirect(friction: float = 0.3, *, law: dict[str, Any] | None = None, mass: float = 0.0, **changes: Any) -> IndirectPlant:  # fmt: skip
+    """An indirect clutch (P5) in a drive with changes."""
+    own = replace(SLEEVE, law=replace(SPRINGS, **(law or {})), friction=friction, mass=mass)
+    return IndirectPlant(replace(TRAIN, hub_inertia=0.02, **changes), own)
+
+
+class BegunIndirect(IndirectPlant):
+    """A drive that begins in a state of its own."""
+
+    state: tuple[float, ...]
+
+    def start(self) -> list[float]:
+        return list(self.state)
+
+
+def begun_indirect(own: IndirectPlant, *state: float) -> BegunIndirect:
+    """The same drive, begun elsewhere: v, ω_2, φ of the shaft, ω_3, w, φ of the balls, N held."""
+    found = BegunIndirect(own.train, own.sleeve)
+    object.__setattr__(found, "state", state)
+    return found

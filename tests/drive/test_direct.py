@@ -1,0 +1,218 @@
+"""Direct clutches in their drive against closed forms (theory-drive.md, V1–V5) and the reference drive."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from drives import VARIANTS, begun, clutch, light, merged, plant, run
+
+from afmcalc.drive.cases import case_of, outcome_of, peak_time
+from afmcalc.drive.plant import Mode
+from afmcalc.drive.train import Engine
+from afmcalc.equations import drive as law
+from afmcalc.equations import heat
+
+TIGHT = 1e-7
+
+
+def test_v1_tool_blocked_motor_side_runs_down():
+    """The shaft already twisted to the sliding torque, so that nothing but J_1 moves."""
+    drive = plant(300.0, time=0.0)
+    found = run(begun(drive, 15.0, 0.0, 300 / 8000, 0.0, 6000.0), 60.0)
+    time = 8 * 15 / (300 - 150)
+    assert found.slip_time == pytest.approx(time, rel=TIGHT)
+    assert found.heat == pytest.approx(0.5 * 8 * 15**2 * 300 / 150, rel=TIGHT)
+    assert heat.run_down_time(8, 15, 300, 150) == time
+    assert heat.run_down_energy(8, 15, 300, 150) == found.heat or found.heat == pytest.approx(1800.0)
+
+
+def test_v2_sudden_lock_of_an_endless_motor():
+    """peak = T_c + ω_0 √(k J_2); what the ordinary and the best clutch have in common."""
+    found = run(plant(300.0, motor_inertia=1e12, time=0.0, load=300.0, engine=Engine(300.0, None, 0.0)), 0.5)
+    assert found.peak == pytest.approx(300 + 15 * math.sqrt(8000 * 0.05), rel=TIGHT)
+    assert not found.ended
+
+
+def test_v3_sudden_lock():
+    """Stuck until T_1, where the clutch carries T_c; then the driven half swings about T_c."""
+    J1, J2, k, M, Tc, w0 = 0.4, 0.05, 8000.0, 150.0, 300.0, 5.0
+    T1 = M + (Tc - M) * (J1 + J2) / J1
+    w1 = math.sqrt(w0**2 - (T1 - M) ** 2 / (k * (J1 + J2)))
+    found = run(plant(Tc, motor_inertia=J1, time=0.0, speed=w0), 5.0)
+    assert found.peak == pytest.approx(Tc + math.sqrt((T1 - Tc) ** 2 + k * J2 * w1**2), rel=TIGHT)
+    assert found.trip_torque == pytest.approx(Tc, rel=TIGHT)
+
+
+@pytest.mark.parametrize(("stiffness", "inertia", "stop"), [(8000.0, 0.05, 0.02), (8000.0, 0.05, 0.031), (3e4, 0.02, 0.01), (2e4, 0.2, 0.05)])  # fmt: skip
+def test_v4_stop_of_an_endless_motor(stiffness, inertia, stop):
+    """The tool decelerates with a; slip at t_1, then a driven oscillation about T_c, then a free one."""
+    T0, Tc, w0 = 150.0, 300.0, 15.0
+    a, wn = w0 / stop, math.sqrt(stiffness / inertia)
+    t1 = math.sqrt(2 * (Tc - T0) / (stiffness * a))
+    left = stop - t1
+
+    def q(tau: float) -> float:
+        return inertia * a * (1 - math.cos(wn * tau)) + stiffness * a * t1 / wn * math.sin(wn * tau)
+
+    def q_dot(tau: float) -> float:
+        return inertia * a * wn * math.sin(wn * tau) + stiffness * a * t1 * math.cos(wn * tau)
+
+    # inside the stop the swing about J_2 a has its top where q' = 0; after it the amplitude is that of q and q'
+    top = (math.pi - math.atan2(stiffness * t1, inertia * wn)) / wn
+    after = math.hypot(q(left), q_dot(left) / wn)
+    expected = Tc + max(after, q(top) if top <= left else 0.0)
+    found = run(plant(Tc, motor_inertia=1e12, stiffness=stiffness, driven_inertia=inertia, time=stop), 0.5)
+    assert found.peak == pytest.approx(expected, rel=TIGHT)
+    if (stiffness, inertia, stop) == (8000.0, 0.05, 0.02):
+        assert found.peak == pytest.approx(450.0, abs=5e-3), "as the theory has it: an event, not a solver step"
+
+
+def test_v5_two_free_inertias():
+    """Behind a shaft as soft as air the driven half meets a constant load: two inertias come to one speed."""
+    J1, J2, M, L, T, w0 = 0.4, 0.3, 20.0, 80.0, 300.0, 15.0
+    soft = plant(T, motor_inertia=J1, driven_inertia=J2, stiffness=1e-6, load=L, engine=Engine(M, None, 0.0), time=0.0)
+    found = run(begun(soft, w0, 0.0, L / 1e-6, 0.0, 6000.0), 10.0)
+    reduced, free = J1 * J2 / (J1 + J2), (J2 * M + J1 * L) / (J1 + J2)
+    assert law.sticking_torque(M, J1, L, J2) == pytest.approx(free)
+    assert found.slip_time == pytest.approx(reduced * w0 / (T - free), rel=1e-6)
+    assert found.heat == pytest.approx(0.5 * reduced * w0**2 * T / (T - free), rel=1e-6)
+
+
+TABLE = {
+    "conventional": ((200, 415), (601, 952), (1602, 2078)),
+    "differentiated": ((200, 397), (310, 556), (375, 636)),
+    "all-driving": ((200, 402), (360, 629), (480, 764)),
+}
+"""Sliding and peak torque of the reference drive at f 0.1, 0.3, 0.8 (theory-drive.md, section 9)."""
+
+
+@pytest.mark.parametrize(
+    ("variant", "event"),
+    [
+        ("differentiated", {"duration": 0.1}),  # past its peak
+        *(pytest.param(each, {}, marks=pytest.mark.exhaustive) for each in TABLE),
+    ],
+)
+def test_reference_drive(variant, event):
+    own = clutch(**merged(VARIANTS[variant], {"drive": {"event": event}}))
+    for friction, (sliding, peak) in zip((0.1, 0.3, 0.8), TABLE[variant], strict=True):
+        found = outcome_of(own, friction)
+        assert found.case.plant.sliding == pytest.approx(sliding, rel=5e-3)
+        assert found.trip.peak == pytest.approx(peak, rel=5e-3)
+        assert found.trip.residual < 1e-6
+        # the clutch trips at its static friction, and never carries more
+        assert found.trip.peak_clutch == pytest.approx(own.torque(1.2 * friction), rel=1e-9)
+
+
+def test_the_ordinary_clutch_is_the_conventional_variant():
+    """What stands beside every result is what the variant itself gives."""
+    for friction in (0.1, 0.8):
+        beside = outcome_of(light(), friction).ordinary_peak
+        assert beside == pytest.approx(outcome_of(light(**VARIANTS["conventional"]), friction).trip.peak, rel=1e-9)
+
+
+def test_a_motor_as_strong_as_the_clutch_never_stops():
+    motor = {"motor_torque": 201.0, "motor_inertia": 1.0}
+    found = outcome_of(clutch(drive=motor), 0.1)
+    assert found.endless
+    assert found.slip_time is None
+    assert found.energy is None
+    cut = outcome_of(clutch(drive={**motor, "cut_off": 0.5}), 0.1)
+    # T ω t_off, then the run-down of what is left
+    assert cut.trip.ended
+    speed = 15 + 1.0 * 0.5 / 1.0
+    assert cut.trip.heat == pytest.approx(200 * 15 * 0.5 + heat.run_down_energy(1.0, speed, 200, 0), rel=0.02)
+
+
+def test_slow_slip_takes_static_friction_back(monkeypatch):
+    """A heavy motor side, of which a thousand swings pass while the friction comes back: by quadrature of J_1 dω/(T − M)."""
+    own = clutch(drive={"damping_ratio": 3.0, "driven_inertia": 0.005, "motor_inertia": 30.0})
+    found = outcome_of(own, 0.3).trip
+    assert found.ended
+    speeds = np.linspace(0, 15, 200_001)[1:]
+    torque = own.torque(0.3 * (1 + 0.2 * np.exp(-0.1 * speeds / 0.3)))
+    # but for the stop of the tool
+    assert found.slip_time == pytest.approx(np.trapezoid(30 / (torque - 150), speeds), rel=1e-3)
+    assert found.heat == pytest.approx(np.trapezoid(30 * speeds * torque / (torque - 150), speeds), rel=5e-3)
+    monkeypatch.setattr("afmcalc.drive.machine.creep", lambda *where, **how: None)
+    stepped = outcome_of(own, 0.3).trip
+    assert (found.peak, found.slip_time) == pytest.approx((stepped.peak, stepped.slip_time), rel=1e-5)
+    assert found.heat == pytest.approx(stepped.heat, rel=1e-6)
+
+
+def test_slow_slip_lasts_while_falling_friction_grows_a_swing_by_0_3_of_its_frequency():
+    own = case_of(clutch(friction={"stribeck_speed": 0.02}), 0.3).plant
+    slow = own.creeping(Mode(pack=1))
+    steep = (slow.torque(slow.least) - slow.torque(slow.least + 1e-6)) / 1e-6
+    # J_2 σ' = (−∂T/∂v − d)/2 against √(k J_2)
+    assert 0.28 < (steep - own.train.damping) / (2 * math.sqrt(own.train.stiffness * slow.inertia)) < 0.3001
+
+
+def test_a_standing_tool_is_torn_loose_as_static_friction_comes_back(monkeypatch):
+    """Its load holds more than the sliding torque and less than the static one."""
+    event = {"kind": "load", "rise_time": 1e-4, "torque": 317.0, "stop_time": None, "duration": 3.0}
+    drive = {"damping_ratio": 1.0, "driven_inertia": 0.005, "motor_inertia": 20.0, "tool_inertia": 0.05, "event": event}
+    own = clutch(drive=drive)
+    found = outcome_of(own, 0.3).trip
+    assert own.torque(0.3) < 317 < own.torque(0.36)
+    monkeypatch.setattr("afmcalc.drive.machine.creep", lambda *where, **how: None)
+    stepped = outcome_of(own, 0.3).trip
+    assert (found.peak, found.heat, found.slip_time) == pytest.approx(
+        (stepped.peak, stepped.heat, stepped.slip_time), rel=1e-6
+    )
+
+
+def test_kloss_motor_against_its_own_equation_of_motion():
+    """Against a blocked tool the motor alone moves: time by quadrature of J_1 dω/(T − M_1(ω))."""
+    engine = Engine(250.0, 0.2, 16.0)
+    # damped so that the stalled motor, which pulls the harder the faster it turns, does not swing the shaft up
+    drive = plant(300.0, engine=engine, time=0.0, damping=6.0)
+    found = run(begun(drive, 15.0, 0.0, 300 / 8000, 0.0, 6000.0), 60.0)
+    speeds = np.linspace(0, 15, 200_001)
+    slip = 1 - speeds / 16
+    motor = 2 * 250 / (slip / 0.2 + 0.2 / slip)
+    time = np.trapezoid(8 / (300 - motor), speeds)
+    assert found.slip_time == pytest.approx(time, rel=1e-6)
+    assert found.heat == pytest.approx(np.trapezoid(300 * speeds * 8 / (300 - motor), speeds), rel=1e-6)
+
+
+def test_load_event_stops_the_tool_and_holds_it():
+    """A load beyond the clutch brings the tool to rest; it resists, it does not drive backwards."""
+    drive = plant(300.0, kind="load", tool_inertia=2.0, overload=500.0, time=0.01)
+    found = run(drive, 5.0, recorded=True)
+    assert found.ended
+    assert min(row.speed_tool for row in found.history) > -1e-9
+    assert found.history[-1].speed_tool == 0
+    # afterwards the motor pushes against the held tool
+    assert found.history[-1].torque_shaft == pytest.approx(150, abs=160)
+
+
+def test_load_below_the_clutch_makes_no_slip():
+    found = run(plant(300.0, kind="load", tool_inertia=2.0, overload=160.0, time=0.1), 1.0)
+    assert found.trip_torque is None
+    assert found.slip_time == 0
+    assert found.peak < 300
+
+
+def test_a_motor_that_is_slowed_pulls_harder():
+    """Tool, drive and Kloss motor slow down as one, long after the first swing, until the motor carries the load."""
+    engine = Engine(270.0, 0.16, 7.43)
+    drive = plant(2000.0, kind="load", tool_inertia=10.0, motor_inertia=0.34, driven_inertia=0.01, stiffness=5e4,
+                  damping=4.0, speed=7.118, load=132.67, engine=engine, time=0.02, overload=250.0)  # fmt: skip
+    assert run(drive, float(peak_time(drive.train, drive.sliding))).peak == pytest.approx(250.0, rel=2e-3)
+
+
+def test_history_is_in_order_and_holds_the_peak():
+    found = run(plant(300.0), 3.0, recorded=True)
+    times = [row.time for row in found.history]
+    assert times == sorted(times)
+    assert max(row.torque_shaft for row in found.history) == found.peak
+    assert found.peak_clutch == pytest.approx(300)
+
+
+def test_lock_of_a_damped_shaft_jumps():
+    """A tool that stops at once puts d ω_0 on the shaft in no time."""
+    drive = plant(1000.0, damping=2.0, time=0.0)
+    assert run(drive, 0.001).peak >= 150 + 2 * 15
+    assert run(replace(drive, train=replace(drive.train, damping=40.0)), 1.0).peak_clutch <= 1000 * (1 + 1e-9)
