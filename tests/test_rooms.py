@@ -7,7 +7,10 @@ from graphlib import CycleError, TopologicalSorter
 import pytest
 from sources import FILES, nodes, tree
 
-LINE = ("equations", "ground", "variants", "proofs", "spec", "engines", "drive", "papers", "analysis", "render", "cli", "door")
+LINE = (
+    *("equations", "ground", "variants", "proofs", "spec", "engines"),
+    *("drive", "papers", "analysis", "render", "cli", "door"),
+)
 """A room imports from itself and from rooms to its left."""
 
 GROUND = {
