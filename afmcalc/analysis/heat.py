@@ -12,10 +12,10 @@ from ..equations import heat as law
 from ..errors import CalculationError, Problem, SpecError
 from ..findings import Finding
 from ..messages import say
+from ..progress import counted
 from ..recorders import marked, unrecorded
 from ..result import OpenTriple, Triple
 from ..spec.heat import Heat, missing_of
-from ..progress import counted
 from .heat_findings import FREEZING, Limit, limit_of, limits_of, remarks, slack_before_worn
 from .registry import ANALYSES
 

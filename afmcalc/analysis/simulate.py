@@ -16,12 +16,12 @@ from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
+from ..progress import counted
 from ..recorders import unrecorded
 from ..result import Answer, OpenTriple, Result, Triple, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_value
 from ..spec.models import Range
-from ..progress import counted
 from .effects.springs_held import with_pairs
 from .event import contact_forces, remarks_of, strains
 from .sweep.grid import Axis, replaced, series
