@@ -12,6 +12,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from ...drive.peaks import peaks_of
 from ...engines import Clutch
 from ...errors import CalculationError
 from ...messages import say
@@ -19,7 +20,6 @@ from ...progress import Count
 from ...spec.edit import with_value
 from ...spec.tolerance import Tolerance
 from ..registry import ANALYSES
-from ..simulate.sweep import peaks_of
 from .distributions import Array, normal_probability, normal_score
 from .model import Model
 from .result import LIFE_PROBABILITIES, ROBUST, Estimate, IndexRow, LifeRow, PeakRow, QuantileRow
