@@ -8,7 +8,6 @@ from functools import cached_property
 from typing import NamedTuple
 
 from ..arrays import Values, chosen, greatest, larger, smaller
-from ..equations import coils
 from ..equations import springs as law
 from ..recorders import marked, unrecorded
 from ..spec.models import Spec
@@ -209,13 +208,13 @@ class CoilCharacteristic(Characteristic):
     def range(self) -> tuple[float, float]:
         """From nothing to where the gaps between the turns are the least that must stay, m."""
         own = self.part
-        gap = coils.coil_least_gap(own.wire_diameter, own.coil_diameter, own.turns)
+        gap = law.coil_least_gap(own.wire_diameter, own.coil_diameter, own.turns)
         return 0.0, self.end - float(gap)
 
     @property
     def end(self) -> float:
         """Pressed solid, m."""
-        return self.part.free_length - float(coils.coil_solid_length(self.part.wire_diameter, self.part.turns))
+        return self.part.free_length - float(law.coil_solid_length(self.part.wire_diameter, self.part.turns))
 
     @property
     def straight(self) -> bool:
@@ -237,13 +236,13 @@ class CoilCharacteristic(Characteristic):
     @property
     def correction(self) -> float:
         """k_τ, by which a curved wire bears more at its inside: it counts where the spring moves."""
-        return float(coils.coil_correction(self.part.wire_diameter, self.part.coil_diameter))
+        return float(law.coil_correction(self.part.wire_diameter, self.part.coil_diameter))
 
     def stress(self, deflection: float) -> float:
         """Shear stress of the wire, without the correction for the curve as for a spring that rests, Pa."""
         own = self.part
         each = self.rate * deflection / own.count
-        return float(coils.coil_stress(each, own.wire_diameter, own.coil_diameter, 1.0, math.pi))
+        return float(law.coil_stress(each, own.wire_diameter, own.coil_diameter, 1.0, math.pi))
 
 
 def characteristic(part: DiscStack | CoilSprings) -> DiscCharacteristic | CoilCharacteristic:

@@ -3,12 +3,12 @@
 import math
 
 from ..arrays import Values, tangent
-from ..equations import direct, geometry
+from ..equations import direct
 from ..spec.models import FrictionRange, Spec
 
 _MEAN_RADIUS = {
-    "uniform-wear": geometry.mean_radius_uniform_wear,
-    "uniform-pressure": geometry.mean_radius_uniform_pressure,
+    "uniform-wear": direct.mean_radius_uniform_wear,
+    "uniform-pressure": direct.mean_radius_uniform_pressure,
 }
 
 

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from ..equations import coils
+from ..equations import springs
 from ..findings import Finding, Level, finding
 from ..messages import term
 from ..spec.models import Spec
@@ -143,7 +143,7 @@ def _of_coils(own: CoilCharacteristic, wish: Wish, most: float) -> Iterator[Dema
     if wish.stroke is not None:
         lower, upper = (own.correction * own.stress(at) for at in (most - wish.stroke, most))
         ultimate = SHEAR_SHARE * tensile
-        limit = float(coils.coil_upper_stress(lower, coils.coil_endurance(*ZIMMERLI, ultimate), ultimate))
+        limit = float(springs.coil_upper_stress(lower, springs.coil_endurance(*ZIMMERLI, ultimate), ultimate))
         yield Demand(FATIGUE if wish.cycles is None else FATIGUE._replace(level="error"), upper, limit)
 
 
@@ -154,9 +154,9 @@ def _buckling(own: CoilCharacteristic, wish: Wish, most: float) -> Iterator[Dema
         shaft, bore = room.inner_diameter or 0.0, room.outer_diameter or math.inf
         if min(part.coil_diameter - shaft, bore - part.coil_diameter) <= 2 * part.wire_diameter * (1 + _ROUNDING):
             return
-    root = float(coils.coil_buckling_root(part.coil_diameter, part.free_length, ratio, SEATING, math.pi))
+    root = float(springs.coil_buckling_root(part.coil_diameter, part.free_length, ratio, SEATING, math.pi))
     if root >= 0:
-        yield Demand(BUCKLING, most, float(coils.coil_buckling_deflection(part.free_length, ratio, root)))
+        yield Demand(BUCKLING, most, float(springs.coil_buckling_deflection(part.free_length, ratio, root)))
 
 
 def _of_room(own: DiscCharacteristic | CoilCharacteristic, wish: Wish, length: float) -> Iterator[Demand]:

@@ -1,4 +1,7 @@
-"""Synthesis of the control unit: wall angle, balls, pockets, contact (S21; theory, section 5)."""
+"""Synthesis: the control unit for a travel and a gain (S21; theory, section 5), the clutch for an accuracy or torque.
+
+The second half solves the laws for gain, pairs, radius or stiffness.
+"""
 
 from typing import Annotated
 
@@ -175,3 +178,230 @@ def hertz_pressure(
     Validity: Elastic, frictionless, contact small against the ball.
     """
     return allowable_pressure * (force / allowable_force) ** (1 / 3)
+
+
+@equation
+def gain_for_accuracy_factor(
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    accuracy_factor: WantedAccuracyFactor,
+    friction_driving_min: FrictionDrivingMin,
+    friction_driven_min: FrictionDrivenMin,
+    friction_driving_max: FrictionDrivingMax,
+    friction_driven_max: FrictionDrivenMax,
+) -> Gain:
+    """Gain for a wanted K_т, C = (A − K_т)/[z_2 (K_т f_2max − A f_2min)] with A = K_т at C = 0.
+
+    Source: F11 (14) solved for C.
+    Validity: A f_2min/f_2max < K_т ≤ A. The gain limit of the variant is a condition of its own.
+
+    >>> gain_for_accuracy_factor(0, 8, 2.0, 0.125, 0.125, 0.5, 0.5)
+    0.5
+    """
+    ordinary = (bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max) / (
+        bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min
+    )
+    return (ordinary - accuracy_factor) / (
+        controlled_pairs * (accuracy_factor * friction_driven_max - ordinary * friction_driven_min)
+    )
+
+
+@equation
+def gain_for_torque(
+    torque: WantedTorque,
+    closing_force: ClosingForce,
+    mean_radius: MeanRadius,
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    friction_driving: FrictionDriving,
+    friction_driven: FrictionDriven,
+) -> Gain:
+    """Gain for a wanted torque at one friction, C = [F_п R (z_1 f_1 + z_2 f_2)/T − 1]/(z_2 f_2).
+
+    Source: F11 (12) solved for C.
+    Validity: T not above that of the ordinary clutch (C = 0); z_2 ≥ 1.
+    """
+    carried = bypass_pairs * friction_driving + controlled_pairs * friction_driven
+    return (closing_force * mean_radius * carried / torque - 1) / (controlled_pairs * friction_driven)
+
+
+@equation
+def controlled_pairs_for_accuracy_factor(
+    gain: Gain, accuracy_factor: WantedAccuracyFactor, friction_min: FrictionMin, friction_max: FrictionMax
+) -> ControlledPairs:
+    """Controlled pairs for a wanted K_т, z_2 = (f_max/f_min − K_т)/[C f_max (K_т − 1)].
+
+    Source: S22 (18), F11 (14) with one material, solved for z_2.
+    Validity: One material; C > 0; 1 < K_т ≤ f_max/f_min. Not rounded to a whole number.
+    """
+    return (friction_max / friction_min - accuracy_factor) / (gain * friction_max * (accuracy_factor - 1))
+
+
+@equation
+def controlled_pairs_for_torque(
+    torque: WantedTorque,
+    closing_force: ClosingForce,
+    mean_radius: MeanRadius,
+    bypass_pairs: BypassPairs,
+    gain: Gain,
+    friction_driving: FrictionDriving,
+    friction_driven: FrictionDriven,
+) -> ControlledPairs:
+    """Controlled pairs for a wanted torque, z_2 = (T − F_п R z_1 f_1)/[f_2 (F_п R − C T)].
+
+    Source: F11 (12) solved for z_2.
+    Validity: C T < F_п R: with ever more pairs the torque tends to F_п R/C and no further. Not rounded to a whole
+        number.
+    """
+    arm = closing_force * mean_radius
+    return (torque - arm * bypass_pairs * friction_driving) / (friction_driven * (arm - gain * torque))
+
+
+@equation
+def mean_radius_for_torque(
+    torque: WantedTorque,
+    closing_force: ClosingForce,
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    gain: Gain,
+    friction_driving: FrictionDriving,
+    friction_driven: FrictionDriven,
+) -> MeanRadius:
+    """Mean radius for a wanted torque at fixed gain, R = T (1 + C z_2 f_2)/[F_п (z_1 f_1 + z_2 f_2)].
+
+    Source: F11 (12) solved for R.
+    Validity: C given as such, not by a wall angle (C would follow R).
+    """
+    return (
+        torque
+        * (1 + gain * controlled_pairs * friction_driven)
+        / (closing_force * (bypass_pairs * friction_driving + controlled_pairs * friction_driven))
+    )
+
+
+@equation
+def best_accuracy_factor_differentiated(
+    bypass_pairs: BypassPairs,
+    controlled_pairs: ControlledPairs,
+    friction_driving_min: FrictionDrivingMin,
+    friction_driven_min: FrictionDrivenMin,
+    friction_driving_max: FrictionDrivingMax,
+) -> BestAccuracyFactor:
+    """Best K_т up to the gain limit 1/(z_1 f_1max), (z_1 f_1max + z_2 f_2min)/(z_1 f_1min + z_2 f_2min).
+
+    Source: F11 (14) at C = 1/(z_1 f_1max); with one material (m z_1 + z_2)/z, m = f_max/f_min. It does not depend on
+        f_2max, as the slope in n vanishes at the limit (M2).
+    Validity: z_1 ≥ 1, and K_т ≥ 1 on the way there (f_1 and f_2 rise together).
+
+    >>> best_accuracy_factor_differentiated(1, 7, 0.125, 0.125, 0.75)
+    1.625
+    """
+    return (bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_min) / (
+        bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min
+    )
+
+
+@equation
+def best_accuracy_factor_all_driving(
+    friction_min: FrictionMin, friction_max: FrictionMax, reduced_gain_limit: ReducedGainLimit
+) -> BestAccuracyFactor:
+    """Best K_т of the all-driving clutch at its largest zC, m (1 + zC f_min)/(1 + zC f_max).
+
+    Source: S22 (18) at zC = 5; m = f_max/f_min.
+    Validity: z_1 = 0; the limit is a recommendation.
+    """
+    return friction_max * (1 + reduced_gain_limit * friction_min) / (
+        friction_min * (1 + reduced_gain_limit * friction_max)
+    )  # fmt: skip
+
+
+@equation
+def net_loop_gain_for_accuracy_factor(
+    friction_min: FrictionMin,
+    friction_set: FrictionSet,
+    friction_max: FrictionMax,
+    closing_stiffness: ClosingStiffness,
+    control_stiffness: ControlStiffness,
+    accuracy_factor: WantedAccuracyFactor,
+) -> Annotated[Number, Term("zκ", "", "1")]:
+    """Net loop gain of the indirect clutch for a wanted K_т, zκ = a, the positive root of a quadratic.
+
+    With s = c_1 + c_2: f_max (s + c_1 f_set a)(1 + f_min a) = K_т f_min (1 + f_set a)(s + c_1 f_max a).
+
+    Source: S21 (15) mended (M9) with the seated sleeve below f_set (theory, section 5), solved for zκ.
+    Validity: 1 < K_т ≤ f_max/f_min.
+    """
+    springs = closing_stiffness + control_stiffness
+    square = closing_stiffness * friction_set * friction_min * friction_max * (accuracy_factor - 1)
+    linear = friction_max * (springs * friction_min + closing_stiffness * friction_set)
+    linear = linear - accuracy_factor * friction_min * (springs * friction_set + closing_stiffness * friction_max)
+    constant = springs * (friction_max - accuracy_factor * friction_min)
+    return 2 * constant / ((linear**2 + 4 * square * constant) ** 0.5 - linear)
+
+
+@equation
+def net_gain_for_accuracy_factor(
+    friction_min: FrictionMin,
+    friction_set: FrictionSet,
+    friction_max: FrictionMax,
+    closing_stiffness: ClosingStiffness,
+    control_stiffness: ControlStiffness,
+    pairs: Pairs,
+    accuracy_factor: WantedAccuracyFactor,
+) -> NetGain:
+    """Net gain of the indirect clutch for a wanted K_т.
+
+    κ = (zκ)/z with zκ by ``net_loop_gain_for_accuracy_factor``; C is κ + 2 R f_1/d.
+
+    Source: S21 (15) mended (M9), solved for κ.
+    Validity: 1 < K_т ≤ f_max/f_min.
+    """
+    loop = net_loop_gain_for_accuracy_factor(
+        friction_min, friction_set, friction_max, closing_stiffness, control_stiffness, accuracy_factor
+    )
+    return loop / pairs
+
+
+@equation
+def pairs_for_accuracy_factor_indirect(
+    friction_min: FrictionMin,
+    friction_set: FrictionSet,
+    friction_max: FrictionMax,
+    closing_stiffness: ClosingStiffness,
+    control_stiffness: ControlStiffness,
+    net_gain: NetGain,
+    accuracy_factor: WantedAccuracyFactor,
+) -> Pairs:
+    """Pairs of the indirect clutch for a wanted K_т.
+
+    z = (zκ)/κ with zκ by ``net_loop_gain_for_accuracy_factor``.
+
+    Source: S21 (15) mended (M9), solved for z.
+    Validity: κ > 0; 1 < K_т ≤ f_max/f_min. Not rounded to a whole number.
+    """
+    loop = net_loop_gain_for_accuracy_factor(
+        friction_min, friction_set, friction_max, closing_stiffness, control_stiffness, accuracy_factor
+    )
+    return loop / net_gain
+
+
+@equation
+def stiffness_ratio_for_accuracy_factor(
+    friction_min: FrictionMin,
+    friction_set: FrictionSet,
+    friction_max: FrictionMax,
+    pairs: Pairs,
+    net_gain: NetGain,
+    accuracy_factor: WantedAccuracyFactor,
+) -> Annotated[Number, Term("c_2/c_1", "", "1")]:
+    """Stiffness ratio of the indirect clutch for a wanted K_т, by which either spring follows from the other.
+
+    With a = zκ, w = K_т f_min (1 + f_set a), v = 1 + f_min a: 1 + c_2/c_1 = f_max a (w − f_set v)/(f_max v − w).
+
+    Source: S21 (15) mended (M9), solved for c_2/c_1: K_т depends on the ratio only.
+    Validity: κ > 0; K_т between its value at c_2 = 0 and f_max/f_min.
+    """
+    loop = pairs * net_gain
+    at_min, at_set = 1 + loop * friction_min, 1 + loop * friction_set
+    wanted = accuracy_factor * friction_min * at_set
+    return friction_max * loop * (wanted - friction_set * at_min) / (friction_max * at_min - wanted) - 1

@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import direct, effects, geometry, heat
+from ..equations import direct, effects, heat
 from . import Identity, Steps
 from .symbols import F, N, R, T_n, f, n, r, t, z
 
@@ -43,7 +43,7 @@ def temperature_of_the_discs() -> Steps:
     inner, width, radius = sp.symbols("r_i w rho_r", positive=True)
     face = heat.friction_area(inner, inner + width, sp.pi)
     yield Identity("A = ∫ 2π r dr", face - sp.integrate(2 * sp.pi * radius, (radius, inner, inner + width)))
-    yield Identity("F = p A", geometry.mean_pressure(F, inner, inner + width, sp.pi) * face - F)
+    yield Identity("F = p A", direct.mean_pressure(F, inner, inner + width, sp.pi) * face - F)
     energy, rise = sp.symbols("Q Delta", positive=True)
     yield Identity("z A q_A = Q", z * A * heat.specific_work(energy, z, A) - energy)
     yield Identity("z A q = T ω", z * A * heat.power_density(heat.slip_power(T_n, w0), z, A) - T_n * w0)

@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import direct, overload, reconstruction
+from ..equations import direct, overload
 from . import Identity, Refutation, Steps
 from .symbols import C, F, R, beta, f, fmax, fmin, q, r, solved, t, z, z1
 
@@ -154,9 +154,9 @@ def difference_of_potential_torques() -> Steps:
 def lost_formulas_of_figure_1() -> Steps:
     """S22 (10), (11) as their symbols allow: Δ = 1 + z(z − 1)(β_н − 1)(1 − C f); fig. 1 follows."""
     delta = 1 + z * (z - 1) * (beta - 1) * (1 - C * f)
-    bound = reconstruction.friction_bound(z, beta, 5)
+    bound = overload.friction_bound(z, beta, 5)
     yield Identity("(11) as printed", bound - (1 / (5 * (z - 1) * (beta - 1)) + z / 5))
-    yield Identity("(10) = 0 at any zC", delta.subs(C, q / z).subs(f, reconstruction.friction_bound(z, beta, q)))
+    yield Identity("(10) = 0 at any zC", delta.subs(C, q / z).subs(f, overload.friction_bound(z, beta, q)))
     yield Identity("(11) is (10) = 0 at zC = 5", delta.subs(C, 5 / z).subs(f, bound))
     slope = sp.diff(bound, z)
     values = {beta: sp.Rational(5, 4)}

@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import direct, geometry, indirect, synthesis
+from ..equations import direct, indirect, synthesis
 from . import Identity, Refutation, Steps
 from .symbols import C, F, R, c1, c2, d, fk, fmax, fmin, n, p, q, r, x, z
 
@@ -101,8 +101,8 @@ def mean_radii() -> Steps:
     inner, width, rho = sp.symbols("r_i w rho", positive=True)
     outer = inner + width
     for pressure, radius in (
-        (p, geometry.mean_radius_uniform_pressure(inner, outer)),
-        (p / rho, geometry.mean_radius_uniform_wear(inner, outer)),
+        (p, direct.mean_radius_uniform_pressure(inner, outer)),
+        (p / rho, direct.mean_radius_uniform_wear(inner, outer)),
     ):
         moment = sp.integrate(pressure * rho**2, (rho, inner, outer))
         thrust = sp.integrate(pressure * rho, (rho, inner, outer))
@@ -113,9 +113,9 @@ def surface_pressures() -> Steps:
     """Mean pressure of a ring and the peak at the inner edge, from their thrust."""
     inner, width, rho = sp.symbols("r_i w rho", positive=True)
     outer = inner + width
-    mean = geometry.mean_pressure(F, inner, outer, sp.pi)
+    mean = direct.mean_pressure(F, inner, outer, sp.pi)
     yield Identity("∫ p 2π r dr = F", sp.integrate(mean * 2 * sp.pi * rho, (rho, inner, outer)) - F)
-    peak = geometry.peak_pressure_uniform_wear(F, inner, outer, sp.pi)
+    peak = direct.peak_pressure_uniform_wear(F, inner, outer, sp.pi)
     worn = peak * inner / rho
     yield Identity("uniform wear: p = p_i r_i/r", sp.integrate(worn * 2 * sp.pi * rho, (rho, inner, outer)) - F)
     yield Refutation("they differ", mean - peak)

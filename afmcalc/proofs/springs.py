@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import coils, springs
+from ..equations import springs
 from . import Identity, Refutation, Steps
 
 __all__ = [
@@ -116,26 +116,26 @@ def wire_in_torsion() -> Steps:
     """A coil's wire is twisted by F D/2 over its length π D n."""
     polar = sp.pi * d**4 / 32
     twist = (F * D / 2) * sp.pi * D * n / (G * polar)
-    yield Identity("s = ϑ D/2", coils.coil_stiffness(G, d, D, n) * twist * D / 2 - F)
+    yield Identity("s = ϑ D/2", springs.coil_stiffness(G, d, D, n) * twist * D / 2 - F)
     index = D / d
-    correction = sp.nsimplify(coils.coil_correction(d, D), rational=True)
+    correction = sp.nsimplify(springs.coil_correction(d, D), rational=True)
     yield Identity("1 + 5/(4w − 3)", correction - 1 - 5 / (4 * index - 3))
-    straight = coils.coil_stress(F, d, D, 1, sp.pi)
+    straight = springs.coil_stress(F, d, D, 1, sp.pi)
     yield Identity("straight wire: M/(J/(d/2))", straight - F * D / 2 * (d / 2) / polar)
-    yield Identity("∝ k_τ", coils.coil_stress(F, d, D, correction, sp.pi) - correction * straight)
-    turns = coils.coil_solid_length(d, n) / d
+    yield Identity("∝ k_τ", springs.coil_stress(F, d, D, correction, sp.pi) - correction * straight)
+    turns = springs.coil_solid_length(d, n) / d
     yield Identity("n + 2 turns of wire", turns - n - 2)
-    gap = sp.nsimplify(coils.coil_least_gap(d, D, n), rational=True)
+    gap = sp.nsimplify(springs.coil_least_gap(d, D, n), rational=True)
     yield Identity("S_a", gap * 2000 * d - n * (3 * D**2 + 200 * d**2))
     volume = sp.pi * d**2 / 4 * sp.pi * D * turns
-    yield Identity("mass of the wire", coils.coil_mass(rho, d, D, n, sp.pi) - rho * volume)
+    yield Identity("mass of the wire", springs.coil_mass(rho, d, D, n, sp.pi) - rho * volume)
 
 
 def wire_that_lasts() -> Steps:
     """Goodman's line τ_a/S_se + τ_m/S_su = 1 through a point known."""
     amplitude, mean, ultimate, lower, endurance = sp.symbols("S_sa S_sm S_su tau_U S_se", positive=True)
-    yield Identity("the point", amplitude / coils.coil_endurance(amplitude, mean, ultimate) + mean / ultimate - 1)
-    upper = coils.coil_upper_stress(lower, endurance, ultimate)
+    yield Identity("the point", amplitude / springs.coil_endurance(amplitude, mean, ultimate) + mean / ultimate - 1)
+    upper = springs.coil_upper_stress(lower, endurance, ultimate)
     line = (upper - lower) / 2 / endurance + (upper + lower) / 2 / ultimate
     yield Identity("the line", line - 1)
 
@@ -150,11 +150,11 @@ def coil_that_buckles() -> Steps:
     shear = left * young * d**4 / (8 * D**3 * n)
     load = spring * share * length
     euler = load * (1 + load / shear) * (seating * left) ** 2 - sp.pi**2 * bending
-    root = sp.nsimplify(coils.coil_buckling_root(D, length, q, seating, sp.pi), rational=True)
+    root = sp.nsimplify(springs.coil_buckling_root(D, length, q, seating, sp.pi), rational=True)
     square = sp.Symbol("r", positive=True)
-    at = sp.nsimplify(coils.coil_buckling_deflection(length, q, square**2), rational=True) / length
+    at = sp.nsimplify(springs.coil_buckling_deflection(length, q, square**2), rational=True) / length
     reduced = sp.cancel(sp.together(euler.subs(share, at)))
     # what is left holds where r² is the root
     yield Identity("s_K/L_0", sp.simplify(sp.rem(sp.numer(reduced), sp.numer(sp.together(square**2 - root)), square)))
-    yield Identity("a slender one at once", coils.coil_buckling_deflection(length, q, 1))
+    yield Identity("a slender one at once", springs.coil_buckling_deflection(length, q, 1))
     yield Refutation("only there", sp.simplify(reduced))

@@ -5,7 +5,7 @@ from typing import Annotated
 
 from pydantic import Field, model_validator
 
-from ..equations import coils
+from ..equations import springs
 from ..errors import Problem
 from ..messages import say
 from . import rules
@@ -92,7 +92,7 @@ class CoilSprings(Block):
     def _a_coil(self) -> "CoilSprings":
         wire, coil, turns = self.wire_diameter, self.coil_diameter, self.turns
         wrong = _bigger("coil_diameter", coil, "wire_diameter", wire)
-        least = float(coils.coil_solid_length(wire, turns) + coils.coil_least_gap(wire, coil, turns))
+        least = float(springs.coil_solid_length(wire, turns) + springs.coil_least_gap(wire, coil, turns))
         if self.free_length <= least:
             message = say("must be greater than {least:.5g} m: pressed so far its turns all but touch", least=least)
             wrong.append(rules.wrong("free_length", message))
@@ -103,7 +103,7 @@ class CoilSprings(Block):
     @property
     def rate(self) -> float:
         """Stiffness of all together, N/m."""
-        one = coils.coil_stiffness(SHEAR_MODULUS, self.wire_diameter, self.coil_diameter, self.turns)
+        one = springs.coil_stiffness(SHEAR_MODULUS, self.wire_diameter, self.coil_diameter, self.turns)
         return self.count * float(one)
 
 

@@ -12,7 +12,7 @@ from strategies import indirect_specs
 
 from afmcalc.engines import build
 from afmcalc.engines.characteristic import CoilCharacteristic, DiscCharacteristic
-from afmcalc.equations import coils
+from afmcalc.equations import springs
 from afmcalc.equations import springs as law
 from afmcalc.spec import read_spec
 from afmcalc.spec.discs import discs
@@ -119,21 +119,21 @@ def test_coil_spring_of_a_textbook():
     G = 11.2·10⁶ lb/in² that its tables are laid out for, so that 9 active coils of 11 give 1.25 in; 1 in long solid.
     """
     wire, coil, load = 0.0915, 13 / 16 - 0.0915, 36.0
-    assert load / coils.coil_stiffness(11.2e6, wire, coil, 1) == pytest.approx(0.1375, abs=1e-4)
-    assert load / coils.coil_stiffness(11.2e6, wire, coil, 9) == pytest.approx(1.25, rel=0.011)
-    assert coils.coil_stress(load, wire, coil, 1, math.pi) == pytest.approx(86300, abs=50)
-    assert coils.coil_solid_length(wire, 9) == pytest.approx(11 * 0.0915)
+    assert load / springs.coil_stiffness(11.2e6, wire, coil, 1) == pytest.approx(0.1375, abs=1e-4)
+    assert load / springs.coil_stiffness(11.2e6, wire, coil, 9) == pytest.approx(1.25, rel=0.011)
+    assert springs.coil_stress(load, wire, coil, 1, math.pi) == pytest.approx(86300, abs=50)
+    assert springs.coil_solid_length(wire, 9) == pytest.approx(11 * 0.0915)
 
 
 def test_curvature_of_a_coil_in_a_textbook():
     """Budynas & Nisbett, Shigley's Mechanical Engineering Design, example 10-1: 4.13 lbf/in, K_B 1.124, 6.46 lbf."""
     inch, pound = 25.4e-3, 4.4482216152605
     psi = pound / inch**2
-    stiffness = coils.coil_stiffness(11.85e6 * psi, 0.037 * inch, 0.4 * inch, 10.5)
+    stiffness = springs.coil_stiffness(11.85e6 * psi, 0.037 * inch, 0.4 * inch, 10.5)
     assert stiffness / (pound / inch) == pytest.approx(4.13, abs=0.005)
-    correction = coils.coil_correction(0.037 * inch, 0.4 * inch)
+    correction = springs.coil_correction(0.037 * inch, 0.4 * inch)
     assert correction == pytest.approx(1.124, abs=0.0005)
-    stress = coils.coil_stress(6.46 * pound, 0.037 * inch, 0.4 * inch, correction, math.pi)
+    stress = springs.coil_stress(6.46 * pound, 0.037 * inch, 0.4 * inch, correction, math.pi)
     assert stress / psi == pytest.approx(146e3, rel=1e-3)
 
 

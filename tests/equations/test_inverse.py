@@ -6,7 +6,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from afmcalc.equations import accuracy, direct, indirect, inverse
+from afmcalc.equations import accuracy, direct, indirect, synthesis
 
 # plain arithmetic runs on fractions: an identity of rational functions that holds on a grid of them holds everywhere
 RATIO = st.fractions(min_value=Fraction(1, 50), max_value=2, max_denominator=50)
@@ -20,22 +20,22 @@ def test_gain_for_accuracy_factor(z1, z2, gain, f1, f2, more1, more2):
     factor = accuracy.accuracy_factor(z1, z2, gain, *ends)
     ordinary = accuracy.accuracy_factor(z1, z2, Fraction(0), *ends)
     assume(factor * ends[3] != ordinary * f2)
-    assert inverse.gain_for_accuracy_factor(z1, z2, factor, *ends) == gain
+    assert synthesis.gain_for_accuracy_factor(z1, z2, factor, *ends) == gain
 
 
 @given(st.integers(0, 5).map(Fraction), PAIRS, RATIO, RATIO, RATIO, POSITIVE, POSITIVE)
 def test_from_torque(z1, z2, gain, f1, f2, force, radius):
     torque = direct.torque(force, radius, z1, z2, gain, f1, f2)
-    assert inverse.gain_for_torque(torque, force, radius, z1, z2, f1, f2) == gain
-    assert inverse.mean_radius_for_torque(torque, force, z1, z2, gain, f1, f2) == radius
+    assert synthesis.gain_for_torque(torque, force, radius, z1, z2, f1, f2) == gain
+    assert synthesis.mean_radius_for_torque(torque, force, z1, z2, gain, f1, f2) == radius
     assume(gain * torque != force * radius)
-    assert inverse.controlled_pairs_for_torque(torque, force, radius, z1, gain, f1, f2) == z2
+    assert synthesis.controlled_pairs_for_torque(torque, force, radius, z1, gain, f1, f2) == z2
 
 
 @given(st.integers(0, 5).map(Fraction), PAIRS, RATIO, RATIO, RATIO)
 def test_controlled_pairs_for_accuracy_factor(z1, z2, gain, low, more):
     factor = accuracy.accuracy_factor(z1, z2, gain, low, low, low + more, low + more)
-    assert inverse.controlled_pairs_for_accuracy_factor(gain, factor, low, low + more) == z2
+    assert synthesis.controlled_pairs_for_accuracy_factor(gain, factor, low, low + more) == z2
 
 
 @given(PAIRS, RATIO, RATIO, RATIO, RATIO, POSITIVE, POSITIVE)
@@ -43,19 +43,21 @@ def test_indirect(z, net, low, to_set, to_max, c1, c2):
     at_set, high = low + to_set, low + to_set + to_max
     factor = indirect.accuracy_factor(low, at_set, high, c1, c2, z, net)
     # the root is a float
-    assert inverse.net_gain_for_accuracy_factor(low, at_set, high, c1, c2, z, factor) == pytest.approx(float(net))
-    assert inverse.pairs_for_accuracy_factor_indirect(low, at_set, high, c1, c2, net, factor) == pytest.approx(float(z))
-    assert inverse.stiffness_ratio_for_accuracy_factor(low, at_set, high, z, net, factor) == c2 / c1
+    assert synthesis.net_gain_for_accuracy_factor(low, at_set, high, c1, c2, z, factor) == pytest.approx(float(net))
+    assert synthesis.pairs_for_accuracy_factor_indirect(low, at_set, high, c1, c2, net, factor) == pytest.approx(
+        float(z)
+    )
+    assert synthesis.stiffness_ratio_for_accuracy_factor(low, at_set, high, z, net, factor) == c2 / c1
 
 
 @given(PAIRS, PAIRS, RATIO, RATIO, RATIO, RATIO)
 def test_the_best_is_the_law_at_its_limit(z1, z2, f1, f2, more1, more2):
     limit = direct.gain_limit_differentiated(z1, f1 + more1)
-    best = inverse.best_accuracy_factor_differentiated(z1, z2, f1, f2, f1 + more1)
+    best = synthesis.best_accuracy_factor_differentiated(z1, z2, f1, f2, f1 + more1)
     assert best == accuracy.accuracy_factor(z1, z2, limit, f1, f2, f1 + more1, f2 + more2)
     m = (f1 + more1) / f1
-    assert inverse.best_accuracy_factor_differentiated(z1, z2, f1, f1, f1 + more1) == (m * z1 + z2) / (z1 + z2)
-    top = inverse.best_accuracy_factor_all_driving(f1, f1 + more1, Fraction(5))
+    assert synthesis.best_accuracy_factor_differentiated(z1, z2, f1, f1, f1 + more1) == (m * z1 + z2) / (z1 + z2)
+    top = synthesis.best_accuracy_factor_all_driving(f1, f1 + more1, Fraction(5))
     gain = direct.gain_limit_all_driving(z2)
     assert top == accuracy.accuracy_factor(Fraction(0), z2, gain, f1, f1, f1 + more1, f1 + more1)
 
@@ -70,5 +72,5 @@ def test_the_limit_of_the_indirect_clutch(z, low, to_set, to_max, c1, c2):
 
 def test_printed_examples():
     # all-driving at zC = 5, f 0.1…0.8: 8·1.5/5 (S22's limit); base clutch at C = 1.25: (8·1 + 7)/8
-    assert inverse.best_accuracy_factor_all_driving(0.1, 0.8, 5) == pytest.approx(2.4)
-    assert inverse.best_accuracy_factor_differentiated(1, 7, 0.1, 0.1, 0.8) == pytest.approx(1.875)
+    assert synthesis.best_accuracy_factor_all_driving(0.1, 0.8, 5) == pytest.approx(2.4)
+    assert synthesis.best_accuracy_factor_differentiated(1, 7, 0.1, 0.1, 0.8) == pytest.approx(1.875)

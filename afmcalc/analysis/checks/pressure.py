@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 
 from ...engines.protocol import Clutch
-from ...equations import geometry
+from ...equations import direct
 from ...findings import Finding, Level, finding
 from ...spec.materials import Material, catalogue
 
@@ -31,9 +31,9 @@ def ring_pressures(clutch: Clutch) -> dict[str, float]:
     if group.inner_radius is None or group.outer_radius is None:
         return {}
     ring = float(clutch.pack_force_at_rest), group.inner_radius, group.outer_radius, math.pi
-    found = {"mean": float(geometry.mean_pressure(*ring))}
+    found = {"mean": float(direct.mean_pressure(*ring))}
     if (group.radius_model or "uniform-wear") == "uniform-wear":
-        found["peak"] = float(geometry.peak_pressure_uniform_wear(*ring))
+        found["peak"] = float(direct.peak_pressure_uniform_wear(*ring))
     return found
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...engines.direct_law import DirectLaw
 from ...engines.laws import IndirectLaw
-from ...equations import adjustment, direct, geometry, synthesis, wall
+from ...equations import adjustment, direct, synthesis, wall
 from ...spec.contact import HARDENED_STEEL
 from ...spec.requirements import Requirements
 from ...variants import Variant
@@ -198,14 +198,14 @@ class Candidates:
     def surface_pressure(self) -> Numbers:
         """Mean surface pressure under the force at rest, Pa; NaN where the width of the faces is not known."""
         half = self.face_width / 2
-        per_force = geometry.mean_pressure(1.0, self.at.mean_radius - half, self.at.mean_radius + half, np.pi)
+        per_force = direct.mean_pressure(1.0, self.at.mean_radius - half, self.at.mean_radius + half, np.pi)
         return self.pack_force * per_force
 
     @cached_property
     def peak_pressure(self) -> Numbers:
         """Surface pressure at the inner edge, which a friction material is held to, Pa; NaN as the mean."""
         half, mean = self.face_width / 2, self.at.mean_radius
-        return geometry.peak_pressure_uniform_wear(self.pack_force, mean - half, mean + half, np.pi)
+        return direct.peak_pressure_uniform_wear(self.pack_force, mean - half, mean + half, np.pi)
 
     @cached_property
     def force_per_ball(self) -> Numbers:

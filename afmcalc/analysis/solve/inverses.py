@@ -1,4 +1,4 @@
-"""Closed inverses by engine, parameter and target: which equation of ``equations.inverse`` answers."""
+"""Closed inverses by engine, parameter and target: which equation of ``equations.synthesis`` answers."""
 
 from collections.abc import Callable
 from typing import TypeAlias
@@ -9,7 +9,7 @@ from ...engines.geometry import angle_given
 from ...engines.indirect import IndirectClutch
 from ...engines.protocol import Clutch
 from ...engines.setting import friction_at_setting, margin
-from ...equations import adjustment, inverse
+from ...equations import adjustment, synthesis
 from .targets import TARGETS
 
 Inverse: TypeAlias = Callable[[float], float]
@@ -46,10 +46,10 @@ def _for_accuracy(clutch: DirectClutch) -> dict[str, Inverse]:
     z1, z2 = clutch.bypass_pairs, clutch.controlled_pairs
 
     def gain(wanted: float) -> float:
-        return float(inverse.gain_for_accuracy_factor(z1, z2, wanted, first.min, second.min, first.max, second.max))
+        return float(synthesis.gain_for_accuracy_factor(z1, z2, wanted, first.min, second.min, first.max, second.max))
 
     def controlled(wanted: float) -> float:
-        return float(inverse.controlled_pairs_for_accuracy_factor(clutch.gain, wanted, first.min, first.max))
+        return float(synthesis.controlled_pairs_for_accuracy_factor(clutch.gain, wanted, first.min, first.max))
 
     if clutch.spec.friction.unlike:
         return {"C": gain}
@@ -77,14 +77,14 @@ def _for_torque(clutch: DirectClutch, target: str) -> dict[str, Inverse]:
     # pairs that are added are controlled ones; without a control unit they carry like bypass pairs
     kept = z1 if z2 else 0
     inverses: dict[str, Inverse] = {
-        "C": lambda wanted: float(inverse.gain_for_torque(factor * wanted, force, radius, z1, z2, first, second)),
+        "C": lambda wanted: float(synthesis.gain_for_torque(factor * wanted, force, radius, z1, z2, first, second)),
         "z": lambda wanted: float(
-            kept + inverse.controlled_pairs_for_torque(factor * wanted, force, radius, kept, gain, first, second)
+            kept + synthesis.controlled_pairs_for_torque(factor * wanted, force, radius, kept, gain, first, second)
         ),
     }
     if not angle_given(spec):
         inverses["R"] = lambda wanted: float(
-            inverse.mean_radius_for_torque(factor * wanted, force, z1, z2, gain, first, second)
+            synthesis.mean_radius_for_torque(factor * wanted, force, z1, z2, gain, first, second)
         )
     return inverses
 
@@ -94,14 +94,14 @@ def _for_indirect_accuracy(clutch: IndirectClutch) -> dict[str, Inverse]:
     c1, c2, pairs, net = clutch.closing_stiffness, clutch.control_stiffness, clutch.pairs, clutch.net_gain
 
     def gain(wanted: float) -> float:
-        found = inverse.net_gain_for_accuracy_factor(own.min, at_set, own.max, c1, c2, pairs, wanted)
+        found = synthesis.net_gain_for_accuracy_factor(own.min, at_set, own.max, c1, c2, pairs, wanted)
         return float(found + clutch.gain_threshold)
 
     def count(wanted: float) -> float:
-        return float(inverse.pairs_for_accuracy_factor_indirect(own.min, at_set, own.max, c1, c2, net, wanted))
+        return float(synthesis.pairs_for_accuracy_factor_indirect(own.min, at_set, own.max, c1, c2, net, wanted))
 
     def ratio(wanted: float) -> Values:
-        found: Values = inverse.stiffness_ratio_for_accuracy_factor(own.min, at_set, own.max, pairs, net, wanted)
+        found: Values = synthesis.stiffness_ratio_for_accuracy_factor(own.min, at_set, own.max, pairs, net, wanted)
         return found
 
     return {

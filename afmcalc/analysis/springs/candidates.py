@@ -7,7 +7,7 @@ from typing import NamedTuple
 from ...engines.characteristic import DiscCharacteristic, characteristic
 from ...engines.parts import INDEX, demands
 from ...engines.wish import Wish
-from ...equations import coils
+from ...equations import springs
 from ...messages import say
 from ...spec.discs import Disc, discs
 from ...spec.springs import SHEAR_MODULUS, CoilSprings, DiscStack, Room
@@ -134,15 +134,15 @@ def _turns(wish: Wish, count: int, wire: float, coil: float) -> list[float]:
     """Active turns, in quarters."""
     if wish.stiffness is None:
         return list(_FREE_TURNS)
-    wanted = count * float(coils.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0)) / wish.stiffness
+    wanted = count * float(springs.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0)) / wish.stiffness
     quarters = round(4 * wanted) / 4
     return [quarters] if TURNS[0] <= quarters <= TURNS[1] else []
 
 
 def _spring(wish: Wish, count: int, wire: float, coil: float, turns: float) -> CoilSprings:
     """As short as the gaps between its turns allow when it is pressed most."""
-    rate = count * float(coils.coil_stiffness(SHEAR_MODULUS, wire, coil, turns))
-    shortest = float(coils.coil_solid_length(wire, turns) + coils.coil_least_gap(wire, coil, turns))
+    rate = count * float(springs.coil_stiffness(SHEAR_MODULUS, wire, coil, turns))
+    shortest = float(springs.coil_solid_length(wire, turns) + springs.coil_least_gap(wire, coil, turns))
     free = shortest + wish.force / rate + wish.compresses
     return CoilSprings.model_construct(
         wire_diameter=wire, coil_diameter=coil, turns=turns, free_length=math.ceil(free * 1e4) / 1e4, count=count

@@ -6,7 +6,6 @@ from typing import Any
 from ...engines.characteristic import CoilCharacteristic, characteristic
 from ...engines.parts import demands
 from ...engines.wish import Wish
-from ...equations import coils
 from ...equations import springs as law
 from ...spec.discs import discs
 from ...spec.springs import CoilSprings, DiscStack
@@ -79,7 +78,7 @@ def option_of(wish: Wish, found: Candidate) -> SpringOption:
 def _coil(own: CoilCharacteristic, wish: Wish, high: float) -> dict[str, Any]:
     part, rests = own.part, wish.stroke is None
     correction = 1.0 if rests else own.correction
-    mass = coils.coil_mass(STEEL, part.wire_diameter, part.coil_diameter, part.turns, math.pi)
+    mass = law.coil_mass(STEEL, part.wire_diameter, part.coil_diameter, part.turns, math.pi)
     return {
         "kind": "coil",
         "parallel": None,

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...equations import adjustment, direct, indirect, overload
-from ...equations.reconstruction import friction_bound
+from ...equations.overload import friction_bound
 from ...messages import say, term
 from ..figures.shishkarev2022 import HIGH, LOW, MARGIN, actual_factor, expected_factor, factor
 from .found import Found, near, verdict

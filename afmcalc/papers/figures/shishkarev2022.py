@@ -5,7 +5,7 @@ import numpy as np
 from ...arrays import Values, larger
 from ...equations import overload as law
 from ...equations.accuracy import accuracy_factor
-from ...equations.reconstruction import friction_bound
+from ...equations.overload import friction_bound
 from .interface import PaperFigure, axis, curve
 
 MARGIN, LOW, HIGH = 1.25, 0.1, 0.8

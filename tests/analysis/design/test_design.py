@@ -25,7 +25,7 @@ from afmcalc.analysis.design.search import search as searched
 from afmcalc.analysis.overload import overload
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
-from afmcalc.equations import adjustment, inverse
+from afmcalc.equations import adjustment, synthesis
 from afmcalc.spec import make_spec
 from afmcalc.spec.balls import diameters
 from afmcalc.spec.edit import with_value
@@ -436,7 +436,7 @@ def test_refinement_reaches_the_closed_inverse():
         )
     )  # fmt: skip
     ((grid, fine),) = refinement(need, searched(need))
-    gain = inverse.gain_for_accuracy_factor(0, 8, 2.9, 0.1, 0.1, 0.8, 0.8)
+    gain = synthesis.gain_for_accuracy_factor(0, 8, 2.9, 0.1, 0.1, 0.8, 0.8)
     best = adjustment.closing_force(200, 1, 0.15 * 8 * 0.1 / (1 + 8 * gain * 0.1))
     assert grid.closing_force > best * 1.01, "the grid is beside the optimum"
     assert fine.closing_force == pytest.approx(best, rel=1e-8)
