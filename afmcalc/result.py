@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
 from pydantic import BaseModel, ConfigDict, Field, InstanceOf, PrivateAttr, WithJsonSchema
+from pydantic.fields import FieldInfo
 
 from .errors import AfmcalcError
 from .findings import Finding
@@ -20,7 +21,7 @@ class Result(BaseModel):
     model_config = ConfigDict(frozen=True, allow_inf_nan=False, extra="forbid", defer_build=True)
 
     def words(self, name: str) -> str | None:
-        """Return what people are told instead of a field's value; None: the value; "" of a nested result: nothing."""
+        """Return what people are told instead of a field's value; None: the value; "": nothing."""
         return None
 
     def to_dict(self) -> dict[str, Any]:
@@ -28,15 +29,58 @@ class Result(BaseModel):
         return self.model_dump(mode="json")
 
 
-def quantity(unit: str, symbol: str | None, description: str, *, optional: bool = False, **extra: Any) -> Any:
-    """Declare a result field: SI unit ("1" for a pure number), symbol of the papers, what it is.
+@dataclass(frozen=True)
+class Shown:
+    """How a field of a result is shown; called by pydantic, it writes unit and symbol into the JSON Schema."""
+
+    unit: str = ""
+    """SI unit; "1" of a pure number, empty of what is no quantity."""
+    symbol: str | None = None
+    """Symbol of the papers."""
+    null: str = "–"
+    """What a missing value means, for people."""
+    unit_in: str = ""
+    """Attribute that holds the SI unit of the value, where the unit is no constant."""
+    is_unit: bool = False
+    """Whether the value is the unit of other fields."""
+    error_of: str = ""
+    """Field whose standard error this is; people see it beside the figure."""
+    code: bool = False
+    """Whether the value is a name that a user types: it is never translated."""
+    detail: bool = False
+    """Left out of tables for people when the table is long."""
+    data: bool = False
+    """A list for programs: CSV writes it, people are spared it."""
+    across: bool = False
+    """Whether people see the records of a list side by side, quantities as rows."""
+    by: str = ""
+    """Field of the records whose every value gets a table of its own, for people."""
+    ranked: bool = False
+    """Whether a dictionary is shown with its largest magnitude first."""
+    keys_are: str = "parameter"
+    """What the keys of a dictionary are called."""
+    steps: bool = False
+    """Whether a list holds the steps of an explanation."""
+
+    def __call__(self, schema: dict[str, Any]) -> None:
+        """Write what a program wants to know."""
+        schema |= {"unit": self.unit, "symbol": self.symbol}
+
+
+def quantity(unit: str, symbol: str | None, description: str, *, optional: bool = False, **shown: Any) -> Any:
+    """Declare a result field: SI unit ("1" for a pure number), symbol of the papers, what it is; rest as ``Shown``.
 
     ``optional`` leaves the field null (and out of tables) where it does not apply.
     """
-    about = {"unit": unit, "symbol": symbol, **extra}
+    about = Shown(unit, symbol, **shown)
     if optional:
         return Field(default=None, description=description, json_schema_extra=about)
     return Field(description=description, json_schema_extra=about)
+
+
+def shown_as(field: FieldInfo) -> Shown:
+    """Return how a field of a result is shown."""
+    return field.json_schema_extra if isinstance(field.json_schema_extra, Shown) else Shown()
 
 
 Sentence = Annotated[InstanceOf[str], WithJsonSchema({"type": "string"})]
@@ -65,7 +109,7 @@ class Series(Result):
     parameter: str = quantity("", None, "swept key as called")
     path: str = quantity("", None, "spec path")
     unit: str = quantity("", None, "SI unit of the values")
-    values: list[float] = quantity("", None, "value at every point", axis=True)
+    values: list[float] = quantity("", None, "value at every point")
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from conftest import CONFIGS
 from sources import called, calls
 
 import afmcalc
+from afmcalc.result import Shown, shown_as
 
 Key = tuple[str, str]
 """Context and text."""
@@ -120,17 +121,15 @@ def models() -> list[type]:
 
 def _fields() -> Iterator[Key]:
     """Descriptions of what results and specs hold, and their symbols of more than letters."""
-    yield ("", "parameter")
     for model in models():
         for name, info in model.model_fields.items():  # type: ignore[attr-defined]
             yield ("", info.description or name)
-            about = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
-            if about.get("of"):
-                yield ("", str(about["of"]))
-            if null := about.get("null"):
-                yield ("value", str(null))
-            if re.search(r" (from|to|of|at) |\b(from|to)$|^[a-z]+\.$", str(about.get("symbol") or "")):
-                yield ("", str(about["symbol"]))
+            shown = shown_as(info)
+            yield ("", shown.keys_are)
+            if shown.null not in ("", Shown.null):
+                yield ("value", shown.null)
+            if re.search(r" (from|to|of|at) |\b(from|to)$|^[a-z]+\.$", shown.symbol or ""):
+                yield ("", str(shown.symbol))
 
 
 def _help() -> Iterator[Key]:
@@ -247,8 +246,7 @@ def _units() -> Iterator[Key]:
     yield from (("unit", unit) for unit in sorted(si | written) if re.search("[A-Za-z]", unit) and "abs" not in unit)
     for model in models():
         for info in model.model_fields.values():  # type: ignore[attr-defined]
-            about = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
-            shown = display_unit(str(about.get("unit") or ""))
+            shown = display_unit(shown_as(info).unit)
             if re.search("[A-Za-z]", shown):
                 yield ("unit", shown)
 

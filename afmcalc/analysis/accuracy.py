@@ -51,9 +51,7 @@ class AccuracyResult(Answer):
         optional=True,
     )
     sensitivity: dict[str, float] = quantity("1", "∂ln K_т/∂ln p", "elasticity of K_т", ranked=True)
-    sweep: list[AccuracySweep] | None = quantity(
-        "", None, "accuracy over the swept values", optional=True, columns=True
-    )
+    sweep: list[AccuracySweep] | None = quantity("", None, "accuracy over the swept values", optional=True)
 
 
 def sweep_outputs(clutch: Clutch) -> dict[str, Callable[[Clutch], Any]]:

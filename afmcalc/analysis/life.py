@@ -34,10 +34,12 @@ class MethodCycles(Result):
     mean_friction: float | None = quantity(
         "1", "N_ц,2", "cycles, if the springs were set at the mean friction with margin", null=UNLIMITED
     )
-    unlimited: list[Setting] = quantity("", None, "settings whose life fatigue does not limit", told=True)
+    unlimited: list[Setting] = quantity("", None, "settings whose life fatigue does not limit")
 
     def words(self, name: str) -> str | None:
         """Say that a life is not limited, whatever number the S-N line gives when it is extrapolated."""
+        if name == "unlimited":
+            return ""  # the lives say so
         value = getattr(self, name)
         if isinstance(value, float) and name.replace("_", "-") in self.unlimited:
             return say("unlimited ({value:.5g})", value=value)
@@ -67,7 +69,7 @@ class LifeResult(Answer):
     endurance_limit: float = quantity("Pa", "τ_limb", "endurance limit")
     base_cycles: float = quantity("1", "N_0", "base cycles of the S-N line")
     dynamic_factor: float = quantity("1", "k_д", "dynamic factor by which the unprotected side is loaded more")
-    sweep: list[LifeSweep] | None = quantity("", None, "life over the swept values", optional=True, columns=True)
+    sweep: list[LifeSweep] | None = quantity("", None, "life over the swept values", optional=True)
 
 
 def life(

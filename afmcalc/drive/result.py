@@ -78,7 +78,7 @@ class SimulateResult(Answer):
     load_torque: float = quantity("N*m", "T_0", "load before the event")
     energy_residual: float = quantity("1", "ε", "largest relative error of the energy balance")
     points: list[SimulatePoint] | None = quantity("", None, "at the friction asked for", optional=True)
-    sweep: list[SimulateSweep] | None = quantity("", None, "peaks over the swept values", optional=True, columns=True)
+    sweep: list[SimulateSweep] | None = quantity("", None, "peaks over the swept values", optional=True)
 
     @property
     def judged_peak(self) -> float:

@@ -1,5 +1,5 @@
 """Rendering: one walk over a result gives a document; each format writes the document."""
 
-from .formats.interface import FORMATS, renderer
+from .formats import FORMATS, renderer
 
 __all__ = ["FORMATS", "renderer"]

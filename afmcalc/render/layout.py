@@ -1,14 +1,14 @@
-"""From document to blocks of text cells, shared by the terminal and Markdown."""
+"""From document to tables of text cells and lines of text, shared by all formats for people and the report."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import compress
 from typing import Any, NamedTuple
 
 from ..findings import Finding
 from ..messages import named, printable, term, told, translate, with_unit
 from ..result import Output
-from .document import Column, Document, Entry, Table
+from .document import Column, Document, Table
 from .units import display, display_unit, estimate, in_numbers, worded
 
 
@@ -39,121 +39,84 @@ def title(output: Output) -> str:
 
 def blocks(laid_out: Document) -> list[TextTable]:
     """Return single values, then triples, then tables."""
-    found = []
-    errors = {row.error_of: row.values[0] for row in laid_out.singles if row.error_of}
-    singles = [row for row in laid_out.singles if not row.error_of and not row.told]
-    if singles:
-        rows = [
-            [row.symbol, row.name, _single(row, errors.get(row.path)), display_unit(row.shown_unit or row.unit)]
-            for row in singles
-        ]
-        found.append(
-            TextTable("", [*map(translate, ("Symbol", "Quantity", "Value", "Unit"))], rows, [False, False, True, False])
-        )
-    if laid_out.triples:
-        rows = [
-            [row.symbol, row.name, *(_shown(value, row.unit, row.null) for value in row.values), display_unit(row.unit)]
-            for row in laid_out.triples
-        ]
-        header = [*map(translate, ("Symbol", "Quantity", "at f_min", "at mean f", "at f_max", "Unit"))]
-        found.append(TextTable("", header, rows, [False, False, True, True, True, False]))
+    errors = errors_in(laid_out.singles)
+    singles = [column for column in laid_out.singles if not column.error_of and not column.hidden]
+    values = [(column, cells(column, errors.get(column.path))) for column in singles]
+    triples = [(column, cells(column)) for column in laid_out.triples]
+    found = [quantities([translate("Value")], values)] if values else []
+    found += [quantities([*map(translate, ("at f_min", "at mean f", "at f_max"))], triples)] if triples else []
     if not laid_out.steps:
-        found += [_table(part) for table in laid_out.tables if not table.data for part in _parts(table)]
+        found += [_table(part) for table in laid_out.tables if not table.shown.data for part in _parts(table)]
     return found
 
 
-def _single(row: Entry, error: float | None) -> str:
-    if row.said or row.values[0] is None:
-        return translate(row.said) or worded(row.null)
-    unit = row.shown_unit or row.unit
-    return display(row.values[0], unit) if error is None else estimate(row.values[0], error, unit)
+def errors_in(columns: Sequence[Column]) -> dict[str, list[float]]:
+    """Standard errors by the path of the column that they are of."""
+    return {column.error_of: column.values for column in columns if column.error_of}
+
+
+def quantities(heads: Sequence[str], lines: Iterable[tuple[Column, Sequence[str]]], title: str = "") -> TextTable:
+    """Table of a quantity in each row, its cells below ``heads`` between its name and its unit."""
+    rows = [
+        [column.symbol, column.name, *texts, display_unit(column.units[0] if column.units else column.unit)]
+        for column, texts in lines
+    ]
+    header = [translate("Symbol"), translate("Quantity"), *heads, translate("Unit")]
+    return TextTable(title, header, rows, [False, False, *(True for _ in heads), False])
+
+
+def cells(column: Column, errors: Sequence[float] | None = None) -> list[str]:
+    """Values of a column as people see them, with their standard errors where these are given."""
+    if column.shown.is_unit:
+        return [display_unit(unit) for unit in column.units or column.values]
+    if column.shown.code:
+        return [printable(str(value)) for value in column.values]
+    units = column.units or [column.unit] * len(column.values)
+    if errors:
+        return [estimate(*figure) for figure in zip(column.values, errors, units, strict=True)]
+    words = column.words or [None] * len(column.values)
+    missing = worded(column.shown.null)
+    return [
+        translate(word or "") or (missing if value is None else display(value, unit))
+        for value, unit, word in zip(column.values, units, words, strict=True)
+    ]
 
 
 def _parts(table: Table) -> list[Table]:
     """Tables that a table is for people: one for every value of the column that it is divided by."""
-    divided = next((column.values for column in table.columns if column.path == table.by), None)
-    if divided is None:
+    keys = next((column.values for column in table.columns if column.path == table.shown.by), None)
+    if keys is None:
         return [table]
-    chosen = ([own == value for own in divided] for value in dict.fromkeys(divided))
-    return [table._replace(columns=[_only(column, mask) for column in table.columns]) for mask in chosen]
+    masks = ([key == value for key in keys] for value in dict.fromkeys(keys))
+    return [table._replace(columns=[_only(column, mask) for column in table.columns]) for mask in masks]
 
 
 def _only(column: Column, mask: list[bool]) -> Column:
-    units = column.units and [*compress(column.units, mask)]
-    said = column.said and [*compress(column.said, mask)]
-    return column._replace(values=[*compress(column.values, mask)], units=units, said=said)
+    values, units, words = ([*compress(part or (), mask)] for part in (column.values, column.units, column.words))
+    return column._replace(values=values, units=units or None, words=words)
 
 
 _LONG = 3
 """Rows above which details are left out of a table."""
 
 
-def step_lines(laid_out: Document) -> list[str]:
-    """Steps of an explanation as lines: what, formula, numbers, value with source, what the print has instead."""
-    lines = []
-    for step in laid_out.steps:
-        at = told(" at {place}", place=in_numbers(translate(step.at))) if step.at else ""
-        at = ", ".join([at, *told_apart(step, laid_out.steps)])
-        lines += ["", f"{step.symbol}{at}: {translate(step.name)}", f"    {step.symbol} = {in_numbers(step.formula)}"]
-        indent = " " * (5 + len(step.symbol))
-        if step.substituted != step.formula:
-            lines.append(f"{indent}= {in_numbers(step.substituted)}")
-        lines.append(f"{indent}= {step_value(step)}    [{translate(step.source).rstrip('.')}]")
-        if step.print_differs:
-            lines.append(told("    print differs: {what}", what=term(step.print_differs)))
-    return lines
-
-
-def told_apart(step: Any, steps: Sequence[Any]) -> list[str]:
-    """Setting of the spring and side of a step, where steps of the same quantity differ in them."""
-    alike = [each for each in steps if (each.function, each.symbol) == (step.function, step.symbol)]
-    names = [name for name in _APART if len({getattr(each, name) for each in alike} - {None}) > 1]
-    return [told(_APART[name][own]) for name in names if (own := getattr(step, name))]
-
-
-_APART: Mapping[str, Mapping[str, str]] = {
-    "setting": {"min-friction": "set at f_min", "mean-friction": "set at mean f"},
-    "side": {"protected": "protected side", "unprotected": "unprotected side"},
-}
-
-
-def step_value(step: Any) -> str:
-    """Value of a step in the engineer's unit, with the SI value's unit where they differ."""
-    return with_unit(display(step.value, step.unit), display_unit(step.unit))
-
-
-def _cells(column: Column, errors: list[float] | None) -> list[str]:
-    if column.is_unit:
-        return [display_unit(unit) for unit in column.units or column.values]
-    if column.code:
-        return [printable(str(value)) for value in column.values]
-    units = column.units or [column.unit] * len(column.values)
-    if errors:
-        return [estimate(*each) for each in zip(column.values, errors, units, strict=True)]
-    said = column.said or [None] * len(column.values)
-    return [
-        translate(own or "") or _shown(value, unit, column.null)
-        for value, unit, own in zip(column.values, units, said, strict=True)
-    ]
-
-
-def _shown(value: Any, unit: str, null: str) -> str:
-    return worded(null) if value is None else display(value, unit)
-
-
 def _table(table: Table) -> TextTable:
-    errors = {column.error_of: column.values for column in table.columns if column.error_of}
+    errors = errors_in(table.columns)
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
-    shown = [column for column in table.columns if not column.error_of and not (long and column.detail)]
-    table = table._replace(columns=shown)
-    header = [_heading(column) for column in table.columns]
-    cells = [_cells(column, errors.get(column.path)) for column in table.columns]
-    numeric = [_is_numeric(column) for column in table.columns]
-    rows = [list(row) for row in zip(*cells, strict=True)]
-    legend = (
-        "; ".join(f"{column.symbol}: {column.name}" for column in table.columns if column.symbol) if table.axes else ""
+    shown = [column for column in table.columns if not column.error_of and not (long and column.shown.detail)]
+    texts = [cells(column, errors.get(column.path)) for column in shown]
+    meanings = [f"{column.symbol}: {column.name}" for column in shown if column.symbol]
+    return TextTable(
+        table.title[:1].upper() + table.title[1:],
+        [_heading(column) for column in shown],
+        [list(row) for row in zip(*texts, strict=True)],
+        [
+            any(isinstance(value, int | float) and not isinstance(value, bool) for value in column.values)
+            for column in shown
+        ],
+        table._replace(columns=shown),
+        "; ".join(meanings) if table.axes else "",
     )
-    return TextTable(table.title[:1].upper() + table.title[1:], header, rows, numeric, table, legend)
 
 
 def _heading(column: Column) -> str:
@@ -162,32 +125,27 @@ def _heading(column: Column) -> str:
     return f"{name}, {unit}" if unit not in ("", "–") else name
 
 
-def _is_numeric(column: Column) -> bool:
-    return any(isinstance(value, int | float) and not isinstance(value, bool) for value in column.values)
-
-
 _NUMBER = re.compile(r"(\(?[-−]?\d+|–)(.*)")
 
 
 def padded(block: TextTable) -> TextTable:
     """Pad the cells of numeric columns to one width, their decimal points below each other."""
-    columns = [list(cells) for cells in zip(block.header, *block.rows, strict=True)]
-    for cells, right in zip(columns, block.numeric, strict=True):
-        if right:
-            cells[:] = _pointed(cells)
-    header, *rows = ([*line] for line in zip(*columns, strict=True))
+    columns = zip(block.header, *block.rows, strict=True)
+    texts = [_pointed(column) if right else column for column, right in zip(columns, block.numeric, strict=True)]
+    header, *rows = (list(line) for line in zip(*texts, strict=True))
     return block._replace(header=header, rows=rows)
 
 
-def _pointed(cells: list[str]) -> list[str]:
+def _pointed(column: Sequence[str]) -> list[str]:
     """Set a heading and numbers flush right by their decimal points; text below them flush right as it is."""
-    parts = [matched.groups() if (matched := _NUMBER.fullmatch(cell)) else None for cell in cells[1:]]
-    tail = max((len(part[1]) for part in parts if part), default=0)
-    set_ = [
-        cell if part is None else part[0] + part[1].ljust(tail) for cell, part in zip(cells[1:], parts, strict=True)
+    heading, *texts = column
+    numbers = [_NUMBER.fullmatch(text) for text in texts]
+    tail = max((len(number[2]) for number in numbers if number), default=0)
+    filled = [
+        number[1] + number[2].ljust(tail) if number else text for text, number in zip(texts, numbers, strict=True)
     ]
-    width = max(len(cell) for cell in (cells[0], *set_))
-    return [cell.rjust(width) for cell in (cells[0], *set_)]
+    width = max(map(len, (heading, *filled)))
+    return [text.rjust(width) for text in (heading, *filled)]
 
 
 def unfolded(found: list[TextTable]) -> list[TextTable]:
@@ -201,7 +159,7 @@ _SHORT = 24
 
 def is_across(block: TextTable) -> bool:
     """Whether the records of a table always stand side by side."""
-    return block.source is not None and block.source.across
+    return block.source is not None and block.source.shown.across
 
 
 def may_turn(block: TextTable) -> bool:
@@ -224,53 +182,81 @@ def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[Tex
         The tables; none where not even one record has room.
     """
     assert block.source is not None
-    columns = [[*cells] for cells in zip(*block.rows, strict=True)]
-    told = [number for number, cells in enumerate(columns) if len(block.rows) > 1 and _is_shared(block, number, cells)]
-    said = "; ".join(f"{block.header[number]}: {columns[number][0]}" for number in told)
-    first, *rest = (number for number in range(len(columns)) if number not in told)
-    heads = columns[first]
-    about = [block.source.columns[number] for number in rest]
-    names = [[column.symbol, column.name] for column in about]
-    units = [display_unit(column.unit) for column in about]
-    widths = [max(map(len, (head, *(columns[number][record] for number in rest)))) for record, head in enumerate(heads)]
-    title = f"{block.title} ({said})" if said else block.title
-    whole = [max(len(name[0]) for name in names), max(len(name[1]) for name in names), max(map(len, units))]
-    if width is None or sum(whole) + sum(widths) + gap * (len(widths) + 2) <= width:
-        rows = [[*name, *columns[number], unit] for name, number, unit in zip(names, rest, units, strict=True)]
-        numeric = [False, False, *(True for _ in heads), False]
-        return [
-            TextTable(title, [translate("Symbol"), translate("Quantity"), *heads, translate("Unit")], rows, numeric)
-        ]
-    labels = [block.header[number] for number in rest]
-    corner = block.header[first]
+    texts = [list(column) for column in zip(*block.rows, strict=True)]
+    shared = [
+        len(block.rows) > 1 and not right and len(set(column)) == 1
+        for column, right in zip(texts, block.numeric, strict=True)
+    ]
+    common = "; ".join(
+        f"{head}: {column[0]}" for head, column, same in zip(block.header, texts, shared, strict=True) if same
+    )
+    title = f"{block.title} ({common})" if common else block.title
+    first, *rest = (number for number, same in enumerate(shared) if not same)
+    heads = texts[first]
+    lines = [(block.source.columns[number]._replace(units=None), texts[number]) for number in rest]
+    whole = quantities(heads, lines, title)
+    widths = [max(map(len, record)) for record in zip(heads, *(texts[number] for number in rest), strict=True)]
+    ends = (max(len(row[place]) for row in whole.rows) for place in (0, 1, -1))
+    if width is None or sum(ends) + sum(widths) + gap * (len(widths) + 2) <= width:
+        return [whole]
+    corner, labels = block.header[first], [block.header[number] for number in rest]
     room = width - max(map(len, (corner, *labels)))
     if max(widths) + gap > room:
         return []
-    found, start = [], 0
+    found: list[TextTable] = []
+    start = 0
     while start < len(heads):
         stop, left = start, room
         while stop < len(heads) and left >= widths[stop] + gap:
             left -= widths[stop] + gap
             stop += 1
-        rows = [[label, *columns[number][start:stop]] for label, number in zip(labels, rest, strict=True)]
+        rows = [[label, *texts[number][start:stop]] for label, number in zip(labels, rest, strict=True)]
         numeric = [False, *(True for _ in range(start, stop))]
         found.append(TextTable("" if start else title, [corner, *heads[start:stop]], rows, numeric))
         start = stop
     return found
 
 
-def _is_shared(block: TextTable, number: int, cells: list[str]) -> bool:
-    """Whether a column is text that says the same of every record."""
-    return not block.numeric[number] and len(set(cells)) == 1
+def step_lines(laid_out: Document) -> list[str]:
+    """Steps of an explanation as lines: what, formula, numbers, value with source, what the print has instead."""
+    lines = []
+    for step in laid_out.steps:
+        at = told(" at {place}", place=in_numbers(translate(step.at))) if step.at else ""
+        at = ", ".join([at, *told_apart(step, laid_out.steps)])
+        lines += ["", f"{step.symbol}{at}: {translate(step.name)}", f"    {step.symbol} = {in_numbers(step.formula)}"]
+        indent = " " * (5 + len(step.symbol))
+        if step.substituted != step.formula:
+            lines.append(f"{indent}= {in_numbers(step.substituted)}")
+        lines.append(f"{indent}= {step_value(step)}    [{translate(step.source).rstrip('.')}]")
+        if step.print_differs:
+            lines.append(told("    print differs: {what}", what=term(step.print_differs)))
+    return lines
 
 
-def ranked(findings: list[Finding]) -> list[Finding]:
+def told_apart(step: Any, steps: Sequence[Any]) -> list[str]:
+    """Setting of the spring and side of a step, where steps of the same quantity differ in them."""
+    alike = [other for other in steps if (other.function, other.symbol) == (step.function, step.symbol)]
+    names = [name for name in _APART if len({getattr(other, name) for other in alike} - {None}) > 1]
+    return [told(_APART[name][value]) for name in names if (value := getattr(step, name))]
+
+
+_APART: Mapping[str, Mapping[str, str]] = {
+    "setting": {"min-friction": "set at f_min", "mean-friction": "set at mean f"},
+    "side": {"protected": "protected side", "unprotected": "unprotected side"},
+}
+
+
+def step_value(step: Any) -> str:
+    """Value of a step in the engineer's unit, with the SI value's unit where they differ."""
+    return with_unit(display(step.value, step.unit), display_unit(step.unit))
+
+
+def ranked(findings: Iterable[Finding]) -> list[Finding]:
     """Return findings, the gravest first."""
-    order = {"error": 0, "warning": 1, "info": 2}
-    return sorted(findings, key=lambda finding: order[finding.level])
+    return sorted(findings, key=lambda finding: ("error", "warning", "info").index(finding.level))
 
 
-def findings_lines(findings: list[Finding]) -> list[str]:
+def findings_lines(findings: Iterable[Finding]) -> list[str]:
     """One line per finding, gravest first."""
     return [
         printable(f"{translate(f.level, 'value')}: {translate(f.message)} [{f.code}{', ' + f.path if f.path else ''}]")

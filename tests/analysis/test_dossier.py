@@ -15,7 +15,7 @@ from afmcalc.analysis.registry import ANALYSES, PLOTS
 from afmcalc.analysis.tolerance.study import study
 from afmcalc.cli.main import COMMANDS
 from afmcalc.engines import build
-from afmcalc.result import Result, Triple
+from afmcalc.result import Result, Triple, shown_as
 from afmcalc.spec import read_spec
 from afmcalc.spec.paths import keys
 
@@ -90,8 +90,7 @@ def test_every_symbol_of_a_report_is_given_explained_or_derived(name):
     derived = set(names)
     for topic in topics:
         for field, info in type(topic.result).model_fields.items():
-            about, value = info.json_schema_extra or {}, getattr(topic.result, field)
-            own = about.get("symbol") if isinstance(about, dict) else None
+            own, value = shown_as(info).symbol, getattr(topic.result, field)
             if own and isinstance(value, float | Triple) and topic.derivations:
                 assert {own, STANDS_FOR.get(own)} & (derived | GIVEN), (topic.name, own)
 

@@ -10,7 +10,7 @@ from conftest import CONFIGS
 from afmcalc.findings import Finding
 from afmcalc.messages import printable
 from afmcalc.render import renderer
-from afmcalc.render.formats.interface import FORMATS
+from afmcalc.render.formats import FORMATS
 from afmcalc.result import Output
 
 SPEC = CONFIGS / "default.toml"

@@ -11,7 +11,7 @@ from conftest import CONFIGS
 
 import afmcalc as afmcalc_package
 from afmcalc.render.units import display, display_unit, shown_in
-from afmcalc.result import Result
+from afmcalc.result import Result, shown_as
 from afmcalc.spec.fields import Block
 from afmcalc.spec.paths import keys
 from afmcalc.spelling import fitting
@@ -89,8 +89,10 @@ def symbols():
 
     for each in (*classes(Result), *classes(Block)):
         for field in each.model_fields.values():
-            if isinstance(field.json_schema_extra, dict) and (symbol := field.json_schema_extra.get("symbol")):
+            if symbol := shown_as(field).symbol:
                 yield symbol
+            elif isinstance(field.json_schema_extra, dict):  # of a spec
+                yield from filter(None, [field.json_schema_extra.get("symbol")])
     yield from (key.symbol for key in keys().values() if key.symbol)
 
 

@@ -85,7 +85,7 @@ class DesignResult(Answer):
         optional=True,
     )  # fmt: skip
     excluded: dict[str, int] = quantity(
-        "", None, "candidates excluded by each constraint", ranked=True, of="constraint"
+        "", None, "candidates excluded by each constraint", ranked=True, keys_are="constraint"
     )
     attainable: list[Attainable] | None = quantity(
         "", None, "what could be had instead, with all other requirements held", optional=True

@@ -43,13 +43,13 @@ class SolveResult(Answer):
 
     parameter: str = quantity("", None, "parameter solved for")
     path: str = quantity("", None, "spec path")
-    unit: str = quantity("", None, "SI unit of the parameter", told=True)
+    unit: str = quantity("", None, "SI unit of the parameter", is_unit=True)
     value: float = quantity("", None, "value found", unit_in="unit")
     exact_value: float | None = quantity(
         "", None, "value before rounding to a whole number", optional=True, unit_in="unit"
     )
     target: str = quantity("", None, "wanted quantity")
-    target_unit: str = quantity("", None, "SI unit of the target", told=True)
+    target_unit: str = quantity("", None, "SI unit of the target", is_unit=True)
     wanted: float = quantity("", None, "wanted value", unit_in="target_unit")
     reached: float = quantity("", None, "value reached", unit_in="target_unit")
     method: Literal["closed-form", "bracketed-root"] = quantity("", None, "how it was found")

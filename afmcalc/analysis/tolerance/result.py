@@ -4,7 +4,7 @@ from functools import cache
 from typing import Any, ClassVar, Literal, NamedTuple, Self
 
 from ...findings import Finding
-from ...result import Answer, Result, quantity
+from ...result import Answer, Result, quantity, shown_as
 from ...spec.tolerance import Setting
 
 ROBUST = (0.005, 0.995)
@@ -27,8 +27,8 @@ class Estimated(Result):
     @cache
     def error_fields(cls) -> dict[str, str]:
         """Return the field of the error by that of the figure."""
-        about = ((name, field.json_schema_extra) for name, field in cls.model_fields.items())
-        return {str(more["error_of"]): name for name, more in about if isinstance(more, dict) and "error_of" in more}
+        errors = {name: shown_as(field).error_of for name, field in cls.model_fields.items()}
+        return {figure: name for name, figure in errors.items() if figure}
 
     @classmethod
     def of(cls, **figures: object) -> Self:

@@ -7,8 +7,8 @@ from typing import Any
 
 from ...messages import printable
 from ...result import Output
-from ..document import Column, Document, Entry, document
-from ..layout import ranked
+from ..document import ENDS, Column, Document, document
+from ..layout import errors_in, ranked
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -20,15 +20,13 @@ def render(output: Output, terminal: bool) -> str:
     if result.findings_first:
         columns = _findings(output, laid_out)
     else:
-        columns = (_long if result.many_lists else _columns)(laid_out)
+        columns = _figures(laid_out) if result.many_lists else _columns(laid_out)
         if result.rows_with_values:
             columns = _with_values(columns, laid_out)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([_header(column.path, column.unit) for column in columns])
-    writer.writerows(
-        [_cell(value) for value in row] for row in zip(*(column.values for column in columns), strict=True)
-    )
+    writer.writerow(_inert(f"{column.path} [{column.unit}]" if column.unit else column.path) for column in columns)
+    writer.writerows(map(_cell, row) for row in zip(*(column.values for column in columns), strict=True))
     return text.getvalue()
 
 
@@ -50,8 +48,8 @@ def _inert(text: str) -> str:
 
 def _findings(output: Output, laid_out: Document) -> list[Column]:
     """One row per finding, gravest first, then one per entry of the result's lists, whose name stands for the level."""
-    names, found = ("level", "code", "value", "limit", "path", "message"), ranked(output.findings)
-    rows: list[dict[str, Any]] = [{name: getattr(finding, name) for name in names} for finding in found]
+    names = ("level", "code", "value", "limit", "path", "message")
+    rows = [{name: getattr(finding, name) for name in names} for finding in ranked(output.findings)]
     for table in laid_out.tables:
         paths = "level", *(column.path for column in table.columns)
         entries = zip(*(column.values for column in table.columns), strict=True)
@@ -61,67 +59,53 @@ def _findings(output: Output, laid_out: Document) -> list[Column]:
 
 
 def _columns(laid_out: Document) -> list[Column]:
-    listed = [table for table in laid_out.tables if not _is_mapping(table.columns)]
-    if listed:
-        # what was asked for by name, else the first list: the one the command is for
-        return next((table.columns for table in listed if table.data), listed[0].columns)
-    wide = [column for row in laid_out.singles for column in _flat(row)]
-    wide += [column for row in laid_out.triples for column in _flat(row)]
+    """The list that was asked for by name, else the first: the one the command is for; without any, one row."""
+    lists = [table for table in laid_out.tables if not table.columns[0].path.endswith(".key")]
+    if lists:
+        return next((table for table in lists if table.shown.data), lists[0]).columns
+    wide = [*chain(*map(_flat, (*laid_out.singles, *laid_out.triples)))]
     for table in laid_out.tables:
         names, values = table.columns
-        wide += [
-            Column(f"{values.path}.{name}", "", name, values.unit, [value])
-            for name, value in zip(names.values, values.values, strict=True)
-        ]
+        pairs = zip(names.values, values.values, strict=True)
+        wide += [values._replace(path=f"{values.path}.{name}", values=[value]) for name, value in pairs]
     return wide
 
 
 def _with_values(columns: list[Column], laid_out: Document) -> list[Column]:
     """The columns of a list, then the single values that no column is of, the same in every row."""
     known, count = {column.path for column in columns}, len(columns[0].values)
-    single = [column for row in laid_out.singles for column in _flat(row) if column.path not in known]
+    single = chain(*(_flat(column) for column in laid_out.singles if column.path not in known))
     return columns + [column._replace(values=column.values * count) for column in single]
 
 
-def _long(laid_out: Document) -> list[Column]:
+def _figures(laid_out: Document) -> list[Column]:
     """Every figure of every list, with what it is of: the first column of the list."""
-    errors = {row.error_of: row.values[0] for row in laid_out.singles if row.error_of}
+    errors = errors_in(laid_out.singles)
     rows: list[tuple[Any, ...]] = [
-        (row.path, None, row.values[0], errors.get(row.path), row.unit) for row in laid_out.singles if not row.error_of
+        (single.path, None, *single.values, *errors.get(single.path, [None]), single.unit)
+        for single in laid_out.singles
+        if not single.error_of
     ]
     for table in laid_out.tables:
         of, *others = table.columns
-        spread = {column.error_of: column.values for column in others if column.error_of}
+        errors, count = errors_in(others), len(of.values)
+        figures = [column for column in others if not column.error_of and not column.shown.is_unit]
         rows += [
-            (
-                f"{table.path}.{column.path}", name, column.values[number],
-                spread[column.path][number] if column.path in spread else None,
-                column.units[number] if column.units else column.unit,
-            )
+            (f"{table.path}.{column.path}", name, column.values[number], error[number], units[number])
             for number, name in enumerate(of.values)
-            for column in others
-            if not column.error_of and not column.is_unit and column.values[number] is not None
-        ]  # fmt: skip
+            for column in figures
+            for error, units in [(errors.get(column.path, [None] * count), column.units or [column.unit] * count)]
+            if column.values[number] is not None
+        ]
     names = ("quantity", "of", "value", "standard_error", "unit")
-    return [
-        Column(name, "", name, "", list(values)) for name, values in zip(names, zip(*rows, strict=True), strict=True)
-    ]
+    return [Column(name, "", name, "", list(part)) for name, part in zip(names, zip(*rows, strict=True), strict=True)]
 
 
-def _is_mapping(columns: list[Column]) -> bool:
-    return columns[0].path.endswith(".key")
-
-
-def _flat(row: Entry) -> list[Column]:
-    if len(row.values) == 1 and isinstance(row.values[0], list) and row.unit:
-        bounds = zip((".low", ".high"), row.values[0], strict=True)
-        return [Column(row.path + end, row.symbol, row.name, row.unit, [value]) for end, value in bounds]
-    ends = ("",) if len(row.values) == 1 else (".min", ".mean", ".max")
-    return [
-        Column(row.path + end, row.symbol, row.name, row.unit, [value])
-        for end, value in zip(ends, row.values, strict=True)
-    ]
-
-
-def _header(path: str, unit: str) -> str:
-    return _inert(f"{path} [{unit}]" if unit else path)
+def _flat(column: Column) -> list[Column]:
+    """A column for each number: of an interval, of a triple."""
+    values, ends = column.values, [""]
+    if len(values) == 3:
+        ends = [f".{end}" for end in ENDS]
+    elif isinstance(values[0], list) and column.unit:
+        values, ends = values[0], [".low", ".high"]
+    return [column._replace(path=column.path + end, values=[value]) for end, value in zip(ends, values, strict=True)]

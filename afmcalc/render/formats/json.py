@@ -8,11 +8,6 @@ from ...messages import escaped, printable
 from ...result import Output
 
 
-def in_ascii(text: str) -> str:
-    """Return the same JSON in ASCII, for a stream that has not all letters."""
-    return re.sub("[^\x00-\x7f]", lambda sign: escaped(sign[0]), text)
-
-
 def render(output: Output, terminal: bool) -> str:
     """Write the whole output object; fields that do not apply are null."""
     data = {
@@ -23,3 +18,8 @@ def render(output: Output, terminal: bool) -> str:
         "findings": [asdict(finding) for finding in output.findings],
     }
     return printable(json.dumps(data, indent=2, ensure_ascii=False, allow_nan=False), lines=True) + "\n"
+
+
+def in_ascii(text: str) -> str:
+    """Return the same JSON in ASCII, for a stream that has not all letters."""
+    return re.sub("[^\x00-\x7f]", lambda sign: escaped(sign[0]), text)

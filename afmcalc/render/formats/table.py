@@ -1,40 +1,62 @@
 """Tables for people: ruled and coloured in a terminal, plain aligned text in a pipe or a file."""
 
+import io
 import os
 import sys
+from typing import TYPE_CHECKING
 
+from ...messages import translate
 from ...result import Output
 from ..document import document
-from ..layout import SweepDrawing, TextTable, blocks, findings_lines, padded, step_lines, title, unfolded
-from .curve import curve_lines
+from ..layout import (
+    SweepDrawing,
+    TextTable,
+    blocks,
+    findings_lines,
+    is_across,
+    may_turn,
+    padded,
+    step_lines,
+    title,
+    turned,
+    unfolded,
+)
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.table import Table
 
 _NARROWEST = 20
 """Columns below which nothing can be read."""
 _DIGITS = 4
 """Of a width that there is."""
+_SHORT = 12
+"""Columns of a table up to this width are kept whole."""
+_GAP = 3
+"""Characters between columns, with rules."""
+_STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
 
 
 def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) -> str:
     """Lay out tables, curves and findings; a terminal has a width, rules and colours, a pipe has none of them.
 
-    ``curve`` draws under a sweep instead of the small curve of characters.
+    ``curve`` draws under a sweep, by default a small curve of characters.
     """
-    draw = curve or curve_lines
+    from ..plot.text import curve_lines
+
+    curve = curve or curve_lines
     laid_out = document(output.result)
     found, steps = blocks(laid_out), step_lines(laid_out)
     if not is_unicode():
-        found = [_fitting(block) for block in found]
+        found = [_spelled(block) for block in found]
     if terminal or _width():
-        from .terminal import render_rich
-
-        look = {"terminal": terminal, "unicode": is_unicode()}
-        text = render_rich(output, found, steps, draw, width=_width(), **look)
+        text = _rich(output, found, steps, curve, terminal=terminal)
     else:
-        text = _plain(output, found, steps, draw)
+        text = _plain(output, found, steps, curve)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
 
 
-def _fitting(block: TextTable) -> TextTable:
+def _spelled(block: TextTable) -> TextTable:
     """Spell what standard output lacks before anything is aligned."""
     from ...spelling import fitting
 
@@ -53,8 +75,11 @@ def _width() -> int | None:
 
 def columns() -> int | None:
     """Columns that standard output has: those the user asked for, else the terminal's; None where nothing bounds it."""
-    if (asked := _width()) is not None or not sys.stdout.isatty():
-        return asked
+    asked = _width()
+    return _terminal_width() if asked is None and sys.stdout.isatty() else asked
+
+
+def _terminal_width() -> int:
     import shutil
 
     return shutil.get_terminal_size().columns
@@ -69,8 +94,7 @@ def _plain(output: Output, found: list[TextTable], steps: list[str], curve: Swee
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
     lines = [title(output)]
     for block in unfolded(found):
-        heading = [text for text in (block.title, block.legend) if text]
-        lines += ["", *heading, *_aligned(block), *curve(block, is_unicode(), None)]
+        lines += ["", *filter(None, (block.title, block.legend)), *_aligned(block), *curve(block, is_unicode(), None)]
     lines += steps
     if output.findings:
         lines += ["", *findings_lines(output.findings)]
@@ -79,12 +103,91 @@ def _plain(output: Output, found: list[TextTable], steps: list[str], curve: Swee
 
 def _aligned(block: TextTable) -> list[str]:
     block = padded(block)
-    lines = [block.header, *block.rows]
-    widths = [max(map(len, cells)) for cells in zip(*lines, strict=True)]
+    widths = _widths(block)
     return [
         "  ".join(
             cell.rjust(width) if right else cell.ljust(width)
             for cell, width, right in zip(line, widths, block.numeric, strict=True)
         )
-        for line in lines
+        for line in (block.header, *block.rows)
     ]
+
+
+def _widths(block: TextTable) -> list[int]:
+    return [max(map(len, column)) for column in zip(block.header, *block.rows, strict=True)]
+
+
+def _rich(output: Output, found: list[TextTable], steps: list[str], curve: SweepDrawing, *, terminal: bool) -> str:
+    """Lay out within the width there is: folded rather than cut; rules and colours only in a terminal."""
+    from rich.console import Console
+    from rich.text import Text
+
+    width = _width() or (_terminal_width() if terminal else 80)
+    text = io.StringIO()
+    console = Console(
+        file=text, force_terminal=terminal, no_color=None if terminal else True, width=width, highlight=False
+    )
+    console.print(Text(title(output), style="bold"))
+    for block in [part for whole in found for part in _within(whole, width)]:
+        console.print()
+        if block.title:
+            console.print(Text(block.title, style="italic"))
+        if block.legend:
+            console.print(Text(block.legend, style="dim"))
+        if _least_width(block) <= width:
+            console.print(_rich_table(padded(block), ruled=terminal and is_unicode()))
+        else:
+            _print_stacked(console, block)
+        for line in curve(block, is_unicode(), width):
+            console.print(Text(line), no_wrap=True, crop=True)
+    for line in steps:
+        console.print(Text(line, style="" if line.startswith(" ") else "bold"))
+    if output.findings:
+        console.print()
+        styles = {translate(level, "value"): style for level, style in _STYLES.items()}
+        for line in findings_lines(output.findings):
+            console.print(Text(line, style=styles[line.partition(":")[0]]))
+    return text.getvalue()
+
+
+def _within(block: TextTable, width: int) -> list[TextTable]:
+    """Quantities as rows where columns do not fit."""
+    across = is_across(block) or (_least_width(block) > width and may_turn(block))
+    return (turned(block, width, _GAP) if across else []) or [block]
+
+
+def _least_width(block: TextTable) -> int:
+    """Width below which a table would have to cut."""
+    kept = [w if right else min(w, _SHORT) for w, right in zip(_widths(block), block.numeric, strict=True)]
+    return sum(kept) + _GAP * (len(kept) - 1)
+
+
+def _print_stacked(console: "Console", block: TextTable) -> None:
+    """Print every row as a list of its own: a table that is too wide is still whole."""
+    from rich.table import Table
+    from rich.text import Text
+
+    for number, row in enumerate(block.rows):
+        if number:
+            console.print()
+        table = Table(box=None, show_header=False, show_edge=False, pad_edge=False)
+        table.add_column(no_wrap=True, style="bold")
+        table.add_column(overflow="fold")
+        for heading, cell in zip(block.header, row, strict=True):
+            table.add_row(Text(heading), Text(cell))
+        console.print(table)
+
+
+def _rich_table(block: TextTable, *, ruled: bool) -> "Table":
+    """Numbers, symbols and units are never folded, only text is; numbers come padded."""
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(box=box.SIMPLE_HEAD if ruled else None, show_edge=False, pad_edge=False, header_style="bold")
+    for heading, right, width in zip(block.header, block.numeric, _widths(block), strict=True):
+        whole = right or width <= _SHORT
+        table.add_column(Text(heading), overflow="fold", no_wrap=whole, min_width=width if whole else _SHORT)
+    for row in block.rows:
+        table.add_row(*map(Text, row))
+    return table

@@ -4,9 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from pydantic import BaseModel
-
 from ...messages import RAISED, localized, translate, with_unit
+from ...result import Result, shown_as
 from ..units import display, display_unit
 
 
@@ -114,19 +113,14 @@ class Sheet:
     """Name of the user's (a spec's), beside the title; set as it is."""
 
 
-def axis_of(result: type[BaseModel], name: str, *, log: bool = False, quantity: str | None = None) -> ChartAxis:
+def axis_of(result: type[Result], name: str, *, log: bool = False, quantity: str | None = None) -> ChartAxis:
     """ChartAxis of a result's field, read off its symbol, unit and description."""
-    info = result.model_fields[name]
-    about: dict[str, Any] = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
-    return ChartAxis(
-        quantity or translate(info.description or name),
-        str(about.get("symbol") or ""),
-        str(about.get("unit") or ""),
-        log,
-    )
+    field = result.model_fields[name]
+    shown = shown_as(field)
+    return ChartAxis(quantity or translate(field.description or name), shown.symbol or "", shown.unit, log)
 
 
-def describe(result: type[BaseModel], name: str) -> str:
+def describe(result: type[Result], name: str) -> str:
     """Label of a line that shows a result's field: symbol and description."""
     axis = axis_of(result, name)
     return f"{axis.symbol}: {axis.quantity}"

@@ -1,12 +1,12 @@
-"""Charts drawn in the terminal, as text."""
+"""Charts as text: where a plot is asked for without a file, and under a sweep in the terminal."""
 
 import math
 import textwrap
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from itertools import compress
+from typing import NamedTuple
 
 from ...messages import localized, named, printable, told
-from ..canvas import Ends, Trace, bounds, drawn, place, ticks
 from ..document import Table
 from ..layout import TextTable
 from ..units import factor, significant
@@ -15,56 +15,22 @@ from .chart import Chart, ChartAxis, Line, Sheet, power
 WIDTH, HEIGHT = 78, 20
 _NARROWEST = 40
 """Columns below which a curve says nothing."""
+_SMALL = _SMALL_WIDTH, _SMALL_HEIGHT = 52, 8
+"""Columns and rows of the curve under a sweep."""
 _LETTERS = "ABCDEFGHJKLMNPQRSTUVWYZabcdefghijklmnpqrstuvwyz"
 _MARKS = "•xo+#%@*=&" + _LETTERS
 _PLAIN = "*xo+#%@.=&" + _LETTERS
 _FILLED = "◆$"
 
-
-def draw(chart: Chart, *, unicode: bool, wide: int = WIDTH) -> list[str]:
-    """Draw a chart as lines of text, each curve with a mark of its own.
-
-    Args:
-        chart: what to draw.
-        unicode: False for a stream that takes ASCII only.
-        wide: columns of characters.
-
-    Returns:
-        The lines, without line ends.
-    """
-    across, high = factor(chart.x.unit), factor(chart.y.unit)
-    scale = math.log10 if chart.y.log else float
-    marks = _MARKS if unicode else _PLAIN
-    traces: dict[int, Trace] = {}
-    # what stands out goes last: the rest would hide it
-    for number, line in sorted(enumerate(chart.lines), key=lambda item: item[1].filled):
-        pairs = zip(line.x, line.y, strict=True)
-        points = [(x * across, scale(y * high)) for x, y in pairs if x is not None and y is not None]
-        if points:
-            mark = _FILLED[not unicode] if line.filled else marks[number % len(marks)]
-            traces[number] = Trace(mark, points, joined=not line.points)
-    if not traces:
-        return [told("{title}: no values to draw", title=chart.y.label)]
-    x, y = bounds(list(traces.values()))
-    heights = {value: power(10**value) for value in _decades(*y)} if chart.y.log else _named(y, HEIGHT // 3)
-    beside = {HEIGHT - 1 - place(value, y, HEIGHT): text for value, text in heights.items()}
-    width = wide - 2 - max(map(len, beside.values()))
-    below = {place(value, x, width): text for value, text in _named(x, width // 10).items()}
-    frame = drawn(list(traces.values()), (width, HEIGHT), beside, below, unicode=unicode, notch=True)
-    keys = [f"  {traces[number].mark} {chart.lines[number].label}" for number in sorted(traces)]
-    named = [part for key in keys for part in _folded(key, wide, "    ")] if len(keys) > 1 else []
-    return [*_folded(chart.y.label, wide), *frame, *(line.rjust(wide) for line in _folded(chart.x.label, wide)), *named]
+Ends = tuple[float, float]
 
 
-def _named(ends: Ends, most: int) -> dict[float, str]:
-    return {value: significant(value) for value in ticks(ends, most)}
+class Trace(NamedTuple):
+    """The points of one curve, its mark, and whether they are joined."""
 
-
-def _decades(low: float, high: float) -> list[float]:
-    """Whole powers of ten within a range of exponents, or its ends where there are too few."""
-    whole = list(range(math.ceil(low), math.floor(high) + 1))
-    step = max(1, len(whole) // 6)
-    return [float(power) for power in whole[::step]] if len(whole) > 1 else [low, high]
+    mark: str
+    points: Sequence[tuple[float, float]]
+    joined: bool = False
 
 
 def draw_sheet(sheet: Sheet, *, unicode: bool, width: int | None = None) -> str:
@@ -79,6 +45,75 @@ def draw_sheet(sheet: Sheet, *, unicode: bool, width: int | None = None) -> str:
     return "\n\n".join("\n".join(map(printable, lines)) for lines in blocks) + "\n"
 
 
+def draw(chart: Chart, *, unicode: bool, wide: int = WIDTH) -> list[str]:
+    """Draw a chart as lines of text, each curve with a mark of its own; ``unicode`` is False for an ASCII stream."""
+    across, high = factor(chart.x.unit), factor(chart.y.unit)
+    scale = math.log10 if chart.y.log else float
+    marks = _MARKS if unicode else _PLAIN
+    traces: dict[int, Trace] = {}
+    # what stands out goes last: the rest would hide it
+    for number, line in sorted(enumerate(chart.lines), key=lambda item: item[1].filled):
+        pairs = zip(line.x, line.y, strict=True)
+        points = [(x * across, scale(y * high)) for x, y in pairs if x is not None and y is not None]
+        if points:
+            mark = _FILLED[not unicode] if line.filled else marks[number % len(marks)]
+            traces[number] = Trace(mark, points, joined=not line.points)
+    if not traces:
+        return [told("{title}: no values to draw", title=chart.y.label)]
+    x, y = _bounds(list(traces.values()))
+    heights = {value: power(10**value) for value in _decades(*y)} if chart.y.log else _labels(y, HEIGHT // 3)
+    beside = {HEIGHT - 1 - _place(value, y, HEIGHT): text for value, text in heights.items()}
+    width = wide - 2 - max(map(len, beside.values()))
+    below = {_place(value, x, width): text for value, text in _labels(x, width // 10).items()}
+    frame = _frame(list(traces.values()), (width, HEIGHT), beside, below, unicode=unicode, notch=True)
+    keys = [f"  {traces[number].mark} {chart.lines[number].label}" for number in sorted(traces)]
+    legend = [part for key in keys for part in _folded(key, wide, "    ")] if len(keys) > 1 else []
+    label = [line.rjust(wide) for line in _folded(chart.x.label, wide)]
+    return [*_folded(chart.y.label, wide), *frame, *label, *legend]
+
+
+def swept_lines(block: TextTable, unicode: bool, width: int | None = None) -> list[str]:
+    """Draw the first answer of a sweep, a curve for each value of the outer key of a grid; nothing for other tables."""
+    chart = _swept(block.source) if block.source is not None and block.source.axes in (1, 2) else None
+    return ["", *draw(chart, unicode=unicode, wide=_within(width))] if chart else []
+
+
+def _swept(table: Table) -> Chart | None:
+    *outer, inner, answer = table.columns[: table.axes + 1]
+    if not any(value is not None for value in answer.values):
+        return None
+    x, y = (ChartAxis(column.name, column.symbol, column.unit) for column in (inner, answer))
+    x = x._replace(quantity="") if inner.symbol else x
+    if not outer:
+        return Chart(x, y, [Line(y.symbol, inner.values, answer.values)])
+    lines = []
+    for value in dict.fromkeys(outer[0].values):
+        chosen = [other == value for other in outer[0].values]
+        label = f"{outer[0].symbol} = {localized(f'{value:g}')}"
+        lines.append(Line(label, [*compress(inner.values, chosen)], [*compress(answer.values, chosen)]))
+    return Chart(x, y, lines)
+
+
+def curve_lines(block: TextTable, unicode: bool, width: int | None = None) -> list[str]:
+    """Draw the first answer of a sweep along one axis, small; nothing for any other table."""
+    if block.source is None or block.source.axes != 1:
+        return []
+    x, y = block.source.columns[:2]
+    if len(x.values) < 3:
+        return []
+    return ["", *curve(x.values, y.values, told("{y} against {x}", y=y.symbol, x=x.symbol), unicode=unicode)]
+
+
+def curve(x: Sequence[float], y: Sequence[float | None], title: str, *, unicode: bool) -> list[str]:
+    """Draw y over x in a small frame, with the ends of both axes named; y is None where there is no value."""
+    trace = Trace("•" if unicode else "*", [(a, b) for a, b in zip(x, y, strict=True) if b is not None])
+    if not trace.points:
+        return [told("{title}: no values to draw", title=title)]
+    (left, right), (bottom, top) = ([significant(end) for end in ends] for ends in _bounds([trace]))
+    beside = {0: top} | ({_SMALL_HEIGHT - 1: bottom} if bottom != top else {})
+    return [title, *_frame([trace], _SMALL, beside, {0: left, _SMALL_WIDTH - 1: right}, unicode=unicode)]
+
+
 def _within(width: int | None) -> int:
     return WIDTH if width is None else max(_NARROWEST, min(width, WIDTH))
 
@@ -90,31 +125,98 @@ def _folded(text: str, wide: int, indent: str = "") -> list[str]:
     return textwrap.wrap(text, wide, subsequent_indent=indent, break_on_hyphens=False)
 
 
-def swept_lines(block: TextTable, unicode: bool, width: int | None = None) -> list[str]:
-    """Draw the first answer of a sweep, a curve for each value of the outer key of a grid; nothing for other tables."""
-    chart = _chart(block.source) if block.source is not None and block.source.axes in (1, 2) else None
-    return ["", *draw(chart, unicode=unicode, wide=_within(width))] if chart else []
+def _bounds(traces: Sequence[Trace]) -> tuple[Ends, Ends]:
+    """Return the smallest and largest abscissa, and ordinate, of all points."""
+    x, y = ([point[axis] for trace in traces for point in trace.points] for axis in (0, 1))
+    return (min(x), max(x)), (min(y), max(y))
 
 
-def _chart(table: Table) -> Chart | None:
-    *outer, inner, answer = table.columns[: table.axes + 1]
-    if not any(value is not None for value in answer.values):
-        return None
-    x, y = (ChartAxis(column.name, column.symbol, column.unit) for column in (inner, answer))
-    x = x._replace(quantity="") if inner.symbol else x
-    if not outer:
-        return Chart(x, y, [Line(y.symbol, inner.values, answer.values)])
+def _place(value: float, ends: Ends, cells: int) -> int:
+    """Return the cell of a value on an axis of that many cells."""
+    low, high = ends
+    if high == low:
+        return cells // 2
+    # halved before the difference, so that ends of opposite sign near the largest float do not overflow
+    share = (value / 2 - low / 2) / (high / 2 - low / 2)
+    return min(cells - 1, round(share * (cells - 1)))
+
+
+def ticks(ends: Ends, most: int) -> list[float]:
+    """Return round values within an axis, as many as fit: steps of 1, 2 or 5 times a power of ten.
+
+    >>> ticks((0.1, 0.8), 4), ticks((3.0, 3.0), 4)
+    ([0.2, 0.4, 0.6, 0.8], [3.0])
+    """
+    low, high = ends
+    if not 0 < high - low < math.inf:
+        return [low]
+    power = 10.0 ** math.floor(math.log10((high - low) / most))
+    step = next(step for step in (power, 2 * power, 5 * power, 10 * power) if (high - low) / step <= most)
+    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+    return [float(f"{count * step:.12g}") for count in range(first, last + 1)]
+
+
+def _labels(ends: Ends, most: int) -> dict[float, str]:
+    return {value: significant(value) for value in ticks(ends, most)}
+
+
+def _decades(low: float, high: float) -> list[float]:
+    """Whole powers of ten within a range of exponents, or its ends where there are too few."""
+    whole = list(range(math.ceil(low), math.floor(high) + 1))
+    step = max(1, len(whole) // 6)
+    return [float(power) for power in whole[::step]] if len(whole) > 1 else [low, high]
+
+
+def _frame(
+    traces: Sequence[Trace],
+    size: tuple[int, int],
+    beside: Mapping[int, str],
+    below: Mapping[int, str],
+    *,
+    unicode: bool,
+    notch: bool = False,
+) -> list[str]:
+    """Draw traces in a frame, a later one over an earlier.
+
+    Args:
+        traces: the curves.
+        size: columns and rows.
+        beside: row → text left of it, rows counted from the top.
+        below: column → text below it.
+        unicode: False for a terminal that shows ASCII only.
+        notch: whether rows and columns with a text are marked in the frame.
+    """
+    width, height = size
+    x, y = _bounds(traces)
+    cells = [[" "] * width for _ in range(height)]
+    for trace in traces:
+        spots = [(_place(a, x, width), height - 1 - _place(b, y, height)) for a, b in trace.points]
+        for column, row in _line(spots) if trace.joined else spots:
+            cells[row][column] = trace.mark
+    side, corner, floor, left, foot = "│└─┤┬" if unicode else "|+-++"
+    margin = max(map(len, beside.values()))
     lines = [
-        Line(
-            f"{outer[0].symbol} = {localized(f'{value:g}')}",
-            *_part(value, outer[0].values, inner.values, answer.values),
-        )
-        for value in dict.fromkeys(outer[0].values)
+        f"{beside.get(number, ''):>{margin}} {left if notch and number in beside else side}{''.join(row)}".rstrip()
+        for number, row in enumerate(cells)
     ]
-    return Chart(x, y, lines)
+    base = "".join(foot if notch and column in below else floor for column in range(width))
+    return [*lines, f"{'':{margin}} {corner}{base}", f"{'':{margin}}  {_spread(below, width)}"]
 
 
-def _part(value: float, of: Sequence[Any], x: Sequence[Any], y: Sequence[Any]) -> tuple[list[Any], list[Any]]:
-    """Return the points of a grid at one value of its outer key."""
-    chosen = [number for number, own in enumerate(of) if own == value]
-    return [x[number] for number in chosen], [y[number] for number in chosen]
+def _line(spots: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Return every cell on the way from spot to spot."""
+    cells = list(spots[:1])
+    for (a, b), (c, d) in zip(spots, spots[1:], strict=False):
+        steps = max(abs(c - a), abs(d - b))
+        cells += [(a + round((c - a) * n / steps), b + round((d - b) * n / steps)) for n in range(1, steps + 1)]
+    return cells
+
+
+def _spread(texts: Mapping[int, str], width: int) -> str:
+    """Set texts in one line, each about its column; one without room is left out."""
+    line = ""
+    for column, text in texts.items():
+        start = max(0, min(column - len(text) // 2, width - len(text)))
+        if not line or start > len(line):
+            line = line.ljust(start) + text
+    return line

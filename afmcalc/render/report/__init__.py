@@ -1,6 +1,5 @@
 """The calculation report: one self-contained HTML file."""
 
-from .interface import Chapter, Subject
-from .page import render
+from .page import Subject, render
 
-__all__ = ["Chapter", "Subject", "render"]
+__all__ = ["Subject", "render"]

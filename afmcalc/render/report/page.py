@@ -1,9 +1,11 @@
-"""From subject to page."""
+"""From what was found of a clutch to the page of its report."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from datetime import date
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 
@@ -14,17 +16,31 @@ from ...papers.references import REFERENCES
 from ...spec import resolved
 from ...spec.paths import keys, unit_at
 from ...spec.report import TitleBlock
+from ..layout import ranked
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..units import display, display_unit, worded
-from .chapters import chapters
-from .form import FORMS
-from .interface import Chapter, Subject
+from .chapters import Chapter, chapters
 from .markup import cell, css_string, drawing, mathml, symbol
-from .verdict import verdict
-from .words import told
+from .words import FORMS, told
 
-_LEVELS = {"error": 0, "warning": 1, "info": 2}
+
+@dataclass(frozen=True)
+class Subject:
+    """What was found of a clutch, and whose report it is."""
+
+    dossier: Dossier
+    given: str
+    """The spec as given, its text."""
+    title: TitleBlock = TitleBlock()
+    """What the title block says; without a date it has none."""
+    digest: str = ""
+    """SHA-256 of the file as given."""
+    source: str = ""
+    """Where the spec was read."""
+    overrides: Sequence[str] = ()
+    """``PATH=VALUE`` put over it."""
+    version: str = ""
 
 
 class _SpecLine(NamedTuple):
@@ -95,10 +111,54 @@ def render(subject: Subject) -> str:
         symbols=_symbols(found),
         form=FORMS[spoken()],
         language=spoken(),
-        findings=sorted(dossier.findings, key=lambda finding: _LEVELS[finding.level]),
+        findings=ranked(dossier.findings),
         references=_references(found),
     )
     return page
+
+
+class Verdict(NamedTuple):
+    """What became of a clutch."""
+
+    grade: Literal["pass", "warning", "fail"]
+    sentence: str
+    limit: str
+    """What limits the clutch first; empty where nothing does."""
+
+
+def verdict(dossier: Dossier) -> Verdict:
+    """Sum up requirements and checks."""
+    required, checked = _required(dossier), _checked(dossier)
+    sentence, limit = told(f"verdict/{required}/{checked}"), _limit(dossier)
+    if required == "missed" or checked == "failed":
+        return Verdict("fail", sentence, limit)
+    return Verdict("pass" if required in ("none", "met") and checked == "passed" else "warning", sentence, limit)
+
+
+def _required(dossier: Dossier) -> Literal["none", "met", "open", "missed"]:
+    passed = [row.passed for row in dossier.requirements]
+    if False in passed:
+        return "missed"
+    return "none" if not passed else "open" if None in passed else "met"
+
+
+def _checked(dossier: Dossier) -> Literal["passed", "warned", "exceeded", "failed"]:
+    """What became of everything but the requirements."""
+    levels = {each.level for each in dossier.findings if not each.code.startswith("requirement-")}
+    if "error" in levels:
+        return "failed"
+    if any(each.verdict != "pass" for each in dossier.limits):
+        return "exceeded"
+    return "warned" if "warning" in levels else "passed"
+
+
+def _limit(dossier: Dossier) -> str:
+    """Name the limit of which the clutch uses most."""
+    most = max(dossier.limits, key=lambda each: each.utilisation, default=None)
+    if most is None:
+        return ""
+    key = "limited" if most.verdict == "pass" else "limited/exceeded"
+    return told(key, name=worded(most.name), symbol=most.symbol, utilisation=most.utilisation)
 
 
 def _entries(subject: Subject) -> list[tuple[str, str]]:

@@ -11,7 +11,7 @@ from conftest import CONFIGS
 
 import afmcalc as package
 from afmcalc.proofs import prove
-from afmcalc.render.formats.curve import curve
+from afmcalc.render.plot.text import curve
 from afmcalc.render.units import significant
 
 COMMANDS = {

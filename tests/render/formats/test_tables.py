@@ -13,10 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.registry import ANALYSES
-from afmcalc.render.document import about
 from afmcalc.render.layout import TextTable, padded
 from afmcalc.render.units import display, estimate, significant
-from afmcalc.result import Result
+from afmcalc.result import Result, shown_as
 from afmcalc.spec.paths import keys
 
 TOLERANCE = [
@@ -44,8 +43,8 @@ def test_a_symbol_has_one_unit_everywhere():
     units = collections.defaultdict(set)
     for each in classes():
         for info in each.model_fields.values():
-            if symbol := about(info).get("symbol"):
-                units[symbol].add(about(info)["unit"] or None)
+            if symbol := shown_as(info).symbol:
+                units[symbol].add(shown_as(info).unit or None)
     for key in keys().values():
         if key.symbol:
             units[key.symbol].add(key.unit)

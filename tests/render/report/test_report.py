@@ -18,7 +18,7 @@ from afmcalc.analysis.dossier import dossier
 from afmcalc.findings import Finding
 from afmcalc.render.report import words
 from afmcalc.render.report.markup import mathml
-from afmcalc.render.report.verdict import verdict
+from afmcalc.render.report.page import verdict
 from afmcalc.render.report.words import REPORT
 from afmcalc.spec import read_spec
 

@@ -1,0 +1,81 @@
+"""Markdown, and HTML for a notebook: the tables of the terminal in markup."""
+
+import re
+from collections.abc import Iterable
+from html import escape
+
+from ...messages import printable, told, translate
+from ...result import Output
+from ..document import Document, document
+from ..layout import TextTable, blocks, findings_lines, step_lines, step_value, title, told_apart, unfolded
+from ..symbols import latex_in_numbers, value_latex
+from ..units import in_numbers
+
+
+def markdown(output: Output, terminal: bool) -> str:
+    """Write tables in the engineer's units and the findings as a list."""
+    laid_out = document(output.result)
+    lines = [f"## {_escape(title(output))}", ""]
+    for block in unfolded(blocks(laid_out)):
+        lines += [f"### {_escape(block.title)}", ""] if block.title else []
+        lines += [_escape(block.legend), ""] if block.legend else []
+        rule = ["---:" if right else "---" for right in block.numeric]
+        lines += ["| " + " | ".join(map(_escape, row)) + " |" for row in (block.header, rule, *block.rows)]
+        lines.append("")
+    lines += _steps(laid_out)
+    if remarks := findings_lines(output.findings):
+        lines += [f"### {translate('Findings')}", "", *(f"- {_escape(line)}" for line in remarks), ""]
+    return "\n".join(lines)
+
+
+def _steps(laid_out: Document) -> list[str]:
+    """Steps of an explanation with their formulas in LaTeX."""
+    lines = []
+    for step in laid_out.steps:
+        places = [*([in_numbers(translate(step.at))] if step.at else []), *told_apart(step, laid_out.steps)]
+        at = f" ({_escape(', '.join(places))})" if places else ""
+        equals = " = ".join(dict.fromkeys(map(latex_in_numbers, (step.formula_latex, step.substituted_latex))))
+        lines += [f"### {_escape(step.symbol)}{at}: {_escape(translate(step.name))}", ""]
+        lines += [f"$${step.symbol_latex} = {equals} = {value_latex(step_value(step))}$$", ""]
+        lines += [told("Source: {source}", source=_escape(translate(step.source))), ""]
+        if step.print_differs:
+            lines += [told("*Print differs:* {what}", what=_escape(translate(step.print_differs))), ""]
+    return lines
+
+
+def _escape(text: str) -> str:
+    """Keep what a spec may carry (its name) from being read as Markdown."""
+    return " ".join(_MARKUP.sub(r"\\\g<0>", printable(text)).split())
+
+
+_MARKUP = re.compile(r"[\\|<>*`\[\]]|(?<!\w)_|_(?!\w)")
+"""Signs Markdown reads as markup; an underscore only at the edge of a word."""
+
+
+def html(output: Output, terminal: bool) -> str:
+    """Write tables in the engineer's units and the findings as a list, a fragment of a page."""
+    laid_out = document(output.result)
+    parts = [f"<h4>{escape(title(output))}</h4>"]
+    for block in unfolded(blocks(laid_out)):
+        parts += [f"<h5>{escape(block.title)}</h5>"] if block.title else []
+        parts += [f"<p>{escape(block.legend)}</p>"] if block.legend else []
+        parts.append(_html_table(block))
+    if laid_out.steps:
+        parts.append(f"<pre>{escape(chr(10).join(step_lines(laid_out)))}</pre>")
+    if remarks := findings_lines(output.findings):
+        parts.append("<ul>" + "".join(f"<li>{escape(line)}</li>" for line in remarks) + "</ul>")
+    return "\n".join(parts) + "\n"
+
+
+def _html_table(block: TextTable) -> str:
+    def row(tag: str, cells: Iterable[str]) -> str:
+        sides = ("right" if right else "left" for right in block.numeric)
+        texts = zip(cells, sides, strict=True)
+        return (
+            "<tr>"
+            + "".join(f'<{tag} style="text-align:{side}">{escape(text)}</{tag}>' for text, side in texts)
+            + "</tr>"
+        )
+
+    body = "".join(row("td", cells) for cells in block.rows)
+    return f"<table><thead>{row('th', block.header)}</thead><tbody>{body}</tbody></table>"
