@@ -113,8 +113,7 @@ class Clutch:
 
     def solve(self, name: str, target: str, wanted: float | str, *, beyond_limit: bool = False) -> "SolveResult":
         """One parameter from one wanted quantity; ``Clutch(answer.spec)`` is the clutch that has it."""
-        from .analysis.solve.solve import solve
-        from .analysis.solve.targets import parse_target
+        from .analysis.solve.solve import parse_target, solve
 
         quantity, value = parse_target(f"{target}={wanted}")
         result, solved, findings = solve(self.engine, name, quantity, value, beyond_limit=beyond_limit)

@@ -12,8 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from afmcalc.analysis.solve.solve import NAMES, NotAttainableError, solve
-from afmcalc.analysis.solve.targets import TARGETS
+from afmcalc.analysis.solve.solve import PARAMETERS, TARGETS, NotAttainableError, solve
 from afmcalc.analysis.sweep.points import clutch_over
 from afmcalc.engines import build
 from afmcalc.errors import CalculationError
@@ -215,7 +214,7 @@ def judge(case: Case, scanned: Scan) -> str:
 
 def run(name: str, count: int, report: Callable[[Case, str], None] | None = None) -> Counter[str]:
     """Judge ``count`` random questions about one parameter."""
-    rng = np.random.default_rng([7, NAMES.index(name)])
+    rng = np.random.default_rng([7, [*PARAMETERS].index(name)])
     seen: Counter[str] = Counter()
     while seen.total() < count:
         drawn = random_case(rng, name)
@@ -233,5 +232,5 @@ def run(name: str, count: int, report: Callable[[Case, str], None] | None = None
 
 
 if __name__ == "__main__":
-    for parameter in NAMES:
+    for parameter in PARAMETERS:
         print(parameter, dict(run(parameter, int(sys.argv[1]), lambda case, wrong: print("  ", wrong, case))))

@@ -136,7 +136,7 @@ def _help() -> Iterator[Key]:
     """Paragraphs of the help of commands, and what is said of their arguments."""
     import typer
 
-    from afmcalc.analysis.solve.targets import TARGETS
+    from afmcalc.analysis.solve.solve import TARGETS
     from afmcalc.cli import help, names
     from afmcalc.cli.main import application
     from afmcalc.cli.speech import LABELS, SAID, paragraphs

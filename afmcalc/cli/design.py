@@ -44,8 +44,8 @@ def solve(
     afmcalc solve --for F nominal_torque="250 N*m" clutch.toml --json | afmcalc torque -
     afmcalc solve --for z torque_max=300 clutch.toml
     """  # noqa: D301
+    from ..analysis.solve.solve import in_order, parse_target
     from ..analysis.solve.solve import solve as analysis
-    from ..analysis.solve.targets import in_order, parse_target
     from ..spec import resolved
 
     target, spec = in_order(target, spec)

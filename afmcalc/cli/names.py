@@ -14,16 +14,16 @@ def _about(path: str) -> str:
 
 def parameters() -> Named:
     """What can be solved for."""
-    from ..analysis.solve.solve import NAMES
+    from ..analysis.solve.solve import PARAMETERS
     from ..spec.paths import ALIASES
 
-    for symbol in NAMES:
+    for symbol in PARAMETERS:
         yield symbol, _about(ALIASES[symbol])
 
 
 def targets() -> Named:
     """What can be wanted of a solution."""
-    from ..analysis.solve.targets import TARGETS
+    from ..analysis.solve.solve import TARGETS
     from ..messages import translate
 
     for name, target in TARGETS.items():

@@ -1,11 +1,13 @@
 """From a wanted quantity back to one parameter: closed where the law can be inverted, else a bracketed root."""
 
 import math
-from typing import Literal, TypeGuard
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal, NamedTuple, TypeGuard
 
 import numpy as np
 
-from ...arrays import Floats
+from ...arrays import Floats, Values
 from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, CalculationError
@@ -16,17 +18,104 @@ from ...spec import Spec
 from ...spec.edit import replaced, respecified, with_key
 from ...spec.names import path_of
 from ...spec.paths import ALIASES, is_whole
+from ...spec.quantity import parse_quantity
 from ...spec.rules import variants_of
-from ...spec.suggest import did_you_mean
-from .domain import SAME, Domain, domain_of
-from .inverses import closed_inverse
-from .search import Curve, Function, explore, roots
-from .targets import TARGETS
+from ...spec.suggest import did_you_mean, plain
+from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, roots
 
-NAMES = ("C", "F", "z", "z1", "R", "c1", "c2", "gain_slope")
-"""Parameters that can be solved for, by symbol."""
+PARAMETERS = {"C": "1", "F": "N", "z": "1", "z1": "1", "R": "m", "c1": "N/m", "c2": "N/m", "gain_slope": "1/m"}
+"""Parameters that can be solved for, by symbol, and their SI units."""
 
-_UNITS = {"C": "1", "F": "N", "z": "1", "z1": "1", "R": "m", "c1": "N/m", "c2": "N/m", "gain_slope": "1/m"}
+
+class Target(NamedTuple):
+    """One quantity of a clutch that can be wanted, as a function of it."""
+
+    unit: str
+    description: str
+    value: Callable[[Clutch], Values]
+    better: Literal["low", "high"]
+    """Which side of the wanted value still meets it, where only whole numbers can be chosen."""
+    symbols: tuple[str, ...]
+    """What else it is called: symbols, and the path of the key that sets it."""
+
+
+def _travel(clutch: Clutch) -> Values:
+    travel: Values | None = clutch.travel(clutch.friction[0].max)
+    if travel is None:
+        raise AfmcalcError(say("travel_max is only of an indirect clutch: a direct one has no sleeve"))
+    return travel
+
+
+TARGETS: dict[str, Target] = {
+    "accuracy_factor": Target("1", "accuracy factor", lambda c: c.accuracy_factor, "low", ("K_т",)),
+    "accuracy_factor_peak": Target(
+        "1", "accuracy factor by breakaway peaks", lambda c: c.accuracy_factor_peak, "low", ("K_т,p",)
+    ),
+    "nominal_torque": Target(
+        "N*m", "nominal torque of the clutch", lambda c: c.nominal_torque, "high", ("T_н", "adjustment.nominal_torque")
+    ),
+    "torque_min": Target("N*m", "smallest torque", lambda c: c.torque_min, "high", ("T_min",)),
+    "torque_max": Target("N*m", "largest torque", lambda c: c.torque_max, "low", ("T_max",)),
+    "scatter": Target("N*m", "torque scatter band", lambda c: c.scatter, "low", ("ΔT",)),
+    "reduced_gain": Target("1", "reduced gain", lambda c: c.reduced_gain, "low", ("zC", "z_2 C", "z_2C")),
+    "closing_force": Target(
+        "N", "closing-spring force", lambda c: c.closing_force, "low", ("F_п", "F", "closing_spring.force")
+    ),
+    "travel_max": Target("m", "largest travel of the sleeve", _travel, "low", ("x_max",)),
+}
+"""Name, as in the JSON of the other commands → what it is."""
+
+
+def _target_of(text: str) -> str | None:
+    """Return the target that ``NAME`` or ``NAME=VALUE`` names, by name or symbol; None when it names none."""
+    wanted = plain(text.partition("=")[0].strip())
+    return next((name for name, target in TARGETS.items() if wanted in map(plain, (name, *target.symbols))), None)
+
+
+def in_order(target: str, spec: str | None) -> tuple[str, str | None]:
+    """Return target and spec, whichever was given first.
+
+    >>> in_order("clutch.toml", "K_т=2")
+    ('K_т=2', 'clutch.toml')
+    """
+
+    def is_target(text: str) -> tuple[bool, bool]:
+        return "=" in text and _target_of(text) is not None, "=" in text
+
+    return (spec, target) if spec is not None and is_target(spec) > is_target(target) else (target, spec)
+
+
+def parse_target(text: str) -> tuple[str, float]:
+    """Read ``NAME=VALUE``, the value in SI or with a unit.
+
+    Raises:
+        AfmcalcError: no such target, or no such value.
+    """
+    given, separator, value = (part.strip() for part in text.partition("="))
+    name = _target_of(given)
+    if name is None:
+        known = [*TARGETS, *(symbol for target in TARGETS.values() for symbol in target.symbols)]
+        raise AfmcalcError(
+            say(
+                "{text!r:.80} is no target{hint}; write NAME=VALUE, NAME one of {known}",
+                text=text,
+                hint=did_you_mean(given, known),
+                known=", ".join(f"{name} ({target.symbols[0]})" for name, target in TARGETS.items()),
+            )
+        )
+    if not separator or not value:
+        raise AfmcalcError(say("{text:.80}: write {name}=VALUE", text=text, name=given))
+    try:
+        number: float | str = float(value)
+    except ValueError:
+        number = value
+    try:
+        wanted = parse_quantity(number, TARGETS[name].unit)
+    except ValueError as error:
+        raise AfmcalcError(say("{text:.80}: {why}", text=text, why=error)) from None
+    if not wanted > 0:
+        raise AfmcalcError(say("{text:.80}: must be greater than 0", text=text))
+    return name, wanted
 
 
 class NotAttainableError(CalculationError):
@@ -68,7 +157,7 @@ def solve(
 
     Args:
         clutch: the clutch to start from.
-        name: parameter: one of ``NAMES``, or the name or path of its key.
+        name: parameter: one of ``PARAMETERS``, or the name or path of its key.
         target: a name of ``TARGETS``.
         wanted: its value, SI.
         beyond_limit: go past the gain limit of the variant.
@@ -81,40 +170,32 @@ def solve(
         CalculationError: the target does not depend on the parameter.
         AfmcalcError: the parameter is none of the variant's.
     """
-    name = _symbol(name)
-    path = _path(clutch.spec, name)
-
-    def function(at: Floats) -> Floats:
-        with np.errstate(all="ignore"):
-            value = TARGETS[target].value(build(with_key(clutch.spec, path, at)))
-        return np.broadcast_to(np.asarray(value, float), at.shape)
-
-    domain = domain_of(clutch, name, beyond_limit=beyond_limit)
-    curve = explore(function, wanted, domain)
+    name = _symbol(name, clutch.spec)
+    problem = _Problem(clutch, name, target, wanted, domain_of(clutch, name, beyond_limit=beyond_limit))
+    curve, whole, path = explore(problem.values, wanted, problem.domain), is_whole(problem.path), problem.path
     if len(curve.at) > 1 and np.ptp(curve.value) <= 1e-12 * abs(curve.value[0]):
-        level = _with_unit(float(curve.value[0]), TARGETS[target].unit)
         raise CalculationError(
             say(
                 "{target} does not depend on {name} here: it is {level} for every value",
                 target=target,
                 name=name,
-                level=level,
+                level=problem.told(float(curve.value[0])),
             )
         )
-    found = roots(function, wanted, curve)
-    exact = _closed(clutch, name, target, wanted, curve, function)
+    solutions = roots(problem.values, wanted, curve)
+    exact = problem.closed(curve)
     if exact is not None:
-        found = sorted([exact, *(root for root in found if not _alike(root, exact))])
-    chosen = _whole(found, wanted, target, domain, function) if is_whole(path) else found
+        solutions = sorted([exact, *(root for root in solutions if abs(root - exact) > 1e-6 * abs(exact))])
+    chosen = problem.whole(solutions) if whole else solutions
     if not chosen:
-        raise _not_attainable(name, target, wanted, domain, curve, function)
-    if not is_whole(path) and _is_level(curve, wanted, chosen[0]):
+        raise _not_attainable(problem, curve)
+    if not whole and _is_level(curve, wanted, chosen[0]):
         raise CalculationError(
             say(
                 "{target} = {wanted} is given by a whole range of {name}, not by one value: choose one, or solve for "
                 "another parameter",
                 target=target,
-                wanted=_with_unit(wanted, TARGETS[target].unit),
+                wanted=problem.told(wanted),
                 name=name,
             )
         )
@@ -122,14 +203,14 @@ def solve(
     result = SolveResult(
         parameter=name,
         path=path,
-        unit=_UNITS[name],
+        unit=PARAMETERS[name],
         value=chosen[0],
-        exact_value=(found[0] if found else None) if is_whole(path) else None,
+        exact_value=(solutions[0] if solutions else None) if whole else None,
         target=target,
         target_unit=TARGETS[target].unit,
         wanted=wanted,
         reached=TARGETS[target].value(solved),
-        method="closed-form" if found and found[0] == exact else "bracketed-root",
+        method="closed-form" if solutions and solutions[0] == exact else "bracketed-root",
         gain=solved.gain,
         closing_force=solved.closing_force,
         nominal_torque=solved.nominal_torque,
@@ -137,8 +218,79 @@ def solve(
         scatter=solved.scatter,
         accuracy_factor=solved.accuracy_factor,
     )
-    gone = [finding("solve-replaces", "info", path=other, by=path) for other in replaced(clutch.spec, [path])]
-    return result, solved, [*solved.findings(), *gone, *_others(name, path, target, wanted, chosen[1:])]
+    remarks = [finding("solve-replaces", "info", path=other, by=path) for other in replaced(clutch.spec, [path])]
+    if others := chosen[1:]:
+        listed = joined(
+            say("{name} = {value}", name=name, value=_with_unit(value, PARAMETERS[name])) for value in others
+        )
+        given = problem.told(wanted)
+        remarks.append(
+            finding(
+                "solve-another-value", "info", value=others[0], path=path, target=target, wanted=given, others=listed
+            )
+        )
+    return result, solved, [*solved.findings(), *remarks]
+
+
+@dataclass(frozen=True)
+class _Problem:
+    """What is to be solved: one parameter of a clutch, within its domain, for a wanted value of a target."""
+
+    clutch: Clutch
+    name: str
+    target: str
+    wanted: float
+    domain: Domain
+
+    @property
+    def path(self) -> str:
+        """Spec path of the parameter."""
+        return ALIASES[self.name]
+
+    def values(self, at: Floats) -> Floats:
+        """The target at values of the parameter."""
+        with np.errstate(all="ignore"):
+            value = TARGETS[self.target].value(build(with_key(self.clutch.spec, self.path, at)))
+        return np.broadcast_to(np.asarray(value, float), at.shape)
+
+    def told(self, value: float) -> str:
+        """A value of the target with its unit."""
+        return _with_unit(value, TARGETS[self.target].unit)
+
+    def closed(self, curve: Curve) -> float | None:
+        """Value that the closed inverse gives; None where there is none, or it lies off the curve."""
+        now = float(TARGETS[self.target].value(self.clutch))
+        inverse = closed_inverse(self.clutch, self.name, self.target, now)
+        if inverse is None or not len(curve.at):
+            return None
+        # a number of NumPy: what has no answer is NaN, not an exception of a kind of its own for each equation
+        with np.errstate(all="ignore"):
+            exact = float(inverse(np.float64(self.wanted)))
+        low, high = float(curve.at[0]), float(curve.at[-1])
+        if not low * (1 - SAME) <= exact <= high * (1 + SAME):
+            return None
+        exact = min(max(exact, low), high)
+        reached = float(self.values(np.array([exact]))[0])
+        return exact if abs(reached - self.wanted) <= SAME * self.wanted else None
+
+    def whole(self, solutions: list[float]) -> list[float]:
+        """Whole numbers that meet the wanted value: next to each solution, else the end of the domain that does."""
+        ends = np.array([end for end in (self.domain.low, self.domain.high) if math.isfinite(end)])
+        nearer = ends[np.argsort(np.abs(self.values(ends) - self.wanted), kind="stable")].tolist()
+        meeting = [[x for x in near if self._meets(x)][:1] for near in (*map(self._beside, solutions), nearer)]
+        numbers = list(dict.fromkeys(x for near in meeting[:-1] for x in near))
+        return numbers or meeting[-1]
+
+    def _beside(self, root: float) -> list[float]:
+        """Whole numbers beside a real one, the nearer first."""
+        beside = {float(math.floor(root * (1 + 1e-12))), float(math.ceil(root * (1 - 1e-12)))}
+        return sorted((x for x in beside if self.domain.low <= x <= self.domain.high), key=lambda x: abs(x - root))
+
+    def _meets(self, at: float) -> bool:
+        value = float(self.values(np.array([at]))[0])
+        if TARGETS[self.target].better == "low":
+            return value <= self.wanted * (1 + SAME)
+        return value >= self.wanted * (1 - SAME)
 
 
 def _is_level(curve: Curve, wanted: float, at: float) -> bool:
@@ -147,110 +299,50 @@ def _is_level(curve: Curve, wanted: float, at: float) -> bool:
     return len(beyond) == 2 and bool(np.all(np.abs(beyond - wanted) <= 1e-13 * abs(wanted)))
 
 
-def _symbol(name: str) -> str:
-    """Symbol of a parameter, however it is called."""
-    path = path_of(name)
-    for symbol in NAMES:
-        if path == ALIASES[symbol]:
-            return symbol
-    named = [ALIASES[symbol] for symbol in NAMES]
-    raise AfmcalcError(
-        say(
-            "--for {name:.80}: cannot be solved for{hint}; one of {names}",
-            name=name,
-            hint="" if path else did_you_mean(name, [*NAMES, *named, *(path.rpartition(".")[2] for path in named)]),
-            names=", ".join(f"{symbol} ({ALIASES[symbol]})" for symbol in NAMES),
+def _symbol(name: str, spec: Spec) -> str:
+    """Symbol of a parameter, however it is called; refuse one that the variant does not have."""
+    path, paths = path_of(name), [ALIASES[symbol] for symbol in PARAMETERS]
+    if path not in paths:
+        known = [*PARAMETERS, *paths, *(each.rpartition(".")[2] for each in paths)]
+        raise AfmcalcError(
+            say(
+                "--for {name:.80}: cannot be solved for{hint}; one of {names}",
+                name=name,
+                hint="" if path else did_you_mean(name, known),
+                names=", ".join(f"{symbol} ({ALIASES[symbol]})" for symbol in PARAMETERS),
+            )
         )
-    )
-
-
-def _path(spec: Spec, name: str) -> str:
-    """Spec path of a parameter; refuse one that the variant does not have."""
-    path = ALIASES[name]
+    symbol = next(symbol for symbol in PARAMETERS if ALIASES[symbol] == path)
     if (only := variants_of(path)) and spec.variant not in only:
         raise AfmcalcError(
             say(
                 "--for {name}: {path} is only for {only}, not {variant!r}",
-                name=name,
+                name=symbol,
                 path=path,
                 only=", ".join(only),
                 variant=spec.variant,
             )
         )
-    return path
+    return symbol
 
 
-def _closed(clutch: Clutch, name: str, target: str, wanted: float, curve: Curve, function: Function) -> float | None:
-    """Value that the closed inverse gives; None where there is none, or it lies off the curve."""
-    inverse = closed_inverse(clutch, name, target)
-    if inverse is None or not len(curve.at):
-        return None
-    # a number of NumPy: what has no answer is NaN, not an exception of a kind of its own for each equation
-    with np.errstate(all="ignore"):
-        exact = inverse(np.float64(wanted))
-    low, high = float(curve.at[0]), float(curve.at[-1])
-    if not low * (1 - SAME) <= exact <= high * (1 + SAME):
-        return None
-    exact = min(max(exact, low), high)
-    return exact if abs(float(function(np.array([exact]))[0]) - wanted) <= SAME * wanted else None
-
-
-def _alike(root: float, exact: float) -> bool:
-    return abs(root - exact) <= 1e-6 * abs(exact)
-
-
-def _whole(found: list[float], wanted: float, target: str, domain: Domain, function: Function) -> list[float]:
-    """Whole numbers that meet the wanted value: next to each real one, else the end of the domain that does."""
-    tried = [_nearest(root, domain) for root in found]
-    ends = np.array([end for end in (domain.low, domain.high) if math.isfinite(end)])
-    tried.append(ends[np.argsort(np.abs(function(ends) - wanted), kind="stable")].tolist())
-    meeting = [[x for x in near if _meets(x, wanted, target, function)][:1] for near in tried]
-    numbers = list(dict.fromkeys(x for near in meeting[:-1] for x in near))
-    return numbers or meeting[-1]
-
-
-def _nearest(root: float, domain: Domain) -> list[float]:
-    """Whole numbers beside a real one, the nearer first."""
-    beside = {float(math.floor(root * (1 + 1e-12))), float(math.ceil(root * (1 - 1e-12)))}
-    return sorted((x for x in beside if domain.low <= x <= domain.high), key=lambda x: abs(x - root))
-
-
-def _meets(x: float, wanted: float, target: str, function: Function) -> bool:
-    here = float(function(np.array([x]))[0])
-    return here <= wanted * (1 + SAME) if TARGETS[target].better == "low" else here >= wanted * (1 - SAME)
-
-
-def _others(name: str, path: str, target: str, wanted: float, others: list[float]) -> list[Finding]:
-    """Name every further value that gives what is wanted."""
-    if not others:
-        return []
-    listed = joined(say("{name} = {value}", name=name, value=_with_unit(x, _UNITS[name])) for x in others)
-    given = _with_unit(wanted, TARGETS[target].unit)
-    return [
-        finding("solve-another-value", "info", value=others[0], path=path, target=target, wanted=given, others=listed)
-    ]
-
-
-def _not_attainable(
-    name: str, target: str, wanted: float, domain: Domain, curve: Curve, function: Function
-) -> CalculationError:
+def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
     """Say what is nearest to the wanted value, and where."""
-    unit = TARGETS[target].unit
+    name, wanted, domain = problem.name, problem.wanted, problem.domain
 
     def refusal(nearest: str) -> str:
-        given = _with_unit(wanted, unit)
         return say(
             "{target} = {wanted} is not attainable by {name}: {nearest}",
-            target=target,
-            wanted=given,
+            target=problem.target,
+            wanted=problem.told(wanted),
             name=name,
             nearest=nearest,
         )
 
     at, value = curve.at, curve.value
-    if is_whole(ALIASES[name]) and len(at):
+    if is_whole(problem.path) and len(at):
         at = np.unique(np.clip(np.concatenate([np.floor(at), np.ceil(at)]), domain.low, domain.high))
-        value = function(at)
+        value = problem.values(at)
     if not len(at):
         return CalculationError(refusal(say("no value of {name} gives a clutch", name=name)))
     # all on one side of the wanted value, unless the quantity jumps over it
@@ -263,18 +355,16 @@ def _not_attainable(
         return limit is not None and abs(nearest - wanted) - abs(limit - wanted) > 1e-12 * abs(limit)
 
     if nearer(limit := curve.limit_low):
-        where = say("the best is {best}, approached as {name} goes to 0", best=_with_unit(limit, unit), name=name)
+        where = say("the best is {best}, approached as {name} goes to 0", best=problem.told(limit), name=name)
         return NotAttainableError(refusal(where), limit, None)
     if nearer(limit := curve.limit_high):
-        where = say(
-            "the best is {best}, approached as {name} grows without end", best=_with_unit(limit, unit), name=name
-        )
+        where = say("the best is {best}, approached as {name} grows without end", best=problem.told(limit), name=name)
         return NotAttainableError(refusal(where), limit, None)
     where = say(
         "the best is {best}, reached at {name} = {place}{why}",
-        best=_with_unit(nearest, unit),
+        best=problem.told(nearest),
         name=name,
-        place=_with_unit(place, _UNITS[name]),
+        place=_with_unit(place, PARAMETERS[name]),
         why=say(" ({why})", why=domain.why) if place == domain.high and domain.why else "",
     )
     return NotAttainableError(refusal(where), nearest, place)

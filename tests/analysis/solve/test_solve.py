@@ -10,10 +10,8 @@ from hypothesis import strategies as st
 from solve_scan import run
 from strategies import direct_specs, indirect_specs
 
-from afmcalc.analysis.solve.domain import Domain
-from afmcalc.analysis.solve.search import explore
-from afmcalc.analysis.solve.solve import NAMES, NotAttainableError, solve
-from afmcalc.analysis.solve.targets import TARGETS
+from afmcalc.analysis.solve.search import Domain, explore
+from afmcalc.analysis.solve.solve import PARAMETERS, TARGETS, NotAttainableError, solve
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError, CalculationError
 from afmcalc.spec import read_spec
@@ -191,7 +189,7 @@ def test_an_extreme_is_touched():
 
 
 @pytest.mark.parametrize("count", [15, pytest.param(100, marks=pytest.mark.exhaustive)])
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PARAMETERS)
 def test_against_a_scan(name, count):
     """What is solved is, what is refused has no answer, the best is one (1,000 each: python tests/solve_scan.py 1000)."""
     seen = run(name, count)
