@@ -220,30 +220,15 @@ FINDINGS: Mapping[str, str] = {
     "driven up, the clutch is an ordinary one",
     "cams-stay": "the friction of the walls, {value:.3g}, is not below cot α = {limit:.3g}: no cam slides back",
     "force-used-up": "{path} takes {value:.5g kN} from the {limit:.5g kN} that press the pack: nothing is left of it",
-    "effect-on-accuracy/spline-friction": "discs held in their splines: K_т lies between {low:.4g} and {high:.4g}, "
-    "the law says {limit:.4g}",
-    "effect-on-accuracy/sliding-cams": "cams that slide on their walls: K_т lies between {low:.4g} and {high:.4g}, "
-    "the law says {limit:.4g}",
-    "effect-on-accuracy/centrifugal": "balls thrown against conical pockets: K_т lies between {low:.4g} and "
-    "{high:.4g}, the law says {limit:.4g}",
-    "effect-on-accuracy/wear": "wear of the lining: K_т lies between {low:.4g} and {high:.4g}, the law says "
-    "{limit:.4g}",
-    "effect-on-torque/spline-friction": "discs held in their splines change the torque by up to {value:+.1%}",
-    "effect-on-torque/sliding-cams": "cams that slide on their walls change the torque by up to {value:+.1%}",
-    "effect-on-torque/centrifugal": "balls thrown against conical pockets change the torque by up to {value:+.1%}",
-    "effect-on-torque/wear": "wear of the lining changes the torque by up to {value:+.1%}",
+    "effect-on-accuracy": "{effect}: K_т lies between {low:.4g} and {high:.4g}, the law says {limit:.4g}",
+    "effect-on-torque": "{effect}: the torque changes by up to {value:+.1%}",
     "worn-below-machine": "its lining worn off, the clutch carries {value:.5g N·m} at least, less than the machine's "
     "nominal torque {limit:.5g N·m}",
     "worn-below-nominal": "its lining worn off, the clutch carries {value:.5g N·m} at least, below its nominal torque "
     "{limit:.5g N·m} and within its margin over the machine's {machine:.5g N·m}",
     "effect-not-told": "{name} is not told: it needs {listed}",
     # requirements
-    "requirement-missed/number": "{name}: {value:.5g}, but {bound} {limit:.5g} is required",
-    "requirement-missed/torque": "{name}: {value:.5g N·m}, but {bound} {limit:.5g N·m} is required",
-    "requirement-missed/length": "{name}: {value:.5g mm}, but {bound} {limit:.5g mm} is required",
-    "requirement-missed/work": "{name}: {value:.5g J/mm²}, but {bound} {limit:.5g J/mm²} is required",
-    "requirement-missed/pressure": "{name}: {value:.5g MPa}, but {bound} {limit:.5g MPa} is required",
-    "requirement-missed/temperature": "{name}: {celsius:.5g} °C, but {bound} {allowed:.5g} °C is required",
+    "requirement-missed": "{name}: {shown}, but {bound} {required} is required",
     "requirement-not-judged": "{name} not judged: needs {needs}",
     # unusual
     "unusual/friction": "a coefficient of friction of {value:.4g} is unusual: {low:g}…{high:g} is usual, the materials "

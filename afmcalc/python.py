@@ -18,10 +18,10 @@ from .spec.overrides import Overrides, overridden
 if TYPE_CHECKING:
     from .analysis.accuracy import AccuracyResult
     from .analysis.adjust import AdjustResult
-    from .analysis.checks.check import CheckResult
+    from .analysis.check import CheckResult
     from .analysis.compare import CompareResult
     from .analysis.design.rows import DesignResult
-    from .analysis.effects.effects import EffectsResult
+    from .analysis.effects import EffectsResult
     from .analysis.explain.explain import ExplainResult
     from .analysis.life import LifeResult
     from .analysis.overload import OverloadResult

@@ -253,7 +253,7 @@ def _units() -> Iterator[Key]:
 
 def _names() -> Iterator[Key]:
     """What tables hold: names of limits, kinds of quantities, variants."""
-    from afmcalc.analysis.checks.requirements import JUDGED
+    from afmcalc.analysis.requirements import JUDGED
     from afmcalc.analysis.springs.candidates import MISSES
     from afmcalc.engines import parts
     from afmcalc.render.shop.layers import LAYERS

@@ -14,7 +14,7 @@ from ..result import Answer, Result, Sentence, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import as_variant, with_force, with_nominal_torque
 from ..variants import VARIANTS
-from .checks.check import found_unsimulated
+from .check import found_unsimulated
 from .torque import triple
 
 

@@ -9,13 +9,13 @@ from ..messages import Text, term
 from ..result import Result
 from ..spec import Spec
 from .answers import Answers
-from .checks.check import CheckResult
-from .checks.limits import Utilisation
-from .checks.requirements import RequirementRow
+from .check import CheckResult
 from .explain.derivation import Derivation, derivations
 from .explain.trace import recording, with_roles
 from .figures import Request, gathered
+from .limits import Utilisation
 from .registry import ANALYSES, Analysis, Plot, StressRule, Told
+from .requirements import RequirementRow
 
 
 class Topic(NamedTuple):

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from ..papers.figures import PaperFigure
     from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
     from .design.rows import DesignResult
-    from .effects.curve import EffectsCurve
+    from .effects import EffectsCurve
     from .shop import ShopDrawing
     from .simulate import MomentRow
     from .springs.curve import SpringsCurve
@@ -171,7 +171,7 @@ def _pocket(request: Request) -> PocketSection:
 
 
 def _effects(request: Request) -> "EffectsCurve":
-    from .effects.curve import effects_curve
+    from .effects import effects_curve
 
     return effects_curve(request.subjects[0].clutch)
 

@@ -117,7 +117,7 @@ def _heated(found: Any) -> str:
 
 
 def _any_effect(clutch: "Clutch") -> bool:
-    from .effects.brackets import SOURCES
+    from .effects import SOURCES
 
     return any(not source.missing(clutch) for source in SOURCES.values())
 
@@ -263,7 +263,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "effects", "analysis.effects.effects", "EffectsResult", "parts", _any_effect, judged=True,
+            "effects", "analysis.effects", "EffectsResult", "parts", _any_effect, judged=True,
             section=Section(
                 "What the law neglects",
                 "Each effect as what the torque and K_т lie between, springs as set; the bypass pairs are farthest "
@@ -311,7 +311,7 @@ ANALYSES: dict[str, Analysis] = {
         ),
         Analysis("examples", "analysis.examples", "ExamplesResult", "specs"),
         Analysis("materials", "analysis.materials", "MaterialsResult", "specs"),
-        Analysis("check", "analysis.checks.check", "CheckResult", "specs", options=("answers",), explained=True),
+        Analysis("check", "analysis.check", "CheckResult", "specs", options=("answers",), explained=True),
     )
 }  # fmt: skip
 """Name → analysis, in the order of the help and of a report. A new one is its file and a row here."""

@@ -22,7 +22,7 @@ from ..result import Answer, OpenTriple, Result, Triple, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_value
 from ..spec.models import Range
-from .effects.springs_held import with_pairs
+from .effects import with_pairs
 from .event import contact_forces, remarks_of, strains
 from .sweep.grid import Axis, replaced, series
 from .torque import Pair, friction_fields, outside_range, pairs_asked

@@ -135,7 +135,7 @@ def check(
         output = calculate(common, spec, lambda clutch: {"strict": strict})
     except SpecError as error:
         if common.chosen_format == "json":
-            from ..analysis.checks.check import refused
+            from ..analysis.check import refused
 
             emit(common, *refused(error))
         raise

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.answers import Answers
-from afmcalc.analysis.effects.effects import effects
+from afmcalc.analysis.effects import effects
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, read_spec

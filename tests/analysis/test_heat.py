@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.answers import Answers
-from afmcalc.analysis.checks.check import check
-from afmcalc.analysis.checks.requirements import requirement_rows
+from afmcalc.analysis.check import check
 from afmcalc.analysis.heat import heat, trips
+from afmcalc.analysis.requirements import requirement_rows
 from afmcalc.analysis.simulate import history
 from afmcalc.drive.heat import Body, course_of, largest_rise, most_in_disc
 from afmcalc.engines import build

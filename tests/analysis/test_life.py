@@ -7,7 +7,7 @@ import pytest
 from conftest import CONFIGS
 
 from afmcalc.analysis.answers import Answers
-from afmcalc.analysis.checks.check import check
+from afmcalc.analysis.check import check
 from afmcalc.analysis.life import life, life_sweep
 from afmcalc.analysis.simulate import simulate
 from afmcalc.analysis.sweep.axes import parse_axis

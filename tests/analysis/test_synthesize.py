@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from strategies import indirect_specs
 
 from afmcalc.analysis import hertz
-from afmcalc.analysis.checks.check import check
+from afmcalc.analysis.check import check
 from afmcalc.analysis.synthesize import least_contact_force_gain, synthesize
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError

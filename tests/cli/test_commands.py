@@ -13,7 +13,7 @@ import pytest
 from conftest import CONFIGS, ROOT
 
 import afmcalc as package
-from afmcalc.analysis.checks.check import check
+from afmcalc.analysis.check import check
 from afmcalc.cli.main import COMMANDS
 from afmcalc.engines import build
 from afmcalc.render.formats import table

@@ -172,7 +172,7 @@ def test_a_fault_of_our_own_is_said_and_never_a_failed_check(afmcalc, monkeypatc
     def broken(*arguments, **options):
         raise KeyError("no\x1b[31m such thing")
 
-    monkeypatch.setattr("afmcalc.analysis.checks.check.check", broken)
+    monkeypatch.setattr("afmcalc.analysis.check.check", broken)
     run = afmcalc("check", SPEC)
     assert (run.code, run.out) == (70, "")
     assert "fault of afmcalc" in run.err

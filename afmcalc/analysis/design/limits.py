@@ -11,7 +11,7 @@ import numpy as np
 from ...spec.requirements import Requirements
 from ...spec.springs import Room
 from ...variants import Variant
-from ..checks.pressure import allowable
+from ..limits import allowable
 from ..springs.stacks import holds_force, travel_held
 from .candidates import Candidates
 from .space import SAME, Mask, Numbers, given

@@ -18,8 +18,8 @@ from ...spec.edit import as_written
 from ...spec.requirements import Requirements
 from ...variants import VARIANTS
 from ..answers import Answers
-from ..checks.check import found_unsimulated
-from ..checks.pressure import ring_pressures
+from ..check import found_unsimulated
+from ..limits import ring_pressures
 from ..registry import ANALYSES
 from ..springs.options import part_of
 from ..springs.result import SpringOption

@@ -7,7 +7,7 @@ from conftest import CONFIGS
 from drives import merged
 
 from afmcalc.analysis.answers import Answers
-from afmcalc.analysis.checks.check import check
+from afmcalc.analysis.check import check
 from afmcalc.analysis.life import LifeResult, life
 from afmcalc.analysis.simulate import simulate
 from afmcalc.analysis.unit import SynthesisResult

@@ -9,10 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.answers import Answers
-from afmcalc.analysis.checks.requirements import JUDGED
 from afmcalc.analysis.design.design import design
 from afmcalc.analysis.design.pick import with_picked
 from afmcalc.analysis.dossier import dossier
+from afmcalc.analysis.requirements import JUDGED
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.findings import Finding

@@ -8,7 +8,7 @@ import pytest
 from conftest import CONFIGS
 
 from afmcalc.analysis.accuracy import accuracy
-from afmcalc.analysis.checks.check import check
+from afmcalc.analysis.check import check
 from afmcalc.analysis.design.design import design
 from afmcalc.analysis.design.pick import with_picked
 from afmcalc.analysis.synthesize import synthesize

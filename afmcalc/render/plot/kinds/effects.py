@@ -1,6 +1,6 @@
 """Torque against friction, by the law and between what each neglected effect makes of it."""
 
-from ....analysis.effects.curve import EffectsCurve
+from ....analysis.effects import EffectsCurve
 from ....messages import term, translate
 from ..chart import Chart, Line, Sheet, axis_of, describe
 

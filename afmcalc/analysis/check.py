@@ -1,0 +1,149 @@
+"""Check of a design: its findings, what is unusual about it, and whether it passes."""
+
+import math
+from collections.abc import Iterator
+from typing import ClassVar
+
+from ..engines.protocol import Clutch
+from ..errors import SpecError
+from ..findings import Finding, finding
+from ..result import Answer, quantity
+from ..spec.edit import value_at
+from ..spec.materials import catalogue
+from .answers import Answers
+from .limits import Utilisation, hub_findings, pressure_findings, utilisations
+from .registry import ANALYSES
+from .requirements import RequirementRow, requirement_rows, simulates
+from .unit import SynthesisResult
+
+
+class CheckResult(Answer):
+    """Whether a design passes, and how many findings of each level it has."""
+
+    findings_first: ClassVar[bool] = True
+
+    passed: bool = quantity("", None, "whether the check passed")
+    errors: int = quantity("", None, "findings that must be put right")
+    warnings: int = quantity("", None, "findings to think about")
+    notes: int = quantity("", None, "findings worth knowing")
+    requirements: list[RequirementRow] = quantity("", None, "requirements")
+    limits: list[Utilisation] = quantity("", None, "every limit, and how much of it is used")
+
+
+def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = None) -> tuple[CheckResult, list[Finding]]:
+    """Collect the findings of a design.
+
+    Args:
+        clutch: the clutch.
+        strict: warnings fail the check too.
+        answers: what was asked of it already.
+
+    Returns:
+        The verdict and the findings.
+    """
+    answers = answers or Answers(clutch)
+    requirements, missed = requirement_rows(answers)
+    findings = [*_findings(answers), *missed]
+    levels = [remark.level for remark in findings]
+    result = CheckResult(
+        passed="error" not in levels and not (strict and "warning" in levels),
+        errors=levels.count("error"),
+        warnings=levels.count("warning"),
+        notes=levels.count("info"),
+        requirements=requirements,
+        limits=utilisations(answers, findings),
+    )
+    return result, findings
+
+
+def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
+    """Verdict on what is no spec, each of its problems a finding."""
+    problems = [
+        finding("bad-spec", "error", path=problem.path or None, where=problem.where(error.source), problem=str(problem))
+        for problem in error.problems
+    ]
+    errors = len(problems) + error.more
+    return CheckResult(passed=False, errors=errors, warnings=0, notes=0, requirements=[], limits=[]), problems
+
+
+def found_unsimulated(clutch: Clutch) -> list[Finding]:
+    """Return what a check finds but for what has to be simulated or sampled first; a life takes its event's factor."""
+    answers = Answers(clutch)
+    return [*_findings(answers, simulated=False), *requirement_rows(answers, simulated=False)[1]]
+
+
+def _findings(answers: Answers, *, simulated: bool = True) -> list[Finding]:
+    """Return the findings of every analysis that a check takes in and that applies to the clutch, each once."""
+    clutch = answers.clutch
+    findings = [*clutch.findings(), *pressure_findings(clutch), *hub_findings(answers), *_unusual(answers)]
+    unit = clutch.spec.control_unit
+    if unit is not None and unit.ball_circle_radius is None:
+        findings.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
+    for analysis in ANALYSES.values():
+        if analysis.judged and analysis.applies(clutch) and (simulated or not simulates(analysis.name, clutch)):
+            findings += answers.ask(analysis.name)[1]
+    return list(dict.fromkeys(findings))
+
+
+_FRICTION = (0.02, 1.0)
+"""The papers have 0.1 to 0.8; dry rubber and clean metal in a vacuum are beyond, neither is a friction lining."""
+_MEAN_RADIUS = (0.01, 1.0)
+"""m."""
+_PAIRS = (1, 40)
+_MARGIN = (1.0, 3.0)
+_WALL_ANGLE = (math.radians(5), math.radians(60))
+"""Steeper the ball hardly bears along the axis, flatter it hardly bears around it."""
+_BALL_CIRCLE = (0.2, 2.0)
+"""Of the mean friction radius."""
+_PRESSURE = (1e3, 5e6)
+"""Pa, of the pack's force over a full disc of the mean radius; linings bear 0.05 to 2 MPa."""
+_DEFLECTION = (0.0, 2.0)
+"""Of the mean friction radius: a spring deflected by more is longer than the clutch is wide."""
+
+
+def _unusual(answers: Answers) -> Iterator[Finding]:
+    """Say what can be made, yet is so unusual that a slip of the pen is likelier than a purpose.
+
+    The ranges are wide: they are no limits of a design, they find a millimetre written for a metre.
+    """
+    linings = catalogue().values()
+    least, most = min(lining.friction_min for lining in linings), max(lining.friction_max for lining in linings)
+    for code, path, value, (low, high) in _figures(answers):
+        if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
+            limit = low if value < low else high
+            yield finding(
+                code, "warning", value=value, limit=limit, path=path, low=low, high=high, least=least, most=most
+            )
+
+
+def _figures(answers: Answers) -> Iterator[tuple[str, str, float, tuple[float, float]]]:
+    """Figures of the design: code of its finding, key, value, and between what it usually lies."""
+    clutch = answers.clutch
+    spec, radius = clutch.spec, float(clutch.mean_radius)
+    blocks = ("friction.driving", "friction.driven") if spec.friction.unlike else ("friction",)
+    for path, friction in zip(blocks, clutch.friction, strict=False):
+        yield "unusual/friction", f"{path}.min", friction.min, _FRICTION
+        yield "unusual/friction", f"{path}.max", friction.max, _FRICTION
+    yield "unusual/mean-radius", "friction_group.mean_radius", radius, _MEAN_RADIUS
+    yield "unusual/pairs", "friction_group.pairs", spec.friction_group.pairs, _PAIRS
+    yield "unusual/margin", "adjustment.margin", spec.adjustment.margin, _MARGIN
+    yield (
+        "unusual/pressure",
+        "closing_spring.force",
+        float(clutch.pack_force_at_rest) / (math.pi * radius**2),
+        _PRESSURE,
+    )
+    springs = {"closing_spring": clutch.closing_force, "control_spring": clutch.control_force}
+    for name, force in springs.items():
+        if force is not None and (stiffness := value_at(spec, f"{name}.stiffness")):
+            yield "unusual/deflection", f"{name}.stiffness", float(force) / stiffness, _times(_DEFLECTION, radius)
+    if ANALYSES["synthesize"].applies(clutch):
+        unit = answers.of(SynthesisResult)
+        key = "wall_angle" if value_at(spec, "control_unit.gain") is None else "gain"
+        yield "unusual/wall-angle", f"control_unit.{key}", unit.wall_angle, _WALL_ANGLE
+        circle = _times(_BALL_CIRCLE, radius)
+        yield "unusual/ball-circle", "control_unit.ball_circle_radius", unit.ball_circle_radius, circle
+
+
+def _times(ends: tuple[float, float], factor: float) -> tuple[float, float]:
+    return ends[0] * factor, ends[1] * factor

@@ -1,1 +1,0 @@
-"""Every limit a design is held against."""

@@ -1,0 +1,353 @@
+"""What the torque law neglects, for one clutch, in numbers (theory of the drive, section 13)."""
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
+from typing import Literal, NamedTuple, TypeVar
+
+from ..arrays import Values
+from ..engines.laws import IndirectLaw
+from ..engines.protocol import Clutch
+from ..equations import effects as law
+from ..equations import synthesis
+from ..errors import CalculationError, Problem, SpecError
+from ..findings import Finding, finding
+from ..messages import say, term
+from ..result import Answer, Result, Triple, quantity
+from ..spec.edit import value_at
+
+EffectName = Literal["spline-friction", "sliding-cams", "centrifugal", "wear"]
+NOTICEABLE = 0.05
+"""Relative change, of K_т or else of the torque, that is warned of."""
+POINTS = 33
+"""Frictions at which the largest and the smallest torque are looked for."""
+ENDS = ("min", "mean", "max")
+STEEL = 7850.0
+"""Density of a ball of bearing steel (ISO 3290-1), kg/m³."""
+STIFFNESS = "closing_spring.stiffness"
+_MOST_PAIRS = 1000
+
+Torque = Callable[[float, float], float]
+"""Slip torque at f_1 and f_2, N·m."""
+C = TypeVar("C", bound=Clutch)
+
+
+class Effect(Result):
+    """One effect: what the torque lies between, springs as set."""
+
+    effect: EffectName = quantity("", None, "effect")
+    torque_low: Triple = quantity("N*m", "T_low", "smaller slip torque")
+    torque_high: Triple = quantity("N*m", "T_high", "larger slip torque")
+    accuracy_factor_low: float = quantity("1", "K_low", "smaller accuracy factor")
+    accuracy_factor_high: float = quantity("1", "K_high", "larger accuracy factor")
+
+
+class EffectsResult(Answer):
+    """The law's torque, and what each effect makes of it."""
+
+    accuracy_factor: float = quantity("1", "K_т", "accuracy factor by the law")
+    torque: Triple = quantity("N*m", "T", "slip torque by the law")
+    effects: list[Effect] = quantity("", None, "effects the law neglects")
+
+
+class EffectCurve(Result):
+    """One effect along the common path of f_1 and f_2."""
+
+    effect: EffectName = quantity("", None, "effect")
+    low: list[float] = quantity("N*m", "T_low", "smaller slip torque")
+    high: list[float] = quantity("N*m", "T_high", "larger slip torque")
+
+
+class EffectsCurve(Result):
+    """The law's torque and what each effect makes of it."""
+
+    name: str | None = quantity("", None, "name of the clutch", optional=True)
+    friction: list[float] = quantity("1", "f", "coefficient of friction")
+    torque: list[float] = quantity("N*m", "T", "slip torque by the law")
+    effects: list[EffectCurve] = quantity("", None, "effects the law neglects")
+
+
+class Bracket(NamedTuple):
+    """Two curves that the torque lies between, none where no clutch is left, and what is to be said of them."""
+
+    curves: tuple[()] | tuple[Torque, Torque]
+    remarks: tuple[Finding, ...] = ()
+
+
+class EffectSource(NamedTuple):
+    """Where an effect comes from: the keys it needs, the first of them its own, its bracket, and words for it."""
+
+    needs: tuple[str, ...]
+    bracket: Callable[[Clutch], Bracket]
+    words: str
+
+    def missing(self, clutch: Clutch) -> list[str]:
+        """Keys of the spec that are not given; a clutch of its own stiffness needs no key for it."""
+        gone = [path for path in self.needs if value_at(clutch.spec, path) is None]
+        return [path for path in gone if path != STIFFNESS or clutch.following_stiffness is None]
+
+
+def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
+    """Put each effect that the spec gives the data of into numbers; springs stay as they are set.
+
+    Raises:
+        SpecError: the spec has the data of none.
+    """
+    brackets = _brackets(clutch)
+    if not brackets:
+        problems = [
+            Problem(path, None, say("required for the effect {name}; no effect has its keys", name=name))
+            for name, source in SOURCES.items()
+            for path in source.missing(clutch)
+        ]
+        raise SpecError(clutch.spec.label, problems)
+    result = EffectsResult(
+        accuracy_factor=clutch.accuracy_factor,
+        torque=_triple(clutch, max, clutch.torque),
+        effects=[_effect(clutch, name, bracket) for name, bracket in brackets.items() if bracket.curves],
+    )
+    remarks = [remark for bracket in brackets.values() for remark in bracket.remarks]
+    return result, [*clutch.findings(), *remarks, *_findings(clutch, result)]
+
+
+def effects_curve(clutch: Clutch) -> EffectsCurve:
+    """Calculate the torque over friction with every effect that the spec gives the data of.
+
+    Raises:
+        CalculationError: it gives the data of none, or the friction does not wander.
+    """
+    path, brackets = list(_path(clutch)), _brackets(clutch)
+    if not brackets:
+        raise CalculationError(say("plot effects: the spec gives the data of no effect (afmcalc effects says which)"))
+    if path[0] == path[-1]:
+        raise CalculationError(say("the friction does not wander (min = max): there is no curve over it"))
+    curves = []
+    for name, bracket in brackets.items():
+        if bracket.curves:
+            both = [sorted(float(curve(*frictions)) for curve in bracket.curves) for frictions in path]
+            curves.append(EffectCurve(effect=name, low=[low for low, _ in both], high=[high for _, high in both]))
+    return EffectsCurve(
+        name=clutch.spec.name,
+        friction=[frictions[0] for frictions in path],
+        torque=[float(clutch.torque(*frictions)) for frictions in path],
+        effects=curves,
+    )
+
+
+def _brackets(clutch: Clutch) -> dict[EffectName, Bracket]:
+    return {name: source.bracket(clutch) for name, source in SOURCES.items() if not source.missing(clutch)}
+
+
+def _path(clutch: Clutch) -> Iterator[tuple[float, float]]:
+    """The common path of f_1 and f_2."""
+    for number in range(POINTS):
+        first, second = clutch.path(number / (POINTS - 1))
+        yield float(first), float(second)
+
+
+def _triple(clutch: Clutch, choose: Callable[[Iterable[float]], float], *curves: Torque) -> Triple:
+    """The largest of some curves at the three frictions, or the smallest."""
+    at = {end: [getattr(friction, end) for friction in clutch.friction] for end in ENDS}
+    return Triple(**{end: float(choose([curve(*frictions) for curve in curves])) for end, frictions in at.items()})
+
+
+def _effect(clutch: Clutch, name: EffectName, bracket: Bracket) -> Effect:
+    # largest over smallest torque along the common path of f_1 and f_2
+    torques = ([curve(*frictions) for frictions in _path(clutch)] for curve in bracket.curves)
+    low, high = sorted(float(max(course) / min(course)) for course in torques)
+    return Effect(
+        effect=name,
+        torque_low=_triple(clutch, min, *bracket.curves),
+        torque_high=_triple(clutch, max, *bracket.curves),
+        accuracy_factor_low=low,
+        accuracy_factor_high=high,
+    )
+
+
+def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
+    """Warn of an effect on K_т, else of one on the torque; say which effects were not asked."""
+    for effect in result.effects:
+        by_law, low, high = result.accuracy_factor, effect.accuracy_factor_low, effect.accuracy_factor_high
+        path, words = SOURCES[effect.effect].needs[0], SOURCES[effect.effect].words
+        farthest = max(low, high, key=lambda factor: abs(factor / by_law - 1))
+        change = max(_changes(effect, result.torque), key=abs)
+        if abs(farthest / by_law - 1) > NOTICEABLE:
+            yield finding(
+                "effect-on-accuracy", "warning", value=farthest, limit=by_law, path=path, effect=words, low=low,
+                high=high,
+            )  # fmt: skip
+        elif abs(change) > NOTICEABLE:
+            yield finding("effect-on-torque", "warning", value=change, limit=NOTICEABLE, path=path, effect=words)
+        if effect.effect == "wear":
+            yield from _worn(clutch, effect, path)
+    for name, source in SOURCES.items():
+        if gone := source.missing(clutch):
+            yield finding("effect-not-told", "info", path=source.needs[0], name=name, listed=", ".join(gone))
+
+
+def _worn(clutch: Clutch, wear: Effect, path: str) -> Iterator[Finding]:
+    """Say where the clutch, worn, carries less than its own torque; a warning where that is less than the machine's."""
+    worn = min(getattr(wear.torque_low, end) for end in ENDS)
+    machine, nominal = float(clutch.machine_torque), float(clutch.nominal_torque)
+    if worn < machine * (1 - 1e-12):
+        yield finding("worn-below-machine", "warning", value=worn, limit=machine, path=path)
+    elif worn < nominal * (1 - 1e-12):
+        yield finding("worn-below-nominal", "info", value=worn, limit=nominal, path=path, machine=machine)
+
+
+def _changes(effect: Effect, by_law: Triple) -> Iterator[float]:
+    for torque in (effect.torque_low, effect.torque_high):
+        yield from (getattr(torque, end) / getattr(by_law, end) - 1 for end in ENDS)
+
+
+def _splines(clutch: Clutch) -> Bracket:
+    """Discs held in their splines as the pack closes under torque, or as the balls unload a pack closed at rest.
+
+    The controlled pairs are next to the spring (F11 fig. 1), an inner disc behind the first pair.
+    """
+    group = clutch.spec.friction_group
+    bypass, pairs = int(clutch.bypass_pairs), group.pairs
+    most_force = float(clutch.pack_force_at_rest)
+
+    def share(friction: float, disc: int) -> float:
+        """Share of the normal force of a pair that the spline of a disc can hold."""
+        radius = (group.inner_spline_radius, group.outer_spline_radius)[disc % 2]
+        return float(law.spline_share(group.spline_friction, friction, float(clutch.mean_radius), radius))
+
+    most = max(share(friction.max, disc) for friction in clutch.friction for disc in (0, 1))
+    if most >= 1:
+        locks = finding("splines-lock", "error", value=most, limit=1.0, path="friction_group.spline_friction")
+        return Bracket((), (locks,))
+
+    def forces(next_force: Callable[..., Values], driving: float, driven: float) -> list[float]:
+        """Forces on the pairs over that of the first, from the spring on: the controlled pairs, then the others."""
+        if pairs > _MOST_PAIRS:
+            raise CalculationError(
+                say("effects: splines are followed disc by disc, at most {most:,} pairs", most=_MOST_PAIRS)
+            )
+        frictions = [driven] * (pairs - bypass) + [driving] * bypass
+        chain = [1.0]
+        for disc, (near, far) in enumerate(zip(frictions, frictions[1:], strict=False)):
+            chain.append(float(next_force(chain[-1], share(near, disc), share(far, disc))))
+        return chain
+
+    def counted(chain: list[float]) -> Clutch:
+        """The clutch whose pairs count by their forces."""
+        return with_pairs(clutch, sum(chain[pairs - bypass :]), sum(chain[: pairs - bypass]))
+
+    def closing(driving: float, driven: float) -> float:
+        """Every disc was held on its way from the spring."""
+        return float(counted(forces(law.next_force_closing, driving, driven)).torque(driving, driven))
+
+    def opening(driving: float, driven: float) -> float:
+        """Every disc is held on its way back; none is pressed more than the pack was closed with."""
+        from scipy.optimize import brentq
+
+        chain = forces(law.next_force_opening, driving, driven)
+
+        def pressed(first: float) -> Clutch:
+            return counted([min(force, most_force / first) for force in chain])
+
+        def excess(first: float) -> float:
+            return float(pressed(first).normal_force(driving, driven)) - first
+
+        least = float(counted(chain).normal_force(driving, driven))
+        first = most_force if excess(most_force) >= 0 else brentq(excess, least, most_force, xtol=1e-300)
+        return float(pressed(first).torque(driving, driven))
+
+    return Bracket((closing, opening))
+
+
+def _cams(clutch: Clutch) -> Bracket:
+    """Gain with the friction of the wall against the cam driven up, and driven back."""
+    unit = clutch.spec.control_unit
+    assert unit is not None
+    assert unit.ball_circle_radius is not None
+    assert unit.wall_friction is not None
+    over = synthesis.tan_wall_angle(1.0, unit.ball_circle_radius, float(clutch.mean_radius))
+    tangent, path = float(clutch.gain) * over, "control_unit.wall_friction"
+    if tangent * unit.wall_friction >= 1:
+        stay = finding("cams-stay", "error", value=unit.wall_friction, limit=1 / tangent, path=path)
+        return Bracket((), (stay,))
+    loading = law.tan_wall_angle_loading(tangent, unit.wall_friction) / over
+    unloading = law.tan_wall_angle_unloading(tangent, unit.wall_friction) / over
+    least = float(clutch.gain_threshold or 0.0)
+    locks = finding("cams-lock", "warning", value=loading, limit=least, path=path)
+    curves = _with_gain(clutch, loading).torque, _with_gain(clutch, unloading).torque
+    return Bracket(curves, (locks,) if loading <= least else ())
+
+
+def _centrifugal(clutch: Clutch) -> Bracket:
+    """Conical pockets, as they are and with the force of balls thrown outward."""
+    unit, speed = clutch.spec.control_unit, clutch.spec.drive.speed
+    assert unit is not None
+    assert unit.ball_diameter is not None
+    tangent = synthesis.tan_wall_angle(clutch.gain, unit.ball_circle_radius, clutch.mean_radius)
+    mass = law.ball_mass(STEEL, unit.ball_diameter / 2, math.pi)
+    thrust = float(law.centrifugal_thrust(unit.balls, mass, speed, unit.ball_circle_radius, tangent))
+    return _weaker(clutch, thrust, "drive.speed")
+
+
+def _wear(clutch: Clutch) -> Bracket:
+    """The pack new, and with its lining gone."""
+    heat = clutch.spec.heat
+    assert heat is not None
+    assert heat.lining is not None
+    return _weaker(clutch, float(clutch.lost_by_wear(heat.lining)), "heat.lining")
+
+
+def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
+    """The pack as it is, and with less force on it at rest, N."""
+    force = float(clutch.pack_force_at_rest)
+    if loss >= force:
+        return Bracket((), (finding("force-used-up", "error", value=loss, limit=force, path=path),))
+    held = _springs_held(clutch)
+    if not isinstance(held.law, IndirectLaw):
+        return Bracket((replace(held, closing_force=held.closing_force - loss).torque, clutch.torque))
+    assert held.law.made_control_force is not None
+    weakened = replace(held, law=replace(held.law, made_control_force=held.law.made_control_force - loss))
+    return Bracket((weakened.torque, clutch.torque))
+
+
+def _springs_held(clutch: C) -> C:
+    """The clutch with its control spring, if it has one, as made: no change of the law sets it again."""
+    if not isinstance(clutch.law, IndirectLaw):
+        return clutch
+    return replace(clutch, law=replace(clutch.law, made_control_force=clutch.control_force))
+
+
+def _with_gain(clutch: C, gain: float) -> C:
+    """The clutch with another gain; where the key takes all of it, with as much as the key takes."""
+    held = _springs_held(clutch)
+    return replace(held, law=replace(held.law, gain=max(gain, float(clutch.gain_threshold or 0.0))))
+
+
+def with_pairs(clutch: C, bypass: Values, controlled: Values) -> C:
+    """The clutch with pairs that count in part, its springs as they are set."""
+    held = _springs_held(clutch)
+    if isinstance(held.law, IndirectLaw):
+        return replace(held, law=replace(held.law, pairs=bypass + controlled))
+    return replace(held, law=replace(held.law, bypass_pairs=bypass, controlled_pairs=controlled))
+
+
+SOURCES: Mapping[EffectName, EffectSource] = {
+    "spline-friction": EffectSource(
+        (
+            "friction_group.spline_friction",
+            "friction_group.inner_spline_radius",
+            "friction_group.outer_spline_radius",
+        ),
+        _splines,
+        term("discs held in their splines"),
+    ),
+    "sliding-cams": EffectSource(
+        ("control_unit.wall_friction", "control_unit.ball_circle_radius"), _cams, term("cams that slide on their walls")
+    ),
+    "centrifugal": EffectSource(
+        ("drive.speed", "control_unit.balls", "control_unit.ball_diameter", "control_unit.ball_circle_radius"),
+        _centrifugal,
+        term("balls thrown against conical pockets"),
+    ),
+    "wear": EffectSource(("heat.lining", STIFFNESS), _wear, term("wear of the lining")),
+}
+"""Effect → where it comes from, in the order they are told."""

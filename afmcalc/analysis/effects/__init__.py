@@ -1,1 +1,0 @@
-"""What the torque law neglects."""

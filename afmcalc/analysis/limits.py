@@ -1,0 +1,283 @@
+"""Every limit a design is held against, passed or not, with its utilisation."""
+
+import math
+from collections.abc import Iterator
+from typing import Literal, NamedTuple
+
+from ..drive.result import HeatResult, SimulateResult
+from ..engines.parts import demands_of
+from ..engines.protocol import Clutch
+from ..equations import direct
+from ..findings import Finding, Level, finding
+from ..messages import say, term
+from ..result import Result, Sentence, quantity
+from ..spec.balls import diameters
+from ..spec.edit import value_at
+from ..spec.materials import Material, catalogue
+from .answers import Answers
+from .fit import contact_limits
+from .heat_findings import judged_temperature, share_of_rise
+from .life import LifeResult
+from .registry import ANALYSES
+from .unit import SynthesisResult
+
+Grade = Literal["pass", "note", "warning", "fail"]
+_GRADES: dict[str, Grade] = {"info": "note", "warning": "warning", "error": "fail"}
+
+
+class Utilisation(Result):
+    """One limit, and how much of it a design uses."""
+
+    name: Sentence = quantity("", None, "check")
+    symbol: Sentence = quantity("", None, "condition")
+    value: float = quantity("", None, "value", unit_in="shown_unit")
+    limit: float = quantity("", None, "limit", unit_in="shown_unit")
+    unit: str = quantity("", None, "unit", is_unit=True, unit_in="shown_unit")
+    utilisation: float = quantity("1", "η", "utilisation, 1 at the limit")
+    verdict: Grade = quantity("", None, "verdict")
+
+    @property
+    def shown_unit(self) -> str:
+        """Unit: what is held against a limit is a temperature, not a difference of two."""
+        return "K abs" if self.unit == "K" else self.unit
+
+
+class _Limit(NamedTuple):
+    """A value held against a limit: the largest allowed, or the ``least``."""
+
+    code: str
+    """Code of the finding that says how grave it is to be beyond."""
+    name: str
+    symbol: str
+    unit: str
+    value: float
+    limit: float
+    least: bool = False
+    used: float | None = None
+    """Utilisation, where it is not the ratio of both."""
+    level: Level | None = None
+    """How grave it is to be beyond, where no finding says it."""
+
+
+def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]:
+    """Hold a design against every limit that applies to it.
+
+    Args:
+        answers: what was asked of the clutch.
+        findings: those of all its analyses; they decide how grave an exceeded limit is.
+    """
+    levels = {remark.code: remark.level for remark in findings}
+    rows = []
+    for code, name, symbol, unit, value, limit, least, used, level in _limits(answers):
+        share = used if used is not None else limit / value if least else value / limit
+        grade: Grade = _GRADES[level or levels.get(code, "info")] if share > 1 + 1e-9 else "pass"
+        row = Utilisation(
+            name=name, symbol=symbol, unit=unit, value=value, limit=limit, utilisation=share, verdict=grade
+        )
+        rows.append(row)
+    return rows
+
+
+def _limits(answers: Answers) -> Iterator[_Limit]:
+    clutch = answers.clutch
+    simulated = ANALYSES["simulate"].applies(clutch)
+    yield from _of_clutch(clutch)
+    yield from _of_hub(answers)
+    if ANALYSES["synthesize"].applies(clutch):
+        yield from _of_synthesis(clutch, answers.of(SynthesisResult))
+    if simulated:
+        yield from _of_event(clutch, answers.of(SimulateResult))
+    yield from _of_springs(clutch, _travel(answers.of(SimulateResult)) if simulated else 0.0)
+    yield from _of_pressure(clutch)
+    if ANALYSES["heat"].applies(clutch):
+        yield from _of_heat(clutch, answers.of(HeatResult))
+    if ANALYSES["life"].applies(clutch):
+        yield from _of_life(answers.of(LifeResult))
+
+
+def _of_clutch(clutch: Clutch) -> Iterator[_Limit]:
+    gain, rule, limit = float(clutch.gain), clutch.spec.kind.gain_limit, clutch.gain_limit
+    if rule is not None and limit is not None:
+        value, bound = rule.stated(gain, clutch.reduced_gain, limit)
+        yield _Limit(rule.code, rule.quantity, rule.symbol, "1", float(value), float(bound))
+    if clutch.gain_threshold:
+        least, name = float(clutch.gain_threshold), term("gain against key friction")
+        yield _Limit("feedback-idle", name, "C ≥ 2R f_1/d", "1", gain, least, least=True)
+    lowest, nominal = float(clutch.torque_min), float(clutch.nominal_torque)
+    name = term("least torque in service")
+    yield _Limit("below-nominal-torque", name, "T_min ≥ T_н", "N*m", lowest, nominal, least=True)
+    if (returned := clutch.torque_returning_min) is not None:
+        name, machine = term("least torque, friction falling under load"), float(clutch.machine_torque)
+        yield _Limit("returning-below-nominal", name, "T_ret ≥ T_н.маш", "N*m", float(returned), machine, least=True)
+
+
+def _of_hub(answers: Answers) -> Iterator[_Limit]:
+    """The hub is within the discs, and within the balls, whose sleeve it carries."""
+    spec = answers.clutch.spec
+    hub, inner = value_at(spec, "control_unit.hub_diameter"), spec.friction_group.inner_radius
+    if hub is None:
+        return
+    room = 2 * (float(answers.clutch.mean_radius) if inner is None else inner)
+    if ANALYSES["synthesize"].applies(answers.clutch):
+        unit = answers.of(SynthesisResult)
+        room = min(room, 2 * unit.ball_circle_radius - unit.ball_diameter)
+    if room > 0:  # else the balls reach the axis, which is said
+        yield _Limit("hub-too-large", term("hub within balls and discs"), "d ≤ 2r − d_ш, 2r_i", "m", hub, room)
+
+
+def hub_findings(answers: Answers) -> list[Finding]:
+    """Say that the hub is larger than balls and discs leave room for."""
+    return [
+        finding(hub.code, "error", value=hub.value, limit=hub.limit, path="control_unit.hub_diameter")
+        for hub in _of_hub(answers)
+        if hub.value > hub.limit * (1 + 1e-9)
+    ]
+
+
+def _of_synthesis(clutch: Clutch, unit: SynthesisResult) -> Iterator[_Limit]:
+    diameter, needed, pitch = unit.ball_diameter, 2 * unit.ball_radius, unit.ball_pitch
+    if unit.ball_diameter_standard is None:
+        largest = max(diameters())
+        yield _Limit("no-standard-ball", term("ball needed"), say("2 r_ш ≤ largest of the list"), "m", needed, largest)
+    else:
+        yield _Limit("ball-too-small", term("ball diameter"), "d_ш ≥ 2 r_ш", "m", diameter, needed, least=True)
+    if (limit := unit.undercut_radius) is not None:
+        yield _Limit("wall-undercut", term("ball runs on the curved wall"), "r_ш < ρ_0", "m", diameter / 2, limit)
+    if pitch is None:
+        name, circle = term("ball clear of the axis"), unit.ball_circle_radius
+        yield _Limit("ball-reaches-axis", name, "r_ш ≤ r", "m", diameter / 2, circle)
+    else:
+        yield _Limit("balls-overlap", term("balls side by side"), "d_ш ≤ t_ш", "m", diameter, pitch)
+        yield _Limit("pockets-overlap", term("pockets side by side"), "b ≤ t_ш", "m", unit.pocket_width, pitch)
+    if (sleeve := value_at(clutch.spec, "control_unit.sleeve_depth")) is not None:
+        depth = unit.pocket_depth_cut
+        yield _Limit("depth-beyond-sleeve", term("pocket within the sleeve"), "h_c ≤ B", "m", depth, sleeve)
+    for force, allowable, by_hertz in contact_limits(clutch, unit):
+        name = term("contact force on one ball, by Hertz") if by_hertz else term("contact force on one ball")
+        code = "contact-force-exceeded" if force > allowable else ""  # one limit may hold where the other does not
+        yield _Limit(code, name, "F_n ≤ [F_n]", "N", force, allowable)
+    if unit.seat_force is not None and unit.seat_utilisation:
+        force, allowable = unit.seat_force, unit.seat_force / unit.seat_utilisation
+        yield _Limit("seat-force-exceeded", term("force of a seat on one ball"), "F_s ≤ [F_n]", "N", force, allowable)
+
+
+def _travel(event: SimulateResult) -> float:
+    """Largest travel of the sleeve in an event, m; 0 without one."""
+    return 0.0 if event.travel_max is None else max(vars(event.travel_max).values())
+
+
+def _of_event(clutch: Clutch, event: SimulateResult) -> Iterator[_Limit]:
+    """What an event asks of balls and pockets."""
+    from .event import strength_of
+
+    strength = strength_of(clutch)
+    if event.contact_force is not None and strength.contact_force is not None:
+        force, name = max(vars(event.contact_force).values()), term("contact force on one ball in the event")
+        yield _Limit("event-contact-force", name, "F_n ≤ [F_n]", "N", force, strength.contact_force)
+    if strength.travel is not None:
+        name = term("travel in the event, the ball in its pocket")
+        yield _Limit("event-ball-leaves-pocket", name, "x_max ≤ [x]", "m", _travel(event), strength.travel)
+
+
+def _of_springs(clutch: Clutch, travel: float) -> Iterator[_Limit]:
+    """What the springs named are to hold, each judged on its own, where the sleeve travels so far in an event."""
+    if not clutch.spec.spring_parts:
+        return
+    for path, demand in demands_of(clutch.spec, clutch.wishes(travel)):
+        rule, used = demand.rule, demand.utilisation
+        if math.isfinite(used):
+            spring = term("closing spring") if path.startswith("closing") else term("control spring")
+            name = say("{spring}: {what}", spring=spring, what=term(rule.what))
+            yield _Limit(
+                rule.code, name, rule.symbol, rule.unit, demand.value, demand.limit, used=used, level=rule.level
+            )
+
+
+def _of_pressure(clutch: Clutch) -> Iterator[_Limit]:
+    for remark in pressure_findings(clutch):
+        assert remark.value is not None
+        assert remark.limit is not None
+        inner, mean = term("surface pressure at the inner edge"), term("surface pressure in the mean")
+        name = inner if remark.code.startswith("peak") else mean
+        yield _Limit(remark.code, name, "p ≤ [p]", "Pa", remark.value, remark.limit, level=remark.level)
+
+
+def _of_heat(clutch: Clutch, heat: HeatResult) -> Iterator[_Limit]:
+    """What the friction material has to bear of a trip."""
+    judged = judged_temperature(clutch, heat)
+    if judged is None:
+        return
+    name, symbol = term("mean temperature of the discs"), "Θ ≤ [Θ]"
+    if judged.of_faces:
+        name, symbol = term("temperature of the faces"), "Θ_s ≤ [Θ]"
+    value, low = judged.value, judged.limit.low
+    code = "temperature-exceeded" if value > judged.limit.high else "temperature-in-range"
+    yield _Limit(code, name, symbol, "K", value, low, used=share_of_rise(clutch, value, low))
+
+
+def _of_life(life: LifeResult) -> Iterator[_Limit]:
+    protected = term("damaging stress, protected side (beyond: limited life)")
+    unprotected = term("damaging stress, unprotected side (beyond: limited life)")
+    sides = ((protected, "τ_eq", life.stress_protected), (unprotected, "τ'_eq", life.stress_unprotected))
+    for name, symbol, stress in sides:
+        if stress is not None:
+            yield _Limit("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, life.endurance_limit)
+
+
+def pressure_findings(clutch: Clutch) -> list[Finding]:
+    """Hold the pressure of the clutch at rest against the allowable range of each material named.
+
+    The pack is pressed most at rest, before a release force sets in: with F_п of a direct clutch, F_п2 of an indirect
+    one, whose control spring presses through sleeve and stop. Needs the inner and outer radius; with uniform wear the
+    peak at the inner edge is held against the allowable too.
+    """
+    pressures = ring_pressures(clutch)
+    return [
+        _pressure_finding(kind, pressure, catalogue()[material], path)
+        for path, material in clutch.spec.friction.materials.items()
+        if catalogue()[material].pressure_max is not None
+        for kind, pressure in pressures.items()
+    ]
+
+
+def ring_pressures(clutch: Clutch) -> dict[str, float]:
+    """Return the pressure of a pack at rest in the ``mean`` and at its ``peak``, Pa; empty without both radii."""
+    group = clutch.spec.friction_group
+    if group.inner_radius is None or group.outer_radius is None:
+        return {}
+    ring = float(clutch.pack_force_at_rest), group.inner_radius, group.outer_radius, math.pi
+    pressures = {"mean": float(direct.mean_pressure(*ring))}
+    if (group.radius_model or "uniform-wear") == "uniform-wear":
+        pressures["peak"] = float(direct.peak_pressure_uniform_wear(*ring))
+    return pressures
+
+
+def allowable(material: str) -> float | None:
+    """Surface pressure that a material of the catalogue is held to, Pa; None where the catalogue has none.
+
+    The lower end of the printed range: so the utilisation grows with the load.
+    """
+    return catalogue()[material].pressure_min
+
+
+def _pressure_finding(kind: str, pressure: float, material: Material, path: str) -> Finding:
+    """Below the printed range of the allowable: fine; within: the designer's to judge; above: an error."""
+    low, high = material.pressure_min, material.pressure_max
+    assert low is not None
+    assert high is not None
+    level: Level = "error" if pressure > high else "warning" if pressure > low else "info"
+    return finding(
+        _PRESSURE_CODES[kind, level], level, value=pressure, limit=low, path=path, used=pressure / low, low=low,
+        high=high, name=material.name,
+    )  # fmt: skip
+
+
+_PRESSURE_CODES = {
+    ("mean", "info"): "mean-pressure",
+    ("mean", "warning"): "mean-pressure-in-range",
+    ("mean", "error"): "mean-pressure-exceeded",
+    ("peak", "info"): "peak-pressure",
+    ("peak", "warning"): "peak-pressure-in-range",
+    ("peak", "error"): "peak-pressure-exceeded",
+}
+"""Where it is pressed so, and how grave it is → code."""
