@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 
 from afmcalc.analysis.solve.solve import PARAMETERS, TARGETS, NotAttainableError, solve
-from afmcalc.analysis.sweep.points import clutch_over
 from afmcalc.engines import build
 from afmcalc.errors import CalculationError
 from afmcalc.spec import make_spec
+from afmcalc.spec.edit import with_key
 from afmcalc.spec.paths import ALIASES
 
 POINTS = 4001
@@ -117,7 +117,7 @@ def scan(case: Case) -> Scan:
             end = clutch.mean_radius * clutch.gain / threshold * (1 - 1e-13)
             x = np.concatenate([x[x < end], np.linspace(0, end, POINTS)[1:]])
     x = np.unique(x)
-    over = clutch_over(spec, {path: x})
+    over = build(with_key(spec, path, x))
     if not case.beyond and over.gain_limit is not None:
         x = x[np.broadcast_to(over.gain <= over.gain_limit * (1 + 1e-12), x.shape)]
         if case.name not in WHOLE and len(x) and x[-1] < 1e13:
@@ -126,7 +126,7 @@ def scan(case: Case) -> Scan:
             x = np.unique(np.concatenate([x, np.linspace(x[0], end[case.name](), POINTS)]))
         if not len(x):
             return x, x
-        over = clutch_over(spec, {path: x})
+        over = build(with_key(spec, path, x))
     with np.errstate(all="ignore"):
         found = np.broadcast_to(value(over), x.shape)
         told = np.isfinite(found)
@@ -146,7 +146,7 @@ def best_of(case: Case, scanned: Scan, side: float, approached: bool) -> float:
     for _ in range(0 if case.name in WHOLE else 3):
         i = int(np.argmax(side * value))
         x = np.linspace(x[max(i - 1, 0)], x[min(i + 1, len(x) - 1)], POINTS)
-        value = np.broadcast_to(TARGETS[case.target].value(clutch_over(spec, {path: x})), x.shape)
+        value = np.broadcast_to(TARGETS[case.target].value(build(with_key(spec, path, x))), x.shape)
     return float(max(side * value) * side)
 
 

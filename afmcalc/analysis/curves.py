@@ -20,9 +20,8 @@ from .life import LifeResult, LifeSweep, band_axis, life_sweep
 from .overload import SWEEP_OUTPUTS as OVERLOAD_OUTPUTS
 from .overload import Actuation, OverloadSweep, refuse
 from .registry import StressRule
-from .sweep.axes import find_key, parse_axis
+from .sweep.axes import current_value, find_key, parse_axis
 from .sweep.grid import Axis, S, series
-from .sweep.ranges import current_value
 
 POINTS = 201
 """Points of a curve: enough for a line without corners on paper."""

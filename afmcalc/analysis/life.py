@@ -172,7 +172,7 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: 
     """
     import numpy as np
 
-    from .sweep.points import evaluate
+    from .sweep.grid import evaluate
 
     part, points = _part(clutch, model), grid(axes)
     answers: Mapping[str, Values]
@@ -233,7 +233,7 @@ def band_axis(text: str, clutch: Clutch) -> Axis:
     import numpy as np
 
     from ..spec.walk import Key
-    from .sweep.ranges import parse_values
+    from .sweep.axes import parse_values
 
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")
     load = load_of(clutch)

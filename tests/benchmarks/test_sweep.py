@@ -13,7 +13,7 @@ import pytest
 
 import afmcalc
 from afmcalc.analysis.accuracy import SWEEP_OUTPUTS
-from afmcalc.analysis.sweep.points import evaluate
+from afmcalc.analysis.sweep.grid import evaluate
 
 PAIRS = 21
 Z1, Z2, LOW, HIGH, FORCE, RADIUS = 1, 7, 0.1, 0.8, 2000.0, 0.1

@@ -6,7 +6,7 @@ from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
-from afmcalc.analysis.sweep.points import evaluate
+from afmcalc.analysis.sweep.grid import evaluate
 from afmcalc.engines import build
 from afmcalc.engines.characteristic import DiscCharacteristic
 from afmcalc.errors import SpecError

@@ -1,17 +1,32 @@
-"""Axes of a sweep as written on the command line: which key is meant."""
+"""Axes of a sweep as written on the command line: which key is meant, and which values, given or sensible ones."""
 
+import math
+import re
 from collections.abc import Iterable
 
+import numpy as np
+
+from ...arrays import Floats
+from ...engines import build
 from ...engines.protocol import Clutch
-from ...errors import AfmcalcError
+from ...errors import AfmcalcError, SpecError
 from ...messages import say
+from ...source import Unlikely
 from ...spec import Spec
+from ...spec.edit import respecified, value_at
+from ...spec.models import FrictionRange
 from ...spec.names import elsewhere, names, path_of
 from ...spec.paths import ALIASES, keys
+from ...spec.quantity import impossible, parse_quantity, unlikely
 from ...spec.rules import variants_of
 from ...spec.suggest import did_you_mean
 from ...spec.walk import Key
-from .grid import Axis
+from .grid import MOST_POINTS, Axis
+
+_MOST_COUNTED = 200
+"""Whole numbers that are swept where no range is given."""
+_RANGE = re.compile(r"\.\.|…|\d\s*(?:-|–|to)\s*\d")
+"""How a range is written elsewhere."""
 
 
 def find_key(name: str) -> Key:
@@ -67,10 +82,142 @@ def parse_axis(text: str, spec: Spec) -> Axis:
             )
         )
     scale = 1 / (spec.friction_group.pairs - spec.bypass_pairs) if name == "zC" else 1.0
-    # here, not above: it loads NumPy, which only a sweep needs
-    from .ranges import default_range, doubted, parse_values
-
     if not separator:
         return Axis(name, key, default_range(key, spec) / scale, scale)
     values = parse_values(text, given, key.unit or "1")
-    return Axis(name, key, values, scale, doubted(text, given, key, values))
+    return Axis(name, key, values, scale, _doubted(text, given, key, values))
+
+
+def parse_values(text: str, given: str, unit: str) -> Floats:
+    """Read ``start:stop:count`` or ``v1,v2,…``; ``text`` is the whole option, for messages."""
+
+    def number(part: str) -> float:
+        try:
+            value: float | str = float(part)
+        except ValueError:
+            value = part
+        try:
+            return parse_quantity(value, unit)
+        except ValueError as error:
+            raise AfmcalcError(
+                say("--sweep {text:.80}: {part!r:.80}: {why}", text=text, part=part, why=error)
+            ) from None
+
+    ranged = ":" in given or _RANGE.search(given)
+    parts = [part.strip() for part in given.split(":" if ranged else ",")]
+    if len({_has_unit(part) for part in (parts[:2] if ranged else parts)}) > 1:
+        raise AfmcalcError(say("--sweep {text:.80}: give every value a unit, or none (SI)", text=text))
+    if not ranged:
+        return np.array([number(part) for part in parts])
+    asked = parts[2] if len(parts) == 3 else ""
+    if not asked.isdecimal() or (len(asked) <= 4 and int(asked) < 2):
+        raise AfmcalcError(
+            say("--sweep {text:.80}: write start:stop:count with a whole count of at least 2", text=text)
+        )
+    if len(asked) > 10 or (count := int(asked)) > MOST_POINTS:
+        raise AfmcalcError(
+            say(
+                "--sweep {text:.80}: {count:.20} points; at most {most:,} are swept",
+                text=text,
+                count=asked,
+                most=MOST_POINTS,
+            )
+        )
+    return np.linspace(number(parts[0]), number(parts[1]), count)
+
+
+def _doubted(text: str, given: str, key: Key, values: Floats) -> Unlikely | None:
+    """Return the first of the values of a sweep that, given without a unit, may be meant in another than SI.
+
+    Raises:
+        AfmcalcError: one that cannot be meant in SI.
+    """
+    if _has_unit(given):
+        return None
+    doubts = [doubt for value in values.tolist() if (doubt := unlikely(value, key.unit, key.path))]
+    if never := next((doubt for doubt in doubts if not doubt.possible), None):
+        raise AfmcalcError(say("--sweep {text:.80}: {why}", text=text, why=impossible(never)))
+    return next(iter(doubts), None)
+
+
+def _has_unit(part: str) -> bool:
+    return any(letter.isalpha() for letter in part.lower().replace("e", ""))
+
+
+def default_range(key: Key, spec: Spec) -> Floats:
+    """Return a sensible range: the gain from 0 to its limit, counts one by one, else half to twice the value."""
+    current, pairs = current_value(spec, key.path), spec.friction_group.pairs
+    if key.path == "control_unit.gain":
+        clutch = build(spec)
+        limit, start = clutch.gain_limit, float(clutch.gain_threshold or 0.0)
+        return np.linspace(start, limit if limit is not None else max(2 * float(clutch.gain), start + 5.0), 26)
+    if key.path == "control_unit.gain_slope":
+        return np.linspace(0.0, 2 * float(build(spec).constant_torque_slope or 0.0), 41)
+    if key.path == "friction_group.driving_pairs":
+        return _whole(1, max(pairs - 1, 1))
+    if key.path == "friction_group.pairs":
+        return _whole(spec.least_pairs, 2 * pairs)
+    if key.path == "adjustment.margin":
+        return np.linspace(1.0, max(2.0, float(current or 1)), 21)
+    if current is None:
+        raise AfmcalcError(say("{path} is not in the spec: give a range, {path}=start:stop:count", path=key.path))
+    about = key.about
+    assert about is not None
+    low, high = 0.5 * current, 2 * current
+    if (friction := _friction(key.path, spec)) is not None:
+        # within min ≤ mean ≤ max of its group
+        ends, end = friction.range, key.path.rpartition(".")[2]
+        pinned = friction.mean is not None
+        if end != "min":
+            low = ends.mean if end == "max" and pinned else ends.min
+        if end != "max":
+            high = ends.mean if end == "min" and pinned else ends.max
+    if key.path == "control_unit.wall_angle":
+        high = min(high, 1.5)
+    low = low if about.low is None else max(low, about.low)
+    high = high if about.high is None else min(high, about.high)
+    low, high = (_feasible(spec, key.path, current, end) for end in (low, high))
+    return _whole(math.ceil(low), math.floor(high)) if about.whole else np.linspace(low, high, 26)
+
+
+def _whole(low: int, high: int) -> Floats:
+    """Every whole number of a range, or as many as are worth a row each."""
+    if high - low < _MOST_COUNTED:
+        return np.arange(low, high + 1, dtype=float)
+    return np.unique(np.rint(np.linspace(low, high, _MOST_COUNTED)))
+
+
+def _feasible(spec: Spec, path: str, current: float, end: float) -> float:
+    """Draw an end of a default range in to where the spec is valid and the clutch can be built."""
+
+    def builds(value: float) -> bool:
+        try:
+            build(respecified(spec, {path: value}))
+        except SpecError:
+            return False
+        return True
+
+    inside = current
+    if builds(end):
+        return end
+    for _ in range(60):
+        middle = (inside + end) / 2
+        inside, end = (middle, end) if builds(middle) else (inside, middle)
+    return inside
+
+
+def _friction(path: str, spec: Spec) -> FrictionRange | None:
+    """Return the friction that a coefficient at ``path`` belongs to, of all pairs or of a group; None of other keys."""
+    group, _, end = path.rpartition(".")
+    if not path.startswith("friction.") or end not in ("min", "mean", "max"):
+        return None
+    return None if group == "friction" and spec.friction.unlike else value_at(spec, group)
+
+
+def current_value(spec: Spec, path: str) -> float | None:
+    """Return the value at ``path`` as the engines see it; None when absent."""
+    if path == "friction_group.mean_radius":
+        return float(build(spec).mean_radius)
+    if (friction := _friction(path, spec)) is not None:
+        return getattr(friction.range, path.rpartition(".")[2])
+    return value_at(spec, path)

@@ -1,20 +1,28 @@
-"""A sweep: its axes, and the series of answers over their grid. Loads no NumPy where nothing is swept."""
+"""A sweep: its axes, and the answers over their grid in one array expression of the engines. Loads NumPy when asked."""
 
 from collections.abc import Callable, Mapping, Sequence
+from itertools import product
 from typing import NamedTuple, TypeVar
 
 from ...arrays import Floats, Values
+from ...engines import build
 from ...engines.protocol import Clutch
-from ...errors import AfmcalcError
+from ...errors import AfmcalcError, SpecError
 from ...findings import Finding, doubts, finding
-from ...messages import say
+from ...messages import joined, say
 from ...result import Series
 from ...source import Unlikely
 from ...spec import Spec, edit
+from ...spec.paths import is_whole
 from ...spec.walk import Key
 
 MOST_POINTS = 200_000
 """Points of a sweep: its answers take 0.3 GB then."""
+_BLOCK = 16_000
+"""Points calculated at a time: as many as an array may have that the allocator keeps (128 KiB); a larger one it gives
+back to the system each time, and fetching its pages anew takes longer than all the arithmetic."""
+Output = Callable[[Clutch], Values]
+"""What is asked of the clutch at every point."""
 
 
 class Axis(NamedTuple):
@@ -40,25 +48,19 @@ def replaced(spec: Spec, axes: Sequence[Axis]) -> list[Finding]:
 
 def grid(axes: Sequence[Axis]) -> list[Floats]:
     """Coordinates of every point of the grid by axis, flat, the first axis slowest."""
+    import numpy as np
+
     count = 1
     for axis in axes:
         count *= axis.values.size
     if count > MOST_POINTS:
         raise AfmcalcError(
-            say(
-                "the sweep asks for {count:,} points; at most {most:,} are swept",
-                count=count,
-                most=MOST_POINTS,
-            )
+            say("the sweep asks for {count:,} points; at most {most:,} are swept", count=count, most=MOST_POINTS)
         )
     if len({axis.key.path for axis in axes}) < len(axes):
         raise AfmcalcError(say("the same key is swept twice"))
     if any(axis.name == "zC" for axis in axes) and any(axis.key.path.endswith("pairs") for axis in axes):
         raise AfmcalcError(say("zC and a number of pairs cannot be swept together: sweep C with it"))
-    if len(axes) == 1:
-        return [axes[0].values]
-    import numpy as np
-
     return [coordinates.ravel() for coordinates in np.meshgrid(*(axis.values for axis in axes), indexing="ij")]
 
 
@@ -69,14 +71,12 @@ def series(
     kind: type[S],
     clutch: Clutch,
     axes: Sequence[Axis],
-    outputs: Mapping[str, Callable[[Clutch], Values]],
+    outputs: Mapping[str, Output],
     open_at: Sequence[str] = (),
 ) -> list[S] | None:
     """Sweep ``outputs`` over the grid of ``axes``, one series per axis, NaN in ``open_at`` None; None without axes."""
     if not axes:
         return None
-    from .points import evaluate
-
     points = grid(axes)
     values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
     answers = {name: array.tolist() for name, array in evaluate(clutch.spec, values, outputs).items()}
@@ -85,3 +85,46 @@ def series(
         kind(parameter=axis.name, path=axis.key.path, unit=axis.key.unit or "1", values=given.tolist(), **answers)
         for axis, given in zip(axes, points, strict=True)
     ]
+
+
+def evaluate(spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Output]) -> dict[str, Floats]:
+    """Evaluate functions of the clutch with arrays, SI, in place of the numbers at some paths of its spec.
+
+    Every constraint of the spec bounds one value or orders two, so that the extremes of the arrays stand
+    for all their elements: those are validated, then the arrays go through the same engine as numbers do.
+
+    Raises:
+        SpecError: a value no spec may have.
+    """
+    import numpy as np
+
+    arrays = {path: np.asarray(array, float) for path, array in values.items()}
+    for path, array in arrays.items():
+        if array.size == 0:
+            raise AfmcalcError(say("{path}: no values to sweep", path=path))
+        if is_whole(path) and (wrong := array[array != np.floor(array)]).size:
+            raise AfmcalcError(say("--sweep {path}: {wrong:g} is not a whole number", path=path, wrong=float(wrong[0])))
+    ends = (dict.fromkeys((float(array.min()), float(array.max()))) for array in arrays.values())
+    for corner in product(*ends):
+        valid = _validated(spec, dict(zip(arrays, corner, strict=True)))
+    shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    answers = {name: np.empty(shape) for name in outputs}
+    # stretches of a flat sweep whose intermediate arrays stay in the processor's cache; else the whole
+    flat = len(shape) == 1 and all(array.shape == shape for array in arrays.values())
+    with np.errstate(all="ignore"):
+        for block in [slice(start, start + _BLOCK) for start in range(0, shape[0], _BLOCK)] if flat else [...]:
+            swept = edit.with_values(valid, ((path.split("."), array[block]) for path, array in arrays.items()))
+            clutch = build(swept)
+            for name, function in outputs.items():
+                answers[name][block] = function(clutch)
+    return answers
+
+
+def _validated(spec: Spec, corner: dict[str, float]) -> Spec:
+    try:
+        valid = edit.respecified(spec, corner)
+        build(valid)
+    except SpecError as error:
+        where = joined(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
+        raise SpecError(say("sweep at {where}", where=where), error.problems) from None
+    return valid

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from conftest import S21
 
-from afmcalc.analysis.sweep.points import evaluate
+from afmcalc.analysis.sweep.grid import evaluate
 from afmcalc.spec import read_spec
 
 
