@@ -78,7 +78,7 @@ def accuracy_factor_of_torques(torque_max: TorqueMax, torque_min: TorqueMin) -> 
 
 @equation
 def accuracy_factor_worst_case(
-    torque_max: CornerTorqueMax, torque_min: CornerTorqueMin
+    torque_max: TorqueMax, torque_min: TorqueMin
 ) -> Annotated[Number, Term("K_т,w", "", "1")]:
     """Accuracy factor with f_1 and f_2 independent: largest over smallest torque of the four corners of their ranges.
 

@@ -7,9 +7,7 @@ from .terms import *
 
 
 @equation
-def closing_force(
-    nominal_torque: NominalTorque, margin: SettingMargin, torque_per_force: TorquePerForce
-) -> ClosingForce:
+def closing_force(nominal_torque: NominalTorque, margin: Margin, torque_per_force: TorquePerForce) -> ClosingForce:
     """Closing-spring force that gives the nominal torque at the setting, β_н T_н/[R g(f_set)].
 
     Source: S19 (1), (2), (5) with β_н = 1 and f_set = f_min; (3), (4), (6) with f_set = f_cp.
@@ -19,7 +17,7 @@ def closing_force(
 
 
 @equation
-def nominal_torque(torque_at_setting: TorqueAtSetting, margin: SettingMargin) -> NominalTorque:
+def nominal_torque(torque_at_setting: TorqueAtSetting, margin: Margin) -> NominalTorque:
     """Nominal torque that the spring as set gives, T(f_set)/β_н: the inverse of ``closing_force``.
 
     Source: S19 (1)–(4).

@@ -48,7 +48,7 @@ def inertia_torque(
 
 @equation
 def stop_torque(
-    driven_inertia: DrivenInertia, deceleration: Deceleration, torque: SlidingTorque, load_torque: LoadBefore
+    driven_inertia: DrivenInertia, deceleration: Deceleration, torque: SlipTorque, load_torque: LoadBefore
 ) -> Annotated[Number, Term("T_a", "", "N*m")]:
     """Peak beyond the sliding torque while the tool slows down, T_a = J_2 a + √(J_2 a [J_2 a + 2 (T − T_0)]).
 

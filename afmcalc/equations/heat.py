@@ -32,7 +32,7 @@ def run_down_energy(
 
 @equation
 def speed_after(
-    speed: MotorSpeedAtSlip, inertia: MotorInertia, torque: SlipTorque, motor_torque: MotorTorque, time: TimeSinceSlip
+    speed: MotorSpeedAtSlip, inertia: MotorInertia, torque: SlipTorque, motor_torque: MotorTorque, time: Time
 ) -> MotorSpeed:
     """Speed of the motor side while the clutch slips, ω_0 − (T − M_1) t/J_1.
 

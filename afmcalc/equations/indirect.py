@@ -129,7 +129,7 @@ def normal_force_balanced(
 @equation
 def travel_as_made(
     closing_force: IndirectClosingForce,
-    control_force: ControlForceAsMade,
+    control_force: ControlForce,
     pairs: Pairs,
     friction: Friction,
     net_gain: NetGain,

@@ -78,7 +78,7 @@ def travel(
 
 @equation
 def leaving_friction(
-    closing_force: IndirectClosingForce, control_force: ControlForceAsMade, pairs: Pairs, net_gain: NetGain
+    closing_force: IndirectClosingForce, control_force: ControlForce, pairs: Pairs, net_gain: NetGain
 ) -> LeavingFriction:
     """Friction at which the sleeve leaves its stop, f_L = (F_п2/F_п1 − 1)/(z κ).
 

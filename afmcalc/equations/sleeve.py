@@ -55,7 +55,7 @@ def slackened_force(
 
 @equation
 def tensed_force(
-    control_force: ControlForce, control_stiffness: ControlStiffness, travel: BalancedTravel
+    control_force: ControlForce, control_stiffness: ControlStiffness, travel: Travel
 ) -> TensedControlForce:
     """Force of the control spring with the sleeve off its stop, F_2 = F_п2 + c_2 x.
 
@@ -126,7 +126,7 @@ def torsional_stiffness(
     closing_stiffness: ClosingStiffness,
     control_stiffness: ControlStiffness,
     mean_radius: MeanRadius,
-    net_gain: NetGainAtSleeve,
+    net_gain: NetGainEitherWay,
     gain: GainAtSleeve,
     gain_slope: GainSlope,
     ball_torque: SpringBallTorque,
@@ -155,10 +155,10 @@ def ball_torque_moving(
     spring_moment: SpringMoment,
     net_gain: NetGainEitherWay,
     sleeve_inertia: SleeveInertia,
-    drive_torque: TorqueBeforeBalls,
-    drive_inertia: InertiaBeforeBalls,
-    load_torque: TorqueBehindBalls,
-    load_inertia: InertiaBehindBalls,
+    drive_torque: DriveTorque,
+    drive_inertia: DriveInertia,
+    load_torque: LoadTorque,
+    load_inertia: LoadInertia,
 ) -> BallTorque:
     """Torque through the balls while the sleeve moves, T_b = S/κ + μ φ'' with φ'' = (M − T_b)/J_1 − (T_b − L)/J_2.
 

@@ -48,16 +48,8 @@ FrictionDrivenMin = Annotated[Number, Term("f_2min", "smallest friction of the c
 FrictionDrivenMax = Annotated[Number, Term("f_2max", "largest friction of the controlled pairs", "1")]
 TorqueMax = Annotated[Number, Term("T_max", "largest torque", "N*m")]
 TorqueMin = Annotated[Number, Term("T_min", "smallest torque", "N*m")]
-CornerTorqueMax = Annotated[Number, Term("T_max", "largest torque at a corner", "N*m")]
-CornerTorqueMin = Annotated[Number, Term("T_min", "smallest torque at a corner", "N*m")]
-PeakMax = Annotated[
-    Number,
-    Term("P_max", "at f_max the larger of the sustained torque and the bypass pairs' under the full spring", "N*m"),
-]
-PeakMin = Annotated[
-    Number,
-    Term("P_min", "at f_min the larger of the sustained torque and the bypass pairs' under the full spring", "N*m"),
-]
+PeakMax = Annotated[Number, Term("P_max", "larger of sustained torque and the bypass pairs' peak, at f_max", "N*m")]
+PeakMin = Annotated[Number, Term("P_min", "larger of sustained torque and the bypass pairs' peak, at f_min", "N*m")]
 FrictionRatioMax = Annotated[Number, Term("n", "f_2max/f_1max", "1")]
 FrictionRatioMin = Annotated[Number, Term("p", "f_2min/f_1min", "1")]
 FrictionMin = Annotated[Number, Term("f_min", "smallest coefficient of friction", "1")]
@@ -68,11 +60,8 @@ BestAccuracyFactor = Annotated[Number, Term("K_best", "smallest accuracy factor 
 
 # Adjustment
 NominalTorque = Annotated[Number, Term("T_н", "nominal torque", "N*m")]
-SettingMargin = Annotated[Number, Term("β_н", "torque margin, 1 for min-friction", "1")]
 TorquePerForce = Annotated[Number, Term("a_set", "slip torque per spring force at the friction of the setting", "m")]
-TorqueAtSetting = Annotated[
-    Number, Term("T_set", "slip torque at the friction of the setting, with the force as set", "N*m")
-]
+TorqueAtSetting = Annotated[Number, Term("T_set", "slip torque at the friction of the setting", "N*m")]
 TorquePerForceMean = Annotated[Number, Term("a_cp", "slip torque per spring force at f_cp", "m")]
 TorquePerForceMin = Annotated[Number, Term("a_min", "slip torque per spring force at f_min", "m")]
 Margin = Annotated[Number, Term("β_н", "torque margin", "1")]
@@ -121,11 +110,8 @@ ControlStiffness = Annotated[Number, Term("c_2", "stiffness of the control sprin
 SleeveStiffness = Annotated[Number, Term("D", "stiffness against which the sleeve moves", "N/m")]
 ControlForce = Annotated[Number, Term("F_п2", "control-spring force at the stop", "N")]
 TensedControlForce = Annotated[Number, Term("F_2", "force of the control spring where the sleeve is", "N")]
-ControlForceAsMade = Annotated[Number, Term("F_п2", "control-spring force as made", "N")]
 RisingTorqueMax = Annotated[Number, Term("T_max", "largest slip torque, friction rising", "N*m")]
-ReturningTorqueMin = Annotated[
-    Number, Term("T_ret,min", "smallest slip torque, friction falling from f_max under load", "N*m")
-]
+ReturningTorqueMin = Annotated[Number, Term("T_ret,min", "smallest slip torque, friction falling under load", "N*m")]
 ClosingForceAtStop = Annotated[Number, Term("F_п1", "closing-spring force at the stop", "N")]
 NetGainReturning = Annotated[Number, Term("κ₊", "C + 2 R f_1/d", "1")]
 FeedbackPart = Annotated[Number, Term("κ_p", "part of κ that is proportional to the parameter", "1")]
@@ -138,11 +124,9 @@ GainSlope = Annotated[Number, Term("C_1", "how the gain grows with travel", "1/m
 StraightStiffness = Annotated[Number, Term("D", "D(f) of a straight pocket, at κ of the stop", "N/m")]
 SlopeFeedback = Annotated[Number, Term("w", "feedback that a metre of travel adds, z f C_1", "1/m")]
 TangentStiffness = Annotated[
-    Number, Term("k_t", "stiffness of the balance where the sleeve is; D(f) of a straight pocket", "N/m")
+    Number, Term("k_t", "stiffness of the balance where the sleeve is; D of a straight pocket", "N/m")
 ]
-LeavingFriction = Annotated[
-    Number, Term("f_L", "friction at which the sleeve leaves its stop, f_set or by the forces as made", "1")
-]
+LeavingFriction = Annotated[Number, Term("f_L", "friction at which the sleeve leaves its stop", "1")]
 LeavingStiffness = Annotated[Number, Term("D", "D(f_L) of a straight pocket", "N/m")]
 SpringPart = Annotated[Number, Term("F_part", "part of F_п1 − c_1 x proportional to the parameter", "N")]
 ForceElasticity = Annotated[Number, Term("∂ln N/∂ln p", "elasticity of the normal force in a parameter p", "1")]
@@ -152,18 +136,12 @@ Turn = Annotated[Number, Term("φ", "turn of the balls", "rad")]
 GainAtStop = Annotated[Number, Term("C", "feedback gain at the stop", "1")]
 TurnRate = Annotated[Number, Term("φ'", "speed of the turn of the balls", "rad/s")]
 GainAtSleeve = Annotated[Number, Term("C", "feedback gain where the sleeve is", "1")]
-BalancedTravel = Annotated[Number, Term("x", "travel of the sleeve, where springs and balls balance", "m")]
 SpringWork = Annotated[Number, Term("W", "work stored in the springs at the turning point", "J")]
-NetGainAtSleeve = Annotated[Number, Term("κ", "net gain where the sleeve is; κ₊ while it returns", "1")]
 SpringBallTorque = Annotated[Number, Term("T_b", "torque of the springs through the balls, S/κ", "N*m")]
 SleeveMass = Annotated[Number, Term("m", "mass of the sleeve", "kg")]
 NetGainEitherWay = Annotated[Number, Term("κ", "net gain; κ₊ while the sleeve returns", "1")]
 SpringMoment = Annotated[Number, Term("S", "moment of both springs", "N*m")]
 SleeveInertia = Annotated[Number, Term("μ", "inertia of the sleeve's mass, counted in the turn of the balls", "kg*m^2")]
-TorqueBeforeBalls = Annotated[Number, Term("M", "torque on the inertia before the balls", "N*m")]
-InertiaBeforeBalls = Annotated[Number, Term("J_1", "inertia before the balls", "kg*m^2")]
-TorqueBehindBalls = Annotated[Number, Term("L", "torque of the load on the inertia behind the balls", "N*m")]
-InertiaBehindBalls = Annotated[Number, Term("J_2", "inertia behind the balls", "kg*m^2")]
 BallTorque = Annotated[Number, Term("T_b", "torque through the balls", "N*m")]
 PairsTimesFriction = Annotated[Number, Term("zf", "pairs times friction", "1")]
 NetGainOrReturning = Annotated[Number, Term("κ or κ₊", "net gain while the sleeve leaves its stop or returns", "1")]
@@ -236,7 +214,6 @@ ShaftDamping = Annotated[Number, Term("d", "damping of the shaft", "N*m*s/rad")]
 TwistRate = Annotated[Number, Term("φ'", "speed of the twist, ω_2 − ω_3", "rad/s")]
 SpeedBeforeLock = Annotated[Number, Term("ω_0", "speed before the lock", "rad/s")]
 Deceleration = Annotated[Number, Term("a", "deceleration of the tool, ω_0/t_b", "rad/s^2")]
-SlidingTorque = Annotated[Number, Term("T", "sliding torque", "N*m")]
 LoadBefore = Annotated[Number, Term("T_0", "load before the event", "N*m")]
 StaticRatio = Annotated[Number, Term("r_s", "static over sliding friction", "1")]
 StribeckDecay = Annotated[Number, Term("e", "1 at rest, 0 at high sliding speed", "1")]
@@ -261,7 +238,6 @@ MotorTorque = Annotated[Number, Term("M_1", "torque of the motor", "N*m")]
 # Heat and wear
 MotorInertia = Annotated[Number, Term("J_1", "moment of inertia of the motor side", "kg*m^2")]
 MotorSpeedAtSlip = Annotated[Number, Term("ω_0", "speed of the motor side as the slip begins", "rad/s")]
-TimeSinceSlip = Annotated[Number, Term("t", "time since the slip began", "s")]
 SlipSpeedStart = Annotated[Number, Term("ω_0", "slip speed as the slip begins", "rad/s")]
 SlipSpeedEnd = Annotated[Number, Term("ω", "slip speed as it ends", "rad/s")]
 SlipDuration = Annotated[Number, Term("t", "duration of the slip", "s")]
@@ -288,21 +264,14 @@ LiningThickness = Annotated[Number, Term("s_w", "thickness that a pair may lose"
 SpecificWear = Annotated[Number, Term("w", "volume worn per energy", "m^3/J")]
 FollowingStiffness = Annotated[Number, Term("c_п", "stiffness of the spring that follows the pack", "N/m")]
 PackForce = Annotated[Number, Term("F", "force on the pack at rest", "N")]
-CoolingLogarithm = Annotated[
-    Number, Term("λ", "−ln(1 − ΔΘ/(Θ_max − Θ_0)), of the share of the limit that a trip leaves", "1")
-]
+CoolingLogarithm = Annotated[Number, Term("λ", "logarithm −ln(1 − ΔΘ/(Θ_max − Θ_0))", "1")]
 
 # What the law neglects
 SplineFriction = Annotated[Number, Term("μ_s", "friction of the disc in its spline", "1")]
 SplineRadius = Annotated[Number, Term("r_s", "radius of the spline", "m")]
 NearerNormalForce = Annotated[Number, Term("N", "normal force on the pair nearer to the spring", "N")]
-SplineShare = Annotated[
-    Number,
-    Term("ε", "share of its normal force that the disc's spline can hold, pair nearer to the spring", "1"),
-]
-NextSplineShare = Annotated[
-    Number, Term("ε'", "share of its normal force that the disc's spline can hold, next pair", "1")
-]
+SplineShare = Annotated[Number, Term("ε", "share of its force that the spline holds, pair nearer to the spring", "1")]
+NextSplineShare = Annotated[Number, Term("ε'", "share of its force that the spline holds, next pair", "1")]
 WallFriction = Annotated[Number, Term("μ", "friction of the cam on the wall", "1")]
 BallMass = Annotated[Number, Term("m_ш", "mass of a ball", "kg")]
 RotationSpeed = Annotated[Number, Term("ω", "speed of rotation", "rad/s")]
