@@ -2,10 +2,9 @@
 
 from collections.abc import Callable
 from importlib.util import find_spec
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 from .messages import Text, joined, say, term, translate
-from .source import LABELS, Place, Source
 
 MOST_SHOWN = 20
 """Problems of a spec that are shown; of the others the number."""
@@ -85,6 +84,50 @@ class CalculationError(AfmcalcError, ValueError):
     """The input is well formed but the calculation asked for has no answer."""
 
 
+_WIDTH = 100
+"""Characters of a line of a text that are shown."""
+
+
+class Place(NamedTuple):
+    """A stretch of one line, counted from 1."""
+
+    line: int
+    column: int
+    width: int
+    text: str
+    """The whole line."""
+
+    def __str__(self) -> str:
+        """As editors take it."""
+        return f"{self.line}:{self.column}"
+
+    def shown(self) -> tuple[str, str]:
+        """The line, what is too long cut off, and a caret under what is meant."""
+        start = max(0, self.column - 1 - _WIDTH // 2) if len(self.text) > _WIDTH else 0
+        cut = "".join(sign if sign.isprintable() else " " for sign in self.text[start : start + _WIDTH])
+        before = self.column - 1 - start
+        carets = "^" * max(1, min(self.width, _WIDTH - before))
+        number = str(self.line)
+        return f"  {number} | {cut.rstrip()}", f"  {' ' * len(number)} | {' ' * before}{carets}"
+
+
+class Label(str):
+    """What a text is called in messages."""
+
+    name: str
+    """The same as it was given, so that what is in no file can be translated."""
+
+    def __new__(cls, label: str) -> Self:
+        """Keep the name."""
+        made = super().__new__(cls, label)
+        made.name = label.name if isinstance(label, Label) else label
+        return made
+
+    def place(self, path: str, *, key: bool = False) -> Place | None:
+        """Where the value at a dotted path stands, or its ``key``; None where the text is not known."""
+        return None
+
+
 class Problem(NamedTuple):
     """One thing wrong with a spec."""
 
@@ -126,8 +169,8 @@ class SpecError(AfmcalcError, ValueError):
 
     def text(self, tell: Callable[[str], str]) -> str:
         """Every problem on a line of its own, and how many more there are."""
-        said = LABELS.get(self.source, self.source)
-        source = tell(said) if isinstance(said, Text) else said
+        name = self.source.name if isinstance(self.source, Label) else self.source
+        source = tell(name) if isinstance(name, Text) else name
         shown = [line for problem in self.problems[:MOST_SHOWN] for line in problem.lines(source, tell)]
         hidden = len(self.problems[MOST_SHOWN:]) + self.more
         rest = [tell(say("{source}: and {hidden:,} more", source=source, hidden=hidden))] if hidden else []
@@ -136,6 +179,6 @@ class SpecError(AfmcalcError, ValueError):
 
 def _placed(problem: Problem, source: str) -> Problem:
     """A problem with its place in a source whose text is known; none in any other."""
-    if not isinstance(source, Source) or not source.text:
+    if not isinstance(source, Label):
         return problem._replace(place=None)
     return problem._replace(place=problem.place or source.place(problem.path, key=problem.at_key))

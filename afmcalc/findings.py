@@ -1,6 +1,6 @@
 """Findings: what a designer should know about a legal design, and the sentence of each."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
@@ -8,7 +8,6 @@ from pydantic import Field
 
 from .arrays import finite
 from .messages import Text
-from .source import Unlikely
 
 Level = Literal["info", "warning", "error"]
 
@@ -56,14 +55,6 @@ def finding(
     # a float of NumPy is no float of JSON
     value, limit = (number if number is None or type(number) is int else float(number) for number in (value, limit))
     return Finding(level, code.partition("/")[0], Text(FINDINGS[code], values), value, limit, path)
-
-
-def doubts(found: Iterable[Unlikely]) -> list[Finding]:
-    """Ask after numbers without a unit that may be meant in another than SI."""
-    return [
-        finding("number-without-unit", "warning", value=each.value, path=each.path, given=each.given, meant=each.meant)
-        for each in found
-    ]
 
 
 FINDINGS: Mapping[str, str] = {

@@ -12,8 +12,7 @@ from .engines.protocol import Clutch as Engine
 from .findings import Finding
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
-from .spec.edit import respecified
-from .spec.overrides import Overrides, overridden
+from .spec.edit import Overrides, overridden, respecified
 
 if TYPE_CHECKING:
     from .analysis.accuracy import AccuracyResult
@@ -127,7 +126,7 @@ class Clutch:
 
     def synthesize(self, balls: str | PathLike[str] | Sequence[float] | None = None) -> "SynthesisResult":
         """Wall angle, balls and pockets of the control unit; ``balls``: diameters to choose from, m, or their file."""
-        from .spec.balls import diameters
+        from .spec.read import diameters
 
         return self._ask("synthesize", diameters(balls) if isinstance(balls, str | PathLike) else balls)
 

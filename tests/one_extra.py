@@ -16,7 +16,7 @@ from importlib.metadata import metadata
 from afmcalc.analysis.registry import EXPLAINED, PLOTS
 from afmcalc.cli.entry import main
 from afmcalc.cli.main import COMMANDS
-from afmcalc.spec.builtin import names
+from afmcalc.spec.parse import example_names
 
 WITHOUT_CLUTCH = (["design", "example:requirements"], ["plot", "pareto", "example:requirements"], ["reproduce"])
 OTHERS = ("design", "reproduce", "equations", "examples", "materials", "explain", "solve", "init", "plot", "schema")
@@ -34,7 +34,7 @@ def command_lines():
         ["materials"],
     )
     yield from (["init", "a.toml", "--force"], ["schema"], *([name, "--help"] for name in COMMANDS))
-    for name in names():
+    for name in example_names():
         if name == "requirements":
             continue
         given = [f"example:{name}", *(("--set", SHORT[name]) if name in SHORT else ())]

@@ -17,7 +17,7 @@ from afmcalc.engines import build
 from afmcalc.errors import CalculationError
 from afmcalc.spec import make_spec
 from afmcalc.spec.edit import with_key
-from afmcalc.spec.paths import ALIASES
+from afmcalc.spec.keys import ALIASES
 
 POINTS = 4001
 LEVEL = 1e-11

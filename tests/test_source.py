@@ -7,8 +7,7 @@ import tomli_w
 from hypothesis import given
 from hypothesis import strategies as st
 
-from afmcalc.source import Source, place_at
-from afmcalc.spans import spans
+from afmcalc.spec.source import Source, place_at, spans
 
 KEYS = st.text(st.sampled_from("ab =#[]{}\"',:-\\é\t"), min_size=1, max_size=4)
 """Without the dot, which parts a path."""

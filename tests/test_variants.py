@@ -4,7 +4,7 @@ import pytest
 from conftest import CONFIGS
 
 from afmcalc.spec import make_spec
-from afmcalc.spec.builtin import example_text
+from afmcalc.spec.parse import example_text
 from afmcalc.variants import BREAKAWAY_LIMIT, VARIANTS, Variant
 
 DATA = {

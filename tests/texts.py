@@ -196,11 +196,11 @@ def _papers() -> Iterator[Key]:
     from afmcalc.equations.catalogue import equations
     from afmcalc.papers import register
     from afmcalc.papers.figures import FIGURES, paper_figure
-    from afmcalc.spec.materials import catalogue
+    from afmcalc.spec.catalogues import friction_materials
 
     for each in equations().values():
         yield ("", each.source)
-    for material in catalogue().values():
+    for material in friction_materials().values():
         yield from (("value", text) for text in (material.description, material.condition))
     for name in FIGURES:
         figure = paper_figure(name)
@@ -237,7 +237,7 @@ def _choices(annotation: object) -> Iterator[str]:
 def _units() -> Iterator[Key]:
     from afmcalc.messages import SCALES
     from afmcalc.render.units import ENGINEER, display_unit
-    from afmcalc.spec.units import EXAMPLES
+    from afmcalc.spec.quantity import EXAMPLES
 
     yield from (("unit", unit) for unit in SCALES)
     yield from (("unit", shown) for shown, *_ in ENGINEER.values() if re.search("[A-Za-z]", shown))
@@ -257,8 +257,8 @@ def _names() -> Iterator[Key]:
     from afmcalc.analysis.springs.candidates import MISSES
     from afmcalc.engines import parts
     from afmcalc.render.shop.layers import LAYERS
-    from afmcalc.spec.paths import keys
-    from afmcalc.spec.units import EXAMPLES
+    from afmcalc.spec.keys import keys
+    from afmcalc.spec.quantity import EXAMPLES
     from afmcalc.variants import VARIANTS
 
     yield from (("", kind) for kind, _ in EXAMPLES.values())
@@ -285,6 +285,6 @@ def _examples() -> Iterator[Key]:
 
 def comment_of(line: str) -> str:
     """Words of a line's comment; nothing of a line that is an optional key alone."""
-    from afmcalc.spec.builtin import comment
+    from afmcalc.spec.write import comment
 
     return comment(line)

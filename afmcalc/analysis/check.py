@@ -8,8 +8,8 @@ from ..engines.protocol import Clutch
 from ..errors import SpecError
 from ..findings import Finding, finding
 from ..result import Answer, quantity
+from ..spec.catalogues import friction_materials
 from ..spec.edit import value_at
-from ..spec.materials import catalogue
 from .answers import Answers
 from .limits import Utilisation, hub_findings, pressure_findings, utilisations
 from .registry import ANALYSES
@@ -106,7 +106,7 @@ def _unusual(answers: Answers) -> Iterator[Finding]:
 
     The ranges are wide: they are no limits of a design, they find a millimetre written for a metre.
     """
-    linings = catalogue().values()
+    linings = friction_materials().values()
     least, most = min(lining.friction_min for lining in linings), max(lining.friction_max for lining in linings)
     for code, path, value, (low, high) in _figures(answers):
         if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):

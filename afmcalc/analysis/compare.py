@@ -8,11 +8,12 @@ from typing import ClassVar
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..errors import AfmcalcError, SpecError
-from ..findings import Finding, doubts, finding
+from ..findings import Finding, finding
 from ..messages import joined, say, term
 from ..result import Answer, Result, Sentence, Triple, quantity
 from ..spec import Spec
-from ..spec.edit import as_variant, with_force, with_nominal_torque
+from ..spec.edit import as_variant, with_key, with_nominal_torque
+from ..spec.quantity import doubts
 from ..variants import VARIANTS
 from .check import found_unsimulated
 from .torque import triple
@@ -89,7 +90,7 @@ def _as_variant(clutch: Clutch, variant: str) -> tuple[Clutch, Clutch]:
         return clutch, clutch
     spec = as_variant(clutch.spec, variant)
     by_torque = build(with_nominal_torque(spec, float(clutch.nominal_torque)))
-    return build(with_force(spec, float(clutch.closing_force))), by_torque
+    return build(with_key(spec, "closing_spring.force", float(clutch.closing_force))), by_torque
 
 
 def _names(specs: Sequence[Spec]) -> list[str | None]:

@@ -11,8 +11,8 @@ from ..equations.overload import optimal_reduced_gain
 from ..errors import AfmcalcError, CalculationError
 from ..messages import say
 from ..result import Result, quantity
+from ..spec.keys import is_whole
 from ..spec.models import Method
-from ..spec.paths import is_whole
 from .accuracy import AccuracySweep, sweep_outputs
 from .adjust import METHODS, AdjustResult, set_by
 from .answers import Answers

@@ -4,7 +4,7 @@ import tomllib
 
 from ..findings import Finding
 from ..result import Answer, Result, quantity
-from ..spec import builtin
+from ..spec.parse import example_names, example_text
 
 
 class ExampleRow(Result):
@@ -23,10 +23,10 @@ class ExamplesResult(Answer):
 
 def examples() -> tuple[ExamplesResult, list[Finding]]:
     """List the examples."""
-    return ExamplesResult(examples=[_row(name) for name in builtin.names()]), []
+    return ExamplesResult(examples=[_row(name) for name in example_names()]), []
 
 
 def _row(name: str) -> ExampleRow:
-    text = builtin.example_text(name)
+    text = example_text(name)
     about = text.partition("\n")[0].removeprefix("# ")
     return ExampleRow(name=name, variant=tomllib.loads(text).get("variant"), about=about)

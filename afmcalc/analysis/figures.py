@@ -4,8 +4,8 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import AfmcalcError, CalculationError
+from ..letters import did_you_mean
 from ..messages import say
-from ..spec.suggest import did_you_mean
 from .registry import ANALYSES, PLOTS, Plot, StressRule
 
 if TYPE_CHECKING:

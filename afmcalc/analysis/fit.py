@@ -6,9 +6,9 @@ from ..engines import build
 from ..engines.protocol import Clutch
 from ..findings import Finding, finding
 from ..recorders import unrecorded
-from ..spec.balls import next_size
 from ..spec.edit import with_key
 from ..spec.models import ControlUnit
+from ..spec.read import next_size
 from .unit import SynthesisResult
 from .wall import DEFAULT_CLEARANCE, clearances, wall_of
 

@@ -15,7 +15,7 @@ from ..messages import say
 from ..progress import counted
 from ..recorders import marked, unrecorded
 from ..result import OpenTriple, Triple
-from ..spec.heat import Heat, missing_of
+from ..spec.drive import Heat, missing_of
 from .heat_findings import FREEZING, Limit, limit_of, limits_of, remarks, slack_before_worn
 from .registry import ANALYSES
 

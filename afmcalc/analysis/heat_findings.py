@@ -9,8 +9,8 @@ from ..equations import heat as law
 from ..findings import Finding, finding
 from ..recorders import unrecorded
 from ..result import OpenTriple
-from ..spec.heat import Heat
-from ..spec.materials import Material, catalogue
+from ..spec.catalogues import Material, friction_materials
+from ..spec.drive import Heat
 
 _NAMES = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
 
@@ -161,7 +161,7 @@ class JudgedTemperature(NamedTuple):
 
 def material_limit(clutch: Clutch) -> Limit | None:
     """What the faces may reach: the lowest of what the materials named allow."""
-    listed = [(path, catalogue()[name]) for path, name in clutch.spec.friction.materials.items()]
+    listed = [(path, friction_materials()[name]) for path, name in clutch.spec.friction.materials.items()]
     allowing = [(path, material) for path, material in listed if material.temperature_min is not None]
     if not allowing:
         return None
@@ -203,7 +203,7 @@ def share_of_rise(clutch: Clutch, temperature: float, limit: float) -> float:
 
 def hottest_allowed() -> tuple[float, str]:
     """Highest temperature that a material of the catalogue allows, K, and its name."""
-    listed = [material for material in catalogue().values() if material.temperature_max is not None]
+    listed = [material for material in friction_materials().values() if material.temperature_max is not None]
     return max((_celsius(material)[1] + FREEZING, material.name) for material in listed)
 
 

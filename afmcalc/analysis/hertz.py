@@ -7,7 +7,7 @@ from ..equations import synthesis, wall
 
 # what a search tries is no step of a calculation: bound here, it is not recorded
 from ..equations.wall import hertz_axes
-from ..spec.contact import Contact
+from ..spec.models import Contact
 
 _ITERATIONS = 30
 """Each leaves at most a quarter of the error: d ln(𝐁/𝐃)/d ln k lies between 0 and 1/2."""

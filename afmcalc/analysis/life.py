@@ -11,8 +11,7 @@ from ..errors import AfmcalcError, Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say, term
 from ..result import Answer, Result, Series, quantity
-from ..spec.fatigue import Fatigue
-from ..spec.models import Method
+from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
 from .registry import StressRule
 from .slips import RULES, Load, cycles, damaging_stress, dynamic_factor, is_static, load_of
@@ -232,7 +231,7 @@ def band_axis(text: str, clutch: Clutch) -> Axis:
     """Read ``dT[=RANGE]``: the scatter band, from half to twice what the clutch has, or as given."""
     import numpy as np
 
-    from ..spec.walk import Key
+    from ..spec.fields import Key
     from .sweep.axes import parse_values
 
     key = Key("scatter", "N*m", "ΔT", "torque scatter band")

@@ -11,9 +11,9 @@ from ..equations import direct
 from ..findings import Finding, Level, finding
 from ..messages import say, term
 from ..result import Result, Sentence, quantity
-from ..spec.balls import diameters
+from ..spec.catalogues import Material, friction_materials
 from ..spec.edit import value_at
-from ..spec.materials import Material, catalogue
+from ..spec.read import diameters
 from .answers import Answers
 from .fit import contact_limits
 from .heat_findings import judged_temperature, share_of_rise
@@ -233,9 +233,9 @@ def pressure_findings(clutch: Clutch) -> list[Finding]:
     """
     pressures = ring_pressures(clutch)
     return [
-        _pressure_finding(kind, pressure, catalogue()[material], path)
+        _pressure_finding(kind, pressure, friction_materials()[material], path)
         for path, material in clutch.spec.friction.materials.items()
-        if catalogue()[material].pressure_max is not None
+        if friction_materials()[material].pressure_max is not None
         for kind, pressure in pressures.items()
     ]
 
@@ -257,7 +257,7 @@ def allowable(material: str) -> float | None:
 
     The lower end of the printed range: so the utilisation grows with the load.
     """
-    return catalogue()[material].pressure_min
+    return friction_materials()[material].pressure_min
 
 
 def _pressure_finding(kind: str, pressure: float, material: Material, path: str) -> Finding:

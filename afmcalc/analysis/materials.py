@@ -2,7 +2,7 @@
 
 from ..findings import Finding
 from ..result import Answer, Result, quantity
-from ..spec.materials import catalogue
+from ..spec.catalogues import friction_materials
 
 
 class MaterialRow(Result):
@@ -29,6 +29,6 @@ class MaterialsResult(Answer):
 
 def materials() -> tuple[MaterialsResult, list[Finding]]:
     """List the catalogue."""
-    entries = catalogue().values()
+    entries = friction_materials().values()
     rows = [MaterialRow(**{name: getattr(entry, name) for name in MaterialRow.model_fields}) for entry in entries]
     return MaterialsResult(materials=rows, sources=list(dict.fromkeys(entry.citation for entry in entries))), []

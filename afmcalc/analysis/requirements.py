@@ -8,7 +8,7 @@ from ..engines.protocol import Clutch
 from ..findings import Finding, finding
 from ..messages import measured, term, translate
 from ..result import OpenTriple, Result, Sentence, Triple, quantity
-from ..spec.paths import keys
+from ..spec.keys import keys
 from .answers import Answers
 from .heat_findings import FREEZING, share_of_rise
 from .life import UNLIMITED

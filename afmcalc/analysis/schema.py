@@ -6,10 +6,10 @@ from typing import Any
 from pydantic import create_model
 
 from ..errors import AfmcalcError
+from ..letters import did_you_mean
 from ..messages import say
 from ..result import Output
 from ..spec import Spec
-from ..spec.suggest import did_you_mean
 from .registry import ANALYSES
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"

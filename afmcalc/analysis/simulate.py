@@ -20,7 +20,7 @@ from ..progress import counted
 from ..recorders import unrecorded
 from ..result import Answer, OpenTriple, Result, Triple, quantity
 from ..spec import Spec, resolved
-from ..spec.edit import with_value
+from ..spec.edit import with_values
 from ..spec.models import Range
 from .effects import with_pairs
 from .event import contact_forces, remarks_of, strains
@@ -238,7 +238,7 @@ def bypass_peak(clutch: Clutch) -> float | None:
 
 def bypass_alone(clutch: Clutch) -> Clutch:
     """Return the clutch with its bypass pairs only; the load before the event stays that of the clutch as it is."""
-    loaded = with_value(clutch.spec, ("drive", "load_torque"), train_of(clutch).load)
+    loaded = with_values(clutch.spec, {"drive.load_torque": train_of(clutch).load})
     return replace(with_pairs(clutch, clutch.bypass_pairs, 0.0), spec=loaded)
 
 

@@ -14,7 +14,7 @@ from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..recorders import marked, unrecorded
-from ..spec.fatigue import Fatigue
+from ..spec.models import Fatigue
 from .registry import StressRule
 
 _NODES = 32

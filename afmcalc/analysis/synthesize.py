@@ -11,8 +11,8 @@ from ..errors import Problem, SpecError
 from ..findings import Finding
 from ..messages import say
 from ..spec import Spec, resolved
-from ..spec.balls import diameters, next_size
 from ..spec.models import ControlUnit
+from ..spec.read import diameters, next_size
 from . import fit
 from .contact import BallContact, contact_of, places_along
 from .unit import SynthesisResult

@@ -120,7 +120,7 @@ def synthesize(
     """  # noqa: D301
     from ..analysis.synthesize import completed
     from ..spec import make_spec
-    from ..spec.balls import diameters
+    from ..spec.read import diameters
 
     common.keep(spec, balls, writes="spec")
     if common.output == "-":

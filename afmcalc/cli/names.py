@@ -7,7 +7,7 @@ Named = Iterator[tuple[str, str]]
 
 def _about(path: str) -> str:
     from ..messages import translate
-    from ..spec.paths import keys
+    from ..spec.keys import keys
 
     return f"{path}, {translate(keys()[path].description).partition(';')[0]}"
 
@@ -15,7 +15,7 @@ def _about(path: str) -> str:
 def parameters() -> Named:
     """What can be solved for."""
     from ..analysis.solve.solve import PARAMETERS
-    from ..spec.paths import ALIASES
+    from ..spec.keys import ALIASES
 
     for symbol in PARAMETERS:
         yield symbol, _about(ALIASES[symbol])
@@ -32,7 +32,7 @@ def targets() -> Named:
 
 def swept() -> Named:
     """Symbols of what can be swept."""
-    from ..spec.paths import ALIASES
+    from ..spec.keys import ALIASES
 
     yield "zC", "reduced gain"
     for symbol, path in ALIASES.items():
@@ -42,7 +42,7 @@ def swept() -> Named:
 def paths() -> Named:
     """Keys of a spec."""
     from ..messages import translate
-    from ..spec.paths import keys
+    from ..spec.keys import keys
 
     for path, key in keys().items():
         yield path, translate(key.description)

@@ -28,7 +28,7 @@ SpecArgument = Annotated[
 
 def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
     """Judge overrides before the arguments: of ``--set gain 0.7`` the parser takes the value for a SPEC."""
-    from ..spec.overrides import key_of
+    from ..spec.edit import key_of
 
     for override in overrides or ():
         key_of(override)

@@ -15,7 +15,7 @@ from .run import given_instead, need_drawing
 
 if TYPE_CHECKING:
     from ..spec import Spec
-    from ..spec.report import TitleBlock
+    from ..spec.models import TitleBlock
 
 
 def _entry(text: str) -> Any:
@@ -96,8 +96,8 @@ def _pdf_beside(output: str | None) -> str:
 
 def _title_block(spec: "Spec", options: dict[str, str | None]) -> "TitleBlock":
     """The [report] block of the spec under the options, dated today where neither has a date."""
-    from ..spec.reading import validated
-    from ..spec.report import TitleBlock
+    from ..spec.models import TitleBlock
+    from ..spec.problems import validated
 
     given = {name: text for name, text in options.items() if text is not None}
     block = {"date": None} if spec.report is None else spec.report.model_dump()
@@ -106,8 +106,8 @@ def _title_block(spec: "Spec", options: dict[str, str | None]) -> "TitleBlock":
 
 def _read(source: str | None, common: Common) -> "tuple[bytes, str, Spec]":
     """Read a spec once, and return file and text with it; the text of a command's JSON is that of its spec block."""
-    from ..spec.parsing import bytes_of, parse, text_in
-    from ..spec.reading import spec_of
+    from ..spec.parse import bytes_of, parse, text_in
+    from ..spec.read import spec_of
 
     raw, name = bytes_of(given_instead(common, "report") if source is None else source)
     text, label = text_in(raw, name)

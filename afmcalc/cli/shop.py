@@ -63,7 +63,7 @@ def length(name: str, text: str | None) -> float | None:
 def answers_of(what: str, request: "Request", common: Common) -> "list[Answers]":
     """Read and build the clutches that are drawn."""
     from ..analysis.answers import Answers
-    from ..findings import doubts
+    from ..spec.quantity import doubts
 
     if request.subjects.count("-") > 1:
         raise AfmcalcError(say("standard input (-) can be read once only"))

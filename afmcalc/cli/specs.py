@@ -53,7 +53,7 @@ def init(
     afmcalc init driven.toml --kind drive --variant indirect
     afmcalc init wanted.toml --kind requirements --schema
     """  # noqa: D301
-    from ..spec.builtin import annotated
+    from ..spec.write import annotated
 
     if output and file:
         raise AfmcalcError(say("give FILE or --output, not both"))
@@ -79,7 +79,8 @@ def init(
 
 def _text(kind: str, variant: str | None) -> str:
     """Text of the example to start from."""
-    from ..spec.builtin import example_text, in_a_drive
+    from ..spec.parse import example_text
+    from ..spec.write import in_a_drive
 
     if kind != "clutch" and variant in (None, _DEFAULT):
         return example_text(kind)

@@ -115,7 +115,7 @@ def paragraphs(text: str) -> list[str]:
 
 def translated(command: Any) -> Any:
     """Return a command, with all below it, whose help is in the language of the user."""
-    from ..spelling import fitting
+    from ..letters import fitting
 
     class Formatter(command.context_class.formatter_class):  # type: ignore[misc]
         def getvalue(self) -> str:

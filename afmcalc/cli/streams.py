@@ -77,7 +77,7 @@ def is_unicode(stream: Any) -> bool:
 
 
 def _spelling() -> str:
-    from ..spelling import NAME
+    from ..letters import NAME
 
     return NAME
 

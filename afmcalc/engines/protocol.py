@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from ..arrays import Values, chosen, larger, smaller
 from ..equations import accuracy, adjustment, effects, overload
-from ..findings import Finding, doubts
+from ..findings import Finding
 from ..recorders import unrecorded
 from ..spec.models import Method, Range, Spec
+from ..spec.quantity import doubts
 from . import setting
 
 if TYPE_CHECKING:

@@ -37,9 +37,9 @@ def _material_findings(spec: Spec) -> list[Finding]:
     """Echo the values that a material of the catalogue stands for, with their source."""
     found = []
     for path, name in spec.friction.materials.items():
-        from ..spec.materials import catalogue
+        from ..spec.catalogues import friction_materials
 
-        entry = catalogue()[name]
+        entry = friction_materials()[name]
         ends = {"low": entry.friction_min, "high": entry.friction_max}
         found.append(finding("material", "info", path=path, name=name, source=entry.source, **ends))
     return found

@@ -7,10 +7,10 @@ from typing import Literal
 
 from ..errors import AfmcalcError
 from ..findings import Finding
+from ..letters import did_you_mean
 from ..messages import say
 from ..progress import counted
 from ..result import Answer, Result, quantity
-from ..spec.suggest import did_you_mean
 
 PAPERS = ("F11", "S19", "S21", "S22")
 

@@ -1,42 +1,50 @@
-"""The [drive] block: what stands around the clutch and what happens to it, all reduced to the clutch shaft."""
+"""What stands around the clutch and happens to it: [drive], all reduced to the clutch shaft; what it heats: [heat]."""
 
 from collections.abc import Iterable
 from typing import Annotated, Literal
 
-from pydantic import Field
-
-from ..errors import Problem
 from ..messages import say
-from ..variants import VARIANTS
-from . import rules
-from .fields import Block, Coefficient, Quantity, Ratio, Torque, TorqueOrNone, key_field
+from .fields import (
+    Block,
+    Broken,
+    Coefficient,
+    Length,
+    Quantity,
+    Ratio,
+    Temperature,
+    Time,
+    TimeOrNone,
+    Torque,
+    TorqueOrNone,
+    key_field,
+)
 
 Inertia = Annotated[float, Quantity("kg*m^2", gt=0)]
 Speed = Annotated[float, Quantity("rad/s", gt=0)]
 TorsionalStiffness = Annotated[float, Quantity("N*m/rad", gt=0)]
-Time = Annotated[float, Quantity("s", gt=0)]
-TimeOrNone = Annotated[float, Quantity("s", ge=0)]
-Mass = Annotated[float, Quantity("kg", ge=0)]
-SlidingSpeed = Annotated[float, Quantity("m/s", gt=0)]
 Slip = Annotated[float, Quantity("1", gt=0, le=1)]
+DiscMass = Annotated[float, Quantity("kg", gt=0)]
+Density = Annotated[float, Quantity("kg/m^3", gt=0)]
+SpecificHeat = Annotated[float, Quantity("J/kg/K", gt=0)]
+Conductivity = Annotated[float, Quantity("W/m/K", gt=0)]
+Cooling = Annotated[float, Quantity("W/K", gt=0)]
+Wear = Annotated[float, Quantity("m^3/J", gt=0)]
 EventKind = Literal["stop", "load"]
 
 
 class Motor(Block):
     """An induction motor by Kloss, M_1 = 2 M_b/(s/s_b + s_b/s)."""
 
-    breakdown_torque: Torque = Field(description="breakdown torque of the motor", json_schema_extra={"symbol": "M_b"})
-    breakdown_slip: Slip = Field(description="slip at breakdown", json_schema_extra={"symbol": "s_b"})
-    synchronous_speed: Speed = Field(
-        description="synchronous speed, reduced to the clutch", json_schema_extra={"symbol": "ω_s"}
-    )
+    breakdown_torque: Torque = key_field("breakdown torque of the motor", "M_b", default=...)
+    breakdown_slip: Slip = key_field("slip at breakdown", "s_b", default=...)
+    synchronous_speed: Speed = key_field("synchronous speed, reduced to the clutch", "ω_s", default=...)
 
 
 class Event(Block):
     """What makes the clutch slip, at t = 0."""
 
-    kind: EventKind = Field(
-        description="stop: the tool is stopped in stop_time; load: its load rises to torque within rise_time"
+    kind: EventKind = key_field(
+        "stop: the tool is stopped in stop_time; load: its load rises to torque within rise_time", default=...
     )
     stop_time: TimeOrNone | None = key_field("time in which the tool is stopped; 0 is a sudden lock", "t_b")
     torque: Torque | None = key_field(
@@ -73,42 +81,37 @@ class Drive(Block):
     event: Event | None = None
 
 
-_NEEDED = ("motor_inertia", "driven_inertia", "shaft_stiffness")
-"""Keys without which no event can be simulated."""
-_OF_EVENT = {"stop": ("stop_time",), "load": ("torque", "rise_time")}
+_LINING = ("lining_conductivity", "lining_density", "lining_specific_heat")
 
 
-def problems(data: rules.Table) -> Iterable[Problem]:
-    """Rules of the [drive] block of a spec: what an event needs, what excludes what."""
-    if not rules.is_table(data, "drive"):
-        return
-    if rules.has(data, "drive", "motor") and rules.has(data, "drive", "motor_torque"):
-        yield rules.wrong(
-            "drive.motor_torque", say("excludes drive.motor: give a constant torque, or the motor's curve")
-        )
-    if rules.is_table(data, "drive", "event"):
-        yield from _event(data)
+class Heat(Block):
+    """Discs that take the heat, air that takes it from them, lining that is worn."""
+
+    disc_mass: DiscMass | None = key_field("mass of all discs that take the heat", "m")
+    specific_heat: SpecificHeat | None = key_field("specific heat of the discs", "c_p")
+    conductivity: Conductivity | None = key_field("thermal conductivity of the discs", "k_t")
+    density: Density | None = key_field("density of the discs", "ρ")
+    lining_conductivity: Conductivity | None = key_field(
+        "thermal conductivity of the lining; absent: the discs take all the heat", "k_l"
+    )
+    lining_density: Density | None = key_field("density of the lining", "ρ_l")
+    lining_specific_heat: SpecificHeat | None = key_field("specific heat of the lining", "c_l")
+    ambient: Temperature | None = key_field("temperature around the clutch, and of the discs before a trip", "Θ_0")
+    cooling: Cooling | None = key_field("heat given off per kelvin above the surroundings, α A_c", "α A_c")
+    wear: Wear | None = key_field("volume of lining worn per energy", "w")
+    lining: Length | None = key_field("thickness that a pair may lose", "s_w")
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """A lining has all its data or none."""
+        given = [name for name in _LINING if getattr(self, name) is not None]
+        for name in _LINING if given else ():
+            if name not in given:
+                yield name, say("required beside heat.{given}", given=given[0])
 
 
-def _event(data: rules.Table) -> Iterable[Problem]:
-    kind = rules.get(data, "drive", "event", "kind")
-    variant = VARIANTS.get(str(rules.get(data, "variant")))
-    needed = [*_NEEDED, *(["tool_inertia"] if kind == "load" else [])]
-    if variant is not None and variant.travels:
-        needed.append("hub_inertia")
-    if not rules.has(data, "drive", "motor"):
-        needed.append("speed")
-    for key in needed:
-        if not rules.has(data, "drive", key):
-            yield rules.beside(f"drive.{key}", "drive.event")
-    if kind == "stop" and rules.has(data, "drive", "tool_inertia"):
-        yield rules.wrong(
-            "drive.tool_inertia", say("only with an event of kind load: a stopped tool moves as it is told")
-        )
-    for own, keys in _OF_EVENT.items():
-        for key in keys:
-            given = rules.has(data, "drive", "event", key)
-            if own == kind and not given:
-                yield rules.wrong(f"drive.event.{key}", say("required for an event of kind {kind}", kind=own))
-            if own != kind and given and str(kind) in _OF_EVENT:
-                yield rules.wrong(f"drive.event.{key}", say("only for an event of kind {kind}", kind=own))
+def missing_of(drive: Drive) -> list[str]:
+    """Keys of the [drive] block that are missing, without which neither a simulation nor V1 can be asked."""
+    if drive.motor is not None:
+        return ["event"]
+    held = drive.motor_inertia is not None or drive.cut_off is not None
+    return [*(["speed"] if drive.speed is None else []), *([] if held else ["motor_inertia"])]

@@ -1,16 +1,25 @@
-"""A spec with one thing changed."""
+"""Changes of a spec: overrides of its data, ``path=value`` or a mapping; other values of some keys of a whole one."""
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, TypeVar
+import tomllib
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from typing import Any, TypeAlias, TypeVar
 
 from pydantic import BaseModel
 
 from ..arrays import Values
+from ..errors import AfmcalcError
+from ..letters import did_you_mean
 from ..messages import say
+from .fields import names_in
+from .keys import elsewhere, names, path_of
 from .models import Method, Spec
-from .reading import make_spec
-from .rules import foreign_keys
-from .writing import resolved, written
+from .parse import check_size, too_deep
+from .problems import make_spec
+from .rules import foreign_keys, given_in
+from .write import resolved, written
+
+Overrides: TypeAlias = Collection[str] | Mapping[str, object]
+"""Texts ``path=value``, an empty value removes the key; or path → value, None removes it."""
 
 _REPLACED = {
     "control_unit.gain": ("control_unit.wall_angle",),
@@ -35,6 +44,96 @@ _REPLACED = {
 M = TypeVar("M", bound=BaseModel)
 
 
+def put(data: dict[str, Any], path: str, value: Any) -> None:
+    """Set a nested value; None removes it.
+
+    Raises:
+        ValueError: a block on the way is no table; it holds the path of the block.
+    """
+    *blocks, name = path.split(".")
+    for depth, block in enumerate(blocks, start=1):
+        data = data.setdefault(block, {})
+        if not isinstance(data, dict):
+            raise ValueError(".".join(blocks[:depth]))
+    if value is None:
+        data.pop(name, None)
+    else:
+        data[name] = value
+
+
+def apply_overrides(data: dict[str, object], overrides: Overrides, model: type[BaseModel] = Spec) -> dict[str, object]:
+    """Apply overrides to parsed data."""
+    for override, value in _values(overrides):
+        try:
+            put(data, _path(override, model), value)
+        except ValueError as error:
+            path = str(error)
+            raise AfmcalcError(say("--set {override:.80}: {path} is no table", override=override, path=path)) from None
+    return data
+
+
+def overridden(overrides: Overrides, model: type[BaseModel] = Spec) -> dict[str, object]:
+    """Return the dotted paths that overrides name, each with its value."""
+    return {_path(override, model): value for override, value in _values(overrides)}
+
+
+def _values(overrides: Overrides) -> Iterator[tuple[str, object]]:
+    """Overrides as texts, each with its value; None removes the key."""
+    if isinstance(overrides, Mapping):
+        for name, value in overrides.items():
+            yield f"{name}={value}", value.tolist() if hasattr(value, "tolist") else value  # of NumPy
+        return
+    for override in overrides:
+        text = override.partition("=")[2].strip()
+        yield override, _value(text, override) if text else None
+
+
+def key_of(override: str) -> str:
+    """Return the key of an override as given; refuse where there is no equals sign, or nothing before it."""
+    given, separator, _ = override.partition("=")
+    if not separator or not given.strip():
+        raise AfmcalcError(
+            say(
+                "--set {override:.80}: write PATH=VALUE, both and the equals sign in one word, for example "
+                "control_unit.gain=0.5",
+                override=override,
+            )
+        )
+    return given.strip()
+
+
+def _path(override: str, model: type[BaseModel]) -> str:
+    """Path of the key that an override gives by path, name or symbol."""
+    given = key_of(override)
+    path = path_of(given, model) or given
+    *blocks, last = path.split(".")
+    known = names_in(tuple(blocks), model)
+    if last not in known:
+        hint = did_you_mean(last, known) or elsewhere(last, model) or did_you_mean(last, names(model))
+        if known and not hint:
+            hint = say("; known here: {names}", names=", ".join(known))
+        raise AfmcalcError(
+            say("--set {override:.80}: unknown key {path!r:.80}{hint}", override=override, path=path, hint=hint)
+        )
+    return path
+
+
+def _value(text: str, override: str) -> object:
+    """Read a number, boolean, quoted string or inline table as TOML, anything else as plain text."""
+    try:
+        read = tomllib.loads(f"value = {text}")
+    except tomllib.TOMLDecodeError:
+        return text
+    except RecursionError:
+        raise AfmcalcError(say("--set {override:.80}: {why}", override=override, why=too_deep())) from None
+    except ValueError:
+        raise AfmcalcError(say("--set {override:.80}: a number has too many digits", override=override)) from None
+    if set(read) != {"value"}:  # further lines are part of the text
+        return text
+    check_size(read["value"], say("--set {override:.80}", override=override))
+    return read["value"]
+
+
 def value_at(spec: Spec, path: str) -> Any:
     """Return the value at ``path`` as given; None when absent."""
     value: Any = spec
@@ -54,29 +153,21 @@ def replaced(spec: Spec, paths: Iterable[str]) -> dict[str, str]:
     }
 
 
-def put(data: dict[str, Any], path: str, value: Any) -> None:
-    """Set a nested value; None removes it."""
-    *blocks, name = path.split(".")
-    for block in blocks:
-        data = data.setdefault(block, {})
-    if value is None:
-        data.pop(name, None)
-    else:
-        data[name] = value
+def _without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:
+    gone: dict[str, object] = dict.fromkeys(replaced(spec, paths))
+    if "friction.material" in gone:
+        gone["friction.min"], _, gone["friction.max"] = spec.friction.range
+    return with_values(spec, gone)
 
 
-def with_value(model: M, path: Sequence[str], value: object) -> M:
-    """Copy a spec with an unvalidated value (an array) at ``path``."""
-    return with_values(model, [(path, value)])
-
-
-def with_values(model: M, values: Iterable[tuple[Sequence[str], object]]) -> M:
-    """Copy a spec with unvalidated values at several paths; each of its blocks is copied once."""
-    update: dict[str, object] = {}
-    below: dict[str, list[tuple[Sequence[str], object]]] = {}
-    for (name, *rest), value in values:
+def with_values(model: M, values: Mapping[str, object]) -> M:
+    """Copy a spec with unvalidated values (numbers, arrays, None) at some paths; each of its blocks is copied once."""
+    update: dict[str, Any] = {}
+    below: dict[str, dict[str, object]] = {}
+    for path, value in values.items():
+        name, _, rest = path.partition(".")
         if rest:
-            below.setdefault(name, []).append((rest, value))
+            below.setdefault(name, {})[rest] = value
         else:
             update[name] = value
     update |= {name: with_values(getattr(model, name), inner) for name, inner in below.items()}
@@ -85,7 +176,7 @@ def with_values(model: M, values: Iterable[tuple[Sequence[str], object]]) -> M:
 
 def with_key(spec: Spec, path: str, value: Values) -> Spec:
     """Copy a spec with an unvalidated value (real, or an array) for a key, and without what the key stands in for."""
-    return with_value(_without_replaced(spec, [path]), path.split("."), value)
+    return with_values(_without_replaced(spec, [path]), {path: value})
 
 
 def respecified(spec: Spec, values: Mapping[str, object]) -> Spec:
@@ -101,15 +192,6 @@ def respecified(spec: Spec, values: Mapping[str, object]) -> Spec:
     return make_spec(data, spec.label.but(values))
 
 
-def _without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:
-    for other in replaced(spec, paths):
-        if other == "friction.material":
-            low, _, high = spec.friction.range
-            spec = spec.model_copy(update={"friction": spec.friction.model_copy(update={"min": low, "max": high})})
-        spec = with_value(spec, other.split("."), None)
-    return spec
-
-
 def as_written(spec: Spec) -> Spec:
     """Return the spec as it reads once it is written to a file: no number has more digits than count."""
     return make_spec(written(resolved(spec)), spec.label)
@@ -121,19 +203,13 @@ def as_variant(spec: Spec, variant: str) -> Spec:
     Raises:
         SpecError: the spec lacks what the variant needs.
     """
-    data = resolved(spec)
-    data["variant"] = variant
-    for path in foreign_keys(data):
-        put(data, ".".join(path), None)
+    data = resolved(spec) | {"variant": variant}
+    for path in foreign_keys(given_in(data), variant):
+        put(data, path, None)
     return make_spec(data, say("as {variant}", variant=variant))
-
-
-def with_force(spec: Spec, force: float) -> Spec:
-    """Return the spec with its spring set to a force."""
-    return with_key(spec, "closing_spring.force", force)
 
 
 def with_nominal_torque(spec: Spec, nominal_torque: float, method: Method | None = None) -> Spec:
     """Return the spec with its spring set for a nominal torque, by its own method or by another."""
-    set_by = spec if method is None else with_value(spec, ("adjustment", "method"), method)
+    set_by = spec if method is None else with_values(spec, {"adjustment.method": method})
     return with_key(set_by, "adjustment.nominal_torque", nominal_torque)

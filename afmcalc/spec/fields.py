@@ -1,14 +1,39 @@
-"""Field types of the spec: SI numbers that also take a string with a unit."""
+"""Field types of the spec: SI numbers that also take a string with a unit; and the keys that its models have."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Annotated, TypeVar
+from functools import cache
+from typing import Annotated, Any, NamedTuple, Self, TypeAlias, get_args, get_origin
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, GetCoreSchemaHandler, GetJsonSchemaHandler
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    ValidationError,
+    model_validator,
+)
+from pydantic.fields import FieldInfo
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, core_schema
 
 from ..messages import say
 from .quantity import parse_quantity
+
+Broken: TypeAlias = tuple[str, str]
+"""A rule that a table breaks: dotted path of the key, below the table, and what is wrong."""
+
+
+def rule_error(broken: Iterable[Broken], others: ValidationError | None = None) -> ValidationError:
+    """Return pydantic's error for rules that a table breaks, beside what pydantic itself found in it."""
+    lines: list[Any] = [*others.errors(include_url=False)] if others else []
+    lines += [
+        {"type": "value_error", "loc": (path,), "input": None, "ctx": {"error": ValueError(message)}}
+        for path, message in broken
+    ]
+    return ValidationError.from_exception_data("spec", lines)
 
 
 class Block(BaseModel):
@@ -17,13 +42,21 @@ class Block(BaseModel):
     # only Spec is ever built on its own: building each block too would double the start-up time
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True)
 
+    def broken_rules(self) -> Iterable[Broken]:
+        """Rules between the keys of the table that it breaks."""
+        return ()
 
-T = TypeVar("T")
+    @model_validator(mode="after")
+    def _hold_to_rules(self) -> Self:
+        if broken := [*self.broken_rules()]:
+            raise rule_error(broken)
+        return self
 
 
-def key_field(description: str, symbol: str | None = None, default: T = None) -> T:  # type: ignore[assignment]
-    """A spec key: its default, what it is and the papers' symbol."""
-    return Field(default=default, description=description, json_schema_extra={"symbol": symbol} if symbol else None)
+def key_field(description: str, symbol: str | None = None, default: Any = None, **bounds: Any) -> Any:
+    """A spec key: what it is, the papers' symbol, its default (``...``: it is required) and bounds of a plain type."""
+    extra: dict[str, Any] | None = {"symbol": symbol} if symbol else None
+    return Field(default=default, description=description, json_schema_extra=extra, **bounds)
 
 
 @dataclass(frozen=True)
@@ -31,7 +64,7 @@ class Quantity:
     """What a number of a spec may be; stands in its annotation, so that tables and sweeps find its unit there."""
 
     unit: str
-    """SI unit, a key of ``units.EXAMPLES``."""
+    """SI unit, a key of ``quantity.EXAMPLES``."""
     gt: float | None = None
     ge: float | None = None
     lt: float | None = None
@@ -74,8 +107,8 @@ class Quantity:
         return {"anyOf": [number, {"type": "string"}]} if as_text else number
 
 
-def _name(value: object) -> object:
-    """A name is one line of printable text: it goes to terminals and files as it is."""
+def _one_line(value: object) -> object:
+    """Refuse a text that is not one line of printable signs: it goes to terminals and files as it is."""
     if isinstance(value, str) and not value.isprintable():
         raise ValueError(say("must be one line of printable text, without control characters"))
     return value
@@ -85,16 +118,89 @@ Coefficient = Annotated[float, Quantity("1", gt=0)]
 Ratio = Annotated[float, Quantity("1", ge=0)]
 AtLeastOne = Annotated[float, Quantity("1", ge=1)]
 PoissonRatio = Annotated[float, Quantity("1", ge=0, le=0.5)]
+Probability = Annotated[float, Quantity("1", gt=0, lt=1)]
+Count = Annotated[int, Quantity("1", ge=1, whole=True)]
 Force = Annotated[float, Quantity("N", gt=0)]
-Slope = Annotated[float, Quantity("1/m", ge=0)]
 Length = Annotated[float, Quantity("m", gt=0)]
 Gap = Annotated[float, Quantity("m", ge=0)]
 Torque = Annotated[float, Quantity("N*m", gt=0)]
-Stiffness = Annotated[float, Quantity("N/m", gt=0)]
 TorqueOrNone = Annotated[float, Quantity("N*m", ge=0)]
+Stiffness = Annotated[float, Quantity("N/m", gt=0)]
 StiffnessOrNone = Annotated[float, Quantity("N/m", ge=0)]
+Slope = Annotated[float, Quantity("1/m", ge=0)]
 WallAngle = Annotated[float, Quantity("rad", ge=0, lt=1.5707963267948966)]
 Stress = Annotated[float, Quantity("Pa", gt=0)]
 SectionModulus = Annotated[float, Quantity("m^3", gt=0)]
-Count = Annotated[int, Quantity("1", ge=1, whole=True)]
-Name = Annotated[str, BeforeValidator(_name)]
+Mass = Annotated[float, Quantity("kg", ge=0)]
+Time = Annotated[float, Quantity("s", gt=0)]
+TimeOrNone = Annotated[float, Quantity("s", ge=0)]
+SlidingSpeed = Annotated[float, Quantity("m/s", gt=0)]
+Temperature = Annotated[float, Quantity("K abs", ge=173.15)]
+"""A number without a unit is in kelvin; the bound tells 20 from 20 degC."""
+SpecificWork = Annotated[float, Quantity("J/m^2", gt=0)]
+Name = Annotated[str, BeforeValidator(_one_line)]
+
+
+class Key(NamedTuple):
+    """One key of the spec."""
+
+    path: str
+    unit: str | None
+    """SI unit of a number; None for text."""
+    symbol: str | None
+    description: str
+    about: Quantity | None = None
+    """What a number may be; None for text."""
+
+
+@cache
+def keys_below(model: type[BaseModel], prefix: str = "") -> dict[str, Key]:
+    """Every value key below ``model`` by dotted path."""
+    keys: dict[str, Key] = {}
+    for name, field in model.model_fields.items():
+        path = prefix + name
+        if block := _block_of(field):
+            keys |= keys_below(block, path + ".")
+            continue
+        extra = field.json_schema_extra if isinstance(field.json_schema_extra, dict) else {}
+        symbol, about = extra.get("symbol"), _quantity(field)
+        unit = about.unit if about else None
+        keys[path] = Key(path, unit, str(symbol) if symbol else None, field.description or "", about)
+    return keys
+
+
+def names_in(path: tuple[str, ...], model: type[BaseModel]) -> list[str]:
+    """Return the names allowed in the block at ``path``."""
+    block = _model_at(path, model)
+    return list(block.model_fields) if block else []
+
+
+def choices_at(path: tuple[str, ...], model: type[BaseModel]) -> list[str]:
+    """Return the words that the key at ``path`` may be; none where it is no choice of words."""
+    block = _model_at(path[:-1], model)
+    return [*block.model_json_schema()["properties"][path[-1]].get("enum", ())] if block else []
+
+
+def _model_at(path: tuple[str, ...], model: type[BaseModel]) -> type[BaseModel] | None:
+    """Return the model of the block at ``path``."""
+    for name in path:
+        field = model.model_fields.get(name)
+        block = _block_of(field) if field else None
+        if block is None:
+            return None
+        model = block
+    return model
+
+
+def _block_of(field: FieldInfo) -> type[BaseModel] | None:
+    """Return the model of a field that is a table, ``Model`` or ``Model | None``; a dictionary of models is none."""
+    for candidate in (field.annotation, *get_args(field.annotation)):
+        if isinstance(candidate, type) and issubclass(candidate, BaseModel):
+            return None if get_origin(field.annotation) is dict else candidate
+    return None
+
+
+def _quantity(field: FieldInfo) -> Quantity | None:
+    nested = (item for part in get_args(field.annotation) for item in getattr(part, "__metadata__", ()))
+    of = (getattr(item, "about", item) for item in (*field.metadata, *nested))
+    return next((item for item in of if isinstance(item, Quantity)), None)

@@ -1,9 +1,12 @@
 """What a clutch is: the pydantic models of a spec (contract, Spec). SI inside."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
+from datetime import date
 from typing import Annotated, Any, Literal, NamedTuple
 
 from pydantic import (
+    BeforeValidator,
     Field,
     GetCoreSchemaHandler,
     GetJsonSchemaHandler,
@@ -16,33 +19,39 @@ from pydantic import (
 from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
-from ..errors import Problem
 from ..messages import say
-from ..source import Source
 from ..variants import VARIANTS, Variant
-from . import drive, rules, springs
-from .contact import HARDENED_STEEL, Contact
-from .drive import Drive, Mass, SlidingSpeed, TimeOrNone
-from .fatigue import Fatigue
+from . import rules
+from .drive import Drive, Heat
 from .fields import (
     AtLeastOne,
     Block,
+    Broken,
     Coefficient,
     Count,
     Force,
     Gap,
     Length,
+    Mass,
     Name,
+    PoissonRatio,
+    Probability,
     Ratio,
+    SectionModulus,
+    SlidingSpeed,
     Slope,
+    SpecificWork,
+    Stress,
+    Temperature,
+    TimeOrNone,
     Torque,
+    TorqueOrNone,
     WallAngle,
     key_field,
+    rule_error,
 )
-from .heat import Heat
-from .report import TitleBlock
-from .required import Required
-from .springs import ClosingSpring, ControlSpring
+from .source import Source
+from .springs import ClosingSpring, CoilSprings, ControlSpring, DiscStack
 from .tolerance import Tolerance, in_si
 
 
@@ -88,27 +97,29 @@ class FrictionRange(Block):
     max: Coefficient | None = key_field("largest coefficient of friction", "f_max")
     material: str | None = key_field("name of a friction material of the catalogue")
 
-    @model_validator(mode="after")
-    def _check_range(self) -> "FrictionRange":
-        if problems := self._range_problems():
-            raise rules.RuleError(problems)
-        return self
-
-    def _range_problems(self) -> list[Problem]:
+    def broken_rules(self) -> Iterable[Broken]:
+        """Nothing beside a material; min ≤ mean ≤ max as far as given."""
+        low, mean, high = self.min, self.mean, self.max
         if self.material is not None:
-            from . import materials
+            from . import catalogues
 
-            return materials.problems(self.material, {"min": self.min, "mean": self.mean, "max": self.max})
-        return rules.order_problems(self.min, self.mean, self.max)
+            yield from catalogues.broken_rules(self.material, {"min": low, "mean": mean, "max": high})
+        elif low is not None and high is not None and low > high:
+            yield "max", say("must not be below min ({low:g})", low=low)
+        elif mean is not None and low is not None and mean < low:
+            yield "mean", say("must not be below min ({low:g})", low=low)
+        elif mean is not None and high is not None and mean > high:
+            yield "mean", say("must not be above max ({high:g})", high=high)
 
     @property
     def range(self) -> Range:
         """The three coefficients, with the material looked up and the mean filled in."""
         low, mean, high = self.min, self.mean, self.max
         if self.material is not None:
-            from . import materials
+            from .catalogues import friction_materials
 
-            low, high = materials.friction_range(self.material)
+            material = friction_materials()[self.material]
+            low, high = material.friction_min, material.friction_max
         if low is None or high is None:
             raise ValueError(say("no range here: friction is given per group"))
         return Range(low, (low + high) / 2 if mean is None else mean, high)
@@ -138,13 +149,13 @@ class Friction(FrictionRange):
     def materials(self) -> dict[str, str]:
         """Names of the materials by the paths of their keys."""
         blocks = {"friction": self, "friction.driving": self.driving, "friction.driven": self.driven}
-        return {f"{path}.material": own.material for path, own in blocks.items() if own and own.material}
+        return {f"{path}.material": block.material for path, block in blocks.items() if block and block.material}
 
 
 class FrictionGroup(Block):
     """The pack of friction discs."""
 
-    pairs: Count = Field(description="number of friction pairs, all groups", json_schema_extra={"symbol": "z"})
+    pairs: Count = key_field("number of friction pairs, all groups", "z", default=...)
     driving_pairs: Count | None = key_field(
         "pairs that bypass the control unit; default 1 (differentiated only)", "z_1"
     )
@@ -156,12 +167,28 @@ class FrictionGroup(Block):
     inner_spline_radius: Length | None = key_field("radius of the inner discs' splines (effects only)", "r_si")
     outer_spline_radius: Length | None = key_field("radius of the outer discs' splines (effects only)", "r_so")
 
-    @model_validator(mode="after")
-    def _check_radii(self) -> "FrictionGroup":
-        if self.inner_radius is not None and self.outer_radius is not None and self.inner_radius >= self.outer_radius:
-            message = say("must be greater than friction_group.inner_radius ({inner:g} m)", inner=self.inner_radius)
-            raise rules.RuleError([rules.wrong("outer_radius", message)])
-        return self
+    def broken_rules(self) -> Iterable[Broken]:
+        """The outer radius is the greater one."""
+        inner, outer = self.inner_radius, self.outer_radius
+        if inner is not None and outer is not None and inner >= outer:
+            yield "outer_radius", say("must be greater than friction_group.inner_radius ({inner:g} m)", inner=inner)
+
+
+class Contact(Block):
+    """Elastic data of ball and pocket wall, for a Hertz check beside or instead of an allowable force."""
+
+    ball_modulus: Stress = key_field("Young's modulus of the ball", "E_1", default=...)
+    ball_poisson: PoissonRatio = key_field("Poisson's ratio of the ball", "ν_1", default=...)
+    wall_modulus: Stress = key_field("Young's modulus of the pocket wall", "E_2", default=...)
+    wall_poisson: PoissonRatio = key_field("Poisson's ratio of the pocket wall", "ν_2", default=...)
+    allowable_pressure: Stress = key_field("allowable maximum contact pressure", "[p_0]", default=...)
+
+
+HARDENED_STEEL = Contact(
+    ball_modulus=206e9, ball_poisson=0.3, wall_modulus=206e9, wall_poisson=0.3, allowable_pressure=4.2e9
+)
+"""Assumed where neither [control_unit.contact] nor an allowable force is given; 4200 MPa: static limit of ball bearings
+(ISO 76, self-aligning ball bearings 4600, other ball bearings 4200 MPa)."""
 
 
 class ControlUnit(Block):
@@ -208,6 +235,80 @@ class Adjustment(Block):
     )
 
 
+class Fatigue(Block):
+    """The part whose life is asked for."""
+
+    endurance_limit: Stress = key_field("endurance limit in shear", "τ_limb", default=...)
+    polar_section_modulus: SectionModulus = key_field("polar section modulus", "W_p", default=...)
+    exponent: Coefficient = key_field("exponent of the S-N line", "m_τ", default=...)
+    mean_stress_sensitivity: Ratio | None = key_field("sensitivity to the mean stress (model amplitude)", "ψ_τ")
+    ultimate_strength: Stress | None = key_field("ultimate strength in shear (model goodman)", "τ_u")
+    base_cycles: Coefficient = key_field("base cycles of the S-N line", "N_0", default=...)
+    load_low: TorqueOrNone = key_field(
+        "torque from which a slip swings the load and to which it falls back (amplitude, goodman)", "T_low", default=0.0
+    )
+
+
+class Required(Block):
+    """What a clutch is to hold; each key is a row of ``check`` and of the report."""
+
+    nominal_torque: Torque | None = key_field("nominal torque of the clutch, at least", "T_н")
+    machine_torque: Torque | None = key_field(
+        "nominal torque of the machine, at least: the clutch's over the margin", "T_н.маш"
+    )
+    accuracy_factor: AtLeastOne | None = key_field("accuracy factor, at most", "K_т")
+    accuracy_factor_hysteresis: AtLeastOne | None = key_field(
+        "accuracy factor under a load that lasts, at most", "K_т,h"
+    )
+    torque_max: Torque | None = key_field("largest sustained torque, at most", "T_max")
+    outer_diameter: Length | None = key_field("outer diameter of the friction faces, at most", "2 r_o")
+    surface_pressure: Stress | None = key_field("mean surface pressure at rest, at most; needs both radii", "p")
+    travel: Length | None = key_field("largest travel of the sleeve, at most (indirect)", "x_max")
+    reduced_gain: Ratio | None = key_field("reduced gain, at most", "z_2 C")
+    peak_torque: Torque | None = key_field("peak torque in the shaft, at most (simulate)", "T_peak")
+    exceedance: Probability | None = key_field(
+        "probability that the torque exceeds T_max, at most (tolerance)", "P(T>T_max)"
+    )
+    work: SpecificWork | None = key_field("specific work of a trip, at most (heat)", "q_A")
+    temperature: Temperature | None = key_field("mean temperature of the discs after one trip, at most (heat)", "Θ")
+    face_temperature: Temperature | None = key_field(
+        "largest temperature of the faces in one trip, at most (heat)", "Θ_s"
+    )
+    contact_pressure: Stress | None = key_field(
+        "largest contact pressure of ball and wall, at most (synthesize)", "p_0"
+    )
+    cycles: Coefficient | None = key_field("life in cycles on either side of the clutch, at least", "N_ц")
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """A probability is one of a torque."""
+        if self.exceedance is not None and self.torque_max is None:
+            yield "torque_max", say("required beside {other}", other="requirements.exceedance")
+
+
+def _as_text(value: object) -> object:
+    """A revision 2 and a TOML date need no quotes."""
+    if isinstance(value, date):
+        return value.isoformat()
+    return str(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+
+Entry = Annotated[Name, BeforeValidator(_as_text)]
+
+
+class TitleBlock(Block):
+    """What stands in the title block of a report; each is text."""
+
+    project: Entry | None = key_field("project the clutch belongs to")
+    drawing: Entry | None = key_field("number of the drawing")
+    revision: Entry | None = key_field("revision of the calculation")
+    author: Entry | None = key_field("who calculated")
+    checked: Entry | None = key_field("who checked")
+    norm_control: Entry | None = key_field("who checked it against the standards")
+    approved: Entry | None = key_field("who approved")
+    date: Entry | None = key_field("date of the calculation")
+    organisation: Entry | None = key_field("who answers for the calculation")
+
+
 @dataclass(frozen=True)
 class Origin:
     """Where a spec was read from; specs that say the same are equal wherever that was."""
@@ -219,7 +320,7 @@ class Spec(Block):
     """A clutch, as a spec file describes it."""
 
     name: Name | None = key_field("what the clutch is called")
-    variant: VariantName = Field(description="how the clutch regulates")
+    variant: VariantName = key_field("how the clutch regulates", default=...)
     friction: Friction
     friction_group: FrictionGroup
     # to validate a default would build its block twice
@@ -245,15 +346,13 @@ class Spec(Block):
     @classmethod
     def _every_problem_at_once(cls, data: object, handler: ModelWrapValidatorHandler["Spec"]) -> "Spec":
         """Report what the blocks find and what the rules between them find together."""
-        problems = (
-            [*rules.problems(data), *drive.problems(data), *springs.problems(data)] if isinstance(data, dict) else []
-        )
+        broken = rules.broken_rules(data) if isinstance(data, dict) else []
         try:
             spec = handler(data)
         except ValidationError as error:
-            raise rules.RuleError(problems, error) from None
-        if problems:
-            raise rules.RuleError(problems)
+            raise rule_error(broken, error) from None
+        if broken:
+            raise rule_error(broken)
         return spec
 
     def model_post_init(self, context: object) -> None:
@@ -282,7 +381,7 @@ class Spec(Block):
         return self.kind.least_pairs(self.friction_group.driving_pairs)
 
     @property
-    def spring_parts(self) -> "dict[str, springs.DiscStack | springs.CoilSprings]":
+    def spring_parts(self) -> dict[str, DiscStack | CoilSprings]:
         """The parts that the springs are, where they are named: closing, control."""
-        own = {"closing": self.closing_spring, "control": self.control_spring}
-        return {name: spring.part for name, spring in own.items() if spring is not None and spring.part is not None}
+        springs = {"closing": self.closing_spring, "control": self.control_spring}
+        return {name: spring.part for name, spring in springs.items() if spring and spring.part}

@@ -1,43 +1,60 @@
-"""What pydantic finds wrong, told for people: path, value as written, what is allowed."""
+"""Plain data made a spec; what is wrong with it is said for people: path, value as written, what is allowed."""
 
 import json
 import math
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
+from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from ..errors import Problem
+from ..errors import Problem, SpecError
+from ..letters import did_you_mean
 from ..messages import say
-from ..source import Unlikely
+from .fields import choices_at, keys_below, names_in
+from .keys import elsewhere
 from .models import Spec
-from .names import elsewhere
 from .quantity import impossible
-from .rules import RuleError, Table
-from .suggest import did_you_mean
-from .walk import choices_at, keys_below, names_in
+from .rules import Table
+from .source import Source
 
 _MOST_TOLD = 100
 """Problems that are told; of the others the number."""
 
+M = TypeVar("M", bound=BaseModel)
 
-def problems_of(error: ValidationError, data: Table, model: type[BaseModel]) -> tuple[list[Problem], int]:
-    """Problems of ``data``, each once, and how many more there are.
 
-    What pydantic found, and the rules between keys that it met broken.
+def make_spec(data: Table, label: str = "spec") -> Spec:
+    """Validate a spec given as nested mappings; ``label`` names it in errors."""
+    return validated(Spec, data, label)
+
+
+def validated(model: type[M], data: Table, label: str) -> M:
+    """Validate plain data, read from where ``label`` says.
+
+    Raises:
+        SpecError: every problem found.
     """
-    found = list(_found(error, ()))
-    told = [_told(each, data, model) for each in found[:_MOST_TOLD]]
-    return list(dict.fromkeys(told)), len(found[_MOST_TOLD:])
+    too_large = [
+        Problem(doubt.path, _given(doubt.path, data), impossible(doubt))
+        for doubt in (label.doubts if isinstance(label, Source) else ())
+        if not doubt.possible
+    ]
+    try:
+        made = model.model_validate(dict(data), context=label)
+    except ValidationError as error:
+        if mistake := _of_another_kind(data, model):
+            raise SpecError(label, [mistake]) from None
+        details = error.errors(include_url=False)
+        problems = dict.fromkeys(_problem(detail, data, model) for detail in details[:_MOST_TOLD])
+        raise SpecError(label, [*too_large, *problems], len(details[_MOST_TOLD:])) from None
+    if too_large:
+        raise SpecError(label, too_large)
+    return made
 
 
-def too_large(doubts: Iterable[Unlikely], data: Table) -> list[Problem]:
-    """Numbers without a unit that cannot be meant in SI."""
-    return [Problem(each.path, _given(each.path, data), impossible(each)) for each in doubts if not each.possible]
-
-
-def mistaken(data: Table, model: type[BaseModel]) -> Problem | None:
+def _of_another_kind(data: Table, model: type[BaseModel]) -> Problem | None:
     """Say that a file is of another kind than what is read, in one sentence; None when it is not."""
     if _REQUIRED.isdisjoint(data) and "variant" in data:
         wanted = say("is a clutch spec, no requirements: afmcalc init --kind requirements writes such a file")
@@ -51,24 +68,8 @@ _REQUIRED = frozenset(("variants", "objectives", "wanted", "search"))
 """What only a requirements file has."""
 
 
-def _found(error: ValidationError, above: tuple[str, ...]) -> Iterator[Problem | tuple[ErrorDetails, tuple[str, ...]]]:
-    """Problems of the table at the path ``above``; what pydantic found as it says it, with its path."""
-    for detail in error.errors(include_url=False):
-        location = (*above, *map(str, detail["loc"]))
-        broken = detail.get("ctx", {}).get("error")
-        if not isinstance(broken, RuleError):
-            yield detail, location
-            continue
-        if broken.others:
-            yield from _found(broken.others, location)
-        for problem in broken.problems:
-            yield problem._replace(path=".".join((*location, problem.path)))
-
-
-def _told(found: Problem | tuple[ErrorDetails, tuple[str, ...]], data: Table, model: type[BaseModel]) -> Problem:
-    if isinstance(found, Problem):
-        return found._replace(given=_given(found.path, data))
-    detail, location = found
+def _problem(detail: ErrorDetails, data: Table, model: type[BaseModel]) -> Problem:
+    location = tuple(map(str, detail["loc"]))
     path = ".".join(location)
     given = _given(path, data)
     return Problem(path, given, _message(detail, location, given, model), detail["type"] == "extra_forbidden")

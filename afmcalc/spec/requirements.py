@@ -1,24 +1,181 @@
 """What a clutch is wanted to do, and among what it may be chosen: the file of the design command."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
 from os import PathLike
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, get_args
 
-from pydantic import Field, PrivateAttr, StrictBool, model_validator
+from pydantic import (
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    PrivateAttr,
+    StrictBool,
+    TypeAdapter,
+    ValidationError,
+)
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, PydanticKnownError, core_schema
 
-from ..errors import Problem
 from ..messages import say
-from ..source import Source
-from ..variants import VARIANTS
-from . import rules
-from .choices import Angles, Choice, Diameters, Forces, Lengths, Pairs, Ratios, Stiffnesses, StiffnessesOrNone
-from .contact import HARDENED_STEEL, Contact
-from .fields import AtLeastOne, Block, Count, Force, Gap, Length, Name, Ratio, Stress, Torque, key_field
-from .models import Friction, Method, Origin, PocketShape, Profiled, VariantName
-from .overrides import Overrides
-from .parsing import text_of
-from .reading import data_of, validated
+from ..variants import VARIANTS, Variant
+from .edit import Overrides
+from .fields import (
+    AtLeastOne,
+    Block,
+    Broken,
+    Count,
+    Force,
+    Gap,
+    Length,
+    Name,
+    Quantity,
+    Ratio,
+    Stiffness,
+    StiffnessOrNone,
+    Stress,
+    Torque,
+    WallAngle,
+    key_field,
+)
+from .models import HARDENED_STEEL, Contact, Friction, Method, Origin, PocketShape, Profiled, VariantName
+from .parse import text_of
+from .problems import validated
+from .read import data_of
+from .rules import Table
+from .source import Source
 from .springs import Room
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+MOST_VALUES = 1_000_000
+"""Values of one searched parameter beyond which a file is refused."""
+MOST_LISTED = 10_000
+"""The same for values that are written out, and for balls and forces of a catalogue."""
+
+
+class Choice(NamedTuple):
+    """Values of one searched parameter, SI: a list, or an even grid that is not yet laid out."""
+
+    listed: tuple[float, ...]
+    start: float = 0.0
+    stop: float = 0.0
+    length: int = 0
+
+    @property
+    def size(self) -> int:
+        """How many values."""
+        return len(self.listed) or self.length
+
+    @property
+    def between(self) -> bool:
+        """Whether any value between the ends is meant, and the grid but samples it."""
+        return self.length > 1
+
+    def array(self) -> "NDArray[np.float64]":
+        """The values, ascending."""
+        import numpy as np
+
+        return np.array(self.listed) if self.listed else np.linspace(self.start, self.stop, self.length)
+
+
+@dataclass(frozen=True)
+class Searched:
+    """What a searched parameter may be: one value, a list, or a table with start, stop and count (or step)."""
+
+    kind: Any
+    """Type of a spec's field; every value is held to what it is held to."""
+    most: int = MOST_VALUES
+
+    @property
+    def about(self) -> Quantity:
+        """What each value may be."""
+        found: Quantity = get_args(self.kind)[1]
+        return found
+
+    @cached_property
+    def _field(self) -> TypeAdapter[float]:
+        return TypeAdapter(self.kind)
+
+    def number(self, value: object) -> float:
+        """Read one value, SI."""
+        try:
+            return float(self._field.validate_python(value))
+        except OverflowError:
+            raise ValueError(say("must be finite")) from None
+        except ValidationError as error:
+            detail: Any = error.errors(include_url=False)[0]
+            if detail["type"] == "value_error":
+                raise detail["ctx"]["error"] from None
+            raise PydanticKnownError(detail["type"], detail.get("ctx")) from None
+
+    def read(self, value: object) -> Choice:
+        """Read what stands in the file."""
+        if isinstance(value, Choice):
+            return value
+        if isinstance(value, list | tuple):
+            if not value:
+                raise ValueError(say("must not be an empty list"))
+            _check_count(len(value), min(self.most, MOST_LISTED))
+            return Choice(tuple(sorted({self.number(item) for item in value})))
+        return self._grid(value) if isinstance(value, Mapping) else Choice((self.number(value),))
+
+    def _grid(self, value: Table) -> Choice:
+        if unknown := sorted(set(value) - {"start", "stop", "count", "step"}):
+            raise ValueError(say("unknown key {key!r}; a range has start, stop and count (or step)", key=unknown[0]))
+        if "start" not in value or "stop" not in value:
+            raise ValueError(say("a range has start, stop and count (or step)"))
+        start, stop = self.number(value["start"]), self.number(value["stop"])
+        if start > stop:
+            raise ValueError(
+                say("the range is inverted: start {start:g} is above stop {stop:g}", start=start, stop=stop)
+            )
+        if "count" in value and "step" in value:
+            raise ValueError(say("give count or step, not both"))
+        count, whole = value.get("count"), self.kind is Count
+        if "count" not in value:
+            step = self.number(value["step"]) if "step" in value else 1.0 if whole else 0.0
+            if not step > 0:
+                raise ValueError(say("a range needs count, or a step greater than 0"))
+            steps = (stop - start) / step * (1 + 1e-12)
+            _check_count(steps + 1, self.most)
+            count = int(steps) + 1
+            stop = start + (count - 1) * step
+        if isinstance(count, bool) or not isinstance(count, int) or count < 1:
+            raise ValueError(say("count must be a whole number of at least 1"))
+        _check_count(count, self.most)
+        if whole and count > 1 and (stop - start) % (count - 1):
+            raise ValueError(say("count does not give whole numbers; use step"))
+        return Choice((), start, stop, count)
+
+    def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Validate by reading."""
+        return core_schema.no_info_plain_validator_function(self.read)
+
+    def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        """Describe what may stand in the file."""
+        one: JsonSchemaValue = {"anyOf": [{"type": "number"}, {"type": "string"}]}
+        return {
+            "anyOf": [*one["anyOf"], {"type": "array", "items": one}, {"type": "object", "additionalProperties": one}]
+        }
+
+
+def _check_count(count: float, most: int) -> None:
+    if not count <= most:
+        raise ValueError(say("{count:,.10g} values; at most {most:,} here", count=count, most=most))
+
+
+Pairs = Annotated[Choice, Searched(Count)]
+Lengths = Annotated[Choice, Searched(Length)]
+Ratios = Annotated[Choice, Searched(Ratio)]
+Angles = Annotated[Choice, Searched(WallAngle)]
+Stiffnesses = Annotated[Choice, Searched(Stiffness)]
+StiffnessesOrNone = Annotated[Choice, Searched(StiffnessOrNone)]
+Forces = Annotated[Choice, Searched(Force, MOST_LISTED)]
+Diameters = Annotated[Choice, Searched(Length, MOST_LISTED)]
 
 Objective = Literal[
     "closing_force", "accuracy_factor", "pairs", "ball_diameter", "travel",
@@ -44,12 +201,10 @@ class Wanted(Block):
         default=1.0,
     )
 
-    @model_validator(mode="after")
-    def _one_torque(self) -> "Wanted":
+    def broken_rules(self) -> Iterable[Broken]:
+        """The torque of the clutch or that of the machine is given."""
         if (self.nominal_torque is None) == (self.machine_torque is None):
-            message = say("required: nominal_torque of the clutch or machine_torque, one of them")
-            raise rules.RuleError([rules.wrong("nominal_torque", message)])
-        return self
+            yield "nominal_torque", say("required: nominal_torque of the clutch or machine_torque, one of them")
 
     @property
     def in_spring(self) -> float:
@@ -71,20 +226,19 @@ class Wanted(Block):
 class ForceRange(Block):
     """Force that the pack may be pressed by at rest, any value between the ends (F_п; indirect F_п2)."""
 
-    min: Force = Field(description="smallest force")
-    max: Force = Field(description="largest force")
+    min: Force = key_field("smallest force", default=...)
+    max: Force = key_field("largest force", default=...)
 
-    @model_validator(mode="after")
-    def _ordered(self) -> "ForceRange":
+    def broken_rules(self) -> Iterable[Broken]:
+        """The ends are in order."""
         if self.min > self.max:
-            raise rules.RuleError([rules.wrong("max", say("must not be below min ({low:g})", low=self.min))])
-        return self
+            yield "max", say("must not be below min ({low:g})", low=self.min)
 
 
 class Search(Block):
     """Among what to choose: one value, a list, or ``{ start, stop, count }`` each."""
 
-    pairs: Pairs = Field(description="friction pairs z")
+    pairs: Pairs = key_field("friction pairs z", default=...)
     driving_pairs: Pairs = Field(
         default_factory=lambda: Choice((1.0,)), description="bypass pairs z_1 (differentiated); default 1"
     )
@@ -150,9 +304,9 @@ class Requirements(Block):
     """What is wanted, among what to choose, and what counts."""
 
     name: Name | None = key_field("what the design is called")
-    variants: Annotated[tuple[VariantName, ...], Field(min_length=1)] = Field(description="variants allowed")
-    objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = Field(
-        description="what is to be small; closing_force is the force the pack must bear (F_п; indirect F_п2)"
+    variants: Annotated[tuple[VariantName, ...], Field(min_length=1)] = key_field("variants allowed", default=...)
+    objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = key_field(
+        "what is to be small; closing_force is the force the pack must bear (F_п; indirect F_п2)", default=...
     )
     springs: Literal["disc"] | None = key_field(
         "disc: only clutches whose springs can be stacks of disc springs (DIN EN 16983) in fixed.closing_room, and "
@@ -181,82 +335,80 @@ class Requirements(Block):
         """Elastic data by which a check of the written clutch judges its balls; None: by the force given alone."""
         return self.fixed.contact or (HARDENED_STEEL if self.limits.contact_force is None else None)
 
-    @model_validator(mode="after")
-    def _complete(self) -> "Requirements":
-        if problems := [*self._friction_problems(), *self._needed()]:
-            raise rules.RuleError(problems)
-        return self
-
-    def _friction_problems(self) -> Iterable[Problem]:
-        try:
-            _ = self.friction.groups
-        except ValueError:
-            yield rules.wrong("friction.min", say("required: min and max, a material, or both groups"))
-        else:
-            if self.friction.unlike and not all(VARIANTS[name].unlike for name in self.variants):
-                able = ", ".join(repr(each.name) for each in VARIANTS.values() if each.unlike)
-                yield rules.wrong("friction.driving", say("unlike materials are for variant {able} alone", able=able))
-
-    def _needed(self) -> Iterable[Problem]:
+    def broken_rules(self) -> Iterable[Broken]:
+        """What the variants need is given, and nothing that they do not have."""
+        variants = [VARIANTS[name] for name in self.variants]
+        yield from self._friction_rules(variants)
         search, fixed = self.search, self.fixed
         if (search.closing_force is None) == (search.closing_forces is None):
-            yield rules.wrong(
-                "search.closing_force",
-                say("give closing_force (a range) or closing_forces (a catalogue), one of them"),
-            )
-        yield from self._radii_problems()
-        variants = [VARIANTS[name] for name in self.variants]
-        if any(each.controlled for each in variants):
+            message = say("give closing_force (a range) or closing_forces (a catalogue), one of them")
+            yield "search.closing_force", message
+        yield from self._radii_rules()
+        if any(variant.controlled for variant in variants):
             if (search.gain is None) == (search.wall_angle is None):
-                yield rules.wrong("search.gain", say("give gain or wall_angle, one of them"))
+                yield "search.gain", say("give gain or wall_angle, one of them")
             if search.ball_circle_radius is None:
-                yield rules.wrong("search.ball_circle_radius", say("required with a control unit"))
+                yield "search.ball_circle_radius", say("required with a control unit")
         springs_and_hub = {
             "search.closing_stiffness": search.closing_stiffness,
             "search.control_stiffness": search.control_stiffness,
             "fixed.hub_diameter": fixed.hub_diameter,
             "fixed.key_friction": fixed.key_friction,
         }
-        for each in (each for each in variants if each.travels):
-            for path in (path for path, given in springs_and_hub.items() if given is None):
-                yield rules.wrong(path, say("required for variant {variant!r}", variant=each.name))
-        yield from self._springs_problems(any(each.travels for each in variants))
-        if fixed.pocket is not None and not any(each.travels for each in variants):
-            able = ", ".join(repr(each.name) for each in VARIANTS.values() if each.travels)
-            yield rules.wrong("fixed.pocket", say("is of variant {able}", able=able))
+        travelling = [variant.name for variant in variants if variant.travels]
+        for name in travelling:
+            for path, given in springs_and_hub.items():
+                if given is None:
+                    yield path, say("required for variant {variant!r}", variant=name)
+        yield from self._springs_rules(bool(travelling))
+        if fixed.pocket is not None and not travelling:
+            yield "fixed.pocket", say("is of variant {able}", able=_able("travels"))
         if fixed.profiled is not None and fixed.pocket is None:
-            yield rules.wrong("fixed.profiled", say("is of a curved wall: give fixed.pocket with it"))
+            yield "fixed.profiled", say("is of a curved wall: give fixed.pocket with it")
 
-    def _springs_problems(self, travels: bool) -> Iterable[Problem]:
+    def _friction_rules(self, variants: list[Variant]) -> Iterable[Broken]:
+        try:
+            _ = self.friction.groups
+        except ValueError:
+            yield "friction.min", say("required: min and max, a material, or both groups")
+        else:
+            if self.friction.unlike and not all(variant.unlike for variant in variants):
+                yield "friction.driving", say("unlike materials are for variant {able} alone", able=_able("unlike"))
+
+    def _springs_rules(self, travels: bool) -> Iterable[Broken]:
         rooms = {"fixed.closing_room": self.fixed.closing_room, "fixed.control_room": self.fixed.control_room}
         if self.springs is None:
-            for path in (path for path, room in rooms.items() if room is not None):
-                yield rules.wrong(path, say("has no effect without {other}", other="springs"))
+            for path, room in rooms.items():
+                if room is not None:
+                    yield path, say("has no effect without {other}", other="springs")
             return
         if self.fixed.pocket is not None:
-            message = say("excludes {other}: such a wall is laid out for straight springs", other="fixed.pocket")
-            yield rules.wrong("springs", message)
+            yield "springs", say("excludes {other}: such a wall is laid out for straight springs", other="fixed.pocket")
         for path, room in list(rooms.items())[: 1 + travels]:
             if room is None or room.inner_diameter is None or room.outer_diameter is None:
-                message = say("required with springs: inner_diameter and outer_diameter, and length if bounded")
-                yield rules.wrong(path, message)
+                yield path, say("required with springs: inner_diameter and outer_diameter, and length if bounded")
         if not travels and self.fixed.control_room is not None:
-            yield rules.wrong("fixed.control_room", say("is of variant {able}", able="'indirect'"))
+            yield "fixed.control_room", say("is of variant {able}", able=_able("travels"))
 
-    def _radii_problems(self) -> Iterable[Problem]:
+    def _radii_rules(self) -> Iterable[Broken]:
         width, mean, inner, outer = (
             self.fixed.face_width, self.search.mean_radius, self.search.inner_radius, self.search.outer_radius,
         )  # fmt: skip
         if mean is not None and inner is None and outer is None:
             for name in ("surface_pressure", "outer_diameter"):
                 if width is None and getattr(self.limits, name) is not None:
-                    yield rules.wrong("fixed.face_width", say("required beside {other}", other=f"limits.{name}"))
+                    yield "fixed.face_width", say("required beside {other}", other=f"limits.{name}")
         elif mean is not None or inner is None or outer is None:
-            yield rules.wrong("search.mean_radius", say("give mean_radius, or inner_radius and outer_radius"))
+            yield "search.mean_radius", say("give mean_radius, or inner_radius and outer_radius")
         elif width is not None:
-            yield rules.wrong("fixed.face_width", say("follows from search.inner_radius and search.outer_radius"))
+            yield "fixed.face_width", say("follows from search.inner_radius and search.outer_radius")
         elif not inner.array()[0] < outer.array()[-1]:
-            yield rules.wrong("search.outer_radius", say("must reach beyond search.inner_radius"))
+            yield "search.outer_radius", say("must reach beyond search.inner_radius")
+
+
+def _able(feature: str) -> str:
+    """Names of the variants that have a feature."""
+    return ", ".join(repr(variant.name) for variant in VARIANTS.values() if getattr(variant, feature))
 
 
 def read_requirements(source: str | PathLike[str], overrides: Overrides = ()) -> Requirements:
@@ -270,6 +422,6 @@ def read_requirements(source: str | PathLike[str], overrides: Overrides = ()) ->
     return make_requirements(*data_of(text, label, overrides, Requirements))
 
 
-def make_requirements(data: rules.Table, label: str = "requirements") -> Requirements:
+def make_requirements(data: Table, label: str = "requirements") -> Requirements:
     """Validate requirements given as nested mappings."""
     return validated(Requirements, data, label)

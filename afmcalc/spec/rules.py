@@ -1,217 +1,210 @@
 """Rules between the keys of a spec: what excludes what, what needs what, what a variant does not have."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterator, Mapping
+from itertools import chain
 from typing import TypeAlias, TypeGuard
 
-from pydantic import ValidationError
-
-from ..errors import Problem
 from ..messages import say, say_many
-from ..variants import VARIANTS, Path
+from ..variants import VARIANTS
+from .fields import Broken
 
 Table: TypeAlias = Mapping[str, object]
 """A table of a spec as it was written."""
 
 
-class RuleError(ValueError):
-    """Rules that a table breaks, raised while pydantic validates it; ``problems.problems_of`` takes it apart."""
-
-    def __init__(self, problems: Iterable[Problem], others: ValidationError | None = None) -> None:
-        """Carry problems whose paths begin at the table, and what pydantic itself found in it."""
-        self.problems, self.others = list(problems), others
-        super().__init__("; ".join(map(str, [*([others] if others else []), *self.problems])))
+def broken_rules(data: Table) -> list[Broken]:
+    """Rules between keys that ``data`` breaks; values themselves are the models' business."""
+    given = given_in(data)
+    every = (_friction, _radii, _gain, _pocket, _force, _variant, _pairs, _drive, _event, _discs)
+    return [*chain.from_iterable(rule(given) for rule in every)]
 
 
-def wrong(path: str, message: str) -> Problem:
-    """Report a key; what was given is looked up when the problem is told."""
-    return Problem(path, None, message)
+def given_in(data: Table, prefix: str = "") -> dict[str, object]:
+    """Every value and table of a spec by dotted path; what is None is not given."""
+    given: dict[str, object] = {}
+    for name, value in data.items():
+        if value is not None:
+            given[prefix + name] = value
+            if isinstance(value, dict):
+                given |= given_in(value, f"{prefix}{name}.")
+    return given
 
 
-def order_problems(low: float | None, mean: float | None, high: float | None) -> list[Problem]:
-    """Check min ≤ mean ≤ max as far as given."""
-    if low is not None and high is not None and low > high:
-        return [wrong("max", say("must not be below min ({low:g})", low=low))]
-    if mean is not None and low is not None and mean < low:
-        return [wrong("mean", say("must not be below min ({low:g})", low=low))]
-    if mean is not None and high is not None and mean > high:
-        return [wrong("mean", say("must not be above max ({high:g})", high=high))]
-    return []
+def _is_table(given: Table, path: str) -> bool:
+    return isinstance(given.get(path), dict)
 
 
-def problems(data: Table) -> list[Problem]:
-    """Every rule between keys that ``data`` breaks; values themselves are the models' business."""
-    return [
-        *_friction(data),
-        *_radii(data),
-        *_gain(data),
-        *_pocket(data),
-        *_force(data),
-        *_variant(data),
-        *_pairs(data),
-    ]
+def _beside(path: str, other: str) -> Broken:
+    return path, say("required beside {other}", other=other)
 
 
-def get(data: Table, *path: str) -> object:
-    """Return the value at ``path``; None when absent or when a block is no table."""
-    value: object = data
-    for key in path:
-        if not isinstance(value, dict):
-            return None
-        value = value.get(key)
-    return value
-
-
-def has(data: Table, *path: str) -> bool:
-    """Whether a key is present."""
-    return get(data, *path) is not None
-
-
-def is_table(data: Table, *path: str) -> bool:
-    """Whether a block is present, and a table."""
-    return isinstance(get(data, *path), dict)
-
-
-def _friction(data: Table) -> Iterable[Problem]:
-    if not is_table(data, "friction"):
-        return
-    groups = [group for group in ("driving", "driven") if has(data, "friction", group)]
-    own = [key for key in ("min", "mean", "max", "material") if has(data, "friction", key)]
-    for key in own if groups else ():
-        yield wrong(
-            f"friction.{key}",
-            say("give friction for all pairs or per group (friction.driving, friction.driven), not both"),
-        )
-    if len(groups) == 1:
-        other = "driven" if groups == ["driving"] else "driving"
-        yield beside(f"friction.{other}", f"friction.{groups[0]}")
-    if _number(get(data, "friction", "static_ratio")) > 1 and not has(data, "friction", "stribeck_speed"):
-        yield beside("friction.stribeck_speed", "friction.static_ratio")
-    blocks: list[tuple[str, ...]] = [("friction", group) for group in groups]
-    for block in blocks or [("friction",)]:
-        if not is_table(data, *block) or has(data, *block, "material"):
-            continue
-        for key in ("min", "max"):
-            if not has(data, *block, key):
-                yield wrong(".".join((*block, key)), say("required (or give material instead of min and max)"))
-
-
-def _number(value: object) -> float:
-    return float(value) if isinstance(value, int | float) else 0.0
-
-
-def beside(path: str, other: str) -> Problem:
-    """Report a key that another needs."""
-    return wrong(path, say("required beside {other}", other=other))
-
-
-def _radii(data: Table) -> Iterable[Problem]:
-    block = "friction_group"
-    if not is_table(data, block):
-        return
-    two = [key for key in ("inner_radius", "outer_radius") if has(data, block, key)]
-    if has(data, block, "mean_radius"):
-        for key in (*two, *(["radius_model"] if has(data, block, "radius_model") else [])):
-            yield wrong(
-                f"{block}.{key}",
-                say("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius"),
+def _friction(given: Table) -> Iterator[Broken]:
+    groups = [path for path in ("friction.driving", "friction.driven") if path in given]
+    for key in ("min", "mean", "max", "material") if groups else ():
+        if (path := f"friction.{key}") in given:
+            yield (
+                path,
+                say("give friction for all pairs or per group (friction.driving, friction.driven), not both"),
             )
-    elif not two:
-        yield wrong(f"{block}.mean_radius", say("required (or give inner_radius and outer_radius)"))
-    elif len(two) == 1:
-        other = "outer_radius" if two == ["inner_radius"] else "inner_radius"
-        yield beside(f"{block}.{other}", f"{block}.{two[0]}")
+    if len(groups) == 1:
+        yield _beside("friction.driven" if groups == ["friction.driving"] else "friction.driving", groups[0])
+    ratio = given.get("friction.static_ratio")
+    if isinstance(ratio, int | float) and ratio > 1 and "friction.stribeck_speed" not in given:
+        yield _beside("friction.stribeck_speed", "friction.static_ratio")
+    for block in groups or ["friction"]:
+        if _is_table(given, block) and f"{block}.material" not in given:
+            for path in (f"{block}.min", f"{block}.max"):
+                if path not in given:
+                    yield path, say("required (or give material instead of min and max)")
 
 
-def _gain(data: Table) -> Iterable[Problem]:
-    block = "control_unit"
-    if not is_table(data, block):
-        return
-    gain, angle = has(data, block, "gain"), has(data, block, "wall_angle")
-    if gain and angle:
-        yield wrong(
-            f"{block}.wall_angle", say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius")
-        )
-    elif not gain and not angle:
-        yield wrong(f"{block}.gain", say("required (or give wall_angle and ball_circle_radius)"))
-    elif angle and not has(data, block, "ball_circle_radius"):
-        yield beside(f"{block}.ball_circle_radius", f"{block}.wall_angle")
+def _radii(given: Table) -> Iterator[Broken]:
+    inner, outer, mean, model = (
+        f"friction_group.{name}" for name in ("inner_radius", "outer_radius", "mean_radius", "radius_model")
+    )
+    if mean in given:
+        for path in (inner, outer, model):
+            if path in given:
+                yield (
+                    path,
+                    say("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius"),
+                )
+    elif inner in given and outer not in given:
+        yield _beside(outer, inner)
+    elif outer in given and inner not in given:
+        yield _beside(inner, outer)
+    elif inner not in given and _is_table(given, "friction_group"):
+        yield mean, say("required (or give inner_radius and outer_radius)")
 
 
-def _pocket(data: Table) -> Iterable[Problem]:
-    block = "control_unit"
-    slope, pocket = has(data, block, "gain_slope"), has(data, block, "pocket")
-    if slope and pocket:
-        message = say("excludes control_unit.pocket: give the slope, or the pocket that it follows from")
-        yield wrong(f"{block}.gain_slope", message)
-    if has(data, block, "profiled") and not slope and not pocket:
-        yield wrong(f"{block}.profiled", say("is of a curved wall: give gain_slope or pocket with it"))
+def _gain(given: Table) -> Iterator[Broken]:
+    gain, angle, radius = (f"control_unit.{name}" for name in ("gain", "wall_angle", "ball_circle_radius"))
+    if gain in given and angle in given:
+        yield angle, say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius")
+    elif angle in given and radius not in given:
+        yield _beside(radius, angle)
+    elif gain not in given and angle not in given and _is_table(given, "control_unit"):
+        yield gain, say("required (or give wall_angle and ball_circle_radius)")
 
 
-def _force(data: Table) -> Iterable[Problem]:
-    if not has(data, "closing_spring", "force") and not has(data, "adjustment", "nominal_torque"):
-        yield wrong("closing_spring.force", say("required (or give adjustment.nominal_torque, which sets it)"))
-    elif has(data, "control_spring", "force") and not has(data, "closing_spring", "force"):
-        yield wrong("closing_spring.force", say("required beside control_spring.force: both forces as made"))
+def _pocket(given: Table) -> Iterator[Broken]:
+    slope, pocket, profiled = (f"control_unit.{name}" for name in ("gain_slope", "pocket", "profiled"))
+    if slope in given and pocket in given:
+        yield slope, say("excludes control_unit.pocket: give the slope, or the pocket that it follows from")
+    if profiled in given and slope not in given and pocket not in given:
+        yield profiled, say("is of a curved wall: give gain_slope or pocket with it")
 
 
-def _special() -> dict[Path, tuple[str, ...]]:
+def _force(given: Table) -> Iterator[Broken]:
+    path = "closing_spring.force"
+    if path not in given and "adjustment.nominal_torque" not in given:
+        yield path, say("required (or give adjustment.nominal_torque, which sets it)")
+    elif "control_spring.force" in given and path not in given:
+        yield path, say("required beside control_spring.force: both forces as made")
+
+
+def _special_keys() -> dict[str, tuple[str, ...]]:
     """Keys that only some variants have → those variants."""
-    every = VARIANTS.values()
-    return {key: tuple(each.name for each in every if key in each.keys) for each in every for key in each.keys}
+    variants = VARIANTS.values()
+    return {
+        ".".join(key): tuple(variant.name for variant in variants if key in variant.keys)
+        for variant in variants
+        for key in variant.keys
+    }
 
 
 def variants_of(path: str) -> tuple[str, ...]:
     """Variants that have the key at a dotted path; empty when all have."""
-    parts = tuple(path.split("."))
-    found = [variants for key, variants in _special().items() if key == parts[: len(key)]]
-    return min(found, key=len) if found else ()
+    having = [variants for key, variants in _special_keys().items() if f"{path}.".startswith(f"{key}.")]
+    return min(having, key=len) if having else ()
 
 
-def foreign_keys(data: Table) -> list[Path]:
-    """Paths of the keys present that the variant of ``data`` does not have; a block stands for its keys."""
-    own = VARIANTS[str(data["variant"])].keys
-    found = [path for path in _special() if path not in own and has(data, *path)]
-    return [path for path in found if path[:1] not in found or len(path) == 1]
+def foreign_keys(given: Table, variant: str) -> list[str]:
+    """Paths that are given and that the variant does not have; a block stands for its keys."""
+    foreign = [path for path in _special_keys() if path in given and not VARIANTS[variant].has(path)]
+    return [path for path in foreign if "." not in path or path.partition(".")[0] not in foreign]
 
 
-def _variant(data: Table) -> Iterable[Problem]:
-    name = get(data, "variant")
+def _variant(given: Table) -> Iterator[Broken]:
+    name = given.get("variant")
     if not isinstance(name, str) or name not in VARIANTS:
         return
-    for path in foreign_keys(data):
-        only = ", ".join(_special()[path])
-        yield wrong(".".join(path), say("not for variant {variant!r}; only for {only}", variant=name, only=only))
-    for path in VARIANTS[name].needs + VARIANTS[name].requires:
-        if not has(data, *path) and (len(path) == 1 or has(data, path[0]) or path[0] == "closing_spring"):
-            yield wrong(".".join(path), say("required for variant {variant!r}", variant=name))
+    for path in foreign_keys(given, name):
+        only = ", ".join(_special_keys()[path])
+        yield path, say("not for variant {variant!r}; only for {only}", variant=name, only=only)
+    for key in VARIANTS[name].needs + VARIANTS[name].requires:
+        path = ".".join(key)
+        if path not in given and (len(key) == 1 or key[0] in given or key[0] == "closing_spring"):
+            yield path, say("required for variant {variant!r}", variant=name)
 
 
 def _is_number(value: object) -> TypeGuard[float]:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def _pairs(data: Table) -> Iterable[Problem]:
-    pairs, driving = get(data, "friction_group", "pairs"), get(data, "friction_group", "driving_pairs")
+def _pairs(given: Table) -> Iterator[Broken]:
+    pairs, driving = given.get("friction_group.pairs"), given.get("friction_group.driving_pairs")
     if not _is_number(pairs):
         return
     if _is_number(driving):
         if not driving < pairs:
-            yield wrong(
-                "friction_group.driving_pairs", say("must be less than friction_group.pairs ({pairs})", pairs=pairs)
+            yield (
+                "friction_group.driving_pairs",
+                say("must be less than friction_group.pairs ({pairs})", pairs=pairs),
             )
         return
-    variant = VARIANTS.get(str(get(data, "variant")))
+    variant = VARIANTS.get(str(given.get("variant")))
     if driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()) > 1:
         default = say(" (the default)") if variant.chooses_bypass else ""
         bypass = say_many(
             "{count} driving pair{default}", "{count} driving pairs{default}", count=least - 1, default=default
         )
-        yield wrong(
-            "friction_group.pairs",
-            say(
-                "a {variant} clutch needs at least {least}: {bypass} and 1 driven",
-                variant=variant.name,
-                least=least,
-                bypass=bypass,
-            ),
+        message = say(
+            "a {variant} clutch needs at least {least}: {bypass} and 1 driven",
+            variant=variant.name,
+            least=least,
+            bypass=bypass,
         )
+        yield "friction_group.pairs", message
+
+
+def _drive(given: Table) -> Iterator[Broken]:
+    if "drive.motor" in given and "drive.motor_torque" in given:
+        yield "drive.motor_torque", say("excludes drive.motor: give a constant torque, or the motor's curve")
+
+
+_OF_EVENT = {"stop": ("stop_time",), "load": ("torque", "rise_time")}
+"""Kind of event → keys that it needs and no other kind has."""
+
+
+def _event(given: Table) -> Iterator[Broken]:
+    if not _is_table(given, "drive.event"):
+        return
+    kind, variant = given.get("drive.event.kind"), VARIANTS.get(str(given.get("variant")))
+    needed = {
+        "motor_inertia": True,
+        "driven_inertia": True,
+        "shaft_stiffness": True,
+        "tool_inertia": kind == "load",
+        "hub_inertia": variant is not None and variant.travels,
+        "speed": "drive.motor" not in given,
+    }
+    for key, is_needed in needed.items():
+        if is_needed and f"drive.{key}" not in given:
+            yield _beside(f"drive.{key}", "drive.event")
+    if kind == "stop" and "drive.tool_inertia" in given:
+        yield "drive.tool_inertia", say("only with an event of kind load: a stopped tool moves as it is told")
+    for other, keys in _OF_EVENT.items():
+        for path in (f"drive.event.{key}" for key in keys):
+            if other == kind and path not in given:
+                yield path, say("required for an event of kind {kind}", kind=other)
+            if other != kind and path in given and str(kind) in _OF_EVENT:
+                yield path, say("only for an event of kind {kind}", kind=other)
+
+
+def _discs(given: Table) -> Iterator[Broken]:
+    """A stack of discs has no stiffness that scatters on its own."""
+    for spring in ("closing_spring", "control_spring"):
+        path = f"tolerance.fields.{spring}.stiffness"
+        if path in given and f"{spring}.disc" in given:
+            yield path, say("has no effect beside {spring}.disc", spring=spring)

@@ -5,12 +5,12 @@ import re
 from collections.abc import Callable
 from typing import NamedTuple
 
-from ..errors import Problem
+from ..errors import Place, Problem
+from ..letters import in_latin, plain
 from ..messages import say
-from ..source import Place, place_at
-from .names import elsewhere
+from .keys import elsewhere
 from .quantity import unread_number
-from .suggest import in_latin, plain
+from .source import place_at
 
 _POSITION = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
 _NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"

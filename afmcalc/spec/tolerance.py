@@ -2,16 +2,15 @@
 
 import re
 import sys
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, FailFast, Field, field_validator
+from pydantic import BaseModel, BeforeValidator, FailFast, field_validator
 
-from ..errors import Problem
+from ..letters import did_you_mean
 from ..messages import say
-from . import rules
-from .fields import Block, Quantity, Torque, key_field
+from .fields import Block, Broken, Quantity, Torque, key_field, keys_below, rule_error
 from .quantity import parse_quantity
-from .walk import keys_below
 
 Kind = Literal["normal", "uniform", "triangular", "lognormal"]
 Setting = Literal["as-made", "each-adjusted"]
@@ -44,7 +43,7 @@ Given = Annotated[float | str, BeforeValidator(_number_or_text)]
 class Distribution(Block):
     """How one number scatters about its value in the spec."""
 
-    distribution: Kind = Field(description="kind of the distribution")
+    distribution: Kind = key_field("kind of the distribution", default=...)
     center: Given | None = key_field(
         "mean of normal and lognormal, middle of uniform, peak of triangular; default the value in the spec"
     )
@@ -63,21 +62,22 @@ class Tolerance(Block):
         "as-made: springs set for the nominal clutch and held; each-adjusted: every clutch set on the bench",
         default="as-made",
     )
-    samples: Whole = Field(default=1_000_000, ge=1000, le=10**10, description="size of the sample")
-    seed: Whole = Field(default=1, ge=0, le=2**63, description="seed: the same seed gives the same digits")
+    samples: Whole = key_field("size of the sample", default=1_000_000, ge=1000, le=10**10)
+    seed: Whole = key_field("seed: the same seed gives the same digits", default=1, ge=0, le=2**63)
     quantiles: Annotated[tuple[Number, ...], FailFast()] = key_field(
         "probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995)
     )
     torque_limit: Torque | None = key_field("torque whose exceedance is asked for", "T_lim")
-    friction_correlation: Number | None = Field(
-        default=None,
+    friction_correlation: Number | None = key_field(
+        "correlation of the normal scores of f_1 and f_2 (Gaussian copula; Pearson's of the frictions "
+        "themselves is nearer 0 unless both are normal): 1 together (F11), 0 independent (default)",
         ge=-1,
         le=1,
-        description="correlation of the normal scores of f_1 and f_2 (Gaussian copula; Pearson's of the frictions "
-        "themselves is nearer 0 unless both are normal): 1 together (F11), 0 independent (default)",
     )
-    sobol_base: Whole = Field(default=65536, ge=64, le=2**30, description="base sample of the Sobol indices")
-    fields: dict[str, Distribution] = Field(description="spec path (or friction) to its distribution", min_length=1)
+    sobol_base: Whole = key_field("base sample of the Sobol indices", default=65536, ge=64, le=2**30)
+    fields: dict[str, Distribution] = key_field(
+        "spec path (or friction) to its distribution", default=..., min_length=1
+    )
 
     @field_validator("quantiles")
     @classmethod
@@ -91,19 +91,29 @@ def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
     """Turn what the user wrote of each field into SI, by the unit of the key of ``spec`` that scatters.
 
     Raises:
-        RuleError: a field that does not scatter, or not so.
+        ValidationError: a field that does not scatter, or not so.
     """
-    problems: list[Problem] = []
-    fields = {path: _read(path, each, problems, spec) for path, each in given.fields.items()}
-    if problems:
-        raise rules.RuleError(problems)
+    broken: list[Broken] = []
+    fields = dict(given.fields)
+    for path, distribution in fields.items():
+        about = scattering(path, spec)
+        if about is None:
+            broken.append((f"fields.{path}", _unknown(path, spec)))
+            continue
+        in_field: list[Broken] = []
+        fields[path] = _read(distribution, about, in_field)
+        if not in_field:
+            in_field += _broken_rules(path, fields[path], about)
+        broken += ((f"fields.{path}.{key}", message) for key, message in in_field)
+    if broken:
+        raise rule_error(broken)
     return given.model_copy(update={"fields": fields})
 
 
 def scattering(path: str, spec: type[BaseModel]) -> Quantity | None:
     """What a number that scatters may be; None when nothing that may scatter is at the path."""
-    found = keys_below(spec).get("friction.min" if path in FRICTION else path)
-    about = found.about if found else None
+    key = keys_below(spec).get("friction.min" if path in FRICTION else path)
+    about = key.about if key else None
     return None if about is None or about.whole or path.startswith(_NOT_OF_THE_CLUTCH) else about
 
 
@@ -117,54 +127,48 @@ def percentage(value: object) -> float | None:
     return float(matched[1]) / 100 if matched else None
 
 
-def _read(path: str, given: Distribution, problems: list[Problem], spec: type[BaseModel]) -> Distribution:
-    """Turn quantities into SI; percentages stay, since they follow the spec."""
-    about = scattering(path, spec)
-    if about is None:
-        problems.append(rules.wrong(f"fields.{path}", _unknown(path, spec)))
-        return given
+def _read(given: Distribution, about: Quantity, broken: list[Broken]) -> Distribution:
+    """Turn quantities into SI; a percentage stays, since it follows the spec. Those that cannot be read are broken."""
     read: dict[str, Any] = {}
     for name in ("center", "spread", "min", "max"):
         value = getattr(given, name)
         if value is None or (name == "spread" and percentage(value) is not None):
-            read[name] = value
             continue
         try:
             read[name] = parse_quantity(value, about.unit)
         except ValueError as error:
-            problems.append(rules.wrong(f"fields.{path}.{name}", str(error)))
-            return given
-    for name in ("center", "min", "max"):
-        value = read[name]
-        if value is not None and about.low is not None and value < about.low:
-            message = say("must be at least {low:g}, as {path} itself", low=about.low, path=path)
-            problems.append(rules.wrong(f"fields.{path}.{name}", message))
-        elif value is not None and about.high is not None and value > about.high:
-            message = say("must be at most {high:g}, as {path} itself", high=about.high, path=path)
-            problems.append(rules.wrong(f"fields.{path}.{name}", message))
-    share = percentage(read["spread"])
-    size = read["spread"] if share is None else share
-    if size is not None and not size >= 0:
-        problems.append(rules.wrong(f"fields.{path}.spread", say("must be at least 0")))
-    low, high = read["min"], read["max"]
-    if low is not None and high is not None and not low < high:
-        problems.append(rules.wrong(f"fields.{path}.max", say("must be greater than min ({low:g})", low=low)))
-    if given.distribution in ("normal", "lognormal") and size is None:
-        problems.append(rules.wrong(f"fields.{path}.spread", say("required for {kind!r}", kind=given.distribution)))
-    if given.distribution in ("uniform", "triangular") and size is None and path not in FRICTION:
-        if low is None or high is None:
-            message = say("required for {kind!r} (or give min and max)", kind=given.distribution)
-            problems.append(rules.wrong(f"fields.{path}.spread", message))
-    elif given.distribution in ("uniform", "triangular") and size is not None and (low is not None or high is not None):
-        problems.append(
-            rules.wrong(f"fields.{path}.spread", say("excludes min and max: give a half-width or both ends"))
-        )
+            broken.append((name, str(error)))
     return given.model_copy(update=read)
 
 
-def _unknown(path: str, spec: type[BaseModel]) -> str:
-    from .suggest import did_you_mean
+def _broken_rules(path: str, given: Distribution, about: Quantity) -> Iterator[Broken]:
+    """Rules that a distribution in SI breaks."""
+    kind = given.distribution
+    center: Any = given.center
+    low: Any = given.min
+    high: Any = given.max
+    for name, value in (("center", center), ("min", low), ("max", high)):
+        if value is not None and about.low is not None and value < about.low:
+            yield name, say("must be at least {low:g}, as {path} itself", low=about.low, path=path)
+        elif value is not None and about.high is not None and value > about.high:
+            yield name, say("must be at most {high:g}, as {path} itself", high=about.high, path=path)
+    share = percentage(given.spread)
+    size: Any = given.spread if share is None else share
+    if size is not None and not size >= 0:
+        yield "spread", say("must be at least 0")
+    if low is not None and high is not None and not low < high:
+        yield "max", say("must be greater than min ({low:g})", low=low)
+    if kind in ("normal", "lognormal") and size is None:
+        yield "spread", say("required for {kind!r}", kind=kind)
+    elif kind in ("uniform", "triangular"):
+        ends = (low is not None) + (high is not None)
+        if size is None and ends < 2 and path not in FRICTION:
+            yield "spread", say("required for {kind!r} (or give min and max)", kind=kind)
+        elif size is not None and ends:
+            yield "spread", say("excludes min and max: give a half-width or both ends")
 
+
+def _unknown(path: str, spec: type[BaseModel]) -> str:
     known = keys_below(spec)
     if path in known:
         counts = (about := known[path].about) is not None and about.whole

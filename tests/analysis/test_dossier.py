@@ -17,7 +17,7 @@ from afmcalc.cli.main import COMMANDS
 from afmcalc.engines import build
 from afmcalc.result import Result, Triple, shown_as
 from afmcalc.spec import read_spec
-from afmcalc.spec.paths import keys
+from afmcalc.spec.keys import keys
 
 SPECS = ["default", "conventional", "unlike-materials", "all-driving", "indirect", "tolerance"]
 

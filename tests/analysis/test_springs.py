@@ -13,7 +13,7 @@ from afmcalc.engines import build
 from afmcalc.engines.wish import Wish
 from afmcalc.render.report.chapters import chapters
 from afmcalc.spec import make_spec, read_spec, resolved
-from afmcalc.spec.discs import discs
+from afmcalc.spec.catalogues import discs
 from afmcalc.spec.springs import Room
 
 ROOM = (60e-3, 160e-3, 80e-3)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from afmcalc.analysis.springs.stacks import NONE, forces_held, holds_force, travel_held
 from afmcalc.engines.characteristic import DiscCharacteristic
-from afmcalc.spec.discs import discs
+from afmcalc.spec.catalogues import discs
 from afmcalc.spec.springs import DiscStack, Room
 
 SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")

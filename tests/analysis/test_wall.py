@@ -15,8 +15,8 @@ from afmcalc.analysis.synthesize import synthesize
 from afmcalc.analysis.wall import CHORD, Wall
 from afmcalc.engines import build
 from afmcalc.spec import read_spec
-from afmcalc.spec.contact import Contact
 from afmcalc.spec.edit import with_key
+from afmcalc.spec.models import Contact
 
 STEEL = Contact(
     ball_modulus=210e9, ball_poisson=0.3, wall_modulus=206e9, wall_poisson=0.28, allowable_pressure=4e9

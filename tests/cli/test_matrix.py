@@ -8,7 +8,7 @@ from conftest import CONFIGS
 
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
 from afmcalc.cli.main import COMMANDS
-from afmcalc.spec.paths import keys
+from afmcalc.spec.keys import keys
 
 EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem not in ("materials", "requirements"))
 NUMBERS = [key.path for key in keys().values() if key.unit]

@@ -20,7 +20,7 @@ from afmcalc.drive.peaks import peaks_of, step_of
 from afmcalc.drive.stepping import Shaft, march
 from afmcalc.drive.train import train_of
 from afmcalc.engines import build
-from afmcalc.spec.reading import read_spec
+from afmcalc.spec.read import read_spec
 
 DRIVE = {
     "speed": 30,

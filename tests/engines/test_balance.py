@@ -10,7 +10,7 @@ from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
 from afmcalc.engines.balance import SetSpring
 from afmcalc.engines.characteristic import DiscCharacteristic
-from afmcalc.spec.discs import discs
+from afmcalc.spec.catalogues import discs
 from afmcalc.spec.springs import DiscStack
 
 SIZES = {size.name: size for size in discs()}

@@ -15,7 +15,7 @@ from afmcalc.engines.characteristic import CoilCharacteristic, DiscCharacteristi
 from afmcalc.equations import springs
 from afmcalc.equations import springs as law
 from afmcalc.spec import read_spec
-from afmcalc.spec.discs import discs
+from afmcalc.spec.catalogues import discs
 from afmcalc.spec.springs import CoilSprings, DiscStack
 
 SIZES = {each.name: each for each in discs()}

@@ -11,7 +11,7 @@ import afmcalc
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, read_spec, resolved
-from afmcalc.spec.edit import with_nominal_torque, with_value
+from afmcalc.spec.edit import with_nominal_torque, with_values
 
 
 @given(indirect_specs(curved=True), FRICTION)
@@ -106,8 +106,7 @@ def test_sensitivities_are_the_derivatives_of_the_accuracy(spec, by_torque):
             assert elasticity == 0
             continue
         factors = [
-            float(build(with_value(spec, path.split("."), value * (1 + sign * step))).accuracy_factor)
-            for sign in (-1, 1)
+            float(build(with_values(spec, {path: value * (1 + sign * step)})).accuracy_factor) for sign in (-1, 1)
         ]
         numeric = (np.log(factors[1]) - np.log(factors[0])) / (2 * step)
         assert elasticity == pytest.approx(numeric, abs=5e-5 * (1 + abs(numeric))), path
@@ -121,7 +120,7 @@ def test_a_mean_that_is_not_given_moves_with_the_range(method):
     for end in ("min", "max"):
         value = getattr(base.friction, end)
         factors = [
-            build(with_value(base, ["friction", end], value * (1 + sign * step))).accuracy_factor for sign in (-1, 1)
+            build(with_values(base, {f"friction.{end}": value * (1 + sign * step)})).accuracy_factor for sign in (-1, 1)
         ]
         numeric = (np.log(factors[1]) - np.log(factors[0])) / (2 * step)
         assert sensitivity[f"friction.{end}"] == pytest.approx(numeric, abs=1e-6)

@@ -12,7 +12,7 @@ from afmcalc.engines.characteristic import characteristic
 from afmcalc.engines.parts import INNER, Demand
 from afmcalc.errors import SpecError
 from afmcalc.spec import read_spec
-from afmcalc.spec.edit import with_value
+from afmcalc.spec.edit import with_values
 
 DEFAULT, INDIRECT = CONFIGS / "default.toml", CONFIGS / "indirect.toml"
 WIDE = (
@@ -161,7 +161,7 @@ def test_what_is_found_holds_what_is_named(path):
         values = {"disc": None, "coil": None, "stiffness": each.stiffness} | {each.kind: part_of(each)}
         named = spec
         for name, value in values.items():
-            named = with_value(named, ("closing_spring", name), value)
+            named = with_values(named, {f"closing_spring.{name}": value})
         after = [own for own in build(named).findings() if own.path and own.path.startswith("closing_spring.")]
         # of any disc it is said that its curve counts
         assert [own for own in after if own not in before and own.code != "curved-springs"] == []

@@ -11,7 +11,7 @@ from afmcalc.engines import build
 from afmcalc.engines.characteristic import DiscCharacteristic
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, resolved
-from afmcalc.spec.discs import discs
+from afmcalc.spec.catalogues import discs
 from afmcalc.spec.springs import DiscStack
 
 SIZES = {size.name: size for size in discs()}

@@ -14,7 +14,7 @@ from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
 from afmcalc.cli.main import COMMANDS
 from afmcalc.cli.options import Common
 from afmcalc.spec import make_spec, resolved
-from afmcalc.spec.paths import ALIASES
+from afmcalc.spec.keys import ALIASES
 
 
 class Case(NamedTuple):

@@ -7,10 +7,10 @@ from hostile import RESOLVED
 
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec
-from afmcalc.spec.paths import keys
-from afmcalc.spec.reading import validated
+from afmcalc.spec.fields import keys_below
+from afmcalc.spec.keys import keys
+from afmcalc.spec.problems import validated
 from afmcalc.spec.requirements import Requirements
-from afmcalc.spec.walk import keys_below
 
 UNITS = {
     "N": "N", "m": "mm", "m^3": "cm^3", "N/m": "N/mm", "N*m": "N*m", "rad": "deg", "Pa": "MPa", "1/(N*m)": "1/(N*m)",

@@ -10,11 +10,11 @@ import pytest
 from conftest import CONFIGS
 
 import afmcalc as afmcalc_package
+from afmcalc.letters import fitting
 from afmcalc.render.units import display, display_unit, shown_in
 from afmcalc.result import Result, shown_as
 from afmcalc.spec.fields import Block
-from afmcalc.spec.paths import keys
-from afmcalc.spelling import fitting
+from afmcalc.spec.keys import keys
 
 ASKED = [
     ("torque", "indirect"), ("synthesize", "indirect"), ("accuracy", "unlike-materials"), ("adjust", "all-driving"),

@@ -13,15 +13,13 @@ from hypothesis import strategies as st
 from jsonschema import validate
 
 from afmcalc.errors import SpecError
-from afmcalc.source import Source
+from afmcalc.letters import did_you_mean
 from afmcalc.spec import Spec, make_spec, read_spec
-from afmcalc.spec.choices import Searched
 from afmcalc.spec.edit import put, replaced, respecified
-from afmcalc.spec.fields import Ratio
-from afmcalc.spec.reading import spec_of
-from afmcalc.spec.requirements import Requirements, make_requirements
-from afmcalc.spec.suggest import did_you_mean
-from afmcalc.spec.walk import keys_below
+from afmcalc.spec.fields import Ratio, keys_below
+from afmcalc.spec.read import spec_of
+from afmcalc.spec.requirements import Requirements, Searched, make_requirements
+from afmcalc.spec.source import Source
 
 BASE = """\
 variant = "differentiated"

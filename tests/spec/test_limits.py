@@ -9,8 +9,7 @@ from conftest import CONFIGS
 
 from afmcalc.errors import LONGEST_LINE, SpecError
 from afmcalc.spec import make_spec
-from afmcalc.spec.limits import DEEPEST, LONGEST_TEXT, LONGEST_TOML, MOST_ITEMS, MOST_KEYS
-from afmcalc.spec.parsing import parse
+from afmcalc.spec.parse import DEEPEST, LONGEST_TEXT, LONGEST_TOML, MOST_ITEMS, MOST_KEYS, parse
 
 DEFAULT = (CONFIGS / "default.toml").read_text(encoding="utf-8")
 KEYS = "\n".join(f"key{number} = 1" for number in range(MOST_KEYS + 1))

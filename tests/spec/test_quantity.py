@@ -12,8 +12,18 @@ from hypothesis import strategies as st
 from strategies import CHARACTERS
 
 from afmcalc.messages import language, speaking
-from afmcalc.spec.quantity import parse_quantity, unread_number
-from afmcalc.spec.units import _PLAIN, _PREFIXED, _PREFIXES, _RUSSIAN, _RUSSIAN_PREFIXES, EXAMPLES, SCALES, factor
+from afmcalc.spec.quantity import (
+    _PLAIN,
+    _PREFIXED,
+    _PREFIXES,
+    _RUSSIAN,
+    _RUSSIAN_PREFIXES,
+    EXAMPLES,
+    SCALES,
+    factor,
+    parse_quantity,
+    unread_number,
+)
 
 
 @pytest.mark.parametrize(

@@ -13,8 +13,8 @@ from strategies import direct_specs
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError, FileError, SpecError
 from afmcalc.spec import make_spec, read_spec, resolved, to_toml
-from afmcalc.spec.materials import catalogue
-from afmcalc.spec.reading import parse
+from afmcalc.spec.catalogues import friction_materials
+from afmcalc.spec.parse import parse
 
 EXAMPLES = sorted(path for path in CONFIGS.glob("*.toml") if path.stem != "requirements")
 BASE = tomllib.loads((CONFIGS / "default.toml").read_text())
@@ -86,8 +86,8 @@ def test_material_gives_the_range_and_is_echoed():
 
 
 def test_catalogue_entries_have_sources_and_ordered_ranges():
-    assert len(catalogue()) == 13
-    for entry in catalogue().values():
+    assert len(friction_materials()) == 13
+    for entry in friction_materials().values():
         assert entry.source
         assert 0 < entry.friction_min < entry.friction_max < 1
         for low, high in ((entry.pressure_min, entry.pressure_max), (entry.temperature_min, entry.temperature_max)):

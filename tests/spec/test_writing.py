@@ -11,10 +11,10 @@ from strategies import direct_specs, indirect_specs
 
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
-from afmcalc.source import Source
 from afmcalc.spec import make_spec, read_spec, resolved, to_toml
 from afmcalc.spec.edit import as_written
-from afmcalc.spec.paths import keys
+from afmcalc.spec.keys import keys
+from afmcalc.spec.source import Source
 
 LINE = re.compile(r"(?P<key>\w+) = (?P<value>.+?)\s+# .+")
 

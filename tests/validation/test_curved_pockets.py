@@ -14,7 +14,7 @@ from afmcalc.analysis.tolerance.study import tolerance
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.spec import Spec, make_spec
-from afmcalc.spec.reading import apply_overrides
+from afmcalc.spec.edit import apply_overrides
 
 BEST = 18.75
 """C_1* of P5's clutch: (20 + 10) N/mm/(8·0.1·2 kN)."""

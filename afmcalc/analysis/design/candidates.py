@@ -11,7 +11,7 @@ import numpy as np
 from ...engines.direct_law import DirectLaw
 from ...engines.laws import IndirectLaw
 from ...equations import adjustment, direct, synthesis, wall
-from ...spec.contact import HARDENED_STEEL
+from ...spec.models import HARDENED_STEEL
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz

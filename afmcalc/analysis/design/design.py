@@ -8,11 +8,12 @@ from operator import and_
 import numpy as np
 
 from ...errors import AfmcalcError
-from ...findings import Finding, doubts, finding
+from ...findings import Finding, finding
+from ...letters import did_you_mean
 from ...messages import joined, measured, say, term
 from ...progress import tell
+from ...spec.quantity import doubts
 from ...spec.requirements import Requirements
-from ...spec.suggest import did_you_mean
 from ...variants import VARIANTS, Variant
 from .candidates import candidates
 from .limits import OBJECTIVES, Constraint, constraints

@@ -13,9 +13,8 @@ from ...errors import CalculationError
 from ...messages import say
 from ...result import Result
 from ...spec import Spec
-from ...spec.choices import Choice
 from ...spec.edit import as_written
-from ...spec.requirements import Requirements
+from ...spec.requirements import Choice, Requirements
 from ...variants import VARIANTS
 from ..answers import Answers
 from ..check import found_unsimulated

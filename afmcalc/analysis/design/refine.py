@@ -12,8 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...spec.choices import Choice
-from ...spec.requirements import Requirements
+from ...spec.requirements import Choice, Requirements
 from ...variants import Variant
 from .. import hertz
 from .candidates import Candidates, candidates

@@ -8,9 +8,8 @@ from typing import NamedTuple, TypeAlias, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from ...spec.balls import diameters
-from ...spec.choices import Choice
-from ...spec.requirements import Requirements
+from ...spec.read import diameters
+from ...spec.requirements import Choice, Requirements
 from ...variants import VARIANTS, Variant
 
 Numbers: TypeAlias = NDArray[np.float64]

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ...messages import joined, say, term
 from ...papers.register import register
-from ...spec.paths import keys
+from ...spec.keys import keys
 from .formula import FormulaText, symbol_latex
 from .order import in_order
 from .trace import Call, Circumstance, Marked, distinct, identity

@@ -5,12 +5,12 @@ from typing import Any
 from ...engines import build
 from ...errors import AfmcalcError
 from ...findings import Finding
+from ...letters import did_you_mean
 from ...messages import joined, say, term
 from ...papers.register import Formula, register
 from ...result import Answer, Result, Sentence, quantity
 from ...spec import Spec
 from ...spec.models import Method
-from ...spec.suggest import did_you_mean
 from ..registry import ANALYSES, EXPLAINED
 from .formula import FormulaText, symbol_latex
 from .order import in_order

@@ -12,7 +12,7 @@ from ...equations.catalogue import Equation, equations
 from ...messages import say
 from ...recorders import Recorders, Wrapped, recorded_by
 from ...spec import Spec
-from ...spec.edit import with_value
+from ...spec.edit import with_values
 from ...spec.models import Friction, Method, Range
 from ...variants import Law
 
@@ -103,7 +103,7 @@ def with_roles(spec: Spec) -> Spec:
     if force is None:
         return marked
     set_so = Marked(force, Circumstance(setting=spec.adjustment.method))
-    return with_value(marked, ("closing_spring", "force"), set_so)
+    return with_values(marked, {"closing_spring.force": set_so})
 
 
 class Call(NamedTuple):

@@ -22,7 +22,7 @@ from ...equations import adjustment, synthesis
 from ...errors import CalculationError, SpecError
 from ...messages import say
 from ...spec.edit import with_key
-from ...spec.paths import ALIASES, keys
+from ...spec.keys import ALIASES, keys
 from ...variants import GainLimit
 
 SAME = 1e-9

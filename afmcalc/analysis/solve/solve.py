@@ -12,15 +12,14 @@ from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
+from ...letters import did_you_mean, plain
 from ...messages import joined, measured, say
 from ...result import Answer, quantity
 from ...spec import Spec
 from ...spec.edit import replaced, respecified, with_key
-from ...spec.names import path_of
-from ...spec.paths import ALIASES, is_whole
+from ...spec.keys import ALIASES, is_whole, path_of
 from ...spec.quantity import parse_quantity
 from ...spec.rules import variants_of
-from ...spec.suggest import did_you_mean, plain
 from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, roots
 
 PARAMETERS = {"C": "1", "F": "N", "z": "1", "z1": "1", "R": "m", "c1": "N/m", "c2": "N/m", "gain_slope": "1/m"}

@@ -9,7 +9,7 @@ from ...engines.parts import INDEX, demands
 from ...engines.wish import Wish
 from ...equations import springs
 from ...messages import say
-from ...spec.discs import Disc, discs
+from ...spec.catalogues import Disc, discs
 from ...spec.springs import SHEAR_MODULUS, CoilSprings, DiscStack, Room
 from .stacks import MOST_SERIES, packs, stack_of
 

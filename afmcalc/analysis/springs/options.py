@@ -7,7 +7,7 @@ from ...engines.characteristic import CoilCharacteristic, characteristic
 from ...engines.parts import demands
 from ...engines.wish import Wish
 from ...equations import springs as law
-from ...spec.discs import discs
+from ...spec.catalogues import discs
 from ...spec.springs import CoilSprings, DiscStack
 from .candidates import STEEL, Candidate, label_of
 from .result import SpringOption

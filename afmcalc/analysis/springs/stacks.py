@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ...arrays import Values
 from ...engines.characteristic import DiscCharacteristic
 from ...equations import springs as law
-from ...spec.discs import Disc, discs
+from ...spec.catalogues import Disc, discs
 from ...spec.springs import DiscStack, Room
 
 Numbers = NDArray[np.float64]

@@ -10,17 +10,16 @@ from ...arrays import Floats
 from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, SpecError
+from ...letters import did_you_mean
 from ...messages import say
-from ...source import Unlikely
 from ...spec import Spec
 from ...spec.edit import respecified, value_at
+from ...spec.fields import Key
+from ...spec.keys import ALIASES, elsewhere, keys, names, path_of
 from ...spec.models import FrictionRange
-from ...spec.names import elsewhere, names, path_of
-from ...spec.paths import ALIASES, keys
 from ...spec.quantity import impossible, parse_quantity, unlikely
 from ...spec.rules import variants_of
-from ...spec.suggest import did_you_mean
-from ...spec.walk import Key
+from ...spec.source import Unlikely
 from .grid import MOST_POINTS, Axis
 
 _MOST_COUNTED = 200

@@ -8,13 +8,14 @@ from ...arrays import Floats, Values
 from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, SpecError
-from ...findings import Finding, doubts, finding
+from ...findings import Finding, finding
 from ...messages import joined, say
 from ...result import Series
-from ...source import Unlikely
 from ...spec import Spec, edit
-from ...spec.paths import is_whole
-from ...spec.walk import Key
+from ...spec.fields import Key
+from ...spec.keys import is_whole
+from ...spec.quantity import doubts
+from ...spec.source import Unlikely
 
 MOST_POINTS = 200_000
 """Points of a sweep: its answers take 0.3 GB then."""

@@ -12,7 +12,7 @@ from ...errors import CalculationError
 from ...messages import say
 from ...spec import Spec
 from ...spec.edit import value_at
-from ...spec.paths import physical_limits, unit_at
+from ...spec.keys import physical_limits, unit_at
 from ...spec.tolerance import FRICTION, Distribution, percentage
 
 Array: TypeAlias = NDArray[np.float64]

@@ -13,7 +13,7 @@ from ...equations import indirect
 from ...errors import Problem, SpecError
 from ...messages import say
 from ...spec import Spec
-from ...spec.edit import with_force, with_key, with_value, with_values
+from ...spec.edit import with_key, with_values
 from ...spec.tolerance import FRICTION, Tolerance
 from ..slips import dynamic_factor
 from .distributions import Array, Input
@@ -29,7 +29,7 @@ _ONLY_SETTING = (
     "friction.driven.",
 )
 """Keys that act on a clutch through its setting alone."""
-_CONTROL_FORCE = ("control_spring", "force")
+_CONTROL_FORCE = "control_spring.force"
 
 
 @dataclass(frozen=True)
@@ -89,7 +89,7 @@ class Model:
 
     def _spec(self, values: Sequence[Values]) -> Spec:
         given = self._by_path(values)
-        return with_values(self.spec, ((path.split("."), given[path]) for path in given if path not in FRICTION))
+        return with_values(self.spec, {path: given[path] for path in given if path not in FRICTION})
 
     def _by_path(self, values: Sequence[Values]) -> dict[str, Values]:
         return {scattering.path: value for scattering, value in zip(self.inputs, values, strict=True)}
@@ -132,7 +132,7 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
             message = say(
                 'acts through the setting alone, which "as-made" holds: give tolerance.setting = "each-adjusted"'
             )
-        elif not as_made and path == ".".join(_CONTROL_FORCE):
+        elif not as_made and path == _CONTROL_FORCE:
             message = say('follows from the setting of each clutch: give tolerance.setting = "as-made"')
         else:
             continue
@@ -140,11 +140,11 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
     spec = clutch.spec
     if spec.fatigue is not None:
         # the life of every sample takes that of the nominal clutch
-        spec = with_value(spec, ("drive", "dynamic_factor"), dynamic_factor(clutch))
+        spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(clutch)})
     if as_made:
-        spec = with_force(spec, float(clutch.closing_force))
+        spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
     if clutch.control_force is not None:
-        spec = with_value(spec, _CONTROL_FORCE, float(clutch.control_force) if as_made else None)
+        spec = with_values(spec, {_CONTROL_FORCE: float(clutch.control_force) if as_made else None})
     if clutch.gain_slope:
         # pockets are cut once, for the nominal clutch
         spec = with_key(spec, "control_unit.gain_slope", float(clutch.gain_slope))

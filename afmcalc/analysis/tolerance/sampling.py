@@ -17,7 +17,7 @@ from ...engines import Clutch
 from ...errors import CalculationError
 from ...messages import say
 from ...progress import Count
-from ...spec.edit import with_value
+from ...spec.edit import with_values
 from ...spec.tolerance import Tolerance
 from ..registry import ANALYSES
 from .distributions import Array, normal_probability, normal_score
@@ -299,7 +299,7 @@ def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> dict[str, ob
     if not ANALYSES["simulate"].applies(clutch):
         return {}
     load = clutch.spec.drive.load_torque
-    spec = with_value(model.spec, ("drive", "load_torque"), float(clutch.machine_torque) if load is None else load)
+    spec = with_values(model.spec, {"drive.load_torque": float(clutch.machine_torque) if load is None else load})
     model = replace(model, spec=spec)
     # streams apart from those of the torque and of its indices
     parts = [

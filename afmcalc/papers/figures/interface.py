@@ -3,9 +3,9 @@
 from importlib import import_module
 
 from ...errors import AfmcalcError
+from ...letters import did_you_mean
 from ...messages import say
 from ...result import Result, quantity
-from ...spec.suggest import did_you_mean
 
 FIGURES = {
     "F11-2": "fokin2011",

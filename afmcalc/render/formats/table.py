@@ -58,7 +58,7 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
 
 def _spelled(block: TextTable) -> TextTable:
     """Spell what standard output lacks before anything is aligned."""
-    from ...spelling import fitting
+    from ...letters import fitting
 
     encoding = sys.stdout.encoding or "ascii"
     header, *rows = ([fitting(cell, encoding) for cell in cells] for cells in (block.header, *block.rows))

@@ -11,7 +11,7 @@ from ...analysis.tolerance.result import IndexRow, InputRow, LifeRow, ToleranceR
 from ...messages import localized, term, translate
 from ...messages import told as message
 from ...result import Result, Triple
-from ...spec.paths import keys
+from ...spec.keys import keys
 from ..document import ENDS, Column, document, fields_of
 from ..layout import TextTable, blocks, cells, errors_in, quantities
 from ..plot import sheet_of

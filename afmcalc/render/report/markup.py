@@ -6,7 +6,7 @@ from xml.etree import ElementTree
 
 from markupsafe import Markup, escape
 
-from ...spec.paths import keys
+from ...spec.keys import keys
 from ..plot.style import COLOURS, GRID, INK, SHADE
 from ..symbols import split
 

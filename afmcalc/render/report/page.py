@@ -14,8 +14,8 @@ from ...messages import localized, named, printable, spoken, term, translate
 from ...messages import told as message
 from ...papers.references import REFERENCES
 from ...spec import resolved
-from ...spec.paths import keys, unit_at
-from ...spec.report import TitleBlock
+from ...spec.keys import keys, unit_at
+from ...spec.models import TitleBlock
 from ..layout import ranked
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg

@@ -18,7 +18,7 @@ from afmcalc.errors import SpecError
 from afmcalc.findings import Finding
 from afmcalc.render.report import Subject, render
 from afmcalc.spec import make_spec, read_spec, resolved
-from afmcalc.spec.required import Required
+from afmcalc.spec.models import Required
 from afmcalc.spec.requirements import read_requirements
 
 # the base clutch by hand: T(f) = F R f (z_1 + z_2)/(1 + z_2 C f), F 2 kN, R 100 mm, z 8, z_1 1, C 0.5

@@ -27,8 +27,8 @@ from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
 from afmcalc.equations import adjustment, synthesis
 from afmcalc.spec import make_spec
-from afmcalc.spec.balls import diameters
-from afmcalc.spec.edit import with_value
+from afmcalc.spec.edit import with_values
+from afmcalc.spec.read import diameters
 from afmcalc.spec.requirements import make_requirements
 from afmcalc.variants import VARIANTS
 
@@ -128,7 +128,7 @@ def ball_of(need, clutch, made):
         # of hardened steel: 206 GPa, 0.3, 4200 MPa
         borne = math.pi**3 * 4.2e9**3 * (size / 2) ** 2 / (6 * (206e9 / (2 * (1 - 0.3**2))) ** 2)
         if need.limits.contact_force is not None or made.contact_force <= borne * (1 + 1e-9):
-            _, findings = synthesize(build(with_value(clutch.spec, ("control_unit", "ball_diameter"), size)))
+            _, findings = synthesize(build(with_values(clutch.spec, {"control_unit.ball_diameter": size})))
             room = {"balls-overlap", "pockets-overlap", "ball-reaches-axis"} & {each.code for each in findings}
             unit = clutch.spec.control_unit
             return None if room or (unit.hub_diameter or 0.0) > 2 * unit.ball_circle_radius - size else size

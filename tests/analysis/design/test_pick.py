@@ -16,7 +16,7 @@ from afmcalc.analysis.torque import torque
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, resolved
 from afmcalc.spec.requirements import make_requirements
-from afmcalc.spec.writing import to_toml
+from afmcalc.spec.write import to_toml
 
 BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
 VARIANTS = ["conventional", "differentiated", "all-driving", "indirect"]

@@ -14,9 +14,9 @@ from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
 from afmcalc.engines.characteristic import DiscCharacteristic
 from afmcalc.errors import SpecError
-from afmcalc.spec.balls import diameters
-from afmcalc.spec.discs import discs
-from afmcalc.spec.edit import with_value
+from afmcalc.spec.catalogues import discs
+from afmcalc.spec.edit import with_values
+from afmcalc.spec.read import diameters
 from afmcalc.spec.requirements import make_requirements
 from afmcalc.spec.springs import DiscStack
 
@@ -132,7 +132,7 @@ def brute(need, search):
         hub = clutch.spec.control_unit.hub_diameter or 0.0
         # the smallest ball that reaches and bears: there is one beside the hub, or none
         balls = (
-            synthesize(build(with_value(clutch.spec, ("control_unit", "ball_diameter"), each)))[1]
+            synthesize(build(with_values(clutch.spec, {"control_unit.ball_diameter": each})))[1]
             for each in diameters()
             if each >= 2 * found.ball_radius and hub <= 2 * values["ball_circle_radius"] - each
         )

@@ -16,7 +16,7 @@ from afmcalc.analysis.registry import ANALYSES
 from afmcalc.render.layout import TextTable, padded
 from afmcalc.render.units import display, estimate, significant
 from afmcalc.result import Result, shown_as
-from afmcalc.spec.paths import keys
+from afmcalc.spec.keys import keys
 
 TOLERANCE = [
     "tolerance",

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from ....analysis.accuracy import AccuracySweep
 from ....analysis.curves import AccuracyCurve
 from ....messages import named, told, translate
-from ....spec.paths import is_whole, keys
+from ....spec.keys import is_whole, keys
 from ..chart import Chart, ChartAxis, Guide, Line, Sheet, axis_of, describe, stated
 
 

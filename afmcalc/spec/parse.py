@@ -1,13 +1,64 @@
-"""From a file to plain data: bytes, text, TOML or JSON, within stated limits."""
+"""From a file to plain data: bytes, text, TOML or JSON, within stated limits; the examples that ship."""
 
 import json
+import re
 import sys
+import tomllib
 from os import PathLike
+from pathlib import Path
 
 from ..errors import AfmcalcError, FileError, Problem, SpecError, reason
+from ..letters import did_you_mean
 from ..messages import say
-from ..source import BUILT_IN, STANDARD_INPUT, Source
-from .limits import LONGEST, LONGEST_TOML, check_counts, check_key_lengths, check_size, too_deep
+from .source import Source
+
+_STANDARD_INPUT, _BUILT_IN = say("standard input"), say("built-in default")
+PREFIX = "example:"
+"""What makes the name of an example a source."""
+
+
+def _folder() -> Path:
+    """Where the examples are: inside the installed package, or beside it in a checkout."""
+    packaged = Path(__file__).parents[1] / "configs"
+    return packaged if packaged.is_dir() else Path(__file__).parents[2] / "configs"
+
+
+def example_names() -> list[str]:
+    """Names of the examples, files of ``configs/`` without their ending."""
+    return sorted(path.stem for path in _folder().glob("*.toml"))
+
+
+def example_text(name: str) -> str:
+    """Text of an example.
+
+    Raises:
+        AfmcalcError: there is none of that name.
+    """
+    if name not in (known := example_names()):
+        hint = did_you_mean(name, known) or say("; there are: {names}", names=", ".join(known))
+        raise AfmcalcError(say("{prefix}{name}: no such example{hint}", prefix=PREFIX, name=name, hint=hint))
+    return (_folder() / f"{name}.toml").read_text(encoding="utf-8")
+
+
+LONGEST = 64 << 20
+"""Bytes of a file; the JSON of a long sweep is a spec too."""
+MOST_COMMAS = 5_000_000
+"""Values in a JSON text, all its parts counted."""
+MOST_BRACKETS = 500_000
+"""Tables and lists in it."""
+LONGEST_TOML = 1 << 18
+"""Characters of a TOML text, which takes longer to read than JSON."""
+LONGEST_TEXT = 1_000
+"""Characters of a key or a text."""
+MOST_KEYS = 2_000
+"""Keys in all tables."""
+MOST_ITEMS = 100_000
+"""Items in all lists."""
+DEEPEST = 32
+"""Tables and lists inside each other, and parts of a dotted key."""
+MOST_BITS = 1024
+"""Of a whole number: what a real one can hold."""
+_LONG_KEY = rf"""(?m)(?:^|[\[{{,])[ \t]*(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){{{DEEPEST}}}"""
 
 
 def text_of(source: str | PathLike[str] | None) -> tuple[str, Source]:
@@ -29,13 +80,9 @@ def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
         SpecError: it is too long for a spec.
     """
     if source is None:
-        from .builtin import default_text
-
-        return default_text().encode(), BUILT_IN
-    label = STANDARD_INPUT if source == "-" else str(source)
-    if label.startswith("example:"):
-        from .builtin import PREFIX, example_text
-
+        return example_text("default").encode(), _BUILT_IN
+    label = _STANDARD_INPUT if source == "-" else str(source)
+    if label.startswith(PREFIX):
         return example_text(label.removeprefix(PREFIX)).encode(), label
     try:
         if source == "-":
@@ -78,8 +125,8 @@ def _decoded(raw: bytes, label: str) -> str:
         ) from None
 
 
-def _refused(label: str, message: str) -> SpecError:
-    return SpecError(label, [Problem("", None, message)])
+def _refused(label: str, message: str, path: str = "") -> SpecError:
+    return SpecError(label, [Problem(path, None, message)])
 
 
 def parse(text: str, label: str) -> dict[str, object]:
@@ -109,11 +156,11 @@ def toml_of(text: str, label: str) -> dict[str, object]:
     Raises:
         SpecError: it is none, or beyond a limit.
     """
-    import tomllib
-
     if len(text) > LONGEST_TOML:
         raise _refused(label, say("is larger than {most} KiB, the most for TOML", most=LONGEST_TOML >> 10))
-    check_key_lengths(text, label)
+    # a dotted key of very many parts would take gigabytes to read
+    if re.search(_LONG_KEY, text):
+        raise _refused(label, say("a key has more than {most} parts, the most there may be", most=DEEPEST))
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -133,7 +180,9 @@ def _json_of(text: str, label: str) -> dict[str, object]:
             seen[key] = value
         return seen
 
-    check_counts(text, label)
+    # so would JSON of very many values
+    if text.count(",") > MOST_COMMAS or text.count("{") + text.count("[") > MOST_BRACKETS:
+        raise _refused(label, say("holds more than {most:,} values, the most that are read", most=MOST_COMMAS))
     try:
         data = json.loads(text, object_pairs_hook=unique)
     except json.JSONDecodeError as error:
@@ -153,3 +202,38 @@ def _json_of(text: str, label: str) -> dict[str, object]:
         if not isinstance(data, dict):
             raise _refused(label, say("its spec block is no object"))
     return data
+
+
+def check_size(data: object, label: str) -> None:
+    """Hold parsed data to every limit.
+
+    Raises:
+        SpecError: it is beyond one.
+    """
+    keys = items = 0
+    left: list[tuple[str, int, object]] = [("", 0, data)]
+    while left:
+        path, depth, value = left.pop()
+        if depth > DEEPEST:
+            raise _refused(label, too_deep())
+        if isinstance(value, dict):
+            keys += len(value)
+            if keys > MOST_KEYS:
+                raise _refused(label, say("has more than {most:,} keys", most=MOST_KEYS))
+            if any(len(key) > LONGEST_TEXT for key in value):
+                raise _refused(label, say("a key has more than {most:,} characters", most=LONGEST_TEXT), path)
+            left += [(f"{path}.{key}" if path else key, depth + 1, inner) for key, inner in value.items()]
+        elif isinstance(value, list):
+            items += len(value)
+            if items > MOST_ITEMS:
+                raise _refused(label, say("has more than {most:,} items in its lists", most=MOST_ITEMS))
+            left += [(path, depth + 1, inner) for inner in value]
+        elif isinstance(value, str) and len(value) > LONGEST_TEXT:
+            raise _refused(label, say("has more than {most:,} characters", most=LONGEST_TEXT), path)
+        elif isinstance(value, int) and value.bit_length() > MOST_BITS:
+            raise _refused(label, say("is beyond the range of numbers"), path)
+
+
+def too_deep() -> str:
+    """Say that tables and lists are nested too deeply."""
+    return say("is nested more than {most} levels deep", most=DEEPEST)

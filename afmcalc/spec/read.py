@@ -1,17 +1,80 @@
-"""Standard ball sizes: the list that ships, or the user's own."""
+"""From a source to a spec: a file in TOML or JSON, standard input, an example, plain data; and lists of balls."""
 
 import math
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from copy import deepcopy
 from importlib.resources import files
 from os import PathLike
 
+from pydantic import BaseModel
+
 from ..errors import AfmcalcError
 from ..messages import say
-from ..source import Source
-from .limits import check_size
-from .parsing import text_of, toml_of
+from .edit import Overrides, apply_overrides, overridden
+from .fields import keys_below
+from .models import Spec
+from .parse import check_size, is_json, parse, text_of, toml_of
+from .problems import make_spec
+from .quantity import parse_quantity, unlikely
+from .rules import given_in
+from .source import Source
+
+
+def read_spec(source: str | PathLike[str] | Mapping[str, object] | None = None, overrides: Overrides = ()) -> Spec:
+    """Read a clutch spec.
+
+    Args:
+        source: path of a TOML or JSON file, ``"-"`` for standard input, ``"example:NAME"`` for a file that ships,
+            None for the built-in base clutch; or plain data of the same structure.
+            JSON printed by any command counts: its ``spec`` block is taken.
+        overrides: ``"path=value"`` strings applied before validation, an empty value removes the key; or path → value,
+            None removes the key. A name or a symbol stands for its path.
+
+    Returns:
+        The validated spec, SI inside.
+
+    Raises:
+        SpecError: every problem found, with file, line, key, value and what is allowed.
+        FileError: the file cannot be read.
+    """
+    if isinstance(source, Mapping):
+        return make_spec(apply_overrides(deepcopy(dict(source)), overrides))
+    return spec_of(*text_of(source), overrides)
+
+
+def spec_of(text: str, label: Source, overrides: Overrides = ()) -> Spec:
+    """Read a clutch spec from its text, named ``label``; see ``read_spec``."""
+    return make_spec(*data_of(text, label, overrides, Spec))
+
+
+def data_of(text: str, label: Source, overrides: Overrides, model: type[BaseModel]) -> tuple[dict[str, object], Source]:
+    """Parse a text and override its values; what it is called then knows the numbers without a unit to ask after.
+
+    JSON is what programs write, in SI: there only an override may be meant otherwise.
+    """
+    data = apply_overrides(parse(text, label), overrides, model)
+    changed, in_si, keys = overridden(overrides, model), is_json(text, label), keys_below(model)
+    doubts = [
+        doubt
+        for path, value in given_in(data).items()
+        if path in keys and (path in changed or not in_si)
+        for number in _numbers(value)
+        if (doubt := unlikely(number, keys[path].unit, path))
+    ]
+    return data, Source(label, text, label.overridden.union(changed), doubts)
+
+
+def _numbers(value: object) -> Iterator[object]:
+    """What stands in a list or a range, or a value itself."""
+    if isinstance(value, dict):
+        yield from (number for name, number in value.items() if name in ("start", "stop", "step"))
+    elif isinstance(value, list):
+        yield from value
+    else:
+        yield value
+
 
 HEADING = "diameter_mm"
 """First line of a list in CSV."""
@@ -77,8 +140,6 @@ def _of_csv(text: str, label: str) -> Sequence[object]:
 def _diameter(item: object, label: str) -> float:
     """Read one entry: a number in mm, or a string with a unit."""
     if isinstance(item, str):
-        from .quantity import parse_quantity
-
         try:
             value = parse_quantity(item, "m")
         except ValueError as error:

@@ -5,10 +5,11 @@ from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from typing import Any
 
+from ..messages import named, translate
+from .keys import keys, unit_at
 from .models import Spec
-from .paths import keys, unit_at
-from .quantity import parse_quantity
-from .units import factor
+from .parse import example_text
+from .quantity import factor, parse_quantity
 
 _WRITTEN = {"N": "kN", "m": "mm", "N*m": "N*m", "N/m": "N/mm", "rad": "deg", "Pa": "MPa", "m^3": "cm^3"}
 """SI unit → the one that a written spec has."""
@@ -106,3 +107,48 @@ def _trimmed(text: str) -> str:
     """A decimal number without trailing zeros, which ``Decimal`` keeps."""
     mantissa, exponent, power = text.partition("e")
     return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + exponent + power
+
+
+_DRIVE = re.compile(r"(?ms)^\[drive\].*?(?=^(?:# )?\[(?!drive)|\Z)")
+"""The blocks of a drive, up to the block that follows."""
+_OF_A_HUB = re.compile(r"(?m)^# (hub_inertia = \S+ \S+)")
+
+
+def in_a_drive(text: str, *, hub: bool) -> str:
+    """Return an example of a clutch with the drive of the example that has one.
+
+    Args:
+        text: the clutch.
+        hub: whether its hub moves by itself, and has an inertia.
+    """
+    found = _DRIVE.search(example_text("drive"))
+    assert found is not None
+    drive = _OF_A_HUB.sub(lambda key: f"{key[1]}  ", found[0]) if hub else found[0]
+    return _DRIVE.sub(lambda own: drive, text, count=1)
+
+
+_NAME = re.compile(r'(?m)(?<=^name = ").*(?="$)')
+_OPTIONAL = re.compile(r"# (?=\[|[\w.\"]+ = )")
+"""Before a key or block that is there to be taken up."""
+
+
+def comment(line: str) -> str:
+    """Return the comment of a line of an example, or nothing.
+
+    >>> comment('# sleeve_depth = "25 mm"     # of the sleeve'), comment("# A clutch."), comment("[drive]")
+    ('of the sleeve', 'A clutch.', '')
+    """
+    if optional := _OPTIONAL.match(line):
+        line = line[optional.end() :]
+    before, mark, said = line.partition("# ")
+    return said if mark and before.count('"') % 2 == 0 else ""
+
+
+def annotated(text: str) -> str:
+    """Return an example with its comments, and its name, in the language of the user."""
+    told = "".join(
+        line.removesuffix(said) + translate(said, "comment") + "\n"
+        for line in text.splitlines()
+        for said in (comment(line),)
+    )
+    return _NAME.sub(lambda found: named(found[0]), told, 1)

@@ -1,0 +1,125 @@
+"""What is bought: the disc springs of DIN EN 16983 and friction materials, each with its source."""
+
+import tomllib
+from collections.abc import Iterator, Mapping
+from csv import DictReader
+from functools import cache
+from importlib.resources import files
+from typing import NamedTuple
+
+from ..letters import did_you_mean
+from ..messages import say
+from .fields import Broken
+
+
+class Disc(NamedTuple):
+    """One size, SI."""
+
+    series: str
+    """A, B or C: stiff, middle, soft."""
+    outer_diameter: float
+    inner_diameter: float
+    thickness: float
+    reduced_thickness: float | None
+    """As made with flats, of discs thicker than 6 mm."""
+    free_height: float
+    printed_force: float | None
+    """Force printed in the standard, at ¾ of the cone height, N."""
+
+    @property
+    def name(self) -> str:
+        """As the standard calls it."""
+        return f"{self.series} {self.outer_diameter / 1e-3:g}"
+
+    @property
+    def cone_height(self) -> float:
+        """l_0 − t, m."""
+        return self.free_height - self.thickness
+
+
+@cache
+def discs() -> tuple[Disc, ...]:
+    """Every size, in the order of the data file."""
+    text = files("afmcalc.spec").joinpath("disc-springs.csv").read_text(encoding="utf-8")
+    return tuple(_disc(row) for row in DictReader(text.splitlines()))
+
+
+def _disc(row: Mapping[str, str]) -> Disc:
+    def metres(column: str) -> float:
+        # millimetres to the last digit, so that 25.4 mm is 0.0254 m
+        return float(f"{row[column]}e-3")
+
+    reduced, force = row["reduced_thickness_mm"], row["force_at_0.75_h0_N"]
+    return Disc(
+        series=row["series"],
+        outer_diameter=metres("outer_diameter_mm"),
+        inner_diameter=metres("inner_diameter_mm"),
+        thickness=metres("thickness_mm"),
+        reduced_thickness=metres("reduced_thickness_mm") if reduced else None,
+        free_height=metres("free_height_mm"),
+        printed_force=float(force) if force else None,
+    )
+
+
+class Material(NamedTuple):
+    """One row of the catalogue, SI."""
+
+    name: str
+    description: str
+    condition: str
+    friction_min: float
+    friction_max: float
+    pressure_min: float | None
+    """Lower end of the allowable surface pressure's printed range, Pa."""
+    pressure_max: float | None
+    """Upper end, Pa."""
+    temperature_min: float | None
+    """Lower end of the allowable temperature's printed range, °C."""
+    temperature_max: float | None
+    """Upper end, °C."""
+    source: str
+    """Short name of the source."""
+    citation: str
+    """The source in full."""
+
+
+@cache
+def friction_materials() -> dict[str, Material]:
+    """Every material by name, in the order of the data file."""
+    data = tomllib.loads(files("afmcalc.spec").joinpath("materials.toml").read_text(encoding="utf-8"))
+    sources = data["sources"]
+    entries: dict[str, Material] = {}
+    for name, row in data["materials"].items():
+        pressure, temperature = row.get("pressure_kPa"), row.get("temperature_C")
+        entries[name] = Material(
+            name=name,
+            description=row["description"],
+            condition=row["condition"],
+            friction_min=row["friction"][0],
+            friction_max=row["friction"][1],
+            pressure_min=pressure[0] * 1e3 if pressure else None,
+            pressure_max=pressure[-1] * 1e3 if pressure else None,
+            temperature_min=float(temperature[0]) if temperature else None,
+            temperature_max=float(temperature[-1]) if temperature else None,
+            source=sources[row["source"]]["short"],
+            citation=sources[row["source"]]["full"],
+        )
+    return entries
+
+
+def broken_rules(name: str, beside: Mapping[str, float | None]) -> Iterator[Broken]:
+    """Rules that a friction block with a material breaks: it is unknown, or beside numbers of its own."""
+    known = friction_materials()
+    if name not in known:
+        hint, listed = did_you_mean(name, known), ", ".join(known)
+        yield "material", say("unknown material{hint}; the catalogue has {listed}", hint=hint, listed=listed)
+        return
+    for key, value in beside.items():
+        if value is not None:
+            message = say(
+                "excludes material ({name!r} has {low:g}…{high:g}): give material, or min and max",
+                name=name,
+                low=known[name].friction_min,
+                high=known[name].friction_max,
+            )
+            yield key, message

@@ -1,0 +1,106 @@
+"""What a key of a spec may be called: its path, its name, its symbol in the papers; and what stands at its path."""
+
+import math
+from collections import Counter
+from functools import cache
+
+from pydantic import BaseModel
+
+from ..letters import plain
+from ..messages import joined, say
+from .fields import Key, keys_below
+from .models import Spec
+from .tolerance import scattering
+
+ALIASES = {
+    "C": "control_unit.gain",
+    "z": "friction_group.pairs",
+    "z1": "friction_group.driving_pairs",
+    "R": "friction_group.mean_radius",
+    "F": "closing_spring.force",
+    "f_min": "friction.min",
+    "f_cp": "friction.mean",
+    "f_mean": "friction.mean",
+    "f_max": "friction.max",
+    "c1": "closing_spring.stiffness",
+    "c2": "control_spring.stiffness",
+    "beta": "adjustment.margin",
+    "T_n": "adjustment.nominal_torque",
+    "r": "control_unit.ball_circle_radius",
+    "alpha": "control_unit.wall_angle",
+    "f1": "control_unit.key_friction",
+    "d": "control_unit.hub_diameter",
+    "gain_slope": "control_unit.gain_slope",
+}
+"""Symbols that stand for a path on the command line."""
+
+
+_APART = ("tolerance.", "requirements.")
+"""Tables whose keys are called like those of the clutch that they are about."""
+
+
+def keys() -> dict[str, Key]:
+    """Every value key of a spec by dotted path."""
+    return keys_below(Spec)
+
+
+def is_whole(path: str) -> bool:
+    """Whether the key counts something."""
+    key = keys().get(path)
+    return key is not None and key.about is not None and key.about.whole
+
+
+def unit_at(path: str) -> str | None:
+    """SI unit of what may scatter; None when the path is none of it."""
+    about = scattering(path, Spec)
+    return about.unit if about else None
+
+
+def physical_limits(path: str) -> tuple[float, float]:
+    """Bounds that the spec sets to what may scatter, which no scatter passes.
+
+    >>> physical_limits("closing_spring.force"), physical_limits("friction")
+    ((0.0, inf), (0.0, inf))
+    """
+    about = scattering(path, Spec)
+    low, high = (about.low, about.high) if about else (None, None)
+    return -math.inf if low is None else float(low), math.inf if high is None else float(high)
+
+
+def path_of(name: str, model: type[BaseModel] = Spec) -> str | None:
+    """Return the path that a path, name or symbol means; None where it means none, or more than one.
+
+    >>> path_of("gain"), path_of("z_1"), path_of("force")
+    ('control_unit.gain', 'friction_group.driving_pairs', None)
+    """
+    name = name.strip()
+    return _paths_by_name(model).get(plain(name)) if len(name) <= 100 else None
+
+
+@cache
+def _paths_by_name(model: type[BaseModel]) -> dict[str, str]:
+    """Every name and the path that it means; a name of several keys means none."""
+    known = keys_below(model)
+    of_clutch = [key for key in known.values() if not key.path.startswith(_APART)]
+    paths: dict[str, str] = {}
+    for pairs in ([(key.symbol, key.path) for key in of_clutch], [(_last(key.path), key.path) for key in of_clutch]):
+        times = Counter(name for name, _ in pairs)
+        paths |= {plain(name): path for name, path in pairs if name and times[name] == 1}
+    return paths | (ALIASES if model is Spec else {}) | {path: path for path in known}
+
+
+def names(model: type[BaseModel] = Spec) -> list[str]:
+    """Every name that ``path_of`` takes."""
+    return list(_paths_by_name(model))
+
+
+def elsewhere(name: str, model: type[BaseModel] = Spec) -> str:
+    """Return ``"; did you mean a.x or b.x?"`` for a key that has the name in other tables, or nothing."""
+    paths = [path for path in keys_below(model) if _last(path) == name]
+    if not paths and (path := path_of(name, model)):
+        paths = [path]
+    return say("; did you mean {paths}?", paths=joined(paths, say(" or "))) if paths else ""
+
+
+def _last(path: str) -> str:
+    return path.rpartition(".")[2]
