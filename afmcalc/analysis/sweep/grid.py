@@ -114,7 +114,7 @@ def evaluate(spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Out
     flat = len(shape) == 1 and all(array.shape == shape for array in arrays.values())
     with np.errstate(all="ignore"):
         for block in [slice(start, start + _BLOCK) for start in range(0, shape[0], _BLOCK)] if flat else [...]:
-            swept = edit.with_values(valid, ((path.split("."), array[block]) for path, array in arrays.items()))
+            swept = edit.with_values(valid, {path: array[block] for path, array in arrays.items()})
             clutch = build(swept)
             for name, function in outputs.items():
                 answers[name][block] = function(clutch)
