@@ -168,7 +168,9 @@ class Clutch:
         return _answered(command, self.spec, *ANALYSES[command].function(self.engine, *arguments, **options))
 
     def _axes(self, sweep: Sweep, *, band: bool = False) -> "list[Axis]":
-        from .analysis.sweep.axes import parse_axes
+        if not sweep:
+            return []
+        from .analysis.life import parse_axes
 
         return parse_axes([sweep] if isinstance(sweep, str) else sweep, self.engine, band=band)
 

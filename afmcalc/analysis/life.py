@@ -1,6 +1,6 @@
 """Life of the shaft that the clutch's load swings (S19 (14)–(20)), by the paper's rule or by amplitude."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Literal
 
 from ..arrays import Values
@@ -225,6 +225,16 @@ def _over_band(clutch: Clutch, model: StressRule, band: Values, factor: float) -
         mean = np.where(most >= forecast.least, forecast.least, np.nan)
         upper = Load(lambda share: mean + share * (most - mean), mean, most)
     return {"protected": over, "unprotected": over.times(factor), "protected_forecast": upper}
+
+
+def parse_axes(texts: Iterable[str], clutch: Clutch, *, band: bool = False) -> list[Axis]:
+    """Read the axes of a sweep; ``band`` takes dT for the scatter band, of which a life can be told."""
+    from .sweep.axes import parse_axis
+
+    return [
+        band_axis(text, clutch) if band and text.partition("=")[0].strip() == "dT" else parse_axis(text, clutch.spec)
+        for text in texts
+    ]
 
 
 def band_axis(text: str, clutch: Clutch) -> Axis:

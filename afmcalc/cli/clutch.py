@@ -185,9 +185,11 @@ def compare(
 
 def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":
     """Read the axes of a sweep; ``band`` takes dT for the scatter band."""
-    from ..analysis.sweep.axes import parse_axes
+    if not sweep:
+        return []
+    from ..analysis.life import parse_axes
 
-    return parse_axes(sweep or (), clutch, band=band)
+    return parse_axes(sweep, clutch, band=band)
 
 
 def curve_of(plot: bool, sweep: list[str] | None, common: Common) -> "SweepDrawing | None":

@@ -2,13 +2,11 @@
 
 import math
 import re
-from collections.abc import Iterable
 
 import numpy as np
 
 from ...arrays import Floats
 from ...engines import build
-from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, SpecError
 from ...letters import did_you_mean
 from ...messages import say
@@ -49,16 +47,6 @@ def find_key(name: str) -> Key:
     if known[path].unit is None:
         raise AfmcalcError(say("{name!r} is not a number and cannot be swept", name=name))
     return known[path]
-
-
-def parse_axes(texts: Iterable[str], clutch: Clutch, *, band: bool = False) -> list[Axis]:
-    """Read the axes of a sweep; ``band`` takes dT for the scatter band, of which a life can be told."""
-    from ..life import band_axis
-
-    return [
-        band_axis(text, clutch) if band and text.partition("=")[0].strip() == "dT" else parse_axis(text, clutch.spec)
-        for text in texts
-    ]
 
 
 def parse_axis(text: str, spec: Spec) -> Axis:
