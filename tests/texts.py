@@ -256,7 +256,7 @@ def _names() -> Iterator[Key]:
     from afmcalc.analysis.requirements import JUDGED
     from afmcalc.analysis.springs.candidates import MISSES
     from afmcalc.engines import parts
-    from afmcalc.render.shop.layers import LAYERS
+    from afmcalc.render.shop import LAYERS
     from afmcalc.spec.keys import keys
     from afmcalc.spec.quantity import EXAMPLES
     from afmcalc.variants import VARIANTS

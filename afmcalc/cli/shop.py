@@ -1,6 +1,5 @@
 """What the command that draws writes for the shop; and the clutches it draws."""
 
-from importlib import import_module
 from typing import TYPE_CHECKING
 
 from ..errors import AfmcalcError, need
@@ -21,7 +20,7 @@ def for_the_shop(what: str, request: "Request", ending: str | None, common: Comm
         AfmcalcError: another plot, a picture that is none for the shop, a pocket or a cutter that cannot be.
     """
     from ..analysis.figures import shop_drawing_of
-    from ..render.shop.profile import profile
+    from ..render import shop
 
     if ending == "dxf":
         need("cad")
@@ -32,11 +31,11 @@ def for_the_shop(what: str, request: "Request", ending: str | None, common: Comm
         drawing = shop_drawing_of(what, request._replace(subjects=subjects))
     if ending is not None:
         assert common.output is not None
-        content = getattr(import_module(f"..render.shop.{ending}", __package__), ending)(drawing)
+        content = shop.dxf(drawing) if ending == "dxf" else shop.svg(drawing)
         write_file(common.output, content, force=common.force)
         common.wrote(say("wrote {output}", output=common.output))
     if request.profile is not None:
-        write(profile(drawing), request.profile, force=common.force)
+        write(shop.profile(drawing), request.profile, force=common.force)
         if request.profile != "-":
             common.wrote(say("wrote {output}", output=request.profile))
 

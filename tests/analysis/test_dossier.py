@@ -15,6 +15,7 @@ from afmcalc.analysis.registry import ANALYSES, PLOTS
 from afmcalc.analysis.tolerance.study import study
 from afmcalc.cli.main import COMMANDS
 from afmcalc.engines import build
+from afmcalc.render.plot import _HOMES
 from afmcalc.result import Result, Triple, shown_as
 from afmcalc.spec import read_spec
 from afmcalc.spec.keys import keys
@@ -134,4 +135,4 @@ def test_every_record_finds_its_parts(name):
 @pytest.mark.parametrize("name", PLOTS)
 def test_every_plot_is_gathered_and_laid_out(name):
     assert f"_{name}" in gathered.__globals__
-    assert callable(import_module(f"afmcalc.render.plot.kinds.{name}").sheet)
+    assert callable(getattr(import_module(f"afmcalc.render.plot.{_HOMES.get(name, 'curves')}"), name))

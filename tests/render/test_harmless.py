@@ -75,7 +75,7 @@ def test_no_cell_of_csv_is_a_formula(name, afmcalc):
     "name", ["_x", "a_b_c $x$", *(pytest.param(name, marks=pytest.mark.exhaustive) for name in ("a_b", "__"))]
 )
 def test_a_name_is_in_the_legend_as_it_is(name, afmcalc, tmp_path, monkeypatch):
-    monkeypatch.setattr("afmcalc.render.plot.style.PARAMETERS", {"svg.fonttype": "none"})
+    monkeypatch.setattr("afmcalc.render.plot.paint.PARAMETERS", {"svg.fonttype": "none"})
     monkeypatch.setattr("afmcalc.render.plot.figure.PARAMETERS", {"svg.fonttype": "none"})
     own = tmp_path / "own.toml"
     own.write_text(

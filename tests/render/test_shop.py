@@ -15,10 +15,7 @@ from afmcalc.analysis.shop import shop_drawing
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.analysis.wall import CHORD, wall_of
 from afmcalc.engines import build
-from afmcalc.render.shop.dxf import dxf
-from afmcalc.render.shop.layers import LAYERS
-from afmcalc.render.shop.profile import profile
-from afmcalc.render.shop.svg import svg
+from afmcalc.render.shop import LAYERS, dxf, profile, svg
 from afmcalc.spec import read_spec
 
 CLUTCHES = {

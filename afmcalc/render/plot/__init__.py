@@ -1,5 +1,17 @@
-"""Plots: one file per kind, each from results to a sheet; one file that sets a sheet as PNG, SVG or PDF."""
+"""Plots: from what an analysis gathered to a sheet, and from a sheet to text, PNG, SVG or PDF."""
 
-from .interface import sheet_of
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .chart import Sheet
 
 __all__ = ["sheet_of"]
+
+_HOMES = {"tolerance": "studies", "pareto": "studies", "pocket": "pocket"}
+
+
+def sheet_of(kind: str, gathered: Any) -> "Sheet":
+    """Lay out what ``analysis.figures.gathered`` gives for a kind of plot, by the function of its name."""
+    module = import_module(f".{_HOMES.get(kind, 'curves')}", __package__)
+    return getattr(module, kind)(gathered)

@@ -109,21 +109,21 @@ class Sheet:
     panels: list[Any]
     """Each a ``Chart``, or an object with ``paint(axes, theme)`` and ``height``."""
     caption: str = ""
-    name: str = ""
+    name: str | None = None
     """Name of the user's (a spec's), beside the title; set as it is."""
 
 
-def axis_of(result: type[Result], name: str, *, log: bool = False, quantity: str | None = None) -> ChartAxis:
-    """ChartAxis of a result's field, read off its symbol, unit and description."""
-    field = result.model_fields[name]
+def axis_of(record: Result, name: str, *, log: bool = False, quantity: str | None = None) -> ChartAxis:
+    """Axis of a field of results, read off its symbol, unit and description."""
+    field = type(record).model_fields[name]
     shown = shown_as(field)
     return ChartAxis(quantity or translate(field.description or name), shown.symbol or "", shown.unit, log)
 
 
-def describe(result: type[Result], name: str) -> str:
-    """Label of a line that shows a result's field: symbol and description."""
-    axis = axis_of(result, name)
-    return f"{axis.symbol}: {axis.quantity}"
+def line_of(record: Result, name: str, x: Sequence[float | None], **how: Any) -> Line:
+    """Line of a field that holds a list, labelled by its symbol and description; ``how`` as of ``Line``."""
+    axis = axis_of(record, name)
+    return Line(f"{axis.symbol}: {axis.quantity}", x, getattr(record, name), **how)
 
 
 def power(value: float) -> str:

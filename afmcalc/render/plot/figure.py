@@ -12,8 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from ...messages import named, spoken
 from ..symbols import literal, mathtext
 from .chart import Chart, Sheet
-from .paint import paint
-from .style import PARAMETERS, WIDTH
+from .paint import PARAMETERS, WIDTH, paint
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

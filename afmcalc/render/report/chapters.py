@@ -16,7 +16,7 @@ from ..document import ENDS, Column, document, fields_of
 from ..layout import TextTable, blocks, cells, errors_in, quantities
 from ..plot import sheet_of
 from ..plot.chart import Sheet
-from ..plot.kinds.springs import NAMES as SPRINGS
+from ..plot.curves import SPRINGS
 from ..units import display, display_unit, factor, significant
 from .steps import Derived, blocks_of
 

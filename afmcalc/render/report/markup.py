@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 from markupsafe import Markup, escape
 
 from ...spec.keys import keys
-from ..plot.style import COLOURS, GRID, INK, SHADE
+from ..plot.paint import COLOURS, GRID, INK, SHADE
 from ..symbols import split
 
 _NAMESPACE = "http://www.w3.org/1998/Math/MathML"

@@ -25,7 +25,7 @@ from afmcalc.messages import ENGLISH, language, named, speaking
 from afmcalc.papers.figures import FIGURES
 from afmcalc.render.plot import sheet_of
 from afmcalc.render.plot.figure import _figure, _settings, save
-from afmcalc.render.plot.style import COLOURS, DASHES
+from afmcalc.render.plot.paint import COLOURS, DASHES
 from afmcalc.spec import read_spec
 from afmcalc.spec.requirements import read_requirements
 
@@ -353,7 +353,7 @@ def test_other_commands_load_none_of_it():
     code += "import atexit\natexit.register(lambda: print(*sys.modules, file=sys.stderr))\n"
     code += "from afmcalc.cli.entry import main\nmain()"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert not set(run.stderr.split()) & {"matplotlib", "jinja2", "afmcalc.render.plot"}
+    assert not set(run.stderr.split()) & {"matplotlib", "jinja2", "afmcalc.render.plot.figure"}
 
 
 def test_a_spec_is_not_written_over(afmcalc, tmp_path):

@@ -3,13 +3,13 @@
 import math
 from typing import Any, NamedTuple
 
-from ....analysis.figures import PocketSection
-from ....analysis.unit import SynthesisResult
-from ....messages import localized, told, translate
-from ...symbols import mathtext
-from ...units import display
-from ..chart import Sheet, stated
-from ..style import COLOURS, INK, WIDTH
+from ...analysis.figures import PocketSection
+from ...analysis.unit import SynthesisResult
+from ...messages import localized, told, translate
+from ..symbols import mathtext
+from ..units import display
+from .chart import Sheet, stated
+from .paint import COLOURS, INK, WIDTH
 
 _MM = 1e3
 _HATCH = ("///", "\\\\\\")
@@ -46,7 +46,7 @@ class _Side(NamedTuple):
     """Whether both walls touch it."""
 
 
-def sheet(section: PocketSection) -> Sheet:
+def pocket(section: PocketSection) -> Sheet:
     """Draw the ball at the stop and, where the sleeve travels, at its largest travel."""
     found = section.synthesis
     sizes = _Sizes(
@@ -69,7 +69,7 @@ def sheet(section: PocketSection) -> Sheet:
         sizes.travel: told("at f_max, {stated}", stated=_stated("x_max", found.travel_max)),
     }
     panels = [Position(sizes, travel, title if sizes.travel else "") for travel, title in positions.items()]
-    return Sheet(translate("Ball and pockets, section A–A"), panels, _caption(section), name=section.name or "")
+    return Sheet(translate("Ball and pockets, section A–A"), panels, _caption(section), section.name)
 
 
 def _stated(symbol: str, value: float) -> str:

@@ -1,0 +1,279 @@
+"""Sheets of curves: of clutches over friction, a key or time, of springs, and of the papers' figures."""
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from ...messages import joined, named, term, told, translate
+from ...spec.keys import is_whole, keys
+from ..units import display
+from .chart import Area, Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, line_of, power, stated
+
+if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no other analysis than its own
+    from ...analysis.curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
+    from ...analysis.effects import EffectsCurve
+    from ...analysis.figures import SimulateFigure
+    from ...analysis.simulate import MomentRow
+    from ...analysis.springs.curve import SpringCurve, SpringsCurve
+    from ...papers.figures.interface import PaperAxis, PaperCurve, PaperFigure
+    from ...result import OpenTriple, Triple
+
+
+def _called(curve: "TorqueCurve | AccuracyCurve | LifeCurve") -> str:
+    """Label of one of several clutches."""
+    return named(curve.name) or translate(curve.variant, "value")
+
+
+def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
+    """Torque against friction: both settings of one clutch with their scatter bands, or several as they are set."""
+    unlike = any(curve.friction_driving for curve in curves)
+    x = axis_of(curves[0], "friction_driving" if unlike else "friction")
+    y = axis_of(curves[0], "torque", quantity=translate("slip torque"))
+    title = translate("Slip torque against friction")
+    if len(curves) > 1:
+        lines = [Line(_called(curve), curve.friction, curve.torque) for curve in curves]
+        return Sheet(title, [Chart(x, y, lines, from_zero=True, named=True)])
+    (curve,) = curves
+    methods = ("torque_min_friction", "torque_mean_friction")
+    extra = [name for name in ("breakaway_torque", "torque_returning") if getattr(curve, name)]
+    lines = [line_of(curve, name, curve.friction) for name in (*methods, *extra)]
+    spans = [_band(number, getattr(curve, name)) for number, name in enumerate(methods)]
+    nominal = curve.nominal_torque
+    guide = Guide(told("clutch's nominal torque {stated}", stated=stated("T_н", nominal, "N*m")), nominal)
+    caption = told(
+        "Both settings for the same nominal torque; margin β_н = {margin:g} in the second. ΔT is the scatter band of "
+        "each. The spec sets it by {method}.",
+        margin=curve.margin, method=term(curve.method),
+    )  # fmt: skip
+    if curve.friction_driving:
+        caption += " " + translate("f_2 moves with f_1.")
+    chart = Chart(x, y, lines, guides=[guide], spans=spans, from_zero=True)
+    return Sheet(title, [chart], caption, curve.name)
+
+
+def _band(number: int, torque: list[float]) -> Dimension:
+    low, high = sorted((torque[0], torque[-1]))
+    return Dimension(stated(f"ΔT_{number + 1}", high - low, "N*m"), low, high, number)
+
+
+def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
+    """K_т over the gain, or over the key asked for; of one clutch also what it is and where its limit lies."""
+    x, y = _swept_axis(curves[0]), axis_of(curves[0].series, "accuracy_factor")
+    title = told("Accuracy factor K_т against {quantity} {symbol}", quantity=x.quantity, symbol=x.symbol).rstrip()
+    if len(curves) > 1:
+        lines = [
+            Line(_called(curve), curve.series.values, curve.series.accuracy_factor, points=is_whole(curve.series.path))
+            for curve in curves
+        ]
+        return Sheet(title, [Chart(x, y, lines, named=True)])
+    (curve,) = curves
+    series, symbol = curve.series, x.symbol or curve.series.path
+    pairs = zip(series.accuracy_factor_peak, series.accuracy_factor, strict=True)
+    peaks = any(peak > sustained * (1 + 1e-9) for peak, sustained in pairs)
+    answers = ["accuracy_factor", *(["accuracy_factor_peak"] if peaks else [])]
+    lines = [line_of(series, answer, series.values, points=is_whole(series.path)) for answer in answers]
+    guides = []
+    if curve.own is not None:
+        own, factor = stated(symbol, curve.own, x.unit), stated("K_т", curve.accuracy_factor, "1")
+        guides.append(Guide(told("this clutch: {own}, {factor}", own=own, factor=factor), curve.own, across=False))
+    if curve.limit is not None:
+        label = told("limit of the gain, {stated}", stated=stated(symbol, curve.limit, "1"))
+        guides.append(Guide(label, curve.limit, across=False))
+    return Sheet(title, [Chart(x, y, lines, guides=guides)], name=curve.name)
+
+
+def _swept_axis(curve: "AccuracyCurve") -> ChartAxis:
+    if curve.series.parameter == "zC":
+        return ChartAxis(translate("reduced gain"), "zC")
+    key = keys()[curve.series.path]
+    return ChartAxis(translate(key.description).partition(";")[0], key.symbol or "", key.unit or "1")
+
+
+def overload(curve: "OverloadCurve") -> Sheet:
+    """The trip over friction, and expected against actual accuracy over the reduced gain (S22 fig. 3)."""
+    caption = translate(
+        "Equilibrium: at slip the load equals the expected torque for every margin; the published T_ср = T_п − ΔT' "
+        "(S22 (14)) swaps the weights of T_п and T_н.маш (misprint M12). Where the release force lags the load "
+        "(impact), the trip lies in the shaded bracket. Curves of K_т as S22 fig. 3, its optimum at zC = 1/f_max (M13)."
+    )
+    title = told("Overload with the margin {stated}", stated=stated("β_н", curve.margin, "1"))
+    return Sheet(title, [_trip(curve), _overload_accuracy(curve)], caption, curve.name)
+
+
+def _trip(curve: "OverloadCurve") -> Chart:
+    x, y = axis_of(curve, "friction"), axis_of(curve, "expected_torque", quantity=translate("torque"))
+    lines = [line_of(curve, name, curve.friction) for name in ("expected_torque", "actuation_torque_published")]
+    equilibrium = line_of(curve, "actuation_torque_equilibrium", curve.friction, points=True)
+    lines.append(equilibrium._replace(x=equilibrium.x[::20], y=equilibrium.y[::20]))
+    label = translate("trip bracket, T_муф to T_п")
+    bracket = Area(label, curve.friction, curve.expected_torque, curve.potential_torque)
+    machine = curve.machine_torque
+    guide = Guide(told("machine's nominal torque {stated}", stated=stated("T_н.маш", machine, "N*m")), machine)
+    title = translate("Torque at the trip")
+    return Chart(x, y._replace(symbol="T"), lines, title, guides=[guide], areas=[bracket], from_zero=True)
+
+
+def _overload_accuracy(curve: "OverloadCurve") -> Chart:
+    series, own, best = curve.accuracy, curve.reduced_gain, curve.optimal_reduced_gain
+    names = ("accuracy_factor_expected", "accuracy_factor_actual")
+    guides = [
+        Guide(told("this clutch: {stated}", stated=stated("zC", own, "1")), own, across=False),
+        Guide(told("best by the published T_ср, {stated}", stated=stated("zC", best, "1")), best, across=False),
+    ]
+    x = ChartAxis(translate("reduced gain"), "zC" if curve.bypass_pairs == 0 else "z_2 C")
+    y = ChartAxis(translate("accuracy factor"), "K_т")
+    lines = [line_of(series, name, series.values) for name in names]
+    return Chart(x, y, lines, translate("Accuracy over the reduced gain"), guides=guides)
+
+
+_METHODS = {
+    "min-friction": term("protected side, set at f_min"),
+    "mean-friction": term("protected side, set at mean f with margin"),
+}
+
+
+def life(curves: "Sequence[LifeCurve]") -> Sheet:
+    """Life against the scatter band: both sides of one clutch as each setting puts it, or one side of several."""
+    x = ChartAxis(translate("torque scatter band"), "ΔT", "N*m")
+    y = axis_of(curves[0].series, "protected", log=True, quantity=translate("cycles to failure"))
+    first, single = curves[0], len(curves) == 1
+    if single:
+        sides = ("protected", "unprotected", "protected_forecast")
+        lines = [line_of(first.series, side, first.series.values) for side in sides]
+        lines += [
+            Line(translate(_METHODS[each.method]), [each.scatter], [each.cycles], points=True)
+            for each in first.settings
+            if each.cycles
+        ]
+        title = translate("Life against the scatter band")
+        guides = [Guide(told("base cycles N_0 = {cycles}", cycles=power(first.base_cycles)), first.base_cycles)]
+    else:
+        lines = [Line(_called(curve), curve.series.values, curve.series.protected) for curve in curves]
+        title, guides = translate("Life of the protected side against the scatter band"), []
+    beyond = translate(
+        "Above N_0 the stress is below the endurance limit: life is not limited by fatigue, the line is extrapolated "
+        "as the paper does."
+        if first.model == "mean-stress"
+        else "Where there is no line, fatigue sets no limit."
+    )
+    about = told("Model: {model}. T_min as the clutch has it, T_max = T_min + ΔT.", model=term(first.model))
+    chart = Chart(x, y, lines, guides=guides, named=not single)
+    return Sheet(title, [chart], f"{about} {beyond}", first.name if single else None)
+
+
+_EFFECTS = {
+    "spline-friction": term("discs held in their splines"),
+    "sliding-cams": term("cams that slide"),
+    "centrifugal": term("balls thrown against conical pockets"),
+    "wear": term("lining worn"),
+}
+
+
+def effects(curve: "EffectsCurve") -> Sheet:
+    """Torque against friction, by the law and between what each neglected effect makes of it."""
+    lines = [line_of(curve, "torque", curve.friction, style=0)]
+    for style, effect in enumerate(curve.effects, 1):
+        for symbol, torque in (("T_high", effect.high), ("T_low", effect.low)):
+            if torque != curve.torque:
+                label = f"{translate(_EFFECTS[effect.effect])}, {symbol}"
+                lines.append(Line(label, curve.friction, torque, style=style))
+    x, y = axis_of(curve, "friction"), axis_of(curve, "torque", quantity=translate("slip torque"))
+    caption = translate("Springs as set. Of each effect both ends: the torque lies between, by what happened before.")
+    return Sheet(translate("What the law neglects"), [Chart(x, y, lines, from_zero=True)], caption, curve.name)
+
+
+SPRINGS = {"closing": term("closing spring"), "control": term("control spring")}
+
+
+def springs(curve: "SpringsCurve") -> Sheet:
+    """Force of each spring over its deflection, with what the clutch uses of it."""
+    caption = translate(
+        "Upright: ends of the range of use, and of what service takes of it. Friction between discs is left out."
+    )
+    return Sheet(translate("Springs"), [_spring(spring) for spring in curve.springs], caption, curve.name)
+
+
+def _spring(spring: "SpringCurve") -> Chart:
+    tangent = line_of(spring, "tangent", spring.deflection)
+    label = told("as set: {stated}", stated=stated("F", spring.set_force, "N"))
+    lines = [
+        line_of(spring, "force", spring.deflection),
+        tangent._replace(y=[force if force >= 0 else None for force in spring.tangent]),
+        Line(label, [spring.set_deflection], [spring.set_force], points=True),
+    ]
+    used = _upright(translate("range of use"), [end for end in spring.usable if end > 0], 0)
+    guides = used + _upright(translate("service"), sorted(set(spring.service)), 1)
+    x, y = axis_of(spring, "deflection"), axis_of(spring, "force")
+    title = f"{translate(SPRINGS[spring.spring])}: {translate(spring.part)}"
+    return Chart(x, y, lines, title[:1].upper() + title[1:], guides=guides, from_zero=True)
+
+
+def _upright(label: str, ends: Iterable[float], style: int) -> list[Guide]:
+    """Guides that mean the same: the legend names the first."""
+    return [Guide("" if number else label, end, across=False, style=style) for number, end in enumerate(ends)]
+
+
+_EVENTS = {
+    "stop": term("At t = 0 the tool is stopped; friction is constant during the event."),
+    "load": term("At t = 0 the load of the tool rises; friction is constant during the event."),
+}
+
+
+def simulate(figure: "SimulateFigure") -> Sheet:
+    """An event of the drive: what the shaft carries at three frictions, who turns how fast, the sleeve's travel."""
+    mean = figure.courses[1]
+    time, times = axis_of(mean[0], "time"), [row.time for row in mean]
+    load = Guide(told("load before the event {stated}", stated=stated("T_0", figure.load, "N*m")), figure.load)
+    torques = _at_frictions(figure, lambda row: row.torque_shaft)
+    title = translate("Torque in the shaft")
+    panels = [Chart(time, axis_of(mean[0], "torque_shaft"), torques, title, guides=[load])]
+    speeds = [
+        Line(translate("motor side ω_1"), times, [row.speed_motor for row in mean]),
+        Line(translate("driven half ω_2"), times, [row.speed_driven for row in mean]),
+        Line(translate("tool ω_3"), times, [row.speed_tool for row in mean]),
+    ]
+    speed = ChartAxis(translate("speed"), "ω", "rad/s")
+    panels.append(Chart(time, speed, speeds, translate("Speeds at the mean friction")))
+    if figure.result.travel_max is not None:
+        travels = _at_frictions(figure, lambda row: row.travel)
+        panels.append(Chart(time, axis_of(mean[0], "travel"), travels, translate("Travel of the sleeve")))
+    peaks = told(
+        "Peaks in the shaft, N·m: {peaks}; with an ordinary clutch of equal T_н: {ordinary}. Shown until the peak has "
+        "passed; the slip may last longer.",
+        peaks=_listed(figure.result.peak_torque), ordinary=_listed(figure.result.peak_torque_conventional),
+    )  # fmt: skip
+    caption = f"{translate(_EVENTS[figure.kind])} {peaks}"
+    return Sheet(translate("When the clutch trips"), panels, caption, figure.name)
+
+
+def _listed(ends: "OpenTriple | Triple") -> str:
+    return "; ".join(display(end, "N*m") for end in (ends.min, ends.mean, ends.max))
+
+
+def _at_frictions(figure: "SimulateFigure", value: "Callable[[MomentRow], float | None]") -> list[Line]:
+    return [
+        Line(told("at {friction}", friction=friction), [row.time for row in course], [value(row) for row in course])
+        for friction, course in zip(("f_min", "f_cp", "f_max"), figure.courses, strict=True)
+    ]
+
+
+def paper(figure: "PaperFigure") -> Sheet:
+    """One figure of the papers, redrawn from the formulas, its corrections named in the caption."""
+    x = _paper_axis(figure.x)
+    panels = [
+        Chart(x, _paper_axis(y), [_paper_line(curve) for curve in curves])
+        for y, curves in zip(figure.y, figure.panels, strict=True)
+    ]
+    caption = [translate(figure.inputs), told("Mended: {mended}.", mended=joined(map(term, figure.corrections), "; "))]
+    if figure.assumed:
+        caption.append(told("Not printed, assumed here: {assumed}", assumed=term(figure.assumed)))
+    return Sheet(f"{translate(figure.name)}: {translate(figure.title)}", panels, "\n".join(caption))
+
+
+def _paper_axis(axis: "PaperAxis") -> ChartAxis:
+    return ChartAxis(translate(axis.name), axis.symbol, axis.unit, axis.log)
+
+
+def _paper_line(curve: "PaperCurve") -> Line:
+    label = translate(curve.label)
+    label = f"{curve.number}: {label}" if curve.number else label
+    return Line(label, curve.x, curve.y, tag=curve.number, points=curve.points)

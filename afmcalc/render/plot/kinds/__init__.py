@@ -1,1 +1,0 @@
-"""The kinds of plots, one file each: from results to a sheet."""

@@ -1,0 +1,190 @@
+"""Sheets of many clutches at once: the torque over tolerances, and the front of a design."""
+
+import math
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from ...messages import joined, localized, say, term, told, translate
+from ..units import display
+from .chart import Area, Chart, ChartAxis, Guide, Line, Sheet, axis_of, stated
+
+if TYPE_CHECKING:
+    from ...analysis.design.rows import DesignResult, DesignRow
+    from ...analysis.figures import ParetoFigure, ToleranceFigure
+
+_SAMPLING = {
+    "exact": term("Exact"),
+    "monte-carlo": term("Monte Carlo"),
+    "quasi-monte-carlo": term("Quasi-Monte Carlo"),
+}
+
+
+def tolerance(figure: "ToleranceFigure") -> Sheet:
+    """Histogram of the torque, with quantiles, the nominal torques and the limit marked."""
+    edges, densities = figure.study.histogram.edges, figure.study.histogram.densities
+    x = [edge for edge in edges for _ in range(2)]
+    y = [0.0, *(density for density in densities for _ in range(2)), 0.0]
+    label = translate("quantiles: torque not exceeded with this probability")
+    guides = [
+        Guide("" if number else label, row.torque, across=False, tag=_percent(row.probability), style=0)
+        for number, row in enumerate(figure.study.result.quantiles)
+    ]
+    guides += _torques(figure)
+    ends = [*edges, *(guide.value for guide in guides)]
+    room = 0.03 * (max(ends) - min(ends))
+    chart = Chart(
+        ChartAxis(translate("slip torque"), "T", "N*m"),
+        ChartAxis(translate("probability density"), "p", "1/(N*m)"),
+        [Line(translate("density of the slip torque"), x, y)],
+        guides=guides,
+        areas=[Area("", x, [0.0] * len(x), y)],
+        bounds=(min(ends) - room, max(ends) + room, 0.0, 1.05 * max(densities)),
+    )
+    return Sheet(translate("Slip torque over tolerances and scatter"), [chart], _study_caption(figure), figure.name)
+
+
+def _torques(figure: "ToleranceFigure") -> list[Guide]:
+    """The nominal torques and the limit, where each is one of its own."""
+    result, nominal = figure.study.result, figure.nominal_torque
+    torques = [("T_н", translate("clutch's nominal torque"), nominal)]
+    if not math.isclose(result.machine_torque, nominal, rel_tol=1e-9):
+        torques.append(("T_н.маш", translate("machine's nominal torque"), result.machine_torque))
+    if result.torque_limit is not None:
+        torques.append(("T_lim", translate("torque limit"), result.torque_limit))
+    return [
+        Guide(stated(f"{about} {symbol}", value, "N*m"), value, across=False, tag=symbol, style=style)
+        for style, (symbol, about, value) in enumerate(torques, 1)
+    ]
+
+
+def _study_caption(figure: "ToleranceFigure") -> str:
+    result = figure.study.result
+    method = term(_SAMPLING[result.method])
+    if result.samples:
+        how = told(
+            "{method}, {samples:,} samples, seed {seed}.", method=method, samples=result.samples, seed=figure.seed
+        )
+    else:
+        how = told("{method}: only friction scatters.", method=method)
+    listed = "; ".join(f"{_percent(row.probability)}: {display(row.torque, 'N*m')}" for row in result.quantiles)
+    risks = [_risk("T < T_н.маш", result.probability_below_machine, result.samples)]
+    if result.probability_above_limit is not None:
+        risks.append(_risk("T > T_lim", result.probability_above_limit, result.samples))
+    sentences = (
+        how,
+        told("The bars hold the middle {share}.", share=_percent(figure.share)),
+        told("Quantiles in N·m: {listed}.", listed=listed),
+        told("Robust accuracy factor K_т,r = {factor}.", factor=display(result.accuracy_factor_robust, "1")),
+        ", ".join(risks) + ".",
+    )
+    return " ".join(sentences)
+
+
+def _risk(event: str, probability: float, samples: int | None) -> str:
+    """A sample in which it never happens says only that it is rare."""
+    if samples and not probability:
+        return f"P({event}) < {_percent(1 / samples)}"
+    return f"P({event}) = {_percent(probability)}"
+
+
+def _percent(probability: float) -> str:
+    return f"{localized(f'{100 * probability:.4g}')} %"
+
+
+_OBJECTIVES = {
+    "closing_force": term("closing force"),
+    "accuracy_factor": term("accuracy factor"),
+    "pairs": term("friction pairs"),
+    "ball_diameter": term("standard ball"),
+    "travel": term("travel of the sleeve"),
+    "control_force": term("control-spring force"),
+    "closing_deflection": term("deflection of the closing spring"),
+    "control_deflection": term("deflection of the control spring"),
+}
+_INK = 4
+"""The style in the colour of the text."""
+_COLOURED = (0, 1, 2, 3, 5, 6)
+_MOST_PAIRS = 9
+"""Numbers of friction pairs that can be told apart."""
+
+
+def pareto(figure: "ParetoFigure") -> Sheet:
+    """The Pareto front of a design: the first objective against the others, each clutch with its number."""
+    result = figure.result
+    rest = [name for name in dict.fromkeys(result.objectives) if name != "pairs"]
+    # friction pairs along x of two, else last: there they name the points, where they are few enough
+    if "pairs" in result.objectives:
+        rest = ["pairs", *rest] if len(rest) == 1 else [*rest, "pairs"]
+    x, *others = rest
+    few = len({row.pairs for row in result.front}) <= _MOST_PAIRS
+    by_pairs = few and x != "pairs" and (len(others) > 1 or "pairs" not in others)
+    charts = [_front(result, x, y, by_pairs) for y in others if not (by_pairs and y == "pairs")]
+    return Sheet(translate("Pareto front"), charts, _front_caption(result), figure.name)
+
+
+def _front(result: "DesignResult", x: str, y: str, by_pairs: bool) -> Chart:
+    groups: dict[tuple[str, int], list[DesignRow]] = {}
+    for row in result.front:
+        groups.setdefault((row.variant, row.pairs if by_pairs else 0), []).append(row)
+    variants, pairs = (sorted(set(part)) for part in zip(*groups, strict=True))
+    lines = []
+    for (variant, z), rows in sorted(groups.items()):
+        # colour tells the pairs, shape the variant; where there is one of either, both tell the other
+        place = pairs.index(z) if by_pairs else variants.index(variant)
+        names = [translate(variant, "value")] if len(variants) > 1 or not by_pairs else []
+        label = ", ".join([*names, *([f"z = {z}"] if by_pairs else [])])
+        marker = variants.index(variant) if len(variants) > 1 else place
+        points = _points(label, rows, x, y)
+        lines.append(points._replace(style=_COLOURED[place % len(_COLOURED)], marker=marker))
+    if len(pairs) > 1:
+        lines = _tagged(lines, [z for _, z in sorted(groups)])
+    for row in result.front:
+        if row.number == result.knee:
+            knee = _points(told("knee: no. {number}", number=str(row.number)), [row], x, y)
+            lines.append(knee._replace(style=_INK, marker=0, filled=True))
+    ends = [end for name in (x, y) for end in _ends([row.objective(name) for row in result.front])]
+    return Chart(_objective(result, x), _objective(result, y), lines, bounds=(ends[0], ends[1], ends[2], ends[3]))
+
+
+def _points(label: str, rows: "list[DesignRow]", x: str, y: str) -> Line:
+    along, up = ([row.objective(name) for row in rows] for name in (x, y))
+    return Line(label, along, up, points=True, names=[str(row.number) for row in rows])
+
+
+def _tagged(lines: list[Line], pairs: list[int]) -> list[Line]:
+    """Name each number of pairs once, at the end of the line that reaches furthest."""
+    tagged = list(lines)
+    for z in set(pairs):
+        alike = [number for number, other in enumerate(pairs) if other == z]
+        furthest = max(alike, key=lambda number: lines[number].x[-1] or 0.0)
+        tagged[furthest] = lines[furthest]._replace(tag=f"z = {z}")
+    return tagged
+
+
+def _objective(result: "DesignResult", name: str) -> ChartAxis:
+    return axis_of(result.front[0], name, quantity=translate(_OBJECTIVES[name]))
+
+
+def _ends(values: list[float]) -> tuple[float, float]:
+    low, high = min(values), max(values)
+    room = 0.04 * (high - low) or 0.04 * abs(high) or 1.0
+    return low - room, high + room
+
+
+def _front_caption(result: "DesignResult") -> str:
+    names = [_objective(result, name).symbol for name in result.objectives]
+    listed = told("{names} and {last}", names=", ".join(names[:-1]), last=names[-1])
+    counts = sorted(Counter(row.variant for row in result.front).items())
+    if len(counts) == 1:
+        variants = say("all {variant}", variant=term(counts[0][0]))
+    else:
+        variants = joined(say("{count:,} {variant}", count=count, variant=term(name)) for name, count in counts)
+    caption = told(
+        "{feasible:,} of {candidates:,} candidates meet every requirement; the {front:,} drawn are beaten by no other "
+        "in {listed} together ({variants}). Numbers are those of --pick.",
+        feasible=result.feasible, candidates=result.candidates, front=len(result.front), listed=listed,
+        variants=variants,
+    )  # fmt: skip
+    lacking = any(getattr(row, name) is None for row in result.front for name in result.objectives)
+    free = translate("What a variant does not have costs nothing: it lies at 0.")
+    return f"{caption} {free}" if lacking else caption
