@@ -53,12 +53,11 @@ def _refuse(constant: str) -> None:
 @pytest.fixture(scope="session")
 def afmcalc():
     """Run the program in this process: ``afmcalc("torque", "x.toml", stdin="…")``."""
-    from afmcalc.cli.entry import main
+    from afmcalc.cli.main import main
 
     def run(*arguments: object, stdin: str = "", encoding: str = "utf-8") -> Run:
         out, err = io.TextIOWrapper(io.BytesIO(), encoding), io.TextIOWrapper(io.BytesIO(), encoding)
         with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            patch.setattr("afmcalc.cli.entry._tune", lambda: None)
             patch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(stdin.encode()), "utf-8"))
             with pytest.raises(SystemExit) as ended:
                 main([str(argument) for argument in arguments])

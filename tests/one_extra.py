@@ -14,8 +14,7 @@ import time
 from importlib.metadata import metadata
 
 from afmcalc.analysis.registry import EXPLAINED, PLOTS
-from afmcalc.cli.entry import main
-from afmcalc.cli.main import COMMANDS
+from afmcalc.cli.main import COMMANDS, main
 from afmcalc.spec.parse import example_names
 
 WITHOUT_CLUTCH = (["design", "example:requirements"], ["plot", "pareto", "example:requirements"], ["reproduce"])

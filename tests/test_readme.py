@@ -93,7 +93,7 @@ def gap(spec: SpecArgument = None, *, common: Common) -> None:
     \b
     afmcalc gap clutch.toml
     """  # noqa: D301
-    calculate(common, spec)
+    common.calculate(common.clutch(spec))
 ''',
     "python.py": '''
     def gap(self) -> "GapResult":
@@ -108,7 +108,7 @@ BEFORE = {"analysis/registry.py": '        Analysis("compare"', "python.py": "  
 
 ASKED = """
 import afmcalc
-from afmcalc.cli.entry import main
+from afmcalc.cli.main import main
 assert afmcalc.__file__.startswith({home!r}), afmcalc.__file__
 print(afmcalc.load().gap().to_dict())
 for arguments in {arguments!r}:

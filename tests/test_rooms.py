@@ -74,7 +74,7 @@ def test_the_graph_is_read():
     assert "engines.laws" in imported("engines.indirect")
     assert "equations.direct" in imported("engines.direct_law")
     assert "proofs" in imported("papers.register")
-    assert "cli.entry" in imported("__main__")
+    assert "cli.main" in imported("__main__")
 
 
 SHARED = {"Clutch", "Call"}

@@ -16,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from texts import texts
 
-from afmcalc.cli.speech import chosen, without_lang
+from afmcalc.cli.main import chosen, without_lang
 from afmcalc.errors import AfmcalcError
 from afmcalc.messages import FOLDER, joined, language, localized, say, say_many, speaking, term, translate
 
@@ -206,7 +206,7 @@ def test_a_russian_spec_is_the_english_one_with_other_comments(afmcalc):
 
 
 def test_english_loads_nothing_of_it():
-    program = "import sys; from afmcalc.cli.entry import main\ntry: main(['torque'])\nexcept SystemExit: pass\n"
+    program = "import sys; from afmcalc.cli.main import main\ntry: main(['torque'])\nexcept SystemExit: pass\n"
     asked = "print('babel' in sys.modules, file=sys.stderr)"
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "AFMCALC_LANG": "en"}
     run = subprocess.run([sys.executable, "-c", program + asked], capture_output=True, env=environment, check=True)

@@ -137,23 +137,22 @@ def _help() -> Iterator[Key]:
     import typer
 
     from afmcalc.analysis.solve.solve import TARGETS
-    from afmcalc.cli import help, names
+    from afmcalc.cli import help
     from afmcalc.cli.main import application
-    from afmcalc.cli.speech import LABELS, SAID, paragraphs
 
     program = typer.main.get_command(application([]))
     for command in (program, *program.commands.values()):  # type: ignore[attr-defined]
-        for part in paragraphs(command.help or ""):
+        for part in help.paragraphs(command.help or ""):
             lines = part.splitlines()[1:] if part.startswith("\b") else [part]
             if not all(re.fullmatch(r"\s*(\S+ )?(afmcalc|export|eval|source)\b(?!.*   ).*", line) for line in lines):
                 yield ("", part)
         for parameter in command.params:
             if parameter.help:
                 yield ("", parameter.help)
-    sections = {*help.SECTIONS.values(), *help._APART.values(), help.FILES}
-    yield from (("", text) for text in (*LABELS, *SAID, *sections))
+    sections = {*help.SECTIONS.values(), *help.APART.values(), help.FILES}
+    yield from (("", text) for text in (*help.LABELS, help.OF_HELP, *help.SAID, *help.OURS.values(), *sections))
     yield from (("", target.description) for target in TARGETS.values())
-    yield from (("", about) for _, about in names.plots())
+    yield from (("", about) for _, about in help.plots())
 
 
 def _registry() -> Iterator[Key]:

@@ -252,7 +252,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "heat", "analysis.heat", "HeatResult", "parts", _heat_is_known, ("answers",), explained=True,
+            "heat", "analysis.heat", "HeatResult", "drive", _heat_is_known, ("answers",), explained=True,
             judged=True,
             section=Section(
                 "Heat and wear",
@@ -263,7 +263,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "effects", "analysis.effects", "EffectsResult", "parts", _any_effect, judged=True,
+            "effects", "analysis.effects", "EffectsResult", "drive", _any_effect, judged=True,
             section=Section(
                 "What the law neglects",
                 "Each effect as what the torque and K_т lie between, springs as set; the bypass pairs are farthest "
@@ -275,7 +275,7 @@ ANALYSES: dict[str, Analysis] = {
             example="drive",
         ),
         Analysis(
-            "springs", "analysis.springs.springs", "SpringsResult", "parts",
+            "springs", "analysis.springs.springs", "SpringsResult", "drive",
             section=Section(
                 "Springs",
                 "The springs named, as set and in service; η is the largest share used of range or stress allowed.",

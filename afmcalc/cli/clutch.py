@@ -7,9 +7,8 @@ import typer
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .names import completing, swept
+from .help import completing, swept
 from .options import Common, SpecArgument, with_common
-from .run import build_from, calculate, emit, write_spec
 
 if TYPE_CHECKING:
     from ..analysis.sweep.grid import Axis
@@ -53,7 +52,7 @@ def torque(
     afmcalc torque clutch.toml --set control_unit.gain=0.8
     """  # noqa: D301
     points = [friction_of(text) for text in friction or ()]
-    calculate(common, spec, lambda clutch: {"friction": points})
+    common.calculate(common.clutch(spec), friction=points)
 
 
 @with_common
@@ -71,7 +70,9 @@ def accuracy(
     afmcalc accuracy clutch.toml --sweep C=0:1.25:6 --sweep z=4,8,12 --format csv
     afmcalc accuracy clutch.toml --sweep friction.max=0.4:0.8:9 --json
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, curve_of(plot, sweep, common))
+    curve = curve_of(plot, sweep, common)
+    clutch = common.clutch(spec)
+    common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch))
 
 
 @with_common
@@ -82,7 +83,7 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
     afmcalc adjust clutch.toml
     afmcalc adjust clutch.toml --set beta=1.1 --json
     """  # noqa: D301
-    calculate(common, spec)
+    common.calculate(common.clutch(spec))
 
 
 @with_common
@@ -94,7 +95,9 @@ def overload(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOpt
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"sweeps": axes_of(sweep, clutch)}, curve_of(plot, sweep, common))
+    curve = curve_of(plot, sweep, common)
+    clutch = common.clutch(spec)
+    common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch))
 
 
 @with_common
@@ -126,10 +129,10 @@ def synthesize(
     if common.output == "-":
         raise AfmcalcError(say("synthesize --output writes the completed spec beside the result: name a file"))
     sizes = diameters(balls) if balls else None
-    output = calculate(common.to_standard_output(), spec, lambda clutch: {"balls": sizes})
+    output = common.to_standard_output().calculate(common.build(spec), balls=sizes)
     if common.output:
         assert output.spec is not None
-        write_spec(completed(make_spec(output.spec), output.result), common, say("Completed by afmcalc synthesize."))
+        common.write_spec(completed(make_spec(output.spec), output.result), say("Completed by afmcalc synthesize."))
         common.wrote(say("wrote the completed spec to {output}", output=common.output))
 
 
@@ -156,7 +159,8 @@ def life(
     afmcalc life clutch.toml --sweep dT=500:1100:13
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
-    calculate(common, spec, lambda clutch: {"model": model, "sweeps": axes_of(sweep, clutch, band=True)}, curve)
+    clutch = common.clutch(spec)
+    common.calculate(clutch, curve, model=model, sweeps=axes_of(sweep, clutch, band=True))
 
 
 @with_common
@@ -177,10 +181,10 @@ def compare(
 
     sources: list[str | None] = [*specs] if specs else [None]
     common.keep(*sources)
-    clutches = [build_from(source, common) for source in sources]
+    clutches = [common.build(source) for source in sources]
     with common.bar():
         result, findings = analysis(clutches, variants=variants)
-    emit(common, result, findings, resolved(clutches[0].spec))
+    common.emit(result, findings, resolved(clutches[0].spec))
 
 
 def axes_of(sweep: list[str] | None, clutch: "Clutch", *, band: bool = False) -> "list[Axis]":

@@ -6,9 +6,8 @@ import typer
 
 from ..errors import AfmcalcError
 from ..messages import say
-from .names import completing, parameters, targets
+from .help import completing, parameters, targets
 from .options import Common, SpecArgument, with_common
-from .run import build_from, calculate, emit, write_spec
 
 
 @with_common
@@ -51,10 +50,10 @@ def solve(
     target, spec = in_order(target, spec)
     common.keep(spec)
     name, wanted = parse_target(target)
-    clutch = build_from(spec, common)
+    clutch = common.build(spec)
     with common.bar():
         result, solved, findings = analysis(clutch, parameter, name, wanted, beyond_limit=beyond_limit)
-    emit(common, result, findings, resolved(solved.spec))
+    common.emit(result, findings, resolved(solved.spec))
 
 
 @with_common
@@ -75,7 +74,7 @@ def tolerance(
     afmcalc tolerance clutch.toml --set tolerance.samples=10_000_000 --json
     afmcalc tolerance clutch.toml --set tolerance.method=quasi-monte-carlo
     """  # noqa: D301
-    calculate(common, spec, lambda clutch: {"threads": threads})
+    common.calculate(common.clutch(spec), threads=threads)
 
 
 @with_common
@@ -129,14 +128,14 @@ def design(
     if top is None and printed.chosen_format in ("table", "markdown") and result.on_front > _IN_TABLES:
         top = _IN_TABLES
         common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=result.on_front))
-    none = [each for each in findings if each.code == "no-candidate"]
-    # without a front this is the error below; a finding it is in JSON alone
-    told = findings if printed.chosen_format == "json" else [each for each in findings if each not in none]
-    emit(printed, shown(result, sort, top, pick), told, spec)
-    if none:
-        raise AfmcalcError(none[0].message)
+    empty = [finding for finding in findings if finding.code == "no-candidate"]
+    if printed.chosen_format != "json":  # there it is the error below
+        findings = [finding for finding in findings if finding not in empty]
+    printed.emit(shown(result, sort, top, pick), findings, spec)
+    if empty:
+        raise AfmcalcError(empty[0].message)
     if spec and common.output:
-        write_spec(spec, common, say("Number {pick} of the front of afmcalc design.", pick=pick))
+        common.write_spec(spec, say("Number {pick} of the front of afmcalc design.", pick=pick))
         common.wrote(say("wrote number {pick} to {output}", pick=pick, output=common.output))
 
 

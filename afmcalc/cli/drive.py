@@ -1,15 +1,15 @@
-"""Commands that calculate the drive around a clutch."""
+"""Commands about the drive around a clutch: its events, what a trip does to the parts, and the springs."""
 
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from ..analysis.registry import SpringKind, SpringOrder
 from ..errors import AfmcalcError
 from ..messages import say
 from .clutch import FrictionOption, SweepOption, axes_of, curve_of, friction_of
 from .files import write
 from .options import Common, SpecArgument, with_common
-from .run import calculate, write_spec
 
 if TYPE_CHECKING:
     from ..analysis.torque import Pair
@@ -55,12 +55,13 @@ def simulate(
     if "-" in (common.output, history):
         raise AfmcalcError(say("simulate --output and --history write files beside the result: name one for each"))
     common.keep(spec, beside=history, writes="spec")
-    own = common.to_standard_output()
-    curve = curve_of(plot, sweep, own) if sweep else None
-    if plot and own.chosen_format != "table":
-        raise AfmcalcError(say("--plot draws under a table, not with --format {name}", name=own.chosen_format))
+    printed = common.to_standard_output()
+    curve = curve_of(plot, sweep, printed) if sweep else None
+    if plot and printed.chosen_format != "table":
+        raise AfmcalcError(say("--plot draws under a table, not with --format {name}", name=printed.chosen_format))
     points = [friction_of(text) for text in friction or ()]
-    output = calculate(own, spec, lambda clutch: {"friction": points, "sweeps": axes_of(sweep, clutch)}, curve)
+    clutch = printed.clutch(spec)
+    output = printed.calculate(clutch, curve, friction=points, sweeps=axes_of(sweep, clutch))
     assert output.spec is not None
     resolved = make_spec(output.spec)
     if plot and not sweep:
@@ -69,7 +70,7 @@ def simulate(
         _write_history(build(resolved), points, history, common)
     if common.output:
         about = say("Its dynamic factor is that of afmcalc simulate.")
-        write_spec(with_dynamic_factor(resolved, output.result), common, about)
+        common.write_spec(with_dynamic_factor(resolved, output.result), about)
         common.wrote(say("wrote the spec with the dynamic factor to {output}", output=common.output))
 
 
@@ -96,3 +97,75 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
         found = Output(command="history", version=__version__, spec=None, result=history(clutch, points), findings=[])
     write(csv.render(found, terminal=False), path, force=common.force)
     common.wrote(say("wrote the history to {output}", output=path))
+
+
+@with_common
+def heat(spec: SpecArgument = None, *, common: Common) -> None:
+    """Work, temperature and wear of a trip, and how often it may be.
+
+    \b
+    afmcalc heat clutch.toml
+    afmcalc heat clutch.toml --set drive.speed='1430 rpm' --set drive.cut_off='0.5 s'
+    afmcalc heat clutch.toml --json
+    """  # noqa: D301
+    common.calculate(common.clutch(spec))
+
+
+@with_common
+def effects(spec: SpecArgument = None, *, common: Common) -> None:
+    """What the torque law neglects, in numbers: splines, sliding cams, centrifugal force, wear.
+
+    \b
+    afmcalc effects clutch.toml
+    afmcalc effects --set control_unit.wall_friction=0.1
+    afmcalc effects clutch.toml --set friction_group.spline_friction=0.15 --json
+    """  # noqa: D301
+    common.calculate(common.clutch(spec))
+
+
+@with_common
+def springs(
+    spec: SpecArgument = None,
+    sort: Annotated[
+        SpringOrder | None,
+        typer.Option("--sort", help="What is to be small.  [default: length where a stiffness is wanted, else wear]"),
+    ] = None,
+    top: Annotated[int, typer.Option("--top", min=1, max=1000, help="How many to tell of each spring.")] = 10,
+    kind: Annotated[SpringKind, typer.Option("--kind", help="Disc springs, coil springs, or both.")] = "any",
+    tolerance: Annotated[
+        float, typer.Option("--tolerance", min=0, max=10, help="How far the stiffness may be off, relative.")
+    ] = 0.1,
+    pick: Annotated[
+        list[int] | None,
+        typer.Option("--pick", metavar="N", help="Write the spec with this one to --output; one for each spring."),
+    ] = None,
+    *,
+    common: Common,
+) -> None:
+    """Disc stacks and coil springs that give the forces and stiffnesses of a clutch, within the room there is.
+
+    \b
+    afmcalc springs clutch.toml --sort wear --kind disc
+    afmcalc springs clutch.toml --set closing_spring.room.outer_diameter='120 mm' --top 20
+    afmcalc springs clutch.toml --pick 3 --output sprung.toml
+    afmcalc springs clutch.toml --pick 3 --json | afmcalc check -
+    """  # noqa: D301
+    if pick and common.output in (None, "-") and common.chosen_format != "json":
+        raise AfmcalcError(
+            say("springs --pick writes the spec with the spring: name a file with --output, or pass it on with --json")
+        )
+    if not pick:
+        common.calculate(common.clutch(spec), sort=sort, top=top, kind=kind, tolerance=tolerance)
+        return
+    from ..analysis.springs.springs import picked
+    from ..analysis.springs.springs import springs as analysis
+
+    common.keep(spec, writes="spec")
+    clutch = common.build(spec)
+    with common.bar():
+        result, findings = analysis(clutch, sort, top, kind, tolerance)
+    data = picked(clutch, result, pick)
+    common.to_standard_output().emit(result, findings, data)
+    if common.output not in (None, "-"):
+        common.write_spec(data, say("With a part chosen by afmcalc springs."))
+        common.wrote(say("wrote the spec with its spring to {output}", output=common.output))

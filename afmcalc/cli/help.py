@@ -1,48 +1,128 @@
-"""The help: commands in groups, examples that stay whole on a narrow terminal, the names that can be given."""
+"""The help: commands in groups, examples that stay whole on a narrow terminal, the names that can be given.
+
+What the parser of the command line says, here and where something is wrong, is put in the language of the user.
+"""
 
 import inspect
 import re
+import string
+import sys
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any, TypeAlias
 
 from typer.core import TyperCommand, TyperGroup
 
-from ..messages import say
-from . import names
+from ..messages import Text, told, translate
 
 Context: TypeAlias = Any
 HelpFormatter: TypeAlias = Any
 """Classes of the parser behind typer; typer has no public name for them."""
+Named: TypeAlias = Iterator[tuple[str, str]]
+"""Names that can be given, and what each is."""
 
-SECTIONS = {
-    "clutch": "Calculate",
-    "design": "Design",
-    "drive": "Drive and parts",
-    "parts": "Drive and parts",
-    "papers": "Papers",
-}
+SECTIONS = {"clutch": "Calculate", "design": "Design", "drive": "Drive and parts", "papers": "Papers"}
 """Module of a command → its group in the help; what is in no other has to do with files."""
 FILES = "Files"
-_APART = {"check": "Calculate"}
+APART = {"check": "Calculate"}
 """Command → its group, where it is not that of its module."""
-
-_NAMES: dict[str, list[tuple[str, Callable[[], names.Named]]]] = {
-    "solve": [("NAME", names.parameters), ("TARGET", names.targets)],
-    "plot": [("WHAT", names.plots)],
-    "explain": [("COMMAND", names.explained)],
-}
-"""Command → what its help lists beside what can be swept."""
 
 _WIDEST, _LONGEST = 24, 42
 """Columns left of the explanations; of what may stand there in a line of its own."""
 
 
+def parameters() -> Named:
+    """What can be solved for."""
+    from ..analysis.solve.solve import PARAMETERS
+    from ..spec.keys import ALIASES
+
+    return ((symbol, _about(ALIASES[symbol])) for symbol in PARAMETERS)
+
+
+def targets() -> Named:
+    """What can be wanted of a solution."""
+    from ..analysis.solve.solve import TARGETS
+
+    return ((name, f"{target.symbols[0]}, {translate(target.description)}") for name, target in TARGETS.items())
+
+
+def swept() -> Named:
+    """Symbols of what can be swept."""
+    from ..spec.keys import ALIASES
+
+    yield "zC", translate("reduced gain")
+    yield from ((symbol, _about(path)) for symbol, path in ALIASES.items())
+
+
+def paths() -> Named:
+    """Keys of a spec."""
+    from ..spec.keys import keys
+
+    return ((path, translate(key.description)) for path, key in keys().items())
+
+
+def plots() -> Named:
+    """Kinds of plots."""
+    from ..analysis.registry import PLOTS
+
+    return ((name, translate(plot.about)) for name, plot in PLOTS.items())
+
+
+def explained() -> Named:
+    """Commands whose calculation can be explained."""
+    from ..analysis.registry import ANALYSES, EXPLAINED
+
+    sections = {name: ANALYSES[name].section for name in EXPLAINED}
+    return ((name, translate(section.title if section else "Checks")) for name, section in sections.items())
+
+
+def described() -> Named:
+    """What there is a schema of."""
+    from ..analysis.registry import ANALYSES
+
+    return ((name, "") for name in (*ANALYSES, "requirements"))
+
+
+def figures() -> Named:
+    """Figures of the papers."""
+    from ..papers.figures import FIGURES
+
+    return ((name, "") for name in FIGURES)
+
+
+def _about(path: str) -> str:
+    from ..spec.keys import keys
+
+    return f"{path}, {translate(keys()[path].description).partition(';')[0]}"
+
+
+def completing(names: Callable[[], Named], end: str = "") -> Callable[[str], list[tuple[str, str]]]:
+    """Return what a shell asks for the names that begin as what is typed does; ``end`` is put behind each."""
+
+    def begun(incomplete: str) -> list[tuple[str, str]]:
+        return [(name + end, about) for name, about in names() if name.startswith(incomplete)]
+
+    return begun
+
+
+_NAMES: dict[str, list[tuple[str, Callable[[], Named]]]] = {
+    "solve": [("NAME", parameters), ("TARGET", targets)],
+    "plot": [("WHAT", plots)],
+    "explain": [("COMMAND", explained)],
+}
+"""Command → what its help lists beside what can be swept."""
+
+
 class Command(TyperCommand):
     """A command whose help keeps its examples whole and lists the names that can be given."""
 
-    def collect_usage_pieces(self, ctx: Context) -> list[str]:
-        """Return the usage: options, then every argument once."""
-        return ["[OPTIONS]", *(_usage(each) for each in self.params if each.param_type_name == "argument")]
+    def get_help(self, ctx: Context) -> str:
+        """Return the help as standard output shows it."""
+        return _fitting(super().get_help(ctx))
+
+    def format_usage(self, ctx: Context, formatter: HelpFormatter) -> None:
+        """Write the usage: options, then every argument once."""
+        arguments = (_usage(argument) for argument in self.params if argument.param_type_name == "argument")
+        _write_usage(["[OPTIONS]", *arguments], ctx, formatter)
 
     def format_help_text(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write what the command does, and its examples."""
@@ -52,66 +132,68 @@ class Command(TyperCommand):
         """Write arguments and options."""
         arguments: list[Any] = [each for each in self.params if each.param_type_name == "argument"]
         if arguments:
-            with formatter.section(say("Arguments")):
-                formatter.write_dl([(each.metavar, each.help or "") for each in arguments], col_max=_WIDEST)
+            with formatter.section(told("Arguments")):
+                rows = [(argument.metavar, translate(argument.help or "")) for argument in arguments]
+                formatter.write_dl(rows, col_max=_WIDEST)
         _write_options([each for each in self.get_params(ctx) if each not in arguments], ctx, formatter)
 
     def format_epilog(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write the names that can be given."""
         lists = _NAMES.get(self.name or "", [])
-        if any(each.name == "sweep" for each in self.params):
-            lists = [*lists, (say("NAME of --sweep (or any number of the spec, by its path)"), names.swept)]
-        for title, listed in lists:
+        if any(parameter.name == "sweep" for parameter in self.params):
+            lists = [*lists, (told("NAME of --sweep (or any number of the spec, by its path)"), swept)]
+        for title, names in lists:
             with formatter.section(title):
-                formatter.write_dl(list(listed()), col_max=_WIDEST)
+                formatter.write_dl(list(names()), col_max=_WIDEST)
 
 
 class Program(TyperGroup):
-    """The commands, in groups; what the parser of the command line finds wrong is said as everything else is."""
+    """The commands, in groups."""
 
-    def invoke(self, ctx: Context) -> Any:
-        """Run the command that is called."""
-        try:
-            return super().invoke(ctx)
-        except Exception as raised:
-            error: Any = raised
-            if hasattr(error, "format_message") and isinstance(error.message, str):
-                error.message = _plainly(error.message)
-            raise
+    def get_help(self, ctx: Context) -> str:
+        """Return the help as standard output shows it."""
+        return _fitting(super().get_help(ctx))
+
+    def format_usage(self, ctx: Context, formatter: HelpFormatter) -> None:
+        """Write how a command is called."""
+        _write_usage(["[OPTIONS]", "COMMAND [ARGS]..."], ctx, formatter)
 
     def format_help_text(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write what the program does, and examples."""
         _write_help(self.help, formatter)
 
     def format_options(self, ctx: Context, formatter: HelpFormatter) -> None:
-        """Write the options, then the commands."""
+        """Write the options, then the commands group by group, what each does in full."""
         _write_options(self.get_params(ctx), ctx, formatter)
-        self.format_commands(ctx, formatter)
-
-    def format_commands(self, ctx: Context, formatter: HelpFormatter) -> None:
-        """Write the commands group by group, what each does in full."""
         groups: dict[str, list[tuple[str, str]]] = {title: [] for title in (*SECTIONS.values(), FILES)}
-        for name in self.list_commands(ctx):
-            command = self.get_command(ctx, name)
-            assert command is not None
+        for name, command in self.commands.items():
             home = str(getattr(command.callback, "__module__", "")).rpartition(".")[2]
-            about = inspect.cleandoc(command.help or "").partition("\n\n")[0].replace("\n", " ")
-            groups[_APART.get(name) or SECTIONS.get(home, FILES)].append((name, about.rstrip(".")))
+            title = APART.get(name) or SECTIONS.get(home, FILES)
+            groups[title].append((name, translate(paragraphs(command.help)[0]).rstrip(".")))
         for title, rows in groups.items():
             if rows:
-                with formatter.section(title):
+                with formatter.section(translate(title)):
                     formatter.write_dl(rows)
 
 
-def _write_options(options: Sequence[Any], ctx: Context, formatter: HelpFormatter) -> None:
-    """Write options; choices that are many go where they can be folded."""
-    rows = []
-    for name, about in filter(None, (each.get_help_record(ctx) for each in options)):
-        flag, _, choices = name.partition(" <")
-        folded = f"{flag} NAME", f"{about}  [{choices.rstrip('>').replace('|', ' | ')}]"
-        rows.append(folded if choices and len(name) > _LONGEST else (name, about))
-    with formatter.section(say("Options")):
-        formatter.write_dl(rows, col_max=_WIDEST)
+LABELS = ("[default: ", "[required]", "[OPTIONS]", "[ARGS]", "<int range>", "<float range>", "TEXT")
+"""What the parser adds to a help."""
+OF_HELP = "Show this message and exit."
+"""Its help for ``--help``."""
+
+
+def _labelled(text: str) -> str:
+    """Put what the parser adds to a help in the language of the user."""
+    for label in LABELS:
+        text = text.replace(label, translate(label))
+    return text
+
+
+def _fitting(text: str) -> str:
+    """Return a help as standard output shows it: where that lacks letters, the parser would write them all the same."""
+    from ..letters import fitting
+
+    return fitting(text, getattr(sys.stdout, "encoding", None) or "utf-8")
 
 
 def _usage(argument: Any) -> str:
@@ -119,9 +201,32 @@ def _usage(argument: Any) -> str:
     return f"{argument.metavar}{many}" if argument.required else f"[{argument.metavar}]{many}"
 
 
+def _write_usage(pieces: list[str], ctx: Context, formatter: HelpFormatter) -> None:
+    formatter.write_usage(ctx.command_path, _labelled(" ".join(pieces)), told("Usage: "))
+
+
+def _write_options(options: Sequence[Any], ctx: Context, formatter: HelpFormatter) -> None:
+    """Write options; choices that are many go where they can be folded."""
+    rows = []
+    for option in options:
+        option.help = translate(option.help or "")
+        name, about = map(_labelled, option.get_help_record(ctx))
+        flag, _, choices = name.partition(" <")
+        folded = f"{flag} NAME", f"{about}  [{choices.rstrip('>').replace('|', ' | ')}]"
+        rows.append(folded if choices and len(name) > _LONGEST else (name, about))
+    with formatter.section(told("Options")):
+        formatter.write_dl(rows, col_max=_WIDEST)
+
+
+def paragraphs(text: str | None) -> list[str]:
+    r"""Return the paragraphs of a help; one that begins with ``\b`` keeps its lines."""
+    parts = inspect.cleandoc(text or "").split("\n\n")
+    return [part if part.startswith("\b") else " ".join(part.split()) for part in parts]
+
+
 def _write_help(text: str | None, formatter: HelpFormatter) -> None:
     """Write paragraphs, those that begin with ``\\b`` line by line."""
-    for paragraph in inspect.cleandoc(text or "").split("\n\n"):
+    for paragraph in map(translate, paragraphs(text)):
         formatter.write_paragraph()
         with formatter.indentation():
             if not paragraph.startswith("\b"):
@@ -163,10 +268,44 @@ def example_lines(line: str, width: int) -> Iterator[str]:
         yield from textwrap.wrap(about.strip(), width, initial_indent="    ", subsequent_indent="    ")
 
 
-def _plainly(message: str) -> str:
-    """Put a message of the checks behind the parser in our words."""
-    if found := re.match(r"Input should be greater than or equal to (\S+)", message):
-        return say("must be at least {least}", least=found[1])
-    if message.startswith("Input should be a valid integer"):
-        return say("must be a whole number")
-    return message.removeprefix("Value error, ")
+SAID = (
+    "No such option: {name} Did you mean {near}?",
+    "No such option: {name} (Possible options: {near})",
+    "No such option: {name}",
+    "No such command {name}. Did you mean {near}?",
+    "No such command {name}",
+    "Missing argument {name}",
+    "Missing option {name}",
+    "Missing command",
+    "Got unexpected extra argument(s) ({arguments})",
+    "Option {name} requires an argument",
+    "Option {name} requires {count} arguments",
+    "Option {name} does not take a value",
+    "Invalid value for {name}: {message}",
+    "Invalid value: {message}",
+    "{value} is not one of {choices}",
+)
+"""What the parser says where a command line is wrong, as templates; of two that fit the first is meant."""
+OURS = {
+    "Input should be greater than or equal to {least}": "must be at least {least}",
+    "Input should be less than or equal to {most}": "must be at most {most}",
+    "Input should be a valid integer{why}": "must be a whole number",
+    "Input should be a valid number{why}": "must be a number",
+    "Value error, {message}": "{message}",
+}
+"""What it says otherwise than we do → our words."""
+
+
+def heard(message: str) -> str:
+    """Say a message of the parser in our words, in the language of the user."""
+    for template in (*OURS, *SAID):
+        if found := re.fullmatch(_pattern(template), message, re.DOTALL):
+            parts = {name: heard(part) if name == "message" else part for name, part in found.groupdict().items()}
+            return translate(Text(OURS.get(template, template), parts))
+    return translate(message)
+
+
+def _pattern(template: str) -> str:
+    """Regular expression of the texts that a template gives."""
+    parts = string.Formatter().parse(template)
+    return "".join(re.escape(text) + (f"(?P<{name}>.+)" if name else "") for text, name, _, _ in parts)

@@ -1,15 +1,22 @@
-"""The afmcalc program: its commands and its help."""
+"""The program: its commands, the language it speaks, and how it ends; errors are told, never a traceback."""
 
+import os
+import re
+import sys
+import warnings
+from collections.abc import Mapping
 from importlib import import_module
-from typing import Annotated, Any
+from typing import Annotated, Any, NoReturn
 
 import typer
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
-from ..messages import ENGLISH, spoken
-from .help import Command, Program
+from ..errors import AfmcalcError
+from ..messages import ENGLISH, Language, known, language, say, speaking, term, told
+from .help import Command, Program, heard
 from .options import LANG
+from .streams import drop_output, prepare, tell
 
 COMMANDS = {
     **{name: analysis.group for name, analysis in ANALYSES.items()},
@@ -19,6 +26,44 @@ COMMANDS = {
     "schema": "specs",
 }
 """Command → module of this package that holds the function of that name, in the order of the help."""
+FAULT = 70
+"""Exit code where afmcalc itself is at fault (EX_SOFTWARE of sysexits.h)."""
+
+
+def main(arguments: list[str] | None = None) -> NoReturn:
+    """Run a command line, that of the process where none is given, and end with its exit code."""
+    prepare()
+    given = sys.argv[1:] if arguments is None else arguments
+    try:
+        speaks = chosen(given, os.environ)
+    except AfmcalcError as error:
+        _complain(str(error))
+        sys.exit(error.exit_code)
+    with speaking(speaks):
+        sys.exit(_run(without_lang(given)))
+
+
+def _run(given: list[str]) -> int:
+    """Run a command line and return its exit code."""
+    # arrays leave the range of numbers with a warning, where floats raise an error
+    warnings.simplefilter("error", RuntimeWarning)
+    try:
+        code = application(given)(given, prog_name="afmcalc", standalone_mode=False)
+    except AfmcalcError as error:
+        for line in error.told().split("\n"):
+            _complain(line)
+        return error.exit_code
+    except OSError as error:
+        drop_output()
+        named = error.filename or told("standard output")
+        _complain(told("{named}: cannot be written: {why}", named=named, why=term(error.strerror or str(error))))
+        return 3
+    except MemoryError:
+        _complain(told("not enough memory for what was asked"))
+        return 2
+    except Exception as error:
+        return _misused(error, given) if hasattr(error, "format_message") else _unexpected(error)
+    return code if isinstance(code, int) else 0
 
 
 def application(arguments: list[str]) -> Any:
@@ -40,11 +85,7 @@ def application(arguments: list[str]) -> Any:
     for name in [called] if called else COMMANDS:
         module = import_module(f".{COMMANDS[name]}", __package__)
         app.command(name, cls=Command)(getattr(module, name))
-    if spoken() == ENGLISH.name:
-        return app
-    from .speech import translated
-
-    return translated(typer.main.get_command(app))
+    return app
 
 
 def _version(asked: bool) -> None:
@@ -72,3 +113,104 @@ def _afmcalc(
     Exit codes: 0 done, 1 a check failed, 2 bad usage or bad spec, 3 a file cannot be read or written. Only check
     judges: other commands print an error-level finding and exit with 0.
     """  # noqa: D301
+
+
+_OPTION = "--lang"
+_LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
+
+
+def chosen(arguments: list[str], environment: Mapping[str, str]) -> Language:
+    """Return the language asked for: by the option, else by AFMCALC_LANG, else by the locale, if it is known.
+
+    Raises:
+        AfmcalcError: there is no such language.
+    """
+    by_locale = re.split("[_.@]", next(filter(None, map(environment.get, _LOCALE)), ""))[0]
+    asked = {_OPTION: _lang(arguments), "AFMCALC_LANG": environment.get("AFMCALC_LANG"), "": by_locale}
+    by, name = next(((by, name) for by, name in asked.items() if name), ("", ENGLISH.name))
+    if name == ENGLISH.name or (not by and name not in known()):
+        return ENGLISH
+    if name not in known():
+        languages = ", ".join([ENGLISH.name, *known()])
+        raise AfmcalcError(say("{by} {name:.40}: known are {languages}", by=by, name=name, languages=languages))
+    return language(name)
+
+
+def _lang(arguments: list[str]) -> str | None:
+    """Value of the last ``--lang`` before ``--``; an empty one where it has none."""
+    asked = None
+    for at, argument in enumerate(arguments):
+        if argument == "--":
+            break
+        if argument == _OPTION:
+            asked = arguments[at + 1] if at + 1 < len(arguments) else "?"
+        elif argument.startswith(f"{_OPTION}="):
+            asked = argument.partition("=")[2] or "?"
+    return asked
+
+
+def without_lang(arguments: list[str]) -> list[str]:
+    """Return the arguments without the language: it may stand anywhere, and no command has to know it."""
+    end = arguments.index("--") if "--" in arguments else len(arguments)
+    given = arguments[:end]
+    kept = [
+        argument
+        for before, argument in zip(["", *given], given, strict=False)
+        if _OPTION not in (before, argument) and not argument.startswith(f"{_OPTION}=")
+    ]
+    return kept + arguments[end:]
+
+
+def _complain(text: str) -> None:
+    """Say what is wrong; a line of a text that is shown belongs to what was said before."""
+    tell(text if text.startswith(" ") else told("error: {text}", text=text))
+
+
+def _misused(error: Any, given: list[str]) -> int:
+    """Say what the parser of the command line found wrong; show the help where nothing is asked."""
+    if not given:
+        tell(error.format_message())
+        return 2
+    if context := getattr(error, "ctx", None):
+        tell(context.get_usage())
+        tell(told("Try '{path} --help' for help.", path=context.command_path))
+    _complain(heard(error.format_message().rstrip(".")))
+    return 2
+
+
+def _unexpected(error: Exception) -> int:
+    """Say that a calculation left the range of numbers, or that afmcalc is at fault."""
+    if _is_beyond_numbers(error):
+        _complain(told("a result is not finite (beyond the range of numbers): check the magnitudes in the spec"))
+        return 2
+    import traceback
+
+    if os.environ.get("AFMCALC_TRACEBACK"):
+        tell("".join(traceback.format_exception(error)))
+    at = traceback.extract_tb(error.__traceback__)[-1]
+    _complain(
+        told(
+            "this is a fault of afmcalc {version}, not of what it was given: {kind}: {why} ({file}, line {line})",
+            version=__version__,
+            kind=type(error).__name__,
+            why=" ".join(str(error).split())[:200],
+            file=os.path.basename(at.filename),
+            line=at.lineno,
+        )
+    )
+    _complain(
+        told(
+            "please report it: this line, the command line and the spec; AFMCALC_TRACEBACK=1 before the command shows "
+            "where it comes from"
+        )
+    )
+    return FAULT
+
+
+def _is_beyond_numbers(error: Exception) -> bool:
+    """Whether a calculation left the range of numbers, in its arithmetic or with its result."""
+    from pydantic import ValidationError
+
+    if isinstance(error, ValidationError):
+        return all(detail["type"] == "finite_number" for detail in error.errors())
+    return isinstance(error, ArithmeticError | RuntimeWarning)

@@ -1,22 +1,33 @@
-"""The options every command shares."""
+"""What every command shares: its options, reading the spec, running the calculation, printing its output."""
 
 import inspect
+import os
+import sys
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
 from copy import copy
 from dataclasses import dataclass, fields, replace
 from functools import wraps
-from typing import Annotated, Any, Literal, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 import typer
 
-from ..errors import AfmcalcError
+from .. import __version__
+from ..analysis.registry import ANALYSES
+from ..errors import AfmcalcError, need
 from ..messages import say, told
 from ..progress import Bar
 from .files import format_of, format_of_spec, refuse, write
-from .names import completing, paths
+from .help import completing, paths
 from .signals import unreported
-from .streams import tell
+from .streams import is_unicode, tell
+
+if TYPE_CHECKING:
+    from ..engines import Clutch
+    from ..findings import Finding
+    from ..render.layout import SweepDrawing
+    from ..result import Output
+    from ..spec import Spec
 
 LANG = "Language: en or ru; else by AFMCALC_LANG or the locale."
 
@@ -24,6 +35,10 @@ SpecArgument = Annotated[
     str | None,
     typer.Argument(metavar="SPEC", help="TOML or JSON file, - for standard input; without it one that ships."),
 ]
+ForceOption = Annotated[bool, typer.Option("--force", "-f", help="Replace a file that exists.")]
+QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
+Writes = Literal["result", "spec", "document"]
+"""What a file gets; the name of a document is judged by its command."""
 
 
 def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
@@ -33,12 +48,6 @@ def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
     for override in overrides or ():
         key_of(override)
     return overrides
-
-
-ForceOption = Annotated[bool, typer.Option("--force", "-f", help="Replace a file that exists.")]
-Writes = Literal["result", "spec", "document"]
-"""What a file gets; the name of a document is judged by its command."""
-QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
 
 
 @dataclass(frozen=True)
@@ -100,10 +109,6 @@ class Common:
             format_of_spec(self.output)
         refuse(self.output, beside, force=self.force, inputs=sources)
 
-    def write(self, text: str, *, utf8: bool = False) -> None:
-        """Write to the file, or to standard output."""
-        write(text, self.output, force=self.force, utf8=utf8)
-
     def takes_no_clutch(self) -> None:
         """Refuse overrides where there is no spec to override, and what ``keep`` refuses."""
         self.keep()
@@ -124,32 +129,115 @@ class Common:
         self.note(text)
         unreported.clear()
 
+    def read(self, source: str | None, of: str | None = None) -> "Spec":
+        """Read the spec a command was given, or the one that ships; ``of``: what a plot or explanation is of."""
+        from ..spec import read_spec
 
-_EVERYWHERE = tuple(option.name for option in fields(Common)[1:])
+        if source is None:
+            source = self.given_instead(of or self.command)
+        elif source == "-" and sys.stdin.isatty():
+            self.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
+        return read_spec(source, self.set or ())
+
+    def given_instead(self, of: str) -> str | None:
+        """Return the example that ships for an analysis, None for the base clutch, and name it in a note."""
+        if of not in ANALYSES or (kind := ANALYSES[of].example) is None:
+            self.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
+            return None
+        self.note(say("no SPEC given: example:{kind} is used (afmcalc init --kind {kind} writes it)", kind=kind))
+        return f"example:{kind}"
+
+    def build(self, source: str | None, of: str | None = None) -> "Clutch":
+        """Read a spec and build its clutch; arguments as ``read``."""
+        from ..engines import build
+
+        return build(self.read(source, of))
+
+    def clutch(self, source: str | None) -> "Clutch":
+        """Build the clutch of a spec for a command that writes its result; refuses what ``keep`` refuses."""
+        self.keep(source)
+        return self.build(source)
+
+    def calculate(self, clutch: "Clutch", curve: "SweepDrawing | None" = None, **options: object) -> "Output":
+        """Run the analysis of the command on a clutch and print it; ``curve`` draws under a table's sweep."""
+        from ..spec import resolved
+
+        analysis = ANALYSES[self.command].function
+        with self.bar():
+            result, findings = analysis(clutch, **options)
+        return self.emit(result, findings, resolved(clutch.spec), curve)
+
+    def emit(
+        self,
+        result: Any,
+        findings: "list[Finding]",
+        spec: dict[str, Any] | None = None,
+        curve: "SweepDrawing | None" = None,
+    ) -> "Output":
+        """Render the output of a command in the chosen format, to standard output or a file."""
+        from ..result import Output
+
+        chosen = self.chosen_format
+        if self.quiet and chosen != "json" and not result.findings_first:
+            findings = [finding for finding in findings if finding.level == "error"]
+        output = Output(command=self.command, version=__version__, spec=spec, result=result, findings=findings)
+        terminal = self.output is None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
+        if curve:
+            from ..render.formats import table
+
+            text = table.render(output, terminal, curve)
+        else:
+            from ..render import renderer
+
+            text = renderer(chosen)(output, terminal)
+        if chosen == "json" and self.output in (None, "-") and not is_unicode(sys.stdout):
+            from ..render.formats.json import in_ascii
+
+            text = in_ascii(text)
+        self.write(text)
+        if chosen == "csv" and not result.findings_first:
+            from ..render.layout import findings_lines
+
+            for line in findings_lines(findings):
+                print(line, file=sys.stderr)
+        return output
+
+    def write(self, text: str, *, utf8: bool = False) -> None:
+        """Write to the file, or to standard output."""
+        write(text, self.output, force=self.force, utf8=utf8)
+
+    def write_spec(self, data: dict[str, Any], about: str) -> None:
+        """Write a spec to the file of a command that gives one beside its result; ``about`` says what it is."""
+        assert self.output is not None
+        if format_of_spec(self.output) == "json":
+            import json
+
+            text = json.dumps(data, indent=2, ensure_ascii=False) + "\n"
+        else:
+            from ..spec import to_toml
+
+            text = to_toml(data, about)
+        self.write(text, utf8=True)
 
 
 def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command the common options; it receives them as ``common``.
 
     Args:
-        names: which of them; all that every command has where none is named.
+        names: which of them; all where none is named.
         helps: name → help, where that of a command is another.
     """
-    chosen = names or _EVERYWHERE
-    options = [option for option in fields(Common)[1:] if option.name in chosen]
+    options = [option for option in fields(Common)[1:] if not names or option.name in names]
 
     def decorate(function: Callable[..., None]) -> Callable[..., None]:
-        own = inspect.signature(function, eval_str=True)
-        parameters = [p for p in own.parameters.values() if p.name != "common"]
-        parameters += [
-            inspect.Parameter(
-                option.name,
-                inspect.Parameter.KEYWORD_ONLY,
-                default=option.default,
-                annotation=_with_help(option.type, helps.get(option.name)),
+        parameters = [p for p in inspect.signature(function, eval_str=True).parameters.values() if p.name != "common"]
+        for option in options:
+            annotation = _with_help(option.type, helps.get(option.name))
+            parameters.append(
+                inspect.Parameter(
+                    option.name, inspect.Parameter.KEYWORD_ONLY, default=option.default, annotation=annotation
+                )
             )
-            for option in options
-        ]
 
         @wraps(function)
         def command(**arguments: Any) -> None:
@@ -177,3 +265,11 @@ def _with_help(annotation: Any, text: str | None) -> Any:
     option = copy(option)
     option.help = text
     return Annotated[kind, option]
+
+
+def need_drawing(extra: str) -> None:
+    """Make sure that the modules of an extra that draws are installed; what they log is not for our readers."""
+    import logging
+
+    need(extra)
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)

@@ -7,9 +7,8 @@ import typer
 from ..analysis.registry import EXPLAINED, StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .names import completing, explained, figures
+from .help import completing, explained, figures
 from .options import Common, SpecArgument, with_common
-from .run import emit, read
 
 PaperOption = Annotated[
     list[str] | None, typer.Option("--paper", metavar="KEY", help="F11, S19, S21 or S22; repeatable.")
@@ -46,10 +45,10 @@ def explain(
     if model and command != "life":
         raise AfmcalcError(say("explain: --model belongs to life"))
     common.keep(spec)
-    given = read(spec, common, command)
+    given = common.read(spec, command)
     with common.bar():
         result, findings = analysis(command, given, **({"model": model} if model else {}))
-    emit(common, result, findings, resolved(given))
+    common.emit(result, findings, resolved(given))
 
 
 @with_common
@@ -75,7 +74,7 @@ def equations(
     common.takes_no_clutch()
     with common.bar():
         result, findings = analysis(paper or [], id_ or [], show_misprints=misprints, prove=prove)
-    emit(common, result, findings)
+    common.emit(result, findings)
 
 
 @with_common
@@ -104,4 +103,4 @@ def reproduce(
 
     common.takes_no_clutch()
     result, findings = analysis(paper or [], figure)
-    emit(common, result, findings)
+    common.emit(result, findings)

@@ -1,21 +1,21 @@
-"""The command that draws."""
+"""The command that draws, also for the shop."""
 
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from ..analysis.registry import PLOTS, StressRule
-from ..errors import AfmcalcError
+from ..errors import AfmcalcError, need
 from ..messages import say
 from .files import write, write_file
-from .names import completing, plots, swept
-from .options import Common, common_options
-from .run import need_drawing
-from .shop import answers_of, for_the_shop, length
+from .help import completing, plots, swept
+from .options import Common, common_options, need_drawing
 
 if TYPE_CHECKING:
+    from ..analysis.answers import Answers
     from ..analysis.figures import Request
     from ..render.plot.chart import Sheet
+    from ..spec.requirements import Requirements
 
 _ENDINGS = ("png", "svg", "pdf", "dxf")
 _SHOP = ("dxf", "svg")
@@ -83,43 +83,36 @@ def plot(
     from ..analysis.figures import Request, gathered, plot_of
     from ..render.plot import sheet_of
 
-    what, takes = (chosen := plot_of(what)).name, chosen.takes
+    chosen = plot_of(what)
+    what, takes = chosen.name, chosen.takes
     ending = _ending(common.output)
     common.keep(*subjects or (), beside=profile, writes="document")
-    request = Request(subjects or (), sweep, model, profile, length("cutter", cutter), length("chord", chord))
+    request = Request(subjects or (), sweep, model, profile, _length("cutter", cutter), _length("chord", chord))
     if (what == "pocket" and ending in _SHOP) or profile is not None:
-        for_the_shop(what, request, ending, common)
+        _for_the_shop(what, request, ending, common)
         return
     if ending == "dxf":
         raise AfmcalcError(say("--output {output}: only plot pocket is drawn as .dxf", output=common.output))
     if ending:
         need_drawing("plot")
     if takes == "names":
-        found = gathered(what, request)
+        figure = gathered(what, request)
     else:
-        found = (_of_requirements if takes == "requirements" else _of_clutches)(what, request, common)
-    _write(sheet_of(what, found), ending, common)
+        read = _requirements if takes == "requirements" else _answers
+        request = request._replace(subjects=read(what, request, common))
+        with common.bar():
+            figure = gathered(what, request)
+    _write(sheet_of(what, figure), ending, common)
 
 
-def _of_clutches(what: str, request: "Request", common: Common) -> Any:
-    """Read and build the clutches, and calculate what is drawn of them."""
-    from ..analysis.figures import gathered
-
-    subjects = answers_of(what, request, common)
-    with common.bar():
-        return gathered(what, request._replace(subjects=subjects))
-
-
-def _of_requirements(what: str, request: "Request", common: Common) -> Any:
-    """Read the requirements and search, with a progress bar."""
-    from ..analysis.figures import check_request, gathered
+def _requirements(what: str, request: "Request", common: Common) -> "list[Requirements]":
+    """Read the requirements whose front is drawn."""
+    from ..analysis.figures import check_request
     from ..spec.requirements import read_requirements
 
     check_request(what, request)
     (source,) = request.subjects
-    need = read_requirements(source, common.set or ())
-    with common.bar():
-        return gathered(what, request._replace(subjects=[need]))
+    return [read_requirements(source, common.set or ())]
 
 
 def _ending(output: str | None) -> str | None:
@@ -148,3 +141,64 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
     assert common.output is not None
     write_file(common.output, save(sheet, ending), force=common.force)  # type: ignore[arg-type]
     common.wrote(say("wrote {output}", output=common.output))
+
+
+def _for_the_shop(what: str, request: "Request", ending: str | None, common: Common) -> None:
+    """Write the pocket in true millimetres, and the profile of its wall.
+
+    Raises:
+        AfmcalcError: another plot, a picture that is none for the shop, a pocket or a cutter that cannot be.
+    """
+    from ..analysis.figures import shop_drawing_of
+    from ..render import shop
+
+    if ending == "dxf":
+        need("cad")
+    if ending in ("png", "pdf"):
+        raise AfmcalcError(say("--profile goes with -o FILE.dxf or FILE.svg, or stands alone"))
+    subjects = _answers(what, request, common)
+    with common.bar():
+        drawing = shop_drawing_of(what, request._replace(subjects=subjects))
+    if ending is not None:
+        assert common.output is not None
+        content = shop.dxf(drawing) if ending == "dxf" else shop.svg(drawing)
+        write_file(common.output, content, force=common.force)
+        common.wrote(say("wrote {output}", output=common.output))
+    if request.profile is not None:
+        write(shop.profile(drawing), request.profile, force=common.force)
+        if request.profile != "-":
+            common.wrote(say("wrote {output}", output=request.profile))
+
+
+def _length(name: str, text: str | None) -> float | None:
+    """Read the length that an option gives, with its unit.
+
+    Raises:
+        AfmcalcError: none, or not above 0.
+    """
+    from ..spec.quantity import parse_quantity
+
+    if text is None:
+        return None
+    try:
+        value = parse_quantity(text, "m")
+    except ValueError as error:
+        raise AfmcalcError(say("--{name} {text}: {why}", name=name, text=text, why=error)) from None
+    if value <= 0:
+        raise AfmcalcError(say("--{name} {text}: must be greater than 0", name=name, text=text))
+    return value
+
+
+def _answers(what: str, request: "Request", common: Common) -> "list[Answers]":
+    """Read and build the clutches that are drawn."""
+    from ..analysis.answers import Answers
+    from ..spec.quantity import doubts
+
+    if request.subjects.count("-") > 1:
+        raise AfmcalcError(say("standard input (-) can be read once only"))
+    sources = list(request.subjects) or [None]
+    clutches = [common.build(source, what) for source in sources]
+    for clutch in clutches:
+        for doubt in doubts(clutch.spec.label.doubts):
+            common.note(doubt.message)  # a plot has no findings
+    return [Answers(clutch, model=request.model or "mean-stress") for clutch in clutches]

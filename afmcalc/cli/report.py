@@ -10,8 +10,7 @@ from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
 from .files import html_only, write_file
-from .options import Common, SpecArgument, common_options
-from .run import given_instead, need_drawing
+from .options import Common, SpecArgument, common_options, need_drawing
 
 if TYPE_CHECKING:
     from ..spec import Spec
@@ -109,7 +108,7 @@ def _read(source: str | None, common: Common) -> "tuple[bytes, str, Spec]":
     from ..spec.parse import bytes_of, parse, text_in
     from ..spec.read import spec_of
 
-    raw, name = bytes_of(given_instead(common, "report") if source is None else source)
+    raw, name = bytes_of(common.given_instead("report") if source is None else source)
     text, label = text_in(raw, name)
     spec = spec_of(text, label, common.set or ())
     if text.lstrip().startswith("{"):

@@ -9,9 +9,8 @@ from ..errors import AfmcalcError, SpecError
 from ..messages import say
 from ..variants import VARIANTS
 from .files import refuse, write
-from .names import completing, described
+from .help import completing, described
 from .options import Common, ForceOption, QuietOption, SpecArgument, with_common
-from .run import calculate, emit
 
 _EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.example} | dict.fromkeys(
     ["unlike-materials"]
@@ -116,7 +115,7 @@ def examples(*, common: Common) -> None:
 
     common.takes_no_clutch()
     result, findings = analysis()
-    emit(common, result, findings)
+    common.emit(result, findings)
 
 
 @with_common
@@ -133,12 +132,12 @@ def check(
     afmcalc check clutch.toml --strict --json
     """  # noqa: D301
     try:
-        output = calculate(common, spec, lambda clutch: {"strict": strict})
+        output = common.calculate(common.clutch(spec), strict=strict)
     except SpecError as error:
         if common.chosen_format == "json":
             from ..analysis.check import refused
 
-            emit(common, *refused(error))
+            common.emit(*refused(error))
         raise
     if not output.result.passed:
         raise typer.Exit(1)
@@ -156,7 +155,7 @@ def materials(*, common: Common) -> None:
 
     common.takes_no_clutch()
     result, findings = analysis()
-    emit(common, result, findings)
+    common.emit(result, findings)
 
 
 def schema(

@@ -203,7 +203,7 @@ def test_a_result_beyond_the_range_of_numbers_is_an_error_for_people(afmcalc):
 def test_nothing_heavy_is_loaded_for_help_and_import():
     for code in (
         "import afmcalc",
-        "import sys; sys.argv = ['afmcalc', '--help']\nfrom afmcalc.cli.entry import main\nmain()",
+        "import sys; sys.argv = ['afmcalc', '--help']\nfrom afmcalc.cli.main import main\nmain()",
     ):
         loaded = _modules(code)
         assert not loaded & {"numpy", "pint", "sympy", "matplotlib", "scipy", "rich", "pydantic", "tomli_w"}, code
@@ -212,7 +212,7 @@ def test_nothing_heavy_is_loaded_for_help_and_import():
 def test_si_numbers_need_neither_numpy_nor_pint_nor_rich(afmcalc, tmp_path):
     file = tmp_path / "si.json"
     file.write_text(afmcalc("torque", "--json").out)
-    code = f"import sys; sys.argv = ['afmcalc', 'torque', {str(file)!r}, '--json']\nfrom afmcalc.cli.entry import main\nmain()"
+    code = f"import sys; sys.argv = ['afmcalc', 'torque', {str(file)!r}, '--json']\nfrom afmcalc.cli.main import main\nmain()"
     assert not _modules(code) & {"numpy", "pint", "rich", "tomli_w"}
 
 

@@ -119,7 +119,7 @@ ON_IMPORT = """
     sys.meta_path.insert(0, Aim())
 """
 MOMENTS = {
-    **{name: ON_IMPORT.format(name) for name in ("afmcalc.cli.entry", "typer", "pydantic", "afmcalc.engines.direct", "numpy", "matplotlib")},
+    **{name: ON_IMPORT.format(name) for name in ("afmcalc.cli.main", "typer", "pydantic", "afmcalc.engines.direct", "numpy", "matplotlib")},
     "before a file is replaced": "replace = os.replace; os.replace = lambda *names: (strike(), replace(*names))",
     "after a file is replaced": "replace = os.replace; os.replace = lambda *names: (replace(*names), strike())",
     "while a destructor runs": f"{textwrap.dedent(ON_IMPORT).format('pydantic').replace('strike()', 'kept.clear()')}"
@@ -243,7 +243,7 @@ def signals_watched():
 def test_a_fault_at_any_write(name, fault, afmcalc, tmp_path, signals_watched, monkeypatch):
     """At every call that writes: old or new, whole, and nothing beside it; the exit code says what it was."""
     target = tmp_path / name
-    monkeypatch.setattr("afmcalc.cli.entry.drop_output", lambda: None)  # of this process
+    monkeypatch.setattr("afmcalc.cli.main.drop_output", lambda: None)  # of this process
     command = [*WRITE[name], target]
     assert afmcalc(*command).code == 0
     new = {each: (tmp_path / each).read_bytes() for each in os.listdir(tmp_path)}

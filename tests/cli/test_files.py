@@ -165,7 +165,9 @@ def test_of_many_programs_that_write_one_file_one_does(tmp_path):
 def test_a_file_that_appears_meanwhile_is_kept(afmcalc, tmp_path, monkeypatch):
     """Between the first look and the writing somebody else writes it."""
     target = tmp_path / "x.json"
-    monkeypatch.setattr("afmcalc.cli.run.read", lambda *given: (target.write_text("mine"), read_spec(SPEC))[1])
+    monkeypatch.setattr(
+        "afmcalc.cli.options.Common.read", lambda *given: (target.write_text("mine"), read_spec(SPEC))[1]
+    )
     run = afmcalc("torque", SPEC, "-o", target)
     assert (run.code, run.err) == (2, f"error: {target}: exists already; --force replaces it\n")
     assert target.read_text() == "mine"

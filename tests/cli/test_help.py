@@ -11,7 +11,7 @@ import sys
 import pytest
 from conftest import ROOT
 
-from afmcalc.cli import names
+from afmcalc.cli import help as names
 from afmcalc.cli.help import FILES, SECTIONS, example_lines
 from afmcalc.cli.main import COMMANDS
 

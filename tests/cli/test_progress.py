@@ -13,7 +13,7 @@ from conftest import CONFIGS, ROOT
 
 import afmcalc
 from afmcalc import progress
-from afmcalc.cli.entry import main
+from afmcalc.cli.main import main
 from afmcalc.errors import AfmcalcError
 
 STUDY = CONFIGS / "tolerance.toml"
@@ -87,7 +87,6 @@ def test_a_bar_with_the_time_left(command, undrawn, monkeypatch):
         monkeypatch.setattr(progress, name, value)
     monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setenv("COLUMNS", "100")
-    monkeypatch.setattr("afmcalc.cli.entry._tune", lambda: None)
     out, stream = contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(Terminal())
     with out, stream as shown, pytest.raises(SystemExit) as ended:
         main([str(each) for each in LONG[command]])
@@ -97,7 +96,7 @@ def test_a_bar_with_the_time_left(command, undrawn, monkeypatch):
 
 def test_a_bar_on_a_real_terminal():
     person, terminal = os.openpty()
-    code = "from afmcalc import progress; progress.PATIENCE = progress._EACH = 0; from afmcalc.cli.entry import main; main()"
+    code = "from afmcalc import progress; progress.PATIENCE = progress._EACH = 0; from afmcalc.cli.main import main; main()"
     with subprocess.Popen(
         [sys.executable, "-c", code, *map(str, LONG["design"])], stdout=subprocess.DEVNULL, stderr=terminal,
         env={**os.environ, "PYTHONPATH": str(ROOT), "TERM": "xterm", "COLUMNS": "100", "CI": ""},

@@ -185,7 +185,7 @@ def test_styles_can_be_told_apart_without_colour():
 )
 def test_same_spec_same_bytes(endings, tmp_path):
     """From this process and from one with another hash seed, without a backend or a home of matplotlib."""
-    code = "import sys; from afmcalc.cli.entry import main\nfor each in sys.argv[2:]:\n"
+    code = "import sys; from afmcalc.cli.main import main\nfor each in sys.argv[2:]:\n"
     code += " try: main(['plot', 'torque', sys.argv[1], '-o', each, '--quiet'])\n except SystemExit as end: assert not end.code"
     nowhere = {"MPLBACKEND": "nonsense", "MPLCONFIGDIR": "/proc/none", "HOME": "/proc/none"}
     again = [tmp_path / f"again.{ending}" for ending in endings]
@@ -351,7 +351,7 @@ def test_a_missing_extra_says_how_to_get_it(arguments, module, extra, afmcalc, m
 def test_other_commands_load_none_of_it():
     code = "import sys; sys.argv = ['afmcalc', 'accuracy', '--sweep', 'C']\n"
     code += "import atexit\natexit.register(lambda: print(*sys.modules, file=sys.stderr))\n"
-    code += "from afmcalc.cli.entry import main\nmain()"
+    code += "from afmcalc.cli.main import main\nmain()"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert not set(run.stderr.split()) & {"matplotlib", "jinja2", "afmcalc.render.plot.figure"}
 
