@@ -18,7 +18,7 @@ SHORT = ["--set", "drive.event.duration=0.002", "--set", "tolerance.samples=1000
 REFUSED = {"en": "error: ", "ru": "ошибка: "}
 WRONG = ['["stop"]', "{a = 1}", "1", "true", "x"]
 ASKED = [
-    *(name for name in COMMANDS if name in ANALYSES and ANALYSES[name].group in ("clutch", "drive", "parts") and name not in SWEEPING),
+    *(name for name in COMMANDS if name in ANALYSES and ANALYSES[name].group in ("clutch", "drive") and name not in SWEEPING),
     "tolerance",
     "check",
     "solve accuracy_factor=2",
