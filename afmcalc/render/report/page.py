@@ -12,7 +12,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 from ...analysis.dossier import Dossier
 from ...messages import localized, named, printable, spoken, term, translate
 from ...messages import told as message
-from ...papers.references import REFERENCES
+from ...papers import REFERENCES
 from ...spec import resolved
 from ...spec.keys import keys, unit_at
 from ...spec.models import TitleBlock

@@ -3,13 +3,35 @@
 from collections.abc import Callable
 from functools import cache
 from importlib import import_module
+from typing import Literal, NamedTuple
 
-from ...findings import Finding, finding
-from ...messages import joined, say, term
-from ...result import Answer, Result, Sentence, quantity
-from ..figures import FIGURES, PaperFigure, paper_figure
-from ..register import PAPERS, check_papers, data
-from .found import Found, Verdict
+from ..findings import Finding, finding
+from ..messages import joined, say, term
+from ..result import Answer, Result, Sentence, quantity
+from .figures import FIGURES, PaperFigure, paper_figure
+from .register import PAPERS, check_papers, data
+
+Verdict = Literal["reproduced", "reproduced with correction", "not reproduced", "undecided"]
+
+
+class Found(NamedTuple):
+    """One claim recomputed: the numbers in words, the verdict, computed over printed less 1."""
+
+    computed: str
+    verdict: Verdict
+    deviation: float | None = None
+
+
+def verdict(as_printed: bool, corrected: bool = False) -> Verdict:
+    """Judge a row: it follows from the inputs as printed, or with the correction, or not at all."""
+    if as_printed:
+        return "reproduced"
+    return "reproduced with correction" if corrected else "not reproduced"
+
+
+def near(computed: float, printed: float, digits: float) -> bool:
+    """Whether a computed number rounds to the printed one: ``digits`` is a unit in its last place."""
+    return abs(computed - printed) <= digits
 
 
 class Row(Result):
@@ -85,7 +107,7 @@ def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[Repr
     check_papers(papers)
     checks: dict[str, Callable[[], Found]] = {}
     for paper in papers or PAPERS:
-        checks |= import_module(f".{_MODULES[paper]}", __name__).CHECKS
+        checks |= import_module(f".{_MODULES[paper]}", __package__).CHECKS
     rows = [_row(entry, checks[entry["id"]]()) for entry in data("claims.toml")["claim"] if entry["id"] in checks]
     verdicts = [row.verdict for row in rows]
     unexpected = [row for row in rows if row.verdict != expected()[row.id]]

@@ -1,11 +1,11 @@
-"""What a figure of a paper is, and which there are."""
+"""The figures of the papers, recalculated from their formulas with the misprints mended."""
 
 from importlib import import_module
 
-from ...errors import AfmcalcError
-from ...letters import did_you_mean
-from ...messages import say
-from ...result import Result, quantity
+from ..errors import AfmcalcError
+from ..letters import did_you_mean
+from ..messages import say
+from ..result import Result, quantity
 
 FIGURES = {
     "F11-2": "fokin2011",
@@ -85,5 +85,4 @@ def paper_figure(name: str) -> PaperFigure:
             )
         )
     module = import_module(f".{FIGURES[wanted]}", __package__)
-    made: PaperFigure = getattr(module, f"figure_{wanted.partition('-')[2]}")()
-    return made
+    return getattr(module, f"figure_{wanted.partition('-')[2]}")()

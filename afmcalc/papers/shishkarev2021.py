@@ -1,0 +1,178 @@
+"""Шишкарев 2021 (S21), indirect regulation: figures 2 and 4, and the claims P5–P8 about them.
+
+All are set at f_min, so the clutch below its setting does not enter.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..arrays import Values
+from ..equations import accuracy, indirect, synthesis
+from ..messages import say
+from .claims import Found, near, verdict
+from .figures import PaperFigure, axis, curve
+
+_PAIRS, _RADIUS, _HUB, _KEY = 8, 0.1, 0.05, 0.15
+_LOW, _HIGH = 0.1, 0.8
+_CLOSING, _CONTROL = (20e3, 30e3, 40e3), 10e3
+_INPUTS = "f = 0.1…0.8, z = 8, R_cp = 100 mm, d = 50 mm, f_1 = 0.15, c_2 = 10 N/mm"
+_BALL_CIRCLE, _FORCE, _GAP = 0.05, 1000.0, 0.002
+
+
+def factor(gain: Values, stiffness: float = _CLOSING[0]) -> Values:
+    """K_т of curves 1–3, (15) mended."""
+    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
+    return indirect.accuracy_factor(_LOW, _LOW, _HIGH, stiffness, _CONTROL, _PAIRS, net)
+
+
+def base_factor(gain: Values) -> Values:
+    """K_т of curve 5, the base clutch with all pairs controlled."""
+    return accuracy.accuracy_factor(0, _PAIRS, gain, _LOW, _LOW, _HIGH, _HIGH)
+
+
+def ball_and_travel(gain: Values) -> tuple[Values, Values]:
+    """Radius of the ball (23) and largest travel (16), fig. 4."""
+    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
+    stiffness = indirect.sleeve_stiffness(_CLOSING[0], _CONTROL, _PAIRS, _HIGH, net)
+    travel = indirect.travel(_PAIRS, _FORCE, _HIGH, _LOW, net, stiffness)
+    sine = np.sin(np.arctan(synthesis.tan_wall_angle(gain, _BALL_CIRCLE, _RADIUS)))
+    return synthesis.ball_radius(travel, _GAP, _GAP, sine), travel
+
+
+def _gains(stop: float) -> NDArray[np.float64]:
+    """Gains from the threshold of the feedback on."""
+    return np.linspace(indirect.gain_threshold(_RADIUS, _KEY, _HUB), stop, 241)
+
+
+def figure_2() -> PaperFigure:
+    """K_т of the indirect clutch over its gain, formula (15), with K_п and the base clutch."""
+    gain = _gains(12.0)
+    curves = [
+        curve(str(number), f"K_т, c_1 = {stiffness / 1e3:g} N/mm", gain, factor(gain, stiffness))
+        for number, stiffness in enumerate(_CLOSING, start=1)
+    ]
+    curves += [
+        curve("4", "K_п, nominal torque ratio", gain, indirect.nominal_torque_ratio(_PAIRS, gain, _LOW)),
+        curve("5", "K_т of the base clutch", gain, base_factor(gain)),
+    ]
+    return PaperFigure(
+        name="S21 fig. 2",
+        title="accuracy and nominal torque of the indirect clutch against the gain",
+        panels=[curves],
+        x=axis("feedback gain", "C"),
+        y=[axis("accuracy factor K_т, torque ratio", "K_п")],
+        inputs=f"Formula (15), {_INPUTS}.",
+        corrections=[
+            "M9: (15) with 2 z R c_1 f f_1 divided by d",
+            "M26: at equal gain the indirect clutch is less accurate than the base clutch (curve 5)",
+            "M27: K_п compares at equal F_п1; at equal force on the pack (F_п2 at rest) it is 1.364, not 1.8, at C = 1",
+            "M38: curve 5 has all z pairs controlled; with one bypass pair it is 2.061, not 1.946, at C = 1",
+        ],
+        assumed="range of C from the threshold 2 R f_1/d = 0.6 to 12 (both printed averages, 1.03 and 1.18, fit 3…12).",
+    )
+
+
+def figure_4() -> PaperFigure:
+    """Ball radius (23) and travel (16) over the gain."""
+    gain = _gains(24.0)
+    radius, travel = ball_and_travel(gain)
+    return PaperFigure(
+        name="S21 fig. 4",
+        title="ball radius and largest travel against the gain",
+        panels=[[curve("1", "r_ш, ball radius (23)", gain, radius), curve("2", "x_max, travel (16)", gain, travel)]],
+        x=axis("feedback gain", "C"),
+        y=[axis("ball radius r_ш, travel", "x_max", "m")],
+        inputs=f"Formulas (16), (23), {_INPUTS}, c_1 = 20 N/mm.",
+        corrections=[
+            "M28: the data are those of curve 1 of fig. 2, printed fig. 3",
+            "P8: r_ш first rises, falls from C ≈ 1, and rises again from C ≈ 18; it does not simply fall",
+        ],
+        assumed="F_п1 = 1 kN, r = 50 mm, s = y = 2 mm, range of C.",
+    )
+
+
+_RANGES = ((3.0, 12.0), (1.5, 19.0))
+"""The range of C in fig. 2 is not printed; over each of these, and others, both printed averages come out."""
+
+
+def _stiffer(gain: float) -> float:
+    return float(factor(gain) / factor(gain, 40e3))
+
+
+def _doubled(gain: float) -> float:
+    return float(factor(gain) / factor(2 * gain))
+
+
+def _average(function: Callable[[float], float], low: float, high: float) -> float:
+    """Average over the gain by the midpoint rule."""
+    count = 2000
+    return sum(function(low + (high - low) * (i + 0.5) / count) for i in range(count)) / count
+
+
+def p5() -> Found:
+    """K_т falls when c_1 is doubled."""
+    at = [_stiffer(gain) for gain in (1.0, 4.0)]
+    averages = [_average(_stiffer, *gains) for gains in _RANGES]
+    return _open(
+        1.03,
+        at,
+        averages,
+        say("{first:.3f} at C 1, {last:.3f} at C 4; {average}", first=at[0], last=at[1], average=_over(averages)),
+    )
+
+
+def p6() -> Found:
+    """K_т falls when C is doubled."""
+    at = [_doubled(gain) for gain in (1.0, 2.0)]
+    averages = [_average(_doubled, low, high / 2) for low, high in _RANGES]
+    computed = say(
+        "{first:.3f} (C 1 → 2), {last:.3f} (2 → 4); {average} (C and 2C)",
+        first=at[0],
+        last=at[1],
+        average=_over(averages),
+    )
+    return _open(1.18, at, averages, computed)
+
+
+def _over(averages: list[float]) -> str:
+    ranges = [say("{low:g}…{high:g}", low=low, high=high) for low, high in _RANGES]
+    return say("on average {averages:.3f} over C {ranges}", averages=averages, ranges=ranges)
+
+
+def _open(printed: float, at: list[float], averages: list[float], computed: str) -> Found:
+    """Judge an average over an axis that is not printed: undecided where some ranges give it and others do not."""
+    possible = all(near(average, printed, 0.005) for average in averages)
+    as_printed = all(near(value, printed, 0.005) for value in at)
+    return Found(computed, "undecided" if possible and not as_printed else verdict(as_printed), at[0] / printed - 1)
+
+
+def p7() -> Found:
+    """The base clutch is more accurate."""
+    gains = (1.0, 2.0, 4.0)
+    base, own = ([float(of(gain)) for gain in gains] for of in (base_factor, factor))
+    return Found(
+        say("C 1, 2, 4: base {base:.3f}; indirect {own:.3f}", base=base, own=own),
+        verdict(all(first < second for first, second in zip(base, own, strict=True))),
+    )
+
+
+def p8() -> Found:
+    """Ball radius falls, travel grows with the gain."""
+    gains = np.linspace(0.6, 30.6, 30001)
+    radii, travels = map(np.asarray, ball_and_travel(gains))
+    top = int(np.argmax(radii))
+    bottom = top + int(np.argmin(radii[top:]))
+    grows, falls = bool(np.all(np.diff(travels) > 0)), bool(np.all(np.diff(radii[top : bottom + 1]) < 0))
+    return Found(
+        say(
+            "x_max grows; r_ш rises to C = {top:.2f}, falls to C = {bottom:.1f}, then grows again",
+            top=gains[top],
+            bottom=gains[bottom],
+        ),
+        verdict(grows and top == 0 and bottom == len(radii) - 1, grows and falls),
+    )
+
+
+CHECKS = {"P5": p5, "P6": p6, "P7": p7, "P8": p8}
