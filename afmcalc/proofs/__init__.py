@@ -1,28 +1,20 @@
 """Proofs: the equation functions themselves, run on SymPy symbols, against independent derivations.
 
-A proof yields identities (expressions that must vanish for all arguments) and refutations (printed forms
-that must not). SymPy is needed (extra ``explain``); it is imported only when a proof is.
+A proof yields statements, each with an expression that must vanish for all arguments, and refutations: forms that
+papers print and that differ from the right ones. SymPy is needed (extra ``explain``); only a proof imports it.
 """
 
 from collections.abc import Callable, Iterator
 from functools import cache
 from importlib import import_module
+from inspect import getmembers, isfunction
+from pkgutil import iter_modules
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from sympy import Expr
 
-MODULES = (
-    "direct", "adjustment", "indirect", "pocket", "overload", "parts", "wall", "inverse", "motion", "heat", "springs",
-    "numbers",
-)  # fmt: skip
-
-
-class Identity(NamedTuple):
-    """An expression that vanishes for all arguments."""
-
-    statement: str
-    expression: "Expr | int"
+MODULES = [module.name for module in iter_modules(__path__) if module.name != "symbols"]
 
 
 class Refutation(NamedTuple):
@@ -32,7 +24,7 @@ class Refutation(NamedTuple):
     expression: "Expr | int"
 
 
-Steps = Iterator[Identity | Refutation]
+Steps = Iterator[tuple[str, "Expr | int"]]
 
 
 class ProofError(AssertionError):
@@ -45,7 +37,8 @@ def proofs() -> dict[str, Callable[[], Steps]]:
     found: dict[str, Callable[[], Steps]] = {}
     for name in MODULES:
         module = import_module(f".{name}", __name__)
-        found |= {key: getattr(module, key) for key in module.__all__}
+        functions = [(key, function) for key, function in getmembers(module, isfunction) if not key.startswith("_")]
+        found |= {key: function for key, function in functions if function.__module__ == module.__name__}
     return found
 
 
@@ -57,10 +50,10 @@ def prove(name: str) -> list[str]:
     """
     shown = []
     for step in proofs()[name]():
-        vanishes = is_zero(step.expression)
-        if vanishes != isinstance(step, Identity):
-            raise ProofError(f"{name}: {step.statement}: {step.expression}")
-        shown.append(step.statement)
+        statement, expression = step
+        if is_zero(expression) == isinstance(step, Refutation):
+            raise ProofError(f"{name}: {statement}: {expression}")
+        shown.append(statement)
     return shown
 
 

@@ -3,17 +3,8 @@
 import sympy as sp
 
 from ..equations import adjustment, direct, life
-from . import Identity, Refutation, Steps
-from .symbols import C, F, R, T_n, beta, fcp, fmax, fmin, solved, z, z1
-
-__all__ = [
-    "bands_of_both_methods",
-    "cycles_from_the_line",
-    "equivalent_stresses",
-    "pairs_threshold_from_the_bands",
-    "spring_forces_of_both_methods",
-    "threshold_is_not_inverse_to_the_gain",
-]
+from . import Refutation, Steps
+from .symbols import *
 
 F1, F2 = sp.symbols("F_1 F_2", positive=True)
 
@@ -31,19 +22,19 @@ def spring_forces_of_both_methods() -> Steps:
     """S19 (5)–(8): the springs for one nominal torque; (6) must be read with T_н2 = β_н T_н (M32)."""
     first = adjustment.closing_force(T_n, 1, _arm(fmin))
     second = adjustment.closing_force(T_n, beta, _arm(fcp))
-    yield Identity("(5): T(f_min) = T_н", _torque(first, fmin) - T_n)
-    yield Identity("(6): T(f_cp) = β_н T_н", _torque(second, fcp) - beta * T_n)
-    yield Identity("its inverse", adjustment.nominal_torque(second * _arm(fcp), beta) - T_n)
+    yield "(5): T(f_min) = T_н", _torque(first, fmin) - T_n
+    yield "(6): T(f_cp) = β_н T_н", _torque(second, fcp) - beta * T_n
+    yield "its inverse", adjustment.nominal_torque(second * _arm(fcp), beta) - T_n
     printed = fcp * (1 + (z - 1) * C * fmin) / (fmin * (1 + (z - 1) * C * fcp))
     ratio = adjustment.force_ratio(_arm(fcp), _arm(fmin))
-    yield Identity("(7), z_1 = 1", (ratio - printed).subs(z1, 1))
-    yield Identity("(7) is F_п1/F_п2 with F = β_н F_п2", ratio - first / (second / beta))
+    yield "(7), z_1 = 1", (ratio - printed).subs(z1, 1)
+    yield "(7) is F_п1/F_п2 with F = β_н F_п2", ratio - first / (second / beta)
     literal = solved(_torque(F1, fmin) - beta * _torque(F2, fcp), F1) / F2
     yield Refutation("M32: T_н1 = T_н2 as printed gives (7) times β_н", literal - ratio)
-    yield Identity("(8): T_min1 through F_п2", (_torque(ratio * F2, fmin) - _torque(F2, fcp)))
+    yield "(8): T_min1 through F_п2", _torque(ratio * F2, fmin) - _torque(F2, fcp)
     printed_9 = z * F2 * R * fcp * fmax * (1 + (z - 1) * C * fmin)
     printed_9 /= fmin * (1 + (z - 1) * C * fmax) * (1 + (z - 1) * C * fcp)
-    yield Identity("(9): T_max1 through F_п2", (_torque(ratio * F2, fmax) - printed_9).subs(z1, 1))
+    yield "(9): T_max1 through F_п2", (_torque(ratio * F2, fmax) - printed_9).subs(z1, 1)
 
 
 def _bands() -> tuple[sp.Expr, sp.Expr]:
@@ -59,24 +50,24 @@ def bands_of_both_methods() -> Steps:
     """S19 (10), (11) mended (M6), and their ratio."""
     first, second = _bands()
     own = adjustment.scatter(F, R, z, z - z1, C, fmin, fmax)
-    yield Identity("ΔT = T_max − T_min", own - (_torque(F, fmax) - _torque(F, fmin)))
+    yield "ΔT = T_max − T_min", own - (_torque(F, fmax) - _torque(F, fmin))
     printed_10 = z * F2 * R * fcp * (fmax - fmin) / (fmin * (1 + (z - 1) * C * fcp) * (1 + (z - 1) * C * fmax))
-    yield Identity("(10)", (first - printed_10).subs(z1, 1))
+    yield "(10)", (first - printed_10).subs(z1, 1)
     printed_11 = z * F2 * R * (fmax - fmin) / ((1 + (z - 1) * C * fmin) * (1 + (z - 1) * C * fmax))
-    yield Identity("(11) mended", (second - beta * printed_11).subs(z1, 1))
+    yield "(11) mended", (second - beta * printed_11).subs(z1, 1)
     yield Refutation("M6: printed (11)", (second - printed_11).subs(z1, 1))
-    yield Identity("ΔT_2/ΔT_1", adjustment.scatter_ratio(beta, _arm(fmin), _arm(fcp)) - second / first)
+    yield "ΔT_2/ΔT_1", adjustment.scatter_ratio(beta, _arm(fmin), _arm(fcp)) - second / first
     nominal = _torque(adjustment.force_ratio(_arm(fcp), _arm(fmin)) * F2, fmin)
-    yield Identity("ΔT_2/ΔT_1 = T_min2/T_н", second / first - _torque(beta * F2, fmin) / nominal)
+    yield "ΔT_2/ΔT_1 = T_min2/T_н", second / first - _torque(beta * F2, fmin) / nominal
 
 
 def pairs_threshold_from_the_bands() -> Steps:
     """S19 (12), (13): where the bands are equal; with printed (11) there is no such z."""
     first, second = _bands()
     threshold = solved(sp.numer(sp.together(sp.factor(second / first - 1))), z)
-    yield Identity("(12) from (10) and (11) mended", adjustment.pairs_threshold(z1, C, fmin, fcp, beta) - threshold)
+    yield "(12) from (10) and (11) mended", adjustment.pairs_threshold(z1, C, fmin, fcp, beta) - threshold
     printed_13 = fmax / (beta - 1) * (1 / fmin - beta / fcp) + 1
-    yield Identity("(13): C = 1/f_max", adjustment.pairs_threshold(1, 1 / fmax, fmin, fcp, beta) - printed_13)
+    yield "(13): C = 1/f_max", adjustment.pairs_threshold(1, 1 / fmax, fmin, fcp, beta) - printed_13
     unmended = sp.numer(sp.together(sp.factor((second / beta) / first - 1)))
     yield Refutation("M6: printed (11) gives equal bands for no z", unmended.subs(z, threshold))
 
@@ -84,7 +75,7 @@ def pairs_threshold_from_the_bands() -> Steps:
 def threshold_is_not_inverse_to_the_gain() -> Steps:
     """S19 after (12): z − z_1, not z, is inversely proportional to C (M33)."""
     threshold = adjustment.pairs_threshold(z1, C, fmin, fcp, beta)
-    yield Identity("(z − z_1) C is constant", sp.diff((threshold - z1) * C, C))
+    yield "(z − z_1) C is constant", sp.diff((threshold - z1) * C, C)
     yield Refutation("M33: z C is not", sp.diff(threshold * C, C))
 
 
@@ -92,25 +83,21 @@ def cycles_from_the_line() -> Steps:
     """S19 (14)–(20): (18)–(20) from (14)–(17)."""
     limit, stress, exponent, base, modulus, low, band = sp.symbols("tau_limb tau m_tau N_0 W_p T_min dT", positive=True)
     cycles = life.cycles(limit, stress, exponent, base)
-    yield Identity("(14)", sp.expand_power_base(cycles * stress**exponent, force=True) - limit**exponent * base)
+    yield "(14)", sp.expand_power_base(cycles * stress**exponent, force=True) - limit**exponent * base
     whole = sp.expand_power_base(life.damage(limit, stress, exponent, base) * cycles, force=True)
-    yield Identity("damage of a cycle: N of them add up to 1", whole - 1)
-    yield Identity("T' = k_д T", life.torque_unprotected(base, low) - base * low)
+    yield "damage of a cycle: N of them add up to 1", whole - 1
+    yield "T' = k_д T", life.torque_unprotected(base, low) - base * low
     stresses = [life.shear_stress(torque, modulus) for torque in (low, low + band)]
-    yield Identity("(16), (17)", stresses[0] - low / modulus)
+    yield "(16), (17)", stresses[0] - low / modulus
     mean = life.mean_stress(*stresses)
-    yield Identity("(15), (18)", mean - (2 * low + band) / (2 * modulus))
+    yield "(15), (18)", mean - (2 * low + band) / (2 * modulus)
     often, rarely = sp.symbols("n_1 n_2", positive=True)
     damage = (often / cycles + rarely / (2 * cycles)) / (often + rarely)
     slips = life.cycles_of_mean_damage(damage)
-    yield Identity(
-        "Miner: after that many slips the damage is 1", slips * (often + rarely / 2) / cycles - (often + rarely)
-    )
+    yield "Miner: after that many slips the damage is 1", slips * (often + rarely / 2) / cycles - (often + rarely)
     for power in (1, 2, 6):
         direct_form = life.cycles(limit, mean, power, base)
-        yield Identity(
-            f"(19), (20) at m_τ = {power}", life.cycles_of_band(limit, modulus, low, band, power, base) - direct_form
-        )
+        yield f"(19), (20) at m_τ = {power}", life.cycles_of_band(limit, modulus, low, band, power, base) - direct_form
     yield Refutation(
         "M23: a wider band shortens life at equal T_min",
         sp.diff(life.cycles_of_band(limit, modulus, low, band, 6, base), band),
@@ -121,8 +108,8 @@ def equivalent_stresses() -> Steps:
     """Amplitude-based rules from their definitions."""
     amplitude, mean, psi, ultimate = sp.symbols("tau_a tau_m psi tau_u", positive=True)
     low, high = mean - amplitude, mean + amplitude
-    yield Identity("τ_a", life.stress_amplitude(low, high) - amplitude)
-    yield Identity("τ_m", life.mean_stress(low, high) - mean)
-    yield Identity("Серенсен–Кинасошвили", life.equivalent_stress_sensitivity(low, high, psi) - amplitude - psi * mean)
+    yield "τ_a", life.stress_amplitude(low, high) - amplitude
+    yield "τ_m", life.mean_stress(low, high) - mean
+    yield "Серенсен–Кинасошвили", life.equivalent_stress_sensitivity(low, high, psi) - amplitude - psi * mean
     goodman = life.equivalent_stress_goodman(low, high, ultimate)
-    yield Identity("Goodman line: τ_a/τ_eq + τ_m/τ_u = 1", amplitude / goodman + mean / ultimate - 1)
+    yield "Goodman line: τ_a/τ_eq + τ_m/τ_u = 1", amplitude / goodman + mean / ultimate - 1

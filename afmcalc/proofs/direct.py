@@ -3,21 +3,8 @@
 import sympy as sp
 
 from ..equations import accuracy, direct
-from . import Identity, Refutation, Steps
-from .symbols import C, F, N, R, f, f1, f1max, f1min, f2, f2max, f2min, fmax, fmin, n, p, q, r, solved, t, z, z1, z2
-
-__all__ = [
-    "accuracy_by_ratios",
-    "accuracy_factor_is_the_ratio_of_torques",
-    "breakaway_peaks",
-    "elasticities_are_derivatives",
-    "figure_2_needs_one_bypass_pair",
-    "gain_limits",
-    "one_material_law",
-    "slope_in_n",
-    "slope_in_p",
-    "torque_law_from_the_balance",
-]
+from . import Refutation, Steps
+from .symbols import *
 
 
 def _balance() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
@@ -32,22 +19,19 @@ def torque_law_from_the_balance() -> Steps:
     """F11 (11) mended and (12) from (1)–(10)."""
     release, normal, torque = _balance()
     gain = direct.gain(R, r, t)
-    yield Identity("C = (R/r)·tan α", gain - R * t / r)
-    yield Identity("(11) mended solves (7) with (10)", direct.release_force(F, z2, gain, f2) - release)
-    yield Identity("(3) with (11): N", direct.normal_force(F, z2, gain, f2) - normal)
+    yield "C = (R/r)·tan α", gain - R * t / r
+    yield "(11) mended solves (7) with (10)", direct.release_force(F, z2, gain, f2) - release
+    yield "(3) with (11): N", direct.normal_force(F, z2, gain, f2) - normal
     ball = sp.Symbol("F_o", positive=True)
     carried = direct.group_torque(normal, R, z2, f2)
     printed_8 = direct.group_torque(normal, R, z1, f1) + ball * r
-    yield Identity("M43: (7) in (8) is (9)", printed_8.subs(ball, carried / r) - R * (z1 * f1 + z2 * f2) * normal)
-    yield Identity("(12) follows from (9)", direct.torque(F, R, z1, z2, gain, f1, f2) - torque)
-    yield Identity(
-        "(2) + (6) is (12)",
-        direct.group_torque(normal, R, z1, f1) + direct.group_torque(normal, R, z2, f2) - torque,
-    )
-    yield Identity("T/F_п is the torque of one newton", direct.torque_per_force(R, z1, z2, gain, f1, f2) - torque / F)
-    yield Identity("a group's torque is R f z N", direct.group_torque(N, R, z1, f1) - R * f1 * z1 * N)
-    yield Identity("z_1 + z_2 = z", z1 + direct.controlled_pairs(z, z1) - z)
-    yield Identity("reduced gain", direct.reduced_gain(z2, C) - z2 * C)
+    yield "M43: (7) in (8) is (9)", printed_8.subs(ball, carried / r) - R * (z1 * f1 + z2 * f2) * normal
+    yield "(12) follows from (9)", direct.torque(F, R, z1, z2, gain, f1, f2) - torque
+    yield "(2) + (6) is (12)", direct.group_torque(normal, R, z1, f1) + direct.group_torque(normal, R, z2, f2) - torque
+    yield "T/F_п is the torque of one newton", direct.torque_per_force(R, z1, z2, gain, f1, f2) - torque / F
+    yield "a group's torque is R f z N", direct.group_torque(N, R, z1, f1) - R * f1 * z1 * N
+    yield "z_1 + z_2 = z", z1 + direct.controlled_pairs(z, z1) - z
+    yield "reduced gain", direct.reduced_gain(z2, C) - z2 * C
     printed = z2 * F * f2 / (1 + z2 * C * f2)
     yield Refutation(
         "M1: printed (11) in (9) does not give (12)",
@@ -57,24 +41,24 @@ def torque_law_from_the_balance() -> Steps:
 
 def one_material_law() -> Steps:
     """F11 (13), S19 (1), (2): one bypass pair; S22 (4), (16): none."""
-    yield Identity("(13): z_1 = 1", direct.torque(F, R, 1, z - 1, C, f, f) - z * F * R * f / (1 + (z - 1) * C * f))
-    yield Identity("S22 (16): z_1 = 0", direct.torque(F, R, 0, z, C, f, f) - z * F * R * f / (1 + z * C * f))
-    yield Identity("conventional: z_2 = 0", direct.torque(F, R, z, 0, C, f, f) - z * F * R * f)
+    yield "(13): z_1 = 1", direct.torque(F, R, 1, z - 1, C, f, f) - z * F * R * f / (1 + (z - 1) * C * f)
+    yield "S22 (16): z_1 = 0", direct.torque(F, R, 0, z, C, f, f) - z * F * R * f / (1 + z * C * f)
+    yield "conventional: z_2 = 0", direct.torque(F, R, z, 0, C, f, f) - z * F * R * f
 
 
 def accuracy_factor_is_the_ratio_of_torques() -> Steps:
     """F11 (14) from (12)."""
     torques = [direct.torque(F, R, z1, z2, C, a, b) for a, b in ((f1max, f2max), (f1min, f2min))]
     factor = accuracy.accuracy_factor(z1, z2, C, f1min, f2min, f1max, f2max)
-    yield Identity("(14) = T(f_max)/T(f_min)", factor - torques[0] / torques[1])
-    yield Identity("of the two torques", accuracy.accuracy_factor_of_torques(*torques) - factor)
-    yield Identity("of any two corners", accuracy.accuracy_factor_worst_case(*torques) - factor)
-    yield Identity("by peaks, where T is the peak", accuracy.accuracy_factor_peak(*torques) - factor)
-    yield Identity("ΔT = (K_т − 1) T(f_min)", accuracy.scatter_band(*torques) - (factor - 1) * torques[1])
+    yield "(14) = T(f_max)/T(f_min)", factor - torques[0] / torques[1]
+    yield "of the two torques", accuracy.accuracy_factor_of_torques(*torques) - factor
+    yield "of any two corners", accuracy.accuracy_factor_worst_case(*torques) - factor
+    yield "by peaks, where T is the peak", accuracy.accuracy_factor_peak(*torques) - factor
+    yield "ΔT = (K_т − 1) T(f_min)", accuracy.scatter_band(*torques) - (factor - 1) * torques[1]
     ordinary = accuracy.conventional_accuracy_factor(z1, z2, f1min, f2min, f1max, f2max)
-    yield Identity("K_т,0 is (14) at C = 0", ordinary - accuracy.accuracy_factor(z1, z2, 0, f1min, f2min, f1max, f2max))
+    yield "K_т,0 is (14) at C = 0", ordinary - accuracy.accuracy_factor(z1, z2, 0, f1min, f2min, f1max, f2max)
     one = accuracy.accuracy_factor(z1, z2, C, fmin, fmin, fmax, fmax)
-    yield Identity(
+    yield (
         "one material (theory, section 3; lines 5–7 of fig. 2)",
         one - fmax / fmin * (1 + z2 * C * fmin) / (1 + z2 * C * fmax),
     )
@@ -83,7 +67,7 @@ def accuracy_factor_is_the_ratio_of_torques() -> Steps:
 def accuracy_by_ratios() -> Steps:
     """F11 (17) from (14) with (15), (16)."""
     factor = accuracy.accuracy_factor(z1, z2, C, f1min, p * f1min, f1max, n * f1max)
-    yield Identity("(17)", accuracy.accuracy_factor_by_ratios(z1, z2, C, n, p, f1min, f1max) - factor)
+    yield "(17)", accuracy.accuracy_factor_by_ratios(z1, z2, C, n, p, f1min, f1max) - factor
 
 
 def _factor() -> sp.Expr:
@@ -93,17 +77,17 @@ def _factor() -> sp.Expr:
 def slope_in_n() -> Steps:
     """F11 (18) mended is the derivative of (17) (M2); (19)–(21) and n > 1 (M5, M20, M29)."""
     slope = sp.diff(_factor(), n)
-    yield Identity("(18) mended", accuracy.slope_in_ratio_max(z1, z2, C, n, p, f1min, f1max) - slope)
+    yield "(18) mended", accuracy.slope_in_ratio_max(z1, z2, C, n, p, f1min, f1max) - slope
     spread = f1max / f1min
     common = z2 * spread * (1 + z2 * C * p * f1min) / ((z1 + z2 * p) * (1 + z2 * C * n * f1max) ** 2)
     yield Refutation("M2: printed factor z_1 − C f_1max", common * (z1 - C * f1max) - slope)
-    yield Identity("print and proof agree for z_1 = 1", (common * (z1 - C * f1max) - slope).subs(z1, 1))
+    yield "print and proof agree for z_1 = 1", (common * (z1 - C * f1max) - slope).subs(z1, 1)
     printed_19 = (z1 - C * f1max) / (z2 * C * f1min * (C * f1max - z1))
-    yield Identity("(19) as printed is −1/(z_2 C f_1min)", printed_19 + 1 / (z2 * C * f1min))
-    yield Identity("(19): the root in p is −1/(z_2 C f_1min), negative", slope.subs(p, -1 / (z2 * C * f1min)))
-    yield Identity("at C = 1/(z_1 f_1max) K_т does not depend on n (M5, M20)", slope.subs(C, 1 / (z1 * f1max)))
+    yield "(19) as printed is −1/(z_2 C f_1min)", printed_19 + 1 / (z2 * C * f1min)
+    yield "(19): the root in p is −1/(z_2 C f_1min), negative", slope.subs(p, -1 / (z2 * C * f1min))
+    yield "at C = 1/(z_1 f_1max) K_т does not depend on n (M5, M20)", slope.subs(C, 1 / (z1 * f1max))
     below = {C: 1 / (z1 * f1max + q)}
-    yield Identity(
+    yield (
         "M5, M29: below the limit, C = 1/(z_1 f_1max + q), the sign factor is qC: positive for every n",
         (slope - common * q * C).subs(below),
     )
@@ -112,12 +96,12 @@ def slope_in_n() -> Steps:
 def slope_in_p() -> Steps:
     """F11 (22) mended is the derivative of (17) (M3); its root in n (M21)."""
     slope = sp.diff(_factor(), p)
-    yield Identity("(22) mended", accuracy.slope_in_ratio_min(z1, z2, C, n, p, f1min, f1max) - slope)
+    yield "(22) mended", accuracy.slope_in_ratio_min(z1, z2, C, n, p, f1min, f1max) - slope
     spread = f1max / f1min
     common = z2 * spread * (z1 + z2 * n) / ((z1 + z2 * p) ** 2 * (1 + z2 * C * n * f1max))
     yield Refutation("M3: printed factor C f_1min − z_1", common * (C * f1min - z1) - slope)
-    yield Identity("print and proof agree for z_1 = 1", (common * (C * f1min - z1) - slope).subs(z1, 1))
-    yield Identity("M21: the root in n is −z_1/z_2", slope.subs(n, -z1 / z2))
+    yield "print and proof agree for z_1 = 1", (common * (C * f1min - z1) - slope).subs(z1, 1)
+    yield "M21: the root in n is −z_1/z_2", slope.subs(n, -z1 / z2)
     yield Refutation("M21: printed root −1/z_2", slope.subs(n, -1 / z2))
 
 
@@ -125,29 +109,29 @@ def gain_limits() -> Steps:
     """F11 p. 4, S22 (24): at the limit the bypass pairs alone carry the regulated torque."""
     limit = direct.gain_limit_differentiated(z1, fmax)
     bypass = direct.group_torque(F, R, z1, fmax)
-    yield Identity("z_1 f_max R F = T(f_max) at the limit", bypass - direct.torque(F, R, z1, z2, limit, fmax, fmax))
-    yield Identity("T/(R F) − z_1 f_1 has the sign of 1 − z_1 C f_1 (same for unlike materials)",
+    torque = direct.torque(F, R, z1, z2, C, f1, f2)
+    yield "z_1 f_max R F = T(f_max) at the limit", bypass - direct.torque(F, R, z1, z2, limit, fmax, fmax)
+    yield (
+        "T/(R F) − z_1 f_1 has the sign of 1 − z_1 C f_1 (same for unlike materials)",
         (direct.torque(F, R, z1, z2, C, f1, f2) - direct.group_torque(F, R, z1, f1)) * (1 + C * z2 * f2)
-        - F * R * z2 * f2 * (1 - z1 * C * f1))  # fmt: skip
-    yield Identity("S22: zC = 5 at the recommended limit", direct.reduced_gain(z, direct.gain_limit_all_driving(z)) - 5)
-    slope = sp.diff(direct.torque(F, R, z1, z2, C, f1, f2), f2)
-    yield Identity(
-        "T falls with f_2 where z_1 C f_1 > 1",
-        slope * (1 + C * z2 * f2) ** 2 - F * R * z2 * (1 - z1 * C * f1),
+        - F * R * z2 * f2 * (1 - z1 * C * f1),
     )
+    yield "S22: zC = 5 at the recommended limit", direct.reduced_gain(z, direct.gain_limit_all_driving(z)) - 5
+    slope = sp.diff(torque, f2)
+    yield "T falls with f_2 where z_1 C f_1 > 1", slope * (1 + C * z2 * f2) ** 2 - F * R * z2 * (1 - z1 * C * f1)
 
 
 def breakaway_peaks() -> Steps:
     """Theory, section 3: accuracy by peaks between the limits, and its best value."""
     peak = direct.group_torque(F, R, z1, fmax) / direct.torque(F, R, z1, z2, C, fmin, fmin)
-    yield Identity("P(f_max)/P(f_min)", accuracy.accuracy_factor_peak_above_limit(z1, z2, C, fmin, fmax) - peak)
+    yield "P(f_max)/P(f_min)", accuracy.accuracy_factor_peak_above_limit(z1, z2, C, fmin, fmax) - peak
     limit = direct.gain_limit_differentiated(z1, fmax)
     best = accuracy.best_accuracy_factor_peak(z1, z2, fmin, fmax)
-    yield Identity("best: at the gain limit, from above", best - peak.subs(C, limit))
+    yield "best: at the gain limit, from above", best - peak.subs(C, limit)
     published = accuracy.accuracy_factor(z1, z2, limit, fmin, fmin, fmax, fmax)
-    yield Identity("best: at the gain limit, from below", best - published)
+    yield "best: at the gain limit, from below", best - published
     upper = 1 / (z1 * fmin)
-    yield Identity("above 1/(z_1 f_min) it is f_max/f_min", peak.subs(C, upper) - fmax / fmin)
+    yield "above 1/(z_1 f_min) it is f_max/f_min", peak.subs(C, upper) - fmax / fmin
 
 
 def elasticities_are_derivatives() -> Steps:
@@ -157,19 +141,19 @@ def elasticities_are_derivatives() -> Steps:
     def elasticity(symbol: sp.Symbol) -> sp.Expr:
         return sp.diff(torque, symbol) * symbol / torque
 
-    yield Identity("in C", accuracy.torque_elasticity_in_gain(z2, C, f2) - elasticity(C))
+    yield "in C", accuracy.torque_elasticity_in_gain(z2, C, f2) - elasticity(C)
     in_driving = accuracy.torque_elasticity_in_friction_driving(z1, z2, f1, f2)
-    yield Identity("in f_1", in_driving - elasticity(f1))
-    yield Identity("in z_1 at fixed z_2", in_driving - elasticity(z1))
+    yield "in f_1", in_driving - elasticity(f1)
+    yield "in z_1 at fixed z_2", in_driving - elasticity(z1)
     in_driven = accuracy.torque_elasticity_in_friction_driven(z1, z2, C, f1, f2)
-    yield Identity("in f_2", in_driven - elasticity(f2))
-    yield Identity("in z_2 at fixed z_1", in_driven - elasticity(z2))
+    yield "in f_2", in_driven - elasticity(f2)
+    yield "in z_2 at fixed z_1", in_driven - elasticity(z2)
 
 
 def figure_2_needs_one_bypass_pair() -> Steps:
     """F11 fig. 2: curve 4 is level for z_1 = 1, C = 1.25 = 1/0.8; with z_1 = 2 it is not (M4)."""
     slope = accuracy.slope_in_ratio_max(z1, 6, sp.Rational(5, 4), n, p, sp.Rational(16, 100), sp.Rational(8, 10))
-    yield Identity("level for z_1 = 1", slope.subs(z1, 1))
+    yield "level for z_1 = 1", slope.subs(z1, 1)
     yield Refutation("M4: not for z_1 = 2", slope.subs(z1, 2))
     kept = accuracy.slope_in_ratio_max(2, 6, sp.Rational(5, 8), n, p, sp.Rational(16, 100), sp.Rational(8, 10))
-    yield Identity("M4 is not the only mending: z_1 = 2 with C = 0.625 is level too", kept)
+    yield "M4 is not the only mending: z_1 = 2 with C = 0.625 is level too", kept

@@ -3,18 +3,8 @@
 import sympy as sp
 
 from ..equations import direct, effects, heat
-from . import Identity, Steps
-from .symbols import F, N, R, T_n, f, n, r, t, z
-
-__all__ = [
-    "cams_that_slide",
-    "centrifugal_force_of_the_balls",
-    "discs_in_their_splines",
-    "rise_of_a_heated_face",
-    "slip_until_the_motor_stands",
-    "temperature_of_the_discs",
-    "wear_of_a_lining",
-]
+from . import Steps
+from .symbols import *
 
 J, M, w0, tau = sp.symbols("J_1 M_1 omega_0 tau", positive=True)
 b, k, rho, c, m, A = sp.symbols("b k rho c m A", positive=True)
@@ -25,44 +15,44 @@ SPEED = sp.Function("omega")
 def slip_until_the_motor_stands() -> Steps:
     """V1, from the balance of the motor side J_1 dω/dt = M_1 − T and the power T ω turned into heat."""
     speed = heat.speed_after(w0, J, T_n, M, t)
-    yield Identity("J_1 dω/dt = M_1 − T", J * sp.diff(speed, t) - (M - T_n))
-    yield Identity("ω(0) = ω_0", speed.subs(t, 0) - w0)
+    yield "J_1 dω/dt = M_1 − T", J * sp.diff(speed, t) - (M - T_n)
+    yield "ω(0) = ω_0", speed.subs(t, 0) - w0
     stop = heat.run_down_time(J, w0, T_n, M)
-    yield Identity("it stands", speed.subs(t, stop))
+    yield "it stands", speed.subs(t, stop)
     total = sp.integrate(T_n * speed, (t, 0, stop))
-    yield Identity("Q = ∫ T ω dt", heat.run_down_energy(J, w0, T_n, M) - total)
+    yield "Q = ∫ T ω dt", heat.run_down_energy(J, w0, T_n, M) - total
     turned = sp.integrate(speed, (t, 0, stop))
-    yield Identity("kinetic energy and motor work = Q", J * w0**2 / 2 + M * turned - total)
+    yield "kinetic energy and motor work = Q", J * w0**2 / 2 + M * turned - total
     part = sp.integrate(T_n * speed.subs(t, tau), (tau, 0, t))
-    yield Identity("until any time", heat.slip_energy(T_n, w0, speed, t) - part)
-    yield Identity("at an even speed", heat.slip_energy(T_n, w0, w0, t) - T_n * w0 * t)
+    yield "until any time", heat.slip_energy(T_n, w0, speed, t) - part
+    yield "at an even speed", heat.slip_energy(T_n, w0, w0, t) - T_n * w0 * t
 
 
 def temperature_of_the_discs() -> Steps:
     """Heat, area, rise: what comes in stays in the discs; in the mean of many trips it goes to the air."""
     inner, width, radius = sp.symbols("r_i w rho_r", positive=True)
     face = heat.friction_area(inner, inner + width, sp.pi)
-    yield Identity("A = ∫ 2π r dr", face - sp.integrate(2 * sp.pi * radius, (radius, inner, inner + width)))
-    yield Identity("F = p A", direct.mean_pressure(F, inner, inner + width, sp.pi) * face - F)
+    yield "A = ∫ 2π r dr", face - sp.integrate(2 * sp.pi * radius, (radius, inner, inner + width))
+    yield "F = p A", direct.mean_pressure(F, inner, inner + width, sp.pi) * face - F
     energy, rise = sp.symbols("Q Delta", positive=True)
-    yield Identity("z A q_A = Q", z * A * heat.specific_work(energy, z, A) - energy)
-    yield Identity("z A q = T ω", z * A * heat.power_density(heat.slip_power(T_n, w0), z, A) - T_n * w0)
-    yield Identity("m c ΔΘ = Q", m * c * heat.temperature_rise(energy, m, c) - energy)
+    yield "z A q_A = Q", z * A * heat.specific_work(energy, z, A) - energy
+    yield "z A q = T ω", z * A * heat.power_density(heat.slip_power(T_n, w0), z, A) - T_n * w0
+    yield "m c ΔΘ = Q", m * c * heat.temperature_rise(energy, m, c) - energy
     limit, ambient = sp.symbols("Theta_m Theta_0", positive=True)
     trips = heat.trips_without_cooling(limit, ambient, rise)
-    yield Identity("Θ_0 + n ΔΘ = Θ_max", ambient + trips * rise - limit)
-    yield Identity("η n = 1", heat.share_of_rise(ambient + rise, ambient, limit) * trips - 1)
+    yield "Θ_0 + n ΔΘ = Θ_max", ambient + trips * rise - limit
+    yield "η n = 1", heat.share_of_rise(ambient + rise, ambient, limit) * trips - 1
     rate = heat.trips_per_time(k, limit, ambient, energy)
-    yield Identity("heat in = heat out", rate * energy - k * (limit - ambient))
+    yield "heat in = heat out", rate * energy - k * (limit - ambient)
     headroom = sp.Symbol("H", positive=True)
     between = heat.time_between_trips(m, c, k, -sp.log(1 - rise / headroom))
     # what cooling leaves of the headroom, and the next trip's rise, make it up again
     left = headroom * sp.exp(-between * k / (m * c))
-    yield Identity("the limit again after every trip", left + rise - headroom)
+    yield "the limit again after every trip", left + rise - headroom
     depth = heat.heated_depth(m, rho, z, A)
-    yield Identity("z A l ρ = m", z * A * depth * rho - m)
+    yield "z A l ρ = m", z * A * depth * rho - m
     diffusivity = k / (rho * c)
-    yield Identity("Fo = a t/l²", heat.fourier_number(k, rho, c, t, depth) - diffusivity * t / depth**2)
+    yield "Fo = a t/l²", heat.fourier_number(k, rho, c, t, depth) - diffusivity * t / depth**2
 
 
 def rise_of_a_heated_face() -> Steps:
@@ -70,29 +60,29 @@ def rise_of_a_heated_face() -> Steps:
     depth, place = sp.symbols("l x", positive=True)
     root, moment, far = sp.symbols("q t s", positive=True)
     spread = sp.nsimplify(heat.effusivity(k, rho, c))
-    yield Identity("b² = k ρ c", spread**2 - k * rho * c)
+    yield "b² = k ρ c", spread**2 - k * rho * c
     # q = √p; the rise at the face is 1
     bent = root * sp.sqrt(rho * c / k)
     inside = sp.cosh(bent * place) / sp.cosh(bent * depth)
-    yield Identity("equation of heat, p ρ c Θ = k Θ''", k * sp.diff(inside, place, 2) - root**2 * rho * c * inside)
-    yield Identity("none through the far side", sp.diff(inside, place).subs(place, 0))
+    yield "equation of heat, p ρ c Θ = k Θ''", k * sp.diff(inside, place, 2) - root**2 * rho * c * inside
+    yield "none through the far side", sp.diff(inside, place).subs(place, 0)
     through = sp.sinh(bent * depth) / sp.cosh(bent * depth)
     into = k * sp.diff(inside, place).subs(place, depth)
-    yield Identity("Y = flux/rise at the face", sp.simplify(heat.face_admittance(spread, root, through) - into))
-    yield Identity("Fo(1/p) of its depth", heat.fourier_number(k, rho, c, 1 / root**2, depth) - 1 / (bent * depth) ** 2)
+    yield "Y = flux/rise at the face", sp.simplify(heat.face_admittance(spread, root, through) - into)
+    yield "Fo(1/p) of its depth", heat.fourier_number(k, rho, c, 1 / root**2, depth) - 1 / (bent * depth) ** 2
     # endlessly deep: the transform of 2 √(t/π)/b is 1/(p b √p)
     rise = sp.integrate(2 * sp.sqrt(moment / sp.pi) / b * sp.exp(-far * moment), (moment, 0, sp.oo))
-    yield Identity("Carslaw & Jaeger 2.9 (7)", rise - 1 / (far * heat.face_admittance(b, sp.sqrt(far), sp.Integer(1))))
+    yield "Carslaw & Jaeger 2.9 (7)", rise - 1 / (far * heat.face_admittance(b, sp.sqrt(far), sp.Integer(1)))
 
 
 def wear_of_a_lining() -> Steps:
     """Volume worn and thickness lost; the spring follows the pack."""
     depth, worn, energy = sp.symbols("s_w w_v Q", positive=True)
     trips = heat.trips_to_wear_out(z, A, depth, worn, energy)
-    yield Identity("trips × volume of one = z A s_w", trips * worn * energy - z * A * depth)
+    yield "trips × volume of one = z A s_w", trips * worn * energy - z * A * depth
     lost = effects.force_lost_by_wear(k, z, depth)
-    yield Identity("ΔF = c Σ δ", lost - k * sum(depth for _ in range(3)) * z / 3)
-    yield Identity("ΔF/(F δ)", heat.setting_loss_per_wear(k, z, F) * F * depth - lost)
+    yield "ΔF = c Σ δ", lost - k * sum(depth for _ in range(3)) * z / 3
+    yield "ΔF/(F δ)", heat.setting_loss_per_wear(k, z, F) * F * depth - lost
 
 
 def discs_in_their_splines() -> Steps:
@@ -103,8 +93,8 @@ def discs_in_their_splines() -> Steps:
     for sign, law in ((1, effects.next_force_closing), (-1, effects.next_force_opening)):
         after = law(N, near, far)
         turned = grip + mu * direct.group_torque(after, R, 1, fn) / rs
-        yield Identity("N − N' = ± μ_s (T + T')/r_s", N - after - sign * turned)
-        yield Identity("without friction nothing is held", law(N, 0 * near, 0 * far) - N)
+        yield "N − N' = ± μ_s (T + T')/r_s", N - after - sign * turned
+        yield "without friction nothing is held", law(N, 0 * near, 0 * far) - N
 
 
 def cams_that_slide() -> Steps:
@@ -114,16 +104,16 @@ def cams_that_slide() -> Steps:
         # normal force 1 and friction μ along the wall, against the way the cam slides
         around = sp.cos(angle) + sign * mu * sp.sin(angle)
         along = sp.sin(angle) - sign * mu * sp.cos(angle)
-        yield Identity("thrust over circumferential force", law(sp.tan(angle), mu) - along / around)
-        yield Identity("μ = 0: the law's own", law(sp.tan(angle), 0 * mu) - sp.tan(angle))
+        yield "thrust over circumferential force", law(sp.tan(angle), mu) - along / around
+        yield "μ = 0: the law's own", law(sp.tan(angle), 0 * mu) - sp.tan(angle)
 
 
 def centrifugal_force_of_the_balls() -> Steps:
     """A ball thrown outward leans on both cones alike; each gives back the axial part of its normal force."""
     angle, ball = sp.symbols("alpha r_b", positive=True)
     mass = effects.ball_mass(rho, ball, sp.pi)
-    yield Identity("m = ρ V", mass - sp.integrate(rho * sp.pi * (ball**2 - tau**2), (tau, -ball, ball)))
+    yield "m = ρ V", mass - sp.integrate(rho * sp.pi * (ball**2 - tau**2), (tau, -ball, ball))
     half = m * w0**2 * r / 2
     normal = half / sp.cos(angle)
     thrust = effects.centrifugal_thrust(n, m, w0, r, sp.tan(angle))
-    yield Identity("n half reactions", thrust - n * normal * sp.sin(angle))
+    yield "n half reactions", thrust - n * normal * sp.sin(angle)

@@ -3,23 +3,8 @@
 import sympy as sp
 
 from ..equations import accuracy, direct, indirect, sleeve
-from . import Identity, Refutation, Steps
-from .symbols import C, F, R, c1, c2, d, f, fk, fmax, fmin, fset, q, r, solved, x, z
-
-__all__ = [
-    "accuracy_of_the_indirect_clutch",
-    "base_clutch_is_more_accurate",
-    "equivalent_to_all_driving",
-    "friction_at_the_key",
-    "load_capacity_against_the_base_clutch",
-    "setting_of_the_control_spring",
-    "sleeve_at_its_stop",
-    "signs_of_the_derivatives",
-    "sleeve_returning",
-    "spring_mass_argument",
-    "travel_and_torque_from_the_balance",
-    "travel_stays_within_the_spring",
-]
+from . import Refutation, Steps
+from .symbols import *
 
 KAPPA = indirect.net_gain(C, R, fk, d)
 F2 = sp.Symbol("F_2", positive=True)
@@ -48,29 +33,29 @@ def setting_of_the_control_spring() -> Steps:
     """S21 (14) from (1)–(4), (13); C from it is (5)."""
     nominal = direct.group_torque(F, R, z, fset)
     control = indirect.control_force(F, z, KAPPA, fset)
-    yield Identity("(1): the sleeve just rests at T_н", F + nominal * C / R - control - 2 * nominal * fk / d)
-    yield Identity("T_н/F_п1 at the setting", indirect.torque_per_force(z, R, fset) - nominal / F)
-    yield Identity("(14)", control - (F * (1 + z * C * fset) - 2 * z * F * R * fset * fk / d))
+    yield "(1): the sleeve just rests at T_н", F + nominal * C / R - control - 2 * nominal * fk / d
+    yield "T_н/F_п1 at the setting", indirect.torque_per_force(z, R, fset) - nominal / F
+    yield "(14)", control - (F * (1 + z * C * fset) - 2 * z * F * R * fset * fk / d)
     gain = 2 * R * fk / d + (control - F) / (z * F * fset)
-    yield Identity("(5)", gain - C)
-    yield Identity("(2), (13): F_p,min = z F_п1 C f_min", indirect.release_force(nominal, C, R) - z * F * C * fset)
-    yield Identity("F_p = T tan α/r", indirect.release_force(nominal, R * q / r, R) - nominal * q / r)
+    yield "(5)", gain - C
+    yield "(2), (13): F_p,min = z F_п1 C f_min", indirect.release_force(nominal, C, R) - z * F * C * fset
+    yield "F_p = T tan α/r", indirect.release_force(nominal, R * q / r, R) - nominal * q / r
 
 
 def travel_and_torque_from_the_balance() -> Steps:
     """S21 (10), (11), (16) from (6)–(9), (14)."""
     moved = _travel(F2)
     printed_d = (1 + z * C * f) * c1 + c2 - 2 * z * R * c1 * f * fk / d
-    yield Identity("D(f)", _stiffness(f) - printed_d)
-    yield Identity("(10)", moved - ((1 + z * C * f) * F - F2 - 2 * z * F * R * f * fk / d) / printed_d)
-    yield Identity("(11)", _torque(moved, f) - z * R * f * (F * c2 + F2 * c1) / printed_d)
+    yield "D(f)", _stiffness(f) - printed_d
+    yield "(10)", moved - ((1 + z * C * f) * F - F2 - 2 * z * F * R * f * fk / d) / printed_d
+    yield "(11)", _torque(moved, f) - z * R * f * (F * c2 + F2 * c1) / printed_d
     normal = indirect.normal_force_moving(F, c1, F2, c2, _stiffness(f))
-    yield Identity("(9): N = F_п1 − c_1 x", normal - (F - c1 * moved))
+    yield "(9): N = F_п1 − c_1 x", normal - (F - c1 * moved)
     tensed = sleeve.tensed_force(F2, c2, moved)
-    yield Identity("(9), (10): N = F_2/(1 + zκf)", indirect.normal_force_balanced(tensed, z, KAPPA, f) - normal)
+    yield "(9), (10): N = F_2/(1 + zκf)", indirect.normal_force_balanced(tensed, z, KAPPA, f) - normal
     set_travel = _travel(indirect.control_force(F, z, KAPPA, fset))
-    yield Identity("(16)", indirect.travel(z, F, f, fset, KAPPA, _stiffness(f)) - set_travel)
-    yield Identity("(12): no dip, x(f_set) = 0", set_travel.subs(f, fset))
+    yield "(16)", indirect.travel(z, F, f, fset, KAPPA, _stiffness(f)) - set_travel
+    yield "(12): no dip, x(f_set) = 0", set_travel.subs(f, fset)
 
 
 def sleeve_at_its_stop() -> Steps:
@@ -82,21 +67,21 @@ def sleeve_at_its_stop() -> Steps:
     disc = F + reaction - pressed
     found = sp.solve([sleeve, disc], [reaction, pressed], dict=True)[0]
     seated = indirect.normal_force_seated(F2, z, KAPPA, f)
-    yield Identity("N = F_п2/(1 + zκf)", seated - found[pressed])
-    yield Identity("at rest the pack carries F_п2", seated.subs(f, 0) - F2)
+    yield "N = F_п2/(1 + zκf)", seated - found[pressed]
+    yield "at rest the pack carries F_п2", seated.subs(f, 0) - F2
     control = indirect.control_force(F, z, KAPPA, fset)
-    yield Identity("S = 0 just at the setting", found[reaction].subs({F2: control, f: fset}))
+    yield "S = 0 just at the setting", found[reaction].subs({F2: control, f: fset})
     at_set = indirect.normal_force_seated(control, z, KAPPA, fset)
     moving = indirect.normal_force_moving(F, c1, control, c2, _stiffness(fset))
-    yield Identity("both branches meet at f_set", at_set - moving)
+    yield "both branches meet at f_set", at_set - moving
     own = direct.group_torque(seated, R, z, f)
-    yield Identity("a direct clutch with spring F_п2 and gain κ", own - direct.torque(F2, R, 0, z, KAPPA, f, f))
-    yield Identity("(10)", indirect.travel_as_made(F, F2, z, f, KAPPA, _stiffness(f)) - _travel(F2))
+    yield "a direct clutch with spring F_п2 and gain κ", own - direct.torque(F2, R, 0, z, KAPPA, f, f)
+    yield "(10)", indirect.travel_as_made(F, F2, z, f, KAPPA, _stiffness(f)) - _travel(F2)
     yield Refutation("not an ordinary clutch with F_п1", seated.subs(F2, control) - F)
     parts = {C: C, fk: KAPPA - C, z: KAPPA, f: KAPPA}
     for symbol, part in parts.items():
         slope = sp.diff(1 + z * KAPPA * f, symbol) * symbol / (1 + z * KAPPA * f)
-        yield Identity(f"elasticity in {symbol}", indirect.seated_elasticity_in_feedback(z, f, part, KAPPA) - slope)
+        yield f"elasticity in {symbol}", indirect.seated_elasticity_in_feedback(z, f, part, KAPPA) - slope
 
 
 def accuracy_of_the_indirect_clutch() -> Steps:
@@ -108,13 +93,11 @@ def accuracy_of_the_indirect_clutch() -> Steps:
 
     own = indirect.accuracy_factor(fmin, fset, fmax, c1, c2, z, KAPPA)
     at_stop = direct.group_torque(indirect.normal_force_seated(control, z, KAPPA, fmin), R, z, fmin)
-    yield Identity("K_т with the sleeve at its stop below f_set", own - torque(fmax) / at_stop)
+    yield "K_т with the sleeve at its stop below f_set", own - torque(fmax) / at_stop
     direct_clutch = accuracy.accuracy_factor(0, z, KAPPA, fmin, fmin, fmax, fmax)
-    yield Identity("f_set → f_max: a direct clutch of gain κ", own.subs(fset, fmax) - direct_clutch)
+    yield "f_set → f_max: a direct clutch of gain κ", own.subs(fset, fmax) - direct_clutch
     printed_set = {fset: fmin}
-    yield Identity(
-        "(15) mended: f_set = f_min", own.subs(printed_set) - (torque(fmax) / torque(fmin)).subs(printed_set)
-    )
+    yield "(15) mended: f_set = f_min", own.subs(printed_set) - (torque(fmax) / torque(fmin)).subs(printed_set)
     d_min, d_max = (c2 + (1 + z * C * a) * c1 - 2 * z * R * c1 * a * fk for a in (fmin, fmax))
     yield Refutation("M9: printed (15) without d", own.subs(printed_set) - fmax * d_min / (fmin * d_max))
 
@@ -122,12 +105,12 @@ def accuracy_of_the_indirect_clutch() -> Steps:
 def friction_at_the_key() -> Steps:
     """The threshold 2 R f_1/d, κ and κ₊."""
     threshold = indirect.gain_threshold(R, fk, d)
-    yield Identity("κ = 0 at the threshold", KAPPA.subs(C, threshold))
-    yield Identity("κ = C − 2 R f_1/d", KAPPA - (C - 2 * R * fk / d))
-    yield Identity("κ₊ = C + 2 R f_1/d", indirect.net_gain_returning(C, R, fk, d) - (C + 2 * R * fk / d))
+    yield "κ = 0 at the threshold", KAPPA.subs(C, threshold)
+    yield "κ = C − 2 R f_1/d", KAPPA - (C - 2 * R * fk / d)
+    yield "κ₊ = C + 2 R f_1/d", indirect.net_gain_returning(C, R, fk, d) - (C + 2 * R * fk / d)
     ordinary = indirect.accuracy_factor(fmin, fset, fmax, c1, c2, z, KAPPA.subs(C, threshold))
-    yield Identity("an ordinary clutch there", ordinary - fmax / fmin)
-    yield Identity("κ₊/κ", indirect.hysteresis_ratio(q, C) - C / q)
+    yield "an ordinary clutch there", ordinary - fmax / fmin
+    yield "κ₊/κ", indirect.hysteresis_ratio(q, C) - C / q
 
 
 def sleeve_returning() -> Steps:
@@ -136,18 +119,15 @@ def sleeve_returning() -> Steps:
     control = indirect.control_force(F, z, KAPPA, fset)
     back = _torque(_travel(control, key_sign=+1), f)
     normal = indirect.normal_force_moving(F, c1, control, c2, _stiffness(f, kappa_back))
-    yield Identity("T on the way back", direct.group_torque(normal, R, z, f) - back)
+    yield "T on the way back", direct.group_torque(normal, R, z, f) - back
     rising = _torque(_travel(control), f)
-    yield Identity("lower by D_κ/D_κ₊", back / rising - _stiffness(f) / _stiffness(f, kappa_back))
+    yield "lower by D_κ/D_κ₊", back / rising - _stiffness(f) / _stiffness(f, kappa_back)
     back_at_stop = indirect.normal_force_seated(control, z, kappa_back, f) - F
-    yield Identity("seated again at f_set κ/κ₊", back_at_stop.subs(f, fset * KAPPA / kappa_back))
+    yield "seated again at f_set κ/κ₊", back_at_stop.subs(f, fset * KAPPA / kappa_back)
     hysteresis = indirect.accuracy_factor_hysteresis(rising.subs(f, fmax), back)
-    yield Identity("K_т,h = T(f_max)/T_ret", hysteresis - rising.subs(f, fmax) / back)
+    yield "K_т,h = T(f_max)/T_ret", hysteresis - rising.subs(f, fmax) / back
     start = f * KAPPA / kappa_back
-    yield Identity(
-        "it starts where f has fallen by κ₊/κ",
-        _travel(control, key_sign=+1).subs(f, start) - _travel(control),
-    )
+    yield "it starts where f has fallen by κ₊/κ", _travel(control, key_sign=+1).subs(f, start) - _travel(control)
 
 
 def equivalent_to_all_driving() -> Steps:
@@ -155,32 +135,32 @@ def equivalent_to_all_driving() -> Steps:
     equivalent = indirect.equivalent_gain(KAPPA, c1, c2)
     control = indirect.control_force(F, z, KAPPA, fset)
     raised = F * (1 + z * equivalent * fset)
-    yield Identity("T(f)", _torque(_travel(control), f) - direct.torque(raised, R, 0, z, equivalent, f, f))
+    yield "T(f)", _torque(_travel(control), f) - direct.torque(raised, R, 0, z, equivalent, f, f)
     own = indirect.accuracy_factor(fmin, fmin, fmax, c1, c2, z, KAPPA)
-    yield Identity("K_т", own - accuracy.accuracy_factor(0, z, equivalent, fmin, fmin, fmax, fmax))
+    yield "K_т", own - accuracy.accuracy_factor(0, z, equivalent, fmin, fmin, fmax, fmax)
 
 
 def signs_of_the_derivatives() -> Steps:
     """S21: ∂K_т/∂c_1 < 0 (0 if c_2 = 0), ∂K_т/∂C < 0, ∂K_т/∂c_2 > 0, for κ > 0 (K_т falls with C_eff)."""
     factor = accuracy.accuracy_factor(0, z, q, fmin, fmin, fmax, fmax)
     in_gain = -z * fmax * (fmax - fmin) / (fmin * (1 + z * q * fmax) ** 2)
-    yield Identity("∂K_т/∂C_eff < 0", sp.diff(factor, q) - in_gain)
+    yield "∂K_т/∂C_eff < 0", sp.diff(factor, q) - in_gain
     equivalent = indirect.equivalent_gain(q, c1, c2)
-    yield Identity("∂C_eff/∂c_1 > 0, 0 if c_2 = 0", sp.diff(equivalent, c1) - q * c2 / (c1 + c2) ** 2)
-    yield Identity("∂C_eff/∂c_2 < 0", sp.diff(equivalent, c2) + q * c1 / (c1 + c2) ** 2)
-    yield Identity("∂C_eff/∂κ > 0", sp.diff(equivalent, q) - c1 / (c1 + c2))
+    yield "∂C_eff/∂c_1 > 0, 0 if c_2 = 0", sp.diff(equivalent, c1) - q * c2 / (c1 + c2) ** 2
+    yield "∂C_eff/∂c_2 < 0", sp.diff(equivalent, c2) + q * c1 / (c1 + c2) ** 2
+    yield "∂C_eff/∂κ > 0", sp.diff(equivalent, q) - c1 / (c1 + c2)
 
 
 def load_capacity_against_the_base_clutch() -> Steps:
     """S21: K_п = 1 + z C f_min against the base clutch with all pairs controlled; with one bypass pair not (M38)."""
     own = direct.group_torque(F, R, z, fset)
     ratio, base = indirect.nominal_torque_ratio(z, C, fset), direct.torque(F, R, 0, z, C, fset, fset)
-    yield Identity("K_п", ratio - own / base)
+    yield "K_п", ratio - own / base
     pressed = indirect.nominal_torque_ratio_as_made(z, C, fset, F2, F)
-    yield Identity("K_п with N(f_set) = F_2", pressed - direct.group_torque(F2, R, z, fset) / base)
+    yield "K_п with N(f_set) = F_2", pressed - direct.group_torque(F2, R, z, fset) / base
     first_generation = own / direct.torque(F, R, 1, z - 1, C, fset, fset)
     yield Refutation("M38: the base clutch of F11 has one bypass pair", ratio - first_generation)
-    yield Identity("M38: against it K_п is 1 + (z − 1) C f_min", first_generation - (1 + (z - 1) * C * fset))
+    yield "M38: against it K_п is 1 + (z − 1) C f_min", first_generation - (1 + (z - 1) * C * fset)
 
 
 def base_clutch_is_more_accurate() -> Steps:
@@ -189,18 +169,18 @@ def base_clutch_is_more_accurate() -> Steps:
     base = accuracy.accuracy_factor(0, z, C, fmin, fmin, fmax, fmax)
     difference = z * fmax * (fmax - fmin) * (C * c2 + 2 * c1 * R * fk / d)
     difference /= fmin * (1 + z * C * fmax) * _stiffness(fmax)
-    yield Identity("M26", own - base - difference)
+    yield "M26", own - base - difference
 
 
 def spring_mass_argument() -> Steps:
     """S21 (M27): both springs together are F_п1 (1 + K_п − 2 z R f_min f_1/d)."""
     both = F + indirect.control_force(F, z, KAPPA, fmin)
     ratio = indirect.nominal_torque_ratio(z, C, fmin)
-    yield Identity("M27", both - F * (1 + ratio - 2 * z * R * fmin * fk / d))
+    yield "M27", both - F * (1 + ratio - 2 * z * R * fmin * fk / d)
 
 
 def travel_stays_within_the_spring() -> Steps:
     """x < F_п1/c_1: what is left of the spring force, F_п1 − c_1 x, is positive for κ ≥ 0."""
     moved = indirect.travel(z, F, f, fset, q, _stiffness(f, q))
     left = F * (c1 + c2 + z * c1 * fset * q) / _stiffness(f, q)
-    yield Identity("F_п1 − c_1 x = F_п1 D(f_set)/D(f)", F - c1 * moved - left)
+    yield "F_п1 − c_1 x = F_п1 D(f_set)/D(f)", F - c1 * moved - left

@@ -3,20 +3,8 @@
 import sympy as sp
 
 from ..equations import direct, drive, heat, indirect, overload, pocket, sleeve
-from . import Identity, Steps
-from .symbols import C, F, R, beta, c1, c2, d, f, f1, f2, fk, fmin, solved, x, z, z1, z2
-
-__all__ = [
-    "balls_off_their_stop",
-    "judder",
-    "kloss_motor",
-    "lag_between_expected_and_potential",
-    "pack_at_the_stop",
-    "run_down",
-    "shaft",
-    "swing_of_the_control_unit",
-    "two_inertias",
-]
+from . import Steps
+from .symbols import *
 
 J1, J2, Jh, k, zeta, speed, M, L, T, tau, N = sp.symbols("J_1 J_2 J_h k zeta omega M L T tau N", positive=True)
 phi, time, rate = sp.symbols("phi t phi_dot", positive=True)
@@ -24,56 +12,51 @@ phi, time, rate = sp.symbols("phi t phi_dot", positive=True)
 
 def shaft() -> Steps:
     """Shaft and driven half are an oscillator; the inertia torque is its energy."""
-    damping = sp.nsimplify(drive.shaft_damping(zeta, k, J2), rational=True)
+    damping = exact(drive.shaft_damping(zeta, k, J2))
     natural = sp.sqrt(k / J2)
-    yield Identity("J_2 φ'' + d φ' + k φ has the damping ratio ζ", damping / J2 - 2 * zeta * natural)
-    yield Identity("T_s: elastic part", drive.shaft_torque(k, phi, damping, 0) - k * phi)
-    yield Identity("T_s: viscous part", drive.shaft_torque(k, 0, damping, rate) - damping * rate)
+    yield "J_2 φ'' + d φ' + k φ has the damping ratio ζ", damping / J2 - 2 * zeta * natural
+    yield "T_s: elastic part", drive.shaft_torque(k, phi, damping, 0) - k * phi
+    yield "T_s: viscous part", drive.shaft_torque(k, 0, damping, rate) - damping * rate
     swing = (speed / natural) * sp.sin(natural * time)
-    yield Identity("free swing of a locked tool", sp.diff(swing, time, 2) * J2 + k * swing)
-    yield Identity("it starts at ω_0", sp.diff(swing, time).subs(time, 0) - speed)
+    yield "free swing of a locked tool", sp.diff(swing, time, 2) * J2 + k * swing
+    yield "it starts at ω_0", sp.diff(swing, time).subs(time, 0) - speed
     top = drive.shaft_torque(k, swing.subs(time, sp.pi / 2 / natural), 0, 0)
-    inertia = sp.nsimplify(drive.inertia_torque(speed, k, J2), rational=True)
-    yield Identity("its peak is the inertia torque (V2)", inertia - top)
+    inertia = exact(drive.inertia_torque(speed, k, J2))
+    yield "its peak is the inertia torque (V2)", inertia - top
     a, above = sp.symbols("a Delta", positive=True)
-    peak = sp.nsimplify(drive.stop_torque(J2, a, T + above, T) - J2 * a, rational=True)
+    peak = exact(drive.stop_torque(J2, a, T + above, T) - J2 * a)
     wound = k * a * sp.sqrt(2 * above / (k * a))  # rate of the torque as the slip begins, at t_1
-    yield Identity("V4: amplitude about T + J_2 a", peak**2 - (J2 * a) ** 2 - (wound / natural) ** 2)
-    yield Identity("V4: a shaft that is loaded by T already swings to T + 2 J_2 a", peak.subs(above, 0) - J2 * a)
-
-
-def _rooted(root: sp.Expr) -> sp.Expr:
-    """Take a square out of its root."""
-    return sp.sqrt(sp.factor(root.base))
+    yield "V4: amplitude about T + J_2 a", peak**2 - (J2 * a) ** 2 - (wound / natural) ** 2
+    yield "V4: a shaft that is loaded by T already swings to T + 2 J_2 a", peak.subs(above, 0) - J2 * a
 
 
 def kloss_motor() -> Steps:
     """Kloss' curve: breakdown at s_b, and its inverse on the stable branch."""
     Mb, sb, s, ws = sp.symbols("M_b s_b s omega_s", positive=True)
     torque = drive.kloss_torque(Mb, sb, s)
-    yield Identity("as Kloss wrote it", torque - 2 * Mb / (s / sb + sb / s))
-    yield Identity("M(s_b) = M_b", torque.subs(s, sb) - Mb)
-    yield Identity("M' vanishes there", sp.diff(torque, s).subs(s, sb))
+    yield "as Kloss wrote it", torque - 2 * Mb / (s / sb + sb / s)
+    yield "M(s_b) = M_b", torque.subs(s, sb) - Mb
+    yield "M' vanishes there", sp.diff(torque, s).subs(s, sb)
     # s = q s_b with q < 1, the stable branch, makes the root rational
     beyond = sp.Symbol("p", positive=True)
     q = 1 / (1 + beyond)
-    found = sp.nsimplify(drive.kloss_slip(Mb, sb, 2 * Mb / (q + 1 / q)), rational=True)
-    found = sp.simplify(found).replace(lambda part: part.is_Pow and part.exp == sp.Rational(1, 2), _rooted)
-    yield Identity("the inverse is the stable branch", found - q * sb)
-    yield Identity("slip at ω", drive.motor_slip(ws * (1 - s), ws) - s)
+    found = exact(drive.kloss_slip(Mb, sb, 2 * Mb / (q + 1 / q)))
+    found = rooted(sp.simplify(found))
+    yield "the inverse is the stable branch", found - q * sb
+    yield "slip at ω", drive.motor_slip(ws * (1 - s), ws) - s
 
 
 def two_inertias() -> Steps:
     """Newton's laws of two inertias: one speed, or two."""
     stuck = solved((M - T) / J1 - (T - L) / J2, T)
-    yield Identity("T of two inertias that turn as one", drive.sticking_torque(M, J1, L, J2) - stuck)
+    yield "T of two inertias that turn as one", drive.sticking_torque(M, J1, L, J2) - stuck
     slip = drive.slip_acceleration(M, J1, T, L, J2)
-    yield Identity("v' = ω_1' − ω_2'", slip - ((M - T) / J1 - (T - L) / J2))
-    yield Identity("v' = (T* − T)(J_1 + J_2)/(J_1 J_2)", slip - (stuck - T) * (J1 + J2) / (J1 * J2))
+    yield "v' = ω_1' − ω_2'", slip - ((M - T) / J1 - (T - L) / J2)
+    yield "v' = (T* − T)(J_1 + J_2)/(J_1 J_2)", slip - (stuck - T) * (J1 + J2) / (J1 * J2)
     decay, rs = sp.symbols("e r_s", positive=True)
-    yield Identity("static friction at rest", drive.stribeck_ratio(rs, 1) - rs)
-    yield Identity("sliding friction at speed", drive.stribeck_ratio(rs, 0) - 1)
-    yield Identity("linear in e", sp.diff(drive.stribeck_ratio(rs, decay), decay) - (rs - 1))
+    yield "static friction at rest", drive.stribeck_ratio(rs, 1) - rs
+    yield "sliding friction at speed", drive.stribeck_ratio(rs, 0) - 1
+    yield "linear in e", sp.diff(drive.stribeck_ratio(rs, decay), decay) - (rs - 1)
 
 
 def run_down() -> Steps:
@@ -83,28 +66,28 @@ def run_down() -> Steps:
     free = drive.sticking_torque(M, J1, L, J2)
     v = v0 + drive.slip_acceleration(M, J1, T, L, J2) * time
     end = solved(v, time)
-    yield Identity("V5: time", heat.run_down_time(reduced, v0, T, free) - end)
-    yield Identity("V5: heat", heat.run_down_energy(reduced, v0, T, free) - sp.integrate(T * v, (time, 0, end)))
+    yield "V5: time", heat.run_down_time(reduced, v0, T, free) - end
+    yield "V5: heat", heat.run_down_energy(reduced, v0, T, free) - sp.integrate(T * v, (time, 0, end))
     blocked = v0 + (M - T) / J1 * time
     end = solved(blocked, time)
-    yield Identity("V1: time", heat.run_down_time(J1, v0, T, M) - end)
-    yield Identity("V1: heat", heat.run_down_energy(J1, v0, T, M) - sp.integrate(T * blocked, (time, 0, end)))
+    yield "V1: time", heat.run_down_time(J1, v0, T, M) - end
+    yield "V1: heat", heat.run_down_energy(J1, v0, T, M) - sp.integrate(T * blocked, (time, 0, end))
 
 
 def lag_between_expected_and_potential() -> Steps:
     """The lag's two ends: τ → 0 the law itself, τ → ∞ the potential torque of S22."""
     pairs = z1 * f1 + z2 * f2
     late = drive.normal_force_rate(N, drive.normal_force_under_load(F, C, R * N * z2 * f2, R), tau)
-    yield Identity("slipping steadily N is that of the direct law", solved(late, N) - direct.normal_force(F, z2, C, f2))
-    yield Identity("it follows with the time τ", sp.diff(drive.normal_force_rate(N, L, tau), N) + 1 / tau)
-    yield Identity("until it is in balance", drive.normal_force_rate(L, L, tau))
+    yield "slipping steadily N is that of the direct law", solved(late, N) - direct.normal_force(F, z2, C, f2)
+    yield "it follows with the time τ", sp.diff(drive.normal_force_rate(N, L, tau), N) + 1 / tau
+    yield "until it is in balance", drive.normal_force_rate(L, L, tau)
     machine = overload.machine_torque(direct.torque(F, R, z1, z - z1, C, fmin, fmin), beta)
     held = direct.group_torque(drive.normal_force_under_load(F, C, machine * (z - z1) / z, R), R, z, f)
     at_min = overload.loop_gain(z - z1, C, fmin)
-    yield Identity("τ → ∞: T_п of S22 (22)", held - overload.potential_torque(z, F, R, f, beta, at_min))
+    yield "τ → ∞: T_п of S22 (22)", held - overload.potential_torque(z, F, R, f, beta, at_min)
     own = direct.torque(F, R, z1, z2, C, f1, f2)
     under = drive.normal_force_under_load(F, C, own * z2 * f2 / pairs, R)
-    yield Identity("under its own torque it slips there", direct.group_torque(under, R, 1, pairs) - own)
+    yield "under its own torque it slips there", direct.group_torque(under, R, 1, pairs) - own
 
 
 def judder() -> Steps:
@@ -112,15 +95,15 @@ def judder() -> Steps:
     growth = drive.torque_growth(F, R, z1, z2, C, f1, f2)
     share = sp.Symbol("g", positive=True)
     grown = direct.torque(F, R, z1, z2, C, share * f1, share * f2)
-    yield Identity("∂T/∂ln f", growth - sp.diff(grown, share).subs(share, 1))
+    yield "∂T/∂ln f", growth - sp.diff(grown, share).subs(share, 1)
     rs, vs, v = sp.symbols("r_s v_s v", positive=True)
     ratio = drive.stribeck_ratio(rs, sp.exp(-R * v / vs))
     slope = sp.diff(ratio, v).subs(v, 0)
-    yield Identity("−∂T/∂v at v = 0", drive.judder_damping(growth, R, rs, vs) + growth * slope)
+    yield "−∂T/∂v at v = 0", drive.judder_damping(growth, R, rs, vs) + growth * slope
     alike = drive.torque_growth(F, R, 0, z, C, f, f)
     own, ordinary = (direct.torque(F, R, 0, z, gain, fmin, fmin) for gain in (C, 0))
     against = alike / own / (drive.torque_growth(F, R, 0, z, 0, f, f) / ordinary)
-    yield Identity("V6: against an ordinary clutch of equal T_н", against - (1 + z * C * fmin) / (1 + z * C * f) ** 2)
+    yield "V6: against an ordinary clutch of equal T_н", against - (1 + z * C * fmin) / (1 + z * C * f) ** 2
 
 
 def swing_of_the_control_unit() -> Steps:
@@ -131,41 +114,39 @@ def swing_of_the_control_unit() -> Steps:
     # S21 (6)–(8): F_п1 − c_1 x + T tan α/r − F_п2 − c_2 x ∓ 2 T f_1/d = 0, tan α/r = C/R
     for sign, kappa in ((1, net), (-1, back)):
         balance = F1 - c1 * x + T * C / R - F2 - c2 * x - sign * 2 * T * fk / d
-        yield Identity("the balance of S21 (6) is T = S/κ", solved(balance, T) - moment / kappa)
+        yield "the balance of S21 (6) is T = S/κ", solved(balance, T) - moment / kappa
     work = sleeve.spring_work(F1, F2, c1, c2, x)
-    yield Identity("S = R dW/dx", sp.diff(work, x) * R - moment)
-    yield Identity("no work without travel", work.subs(x, 0))
+    yield "S = R dW/dx", sp.diff(work, x) * R - moment
+    yield "no work without travel", work.subs(x, 0)
     r, t, slope = sp.symbols("r t C_1", positive=True)
     per_turn = sleeve.turn(x, R, C, slope)
     # r dφ = tan α dx with tan α = (r/R)(C + C_1 x)
     gain = pocket.gain_at(C, slope, x)
-    yield Identity("R dφ/dx = C + C_1 x", R * sp.diff(per_turn, x) - gain)
-    yield Identity("straight: r φ = x tan α", (sleeve.turn(x, R, C, 0) * r - x * t).subs(C, direct.gain(R, r, t)))
-    back_again = sp.nsimplify(sleeve.travel(per_turn, R, C, slope), rational=True)
-    back_again = back_again.replace(lambda part: part.is_Pow and part.exp == sp.Rational(1, 2), _rooted)
-    yield Identity("x of φ is the inverse", sp.simplify(back_again) - x)
+    yield "R dφ/dx = C + C_1 x", R * sp.diff(per_turn, x) - gain
+    yield "straight: r φ = x tan α", (sleeve.turn(x, R, C, 0) * r - x * t).subs(C, direct.gain(R, r, t))
+    back_again = exact(sleeve.travel(per_turn, R, C, slope))
+    back_again = rooted(back_again)
+    yield "x of φ is the inverse", sp.simplify(back_again) - x
     out = sp.integrate(moment / net * C / R, (x, 0, x))
     home = sp.integrate(moment / back * C / R, (x, 0, x))
-    yield Identity("V7: loop energy", sleeve.loop_energy(work, C, net, back) - (out - home))
-    yield Identity("share of a swing", sleeve.damped_share(net, back) - (out - home) / out)
+    yield "V7: loop energy", sleeve.loop_energy(work, C, net, back) - (out - home)
+    yield "share of a swing", sleeve.damped_share(net, back) - (out - home) / out
     steep = pocket.gain_at(net, slope, x)
     stiffness = sleeve.torsional_stiffness(c1, c2, R, steep, gain, slope, moment / steep)
-    yield Identity("k_T = d(S/κ)/dφ", stiffness - sp.diff(moment / steep, x) / sp.diff(per_turn, x))
+    yield "k_T = d(S/κ)/dφ", stiffness - sp.diff(moment / steep, x) / sp.diff(per_turn, x)
     m, rate = sp.symbols("m xdot", positive=True)
     acceleration = sp.Symbol("phi_ddot")
     turning = sp.Symbol("phi_dot")
-    yield Identity("x' = φ' dx/dφ", sleeve.travel_rate(turning, R, gain) * sp.diff(per_turn, x) - turning)
+    yield "x' = φ' dx/dφ", sleeve.travel_rate(turning, R, gain) * sp.diff(per_turn, x) - turning
     # C x' = R φ', differentiated
     xddot = (R * acceleration - slope * rate**2) / gain
     pushed = solved(T * steep / R - moment / R - m * xddot, T)
     inertia = sleeve.sleeve_inertia(m, R, gain, steep)
     taken = sleeve.centrifugal_moment(m, R, gain, slope, rate)
-    yield Identity(
-        "the sleeve's mass: T = (S − M_m)/κ + μ φ''", pushed - (moment - taken) / steep - inertia * acceleration
-    )
+    yield "the sleeve's mass: T = (S − M_m)/κ + μ φ''", pushed - (moment - taken) / steep - inertia * acceleration
     kinetic = m * sleeve.travel(phi, R, C, 0) ** 2 / 2
-    ideal = sp.nsimplify((sleeve.sleeve_inertia(m, R, C, net) * phi**2 / 2 - kinetic).subs(fk, 0), rational=True)
-    yield Identity("straight, without friction it is m (R/C)²", sp.simplify(ideal))
+    ideal = exact((sleeve.sleeve_inertia(m, R, C, net) * phi**2 / 2 - kinetic).subs(fk, 0))
+    yield "straight, without friction it is m (R/C)²", sp.simplify(ideal)
 
 
 def balls_off_their_stop() -> Steps:
@@ -173,8 +154,8 @@ def balls_off_their_stop() -> Steps:
     S, kappa, mu = sp.symbols("S kappa mu", positive=True)
     turn = drive.slip_acceleration(M, J1, T, L, J2)
     found = solved(T - S / kappa - mu * turn, T)
-    yield Identity("T_b", sleeve.ball_torque_moving(S, kappa, mu, M, J1, L, J2) - found)
-    yield Identity("without mass S/κ", sleeve.ball_torque_moving(S, kappa, 0, M, J1, L, J2) - S / kappa)
+    yield "T_b", sleeve.ball_torque_moving(S, kappa, mu, M, J1, L, J2) - found
+    yield "without mass S/κ", sleeve.ball_torque_moving(S, kappa, 0, M, J1, L, J2) - S / kappa
 
 
 def pack_at_the_stop() -> Steps:
@@ -182,15 +163,15 @@ def pack_at_the_stop() -> Steps:
     F1, F2, kappa, Tb = sp.symbols("F_1 F_2 kappa T_b", positive=True)
     pressed = sleeve.normal_force_at_stop(F2, kappa, Tb, R)
     reaction = F2 - F1 - Tb * kappa / R
-    yield Identity("N = F_п1 + reaction of the stop", pressed - (F1 + reaction))
+    yield "N = F_п1 + reaction of the stop", pressed - (F1 + reaction)
     seated = direct.group_torque(indirect.normal_force_seated(F2, z, kappa, f), R, z, f)
-    yield Identity("steady: the law of S21 at the stop", sleeve.slip_torque_at_stop(z * f, R, F2, kappa, 0, 1) - seated)
+    yield "steady: the law of S21 at the stop", sleeve.slip_torque_at_stop(z * f, R, F2, kappa, 0, 1) - seated
     off = indirect.sleeve_stiffness(c1, c2, z, f, kappa)
     moved = indirect.travel_as_made(F1, F2, z, f, kappa, off)
     steady = indirect.normal_force_moving(F1, c1, F2, c2, off)
-    yield Identity("off it: N where the sleeve is", sleeve.slackened_force(F1, c1, moved) - steady)
+    yield "off it: N where the sleeve is", sleeve.slackened_force(F1, c1, moved) - steady
     balls = drive.sticking_torque(T, Jh, L, J2)
     slipping = solved(T - z * f * R * sleeve.normal_force_at_stop(F2, kappa, balls, R), T)
     alone, share = balls.subs(T, 0), J2 / (Jh + J2)
     seated = sleeve.slip_torque_at_stop(z * f, R, F2, kappa, alone, share)
-    yield Identity("with the hub's inertia", seated - slipping)
+    yield "with the hub's inertia", seated - slipping

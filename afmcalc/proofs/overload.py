@@ -3,22 +3,8 @@
 import sympy as sp
 
 from ..equations import direct, overload
-from . import Identity, Refutation, Steps
-from .symbols import C, F, R, beta, f, fmax, fmin, q, r, solved, t, z, z1
-
-__all__ = [
-    "actuation_as_published",
-    "actuation_interval",
-    "actuation_optimum",
-    "difference_of_potential_torques",
-    "equilibrium_torque",
-    "lost_formulas_of_figure_1",
-    "margin_effect_changes_sign",
-    "nominal_torques",
-    "potential_torque_from_the_shares",
-    "potential_torque_without_margin",
-    "slip_at_the_clutch_torque",
-]
+from . import Refutation, Steps
+from .symbols import *
 
 U = overload.loop_gain(z - z1, C, fmin)
 V = overload.loop_gain(z - z1, C, f)
@@ -47,99 +33,99 @@ def nominal_torques() -> Steps:
     """S22 (1)–(4): the clutch's and the machine's nominal torque; (16)."""
     release = sp.Symbol("T", positive=True)
     balance = release - z * R * fmin * (F - release * t / r)
-    yield Identity("(4) from (2), (3)", _all(CLUTCH) - solved(balance, release).subs(t, C * r / R))
-    yield Identity("(1)", MACHINE * beta - CLUTCH)
-    yield Identity("(16): T_муф is the slip torque", EXPECTED - direct.torque(F, R, z1, z - z1, C, f, f))
-    yield Identity("v = (z − z_1) C f", V - (z - z1) * C * f)
+    yield "(4) from (2), (3)", _all(CLUTCH) - solved(balance, release).subs(t, C * r / R)
+    yield "(1)", MACHINE * beta - CLUTCH
+    yield "(16): T_муф is the slip torque", EXPECTED - direct.torque(F, R, z1, z - z1, C, f, f)
+    yield "v = (z − z_1) C f", V - (z - z1) * C * f
 
 
 def potential_torque_from_the_shares() -> Steps:
     """S22 (5), (8), (22) from the release force at T_н.маш; (6), (9) for a risen load."""
-    yield Identity("(22)", POTENTIAL - _capacity(MACHINE, f))
+    yield "(22)", POTENTIAL - _capacity(MACHINE, f)
     printed = z * F * R * f * (beta + (beta - 1) * z * C * fmin) / (beta * (1 + z * C * fmin))
-    yield Identity("(8); (5) at f_min", _all(POTENTIAL) - printed)
+    yield "(8); (5) at f_min", _all(POTENTIAL) - printed
     risen = _capacity(MACHINE + q, f)
-    yield Identity("(6), (9): it falls by (z − z_1) C f ΔT", risen - (POTENTIAL - (z - z1) * C * f * q))
+    yield "(6), (9): it falls by (z − z_1) C f ΔT", risen - (POTENTIAL - (z - z1) * C * f * q)
 
 
 def potential_torque_without_margin() -> Steps:
     """S22 (20) mended (M16): 1 + zC f_min in the denominator."""
     bare = _all(POTENTIAL).subs(beta, 1)
-    yield Identity("(20) mended", bare - z * F * R * f / (1 + z * C * fmin))
+    yield "(20) mended", bare - z * F * R * f / (1 + z * C * fmin)
     yield Refutation("M16: as extracted", bare - z * F * R * f / (1 + z * C * f))
 
 
 def slip_at_the_clutch_torque() -> Steps:
     """S22 (7), (12), (13), and the paper's own check (M17)."""
     own = solved(MACHINE + q - (POTENTIAL - (z - z1) * C * f * q), q)
-    yield Identity("(13) solves (12)", RISE - own)
+    yield "(13) solves (12)", RISE - own
     at_min = {f: fmin}
     rise = overload.load_rise_at_min(z, F, R, fmin, beta, U)
-    yield Identity("(7)", rise - (CLUTCH - MACHINE))
-    yield Identity("(13) at f_min is (7): slip at T_н.муф (M17)", RISE.subs(at_min) - rise)
-    yield Identity("slip at T_max for f_max (M17)", _capacity(EXPECTED, f) - EXPECTED)
+    yield "(7)", rise - (CLUTCH - MACHINE)
+    yield "(13) at f_min is (7): slip at T_н.муф (M17)", RISE.subs(at_min) - rise
+    yield "slip at T_max for f_max (M17)", _capacity(EXPECTED, f) - EXPECTED
 
 
 def equilibrium_torque() -> Steps:
     """Theory, section 6: T_н.маш + ΔT' = T_муф(f) for every β_н; T_п − ΔT' is not (M12)."""
-    yield Identity("M12: equilibrium is T_муф", EQUILIBRIUM - EXPECTED)
-    yield Identity("independent of β_н", sp.diff(EQUILIBRIUM, beta))
+    yield "M12: equilibrium is T_муф", EQUILIBRIUM - EXPECTED
+    yield "independent of β_н", sp.diff(EQUILIBRIUM, beta)
     yield Refutation("M12: published T_ср", PUBLISHED - EXPECTED)
-    yield Identity("its weights: (v T_п + T_н.маш)/(1 + v)", PUBLISHED - (V * POTENTIAL + MACHINE) / (1 + V))
-    yield Identity("swapped: (T_п + v T_н.маш)/(1 + v)", EQUILIBRIUM - (POTENTIAL + V * MACHINE) / (1 + V))
+    yield "its weights: (v T_п + T_н.маш)/(1 + v)", PUBLISHED - (V * POTENTIAL + MACHINE) / (1 + V)
+    yield "swapped: (T_п + v T_н.маш)/(1 + v)", EQUILIBRIUM - (POTENTIAL + V * MACHINE) / (1 + V)
 
 
 def actuation_as_published() -> Steps:
     """S22 (14), (15) mended (M11), (21), (23)."""
     printed_14 = z * F * R * fmin * (1 + z * C * fmin * (beta - 1)) / (beta * (1 + z * C * fmin))
-    yield Identity("(14)", _all(PUBLISHED.subs(f, fmin)) - printed_14)
-    yield Identity("(23)", EXPECTED * FACTOR - PUBLISHED)
-    yield Identity("(15) mended: z_1 = 0", _all(EXPECTED * FACTOR) - _all(PUBLISHED))
+    yield "(14)", _all(PUBLISHED.subs(f, fmin)) - printed_14
+    yield "(23)", EXPECTED * FACTOR - PUBLISHED
+    yield "(15) mended: z_1 = 0", _all(EXPECTED * FACTOR) - _all(PUBLISHED)
     bare = _all(FACTOR.subs(beta, 1))
     v, u = z * C * f, z * C * fmin
-    yield Identity("(21): β_н = 1", bare - (v * (1 + u) + (1 - v**2) * fmin / f) / (1 + u))
+    yield "(21): β_н = 1", bare - (v * (1 + u) + (1 - v**2) * fmin / f) / (1 + u)
     printed_15 = (beta * v * (1 + u) + (1 - v**2) * fmin) / (beta * (1 + u))
     yield Refutation("M11: printed (15) without ÷ f", _all(FACTOR) - printed_15)
-    yield Identity("M19: at β_н = 1 T_ср = T_муф at f_min and at 1/(zC)",
-        (bare - 1).subs(f, fmin) ** 2 + (bare - 1).subs(f, 1 / (z * C)) ** 2)  # fmt: skip
+    yield (
+        "M19: at β_н = 1 T_ср = T_муф at f_min and at 1/(zC)",
+        (bare - 1).subs(f, fmin) ** 2 + (bare - 1).subs(f, 1 / (z * C)) ** 2,
+    )
     yield Refutation("M36: below 1/(zC) the published torque is the smaller one", bare - 1)
-    yield Identity("M36: A − 1 = (v − 1)(f − f_min)/[f (1 + u)]", bare - 1 - (v - 1) * (f - fmin) / (f * (1 + u)))
+    yield "M36: A − 1 = (v − 1)(f − f_min)/[f (1 + u)]", bare - 1 - (v - 1) * (f - fmin) / (f * (1 + u))
 
 
 def actuation_interval() -> Steps:
     """S22 (17): its discriminant is a perfect square, its ends in closed form."""
     u = z * C * fmin
     printed = (beta * (1 + u)) ** 2 - 4 * z * C * (beta * (1 + u) - u) * fmin
-    yield Identity("D = (β_н + (β_н − 2) u)²", overload.discriminant(beta, u) - printed)
+    yield "D = (β_н + (β_н − 2) u)²", overload.discriminant(beta, u) - printed
     root = beta + (beta - 2) * u
-    yield Identity("a perfect square", overload.discriminant(beta, u) - root**2)
+    yield "a perfect square", overload.discriminant(beta, u) - root**2
     ends = [(beta * (1 + u) + sign * root) / (2 * z * C * (beta * (1 + u) - u)) for sign in (-1, 1)]
     low, high = overload.interval_low(fmin, beta, u), overload.interval_high(z * C)
-    yield Identity("the ends are those of (17)", (low - ends[0]) ** 2 + (high - ends[1]) ** 2)
+    yield "the ends are those of (17)", (low - ends[0]) ** 2 + (high - ends[1]) ** 2
     for end in (overload.interval_low(fmin, beta, U), overload.interval_high((z - z1) * C)):
-        yield Identity("A = 1 at the end", (FACTOR - 1).subs(f, end))
-    yield Identity(
-        "at the lower end T_п = T_н.маш", (POTENTIAL - MACHINE).subs(f, overload.interval_low(fmin, beta, U))
-    )
+        yield "A = 1 at the end", (FACTOR - 1).subs(f, end)
+    yield "at the lower end T_п = T_н.маш", (POTENTIAL - MACHINE).subs(f, overload.interval_low(fmin, beta, U))
 
 
 def actuation_optimum() -> Steps:
     """S22, the optimum (M13): A = 1 at (z − z_1) C = 1/f_max, where K_т = (f_max + f_min)/(2 f_min)."""
     at_max = _all(FACTOR.subs(f, fmax))
     optimum = overload.optimal_reduced_gain(fmax)
-    yield Identity("A = 1", (at_max - 1).subs(C, optimum / z))
+    yield "A = 1", (at_max - 1).subs(C, optimum / z)
     expected = _all(EXPECTED.subs(f, fmax) / CLUTCH)
     best = overload.best_actual_accuracy_factor(fmin, fmax)
     own = overload.accuracy_factor_expected(EXPECTED.subs(f, fmax), CLUTCH)
-    yield Identity("(18) is the ratio of expected torques", _all(own) - expected)
+    yield "(18) is the ratio of expected torques", _all(own) - expected
     trip = overload.accuracy_factor_actual(FACTOR.subs(f, fmax) * EXPECTED.subs(f, fmax), CLUTCH)
-    yield Identity("(19) is A times (18)", _all(trip) - at_max * expected)
+    yield "(19) is A times (18)", _all(trip) - at_max * expected
     load = overload.accuracy_factor_equilibrium(EXPECTED.subs(f, fmax), EXPECTED.subs(f, fmin))
-    yield Identity("at equilibrium (18) once more", _all(load) - expected)
-    yield Identity("K_т there", expected.subs(C, optimum / z) - best)
+    yield "at equilibrium (18) once more", _all(load) - expected
+    yield "K_т there", expected.subs(C, optimum / z) - best
     v, u = z * C * fmax, z * C * fmin
     factored = (v - 1) * (1 - (1 + v) * fmin / (fmax * beta * (1 + u)))
-    yield Identity("A − 1 changes sign only there (and at T_п = T_н.маш)", at_max - 1 - factored)
+    yield "A − 1 changes sign only there (and at T_п = T_н.маш)", at_max - 1 - factored
     values = {beta: sp.Rational(5, 4), fmin: sp.Rational(1, 10), fmax: sp.Rational(8, 10)}
     yield Refutation("M13: not at zC = 1.6", (at_max - 1).subs(C, sp.Rational(8, 5) / z).subs(values))
 
@@ -147,7 +133,7 @@ def actuation_optimum() -> Steps:
 def difference_of_potential_torques() -> Steps:
     """S22 (22) less (8) (M15, M18)."""
     own = overload.potential_torque_gain_of_differentiated(z, z1, F, R, f, fmin, C, beta)
-    yield Identity("M15", own - (POTENTIAL - _all(POTENTIAL)))
+    yield "M15", own - (POTENTIAL - _all(POTENTIAL))
     yield Refutation("M18: z_1 C f_max is no torque", own - z1 * C * f)
 
 
@@ -155,13 +141,13 @@ def lost_formulas_of_figure_1() -> Steps:
     """S22 (10), (11) as their symbols allow: Δ = 1 + z(z − 1)(β_н − 1)(1 − C f); fig. 1 follows."""
     delta = 1 + z * (z - 1) * (beta - 1) * (1 - C * f)
     bound = overload.friction_bound(z, beta, 5)
-    yield Identity("(11) as printed", bound - (1 / (5 * (z - 1) * (beta - 1)) + z / 5))
-    yield Identity("(10) = 0 at any zC", delta.subs(C, q / z).subs(f, overload.friction_bound(z, beta, q)))
-    yield Identity("(11) is (10) = 0 at zC = 5", delta.subs(C, 5 / z).subs(f, bound))
+    yield "(11) as printed", bound - (1 / (5 * (z - 1) * (beta - 1)) + z / 5)
+    yield "(10) = 0 at any zC", delta.subs(C, q / z).subs(f, overload.friction_bound(z, beta, q))
+    yield "(11) is (10) = 0 at zC = 5", delta.subs(C, 5 / z).subs(f, bound)
     slope = sp.diff(bound, z)
     values = {beta: sp.Rational(5, 4)}
-    yield Identity("P19: least at z = 3 for β_н = 1.25", slope.subs(values).subs(z, 3))
-    yield Identity("P19: f = 1 there", bound.subs(values).subs(z, 3) - 1)
+    yield "P19: least at z = 3 for β_н = 1.25", slope.subs(values).subs(z, 3)
+    yield "P19: f = 1 there", bound.subs(values).subs(z, 3) - 1
     own = overload.potential_torque_gain_of_differentiated(z, 1, F, R, f, fmin, C, beta)
     yield Refutation("M15: as a torque difference it is wrong", own - delta)
 
@@ -169,4 +155,4 @@ def lost_formulas_of_figure_1() -> Steps:
 def margin_effect_changes_sign() -> Steps:
     """S22, text (M31): ∂A/∂β_н has the sign of (v − 1)(v + 1): a smaller margin raises T_ср for f < 1/(zC)."""
     slope = sp.diff(FACTOR, beta)
-    yield Identity("M31", slope - fmin * (V - 1) * (V + 1) / (beta**2 * f * (1 + U)))
+    yield "M31", slope - fmin * (V - 1) * (V + 1) / (beta**2 * f * (1 + U))

@@ -3,15 +3,8 @@
 import sympy as sp
 
 from ..equations import direct, indirect, pocket
-from . import Identity, Refutation, Steps
-from .symbols import C, F, R, c1, c2, d, f, fk, fset, z
-
-__all__ = [
-    "curved_pocket_balance",
-    "curved_pocket_elasticities",
-    "curved_pocket_holds_the_torque",
-    "curved_pocket_jumps",
-]
+from . import Refutation, Steps
+from .symbols import *
 
 X = sp.Symbol("x", positive=True)
 KAPPA, F2, SLOPE = sp.symbols("kappa F_2 C_1", positive=True)
@@ -38,47 +31,45 @@ def curved_pocket_balance() -> Steps:
     """The travel is the larger root of a quadratic; N by way of a stiffness in the place of D(f)."""
     key = indirect.gain_threshold(R, fk, d)
     net = indirect.net_gain(pocket.gain_at(C, SLOPE, X), R, fk, d)
-    yield Identity("κ(x) = κ_0 + C_1 x", net - pocket.gain_at(C - key, SLOPE, X))
+    yield "κ(x) = κ_0 + C_1 x", net - pocket.gain_at(C - key, SLOPE, X)
     stiffness = pocket.sleeve_stiffness(D, F, W, sp.sqrt(K_SQUARED))
     normal = indirect.normal_force_moving(F, c1, F2, c2, stiffness)
     found = pocket.travel(F, normal, c1)
-    yield Identity("F_п1 − c_1 x = N", F - c1 * found - normal)
+    yield "F_п1 − c_1 x = N", F - c1 * found - normal
     k = sp.Symbol("k", positive=True)
     at_k = pocket.travel(F, indirect.normal_force_moving(F, c1, F2, c2, pocket.sleeve_stiffness(D, F, W, k)), c1)
-    yield Identity("the sleeve is in balance", _at_root(_balance(at_k), k))
+    yield "the sleeve is in balance", _at_root(_balance(at_k), k)
     constant, linear, square = (sp.Poly(-_balance(X), X).coeff_monomial(X**power) for power in range(3))
-    yield Identity("a = z f c_1 C_1", square - c1 * W)
-    yield Identity("b = D − w F_п1", linear - (D - W * F))
-    yield Identity("k_t² = b² + 4 a g", K_SQUARED - linear**2 + 4 * square * constant)
+    yield "a = z f c_1 C_1", square - c1 * W
+    yield "b = D − w F_п1", linear - (D - W * F)
+    yield "k_t² = b² + 4 a g", K_SQUARED - linear**2 + 4 * square * constant
     # −∂(balance)/∂x at the root is k_t itself, not −k_t: the larger root, where the balance pushes back
     there = -sp.diff(_balance(X), X).subs(X, at_k)
-    yield Identity("k_t is the stiffness of the balance", _at_root(there - k, k))
+    yield "k_t is the stiffness of the balance", _at_root(there - k, k)
     straight = pocket.sleeve_stiffness(D, F, 0, D)
-    yield Identity("C_1 = 0 is the straight pocket", straight - D)
-    yield Identity("and its k_t is D", pocket.tangent_stiffness_squared(F, c1, F2, c2, D, 0) - D**2)
+    yield "C_1 = 0 is the straight pocket", straight - D
+    yield "and its k_t is D", pocket.tangent_stiffness_squared(F, c1, F2, c2, D, 0) - D**2
 
 
 def curved_pocket_holds_the_torque() -> Steps:
     """C_1* = (c_1 + c_2)/(z f_L F_п1): T = T_н for every f above f_L; x = (F_п1/c_1)(1 − f_L/f) whatever the gain."""
     control = indirect.control_force(F, z, KAPPA, fset)
-    yield Identity(
-        "f_L is f_set where (14) sets the control spring", pocket.leaving_friction(F, control, z, KAPPA) - fset
-    )
+    yield "f_L is f_set where (14) sets the control spring", pocket.leaving_friction(F, control, z, KAPPA) - fset
     leaving = pocket.leaving_friction(F, F2, z, KAPPA)
     at_stop = indirect.normal_force_seated(F2, z, KAPPA, leaving)
-    yield Identity("the pack is pressed by F_п1 alone there", at_stop - F)
+    yield "the pack is pressed by F_п1 alone there", at_stop - F
     best = pocket.constant_torque_slope(c1, c2, z, leaving, F)
     travel = F / c1 * (1 - leaving / f)
-    yield Identity("x in balance", _balance(travel).subs(SLOPE, best))
-    yield Identity("T = z R f_L F_п1", direct.group_torque(F - c1 * travel, R, z, f) - z * R * leaving * F)
+    yield "x in balance", _balance(travel).subs(SLOPE, best)
+    yield "T = z R f_L F_п1", direct.group_torque(F - c1 * travel, R, z, f) - z * R * leaving * F
     slope = pocket.constant_torque_slope(c1, c2, z, fset, F)
     held = F / c1 * (1 - fset / f)
-    yield Identity("the same with f_set", _balance(held).subs({SLOPE: slope, F2: control}))
+    yield "the same with f_set", _balance(held).subs({SLOPE: slope, F2: control})
     # in general T = R S(x)/κ(x), of which the sign of the slope is that of c_1 + c_2 − C_1 z f_set F_п1
     spring = control - F + (c1 + c2) * X
     torque = R * spring / pocket.gain_at(KAPPA, SLOPE, X)
     turned = sp.diff(torque, X) * pocket.gain_at(KAPPA, SLOPE, X) ** 2 / (R * KAPPA)
-    yield Identity("∂T/∂x falls with C_1 through C_1*", turned - z * fset * F * (slope - SLOPE))
+    yield "∂T/∂x falls with C_1 through C_1*", turned - z * fset * F * (slope - SLOPE)
     yield Refutation("another slope does not hold it", turned.subs(SLOPE, 2 * slope))
 
 
@@ -88,13 +79,13 @@ def curved_pocket_jumps() -> Steps:
     jumping = pocket.jumping_slope(at_leaving, z, fset, F)
     control = indirect.control_force(F, z, KAPPA, fset)
     stiffness = -sp.diff(_balance(X), X).subs({X: 0, f: fset, F2: control})
-    yield Identity("the balance is neutral at the stop", stiffness.subs(SLOPE, jumping))
+    yield "the balance is neutral at the stop", stiffness.subs(SLOPE, jumping)
     slope = pocket.constant_torque_slope(c1, c2, z, fset, F)
-    yield Identity("above C_1* by c_1 κ/F_п1", jumping - slope - c1 * KAPPA / F)
+    yield "above C_1* by c_1 κ/F_п1", jumping - slope - c1 * KAPPA / F
     # a clutch that still holds, under a torque T: S(x) − T κ(x)/R, no pack in it
     held, torque = control - F + (c1 + c2) * X, z * R * fset * F
     pushed = sp.diff(torque * pocket.gain_at(KAPPA, SLOPE, X) / R - held, X)
-    yield Identity("holding at T_н it is neutral at C_1*", pushed.subs(SLOPE, slope))
+    yield "holding at T_н it is neutral at C_1*", pushed.subs(SLOPE, slope)
 
 
 def curved_pocket_elasticities() -> Steps:
@@ -109,11 +100,11 @@ def curved_pocket_elasticities() -> Steps:
     kappa = pocket.gain_at(KAPPA, SLOPE, X)
     for symbol, part in ((KAPPA, KAPPA), (SLOPE, SLOPE * X), (z, kappa), (f, kappa)):
         own = pocket.force_elasticity_in_feedback(c1, z, f, part, tangent)
-        yield Identity(f"in {symbol}", own - total(symbol))
-    yield Identity("in c_2", pocket.force_elasticity_in_control_stiffness(c1, c2, X, tangent, pressed) - total(c2))
-    yield Identity("in F_п2", pocket.force_elasticity_in_control_force(c1, F2, tangent, pressed) - total(F2))
+        yield f"in {symbol}", own - total(symbol)
+    yield "in c_2", pocket.force_elasticity_in_control_stiffness(c1, c2, X, tangent, pressed) - total(c2)
+    yield "in F_п2", pocket.force_elasticity_in_control_force(c1, F2, tangent, pressed) - total(F2)
     for symbol, part in ((F, F), (c1, -c1 * X)):
         own = pocket.force_elasticity_in_closing_spring(part, c2, W, tangent, pressed)
         # the balance holds at x: F_п2 by it
         balanced = sp.solve(_balance(X), F2)[0]
-        yield Identity(f"in {symbol}", (own - total(symbol)).subs(F2, balanced))
+        yield f"in {symbol}", (own - total(symbol)).subs(F2, balanced)

@@ -3,17 +3,8 @@
 import sympy as sp
 
 from ..equations import springs
-from . import Identity, Refutation, Steps
-
-__all__ = [
-    "coil_that_buckles",
-    "cone_that_turns",
-    "disc_with_flats",
-    "stacks_of_discs",
-    "stresses_at_the_edges",
-    "wire_in_torsion",
-    "wire_that_lasts",
-]
+from . import Refutation, Steps
+from .symbols import exact
 
 E, nu, a, b, t, h, s, k4 = sp.symbols("E nu a b t h s K_4", positive=True)
 x, y, w, n, i, F, G, d, D, rho, force = sp.symbols("x y w n i F G d D rho F_1", positive=True)
@@ -40,23 +31,23 @@ def cone_that_turns() -> Steps:
     lever = 2 * sp.pi * E / ((1 - nu**2) * (a - b))
     # hoop strain φ[(c − r)(β − φ/2) + y]/r at r and height y, with its lever (c − r)(β − φ) + y; terms odd in y vanish
     squares = centre**2 * LOG - 2 * centre * (a - b) + (a**2 - b**2) / 2
-    yield Identity("∫ (c − r)²/r dr", sp.diff(y**2 * sp.log(x) - 2 * y * x + x**2 / 2, x) - (y - x) ** 2 / x)
+    yield "∫ (c − r)²/r dr", sp.diff(y**2 * sp.log(x) - 2 * y * x + x**2 / 2, x) - (y - x) ** 2 / x
     turned = lever * turn * (cone - turn / 2) * (cone - turn) * t * squares
     bent = lever * turn * t**3 / 12 * LOG
     whole = sp.expand(_force())
-    yield Identity("the part that is linear in t", whole.coeff(t, 1) * t - turned)
+    yield "the part that is linear in t", whole.coeff(t, 1) * t - turned
     # the standard takes the same factor for the bending part: exact for narrow rings
     ratio = sp.factor(sp.together(whole.coeff(t, 3) * t**3 / bent)).subs({a: b * sp.exp(w), LOG: w})
-    yield Identity("the part in t³ for narrow rings", sp.limit(sp.simplify(ratio), w, 0) - 1)
+    yield "the part in t³ for narrow rings", sp.limit(sp.simplify(ratio), w, 0) - 1
     yield Refutation("only for those", sp.simplify(ratio.subs(w, 1)) - 1)
     stiffness = springs.disc_stiffness(E, nu, _k1(), k4, 2 * a, t, h, s)
-    yield Identity("k = dF/ds", stiffness - sp.diff(_force(k4**2), s))
+    yield "k = dF/ds", stiffness - sp.diff(_force(k4**2), s)
 
 
 def disc_with_flats() -> Steps:
     """K_4 is what keeps the force at ¾ of the cone height of the disc without flats."""
     thinner, height = sp.symbols("t_r l_0", positive=True)
-    square = sp.nsimplify(springs.disc_factor_flats(t, thinner, height), rational=True) ** 2
+    square = exact(springs.disc_factor_flats(t, thinner, height)) ** 2
     (under,) = (part.base for part in square.atoms(sp.Pow) if part.exp == sp.Rational(1, 2))
     half = sp.sqrt(under) - square
     deflection = sp.Rational(3, 4) * (height - t)
@@ -69,12 +60,12 @@ def disc_with_flats() -> Steps:
         return of * (of * turning + bending)
 
     # K_4² = √D − h in (K_4²)² turning + K_4² bending = plain: what stands with the root, and what without
-    yield Identity("F(¾ h_0) is kept: with the root", bending - 2 * half * turning)
-    yield Identity("F(¾ h_0) is kept: without", turning * (half**2 + under) - bending * half - plain)
+    yield "F(¾ h_0) is kept: with the root", bending - 2 * half * turning
+    yield "F(¾ h_0) is kept: without", turning * (half**2 + under) - bending * half - plain
     root = sp.Symbol("q", positive=True)
     stiffer = springs.disc_force(E, nu, 1, root, 2 * a, thinner, height - thinner, deflection)
-    yield Identity("K_4 in the force", stiffer - made(root**2))
-    yield Identity("no flats", square.subs({thinner: t, height: sp.Rational(7, 5) * t}) - 1)
+    yield "K_4 in the force", stiffer - made(root**2)
+    yield "no flats", square.subs({thinner: t, height: sp.Rational(7, 5) * t}) - 1
 
 
 def stresses_at_the_edges() -> Steps:
@@ -92,52 +83,52 @@ def stresses_at_the_edges() -> Steps:
     ):
         hoop = -E / (1 - nu**2) * turn * k4 * (k4 * (centre - radius) * (cone - turn / 2) + side * t / 2) / radius
         found = springs.disc_stress(E, nu, old, k4, 2 * a, t, h, s, membrane, bending)
-        yield Identity(f"σ_{name}", sp.simplify(found - hoop))
+        yield f"σ_{name}", sp.simplify(found - hoop)
     middle = springs.disc_stress(E, nu, old, k4, 2 * a, t, h, s, 0, 3 / sp.pi)
     hoop = -E / (1 - nu**2) * turn * k4 * t / (2 * centre)
-    yield Identity("σ_OM: bending where the section turns", sp.simplify(middle - hoop))
+    yield "σ_OM: bending where the section turns", sp.simplify(middle - hoop)
     new = springs.disc_stress(E, nu, 2 * old, k4, 2 * a, t, h, s, 0, 1)
-    yield Identity("∝ 1/K_1", new * 2 - springs.disc_stress(E, nu, old, k4, 2 * a, t, h, s, 0, 1))
+    yield "∝ 1/K_1", new * 2 - springs.disc_stress(E, nu, old, k4, 2 * a, t, h, s, 0, 1)
 
 
 def stacks_of_discs() -> Steps:
     """Lengths, friction and mass of a stack."""
     length = springs.stack_length(n, i, h + t, t)
-    yield Identity("a pack: one free height and n − 1 thicknesses more", length / i - (h + n * t))
+    yield "a pack: one free height and n − 1 thicknesses more", length / i - (h + n * t)
     rim, surface = sp.symbols("w_R w_M", positive=True)
     there = springs.stack_force_with_friction(F, n, surface, rim)
     # what friction takes is the share of the force that is there
-    yield Identity("F = nF + friction", there - F - there * (surface * (n - 1) + rim))
+    yield "F = nF + friction", there - F - there * (surface * (n - 1) + rim)
     mass = springs.ring_mass(rho, 2 * a, 2 * b, t, sp.pi)
-    yield Identity("volume of a ring", mass - rho * t * sp.integrate(2 * sp.pi * x, (x, b, a)))
+    yield "volume of a ring", mass - rho * t * sp.integrate(2 * sp.pi * x, (x, b, a))
 
 
 def wire_in_torsion() -> Steps:
     """A coil's wire is twisted by F D/2 over its length π D n."""
     polar = sp.pi * d**4 / 32
     twist = (F * D / 2) * sp.pi * D * n / (G * polar)
-    yield Identity("s = ϑ D/2", springs.coil_stiffness(G, d, D, n) * twist * D / 2 - F)
+    yield "s = ϑ D/2", springs.coil_stiffness(G, d, D, n) * twist * D / 2 - F
     index = D / d
-    correction = sp.nsimplify(springs.coil_correction(d, D), rational=True)
-    yield Identity("1 + 5/(4w − 3)", correction - 1 - 5 / (4 * index - 3))
+    correction = exact(springs.coil_correction(d, D))
+    yield "1 + 5/(4w − 3)", correction - 1 - 5 / (4 * index - 3)
     straight = springs.coil_stress(F, d, D, 1, sp.pi)
-    yield Identity("straight wire: M/(J/(d/2))", straight - F * D / 2 * (d / 2) / polar)
-    yield Identity("∝ k_τ", springs.coil_stress(F, d, D, correction, sp.pi) - correction * straight)
+    yield "straight wire: M/(J/(d/2))", straight - F * D / 2 * (d / 2) / polar
+    yield "∝ k_τ", springs.coil_stress(F, d, D, correction, sp.pi) - correction * straight
     turns = springs.coil_solid_length(d, n) / d
-    yield Identity("n + 2 turns of wire", turns - n - 2)
-    gap = sp.nsimplify(springs.coil_least_gap(d, D, n), rational=True)
-    yield Identity("S_a", gap * 2000 * d - n * (3 * D**2 + 200 * d**2))
+    yield "n + 2 turns of wire", turns - n - 2
+    gap = exact(springs.coil_least_gap(d, D, n))
+    yield "S_a", gap * 2000 * d - n * (3 * D**2 + 200 * d**2)
     volume = sp.pi * d**2 / 4 * sp.pi * D * turns
-    yield Identity("mass of the wire", springs.coil_mass(rho, d, D, n, sp.pi) - rho * volume)
+    yield "mass of the wire", springs.coil_mass(rho, d, D, n, sp.pi) - rho * volume
 
 
 def wire_that_lasts() -> Steps:
     """Goodman's line τ_a/S_se + τ_m/S_su = 1 through a point known."""
     amplitude, mean, ultimate, lower, endurance = sp.symbols("S_sa S_sm S_su tau_U S_se", positive=True)
-    yield Identity("the point", amplitude / springs.coil_endurance(amplitude, mean, ultimate) + mean / ultimate - 1)
+    yield "the point", amplitude / springs.coil_endurance(amplitude, mean, ultimate) + mean / ultimate - 1
     upper = springs.coil_upper_stress(lower, endurance, ultimate)
     line = (upper - lower) / 2 / endurance + (upper + lower) / 2 / ultimate
-    yield Identity("the line", line - 1)
+    yield "the line", line - 1
 
 
 def coil_that_buckles() -> Steps:
@@ -150,11 +141,11 @@ def coil_that_buckles() -> Steps:
     shear = left * young * d**4 / (8 * D**3 * n)
     load = spring * share * length
     euler = load * (1 + load / shear) * (seating * left) ** 2 - sp.pi**2 * bending
-    root = sp.nsimplify(springs.coil_buckling_root(D, length, q, seating, sp.pi), rational=True)
+    root = exact(springs.coil_buckling_root(D, length, q, seating, sp.pi))
     square = sp.Symbol("r", positive=True)
-    at = sp.nsimplify(springs.coil_buckling_deflection(length, q, square**2), rational=True) / length
+    at = exact(springs.coil_buckling_deflection(length, q, square**2)) / length
     reduced = sp.cancel(sp.together(euler.subs(share, at)))
     # what is left holds where r² is the root
-    yield Identity("s_K/L_0", sp.simplify(sp.rem(sp.numer(reduced), sp.numer(sp.together(square**2 - root)), square)))
-    yield Identity("a slender one at once", springs.coil_buckling_deflection(length, q, 1))
+    yield "s_K/L_0", sp.simplify(sp.rem(sp.numer(reduced), sp.numer(sp.together(square**2 - root)), square))
+    yield "a slender one at once", springs.coil_buckling_deflection(length, q, 1)
     yield Refutation("only there", sp.simplify(reduced))

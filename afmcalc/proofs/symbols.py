@@ -15,3 +15,14 @@ def solved(equation: sp.Expr, unknown: sp.Symbol) -> sp.Expr:
     """Return the one solution of ``equation = 0``."""
     (solution,) = sp.solve(equation, unknown, simplify=False)
     return solution
+
+
+def exact(expression: sp.Expr) -> sp.Expr:
+    """Take the decimal numbers of an equation as fractions, its power 0.5 as a square root."""
+    return sp.nsimplify(expression, rational=True)
+
+
+def rooted(expression: sp.Expr) -> sp.Expr:
+    """Draw the roots of perfect squares."""
+    half = sp.Rational(1, 2)
+    return expression.replace(lambda e: e.is_Pow and e.exp == half, lambda e: sp.sqrt(sp.factor(e.base)))
