@@ -1,6 +1,6 @@
 """Results are values: frozen, typed, SI, with symbol, unit and description on every field."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self
 
@@ -93,6 +93,11 @@ class Triple(Result):
     min: float = Field(description="at f_min")
     mean: float = Field(description="at the mean friction")
     max: float = Field(description="at f_max")
+
+    @classmethod
+    def of(cls, values: Iterable[float]) -> Self:
+        """Build the triple of three values."""
+        return cls(**dict(zip(("min", "mean", "max"), values, strict=True)))
 
 
 class OpenTriple(Result):

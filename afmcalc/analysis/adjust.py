@@ -7,7 +7,7 @@ from typing import Any, Literal
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import adjustment
-from ..findings import Finding, Level, finding
+from ..findings import Finding, finding
 from ..messages import term
 from ..result import Answer, Result, Triple, quantity
 from ..spec import Spec
@@ -57,7 +57,7 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     """Set the clutch by both methods for its nominal torque and compare the scatter bands."""
     nominal, machine = float(clutch.nominal_torque), float(clutch.machine_torque)
     first, second = clutches = [set_by(clutch.spec, method, nominal) for method in METHODS]
-    results = [_method(each, nominal, machine) for each in clutches]
+    results = [_method(one, nominal, machine) for one in clutches]
     bands = [result.scatter for result in results]
     ratio = _ratio(clutch, first, bands)
     narrower: Literal["min-friction", "mean-friction", "equal"] = "equal"
@@ -80,7 +80,11 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
         pairs_threshold=_threshold(clutch, clutch.gain),
         pairs_threshold_at_gain_limit=None if limit is None else _threshold(clutch, limit),
     )
-    return result, [*clutch.findings(), *_findings(clutch, result, clutches), *_re_made(clutch, first, second)]
+    findings = clutch.findings()
+    if narrower != "equal":
+        index = METHODS.index(narrower)
+        findings += _below_nominal(clutch, result, narrower, results[index], float(clutches[index].torque_min))
+    return result, [*findings, *_re_made(clutch, first, second)]
 
 
 def _re_made(clutch: Clutch, first: Clutch, second: Clutch) -> Iterator[Finding]:
@@ -91,23 +95,22 @@ def _re_made(clutch: Clutch, first: Clutch, second: Clutch) -> Iterator[Finding]
         yield finding("control-spring-re-set", "info", value=control.force, path="control_spring.force", **forces)
     if unit is not None and unit.pocket is not None:
         slopes = {"at_min": float(first.gain_slope or 0.0), "at_mean": float(second.gain_slope or 0.0)}
-        own = float(clutch.gain_slope or 0.0)
-        yield finding("pockets-re-cut", "info", value=own, path="control_unit.pocket", **slopes)
+        value = float(clutch.gain_slope or 0.0)
+        yield finding("pockets-re-cut", "info", value=value, path="control_unit.pocket", **slopes)
 
 
-def _findings(clutch: Clutch, result: AdjustResult, clutches: list[Clutch]) -> list[Finding]:
-    """Say where the setting with the narrower band does not hold the nominal torque; warn where the clutch has it."""
-    if result.narrower == "equal":
-        return []
-    index = METHODS.index(result.narrower)
-    own = (result.min_friction, result.mean_friction)[index]
-    if own.holds_nominal:
-        return []
-    code = "narrower-below-nominal" if own.holds_machine else "narrower-below-nominal/machine"
-    lowest, path, machine = float(clutches[index].torque_min), "adjustment.method", result.machine_torque
-    limit, method = result.nominal_torque, term(result.narrower)
-    level: Level = "warning" if result.narrower == clutch.spec.adjustment.method else "info"
-    return [finding(code, level, value=lowest, limit=limit, path=path, method=method, machine=machine)]
+def _below_nominal(
+    clutch: Clutch, result: AdjustResult, method: Method, setting: MethodResult, lowest: float
+) -> Iterator[Finding]:
+    """Say that the narrower setting does not hold the nominal torque; warn where the clutch has that setting."""
+    if setting.holds_nominal:
+        return
+    yield finding(
+        "narrower-below-nominal" if setting.holds_machine else "narrower-below-nominal/machine",
+        "warning" if method == clutch.spec.adjustment.method else "info",
+        value=lowest, limit=result.nominal_torque, path="adjustment.method", method=term(method),
+        machine=result.machine_torque,
+    )  # fmt: skip
 
 
 def _method(clutch: Clutch, nominal: float, machine: float) -> MethodResult:
@@ -135,10 +138,10 @@ def _ratio(clutch: Clutch, set_at_min: Clutch, bands: list[float]) -> float | No
 
 def _threshold(clutch: Clutch, gain: Any) -> float | None:
     """z of S19 (12); None where it does not apply, or one method is narrower whatever the number of pairs."""
-    spec, own, margin = clutch.spec, clutch.friction[0], clutch.spec.adjustment.margin
+    spec, friction, margin = clutch.spec, clutch.friction[0], clutch.spec.adjustment.margin
     if spec.kind.travels or spec.friction.unlike:
         return None
-    if not (margin - 1) * gain > 0 or margin * own.min >= own.mean:
+    if not (margin - 1) * gain > 0 or margin * friction.min >= friction.mean:
         return None
-    threshold = float(adjustment.pairs_threshold(clutch.bypass_pairs, gain, own.min, own.mean, margin))
+    threshold = float(adjustment.pairs_threshold(clutch.bypass_pairs, gain, friction.min, friction.mean, margin))
     return threshold if math.isfinite(threshold) else None

@@ -14,21 +14,12 @@ _ITERATIONS = 30
 
 
 def integrals(axis_ratio: Values) -> tuple[Values, Values]:
-    """Complete elliptic integrals 𝐁 and 𝐃 of the modulus √(1 − k²), by the arithmetic-geometric mean.
+    """Complete elliptic integrals 𝐁 and 𝐃 of the modulus √(1 − k²): 𝐃 = R_D(0, k², 1)/3, 𝐁 = K − 𝐃, exact at k = 1."""
+    from scipy.special import elliprd, elliprf
 
-    𝐃 = (K − E)/e² and 𝐁 = K − 𝐃, without the differences: exact for a circle too.
-    """
-    mean: Values = 1.0
-    root, squared = axis_ratio, 1 - axis_ratio * axis_ratio
-    # of c_n, half the difference of the two means: c_n²/e², from c_1 = (1 − k)/2 by c_{n+1} = c_n²/(4 a_{n+1})
-    share, total = (1 - axis_ratio) / (4 * (1 + axis_ratio)), 0.0 * axis_ratio
-    for power in range(1, 9):  # the difference of the means is squared each time: enough down to k = 1e-12
-        mean, root = (mean + root) / 2, (mean * root) ** 0.5
-        total = total + 2**power * share
-        share = share * share * squared / (2 * (mean + root)) ** 2
-    complete = math.pi / (2 * mean)
-    part = complete * (1 + total) / 2
-    return complete - part, part
+    squared = axis_ratio * axis_ratio
+    part = elliprd(0, squared, 1) / 3
+    return elliprf(0, squared, 1) - part, part
 
 
 def axis_ratio(curvature_ratio: Values) -> Values:
@@ -50,22 +41,19 @@ def allowable_force(contact: Contact, ball_radius: Values, path_radius: Values |
     modulus = synthesis.hertz_contact_modulus(
         contact.ball_modulus, contact.ball_poisson, contact.wall_modulus, contact.wall_poisson
     )
-    flat = ball_radius if path_radius is None else _flat_radius(ball_radius, path_radius)
-    force: Values = synthesis.hertz_allowable_force(contact.allowable_pressure, flat, modulus, math.pi)
-    return force
+    radius = ball_radius if path_radius is None else _radius_on_flat(ball_radius, path_radius)
+    return synthesis.hertz_allowable_force(contact.allowable_pressure, radius, modulus, math.pi)
 
 
 def pressure(contact: Contact, force: Values, ball_radius: Values, path_radius: Values | None = None) -> Values:
     """Largest contact pressure p_0 under a normal force, Pa; the rest as ``allowable_force``."""
     allowable = allowable_force(contact, ball_radius, path_radius)
-    most: Values = synthesis.hertz_pressure(contact.allowable_pressure, force, allowable)
-    return most
+    return synthesis.hertz_pressure(contact.allowable_pressure, force, allowable)
 
 
-def _flat_radius(ball_radius: Values, path_radius: Values) -> Values:
+def _radius_on_flat(ball_radius: Values, path_radius: Values) -> Values:
     """Radius R_e φ of a ball that bears on a flat what this one does on a wall of the radius ρ − r_ш, m."""
     curvatures = wall.hertz_curvature_ratio(path_radius, ball_radius)
     slimness = axis_ratio(curvatures)
     factor = wall.hertz_ellipse_factor(slimness, *integrals(slimness), math.pi)
-    radius: Values = wall.hertz_relative_radius(ball_radius, curvatures) * factor
-    return radius
+    return wall.hertz_relative_radius(ball_radius, curvatures) * factor

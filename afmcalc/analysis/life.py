@@ -91,7 +91,7 @@ def life(
     clutches: dict[Setting, Clutch] = {"as-set": clutch, **{method: _set_by(clutch, method) for method in METHODS}}
 
     def of(side: str, *, from_mean: bool = False) -> MethodCycles:
-        loads = {setting: load_of(own, from_mean=from_mean).times(sides[side]) for setting, own in clutches.items()}
+        loads = {setting: load_of(one, from_mean=from_mean).times(sides[side]) for setting, one in clutches.items()}
         return MethodCycles(
             **{setting.replace("-", "_"): _null(cycles(part, model, load)) for setting, load in loads.items()},
             unlimited=[setting for setting, load in loads.items() if _is_unlimited(part, _stress(part, model, load))],
@@ -118,7 +118,7 @@ def life(
     )
     return result, [
         *clutch.findings(),
-        *(each for side, times in sides.items() for each in _judged(part, model, side, load.times(times))),
+        *(remark for side, times in sides.items() for remark in _judged(part, model, side, load.times(times))),
         *([] if answers else _underrated(clutch)),
         *about,
         *replaced(clutch.spec, sweeps),
@@ -182,21 +182,21 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: 
         answers = {name: cycles(part, model, load) for name, load in bands.items()}
     else:
         values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
-        held = clutch.spec.drive.event is None or all(path.startswith("fatigue.") for path in values)
+        same_event = clutch.spec.drive.event is None or all(path.startswith("fatigue.") for path in values)
 
-        def of(own: Clutch, times: Values | None = None, *, from_mean: bool = False) -> Values:
-            return cycles(_part(own, model), model, load_of(own, from_mean=from_mean).times(times))
+        def of(point: Clutch, times: Values | None = None, *, from_mean: bool = False) -> Values:
+            return cycles(_part(point, model), model, load_of(point, from_mean=from_mean).times(times))
 
-        def factor_of(own: Clutch) -> Values:
+        def factor_of(point: Clutch) -> Values:
             from .simulate import dynamic_factors
 
-            given = own.spec.drive.dynamic_factor
-            return given if given is not None else factor if held else dynamic_factors(own)
+            given = point.spec.drive.dynamic_factor
+            return given if given is not None else factor if same_event else dynamic_factors(point)
 
         outputs = {
             "protected": of,
-            "unprotected": lambda own: of(own, factor_of(own)),
-            "protected_forecast": lambda own: of(own, from_mean=True),
+            "unprotected": lambda point: of(point, factor_of(point)),
+            "protected_forecast": lambda point: of(point, from_mean=True),
         }
         answers = evaluate(clutch.spec, values, outputs)
     size = points[0].size
@@ -213,11 +213,11 @@ def _over_band(clutch: Clutch, model: StressRule, band: Values, factor: float) -
     Slips keep the course of the torque over friction, stretched; the paper's forecast keeps T_cp, and has nothing to
     say of a band so narrow that T_max stays below it.
     """
-    own, forecast = load_of(clutch), load_of(clutch, from_mean=True)
-    least, had = own.least, own.most - own.least
-    over = own.stretched(least, had, band)
+    load, forecast = load_of(clutch), load_of(clutch, from_mean=True)
+    least, own_band = load.least, load.most - load.least
+    over = load.stretched(least, own_band, band)
     if RULES[model].each_slip:
-        upper = forecast.stretched(least, had, band)
+        upper = forecast.stretched(least, own_band, band)
     else:
         import numpy as np
 

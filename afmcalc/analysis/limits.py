@@ -15,10 +15,10 @@ from ..spec.catalogues import Material, friction_materials
 from ..spec.edit import value_at
 from ..spec.read import diameters
 from .answers import Answers
-from .fit import contact_limits
 from .heat_findings import judged_temperature, share_of_rise
 from .life import LifeResult
 from .registry import ANALYSES
+from .synthesize import contact_limits
 from .unit import SynthesisResult
 
 Grade = Literal["pass", "note", "warning", "fail"]

@@ -11,6 +11,7 @@ from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
 from ..result import Answer, Series, Triple, quantity
+from .registry import ANALYSES
 from .sweep.grid import replaced, series
 
 if TYPE_CHECKING:
@@ -59,31 +60,30 @@ def overload(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[OverloadRes
         CalculationError: a variant S22 does not treat.
     """
     refuse(clutch)
-    own = clutch.friction[0]
-    at = {name: Actuation(clutch, getattr(own, name)) for name in ("min", "mean", "max")}
-
-    def triple(attribute: str) -> Triple:
-        return Triple(**{name: getattr(actuation, attribute) for name, actuation in at.items()})
-
-    expected = triple("expected")
+    trips = [Actuation(clutch, friction) for friction in clutch.friction[0]]
+    at_min, _, at_max = trips
     result = OverloadResult(
-        nominal_torque=at["min"].expected,
-        machine_torque=at["min"].machine,
+        nominal_torque=at_min.expected,
+        machine_torque=at_min.machine,
         margin=clutch.spec.adjustment.margin,
-        potential_torque=triple("potential"),
-        expected_torque=expected,
-        load_rise=triple("rise"),
-        actuation_torque_published=triple("published"),
-        actuation_torque_equilibrium=triple("equilibrium"),
-        actuation_factor=triple("factor"),
+        potential_torque=Triple.of(trip.potential for trip in trips),
+        expected_torque=Triple.of(trip.expected for trip in trips),
+        load_rise=Triple.of(trip.rise for trip in trips),
+        actuation_torque_published=Triple.of(trip.published for trip in trips),
+        actuation_torque_equilibrium=Triple.of(trip.equilibrium for trip in trips),
+        actuation_factor=Triple.of(trip.factor for trip in trips),
         friction_interval=_interval(clutch),
-        optimal_reduced_gain=law.optimal_reduced_gain(own.max),
-        accuracy_factor_expected=accuracy_expected(clutch),
-        accuracy_factor_actual=accuracy_actual(clutch),
-        accuracy_factor_equilibrium=law.accuracy_factor_equilibrium(at["max"].equilibrium, at["min"].equilibrium),
+        optimal_reduced_gain=law.optimal_reduced_gain(clutch.friction[0].max),
+        accuracy_factor_expected=_accuracy_expected(clutch),
+        accuracy_factor_actual=_accuracy_actual(clutch),
+        accuracy_factor_equilibrium=law.accuracy_factor_equilibrium(at_max.equilibrium, at_min.equilibrium),
         sweep=series(OverloadSweep, clutch, sweeps, SWEEP_OUTPUTS),
     )
-    return result, [*clutch.findings(), *_findings(clutch), *replaced(clutch.spec, sweeps)]
+    findings = [*clutch.findings(), finding("published-against-equilibrium", "info")]
+    setting = clutch.spec.adjustment
+    if setting.method == "mean-friction":
+        findings.append(finding("margin-role", "warning", value=setting.margin, path="adjustment.method"))
+    return result, [*findings, *replaced(clutch.spec, sweeps)]
 
 
 class Actuation:
@@ -106,38 +106,35 @@ class Actuation:
         self.factor = law.actuation_factor(here, at_min, friction, low, margin)
 
 
-def accuracy_expected(clutch: Clutch) -> Any:
+def _at_max(clutch: Clutch) -> Actuation:
+    return Actuation(clutch, clutch.friction[0].max)
+
+
+def _accuracy_expected(clutch: Clutch) -> Any:
     """K_т expected, S22 (18)."""
-    own = clutch.friction[0]
-    return law.accuracy_factor_expected(Actuation(clutch, own.max).expected, Actuation(clutch, own.min).expected)
+    return law.accuracy_factor_expected(_at_max(clutch).expected, Actuation(clutch, clutch.friction[0].min).expected)
 
 
-def accuracy_actual(clutch: Clutch) -> Any:
+def _accuracy_actual(clutch: Clutch) -> Any:
     """K_т actual, S22 (19): the larger of published and expected torque at f_max over the clutch's nominal torque."""
-    own = clutch.friction[0]
-    at_max = Actuation(clutch, own.max)
+    at_max = _at_max(clutch)
     largest = larger(at_max.published, at_max.expected)
-    return law.accuracy_factor_actual(largest, Actuation(clutch, own.min).expected)
+    return law.accuracy_factor_actual(largest, Actuation(clutch, clutch.friction[0].min).expected)
 
 
 SWEEP_OUTPUTS = {
-    "accuracy_factor_expected": accuracy_expected,
-    "accuracy_factor_actual": accuracy_actual,
-    "actuation_factor": lambda clutch: Actuation(clutch, clutch.friction[0].max).factor,
-    "expected_torque": lambda clutch: Actuation(clutch, clutch.friction[0].max).expected,
-    "actuation_torque_published": lambda clutch: Actuation(clutch, clutch.friction[0].max).published,
-    "actuation_torque_equilibrium": lambda clutch: Actuation(clutch, clutch.friction[0].max).equilibrium,
+    "accuracy_factor_expected": _accuracy_expected,
+    "accuracy_factor_actual": _accuracy_actual,
+    "actuation_factor": lambda clutch: _at_max(clutch).factor,
+    "expected_torque": lambda clutch: _at_max(clutch).expected,
+    "actuation_torque_published": lambda clutch: _at_max(clutch).published,
+    "actuation_torque_equilibrium": lambda clutch: _at_max(clutch).equilibrium,
 }
-
-
-def applies(clutch: Clutch) -> bool:
-    """Whether S22 treats this clutch."""
-    return clutch.spec.kind.overload and not clutch.spec.friction.unlike
 
 
 def refuse(clutch: Clutch) -> None:
     """Refuse a variant S22 does not treat."""
-    if not applies(clutch):
+    if not ANALYSES["overload"].applies(clutch):
         unlike, variant = clutch.spec.friction.unlike, clutch.spec.variant
         what = say("unlike materials") if unlike else say("variant {variant!r}", variant=variant)
         raise CalculationError(
@@ -147,19 +144,11 @@ def refuse(clutch: Clutch) -> None:
 
 def _interval(clutch: Clutch) -> list[float] | None:
     """Friction where the published actuation torque is below the expected one, S22 (17), within the range."""
-    own, reduced = clutch.friction[0], clutch.reduced_gain
+    friction, reduced = clutch.friction[0], clutch.reduced_gain
     if reduced == 0:
         return None
     controlled = direct.controlled_pairs(clutch.spec.friction_group.pairs, clutch.bypass_pairs)
-    at_min = law.loop_gain(controlled, clutch.gain, own.min)
-    ends = sorted((law.interval_low(own.min, clutch.spec.adjustment.margin, at_min), law.interval_high(reduced)))
-    low, high = max(ends[0], own.min), min(ends[1], own.max)
+    at_min = law.loop_gain(controlled, clutch.gain, friction.min)
+    ends = sorted((law.interval_low(friction.min, clutch.spec.adjustment.margin, at_min), law.interval_high(reduced)))
+    low, high = max(ends[0], friction.min), min(ends[1], friction.max)
     return [low, high] if low < high else None
-
-
-def _findings(clutch: Clutch) -> list[Finding]:
-    found = [finding("published-against-equilibrium", "info")]
-    setting = clutch.spec.adjustment
-    if setting.method == "mean-friction":
-        found.append(finding("margin-role", "warning", value=setting.margin, path="adjustment.method"))
-    return found

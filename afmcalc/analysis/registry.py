@@ -309,8 +309,8 @@ ANALYSES: dict[str, Analysis] = {
             "reproduce", "papers.claims", "ReproduceResult", "papers",
             plot=Plot("paper", "a figure of the papers from the formulas: F11-2, S19-2, S21-2, …", "names"),
         ),
-        Analysis("examples", "analysis.examples", "ExamplesResult", "specs"),
-        Analysis("materials", "analysis.materials", "MaterialsResult", "specs"),
+        Analysis("examples", "analysis.shipped", "ExamplesResult", "specs"),
+        Analysis("materials", "analysis.shipped", "MaterialsResult", "specs"),
         Analysis("check", "analysis.check", "CheckResult", "specs", options=("answers",), explained=True),
     )
 }  # fmt: skip
@@ -319,3 +319,40 @@ ANALYSES: dict[str, Analysis] = {
 PLOTS: dict[str, Plot] = {each.plot.name: each.plot for each in ANALYSES.values() if each.plot}
 
 EXPLAINED = tuple(each.name for each in ANALYSES.values() if each.explained)
+
+
+def schema(command: str | None = None) -> dict[str, Any]:
+    """Return the JSON Schema of a spec (None), of requirements, or of the output of a command.
+
+    Raises:
+        AfmcalcError: no such command.
+    """
+    from dataclasses import fields
+
+    from pydantic import create_model
+
+    from ..errors import AfmcalcError
+    from ..letters import did_you_mean
+    from ..messages import say
+    from ..result import Output
+    from ..spec import Spec
+    from ..spec.requirements import Requirements
+
+    head = {"$schema": "https://json-schema.org/draft/2020-12/schema"}
+    if command is None or command == "spec":
+        return {**head, **Spec.model_json_schema()}
+    if command == "requirements":
+        return {**head, **Requirements.model_json_schema()}
+    if command not in ANALYSES:
+        hint, results = did_you_mean(command, ANALYSES), ", ".join(ANALYSES)
+        raise AfmcalcError(
+            say(
+                "no JSON of a command {command!r}{hint}; described are: spec, requirements, {results}",
+                command=command, hint=hint, results=results,
+            )
+        )  # fmt: skip
+    result = ANALYSES[command].result_class
+    parts: dict[str, Any] = {field.name: (field.type, ...) for field in fields(Output)}
+    parts["result"] = (result, ...)
+    model = create_model(f"{result.__name__.removesuffix('Result')}Output", __doc__=Output.__doc__, **parts)
+    return {**head, **model.model_json_schema(mode="serialization")}

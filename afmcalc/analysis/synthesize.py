@@ -1,22 +1,27 @@
 """Synthesis of the control unit: wall angle, travel, balls, pockets, contact (S21 (16)–(24))."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ..arrays import finite
+from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
 from ..errors import Problem, SpecError
-from ..findings import Finding
+from ..findings import Finding, finding
 from ..messages import say
+from ..recorders import unrecorded
 from ..spec import Spec, resolved
+from ..spec.edit import with_key
 from ..spec.models import ControlUnit
 from ..spec.read import diameters, next_size
-from . import fit
 from .contact import BallContact, contact_of, places_along
 from .unit import SynthesisResult
-from .wall import Wall, clearances, wall_of
+from .wall import DEFAULT_CLEARANCE, Wall, clearances, wall_of
+
+_STEPS = 120
+"""Gains tried for one with which a curved wall can be cut: up to ten times as large."""
 
 
 def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
@@ -71,7 +76,13 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         gain_at_least_contact_force=least_contact_force_gain(clutch),
         **(_of_the_curve(clutch, wall, contact, travel) if curved else {}),
     )
-    return result, [*clutch.findings(), *fit.findings(clutch, unit, result, sizes)]
+    return result, [
+        *clutch.findings(),
+        *_ball_findings(clutch, unit, result, sizes[-1]),
+        *_curve_findings(clutch, result, sizes),
+        *_room_findings(unit, result),
+        *_contact_findings(clutch, unit, result),
+    ]
 
 
 def _of_the_curve(clutch: Clutch, wall: Wall, contact: BallContact, travel: float) -> dict[str, Any]:
@@ -160,3 +171,100 @@ def completed(spec: Spec, result: SynthesisResult) -> dict[str, Any]:
     if result.ball_diameter_standard is not None:
         unit["ball_diameter"] = result.ball_diameter_standard
     return data
+
+
+def contact_limits(clutch: Clutch, result: SynthesisResult) -> Iterator[tuple[float, float, bool]]:
+    """Yield each limit of the contact: normal force on a ball, what it may be, N, and whether Hertz says so."""
+    unit = clutch.spec.control_unit
+    if unit is None or result.contact_force is None:
+        return
+    if unit.allowable_contact_force is not None:
+        yield result.contact_force, unit.allowable_contact_force, False
+    if result.contact_force_hertz is not None:
+        yield result.contact_force_critical or result.contact_force, result.contact_force_hertz, True
+
+
+def _ball_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult, largest: float) -> Iterator[Finding]:
+    """Say what is taken where the spec says nothing, and whether the ball chosen will do."""
+    for key, given in (("face_gap", unit.face_gap), ("edge_clearance", unit.edge_clearance)):
+        if given is None:
+            yield finding("default-clearance", "info", value=DEFAULT_CLEARANCE, path=f"control_unit.{key}")
+    if not clutch.spec.kind.travels:
+        yield finding("no-sleeve-travel", "info", value=0.0)
+    chosen, smallest = result.ball_diameter_standard, 2 * result.ball_radius
+    if chosen is None:
+        yield finding("no-standard-ball", "error", value=smallest, limit=largest)
+    elif chosen < smallest * (1 - 1e-12):
+        yield finding("ball-too-small", "error", value=chosen, limit=smallest, path="control_unit.ball_diameter")
+
+
+def _curve_findings(clutch: Clutch, result: SynthesisResult, sizes: Sequence[float]) -> Iterator[Finding]:
+    """Say what cannot be cut, and what would; and how the ball is held in the other sleeve."""
+    limit = result.undercut_radius
+    if limit is None:
+        return
+    if result.profiled == "both":
+        yield finding("both-sleeves-unstable", "warning", value=2.0, path="control_unit.profiled")
+    else:
+        yield finding("ball-slides-in-seat", "info", path="control_unit.profiled")
+    if result.ball_diameter >= 2 * limit:
+        path = "control_unit.ball_diameter" if result.ball_diameter_standard is None else "control_unit.gain_slope"
+        needed, value, gain = 2 * result.ball_radius, result.ball_diameter, _gain_that_can_be_cut(clutch, sizes)
+        code = "wall-undercut" if gain is None else "wall-undercut/gain"
+        yield finding(code, "error", value=value, limit=2 * limit, path=path, needed=needed, gain=gain)
+
+
+@unrecorded()
+def _gain_that_can_be_cut(clutch: Clutch, sizes: Sequence[float]) -> float | None:
+    """Smallest gain, in steps of 2 %, with which a standard ball is large enough and does not undercut."""
+    unit, gain = clutch.spec.control_unit, float(clutch.gain)
+    assert unit is not None
+    gap, clearance = clearances(unit)
+    for _ in range(_STEPS):
+        gain *= 1.02
+        steeper = build(with_key(clutch.spec, "control_unit.gain", gain))
+        wall = wall_of(steeper, gap)
+        chosen = next_size(sizes, 2 * wall.smallest_ball(_travel(steeper), clearance))
+        if chosen is not None and wall._replace(ball_radius=chosen / 2).can_be_cut:
+            return gain
+    return None
+
+
+def _room_findings(unit: ControlUnit, result: SynthesisResult) -> Iterator[Finding]:
+    """Say what is in the way of what: balls of balls or the axis, pockets of pockets or the back of the sleeve."""
+    diameter, pitch, circle = result.ball_diameter, result.ball_pitch, result.ball_circle_radius
+    path, width, depth = "control_unit.balls", result.pocket_width, result.pocket_depth_cut
+    if pitch is None:
+        if diameter >= 2 * circle:
+            path = "control_unit.ball_circle_radius"
+            yield finding("ball-reaches-axis", "error", value=diameter / 2, limit=circle, path=path)
+    else:
+        if diameter >= pitch:
+            yield finding("balls-overlap", "error", value=diameter, limit=pitch, path=path, balls=unit.balls)
+        if width >= pitch:
+            yield finding("pockets-overlap", "error", value=width, limit=pitch, path=path, balls=unit.balls)
+    if unit.sleeve_depth is not None and depth >= unit.sleeve_depth:
+        path = "control_unit.sleeve_depth"
+        yield finding("depth-beyond-sleeve", "error", value=depth, limit=unit.sleeve_depth, path=path)
+
+
+def _contact_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult) -> Iterator[Finding]:
+    """Say what of the contact is not known or assumed, and what is exceeded."""
+    if unit.balls is None:
+        yield finding("balls-not-given", "info", path="control_unit.balls")
+    elastic = unit.elasticity
+    if unit.contact is None and result.contact_pressure is not None:
+        yield finding(
+            "contact-assumed", "info", value=result.contact_pressure, limit=elastic.allowable_pressure,
+            path="control_unit.contact", modulus=elastic.wall_modulus, poisson=elastic.wall_poisson,
+        )  # fmt: skip
+    for force, allowable, by_hertz in contact_limits(clutch, result):
+        if force > allowable:
+            code, path = "contact-force-exceeded", "control_unit.allowable_contact_force"
+            if by_hertz:
+                code, path = "contact-force-exceeded/hertz", "control_unit.contact"
+            reached, allowed = result.contact_pressure, elastic.allowable_pressure
+            yield finding(code, "error", value=force, limit=allowable, path=path, reached=reached, allowed=allowed)
+    if result.seat_force is not None and result.seat_utilisation is not None and result.seat_utilisation > 1:
+        force, path = result.seat_force, result.contact_path
+        yield finding("seat-force-exceeded", "error", value=force, limit=force / result.seat_utilisation, path=path)

@@ -78,11 +78,8 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         The result and the findings.
     """
     points = pairs_asked(clutch, friction)
-    ranges = clutch.friction
-    ends = [(getattr(ranges[0], at), getattr(ranges[1], at)) for at in ("min", "mean", "max")]
+    ends = list(zip(*clutch.friction, strict=True))
     states = [clutch.point(*end) for end in ends]
-    torques, travels = [state.torque for state in states], [state.travel for state in states]
-    asked = [_point(clutch, *pair) for pair in points]
     result = TorqueResult(
         nominal_torque=clutch.nominal_torque,
         machine_torque=clutch.machine_torque,
@@ -90,20 +87,20 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         gain=clutch.gain,
         gain_slope=clutch.gain_slope or None,
         reduced_gain=clutch.reduced_gain,
-        **friction_triples(clutch),
-        torque=_triple(torques),
-        normal_force=_triple([state.normal_force for state in states]),
-        release_force=_triple([state.release_force for state in states]),
+        **_friction_triples(clutch),
+        torque=Triple.of(state.torque for state in states),
+        normal_force=Triple.of(state.normal_force for state in states),
+        release_force=Triple.of(state.release_force for state in states),
         control_force=clutch.control_force,
         pack_force_at_rest=None if clutch.control_force is None else clutch.pack_force_at_rest,
-        travel=_triple_or_none(travels),
+        travel=_triple_or_none([state.travel for state in states]),
         torque_returning=_triple_or_none([clutch.torque_returning(end[0]) for end in ends]),
         torque_range=TorqueExtremes(**clutch.torque_range._asdict()),
         scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
-        points=asked or None,
+        points=[_point(clutch, *pair) for pair in points] or None,
     )
-    return result, clutch.findings() + [f for pair in points for f in outside_range(clutch, *pair)]
+    return result, [*clutch.findings(), *(remark for pair in points for remark in outside_range(clutch, *pair))]
 
 
 def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
@@ -120,27 +117,22 @@ def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
     return points
 
 
-def friction_triples(clutch: Clutch) -> dict[str, Triple]:
+def _friction_triples(clutch: Clutch) -> dict[str, Triple]:
     """Return the ranges of friction as result fields: ``friction``, or one per group with unlike materials."""
-    first, second = (Triple(min=r.min, mean=r.mean, max=r.max) for r in clutch.friction)
-    if clutch.spec.friction.unlike:
-        return {"friction_driving": first, "friction_driven": second}
-    return {"friction": first}
+    first, second = (Triple.of(friction) for friction in clutch.friction)
+    return (
+        {"friction_driving": first, "friction_driven": second} if clutch.spec.friction.unlike else {"friction": first}
+    )
 
 
 def triple(clutch: Clutch, function: Callable[..., Any]) -> Triple:
     """Evaluate ``function(f_1, f_2)`` at the smallest, mean and largest friction."""
-    first, second = clutch.friction
-    return _triple([function(a, b) for a, b in zip(first, second, strict=True)])
-
-
-def _triple(values: list[float]) -> Triple:
-    return Triple(min=values[0], mean=values[1], max=values[2])
+    return Triple.of(function(*frictions) for frictions in zip(*clutch.friction, strict=True))
 
 
 def _triple_or_none(values: list[Any]) -> Triple | None:
     """Three values, or None where the clutch has no such thing."""
-    return None if None in values else _triple(values)
+    return None if None in values else Triple.of(values)
 
 
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> FrictionPoint:
@@ -158,13 +150,12 @@ def friction_fields(clutch: Clutch, friction: float, friction_driven: float | No
 def outside_range(clutch: Clutch, friction: float, friction_driven: float | None) -> list[Finding]:
     """Say where a friction asked for lies outside the range of the spec."""
     asked = (friction, friction if friction_driven is None else friction_driven)
-    found = []
-    for value, allowed in zip(asked, clutch.friction, strict=True):
-        if not allowed.min <= value <= allowed.max:
-            limit = allowed.min if value < allowed.min else allowed.max
-            found.append(
-                finding(
-                    "friction-outside-range", "info", value=value, limit=limit, least=allowed.min, largest=allowed.max
-                )
-            )
-    return list(dict.fromkeys(found))
+    findings = [
+        finding(
+            "friction-outside-range", "info", value=value, limit=allowed.min if value < allowed.min else allowed.max,
+            least=allowed.min, largest=allowed.max,
+        )
+        for value, allowed in zip(asked, clutch.friction, strict=True)
+        if not allowed.min <= value <= allowed.max
+    ]  # fmt: skip
+    return list(dict.fromkeys(findings))

@@ -98,7 +98,7 @@ def _schema_beside(target: str, kind: str) -> tuple[str, str]:
 def _schema_of(kind: str | None) -> str:
     import json
 
-    from ..analysis.schema import schema
+    from ..analysis.registry import schema
 
     return json.dumps(schema(kind), indent=2, ensure_ascii=False) + "\n"
 
@@ -111,7 +111,7 @@ def examples(*, common: Common) -> None:
     afmcalc examples
     afmcalc torque example:indirect
     """  # noqa: D301
-    from ..analysis.examples import examples as analysis
+    from ..analysis.shipped import examples as analysis
 
     common.takes_no_clutch()
     result, findings = analysis()
@@ -151,7 +151,7 @@ def materials(*, common: Common) -> None:
     afmcalc materials
     afmcalc torque --set friction.min= --set friction.mean= --set friction.max= --set friction.material=woven-dry
     """  # noqa: D301
-    from ..analysis.materials import materials as analysis
+    from ..analysis.shipped import materials as analysis
 
     common.takes_no_clutch()
     result, findings = analysis()

@@ -1,8 +1,35 @@
-"""The friction-material catalogue as a result."""
+"""What ships with the program, as results: example specs and friction materials."""
+
+import tomllib
 
 from ..findings import Finding
 from ..result import Answer, Result, quantity
 from ..spec.catalogues import friction_materials
+from ..spec.parse import example_names, example_text
+
+
+class ExampleRow(Result):
+    """One file: any SPEC argument takes ``example:`` with its name."""
+
+    name: str = quantity("", None, "name after example:", code=True)
+    variant: str | None = quantity("", None, "variant of the clutch", optional=True)
+    about: str = quantity("", None, "what it is")
+
+
+class ExamplesResult(Answer):
+    """The examples."""
+
+    examples: list[ExampleRow] = quantity("", None, "examples that ship")
+
+
+def examples() -> tuple[ExamplesResult, list[Finding]]:
+    """List the examples."""
+    texts = ((name, example_text(name)) for name in example_names())
+    rows = [
+        ExampleRow(name=name, variant=tomllib.loads(text).get("variant"), about=text.splitlines()[0].removeprefix("# "))
+        for name, text in texts
+    ]
+    return ExamplesResult(examples=rows), []
 
 
 class MaterialRow(Result):
