@@ -1,10 +1,9 @@
 """Errors meant for people: what is wrong, where, what was given, what is allowed."""
 
-from collections.abc import Callable
 from importlib.util import find_spec
 from typing import NamedTuple, Self
 
-from .messages import Text, joined, say, term, translate
+from .messages import joined, say, term, translate
 
 MOST_SHOWN = 20
 """Problems of a spec that are shown; of the others the number."""
@@ -19,15 +18,11 @@ class AfmcalcError(Exception):
 
     def __str__(self) -> str:
         """The message in English, no line of it too long to read."""
-        return _cut(self.text(lambda text: text))
+        return _cut(super().__str__())
 
     def told(self) -> str:
         """The same in the language of the user."""
-        return _cut(self.text(translate))
-
-    def text(self, tell: Callable[[str], str]) -> str:
-        """The message, each sentence as ``tell`` tells it."""
-        return tell(self.args[0]) if self.args else ""
+        return _cut(translate(super().__str__()))
 
 
 def _cut(text: str) -> str:
@@ -123,6 +118,10 @@ class Label(str):
         made.name = label.name if isinstance(label, Label) else label
         return made
 
+    def origin(self, path: str) -> str:
+        """What gave the value at a dotted path: the text, or an option of the command line."""
+        return self.name
+
     def place(self, path: str, *, key: bool = False) -> Place | None:
         """Where the value at a dotted path stands, or its ``key``; None where the text is not known."""
         return None
@@ -149,14 +148,6 @@ class Problem(NamedTuple):
             where = f"{where} = {self.given}" if where else self.given
         return say("{where}: {message}", where=where, message=self.message) if where else self.message
 
-    def where(self, source: str) -> str:
-        """File, line and column, as far as they are known."""
-        return f"{source}:{self.place}" if self.place else source
-
-    def lines(self, source: str, tell: Callable[[str], str]) -> list[str]:
-        """What is said of it: with the place, and the line of the text."""
-        return [f"{self.where(source)}: {tell(str(self))}", *(self.place.shown() if self.place else ())]
-
 
 class SpecError(AfmcalcError, ValueError):
     """A spec is invalid; carries every problem found, not only the first."""
@@ -164,21 +155,23 @@ class SpecError(AfmcalcError, ValueError):
     def __init__(self, source: str, problems: list[Problem], more: int = 0) -> None:
         """Collect ``problems`` of the spec read from ``source``; ``more`` are there that nobody looked into."""
         self.source, self.more = source, more
-        self.problems = [_placed(problem, source) for problem in problems]
-        super().__init__(self.text(lambda text: text))
+        self.problems = [problem._replace(place=_place(problem, source)) for problem in problems]
+        lines: list[str] = []
+        for problem in self.problems[:MOST_SHOWN]:
+            lines.append(say("{where}: {problem}", where=self.where(problem), problem=term(str(problem))))
+            lines += problem.place.shown() if problem.place else ()
+        if hidden := len(self.problems[MOST_SHOWN:]) + more:
+            lines.append(say("{source}: and {hidden:,} more", source=getattr(source, "name", source), hidden=hidden))
+        super().__init__(joined(lines, "\n"))
 
-    def text(self, tell: Callable[[str], str]) -> str:
-        """Every problem on a line of its own, and how many more there are."""
-        name = self.source.name if isinstance(self.source, Label) else self.source
-        source = tell(name) if isinstance(name, Text) else name
-        shown = [line for problem in self.problems[:MOST_SHOWN] for line in problem.lines(source, tell)]
-        hidden = len(self.problems[MOST_SHOWN:]) + self.more
-        rest = [tell(say("{source}: and {hidden:,} more", source=source, hidden=hidden))] if hidden else []
-        return "\n".join([*shown, *rest])
+    def where(self, problem: Problem) -> str:
+        """What gave the value, with line and column, as far as they are known."""
+        origin = self.source.origin(problem.path) if isinstance(self.source, Label) else self.source
+        return joined([origin, problem.place], ":") if problem.place else origin
 
 
-def _placed(problem: Problem, source: str) -> Problem:
-    """A problem with its place in a source whose text is known; none in any other."""
+def _place(problem: Problem, source: str) -> Place | None:
+    """Where a problem stands in a source whose text is known; nowhere in any other."""
     if not isinstance(source, Label):
-        return problem._replace(place=None)
-    return problem._replace(place=problem.place or source.place(problem.path, key=problem.at_key))
+        return None
+    return problem.place or source.place(problem.path, key=problem.at_key)

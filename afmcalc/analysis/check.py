@@ -59,7 +59,7 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
 def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
     """Verdict on what is no spec, each of its problems a finding."""
     problems = [
-        finding("bad-spec", "error", path=problem.path or None, where=problem.where(error.source), problem=str(problem))
+        finding("bad-spec", "error", path=problem.path or None, where=error.where(problem), problem=str(problem))
         for problem in error.problems
     ]
     errors = len(problems) + error.more

@@ -12,7 +12,7 @@ from ..letters import did_you_mean
 from ..messages import say
 from .source import Source
 
-_STANDARD_INPUT, _BUILT_IN = say("standard input"), say("built-in default")
+_STANDARD_INPUT, BUILT_IN = say("standard input"), say("built-in default")
 PREFIX = "example:"
 """What makes the name of an example a source."""
 
@@ -80,7 +80,7 @@ def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
         SpecError: it is too long for a spec.
     """
     if source is None:
-        return example_text("default").encode(), _BUILT_IN
+        return example_text("default").encode(), BUILT_IN
     label = _STANDARD_INPUT if source == "-" else str(source)
     if label.startswith(PREFIX):
         return example_text(label.removeprefix(PREFIX)).encode(), label

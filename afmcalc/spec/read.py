@@ -15,7 +15,7 @@ from ..messages import say
 from .edit import Overrides, apply_overrides, overridden
 from .fields import keys_below
 from .models import Spec
-from .parse import check_size, is_json, parse, text_of, toml_of
+from .parse import BUILT_IN, check_size, is_json, parse, text_of, toml_of
 from .problems import make_spec
 from .quantity import parse_quantity, unlikely
 from .rules import given_in
@@ -63,7 +63,8 @@ def data_of(text: str, label: Source, overrides: Overrides, model: type[BaseMode
         for number in _numbers(value)
         if (doubt := unlikely(number, keys[path].unit, path))
     ]
-    return data, Source(label, text, label.overridden.union(changed), doubts)
+    by = "--set" if label.name is BUILT_IN else ""
+    return data, Source(label, text, dict.fromkeys(changed, by), doubts)
 
 
 def _numbers(value: object) -> Iterator[object]:

@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import NamedTuple
 
@@ -28,24 +28,24 @@ class Source(Label):
     """What a text is called in messages; carries the text, so that an error can show the line."""
 
     text: str
-    overridden: frozenset[str]
-    """Dotted paths whose values are no longer those that stand in the text."""
+    overridden: Mapping[str, str]
+    """Dotted paths whose values are no longer those of the text → what gave them, where that is told."""
     doubts: tuple[Unlikely, ...]
     """Numbers without a unit that may be meant in another than SI."""
 
     def __new__(
-        cls, label: str, text: str = "", overridden: Iterable[str] = (), doubts: Iterable[Unlikely] = ()
+        cls, label: str, text: str = "", overridden: Mapping[str, str] | None = None, doubts: Iterable[Unlikely] = ()
     ) -> "Source":
         """Name a text."""
         source = super().__new__(cls, label)
-        source.text, source.overridden, source.doubts = text, frozenset(overridden), tuple(doubts)
+        source.text, source.overridden, source.doubts = text, dict(overridden or {}), tuple(doubts)
         return source
 
     def but(self, paths: Iterable[str]) -> "Source":
         """The same text, with other values at some paths."""
         gone = set(paths)
         doubts = (doubt for doubt in self.doubts if doubt.path not in gone)
-        return Source(self.name, self.text, self.overridden | gone, doubts)
+        return Source(self.name, self.text, {**self.overridden, **dict.fromkeys(gone, "")}, doubts)
 
     @cached_property
     def _spans(self) -> "dict[str, Span]":
@@ -53,6 +53,10 @@ class Source(Label):
             return spans(self.text) if len(self.text) <= _SEARCHED else {}
         except RecursionError:
             return {}
+
+    def origin(self, path: str) -> str:
+        """What gave the value at a dotted path: the text, or an option of the command line."""
+        return next((by for gone, by in self.overridden.items() if f"{path}.".startswith(f"{gone}.")), "") or self.name
 
     def place(self, path: str, *, key: bool = False) -> Place | None:
         """Where the value at a dotted path stands, or its ``key``; of a missing one, the table that lacks it."""

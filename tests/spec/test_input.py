@@ -228,7 +228,7 @@ def test_sweep_and_set_take_names_symbols_and_paths(name, afmcalc):
         (["solve", "acuracy_factor=2"], "'acuracy_factor=2' is no target; did you mean 'accuracy_factor'?; "
          "write NAME=VALUE, NAME one of accuracy_factor (K_т), "),
         (["torque", "--set", "gian=1"], "--set gian=1: unknown key 'gian'; did you mean 'gain'?"),
-        (["torque", "--set", 'name="x"\nvariant="y"'], "built-in default: name = \"\\\"x\\\"\\nvariant=\\\"y\\\"\": "
+        (["torque", "--set", 'name="x"\nvariant="y"'], "--set: name = \"\\\"x\\\"\\nvariant=\\\"y\\\"\": "
          "must be one line of printable text, without control characters"),
         (["life", "--model", "x"], "'x' is not one of 'mean-stress', 'amplitude', 'goodman'"),
         (["tolerance", "--threads", "0"], "Invalid value for '--threads': must be at least 1"),
