@@ -1,12 +1,13 @@
 """What is drawn, as data in SI: a sheet of panels, each with its axes, lines, points and guides."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from ...messages import RAISED, localized, translate, with_unit
 from ...result import Result, shown_as
-from ..units import display, display_unit
+from ..units import display, display_unit, factor
 
 
 class ChartAxis(NamedTuple):
@@ -23,6 +24,11 @@ class ChartAxis(NamedTuple):
         unit = display_unit(self.unit)
         name = f"{self.quantity} {self.symbol}".strip()
         return f"{name}, {unit}" if unit not in ("", "–") else name
+
+    def shown(self, values: Iterable[float | None]) -> list[float]:
+        """Return values in the engineer's unit, NaN for those that are None."""
+        scale = factor(self.unit)
+        return [math.nan if value is None else value * scale for value in values]
 
 
 class Line(NamedTuple):

@@ -6,8 +6,7 @@ from typing import Any
 
 from ...messages import localized, spoken
 from ..symbols import literal, mathtext
-from ..units import factor
-from .chart import Chart, Line
+from .chart import Chart, Dimension, Line
 
 INK, GRID, SHADE = "#111111", "#d4d4d4", "#9a9a9a"
 """Colours a page may replace by its own (dark mode): text and axes, grid, shaded regions."""
@@ -65,31 +64,35 @@ PARAMETERS = {
 
 def paint(axes: Any, chart: Chart) -> None:
     """Draw a chart into matplotlib's axes."""
-    wide, high = factor(chart.x.unit), factor(chart.y.unit)
+    x, y = chart.x, chart.y
     if chart.title:
         axes.set_title(mathtext(chart.title))
     for area in chart.areas:
-        axes.fill_between(
-            _scaled(area.x, wide), _scaled(area.low, high), _scaled(area.high, high),
-            color=SHADE, alpha=0.28, linewidth=0, label=mathtext(area.label),
-        )  # fmt: skip
+        edges = x.shown(area.x), y.shown(area.low), y.shown(area.high)
+        axes.fill_between(*edges, color=SHADE, alpha=0.28, linewidth=0, label=mathtext(area.label))
     for number, line in enumerate(chart.lines):
-        _line(axes, line, number if line.style is None else line.style, wide, high, chart.named)
+        _line(axes, chart, line, number if line.style is None else line.style)
     for number, guide in enumerate(chart.guides):
-        draw = axes.axhline if guide.across else axes.axvline
+        style = GUIDES[(number if guide.style is None else guide.style) % len(GUIDES)]
+        draw, axis = (axes.axhline, y) if guide.across else (axes.axvline, x)
+        label = mathtext(guide.label)
         draw(
-            guide.value * (high if guide.across else wide), color=INK, linewidth=1.0,
-            linestyle=GUIDES[(number if guide.style is None else guide.style) % len(GUIDES)],
-            label=mathtext(guide.label), zorder=1.5, clip_on=False,
-        )  # fmt: skip
-    _limits(axes, chart, wide, high)
-    _tags(axes, chart, wide, high)
-    _names(axes, chart, wide, high)
-    _guide_tags(axes, chart, wide)
+            *axis.shown([guide.value]),
+            color=INK,
+            linewidth=1.0,
+            linestyle=style,
+            label=label,
+            zorder=1.5,
+            clip_on=False,
+        )
+    _limits(axes, chart)
+    _tags(axes, chart)
+    _names(axes, chart)
+    _guide_tags(axes, chart)
     for number, span in enumerate(chart.spans):
-        _span(axes, number, span, high)
-    axes.set_xlabel(mathtext(chart.x.label))
-    axes.set_ylabel("\n".join(map(mathtext, textwrap.wrap(chart.y.label, _HIGHEST))))
+        _span(axes, 1.035 + 0.085 * number, span, *y.shown((span.low, span.high)))
+    axes.set_xlabel(mathtext(x.label))
+    axes.set_ylabel("\n".join(map(mathtext, textwrap.wrap(y.label, _HIGHEST))))
     _ticks(axes)
 
 
@@ -112,28 +115,21 @@ def _ticks(axes: Any) -> None:
             axis.set_major_formatter(Ticks())
 
 
-def _line(axes: Any, line: Line, style: int, wide: float, high: float, named: bool) -> None:
-    colour = COLOURS[style % len(COLOURS)]
-    x, y = _scaled(line.x, wide), _scaled(line.y, high)
-    label = (literal if named else mathtext)(line.label)
+def _line(axes: Any, chart: Chart, line: Line, style: int) -> None:
+    how: dict[str, Any] = {"linestyle": DASHES[style % len(DASHES)]}
     if line.points:
-        axes.plot(
-            x, y, linestyle="none", color=colour, label=label, clip_on=False,
-            marker=MARKERS[(style if line.marker is None else line.marker) % len(MARKERS)],
-            **({"markersize": 5.0, "zorder": 4} if line.filled else _OPEN),
-        )  # fmt: skip
-    else:
-        axes.plot(x, y, color=colour, linestyle=DASHES[style % len(DASHES)], label=label)
+        how = {"markersize": 5.0, "zorder": 4} if line.filled else _OPEN
+        marker = MARKERS[(style if line.marker is None else line.marker) % len(MARKERS)]
+        how = how | {"linestyle": "none", "marker": marker, "clip_on": False}
+    label = (literal if chart.named else mathtext)(line.label)
+    points = chart.x.shown(line.x), chart.y.shown(line.y)
+    axes.plot(*points, color=COLOURS[style % len(COLOURS)], label=label, **how)
 
 
 _OPEN: dict[str, Any] = {"markerfacecolor": "none", "markeredgewidth": 1.4, "zorder": 3}
 
 
-def _scaled(values: Any, scale: float) -> list[float]:
-    return [float("nan") if value is None else value * scale for value in values]
-
-
-def _limits(axes: Any, chart: Chart, wide: float, high: float) -> None:
+def _limits(axes: Any, chart: Chart) -> None:
     """Scales and limits; a whole-number axis gets whole ticks."""
     from matplotlib.ticker import MaxNLocator
 
@@ -148,72 +144,8 @@ def _limits(axes: Any, chart: Chart, wide: float, high: float) -> None:
         low, top = axes.get_xlim()
         axes.set_xlim(low - 0.03 * (top - low), top + 0.03 * (top - low))
     if chart.bounds:
-        axes.set_xlim(*(end * wide for end in chart.bounds[:2]))
-        axes.set_ylim(*(end * high for end in chart.bounds[2:]))
-
-
-def _tags(axes: Any, chart: Chart, wide: float, high: float) -> None:
-    """Number the curves at their ends, moved apart where they would cover each other."""
-    ends = [
-        (line.x[-1] * wide, line.y[-1] * high, line.tag)
-        for line in chart.lines
-        if line.tag and line.x[-1] is not None and line.y[-1] is not None
-    ]
-    scale, limits = axes.yaxis.get_transform().transform, axes.get_ylim()
-    low, top = (float(scale(limit)) for limit in limits)
-    free = -math.inf
-    for x, y, tag in sorted(ends, key=lambda end: end[1]):
-        place = (float(scale(y)) - low) / (top - low) * _AXES_POINTS
-        lifted = max(place, free)
-        free = lifted + 9
-        axes.annotate(
-            tag, (x, y), xytext=(5, lifted - place), textcoords="offset points", va="center", color=INK, fontsize=8,
-            annotation_clip=False,
-        )  # fmt: skip
-
-
-def _names(axes: Any, chart: Chart, wide: float, high: float) -> None:
-    """Name points where there is room: those that stand out, then the ends of every line, then what lies between."""
-    (left, right), (low, top) = axes.get_xlim(), axes.get_ylim()
-    taken: list[tuple[float, float]] = []
-    named = [line for line in chart.lines if line.names]
-    ranked = [
-        (not line.filled, min(place, len(line.names) - 1 - place) > 0, x * wide, y * high, name)
-        for line in named
-        for place, (x, y, name) in enumerate(zip(line.x, line.y, line.names, strict=True))
-        if x is not None and y is not None
-    ]
-    for _, _, x, y, name in sorted(ranked, key=lambda each: each[:2]):
-        spot = (x - left) / (right - left) * _AXES_WIDTH, (y - low) / (top - low) * _AXES_POINTS
-        if all(abs(spot[0] - one) > _NAME[0] or abs(spot[1] - other) > _NAME[1] for one, other in taken):
-            taken.append(spot)
-            axes.annotate(name, (x, y), xytext=(2, 5), textcoords="offset points", color=INK, fontsize=7,
-                          annotation_clip=False, zorder=5)  # fmt: skip
-
-
-_NAME = (19, 10)
-"""Room of a name, points."""
-
-_AXES_POINTS = 190
-"""Height of the axes of a chart, about, for what must be known before they are laid out."""
-
-
-_AXES_WIDTH = 440
-
-
-def _guide_tags(axes: Any, chart: Chart, wide: float) -> None:
-    """Name upright guides above the axes, in as many rows as keep the names apart."""
-    low, top = axes.get_xlim()
-    ends: list[float] = []
-    for guide in sorted((guide for guide in chart.guides if guide.tag), key=lambda guide: guide.value):
-        place = (guide.value * wide - low) / (top - low) * _AXES_WIDTH
-        half = 2.7 * len(guide.tag) + 3
-        row = next((number for number, end in enumerate(ends) if place - half >= end), len(ends))
-        ends[row : row + 1] = [place + half]
-        axes.annotate(
-            mathtext(guide.tag), (guide.value * wide, 1), xycoords=axes.get_xaxis_transform(), xytext=(0, 4 + 11 * row),
-            textcoords="offset points", ha="center", va="bottom", color=INK, fontsize=8, annotation_clip=False,
-        )  # fmt: skip
+        axes.set_xlim(*chart.x.shown(chart.bounds[:2]))
+        axes.set_ylim(*chart.y.shown(chart.bounds[2:]))
 
 
 def _whole(chart: Chart) -> bool:
@@ -221,18 +153,74 @@ def _whole(chart: Chart) -> bool:
     return all(value == int(value) for value in values) and max(values) - min(values) <= 40
 
 
-def _span(axes: Any, number: int, span: Any, high: float) -> None:
+_AXES_WIDTH, _AXES_HEIGHT = 440, 190
+"""Points that the axes of a chart have, about, for what must be known before they are laid out."""
+_NAME = (19, 10)
+"""Room of a name, points."""
+
+
+def _note(axes: Any, text: str, at: tuple[float, float], offset: tuple[float, float], **how: Any) -> None:
+    """Set a text some points beside a place."""
+    axes.annotate(text, at, xytext=offset, textcoords="offset points", color=INK, annotation_clip=False, **how)
+
+
+def _tags(axes: Any, chart: Chart) -> None:
+    """Number the curves at their ends, moved apart where they would cover each other."""
+    ends = [
+        (y, x, line.tag)
+        for line in chart.lines
+        for x, y in zip(chart.x.shown(line.x[-1:]), chart.y.shown(line.y[-1:]), strict=True)
+        if line.tag and not math.isnan(x + y)
+    ]
+    scale = axes.yaxis.get_transform().transform
+    low, top = (float(scale(limit)) for limit in axes.get_ylim())
+    free = -math.inf
+    for y, x, tag in sorted(ends, key=lambda end: end[0]):
+        place = (float(scale(y)) - low) / (top - low) * _AXES_HEIGHT
+        lifted = max(place, free)
+        free = lifted + 9
+        _note(axes, tag, (x, y), (5, lifted - place), va="center", fontsize=8)
+
+
+def _names(axes: Any, chart: Chart) -> None:
+    """Name points where there is room: those that stand out, then the ends of every line, then what lies between."""
+    (left, right), (low, top) = axes.get_xlim(), axes.get_ylim()
+    ranked = [
+        (not line.filled, 0 < place < len(line.names) - 1, x, y, name)
+        for line in chart.lines
+        for place, (x, y, name) in enumerate(
+            zip(chart.x.shown(line.x), chart.y.shown(line.y), line.names, strict=False)
+        )
+    ]
+    taken: list[tuple[float, float]] = []
+    for _, _, x, y, name in sorted(ranked, key=lambda point: point[:2]):
+        spot = (x - left) / (right - left) * _AXES_WIDTH, (y - low) / (top - low) * _AXES_HEIGHT
+        if all(abs(spot[0] - one) > _NAME[0] or abs(spot[1] - other) > _NAME[1] for one, other in taken):
+            taken.append(spot)
+            _note(axes, name, (x, y), (2, 5), fontsize=7, zorder=5)
+
+
+def _guide_tags(axes: Any, chart: Chart) -> None:
+    """Name upright guides above the axes, in as many rows as keep the names apart."""
+    low, top = axes.get_xlim()
+    ends: list[float] = []
+    for guide in sorted((guide for guide in chart.guides if guide.tag), key=lambda guide: guide.value):
+        (x,) = chart.x.shown([guide.value])
+        place = (x - low) / (top - low) * _AXES_WIDTH
+        half = 2.7 * len(guide.tag) + 3
+        row = next((number for number, end in enumerate(ends) if place - half >= end), len(ends))
+        ends[row : row + 1] = [place + half]
+        how = {"xycoords": axes.get_xaxis_transform(), "ha": "center", "va": "bottom", "fontsize": 8}
+        _note(axes, mathtext(guide.tag), (x, 1), (0, 4 + 11 * row), **how)
+
+
+def _span(axes: Any, x: float, span: Dimension, low: float, high: float) -> None:
     """Set a dimension line beside the axes, its text along it, with hairlines to the curve's ends."""
-    x = 1.035 + 0.085 * number
-    colour = COLOURS[span.style]
-    low, top = span.low * high, span.high * high
-    over = axes.get_yaxis_transform()
+    colour, over = COLOURS[span.style], axes.get_yaxis_transform()
     arrow = {"arrowstyle": "<|-|>", "color": colour, "shrinkA": 0, "shrinkB": 0, "linewidth": 1.0, "mutation_scale": 8}
-    axes.annotate("", (x, top), (x, low), xycoords=over, textcoords=over, arrowprops=arrow, annotation_clip=False)
-    for value in (low, top):
-        axes.plot([0, x + 0.012], [value, value], transform=over, color=colour, linewidth=0.6, linestyle=(0, (1, 2)),
-                  clip_on=False, zorder=1.2)  # fmt: skip
-    axes.text(
-        x + 0.012, (low + top) / 2, mathtext(span.label), transform=over, rotation=90, va="center", ha="left",
-        fontsize=8, color=INK,
-    )  # fmt: skip
+    axes.annotate("", (x, high), (x, low), xycoords=over, textcoords=over, arrowprops=arrow, annotation_clip=False)
+    hairline: dict[str, Any] = {"color": colour, "linewidth": 0.6, "linestyle": (0, (1, 2)), "zorder": 1.2}
+    for value in (low, high):
+        axes.plot([0, x + 0.012], [value, value], transform=over, clip_on=False, **hairline)
+    text = {"rotation": 90, "va": "center", "ha": "left", "fontsize": 8, "color": INK}
+    axes.text(x + 0.012, (low + high) / 2, mathtext(span.label), transform=over, **text)

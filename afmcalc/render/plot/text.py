@@ -9,7 +9,7 @@ from typing import NamedTuple
 from ...messages import localized, named, printable, told
 from ..document import Table
 from ..layout import TextTable
-from ..units import factor, significant
+from ..units import significant
 from .chart import Chart, ChartAxis, Line, Sheet, power
 
 WIDTH, HEIGHT = 78, 20
@@ -47,14 +47,13 @@ def draw_sheet(sheet: Sheet, *, unicode: bool, width: int | None = None) -> str:
 
 def draw(chart: Chart, *, unicode: bool, wide: int = WIDTH) -> list[str]:
     """Draw a chart as lines of text, each curve with a mark of its own; ``unicode`` is False for an ASCII stream."""
-    across, high = factor(chart.x.unit), factor(chart.y.unit)
     scale = math.log10 if chart.y.log else float
     marks = _MARKS if unicode else _PLAIN
     traces: dict[int, Trace] = {}
     # what stands out goes last: the rest would hide it
     for number, line in sorted(enumerate(chart.lines), key=lambda item: item[1].filled):
-        pairs = zip(line.x, line.y, strict=True)
-        points = [(x * across, scale(y * high)) for x, y in pairs if x is not None and y is not None]
+        pairs = zip(chart.x.shown(line.x), chart.y.shown(line.y), strict=True)
+        points = [(x, scale(y)) for x, y in pairs if not math.isnan(x + y)]
         if points:
             mark = _FILLED[not unicode] if line.filled else marks[number % len(marks)]
             traces[number] = Trace(mark, points, joined=not line.points)
