@@ -43,7 +43,7 @@ def conventional_accuracy_factor(
     friction_driven_min: FrictionDrivenMin,
     friction_driving_max: FrictionDrivingMax,
     friction_driven_max: FrictionDrivenMax,
-) -> Annotated[Number, Term("K_т,0", "", "1")]:
+) -> Annotated[Number, Term("K_т,0", "1")]:
     """Accuracy factor of an ordinary clutch in its place, K_т at C = 0; with one material f_max/f_min.
 
     Source: F11 (14) at C = 0.
@@ -77,9 +77,7 @@ def accuracy_factor_of_torques(torque_max: TorqueMax, torque_min: TorqueMin) -> 
 
 
 @equation
-def accuracy_factor_worst_case(
-    torque_max: TorqueMax, torque_min: TorqueMin
-) -> Annotated[Number, Term("K_т,w", "", "1")]:
+def accuracy_factor_worst_case(torque_max: TorqueMax, torque_min: TorqueMin) -> Annotated[Number, Term("K_т,w", "1")]:
     """Accuracy factor with f_1 and f_2 independent: largest over smallest torque of the four corners of their ranges.
 
     Source: Theory, section 3 (beyond F11).
@@ -89,7 +87,7 @@ def accuracy_factor_worst_case(
 
 
 @equation
-def accuracy_factor_peak(peak_max: PeakMax, peak_min: PeakMin) -> Annotated[Number, Term("K_т,p", "", "1")]:
+def accuracy_factor_peak(peak_max: PeakMax, peak_min: PeakMin) -> Annotated[Number, Term("K_т,p", "1")]:
     """Accuracy factor by breakaway peaks, P(f_max)/P(f_min).
 
     Source: Theory, section 3 (beyond F11).
@@ -134,7 +132,7 @@ def slope_in_ratio_max(
     ratio_min: FrictionRatioMin,
     friction_driving_min: FrictionDrivingMin,
     friction_driving_max: FrictionDrivingMax,
-) -> Annotated[Number, Term("∂K_т/∂n", "", "1")]:
+) -> Annotated[Number, Term("∂K_т/∂n", "1")]:
     """Slope ∂K_т/∂n; its sign is that of 1 − z_1 C f_1max for every n.
 
     Source: F11 (18), mended (M2: printed with the factor z_1 − C f_1max).
@@ -162,7 +160,7 @@ def slope_in_ratio_min(
     ratio_min: FrictionRatioMin,
     friction_driving_min: FrictionDrivingMin,
     friction_driving_max: FrictionDrivingMax,
-) -> Annotated[Number, Term("∂K_т/∂p", "", "1")]:
+) -> Annotated[Number, Term("∂K_т/∂p", "1")]:
     """Slope ∂K_т/∂p; its sign is that of z_1 C f_1min − 1 for every p.
 
     Source: F11 (22), mended (M3: printed with the factor C f_1min − z_1).
@@ -188,7 +186,7 @@ def accuracy_factor_peak_above_limit(
     gain: Gain,
     friction_min: FrictionMin,
     friction_max: FrictionMax,
-) -> Annotated[Number, Term("K_peak", "P(f_max)/P(f_min)", "1")]:
+) -> Annotated[Number, Term("K_peak", "1")]:
     """Accuracy by breakaway peaks between the limits, z_1 f_max (1 + z_2 C f_min)/(z f_min).
 
     Source: theory, section 3 (beyond the papers).
@@ -219,7 +217,7 @@ def best_accuracy_factor_peak(
 @equation
 def torque_elasticity_in_gain(
     controlled_pairs: ControlledPairs, gain: Gain, friction_driven: FrictionDriven
-) -> Annotated[Number, Term("∂ln T/∂ln C", "", "1")]:
+) -> Annotated[Number, Term("∂ln T/∂ln C", "1")]:
     """Elasticity ∂ln T/∂ln C of the direct law, −C z_2 f_2/(1 + C z_2 f_2).
 
     Source: derivative of F11 (12).
@@ -235,7 +233,7 @@ def torque_elasticity_in_friction_driving(
     controlled_pairs: ControlledPairs,
     friction_driving: FrictionDriving,
     friction_driven: FrictionDriven,
-) -> Annotated[Number, Term("∂ln T/∂ln f_1", "", "1")]:
+) -> Annotated[Number, Term("∂ln T/∂ln f_1", "1")]:
     """Elasticity ∂ln T/∂ln f_1 of the direct law, z_1 f_1/(z_1 f_1 + z_2 f_2).
 
     Source: derivative of F11 (12).
@@ -251,7 +249,7 @@ def torque_elasticity_in_friction_driven(
     gain: Gain,
     friction_driving: FrictionDriving,
     friction_driven: FrictionDriven,
-) -> Annotated[Number, Term("∂ln T/∂ln f_2", "", "1")]:
+) -> Annotated[Number, Term("∂ln T/∂ln f_2", "1")]:
     """Elasticity ∂ln T/∂ln f_2 of the direct law; negative where z_1 C f_1 > 1.
 
     Source: derivative of F11 (12).
