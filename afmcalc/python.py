@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from .analysis.life import LifeResult
     from .analysis.overload import OverloadResult
     from .analysis.solve.solve import SolveResult
-    from .analysis.springs.result import SpringsResult
+    from .analysis.springs.springs import SpringsResult
     from .analysis.sweep.grid import Axis
     from .analysis.tolerance.result import ToleranceResult
     from .analysis.torque import Pair, TorqueResult

@@ -253,7 +253,6 @@ def _units() -> Iterator[Key]:
 def _names() -> Iterator[Key]:
     """What tables hold: names of limits, kinds of quantities, variants."""
     from afmcalc.analysis.requirements import JUDGED
-    from afmcalc.analysis.springs.candidates import MISSES
     from afmcalc.engines import parts
     from afmcalc.render.shop import LAYERS
     from afmcalc.spec.keys import keys
@@ -265,8 +264,9 @@ def _names() -> Iterator[Key]:
     yield from (("value", name) for name in VARIANTS)
     yield from (("end", end) for end in ("min", "mean", "max"))
     yield from (("value", part) for part in ("center", "spread"))
-    yield from (("", name) for name in MISSES)
-    yield from (("", each.what) for each in vars(parts).values() if isinstance(each, parts.PartRule))
+    rules = [each for each in vars(parts).values() if isinstance(each, parts.PartRule)]
+    yield from (("", name) for name in ("stiffness", *(each.misses for each in rules)))
+    yield from (("", each.what) for each in rules)
     yield from (("", each.needs) for each in JUDGED.values() if " " in each.needs)
     yield from (("", about) for about, *_ in LAYERS.values())
     yield from (("", os.strerror(number)) for number in FAILURES)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .effects import EffectsCurve
     from .shop import ShopDrawing
     from .simulate import MomentRow
-    from .springs.curve import SpringsCurve
+    from .springs.springs import SpringsCurve
     from .tolerance.study import Study
     from .unit import SynthesisResult
 
@@ -177,7 +177,7 @@ def _effects(request: Request) -> "EffectsCurve":
 
 
 def _springs(request: Request) -> "SpringsCurve":
-    from .springs.curve import springs_curve
+    from .springs.springs import springs_curve
 
     return springs_curve(request.subjects[0].clutch)
 

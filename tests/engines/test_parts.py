@@ -5,8 +5,7 @@ import math
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.springs.options import part_of
-from afmcalc.analysis.springs.springs import springs
+from afmcalc.analysis.springs.springs import part_of, springs
 from afmcalc.engines import build
 from afmcalc.engines.characteristic import characteristic
 from afmcalc.engines.parts import INNER, Demand

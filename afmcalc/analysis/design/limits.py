@@ -12,7 +12,7 @@ from ...spec.requirements import Requirements
 from ...spec.springs import Room
 from ...variants import Variant
 from ..limits import allowable
-from ..springs.stacks import holds_force, travel_held
+from ..springs.candidates import holds_force, travel_held
 from .candidates import Candidates
 from .space import SAME, Mask, Numbers, given
 

@@ -20,9 +20,7 @@ from ..answers import Answers
 from ..check import found_unsimulated
 from ..limits import ring_pressures
 from ..registry import ANALYSES
-from ..springs.options import part_of
-from ..springs.result import SpringOption
-from ..springs.springs import ranked
+from ..springs.springs import SpringOption, part_of, ranked
 from ..torque import TorqueResult
 from ..unit import SynthesisResult
 from .candidates import candidates, rounded

@@ -1,18 +1,31 @@
-"""Disc stacks and coil springs that might do, each with what it misses."""
+"""Parts that might do, each with what it misses; which forces and travels stacks of discs give, for arrays of them."""
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from ...engines.characteristic import DiscCharacteristic, characteristic
 from ...engines.parts import INDEX, demands
 from ...engines.wish import Wish
-from ...equations import springs
+from ...equations import springs as law
 from ...messages import say
 from ...spec.catalogues import Disc, discs
 from ...spec.springs import SHEAR_MODULUS, CoilSprings, DiscStack, Room
-from .stacks import MOST_SERIES, packs, stack_of
 
+Numbers = NDArray[np.float64]
+
+MOST_PARALLEL = 6
+"""Discs laid into each other; more than three are for friction, not for force."""
+MOST_SERIES = 10_000
+"""Packs against each other: a bound for searches."""
+TOLERANCE = 0.1
+"""How far a stiffness may be off, relative."""
+NONE = -1.0
+"""Travel where there is no stack, m."""
 COUNTS = (1, 3, 4, 6, 8, 9, 12, 16, 20, 24)
 """Coil springs around the shaft."""
 WIRES = tuple(
@@ -24,47 +37,26 @@ WIRES = tuple(
 """Wire diameters, R'20 of ISO 497, m."""
 TURNS = (2.0, 25.0)
 """Active turns."""
-STEEL = 7850.0
-"""kg/m³."""
 _FREE_TURNS = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
 """Active turns to choose from where any stiffness will do."""
 _STEPS = 24
-_ROUNDING = 1e-9
-MISSES = (
-    "force", "preload", "deflection", "stiffness", "length", "inner diameter", "outer diameter", "index", "stress",
-    "fatigue", "buckling",
+"""Mean coil diameters that are tried of a wire."""
+_AT_ONCE = 1 << 20
+"""Numbers worked on together."""
+_SHAPE = (
+    "modulus", "poisson", "factor_load", "factor_flats", "outer_diameter", "thickness", "cone_height",
 )  # fmt: skip
-"""What a part may not have as wished."""
+"""What the force of a disc depends on."""
+_ROUNDING, _SLACK = 1e-12, 1e-9
 
 
 class Candidate(NamedTuple):
-    """A part, how far it is deflected as set, and what it misses."""
+    """A part, and what it misses."""
 
     part: DiscStack | CoilSprings
     label: str
-    deflection: float
     misses: Mapping[str, float]
     """What is not as wished → by how much, relative; empty: it does."""
-
-
-def disc_candidates(wish: Wish, tolerance: float) -> Iterator[Candidate]:
-    """Stacks of every size, n laid into each other, and as many packs as stiffness, travel or room ask for."""
-    for disc, own in packs(Room()):
-        yield from _stacks(disc, own, wish, tolerance)
-
-
-def disc_springs(wish: Wish, tolerance: float) -> Iterator[Candidate]:
-    """Of those the ones that do."""
-    for disc, own in packs(wish.room):
-        low, high = own.range
-        if own.force(low) * (1 - _ROUNDING) <= wish.force <= own.force(high) * (1 + _ROUNDING):
-            yield from (each for each in _stacks(disc, own, wish, tolerance) if not each.misses)
-
-
-def _stacks(disc: Disc, own: DiscCharacteristic, wish: Wish, tolerance: float) -> Iterator[Candidate]:
-    for series in _series(wish, own, float(own.deflection(wish.force))):
-        part = stack_of(disc, own.part.parallel, series)
-        yield _judged(part, f"DIN EN 16983 {disc.name}", wish, tolerance)
 
 
 def label_of(part: DiscStack | CoilSprings) -> str:
@@ -74,32 +66,72 @@ def label_of(part: DiscStack | CoilSprings) -> str:
     for disc in discs():
         if stack_of(disc, part.parallel, part.series) == part:
             return f"DIN EN 16983 {disc.name}"
-    outer, inner, thickness = (each * 1e3 for each in (part.outer_diameter, part.inner_diameter, part.thickness))
+    outer, inner, thickness = (size * 1e3 for size in (part.outer_diameter, part.inner_diameter, part.thickness))
     return say("disc {outer:g} × {inner:g} × {thickness:g}", outer=outer, inner=inner, thickness=thickness)
 
 
-def _series(wish: Wish, own: DiscCharacteristic, each: float) -> set[int]:
+def stack_of(disc: Disc, parallel: int, series: int) -> DiscStack:
+    """A stack of a size."""
+    return DiscStack.model_construct(
+        outer_diameter=disc.outer_diameter,
+        inner_diameter=disc.inner_diameter,
+        thickness=disc.thickness,
+        reduced_thickness=disc.reduced_thickness,
+        free_height=disc.free_height,
+        parallel=parallel,
+        series=series,
+    )
+
+
+def _judged(part: DiscStack | CoilSprings, label: str, wish: Wish, tolerance: float) -> Candidate:
+    own = characteristic(part)
+    misses = {"stiffness": 0.0}
+    for demand in demands(wish, part):
+        name = demand.rule.misses
+        misses[name] = max(demand.beyond, misses.get(name, 0.0))
+    if wish.stiffness is not None:
+        off = abs(float(own.stiffness(own.deflection(wish.force))) / wish.stiffness - 1)
+        misses["stiffness"] = off if off > tolerance else 0.0
+    return Candidate(part, label, {name: by for name, by in misses.items() if by > _SLACK})
+
+
+def disc_candidates(wish: Wish, tolerance: float, *, fitting: bool = False) -> Iterator[Candidate]:
+    """Stacks of every size, n laid into each other, and as many packs as stiffness, travel or room ask for.
+
+    With ``fitting`` not those that cannot do by their size or force.
+    """
+    for disc, pack in packs(wish.room if fitting else Room()):
+        if fitting:
+            low, high = (float(pack.force(s)) for s in pack.range)
+            if not low * (1 - _SLACK) <= wish.force <= high * (1 + _SLACK):
+                continue
+        for series in _series(wish, pack, float(pack.deflection(wish.force))):
+            part = stack_of(disc, pack.part.parallel, series)
+            yield _judged(part, f"DIN EN 16983 {disc.name}", wish, tolerance)
+
+
+def _series(wish: Wish, pack: DiscCharacteristic, deflection: float) -> set[int]:
     """How many packs are worth a look: as few as the travel allows, as many as the length does or the stiffness asks.
 
     Each bound is one-sided, so that where any number does, one of these does.
     """
-    low, high = own.range
+    low, high = pack.range
     needs = max(
         1,
-        math.ceil(wish.relaxes / (each - low) * (1 - _ROUNDING)) if each > low else 1,
-        math.ceil(wish.compresses / (high - each) * (1 - _ROUNDING)) if each < high else 1,
+        math.ceil(wish.relaxes / (deflection - low) * (1 - _SLACK)) if deflection > low else 1,
+        math.ceil(wish.compresses / (high - deflection) * (1 - _SLACK)) if deflection < high else 1,
     )
     most = MOST_SERIES
     if wish.room.length is not None:
         left = wish.room.length - wish.relaxes
-        most = max(1, math.floor(left / (own.free_length - each) * (1 + _ROUNDING)))
-    found = {needs}
+        most = max(1, math.floor(left / (pack.free_length - deflection) * (1 + _SLACK)))
+    counts = {needs}
     if wish.stiffness is not None:
-        wanted = float(own.stiffness(each)) / wish.stiffness
-        found |= {max(needs, min(series, most)) for series in (math.floor(wanted), math.ceil(wanted))}
+        wanted = float(pack.stiffness(deflection)) / wish.stiffness
+        counts |= {max(needs, min(series, most)) for series in (math.floor(wanted), math.ceil(wanted))}
     elif wish.room.length is not None:
-        found.add(most)
-    return {min(series, MOST_SERIES) for series in found}
+        counts.add(most)
+    return {min(series, MOST_SERIES) for series in counts}
 
 
 def coil_candidates(wish: Wish, tolerance: float) -> Iterator[Candidate]:
@@ -107,10 +139,9 @@ def coil_candidates(wish: Wish, tolerance: float) -> Iterator[Candidate]:
     for count in COUNTS:
         for wire in WIRES:
             for coil in _coils(wish, count, wire):
-                label = say("coil {wire:g} × {coil:g}", wire=wire * 1e3, coil=coil * 1e3)
                 for turns in _turns(wish, count, wire, coil):
                     part = _spring(wish, count, wire, coil, turns)
-                    yield _judged(part, label, wish, tolerance)
+                    yield _judged(part, label_of(part), wish, tolerance)
 
 
 def _coils(wish: Wish, count: int, wire: float) -> list[float]:
@@ -134,28 +165,121 @@ def _turns(wish: Wish, count: int, wire: float, coil: float) -> list[float]:
     """Active turns, in quarters."""
     if wish.stiffness is None:
         return list(_FREE_TURNS)
-    wanted = count * float(springs.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0)) / wish.stiffness
+    wanted = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0)) / wish.stiffness
     quarters = round(4 * wanted) / 4
     return [quarters] if TURNS[0] <= quarters <= TURNS[1] else []
 
 
 def _spring(wish: Wish, count: int, wire: float, coil: float, turns: float) -> CoilSprings:
     """As short as the gaps between its turns allow when it is pressed most."""
-    rate = count * float(springs.coil_stiffness(SHEAR_MODULUS, wire, coil, turns))
-    shortest = float(springs.coil_solid_length(wire, turns) + springs.coil_least_gap(wire, coil, turns))
+    rate = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, turns))
+    shortest = float(law.coil_solid_length(wire, turns) + law.coil_least_gap(wire, coil, turns))
     free = shortest + wish.force / rate + wish.compresses
     return CoilSprings.model_construct(
         wire_diameter=wire, coil_diameter=coil, turns=turns, free_length=math.ceil(free * 1e4) / 1e4, count=count
     )
 
 
-def _judged(part: DiscStack | CoilSprings, label: str, wish: Wish, tolerance: float) -> Candidate:
-    own = characteristic(part)
-    deflection, misses = float(own.deflection(wish.force)), {"stiffness": 0.0}
-    for each in demands(wish, part):
-        name = each.rule.misses
-        misses[name] = max(each.beyond, misses.get(name, 0.0))
-    if wish.stiffness is not None:
-        off = abs(float(own.stiffness(deflection)) / wish.stiffness - 1)
-        misses["stiffness"] = off if off > tolerance else 0.0
-    return Candidate(part, label, deflection, {name: by for name, by in misses.items() if by > _ROUNDING})
+@cache
+def packs(room: Room) -> tuple[tuple[Disc, DiscCharacteristic], ...]:
+    """Every single pack that goes into a room, whatever its length, with its size."""
+    inner, outer = room.inner_diameter or 0.0, room.outer_diameter or math.inf
+    sizes = [disc for disc in discs() if inner <= disc.inner_diameter and disc.outer_diameter <= outer]
+    parallel = range(1, MOST_PARALLEL + 1)
+    return tuple((disc, DiscCharacteristic(stack_of(disc, n, 1))) for disc in sizes for n in parallel)
+
+
+@cache
+def _rows(room: Room) -> NDArray[Any]:
+    """Every single pack that goes into a room, as a row of numbers.
+
+    ``least`` and ``most`` are its forces as it rests in its range, as far as it is short enough there.
+    """
+    names = ("parallel", "free", "low", "high", "least", "most", "flat", *_SHAPE)
+    rows = []
+    for _, pack in packs(room):
+        low, high = pack.range
+        if room.length is not None:
+            low = max(low, pack.free_length - room.length)
+        if low <= high:
+            forces = (float(pack.force(s)) for s in (low, high, pack.end))
+            rows.append((pack.part.parallel, pack.free_length, *pack.range, *forces, *pack.shape))
+    return np.array(rows, dtype=[(name, float) for name in names])
+
+
+@cache
+def forces_held(room: Room) -> Numbers:
+    """Ends of the intervals of force that a stack holds as set, whatever its stiffness, N: ascending, low and high."""
+    merged: list[tuple[float, float]] = []
+    for low, high in sorted(zip(_rows(room)["least"], _rows(room)["most"], strict=True)):
+        if merged and low <= merged[-1][1]:
+            merged[-1] = (merged[-1][0], max(high, merged[-1][1]))
+        else:
+            merged.append((low, high))
+    return np.array(merged).ravel()
+
+
+def holds_force(force: Numbers, room: Room) -> NDArray[np.bool_]:
+    """Whether a stack holds a force as set, whatever its stiffness."""
+    return np.asarray(np.searchsorted(forces_held(room), force, "right") % 2 == 1)
+
+
+def travel_held(
+    force: Numbers, stiffness: Numbers, room: Room, tolerance: float = TOLERANCE, *, relaxes: bool
+) -> Numbers:
+    """How far a stack that gives a force and a stiffness as set may go from there, m; ``NONE`` where there is none.
+
+    Args:
+        force: as set, N.
+        stiffness: as set, N/m; broadcasts with the force.
+        room: for the stack, as set and as long as it gets.
+        tolerance: how far the stiffness may be off, relative.
+        relaxes: whether it lengthens or is pressed together.
+    """
+    shape = np.broadcast_shapes(force.shape, stiffness.shape)
+    travel = np.full(shape, NONE)
+    every = _rows(room)
+    near = every[(every["most"] >= np.nanmin(force)) & (every["least"] <= np.nanmax(force))]
+    for start in range(0, near.size, step := max(1, _AT_ONCE // travel.size)):
+        rows = near[start : start + step].reshape(-1, *(1 for _ in shape))
+        np.fmax(travel, _travel(rows, force, stiffness, room, tolerance, relaxes=relaxes).max(axis=0), out=travel)
+    return travel
+
+
+def _travel(row: Any, force: Numbers, stiffness: Numbers, room: Room, tolerance: float, *, relaxes: bool) -> Numbers:
+    """The largest over the numbers of packs that give the stiffness: it grows with them until the length is used up."""
+    held = (force >= row["least"]) & (force <= row["most"])
+    deflection = _deflection(row, np.where(held, force, row["least"]))
+    slope = row["parallel"] * law.disc_stiffness(**{name: row[name] for name in _SHAPE}, deflection=deflection)
+    # whole numbers of packs whose stiffness is near enough
+    least = np.maximum(np.ceil(slope / stiffness / (1 + tolerance) * (1 + _ROUNDING)), 1.0)
+    most = np.full_like(least, MOST_SERIES)
+    if tolerance < 1:
+        most = np.minimum(np.floor(slope / stiffness / (1 - tolerance) * (1 - _ROUNDING)), most)
+    per = deflection - row["low"] if relaxes else row["high"] - deflection
+    rest = row["free"] - deflection
+
+    def reached(series: Numbers) -> Numbers:
+        moves = series * per
+        if room.length is None:
+            return moves
+        left = room.length - series * rest
+        return np.where(left >= 0, np.minimum(moves, left) if relaxes else moves, NONE)
+
+    if room.length is None:
+        best = reached(most)
+    else:
+        longest = np.floor(room.length / (rest + per if relaxes else rest) * (1 + _ROUNDING))
+        best = np.fmax(*(reached(np.clip(longest + more, least, most)) for more in (0, 1)))
+    return np.where(held & (least <= most), best, NONE)
+
+
+def _deflection(row: Any, force: Numbers) -> Numbers:
+    """Deflection of a single pack, m: about flat the force is a cubic u³ + p u = q, p > 0 where no disc snaps through.
+
+    With T = t/K_4, u = s − h_0: p = 2 T² − h_0², q = 2 T² h_0 (F/F_c − 1), F_c flat.
+    """
+    square, height = (row["thickness"] / row["factor_flats"]) ** 2, row["cone_height"]
+    steep = (2 * square - height**2) / 3
+    q = square * height * (force / row["flat"] - 1)
+    return height + 2 * np.sqrt(steep) * np.sinh(np.arcsinh(q / steep**1.5) / 3)

@@ -1,28 +1,134 @@
 """Springs one can buy or wind: disc stacks and coil springs that give the forces of a clutch."""
 
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import groupby
-from typing import Any
+from typing import Any, Literal
 
+import numpy as np
+
+from ...engines.characteristic import CoilCharacteristic, DiscCharacteristic, characteristic
+from ...engines.parts import demands
 from ...engines.protocol import Clutch
-from ...engines.wish import Wish
-from ...errors import AfmcalcError
+from ...engines.wish import SpringName, Wish
+from ...equations import springs as law
+from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
 from ...messages import joined, say, term
+from ...result import Answer, Result, Sentence, quantity
 from ...spec import resolved
-from ...spec.springs import DiscStack
+from ...spec.catalogues import discs
+from ...spec.springs import CoilSprings, DiscStack
 from ..registry import SpringKind, SpringOrder
-from .candidates import Candidate, coil_candidates, disc_candidates, disc_springs
-from .options import named, option_of, part_of
-from .result import SpringOption, SpringsResult
-from .stacks import TOLERANCE
+from .candidates import TOLERANCE, Candidate, coil_candidates, disc_candidates, label_of, stack_of
+
+Kind = Literal["disc", "coil"]
+STEEL = 7850.0
+"""kg/m³."""
+SETTING = 0.05
+"""Share of the force that the nut is to set more or less."""
+TOP = 10
+_BORNE = ("deflection", "stress", "fatigue")
+"""Demands that tell how much of what it bears a part uses."""
+_CURVE_POINTS = 121
+
+
+class SpringOption(Result):
+    """A part that gives the force, and what else it gives."""
+
+    number: int | None = quantity("", None, "number", optional=True)
+    spring: SpringName | None = quantity("", None, "spring", optional=True)
+    kind: Kind = quantity("", None, "kind", detail=True)
+    part: Sentence = quantity("", None, "part")
+    parallel: int | None = quantity("1", "n", "discs laid into each other")
+    series: int | None = quantity("1", "i", "packs against each other")
+    count: int | None = quantity("1", "n_п", "springs around the shaft")
+    turns: float | None = quantity("1", "n_w", "active turns")
+    outer_diameter: float = quantity("m", "D_e", "outer diameter", detail=True)
+    inner_diameter: float = quantity("m", "D_i", "inner diameter", detail=True)
+    force: float = quantity("N", "F", "force as set", detail=True)
+    force_least: float | None = quantity("N", "F_1", "least force in service", detail=True, null="slack")
+    force_largest: float = quantity("N", "F_2", "largest force in service", detail=True)
+    stiffness: float = quantity("N/m", "c", "stiffness as set")
+    deflection: float = quantity("m", "s", "deflection as set", detail=True)
+    length_set: float = quantity("m", "L", "length as set")
+    length: float = quantity("m", "L_1", "largest length in service, let go as far as it is")
+    free_length: float = quantity("m", "L_0", "length without load", detail=True)
+    used_low: float = quantity("1", "s_1/s_c", "least deflection in service over that pressed flat or solid")
+    used_high: float = quantity("1", "s_2/s_c", "largest deflection in service over that pressed flat or solid")
+    loading: Literal["static", "dynamic"] | None = quantity("", None, "loading of a coil", optional=True)
+    stress_correction: float | None = quantity(
+        "1", "k_τ", "factor of the coil's curvature in the stress, 1 of one that rests", optional=True, detail=True
+    )
+    stress: float = quantity("Pa", "σ, τ", "largest stress in service: tension of a disc, shear of a wire")
+    stress_middle: float | None = quantity(
+        "Pa", "σ_OM", "stress where the section of a disc turns", optional=True, detail=True
+    )
+    stress_solid: float | None = quantity(
+        "Pa", "τ_c", "shear stress of a wire, solid, without k_τ", optional=True, detail=True
+    )
+    utilisation: float = quantity(
+        "1", "η", "largest share used: of the range of deflection, of the stress allowed", detail=True
+    )
+    loss_per_travel: float = quantity("1/m", "c/F", "share of the force lost per travel of the spring")
+    loss_per_wear: float | None = quantity(
+        "1/m", "c z/F", "share of the force lost per wear of a pair", optional=True, detail=True
+    )
+    travel_setting: float = quantity("m", "s_5%", "travel of the nut from 95 to 105 % of the force", detail=True)
+    turns_setting: float | None = quantity("1", "ν_5%", "turns of the nut from 95 to 105 % of the force")
+    force_up: float | None = quantity("N", "F_↓", "force that friction asks for when pressed", detail=True)
+    force_down: float | None = quantity("N", "F_↑", "force that friction leaves when let go", detail=True)
+    mass: float = quantity("kg", "m_s", "mass")
+
+
+class SpringsResult(Answer):
+    """Parts that give forces and stiffnesses of the springs, the best first."""
+
+    closing_force: float = quantity("N", "F_п", "force wanted of the closing spring")
+    closing_stiffness: float | None = quantity("N/m", "c_1", "stiffness wanted", null="any", optional=True)
+    closing_found: int = quantity("", None, "parts found for it")
+    control_force: float | None = quantity("N", "F_п2", "force wanted of the control spring", optional=True)
+    control_stiffness: float | None = quantity("N/m", "c_2", "stiffness wanted of it", null="any", optional=True)
+    control_found: int | None = quantity("", None, "parts found for it", optional=True)
+    closing: list[SpringOption] = quantity("", None, "closing spring")
+    control: list[SpringOption] | None = quantity("", None, "control spring", optional=True)
+    named: list[SpringOption] | None = quantity("", None, "springs that the spec names", optional=True)
+    utilisation: float | None = quantity(
+        "1",
+        "η",
+        "largest share that these use: of the range of deflection, of the stress allowed",
+        optional=True,
+        detail=True,
+    )
+    nearest: list[SpringOption] | None = quantity("", None, "nearest, where there is none", optional=True)
+
+
+class SpringCurve(Result):
+    """Force over deflection of one spring, and where on it the clutch works."""
+
+    spring: SpringName = quantity("", None, "spring")
+    part: Sentence = quantity("", None, "part")
+    deflection: list[float] = quantity("m", "s", "deflection")
+    force: list[float] = quantity("N", "F", "force")
+    tangent: list[float] = quantity("N", "c s", "straight spring of the stiffness as set")
+    set_deflection: float = quantity("m", "s", "deflection as set")
+    set_force: float = quantity("N", "F", "force as set")
+    service: tuple[float, float] = quantity("m", "s", "deflections in service")
+    usable: tuple[float, float] = quantity("m", "s", "deflections it may be used between")
+
+
+class SpringsCurve(Result):
+    """The springs of a clutch."""
+
+    name: str | None = quantity("", None, "name of the clutch", optional=True)
+    springs: list[SpringCurve] = quantity("", None, "springs")
+
 
 _BY: Mapping[SpringOrder, Callable[[SpringOption], float]] = {
     "length": lambda option: option.length,
     "wear": lambda option: option.loss_per_travel,
     "mass": lambda option: option.mass,
 }
-TOP = 10
 
 
 def springs(
@@ -48,40 +154,159 @@ def springs(
     listed: dict[str, list[SpringOption]] = {}
     nearest: list[SpringOption] = []
     counts: dict[str, int] = {}
-    said: list[Finding] = []
+    remarks: list[Finding] = []
     number = 1
     wanted = clutch.wishes()
     for wish in wanted:
         every = list(_candidates(wish, kind, tolerance))
-        order = sort or ("length" if wish.stiffness else "wear")
-        options = sorted(_best_of_each(wish, [each for each in every if not each.misses], order), key=_BY[order])
+        order = sort or _order(wish)
+        options = sorted(_best_of_each(wish, [part for part in every if not part.misses], order), key=_BY[order])
         counts[wish.name] = len(options)
-        listed[wish.name] = _numbered(options[:top], number)
+        listed[wish.name] = [_with(option, number=place) for place, option in enumerate(options[:top], number)]
         number += len(listed[wish.name])
         if not options and every:
-            close = min(every, key=lambda each: max(each.misses.values()))
-            nearest.append(option_of(wish, close))
-            said.append(_none(wish, close))
-        said += _remarks(wish)
+            close = min(every, key=lambda candidate: max(candidate.misses.values()))
+            nearest.append(option_of(wish, close.part, close.label))
+            remarks.append(_none(wish, close))
+        remarks += _remarks(wish)
     parts = clutch.spec.spring_parts
-    in_use = [named(wish, parts[wish.name]) for wish in wanted if wish.name in parts]
+    in_use = [
+        _with(option_of(wish, part, label_of(part)), spring=wish.name)
+        for wish in wanted
+        if (part := parts.get(wish.name)) is not None
+    ]
     result = SpringsResult(
         **{f"{wish.name}_{key}": getattr(wish, key) for wish in wanted for key in ("force", "stiffness")},
         **{f"{name}_found": count for name, count in counts.items()},
         **listed,
         nearest=nearest or None,
         named=in_use or None,
-        utilisation=max((each.utilisation for each in in_use), default=None),
+        utilisation=max((option.utilisation for option in in_use), default=None),
     )
-    return result, [*clutch.findings(), *said]
+    return result, [*clutch.findings(), *remarks]
 
 
-def ranked(wish: Wish, kind: SpringKind = "any", tolerance: float = TOLERANCE) -> list[SpringOption]:
+def ranked(wish: Wish, kind: SpringKind = "any") -> list[SpringOption]:
     """Every part that does, in the order they are told in."""
-    every = [] if kind == "coil" else list(disc_springs(wish, tolerance))
+    fitting = (each for each in _candidates(wish, kind, TOLERANCE, fitting=True) if not each.misses)
+    return sorted((option_of(wish, each.part, each.label) for each in fitting), key=_BY[_order(wish)])
+
+
+def _candidates(wish: Wish, kind: SpringKind, tolerance: float, *, fitting: bool = False) -> Iterable[Candidate]:
+    if kind != "coil":
+        yield from disc_candidates(wish, tolerance, fitting=fitting)
     if kind != "disc":
-        every += [each for each in coil_candidates(wish, tolerance) if not each.misses]
-    return sorted((option_of(wish, each) for each in every), key=_BY["length" if wish.stiffness else "wear"])
+        yield from coil_candidates(wish, tolerance)
+
+
+def _order(wish: Wish) -> SpringOrder:
+    return "length" if wish.stiffness else "wear"
+
+
+def _with(option: SpringOption, **values: object) -> SpringOption:
+    return option.model_copy(update=values)
+
+
+def _best_of_each(wish: Wish, candidates: list[Candidate], sort: SpringOrder) -> list[SpringOption]:
+    """The best of every size of disc, of every wire and count: its neighbours are much the same."""
+
+    def family(candidate: Candidate) -> tuple[str, ...]:
+        part = candidate.part
+        if isinstance(part, DiscStack):
+            return ("disc", candidate.label, str(part.parallel))
+        return ("coil", str(part.wire_diameter), str(part.count))
+
+    groups = groupby(sorted(candidates, key=family), key=family)
+    return [min((option_of(wish, each.part, each.label) for each in group), key=_BY[sort]) for _, group in groups]
+
+
+def option_of(wish: Wish, part: DiscStack | CoilSprings, label: str) -> SpringOption:
+    """What a part gives as set and in service, and what it bears."""
+    own = characteristic(part)
+    deflection = float(own.deflection(wish.force))
+    force, stiffness = float(own.force(deflection)), float(own.stiffness(deflection))
+    low, high = deflection - wish.relaxes, deflection + wish.compresses
+    setting = float(own.deflection((1 + SETTING) * force) - own.deflection((1 - SETTING) * force))
+    of_kind = _of_coils(own, wish, high) if isinstance(own, CoilCharacteristic) else _of_discs(own, wish, force, high)
+    return SpringOption(
+        number=None,
+        part=label,
+        force=force,
+        force_least=None if low < 0 else float(own.force(low)),
+        force_largest=float(own.force(high)),
+        stiffness=stiffness,
+        deflection=deflection,
+        length_set=own.free_length - deflection,
+        length=own.free_length - low,
+        free_length=own.free_length,
+        used_low=low / own.end,
+        used_high=high / own.end,
+        loss_per_travel=stiffness / force,
+        loss_per_wear=None if wish.follows is None else wish.follows * stiffness / force,
+        utilisation=max(demand.utilisation for demand in demands(wish, part) if demand.rule.misses in _BORNE),
+        travel_setting=setting,
+        turns_setting=None if wish.pitch is None else setting / wish.pitch,
+        **of_kind,
+    )
+
+
+def _of_coils(own: CoilCharacteristic, wish: Wish, high: float) -> dict[str, Any]:
+    part, rests = own.part, wish.stroke is None
+    correction = 1.0 if rests else own.correction
+    mass = law.coil_mass(STEEL, part.wire_diameter, part.coil_diameter, part.turns, math.pi)
+    return {
+        **dict.fromkeys(("parallel", "series", "force_up", "force_down")),
+        "kind": "coil",
+        "count": part.count,
+        "turns": part.turns,
+        "outer_diameter": part.coil_diameter + part.wire_diameter,
+        "inner_diameter": part.coil_diameter - part.wire_diameter,
+        "loading": "static" if rests else "dynamic",
+        "stress_correction": correction,
+        "stress": correction * own.stress(high),
+        "stress_solid": own.stress(own.end),
+        "mass": part.count * float(mass),
+    }
+
+
+def _of_discs(own: DiscCharacteristic, wish: Wish, force: float, high: float) -> dict[str, Any]:
+    part = own.part
+    middle, edge = own.stresses(high)
+    ring = law.ring_mass(STEEL, part.outer_diameter, part.inner_diameter, own.thickness, math.pi)
+    up = down = None
+    if wish.friction is not None:
+        up, down = (
+            float(law.stack_force_with_friction(force, part.parallel, *(sign * share for share in wish.friction)))
+            for sign in (1, -1)
+        )
+    return {
+        **dict.fromkeys(("count", "turns", "loading", "stress_correction")),
+        "kind": "disc",
+        "parallel": part.parallel,
+        "series": part.series,
+        "outer_diameter": part.outer_diameter,
+        "inner_diameter": part.inner_diameter,
+        "force_up": up,
+        "force_down": down,
+        "stress": edge,
+        "stress_middle": middle,
+        "mass": part.parallel * part.series * float(ring),
+    }
+
+
+def part_of(option: SpringOption) -> DiscStack | CoilSprings:
+    """The part as a spec says it."""
+    if option.parallel is not None and option.series is not None:
+        (disc,) = (disc for disc in discs() if option.part.endswith(f" {disc.name}"))
+        return stack_of(disc, option.parallel, option.series)
+    wire = (option.outer_diameter - option.inner_diameter) / 2
+    return CoilSprings(
+        wire_diameter=wire,
+        coil_diameter=option.outer_diameter - wire,
+        turns=option.turns,
+        free_length=option.free_length,
+        count=option.count,
+    )
 
 
 def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> dict[str, Any]:
@@ -91,14 +316,13 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> dic
         AfmcalcError: no such number, or two of one spring.
     """
     data = resolved(clutch.spec)
-    lists = {"closing_spring": result.closing, "control_spring": result.control or []}
+    blocks = {"closing_spring": result.closing, "control_spring": result.control or []}
+    numbered = {option.number: (block, option) for block, options in blocks.items() for option in options}
     taken = set()
     for number in numbers:
-        found = [(block, option) for block, options in lists.items() for option in options if option.number == number]
-        if not found:
-            most = sum(map(len, lists.values()))
-            raise AfmcalcError(say("--pick {number}: there are {most} to pick from", number=number, most=most))
-        ((block, option),) = found
+        if number not in numbered:
+            raise AfmcalcError(say("--pick {number}: there are {most} to pick from", number=number, most=len(numbered)))
+        block, option = numbered[number]
         if block in taken:
             raise AfmcalcError(say("--pick {number}: {block} is picked already", number=number, block=block))
         taken.add(block)
@@ -111,49 +335,58 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> dic
     return data
 
 
-def _candidates(wish: Wish, kind: SpringKind, tolerance: float) -> Iterable[Candidate]:
-    if kind != "coil":
-        yield from disc_candidates(wish, tolerance)
-    if kind != "disc":
-        yield from coil_candidates(wish, tolerance)
-
-
-def _best_of_each(wish: Wish, found: list[Candidate], sort: SpringOrder) -> list[SpringOption]:
-    """The best of every size of disc, of every wire and count: its neighbours are much the same."""
-
-    def family(each: Candidate) -> tuple[Any, ...]:
-        if isinstance(each.part, DiscStack):
-            return ("disc", each.label, each.part.parallel)
-        return ("coil", each.part.wire_diameter, each.part.count)
-
-    groups = groupby(sorted(found, key=lambda each: tuple(map(str, family(each)))), key=family)
-    return [min((option_of(wish, each) for each in group), key=_BY[sort]) for _, group in groups]
-
-
-def _numbered(options: list[SpringOption], first: int) -> list[SpringOption]:
-    return [each.model_copy(update={"number": number}) for number, each in enumerate(options, first)]
-
-
 def _none(wish: Wish, close: Candidate) -> Finding:
-    ranked = sorted(close.misses.items(), key=lambda each: -each[1])
-    misses = joined(_missed(name, by) for name, by in ranked)
+    """Say that no part does, and what the nearest misses."""
+    misses = joined(
+        say("{name} by {by:.1%}", name=term(name), by=by)
+        if by < 1
+        else say("{name} by {by:.3g} times", name=term(name), by=by)
+        for name, by in sorted(close.misses.items(), key=lambda miss: -miss[1])
+    )
     part = close.part
     size = f"{part.parallel} × {part.series}" if isinstance(part, DiscStack) else f"{part.count} × {part.turns:g}"
     path = f"{wish.name}_spring"
     return finding("no-spring", "warning", value=wish.force, path=path, part=close.label, size=size, misses=misses)
 
 
-def _missed(name: str, by: float) -> str:
-    if by < 1:
-        return say("{name} by {by:.1%}", name=term(name), by=by)
-    return say("{name} by {by:.3g} times", name=term(name), by=by)
-
-
 def _remarks(wish: Wish) -> list[Finding]:
     room, path = wish.room, f"{wish.name}_spring.room"
-    said = []
+    remarks = []
     if room.inner_diameter is None or room.outer_diameter is None or room.length is None:
-        said.append(finding("room-not-given", "info", path=path))
+        remarks.append(finding("room-not-given", "info", path=path))
     if wish.stiffness is None:
-        said.append(finding("any-stiffness", "info", path=f"{wish.name}_spring.stiffness"))
-    return said
+        remarks.append(finding("any-stiffness", "info", path=f"{wish.name}_spring.stiffness"))
+    return remarks
+
+
+def springs_curve(clutch: Clutch) -> SpringsCurve:
+    """Calculate the characteristic of the parts that a spec names, else of the best that is found.
+
+    Raises:
+        CalculationError: there is no part.
+    """
+    return SpringsCurve(name=clutch.spec.name, springs=[_curve(clutch, wish) for wish in clutch.wishes()])
+
+
+def _curve(clutch: Clutch, wish: Wish) -> SpringCurve:
+    part = clutch.spec.spring_parts.get(wish.name)
+    if part is None:
+        best = ranked(wish)
+        if not best:
+            raise CalculationError(say("plot springs: there is no part for the {name} spring", name=wish.name))
+        part = part_of(best[0])
+    own = characteristic(part)
+    deflections = np.linspace(0.0, own.end, _CURVE_POINTS)
+    at = float(own.deflection(wish.force))
+    slope = float(own.stiffness(at))
+    return SpringCurve(
+        spring=wish.name,
+        part=label_of(part),
+        deflection=deflections.tolist(),
+        force=np.asarray(own.force(deflections)).tolist(),
+        tangent=(wish.force + slope * (deflections - at)).tolist(),
+        set_deflection=at,
+        set_force=float(own.force(at)),
+        service=(at - wish.relaxes, at + wish.compresses),
+        usable=own.range,
+    )

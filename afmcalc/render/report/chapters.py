@@ -6,7 +6,7 @@ from typing import Any
 
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
-from ...analysis.springs.result import SpringsResult
+from ...analysis.springs.springs import SpringsResult
 from ...analysis.tolerance.result import IndexRow, InputRow, LifeRow, ToleranceResult
 from ...messages import localized, term, translate
 from ...messages import told as message
