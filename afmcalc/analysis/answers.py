@@ -33,8 +33,7 @@ class Answers:
     def of(self, kind: type[R]) -> R:
         """Return the result of that class."""
         name = next(each.name for each in ANALYSES.values() if each.result == kind.__name__)
-        found: R = self.ask(name)[0]
-        return found
+        return self.ask(name)[0]
 
     @cached_property
     def study(self) -> "Study":
@@ -52,7 +51,4 @@ class Answers:
     def _ran(self, analysis: Analysis) -> tuple[Any, list[Finding]]:
         if analysis.name == "tolerance":
             return self.study.result, self.study.findings
-        found: tuple[Any, list[Finding]] = analysis.function(
-            self.clutch, **{name: self._options[name] for name in analysis.options}
-        )
-        return found
+        return analysis.function(self.clutch, **{name: self._options[name] for name in analysis.options})

@@ -91,8 +91,7 @@ def _area(clutch: Clutch) -> float | None:
     group = clutch.spec.friction_group
     if group.inner_radius is None or group.outer_radius is None:
         return None
-    area: float = law.friction_area(group.inner_radius, group.outer_radius, math.pi)
-    return area
+    return law.friction_area(group.inner_radius, group.outer_radius, math.pi)
 
 
 def _power(clutch: Clutch, found: Mapping[str, HeatedSlip], area: float | None) -> Triple | None:
@@ -175,8 +174,7 @@ def _trips(
 
 def _rise_of(own: Heat, trip: HeatedSlip) -> Values:
     """Rise of the discs with all the heat: between trips the lining gives back what it took."""
-    rise: Values = law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat)
-    return rise
+    return law.temperature_rise(trip.energy, own.disc_mass, own.specific_heat)
 
 
 def _rate(own: Heat, used: Values) -> float:
@@ -259,5 +257,4 @@ def _of(clutch: Clutch, end: str, slip: HeatedSlip) -> HeatedSlip:
 
 
 def _torque(clutch: Clutch, end: str) -> Values:
-    torque: Values = clutch.torque(*(getattr(own, end) for own in clutch.friction))
-    return torque
+    return clutch.torque(*(getattr(own, end) for own in clutch.friction))

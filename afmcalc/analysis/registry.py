@@ -78,8 +78,7 @@ class Analysis(NamedTuple):
     @property
     def function(self) -> Callable[..., Any]:
         """The function that gives result and findings."""
-        found: Callable[..., Any] = getattr(import_module(f"..{self.home}", __package__), self.name)
-        return found
+        return getattr(import_module(f"..{self.home}", __package__), self.name)
 
     @property
     def result_class(self) -> Any:

@@ -183,8 +183,7 @@ def dynamic_factors(clutch: Clutch) -> Floats:
     first, second = map(_rows, clutch.friction)
     found = peaks_of(clutch, first, second)
     slipping = np.max(found.shaft / found.sliding, axis=0)
-    largest: Floats = np.fmax(slipping, bypass_peaks(clutch) / found.sliding[2])
-    return largest
+    return np.fmax(slipping, bypass_peaks(clutch) / found.sliding[2])
 
 
 def bypass_peaks(clutch: Clutch) -> Floats:

@@ -93,8 +93,7 @@ def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
         if not is_array(share) and share in (0, 1):  # the ends as they are: no rounding of theirs
             one, two = (own.max if share else own.mean if from_mean else own.min for own in clutch.friction)
             at = one, two
-        found: Values = clutch.torque(*at)
-        return found
+        return clutch.torque(*at)
 
     if clutch.leaving_friction is None:
         return Load(torque, extremes.low, extremes.high, (clutch.path_bend,))
@@ -160,8 +159,7 @@ def is_static(part: Fatigue, load: Load) -> bool | Values:
 def _stress(part: Fatigue, rule: Rule, low: Values, high: Values) -> Values:
     """Damaging stress of a swing between two torques."""
     ends = (law.shear_stress(end, part.polar_section_modulus) for end in (smaller(low, high), larger(low, high)))
-    stress: Values = finite(rule.stress(part, *ends))
-    return stress
+    return finite(rule.stress(part, *ends))
 
 
 def _line(part: Fatigue, stress: Values) -> Values:

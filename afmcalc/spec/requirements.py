@@ -93,8 +93,7 @@ class Searched:
     @property
     def about(self) -> Quantity:
         """What each value may be."""
-        found: Quantity = get_args(self.kind)[1]
-        return found
+        return get_args(self.kind)[1]
 
     @cached_property
     def _field(self) -> TypeAdapter[float]:

@@ -270,8 +270,7 @@ class _Rows:
         need = self.need
         limit = np.inf if need.limits.travel is None else need.limits.travel
         ball = np.minimum(self._most("ball_diameter"), own.largest_ball)
-        allowed: Numbers = np.minimum(np.minimum(limit, self._most("travel")), own.travel_room(ball)) * _INSIDE
-        return allowed
+        return np.minimum(np.minimum(limit, self._most("travel")), own.travel_room(ball)) * _INSIDE
 
     def _torque_allowed(self, own: Candidates) -> Numbers:
         wanted, limits = self.need.wanted, self.need.limits
@@ -281,5 +280,4 @@ class _Rows:
         if self.need.contact is not None:
             ball = np.minimum(self._most("ball_diameter"), own.largest_bearing_ball)
             contact = np.minimum(contact, hertz.allowable_force(self.need.contact, ball / 2))
-        least: Numbers = np.minimum(allowed, contact / own.force_per_ball) * _INSIDE
-        return least
+        return np.minimum(allowed, contact / own.force_per_ball) * _INSIDE

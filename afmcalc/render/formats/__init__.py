@@ -17,5 +17,4 @@ _HOMES = {"markdown": ("markup", "markdown"), "html": ("markup", "html")}
 def renderer(name: str) -> Render:
     """Return the render function of a format, importing only its module."""
     module, function = _HOMES.get(name, (name, "render"))
-    render: Render = getattr(import_module(f".{module}", __package__), function)
-    return render
+    return getattr(import_module(f".{module}", __package__), function)

@@ -136,8 +136,7 @@ def _title(sheet: Sheet) -> list[str]:
 def _height(panel: Any, axes: float) -> float:
     """Inches: what the axes have, and a line of legend for each entry or two."""
     if not isinstance(panel, Chart):
-        height: float = panel.height
-        return height
+        return panel.height
     rows = -(-len(panel.labels) // _columns(panel.labels))
     return axes + 0.19 * rows + (0.2 if panel.title else 0)
 

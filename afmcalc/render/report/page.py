@@ -97,7 +97,7 @@ def render(subject: Subject) -> str:
     found = chapters(dossier)
     figures = _figures(found)
     name = named(dossier.spec.name) or told("unnamed")
-    page: str = _template().render(
+    return _template().render(
         subject=subject,
         told=told,
         name=name,
@@ -114,7 +114,6 @@ def render(subject: Subject) -> str:
         findings=ranked(dossier.findings),
         references=_references(found),
     )
-    return page
 
 
 class Verdict(NamedTuple):
