@@ -1,9 +1,11 @@
-"""Every command in every format, as stored; and what holds for any output."""
+"""Every command: its JSON and its table as stored, the other formats against these; and what holds for any output."""
 
 import csv
 import functools
 import io
+import math
 import os
+import re
 from pathlib import Path
 
 import pytest
@@ -11,6 +13,7 @@ from conftest import CONFIGS
 
 import afmcalc as package
 from afmcalc.proofs import prove
+from afmcalc.render import FORMATS
 from afmcalc.render.plot.text import curve
 from afmcalc.render.units import significant
 
@@ -38,29 +41,65 @@ COMMANDS = {
     "materials": ["materials"],
     "check": ["check", CONFIGS / "default.toml", "--set", "C=2"],
 }
-ENDINGS = {"table": "txt", "json": "json", "csv": "csv", "markdown": "md"}
-
-
 PROVED = functools.cache(prove)
 
 
-@pytest.mark.parametrize("format_", ENDINGS)
 @pytest.mark.parametrize("name", COMMANDS)
-def test_snapshot(name, format_, afmcalc, monkeypatch):
+def test_every_format_of_a_command(name, afmcalc, monkeypatch):
+    """JSON and table as stored; Markdown has the cells of the table, CSV the numbers of the JSON."""
     monkeypatch.setattr("afmcalc.proofs.prove", PROVED)  # once for every format
-    run = afmcalc(*COMMANDS[name], "--format", format_)
-    assert run.code == 0
-    text = run.out.replace(f'"version": "{package.__version__}"', '"version": "X"')
-    path = Path(__file__).parent / "snapshots" / f"{name}.{ENDINGS[format_]}"
+    table, printed, sheet, markdown = (
+        afmcalc(*COMMANDS[name], "--format", format_) for format_ in ("table", "json", "csv", "markdown")
+    )
+    assert {run.code for run in (table, printed, sheet, markdown)} == {0}
+    stored(f"{name}.txt", table.out)
+    stored(f"{name}.json", printed.out.replace(f'"version": "{package.__version__}"', '"version": "X"'))
+    assert set(printed.json) == {"command", "version", "spec", "result", "findings"}
+    if printed.json["command"] == "explain":
+        stored(f"{name}.md", markdown.out)  # steps, their formulas in LaTeX
+    else:
+        lines = [cells(line) for line in table.out.splitlines()]
+        rows = [cells(line, "|") for line in markdown.out.splitlines() if re.match(r"\| (?!-+:? )", line)]
+        assert rows
+        assert [row for row in rows if row not in lines] == []
+    header, *rows = csv.reader(io.StringIO(sheet.out))
+    assert rows
+    assert {len(row) for row in rows} == {len(header)}
+    result, findings = printed.json["result"], printed.json["findings"]
+    intervals = [text.split() for row in rows for text in row]  # mostly of one number
+    written = {float(end) for ends in intervals if all(map(is_number, ends)) for end in ends}
+    assert {number for number in written if number not in {*numbers(result), *numbers(findings)}} == set()
+    lists = [part for part in result.values() if part and isinstance(part, list) and isinstance(part[0], dict)]
+    assert {number for number in numbers(lists[:1] or result) if number not in written} == set()
+
+
+def stored(name, text):
+    path = Path(__file__).parent / "snapshots" / name
     if os.environ.get("AFMCALC_UPDATE"):
         path.write_text(text, encoding="utf-8")
-    assert text == path.read_text(encoding="utf-8"), f"{path.name} differs; AFMCALC_UPDATE=1 writes it anew: read it"
-    if format_ == "json":
-        assert set(run.json) == {"command", "version", "spec", "result", "findings"}
-    if format_ == "csv":
-        rows = list(csv.reader(io.StringIO(run.out)))
-        assert len({len(row) for row in rows}) == 1
-        assert len(rows) >= 2
+    assert text == path.read_text(encoding="utf-8"), f"{name} differs; AFMCALC_UPDATE=1 writes it anew: read it"
+
+
+def cells(line, rule=None):
+    """Cells of a line of a table that are not empty; of Markdown between its rules, without what escapes a sign."""
+    parts = re.split(r"(?<!\\)\|", line) if rule else re.split(r"\s{2,}", line)
+    return [(re.sub(r"\\(.)", r"\1", part) if rule else part).strip() for part in parts if part.strip()]
+
+
+def numbers(value):
+    """Every number of a JSON value."""
+    if isinstance(value, dict | list):
+        for part in value.values() if isinstance(value, dict) else value:
+            yield from numbers(part)
+    elif isinstance(value, int | float) and not isinstance(value, bool):
+        yield value
+
+
+def is_number(text):
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
 
 
 def test_csv_has_full_precision_and_one_row_per_point(afmcalc):
@@ -97,7 +136,7 @@ def test_tables_are_not_cut_off_a_terminal(afmcalc, monkeypatch):
 
 
 def test_output_file_is_what_would_be_printed(afmcalc, tmp_path):
-    for format_ in ENDINGS:
+    for format_ in FORMATS:
         target = tmp_path / format_
         run = afmcalc("torque", "--format", format_, "--output", target)
         assert run.out == ""

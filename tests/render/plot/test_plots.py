@@ -95,29 +95,12 @@ def difference(first, second):
     return float(np.sqrt(np.mean((first - second) ** 2)))
 
 
-AGAIN = {"torque-several", "accuracy-several", "accuracy-pairs", "life-several", "pareto-two"}
-AGAIN |= {
-    "accuracy-peaks",
-    "torque-indirect",
-    "torque-unlike",
-    "pocket-indirect",
-    "tolerance-exact",
-    "overload-differentiated",
-    "pareto-panels",
-    "paper-F11-2",
-    "paper-S19-2",
-    "paper-S21-2",
-    "paper-S21-4",
-    "paper-S22-1",
-    "paper-S22-2",
-    "paper-S22-3",
-    "paper-S22-4",
-}
-"""Drawn by the same code as another one here."""
+FIRST = {kind: name for name, (kind, *_) in reversed(PICTURES.items())}
+"""Kind of plot → the first of its pictures; the others, drawn by the same code, are exhaustive."""
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=pytest.mark.exhaustive if name in AGAIN else []) for name in PICTURES]
+    "name", [pytest.param(name, marks=[] if name in FIRST.values() else pytest.mark.exhaustive) for name in PICTURES]
 )
 def test_picture(name):
     path = BASELINE / f"{name}.png"
