@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from ..drive.cases import Outcome
-from ..drive.indirect import IndirectPlant
+from ..drive.pack import Sleeve
 from ..drive.plant import Plant
 from ..drive.result import SimulateResult
 from ..drive.train import Train
@@ -152,7 +152,7 @@ def _judder(clutch: Clutch, train: Train, found: Sequence[Outcome]) -> list[Find
         return []
 
     def needed(plant: Plant) -> float:
-        return float(law.judder_damping(plant.growth, clutch.mean_radius, ratio, speed))
+        return float(law.judder_damping(plant.pack.growth, clutch.mean_radius, ratio, speed))
 
     worst = max(found, key=lambda each: needed(each.case.plant))
     own, ordinary, damping = needed(worst.case.plant), needed(worst.ordinary), train.damping
@@ -200,8 +200,8 @@ def strength_of(clutch: Clutch) -> Strength:
 
 def let_go(found: Sequence[Outcome]) -> float | None:
     """Travel at which the closing spring presses no more, m; None without a sleeve."""
-    plant = found[-1].case.plant
-    return float(plant.sleeve.farthest) if isinstance(plant, IndirectPlant) else None
+    pack = found[-1].case.plant.pack
+    return float(pack.farthest) if isinstance(pack, Sleeve) else None
 
 
 def strains(clutch: Clutch, found: Sequence[Outcome]) -> Iterator[Finding]:

@@ -10,14 +10,12 @@ import numpy as np
 from ..arrays import Values
 from ..engines.protocol import Clutch
 from ..equations import heat
-from .direct import DirectPlant
-from .indirect import IndirectPlant
-from .packs import ordinary_pack, pack_of, plant_of, without_hub
-from .plant import Plant
+from .pack import DirectPack, Sleeve, ordinary_pack, pack_of
+from .plant import Plant, plant_of
 from .train import Train, train_of
 
 if TYPE_CHECKING:
-    from .machine import Trip
+    from .trip import Trip
 
 _SWINGS = 6.0
 """Swings of the driven half after an event within which its peak has come."""
@@ -41,7 +39,7 @@ class Case(NamedTuple):
         Raises:
             CalculationError: the integration fails.
         """
-        from .machine import trip
+        from .trip import trip
 
         return trip(self.plant, self.horizon, recorded=recorded, given=self.given)
 
@@ -73,17 +71,15 @@ class Outcome(NamedTuple):
     @property
     def endless(self) -> bool:
         """Whether the motor is what keeps it slipping."""
-        plant = self.case.plant
-        strong = plant.train.cut_off is None and abs(self.trip.last) <= plant.train.engine.torque
+        train = self.case.plant.train
+        strong = train.cut_off is None and abs(self.trip.last) <= train.engine.torque
         return not self.trip.ended and (self.trip.endless or (strong and not self.trip.stuck))
 
     @property
     def potential(self) -> float | None:
         """T_п, at which it would slip if the release force did not follow the load; None of an indirect clutch."""
-        plant = self.case.plant
-        if not isinstance(plant, DirectPlant):
-            return None
-        return plant.pack.potential(plant.train.load, plant.pack.static_ratio)
+        pack = self.case.plant.pack
+        return pack.potential(self.case.plant.train.load, pack.static_ratio) if isinstance(pack, DirectPack) else None
 
     @property
     def trip_position(self) -> float | None:
@@ -103,52 +99,43 @@ def case_of(clutch: Clutch, friction: float, friction_driven: float | None = Non
     Raises:
         SpecError: no event.
     """
-    train = train_of(clutch)
-    plant = plant_of(train, pack_of(clutch, friction, friction if friction_driven is None else friction_driven))
-    return _case(clutch, plant)
-
-
-def ordinary_case(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Case:
-    """Return the event with an ordinary clutch of equal T_н in place; arguments as ``case_of``."""
-    pack = ordinary_pack(clutch, friction, friction if friction_driven is None else friction_driven)
-    return _case(clutch, plant_of(without_hub(train_of(clutch)), pack))
+    pack = pack_of(clutch, friction, friction if friction_driven is None else friction_driven)
+    return _case(clutch, plant_of(train_of(clutch), pack))
 
 
 def _case(clutch: Clutch, plant: Plant) -> Case:
     event = clutch.spec.drive.event
     assert event is not None
-    duration = event.duration
-    return Case(plant, duration or longest(plant), duration is not None)
+    return Case(plant, event.duration or longest(plant), event.duration is not None)
 
 
 def outcome_of(clutch: Clutch, friction: float, friction_driven: float | None = None) -> Outcome:
     """Simulate the clutch, and an ordinary one in its place, at one friction; arguments as ``case_of``."""
     case = case_of(clutch, friction, friction_driven)
-    ordinary = ordinary_case(clutch, friction, friction_driven)
+    pack = ordinary_pack(clutch, friction, friction if friction_driven is None else friction_driven)
+    ordinary = _case(clutch, plant_of(train_of(clutch), pack))
     return Outcome(case, case.run(), ordinary.plant, ordinary.run().peak)
 
 
 def bracket_of(found: Outcome) -> Sequence[Outcome]:
     """Return the event as it is, then with N at the stop along κ alone, along κ₊ alone; empty without a key's play."""
-    case, plant = found.case, found.case.plant
-    if not isinstance(plant, IndirectPlant) or plant.sleeve.net_gain == plant.sleeve.net_gain_returning:
+    case, pack = found.case, found.case.plant.pack
+    if not isinstance(pack, Sleeve) or pack.net_gain == pack.net_gain_returning:
         return []
-    plants = (replace(plant, sleeve=replace(plant.sleeve, branch=branch)) for branch in (1, -1))
-    cases = (case._replace(plant=own, horizon=case.horizon if case.given else longest(own)) for own in plants)
-    return [found, *(found._replace(case=own, trip=own.run()) for own in cases)]
+    plants = (replace(case.plant, pack=replace(pack, branch=branch)) for branch in (1, -1))
+    cases = (case._replace(plant=plant, horizon=case.horizon if case.given else longest(plant)) for plant in plants)
+    return [found, *(found._replace(case=each, trip=each.run()) for each in cases)]
 
 
 def longest(plant: Plant) -> float:
     """Time within which a drive has settled, if it does, s: a bound that few come near."""
-    train = plant.train
-    return float(whole_time(train, plant.sliding)) + _slip_time(plant)
+    return float(whole_time(plant.train, plant.sliding)) + _slip_time(plant)
 
 
 def whole_time(train: Train, sliding: Values) -> Values:
     """Time within which nothing but the end of a slip is left to come, s, rather too long."""
-    turning = train.motor_inertia + train.hub_inertia + train.driven_inertia + train.tool_inertia
     off = 0.0 if train.cut_off is None else train.cut_off
-    run_down: Values = _LONG * turning * train.speed / sliding
+    run_down = _LONG * (train.front + train.tool_inertia) * train.speed / sliding
     return peak_time(train, sliding) + off + run_down
 
 
@@ -157,31 +144,23 @@ def peak_time(train: Train, sliding: Values) -> Values:
 
     Where the tool has an inertia of its own, that within which its load has stopped it comes before.
     """
-    before, found = train.motor_inertia + train.hub_inertia + train.driven_inertia, swings_time(train)
-    if train.kind == "load":
-        behind = train.driven_inertia + train.tool_inertia
-        resisted = [(behind, sliding)]
-        if train.engine.slip is not None:
-            # while the clutch holds, the motor is slowed with the tool, and pulls the harder for it
-            resisted.append((before + train.tool_inertia, train.engine.torque))
-        times = (
-            inertia * train.speed / np.maximum(np.abs(train.overload - torque), 0.05 * sliding)
-            for inertia, torque in resisted
-        )
-        found = found + functools.reduce(np.maximum, times)
-    return found
+    if train.kind != "load":
+        return swings_time(train)
+    resisted = [(train.driven_inertia + train.tool_inertia, sliding)]
+    if train.engine.slip is not None:
+        # while the clutch holds, the motor is slowed with the tool, and pulls the harder for it
+        resisted.append((train.front + train.tool_inertia, train.engine.torque))
+    times = (
+        inertia * train.speed / np.maximum(np.abs(train.overload - torque), 0.05 * sliding)
+        for inertia, torque in resisted
+    )
+    return swings_time(train) + functools.reduce(np.maximum, times)
 
 
 def swings_time(train: Train) -> Values:
     """Time of the event and of some swings of the driven half, one of the stuck drive, s."""
-    before = train.motor_inertia + train.hub_inertia + train.driven_inertia
-    swings = (_swing(inertia, train.stiffness) for inertia in (train.driven_inertia, before))
-    found: Values = train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
-    return found
-
-
-def _swing(inertia: Values, stiffness: Values) -> Values:
-    return 2 * np.pi * (inertia / stiffness) ** 0.5
+    swings = (2 * np.pi * (inertia / train.stiffness) ** 0.5 for inertia in (train.driven_inertia, train.front))
+    return train.time + sum(share * swing for share, swing in zip((_SWINGS, 1.0), swings, strict=True))
 
 
 def _slip_time(plant: Plant) -> float:

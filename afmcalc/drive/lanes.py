@@ -1,17 +1,34 @@
-"""The clutches of many drives in one time step: which torque brings a slip to rest, and what of it they can carry."""
+"""Many drives at once: the same law in fixed time steps, stick and slip by projection (Moreau–Jean).
 
-from typing import NamedTuple
+Every step takes the speeds that the clutch would leave alone and asks which torque brings the slip to rest; what is
+beyond the capacity slips. The shaft is stepped by the implicit midpoint rule: accuracy alone bounds the step.
+"""
+
+from collections.abc import Callable
+from dataclasses import fields, is_dataclass, replace
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Floats, Values
 from ..equations import direct
-from ..equations import drive as law
-from .direct import DirectPack
-from .sleeve import Sleeve
+from ..messages import say
+from ..progress import tell
+from .pack import DirectPack, Sleeve
+from .rest import Slipping, Stuck, settled, slips_below
 from .train import Train
 
+_LANES = 8192
+"""Drives stepped at a time: their states stay in the processor's cache."""
+
+
+_LOOKED = 200
+"""Steps after which it is seen again whether the peaks have passed."""
+_STANDING = 1e-9
+"""Speed of a tool that stands, relative to that before the event."""
+_TOLD = 100
+"""Steps after which it is told how far it is."""
 _SWING_OVER = 0.01
 """Time of a swing of the balls between their walls, in steps, below which it is over."""
 
@@ -27,7 +44,7 @@ class DirectLanes:
         self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
         self.slip, self.travel, self._trend = (np.zeros(h.size) for _ in range(3))
         self.torque = np.broadcast_to(train.load, h.shape).astype(float)
-        self.normal = np.broadcast_to(pack.under(train.load), h.shape).astype(float)
+        self.normal = np.broadcast_to(pack.pressed_at_stop(train.load, pack.stop_gains[0]), h.shape).astype(float)
         lag = np.broadcast_to(np.asarray(pack.lag, float), h.shape)
         self._half = np.exp(-h / (2 * np.where(lag > 0, lag, np.inf))) * (lag > 0) if np.any(lag > 0) else None
         """What is left of a deviation after half a step; None without lag."""
@@ -49,7 +66,7 @@ class DirectLanes:
         slip, self.top = self.slip + self._trend, np.zeros(needed.shape)
         for _ in range(2 if self._static else 1):
             # static friction is that of the middle of the step: foretold, then mended
-            capacity = self._capacity(ratio_of(own, (self.slip + slip) / 2) if self._static else 1.0)
+            capacity = self._capacity(own.ratio((self.slip + slip) / 2) if self._static else 1.0)
             self.torque = np.maximum(np.minimum(needed, capacity), -capacity)
             self.top = np.maximum(self.top, np.abs(self.torque))
             # exactly 0 where it sticks
@@ -58,7 +75,7 @@ class DirectLanes:
             self._trend = np.where(slip == 0, 0.0, slip - self.slip)
         self.slip = slip
         if self._half is not None:
-            balance = own.under(np.abs(self.torque))
+            balance = own.pressed_at_stop(self.torque, own.stop_gains[0])
             self.normal = balance + (self.normal - balance) * self._half**2
 
     def _capacity(self, ratio: Values) -> Values:
@@ -100,7 +117,7 @@ class SleeveLanes:
     @property
     def sticks_up_to(self) -> Values:
         """Torque up to which nothing of it slips or moves, N·m."""
-        return self.pack.sticks_up_to(self.turn)
+        return self.pack.sticks_up_to(self.turn, self.held)
 
     def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
         """Find the torques of pack and balls, from the speeds of both halves without them."""
@@ -108,8 +125,8 @@ class SleeveLanes:
         joint = _Joint(motor - hub, hub - free, self._pack, self._across, self._balls)
         slip, self.top = self.slip + self._trend, np.zeros(self.slip.shape)
         for _ in range(2 if self._static else 1):
-            pairs = self.pack.friction_pairs * ratio_of(self.pack, (self.slip + slip) / 2)
-            found, turn = self._found(joint, pairs)
+            ratio = self.pack.ratio((self.slip + slip) / 2) if self._static else 1.0
+            found, turn = self._found(joint, ratio)
             self.top, slip = np.maximum(self.top, np.abs(found.clutch)), found.slip
         self._trend = np.where(slip == 0, 0.0, slip - self.slip)
         self._gained = found.rate - self.rate
@@ -117,18 +134,18 @@ class SleeveLanes:
         self.held, self.turn = np.asarray(found.normal), turn
         self.travel = np.maximum(self.travel, self.pack.travel(turn))
 
-    def _found(self, joint: "_Joint", pairs: Values) -> "tuple[_Found, Floats]":
+    def _found(self, joint: "_Joint", ratio: Values) -> "tuple[_Found, Floats]":
         """Torques and speeds after a step, and the turn of the balls."""
         own, h = self.pack, self.h
         at_stop = self.turn == 0
-        moving = self._moving(joint, pairs)
-        still = self._still(joint, pairs)
+        moving = self._moving(joint, ratio)
+        still = self._still(joint, ratio)
         after = self.turn + h / 2 * (self.rate + moving.rate)
         stays = at_stop & (still.rate == 0)
         turns = (np.abs(self.turn) < h * np.abs(self.rate)) & (self.turn * moving.rate <= 0)
         near = np.flatnonzero(~at_stop & (turns | (self.turn * after < 0)))
         if near.size:
-            crosses, seated, ahead, bounced = self._bounced(joint, pairs, near)
+            crosses, seated, ahead, bounced = self._bounced(joint, ratio, near)
             stays[near] |= crosses & seated & (still.rate[near] == 0)
             after[near] = np.where(crosses, ahead, after[near])
             parts = [np.array(value) for value in moving[:4]]
@@ -146,7 +163,7 @@ class SleeveLanes:
         return mass
 
     def _bounced(
-        self, joint: "_Joint", pairs: Values, near: NDArray[np.intp]
+        self, joint: "_Joint", ratio: Values, near: NDArray[np.intp]
     ) -> "tuple[NDArray[np.bool_], NDArray[np.bool_], Floats, _Found]":
         """Through the stop to the other wall and back, as often as a step has it: with constant torques in closed form.
 
@@ -161,7 +178,7 @@ class SleeveLanes:
         )
         first, capacity = (
             np.where(begun < 0, -1.0, 1.0),
-            np.broadcast_to(pairs * own.mean_radius, whole)[near] * pressed,
+            np.broadcast_to(own.carried(own.closing_force, ratio), whole)[near],
         )
         resting = joint.boxed(capacity, -np.inf, np.inf, pressed)
         sticks = np.abs(resting.clutch) < capacity
@@ -216,7 +233,7 @@ class SleeveLanes:
         slip = np.where(clutch == needed, 0.0, joint.slip - joint.pack * clutch + joint.across * balls)
         return crosses, seated, turn, _Found(clutch, balls, slip, rate, pressed)
 
-    def _moving(self, joint: "_Joint", pairs: Values) -> "_Found":
+    def _moving(self, joint: "_Joint", ratio: Values) -> "_Found":
         """Off the stop: the key holds between S/κ₊ and S/κ."""
         own = self.pack
         side, ahead = np.where(self.turn < 0, -1.0, 1.0), self.h / 2 * self.rate
@@ -225,11 +242,11 @@ class SleeveLanes:
         joint = joint.heavier(mass, self.rate)
         # implicit midpoint: half of the way on is that of the speed before, the other half that of the speed to come
         halfway = own.travel(self.turn + ahead / 2)
-        moment = own.moment(halfway) - own.taken(halfway, self.rate + self._gained / 2)
+        moment = own.driving_moment(halfway, self.rate + self._gained / 2)
         nets = [own.steeper(net, halfway) for net in (own.net_gain, own.net_gain_returning)]
         most, least = (side * (moment / net) for net in nets)
-        normal = np.maximum(own.pressed(travel), 0.0)
-        capacity = pairs * own.mean_radius * normal
+        normal = own.pressed(travel)
+        capacity = own.carried(normal, ratio)
         found = joint.boxed(capacity, np.minimum(least, most), np.maximum(least, most), normal)
         outwards = found.balls == most
         stiff = self.h / 4 * own.torsional(halfway, np.where(outwards, *nets), np.abs(found.balls))
@@ -237,30 +254,31 @@ class SleeveLanes:
         found = joint.yielding(found, np.where(found.rate == 0, 0.0, np.maximum(stiff, -0.5 / joint.balls)), capacity)
         return found._replace(balls=found.balls + mass * (found.rate - self.rate))
 
-    def _still(self, joint: "_Joint", pairs: Values) -> "_Found":
+    def _still(self, joint: "_Joint", ratio: Values) -> "_Found":
         """At the stop: N falls along κ, rises along κ₊, is held between; beyond S(0)/κ the sleeve lifts off."""
-        own, radius = self.pack, self.pack.mean_radius
+        own = self.pack
         alone, share = joint.rate / joint.balls, joint.across / joint.balls
         stuck = (joint.slip + joint.across * alone) / (joint.pack - joint.across * share)
         # the impulse that stops balls coming to their stop is no torque that pushes the sleeve
         steady = alone - self.rate / joint.balls
         normal = np.clip(self.held, *own.play(steady + share * stuck))
         way = np.where(stuck < 0, -1.0, 1.0)
-        held = steady + share * way * pairs * radius * self.held
+        before = own.carried(self.held, ratio)
+        held = steady + share * way * before
         side = way * np.where(held < 0, -1.0, 1.0)
-        rising, falling = (own.slipping_at_stop(pairs, side * net, way * steady, share) for net in own.stop_gains)
+        rising, falling = (own.slipping_at_stop(ratio, side * net, way * steady, share) for net in own.stop_gains)
         low, high = own.play(held)
-        slipping = np.where(self.held > high, rising, np.where(self.held < low, falling, pairs * radius * self.held))
-        sticks = np.abs(stuck) <= pairs * radius * normal
+        slipping = np.where(self.held > high, rising, np.where(self.held < low, falling, before))
+        sticks = np.abs(stuck) <= own.carried(normal, ratio)
         clutch = np.where(sticks, stuck, way * slipping)
         balls = alone + share * clutch
         lifted = np.abs(balls) > own.lift
         mass = self._mass_at_stop
         off = joint.heavier(mass, 0.0).pushed(
-            pairs * radius * own.closing_force, np.copysign(own.lift, balls), own.closing_force
+            own.carried(own.closing_force, ratio), np.copysign(own.lift, balls), own.closing_force
         )
         slip = np.where(sticks, 0.0, joint.slip - joint.pack * clutch + joint.across * balls)
-        pressed = np.where(sticks, normal, slipping / (pairs * radius))
+        pressed = np.where(sticks, normal, slipping / own.carried(1.0, ratio))
         return _Found(
             np.where(lifted, off.clutch, clutch),
             np.where(lifted, off.balls + mass * off.rate, balls),
@@ -344,7 +362,191 @@ class _Joint(NamedTuple):
         )
 
 
-def ratio_of(pack: DirectPack | Sleeve, slip: Floats) -> Values:
-    """Friction at a slip over sliding friction."""
-    ratio: Floats = law.stribeck_ratio(pack.static_ratio, np.exp(-pack.decay_rate * np.abs(slip)))
-    return ratio
+class Marched(NamedTuple):
+    """What many events did, an array each."""
+
+    peak: Floats
+    peak_clutch: Floats
+    heat: Floats
+    travel: Floats
+    slip: Floats
+    """Slip of the pack at the end, rad/s."""
+    passed: NDArray[np.bool_]
+    """Whether it was seen that no torque passes the peak any more."""
+
+
+def march(
+    train: Train,
+    pack: DirectPack | Sleeve,
+    step: Floats,
+    steps: int,
+    look: int | None = None,
+) -> Marched:
+    """Step events from start to ``steps`` times ``step``.
+
+    Args:
+        train: drives, numbers or arrays that broadcast to the shape of ``step``.
+        pack: clutches, likewise.
+        step: time step of each, s.
+        steps: how many.
+        look: steps from which on it is seen whether all peaks have passed, and the rest left out; None: never.
+
+    Returns:
+        Peaks, heat and travel, in the shape of ``step``.
+    """
+    parts: list[Marched] = []
+    blocks, least = -(-step.size // _LANES), look or steps
+
+    def behind(number: int) -> None:
+        if number % _TOLD == 0:
+            # up to the first look it may be that none needs more
+            each = least if number < least else steps
+            tell(say("stepping the drives"), len(parts) * each + number, blocks * each)
+
+    for start in range(0, step.size, _LANES):
+        lanes = slice(start, start + _LANES)
+        own, h = _cut(train, lanes, step.shape), step.ravel()[lanes]
+        shaft = Shaft(own, h)
+        if isinstance(pack, DirectPack):
+            clutch: DirectLanes | SleeveLanes = DirectLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
+        else:
+            clutch = SleeveLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
+        parts.append(_march(own, shaft, clutch, h, steps, behind, least))
+    return Marched(*(np.concatenate(each).reshape(step.shape) for each in zip(*parts, strict=True)))
+
+
+D = TypeVar("D")
+
+
+def _cut(whole: D, lanes: slice, shape: tuple[int, ...]) -> D:
+    """Take some lanes of every array, in a record of records too."""
+    if isinstance(whole, np.ndarray):
+        return cast(D, np.broadcast_to(whole, shape).reshape(-1)[lanes])
+    if not is_dataclass(whole) or isinstance(whole, type):
+        return whole
+    cut: Any = replace(whole, **{own.name: _cut(getattr(whole, own.name), lanes, shape) for own in fields(whole)})
+    return cast(D, cut)
+
+
+def _march(
+    train: Train,
+    shaft: "Shaft",
+    clutch: DirectLanes | SleeveLanes,
+    h: Floats,
+    steps: int,
+    behind: Callable[[int], None],
+    look: int,
+) -> Marched:
+    motor = earlier = shaft.driven
+    each = h / train.motor_inertia
+    peak, peak_clutch, heat = (np.zeros(h.size) for _ in range(3))
+    off = np.full(h.size, np.inf)
+    passed = over = np.zeros(h.size, bool)
+    # friction that rises as a slip slows down may still raise the torque: such a drive is over only with all others
+    steady = np.asarray(clutch.pack.static_ratio) == 1
+    for number in range(steps):
+        behind(number)
+        # the torque at the speed in the middle of the step, as the last step foretells it
+        driving = train.engine.at(1.5 * motor - 0.5 * earlier)
+        if train.cut_off is not None:
+            driving = driving * np.clip(off / h - number, 0.0, 1.0)
+        free = shaft.free(number, clutch.passed)
+        before, earlier, motor = clutch.slip, motor, motor + each * driving
+        clutch.step(free, motor, shaft.driven)
+        motor = motor - each * clutch.torque
+        shaft.take(free + shaft.per_torque * clutch.passed)
+        np.maximum(peak, np.abs(shaft.torque), out=peak, where=~over)
+        np.maximum(peak_clutch, clutch.top, out=peak_clutch, where=~over)
+        heat += clutch.torque * (before + clutch.slip)
+        if train.cut_off is not None:
+            off = np.where((clutch.slip != 0) & np.isinf(off), number * h + train.cut_off, off)
+        if number + 1 >= look and (number + 1 - look) % _LOOKED == 0:
+            passed = over | _passed(train, shaft, clutch, motor, (number + 1) * h, off, peak)
+            over = passed & steady
+            if passed.all():
+                break
+    return Marched(peak, peak_clutch, h / 2 * heat, clutch.travel, clutch.slip, passed)
+
+
+def _passed(
+    train: Train,
+    shaft: "Shaft",
+    clutch: DirectLanes | SleeveLanes,
+    motor: Floats,
+    time: Floats,
+    off: Floats,
+    peak: Floats,
+) -> NDArray[np.bool_]:
+    """Whether no torque passes the peak any more."""
+    standing = np.abs(shaft.tool) <= _STANDING * train.speed
+    powered, pending = time < off, (time < off) & np.isfinite(off)
+    stuck = Stuck(motor, shaft.tool, shaft.elastic, standing, powered, pending)
+    sliding, breakaway = (clutch.pack.torque(ratio) for ratio in (1.0, clutch.pack.static_ratio))
+    slipping = Slipping(clutch.torque, shaft.driven, sliding, breakaway)
+    still = settled(train, stuck, clutch.sticks_up_to, peak)
+    gone = slips_below(train, stuck, slipping, peak) & (clutch.slip > 0)
+    over: NDArray[np.bool_] = (clutch.rate == 0) & (time > train.time) & np.where(clutch.slip == 0, still, gone)
+    return over
+
+
+class Shaft:
+    """Driven half, shaft and tool of many drives: implicit midpoint."""
+
+    def __init__(self, train: Train, h: Floats) -> None:
+        """Begin under the load."""
+        self.train, self.h = train, h
+        self.driven, self.tool = (np.broadcast_to(train.speed, h.shape).astype(float) for _ in range(2))
+        self.torque = self.elastic = np.broadcast_to(train.load, h.shape).astype(float)
+        self._until = float(np.max(train.time / h)) + 1
+        if train.kind == "stop":
+            self.tool = self._led(0 * h)
+        self._after, self._rate = self.tool, self.driven - self.tool
+        # torque at the middle of the step: elastic torque + link·(u + u⁺), u the rate of twist
+        self._coupling = h * (h * train.stiffness / 4 + train.damping / 2)
+        self._stretch = h / 2 * train.stiffness
+        own = train.driven_inertia + self._coupling
+        self._kept, self._lost = (train.driven_inertia - self._coupling) / own, h / own
+        self._drawn = self._coupling / own
+        other = train.tool_inertia + self._coupling
+        self._joint = own, other, own * other - self._coupling * self._coupling
+        self.per_torque = self._lost if train.kind == "stop" else h * other / self._joint[2]
+        """What a torque on the driven half adds to its speed in a step."""
+
+    def _led(self, time: Floats) -> Floats:
+        """Speed of a tool that is being stopped."""
+        left = 1 - time / np.where(self.train.time > 0, self.train.time, 1.0)
+        led: Floats = np.where(time < self.train.time, self.train.speed * left, 0.0)
+        return led
+
+    def free(self, number: int, passed: Floats) -> Floats:
+        """Speed of the driven half without the clutch; moves the tool on, under the torque ``passed`` before."""
+        if self.train.kind == "load":
+            self._rate = self.driven - self.tool
+            return self._loaded((number + 0.5) * self.h, passed)
+        speed: Floats = self._kept * self.driven - self._lost * self.elastic
+        if number < self._until:
+            self._after = self._led((number + 1) * self.h)
+            speed = speed + self._drawn * (self.tool + self._after)
+        return speed
+
+    def _loaded(self, middle: Floats, passed: Floats) -> Floats:
+        """Tool with an inertia of its own, held by its load where that can hold it."""
+        train, h, coupling = self.train, self.h, self._coupling
+        impulse = h * self.elastic + coupling * self._rate
+        own, other, det = self._joint
+        first, second = train.driven_inertia * self.driven - impulse, train.tool_inertia * self.tool + impulse
+        risen = np.where(train.time > 0, np.minimum(middle / np.where(train.time > 0, train.time, 1.0), 1.0), 1.0)
+        load = train.load + (train.overload - train.load) * risen
+        # what the clutch adds to the tool is that of its torque before: a part of the second order
+        alone = coupling * (first + h * passed) + own * second
+        held = np.clip(alone / (h * own), -load, load)
+        self._after = (alone - own * h * held) / det
+        left: Floats = (other * first + coupling * (second - h * held)) / det
+        return left
+
+    def take(self, driven: Floats) -> None:
+        """Move on with the speed the driven half has come to."""
+        rate = driven - self._after
+        self.elastic = self.elastic + self._stretch * (self._rate + rate)
+        self.driven, self.tool, self._rate = driven, self._after, rate
+        self.torque = self.elastic + self.train.damping * rate

@@ -11,10 +11,8 @@ from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..messages import say
 from .cases import swings_time, whole_time
-from .direct import DirectPack
-from .packs import pack_of, without_hub
-from .sleeve import Sleeve
-from .stepping import march
+from .lanes import march
+from .pack import DirectPack, Sleeve, pack_of
 from .train import Train, train_of
 
 STEPS_A_SWING = 200
@@ -53,7 +51,7 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values) -> Peaks:
     """
     train, pack = train_of(clutch), pack_of(clutch, driving, driven)
     if isinstance(pack, DirectPack) and np.any(train.hub_inertia):
-        train = without_hub(train)
+        train = train.without_hub
     sliding = pack.torque(1.0)
     duration = None if clutch.spec.drive.event is None else clutch.spec.drive.event.duration
     shape = np.broadcast_shapes((1,), *_shapes(train), *_shapes(pack), np.shape(0.0 if duration is None else duration))

@@ -1,21 +1,41 @@
-"""What a drive is to the integration: states, modes, rates, and the guards that end a mode.
+"""A drive as one event goes through it: states, what sticks and slips, and what ends that.
 
-Between two events every element either sticks or slips, and the equations are smooth. A *mode* says which; a *guard* is
-positive while the mode lasts. Derived after the state machine of Otter, Elmqvist and Mattsson (1999).
+Between two switches every element either sticks or slips, and the equations are smooth. A *mode* says which; a *guard*
+is positive while the mode lasts. Pack and balls share the hub, so that one cannot be decided without the other: of the
+modes that the states allow the one follows in which nothing contradicts – no torque beyond what sticks, no acceleration
+against the slip. After the state machine of Otter, Elmqvist and Mattsson (1999).
 """
 
 import math
-from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from enum import IntEnum
+from functools import cached_property
+from itertools import product
+from typing import Any, Literal, NamedTuple
 
-from ..arrays import Values
+import numpy as np
+
 from ..equations import drive as law
+from ..equations import sleeve
+from .pack import Pack
 from .train import Train
 
 State = list[float]
-Balls = Literal["seat", "lock", "out", "back"]
+V, DRIVEN, TWIST, TOOL, RATE, TURN, NORMAL = range(7)
+"""Slip v of the pack, ω_2, twist of the shaft, ω_3, w = ω_h − ω_2, turn φ of the balls, and the normal force that the
+key holds at the stop or that follows late."""
+SIZE = 7
+WORKS = 5
+"""Energies that are summed after the states: of motor, pack, shaft, tool, key."""
+FAST = 20.0
+"""Decays in a radian of the shaft's swing beyond which an implicit method is taken."""
+_ROUNDING = 1e-9
+"""Relative contradiction that is none."""
+_NOTHING = 1e-10
+"""Share of the energy in the drive that a last swing of the balls at their stop may lose unseen."""
+_CLOSE = 1e-9
+"""Relative tolerance within which an element at its limit still sticks."""
 
 
 class Mode(NamedTuple):
@@ -28,44 +48,41 @@ class Mode(NamedTuple):
     over: bool = False
     """Whether the tool has been stopped, or the load has risen."""
     powered: bool = True
-    balls: Balls = "seat"
-    """Indirect: at their stop, or off it held by the key, moving out or back."""
+    balls: Literal["seat", "lock", "out", "back"] = "seat"
+    """At their stop, or off it held by the key, moving out or back; of a direct clutch always at their stop."""
     side: int = 1
-    """Wall on which the balls are, or the sign of their torque at the seat."""
+    """Wall on which the balls are, or the sign of their torque at the stop."""
     hold: int = 1
-    """At the seat: 1 while the torque rises (κ), −1 while it falls (κ₊), 0 where the key holds N between."""
+    """At the stop: 1 while the torque rises (κ), −1 while it falls (κ₊), 0 where N is a state: held, or late."""
+
+    @property
+    def moving(self) -> bool:
+        """Whether the balls move."""
+        return self.balls in ("out", "back")
+
+    @property
+    def still(self) -> bool:
+        """Whether the drive before the shaft turns as one."""
+        return not self.pack and not self.moving
 
 
-class Sliding(NamedTuple):
-    """A pack that slides at a constant torque."""
+class Guard(IntEnum):
+    """What may end a mode; a direct clutch has the first two."""
 
-    torque: float
-    """N·m, with the sign of the slip."""
-    inertia: float
-    """Of what swings on the shaft, kg·m²."""
-    most: float
-    """Swing of the shaft's torque about it up to which the torque stays constant, N·m."""
-    slip: float
-    """Slip above which static friction is nothing, rad/s."""
+    PACK = 0
+    TOOL = 1
+    BALLS = 2
+    HOLD = 3
+    STOP = 4
+    SIDE = 5
 
 
-class Creep(NamedTuple):
-    """A pack whose torque rises slowly as its slip falls."""
-
-    torque: Callable[[Values], Values]
-    """Slip → torque, N·m, both without a sign."""
-    inertia: float
-    """Of what follows the shaft's twist, kg·m²."""
-    least: float
-    """Slip down to which friction rises slowly against a swing of the shaft, rad/s."""
-
-
-FAST = 20.0
-"""Decays in a radian of the shaft's swing beyond which an implicit method is taken."""
-_SLOW = 0.3
-"""Growth of a swing by falling friction, relative to its frequency, up to which a slip is slow."""
-DECAYED = 20.0
-"""Exponent at which static friction is nothing, e^−20 = 2e-9."""
+_GUARDS = {
+    "seat": (Guard.PACK, Guard.TOOL, Guard.BALLS, Guard.HOLD, Guard.SIDE),
+    "lock": (Guard.PACK, Guard.TOOL, Guard.BALLS),
+    "out": (Guard.PACK, Guard.TOOL, Guard.BALLS),
+    "back": (Guard.PACK, Guard.TOOL, Guard.BALLS, Guard.STOP),
+}
 
 
 class Torques(NamedTuple):
@@ -75,161 +92,377 @@ class Torques(NamedTuple):
     clutch: float
     """Of the friction pack."""
     balls: float
+    """Between hub and driven half: of the balls, or all that a direct clutch passes."""
     shaft: float
 
 
 @dataclass(frozen=True)
-class Tool:
-    """The tool behind the shaft: led by its stop, or with an inertia of its own under a load that resists."""
+class Plant:
+    """Motor side, pack, hub, balls, driven half, shaft, tool; a direct clutch has no hub."""
 
     train: Train
+    pack: Any
+    """Its ``Pack``."""
 
-    def resistance(self, t: float, mode: Mode) -> float:
-        """Torque of the load, N·m."""
-        train = self.train
-        if mode.over:
-            return train.overload
-        return float(train.load + (train.overload - train.load) * t / train.time)
+    @cached_property
+    def sliding(self) -> float:
+        """Sliding torque T(f), friction rising."""
+        return float(self.pack.torque(1.0))
 
-    def rate(self, t: float, mode: Mode, shaft: float) -> float:
-        """Acceleration, rad/s²."""
-        train = self.train
-        if train.kind == "stop":
-            return 0.0 if mode.over else float(-train.speed / train.time)
-        return float((shaft - mode.tool * self.resistance(t, mode)) / train.tool_inertia) if mode.tool else 0.0
+    @cached_property
+    def breakaway(self) -> float:
+        """Torque at which the clutch at rest slips under a load that rises slowly, T(r_s f)."""
+        return float(self.pack.torque(self.pack.static_ratio))
 
-    def power(self, t: float, mode: Mode, shaft: float, speed: float) -> float:
-        """Power that leaves the drive here, W."""
-        if self.train.kind == "stop":
-            return shaft * speed
-        return self.resistance(t, mode) * mode.tool * speed
+    @cached_property
+    def least(self) -> float:
+        """Sliding torque at least: that of a sleeve that its key holds back."""
+        return float(self.pack.least)
 
-    def guard(self, t: float, mode: Mode, shaft: float, speed: float) -> float:
-        """Positive while the tool keeps moving, or standing."""
-        if self.train.kind == "stop":
-            return 1.0
-        return mode.tool * speed if mode.tool else self.resistance(t, mode) - abs(shaft)
+    @cached_property
+    def natural(self) -> float:
+        """Swings of the driven half alone on the shaft, rad/s."""
+        return math.sqrt(float(self.train.stiffness / self.train.driven_inertia))
 
-    def holds(self, mode: Mode) -> float:
-        """Torque up to which a standing tool stands, N·m."""
-        return math.inf if self.train.kind == "stop" else self.train.overload
-
-    def settled(self, t: float, mode: Mode, shaft: float, speed: float, *, torn: bool) -> int:
-        """Sign of the motion that follows; ``torn`` off its rest it moves."""
-        if speed:
-            return 1 if speed > 0 else -1
-        if self.train.kind == "stop" or (not torn and abs(shaft) <= self.resistance(t, mode)):
-            return 0
-        return sign(shaft)
-
-
-def sign(value: float) -> int:
-    """Sign of a torque that tears something loose."""
-    return 1 if value > 0 else -1
-
-
-class Plant(ABC):
-    """A drive with its clutch at one friction; its states: the slip v of the pack, ω_2, φ, ω_3, what the kind adds."""
-
-    V, DRIVEN, TWIST, TOOL = range(4)
-    train: Train
-    tool: Tool
-    size: int
-    """How many states; the work of motor, pack, shaft, tool and key comes after them."""
-    sliding: float
-    """Sliding torque T(f)."""
-
-    least: float
-    """Sliding torque at least: that of a sleeve that its key holds back."""
-    breakaway: float
-    """Torque at which the clutch at rest slips under a load that rises slowly, T(r_s f)."""
-
-    @property
-    @abstractmethod
-    def growth(self) -> float:
-        """Growth of the torque with the share of friction, ∂T/∂(f(v)/f) as slip begins, N·m."""
-
-    @abstractmethod
-    def start(self) -> State:
-        """States before the event: steady running under the load."""
-
-    @abstractmethod
-    def torques(self, t: float, y: Sequence[float], mode: Mode) -> Torques:
-        """Torques that follow from states and mode."""
-
-    @abstractmethod
-    def rates(self, t: float, y: Sequence[float], mode: Mode) -> State:
-        """Rates of the states and of the work."""
-
-    @abstractmethod
-    def guards(self, t: float, y: Sequence[float], mode: Mode, torques: Torques) -> list[float]:
-        """Positive while the mode lasts; ``torques`` those of states and mode."""
-
-    @abstractmethod
-    def switched(self, t: float, y: State, mode: Mode, hit: int | None) -> tuple[State, Mode]:
-        """States and mode after guard ``hit`` has fallen to 0, or after a stage of the event."""
-
-    @abstractmethod
-    def stored(self, y: Sequence[float]) -> float:
-        """Kinetic and elastic energy, J."""
-
-    @abstractmethod
-    def scales(self) -> State:
-        """Size of every state, for the tolerance of the integration."""
-
-    @abstractmethod
-    def motor_speed(self, y: Sequence[float]) -> float:
-        """ω_1, rad/s."""
+    @cached_property
+    def moment(self) -> float:
+        """Time over which a growth is taken, s."""
+        return 1e-6 / self.natural
 
     @property
     def stiff(self) -> bool:
         """Whether something decays so much faster than the shaft swings that an explicit method would crawl."""
         train = self.train
-        return train.damping > FAST * math.sqrt(train.stiffness * train.driven_inertia)
+        damped = train.damping > FAST * math.sqrt(train.stiffness * train.driven_inertia)
+        return damped or 0 < self.pack.lag * self.natural < 1 / FAST
 
-    @abstractmethod
-    def steadily(self, t: float, y: Sequence[float], mode: Mode) -> Sliding | None:
-        """How the pack slides if its torque is constant from now on; None where it is not."""
+    def start(self) -> State:
+        """States before the event: steady running under the load; beyond T_н the sleeve is off its stop."""
+        train, pack = self.train, self.pack
+        tool = 0.0 if train.kind == "stop" and not train.time else train.speed
+        turn, normal = pack.turn_under(train.load), pack.pressed_at_stop(train.load, pack.stop_gains[0])
+        return [0.0, train.speed, train.load / train.stiffness, tool, 0.0, float(turn), normal]
 
-    @abstractmethod
-    def creeping(self, mode: Mode) -> Creep | None:
-        """How the pack slips where friction rises as it slows down; None where that is not smooth."""
-
-    def creeps_to(self, steep: float, inertia: float, decay: float) -> float:
-        """Slip down to which friction rises slowly, ``steep`` its growth at rest over the decay of the slip, rad/s."""
-        fast = 2 * _SLOW * math.sqrt(self.train.stiffness * inertia) + self.train.damping
-        return max(math.log(max(steep, fast) / fast) / decay, 0.1 / decay) if decay else 0.01 * self.train.speed
-
-    @abstractmethod
-    def sticks_up_to(self, t: float, y: Sequence[float], mode: Mode) -> float:
-        """Torque of the clutch up to which nothing of a stuck one slips or moves, N·m."""
+    def scales(self) -> State:
+        """Size of every state and work, for the tolerance of the integration."""
+        speed, twist = self.train.speed, self.sliding / self.train.stiffness
+        return [speed, speed, twist, speed, speed, twist, self.pack.resting_force, *[self.stored(self.start())] * WORKS]
 
     def swing(self, mode: Mode) -> float:
         """Time of a swing of the stuck drive on its shaft, s."""
-        train = self.train
-        inertia = train.motor_inertia + train.hub_inertia + train.driven_inertia
-        if train.kind == "load" and mode.tool:
-            inertia = inertia * train.tool_inertia / (inertia + train.tool_inertia)
-        return 2 * math.pi * math.sqrt(inertia / train.stiffness)
+        inertia, tool = self.train.front, self.train.tool_inertia
+        if self.train.kind == "load" and mode.tool:
+            inertia = inertia * tool / (inertia + tool)
+        return 2 * math.pi * math.sqrt(inertia / self.train.stiffness)
 
-    def swings_out(self, y: Sequence[float], mode: Mode, peak: float) -> bool:
-        """Whether balls that swing on a standing tool have no energy for a slip, nor for a torque above the peak."""
-        return False
-
-    def travel(self, y: Sequence[float]) -> float:
-        """Travel of the sleeve, m."""
-        return 0.0
-
-    def leaning(self, y: Sequence[float]) -> float:
-        """tan α of the wall where the balls are; 0 where their circle is not known."""
-        return 0.0
-
-    def shaft(self, y: Sequence[float]) -> float:
-        """Torque in the shaft, N·m."""
-        train = self.train
-        torque = law.shaft_torque(train.stiffness, y[self.TWIST], train.damping, y[self.DRIVEN] - y[self.TOOL])
-        return float(torque)
+    def motor_speed(self, y: Sequence[float]) -> float:
+        """ω_1 = ω_2 + w + v, rad/s."""
+        return y[DRIVEN] + y[RATE] + y[V]
 
     def motor(self, speed: float, mode: Mode) -> float:
         """Torque of the motor, N·m."""
         return float(self.train.engine.at(speed)) if mode.powered else 0.0
+
+    def travel(self, y: Sequence[float]) -> float:
+        """Travel of the sleeve, m."""
+        return self.pack.travel(y[TURN]) if y[TURN] else 0.0
+
+    def shaft(self, y: Sequence[float]) -> float:
+        """Torque in the shaft, N·m."""
+        return law.shaft_torque(self.train.stiffness, y[TWIST], self.train.damping, y[DRIVEN] - y[TOOL])
+
+    def resistance(self, t: float, mode: Mode) -> float:
+        """Torque of the load, N·m."""
+        return self.train.overload if mode.over else self.train.load_at(t)
+
+    @property
+    def holds(self) -> float:
+        """Torque up to which a tool that has come to rest stands, N·m."""
+        return math.inf if self.train.kind == "stop" else self.train.overload
+
+    def net_gain(self, mode: Mode) -> float:
+        """κ or κ₊ at the stop, as the key resists."""
+        if mode.balls == "seat":
+            return self.pack.stop_gains[mode.hold < 0]
+        return self.pack.net_gain if mode.balls == "out" else self.pack.net_gain_returning
+
+    def normal(self, y: Sequence[float], mode: Mode, balls: float) -> float:
+        """Normal force on the pairs."""
+        if mode.balls != "seat":
+            return self.pack.pressed(self.travel(y))
+        return self.pack.pressed_at_stop(balls, self.net_gain(mode)) if mode.hold else y[NORMAL]
+
+    def capacity(self, y: Sequence[float], mode: Mode, balls: float) -> float:
+        """Largest torque of the pack at rest."""
+        return self.pack.carried(self.normal(y, mode, balls), self.pack.static_ratio)
+
+    def torques(self, t: float, y: Sequence[float], mode: Mode) -> Torques:
+        """Torques that follow from states and mode."""
+        train, pack, side = self.train, self.pack, mode.side
+        shaft, motor = self.shaft(y), self.motor(self.motor_speed(y), mode)
+        first, hub, last = train.motor_inertia, train.hub_inertia, train.driven_inertia
+        if mode.moving:
+            if mode.pack:
+                clutch = mode.pack * pack.carried(self.normal(y, mode, 0.0), pack.ratio(y[V]))
+                return Torques(motor, clutch, side * self._on_wall(y, mode, side * clutch, hub, side * shaft), shaft)
+            balls = side * self._on_wall(y, mode, side * motor, first + hub, side * shaft)
+            return Torques(motor, law.sticking_torque(motor, first, balls, hub), balls, shaft)
+        if not mode.pack:
+            balls = law.sticking_torque(motor, first + hub, shaft, last)
+            clutch = law.sticking_torque(motor, first, shaft, hub + last) if hub else balls
+            return Torques(motor, clutch, balls, shaft)
+        if mode.balls == "seat" and mode.hold:
+            net = self.net_gain(mode) * (side * mode.pack if pack.travels else 1)
+            alone, share = mode.pack * shaft * hub / (hub + last), last / (hub + last)
+            clutch = mode.pack * pack.slipping_at_stop(pack.ratio(y[V]), net, alone, share)
+        else:
+            clutch = mode.pack * pack.carried(self.normal(y, mode, 0.0), pack.ratio(y[V]))
+        return Torques(motor, clutch, law.sticking_torque(clutch, hub, shaft, last) if hub else clutch, shaft)
+
+    def _on_wall(self, y: Sequence[float], mode: Mode, drive: float, inertia: float, load: float) -> float:
+        """Torque of the balls on the wall they are on, while the sleeve moves."""
+        pack, travel = self.pack, self.travel(y)
+        net, moment = pack.steeper(self.net_gain(mode), travel), pack.driving_moment(travel, y[RATE])
+        if not pack.mass:
+            return moment / net
+        mass = pack.inertia(travel, net)
+        return sleeve.ball_torque_moving(moment, net, mass, drive, inertia, load, self.train.driven_inertia)
+
+    def _behind(self, balls: float, shaft: float) -> tuple[float, float]:
+        """Torque and inertia behind the pack: those of the hub, or of the driven half."""
+        train = self.train
+        return (balls, train.hub_inertia) if train.hub_inertia else (shaft, train.driven_inertia)
+
+    def rates(self, t: float, y: Sequence[float], mode: Mode) -> State:
+        """Newton, a late normal force, and the work of motor, pack, shaft, tool and key."""
+        train, pack = self.train, self.pack
+        motor, clutch, balls, shaft = self.torques(t, y, mode)
+        slip, driven, _, tool, rate, _, normal = y[:SIZE]
+        twisting, turning, key, slipping, late = driven - tool, 0.0, 0.0, 0.0, 0.0
+        if mode.moving:
+            turning = (clutch - balls) / train.hub_inertia - (balls - shaft) / train.driven_inertia
+            travel = self.travel(y)
+            moment, gain = pack.driving_moment(travel, rate), pack.gain(travel)
+            speed, growth = (mode.side * pack.mean_radius * each / gain for each in (rate, turning))
+            key = balls * rate - (moment / pack.mean_radius + pack.mass * growth) * speed
+        if mode.pack:
+            behind, inertia = self._behind(balls, shaft)
+            slipping = law.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
+        if pack.lag:
+            late = law.normal_force_rate(normal, pack.pressed_at_stop(clutch, pack.stop_gains[0]), pack.lag)
+        if train.kind == "stop":
+            stopping, power = (0.0 if mode.over else -train.speed / train.time), shaft * tool
+        else:
+            load = mode.tool * self.resistance(t, mode)
+            stopping, power = ((shaft - load) / train.tool_inertia if mode.tool else 0.0), load * tool
+        return [
+            slipping,
+            (balls - shaft) / train.driven_inertia,
+            twisting,
+            stopping,
+            turning,
+            rate,
+            late,
+            motor * (driven + rate + slip),
+            clutch * slip,
+            train.damping * twisting * twisting,
+            power,
+            key,
+        ]
+
+    def stored(self, y: Sequence[float]) -> float:
+        """Kinetic and elastic energy, J."""
+        train, travel = self.train, self.travel(y)
+        energy = (
+            train.motor_inertia * self.motor_speed(y) ** 2
+            + train.hub_inertia * (y[DRIVEN] + y[RATE]) ** 2
+            + train.driven_inertia * y[DRIVEN] ** 2
+            + train.tool_inertia * y[TOOL] ** 2
+            + train.stiffness * y[TWIST] ** 2
+        ) / 2
+        if self.pack.travels:
+            energy += self.pack.mass * self.pack.speed(travel, y[RATE]) ** 2 / 2 + self.pack.work(travel)
+        return float(energy)
+
+    def guards(self, mode: Mode) -> tuple[Guard, ...]:
+        """What may end a mode."""
+        return _GUARDS[mode.balls][: None if self.pack.travels else 2]
+
+    def guard(self, which: Guard, t: float, y: Sequence[float], mode: Mode, torques: Torques) -> float:
+        """Positive while the mode lasts; ``torques`` those of states and mode."""
+        pack, along = self.pack, mode.side * torques.balls
+        if which == Guard.PACK:
+            stuck = not mode.pack
+            return self.capacity(y, mode, torques.balls) - abs(torques.clutch) if stuck else mode.pack * y[V]
+        if which == Guard.TOOL:
+            if self.train.kind == "stop":
+                return 1.0
+            return mode.tool * y[TOOL] if mode.tool else self.resistance(t, mode) - abs(torques.shaft)
+        if which == Guard.HOLD:
+            return self._key_guard(t, y, mode, along)
+        if which == Guard.STOP:
+            return mode.side * y[TURN]
+        if which == Guard.SIDE:
+            return along + _CLOSE * pack.lift
+        if mode.balls == "seat":
+            return pack.lift - along
+        if mode.balls == "lock":
+            low, high = pack.key_limits(self.travel(y))
+            return min(high - along, along - low)
+        return mode.side * y[RATE] * (1 if mode.balls == "out" else -1)
+
+    def _key_guard(self, t: float, y: Sequence[float], mode: Mode, along: float) -> float:
+        """At the stop: while the torque goes on as it does, or within what the key holds."""
+        pack = self.pack
+        if pack.stop_gains[0] == pack.stop_gains[1]:
+            return 1.0
+        if mode.hold:
+            ahead = [a + self.moment * rate for a, rate in zip(y, self.rates(t, y, mode), strict=False)]
+            later = mode.side * self.torques(t + self.moment, ahead, mode).balls
+            return mode.hold * (later - along) + 1e-11 * pack.lift
+        low, high = pack.play(along)
+        return min(high - y[NORMAL], y[NORMAL] - low) + 1e-10 * pack.resting_force
+
+    def switched(self, t: float, y: State, mode: Mode, hit: Guard | None) -> tuple[State, Mode]:
+        """Bring to rest what has come to rest, then find the mode that follows: ``hit`` fell, or a stage ended."""
+        y, torques = list(y), self.torques(t, y, mode)
+        normal = self.normal(y, mode, torques.balls)
+        self._come_to_rest(y, mode, hit)
+        tool = self._tool(t, y, mode, torn=hit == Guard.TOOL and not mode.tool)
+        if not self.pack.lag:
+            y[NORMAL] = normal
+        # what a guard has ended does not go on: where nearly nothing moves, rounding would re-enter the mode for ever
+        modes = [
+            new._replace(tool=tool)
+            for new in self._allowed(y, mode, hit, torques, normal)
+            if new != mode or hit in (None, Guard.TOOL)
+        ]
+        return y, min(modes, key=lambda new: self._contradiction(t, y, new))
+
+    def _come_to_rest(self, y: State, mode: Mode, hit: Guard | None) -> None:
+        if hit == Guard.PACK:
+            y[V] = 0.0
+        elif hit == Guard.TOOL and mode.tool:
+            y[TOOL] = 0.0
+        elif hit == Guard.BALLS and mode.moving:
+            y[RATE] = 0.0
+        elif hit == Guard.STOP:
+            # the balls roll through to the other wall, unless what is left of the swing is nothing
+            y[TURN] = 0.0
+            self._seat(y, mode)
+
+    def _seat(self, y: State, mode: Mode) -> None:
+        """Join hub and driven half where the energy of their swing is nothing; the key takes it."""
+        train, stored = self.train, self.stored(y)
+        hub = train.hub_inertia if mode.pack else train.motor_inertia + train.hub_inertia
+        both = hub + train.driven_inertia
+        if hub * train.driven_inertia / both * y[RATE] ** 2 > _NOTHING * self.stored(self.start()):
+            return
+        lost = y[RATE] * train.driven_inertia / both
+        y[V] += lost if mode.pack else 0.0
+        y[DRIVEN] += y[RATE] - lost
+        y[RATE] = 0.0
+        y[-1] += stored - self.stored(y)
+
+    def _tool(self, t: float, y: State, mode: Mode, *, torn: bool) -> int:
+        """Sign of the tool's motion that follows; ``torn`` off its rest it moves."""
+        shaft = self.shaft(y)
+        if y[TOOL]:
+            return 1 if y[TOOL] > 0 else -1
+        if self.train.kind == "stop" or (not torn and abs(shaft) <= self.resistance(t, mode)):
+            return 0
+        return _sign(shaft)
+
+    def _allowed(self, y: State, mode: Mode, hit: Guard | None, torques: Torques, normal: float) -> Iterator[Mode]:
+        """Modes that the states allow, those first in which more sticks; what was torn loose does not stick."""
+        if y[V]:
+            packs = [_sign(y[V])]
+        elif hit == Guard.PACK and not mode.pack:
+            packs = [_sign(torques.clutch)]
+        else:
+            packs = [0, 1, -1]
+        at_stop = self._balls(y, mode, hit, torques, normal) if self.pack.travels else [("seat", 1, not self.pack.lag)]
+        for pack, (balls, side, hold) in product(packs, at_stop):
+            yield mode._replace(pack=pack, balls=balls, side=side, hold=int(hold))
+
+    def _balls(
+        self, y: State, mode: Mode, hit: Guard | None, torques: Torques, normal: float
+    ) -> list[tuple[Any, int, int]]:
+        """What the balls may do, on which side, and how the key holds."""
+        rate, turn = y[RATE], y[TURN]
+        torn = hit == Guard.BALLS and not mode.moving
+        if turn:
+            side = _sign(turn)
+            if rate:
+                return [("out" if side * rate > 0 else "back", side, 1)]
+            return [*([] if torn else [("lock", side, 1)]), ("out", side, 1), ("back", side, 1)]
+        if rate:
+            return [("out", _sign(rate), 1)]
+        if torn:
+            return [("out", mode.side, 1)]
+        if hit == Guard.SIDE:
+            return [("seat", -mode.side, 1)]
+        if hit == Guard.HOLD:
+            low, high = self.pack.play(torques.balls)
+            reached = 1 if high - normal < normal - low else -1
+            return [("seat", mode.side, 0 if mode.hold else reached)]
+        sides, holds = (mode.side, -mode.side), dict.fromkeys((mode.hold, 1, 0, -1))
+        at_stop = [("seat", side, hold) for side, hold in product(sides, holds)]
+        return [*at_stop, *(("out", side, 1) for side in sides)]
+
+    def _contradiction(self, t: float, y: State, mode: Mode) -> float:
+        """By how much a mode contradicts itself, relative to what sticks."""
+        train, pack = self.train, self.pack
+        torques = self.torques(t, y, mode)
+        motor, clutch, balls, shaft = torques
+        along, hub, wrong = mode.side * balls, train.hub_inertia, [0.0]
+        if not mode.pack:
+            wrong.append(abs(clutch) - self.capacity(y, mode, balls))
+        elif not y[V]:
+            behind, inertia = self._behind(balls, shaft)
+            rate = law.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
+            wrong.append(-mode.pack * rate * inertia)
+        if mode.balls == "seat" and pack.travels:
+            wrong += [along - pack.lift, -along, self._held_wrongly(y, mode, along)]
+        elif mode.balls == "lock":
+            low, high = pack.key_limits(self.travel(y))
+            wrong += [along - high, low - along]
+        elif mode.moving and not y[RATE]:
+            rate = law.slip_acceleration(clutch, hub, balls, shaft, train.driven_inertia)
+            outwards = mode.side * rate * train.driven_inertia
+            wrong.append(-outwards if mode.balls == "out" else outwards)
+        worst = max(wrong) / self.sliding
+        return worst if worst > _ROUNDING else 0.0
+
+    def _held_wrongly(self, y: State, mode: Mode, along: float) -> float:
+        """Contradiction at the stop, as a torque: N falls along κ, rises along κ₊, and is held between the two."""
+        pack, held = self.pack, y[NORMAL]
+        if pack.stop_gains[0] == pack.stop_gains[1]:
+            return 0.0 if mode.hold > 0 else self.sliding
+        low, high = pack.play(along)
+        off = {1: high - held, -1: held - low, 0: max(held - high, low - held)}[mode.hold]
+        return off * pack.mean_radius
+
+    def swings_out(self, y: Sequence[float], mode: Mode, peak: float) -> bool:
+        """Whether balls that swing on a standing tool have no energy for a slip, nor for a torque above the peak."""
+        train, pack = self.train, self.pack
+        if not pack.travels or (mode.powered and train.engine.slip is not None):
+            return False
+        rest = train.engine.torque if mode.powered else 0.0
+        most = np.float64(min(peak, self.holds))
+        with np.errstate(all="ignore"):
+            turn = pack.turn_under(np.float64(self.breakaway))
+            slipping = pack.work(pack.travel(turn)) - rest * turn
+            higher = (most - rest) ** 2 / (2 * train.stiffness)
+            left = self.stored(y) - rest * (y[TWIST] + y[TURN]) + rest * rest / (2 * train.stiffness)
+            return bool(rest < most and left <= slipping and left <= higher)
+
+
+def _sign(value: float) -> int:
+    """Sign of a torque that tears something loose, or of a motion."""
+    return 1 if value > 0 else -1
+
+
+def plant_of(train: Train, pack: Pack) -> Plant:
+    """Put a clutch into its drive; without control unit the hub belongs to the driven half."""
+    return Plant(train if pack.travels else train.without_hub, pack)

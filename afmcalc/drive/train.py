@@ -3,14 +3,15 @@
 Everything is typed as a number; in a sweep arrays stand in the place of numbers, as they do in the spec.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar, cast
 
 import numpy as np
 
-from ..arrays import V
+from ..arrays import V, is_array
 from ..engines.protocol import Clutch
 from ..equations import drive as law
+from ..equations.terms import Number
 from ..errors import Problem, SpecError
 from ..messages import say
 from ..recorders import unrecorded
@@ -62,6 +63,30 @@ class Train:
         """ω_0 √(k (J_2 + J_h)), N·m: what the motor does not drive any more as the discs slip."""
         torque: float = law.inertia_torque(self.speed, self.stiffness, self.driven_inertia + self.hub_inertia)
         return torque
+
+    @property
+    def front(self) -> float:
+        """Inertia of all that turns before the shaft, kg·m²."""
+        return self.motor_inertia + self.hub_inertia + self.driven_inertia
+
+    @property
+    def without_hub(self) -> "Train":
+        """The same where the hub belongs to the driven half."""
+        return replace(self, driven_inertia=self.driven_inertia + self.hub_inertia, hub_inertia=0.0)
+
+    def passed(self, time: Number) -> Number:
+        """Share of the event that has passed: of the stop, or of the rise of the load."""
+        if is_array(time):
+            return np.where(time < self.time, time / np.where(self.time > 0, self.time, 1.0), 1.0)
+        return time / self.time if time < self.time else 1.0
+
+    def led(self, time: Number) -> Number:
+        """Speed of a tool that is being stopped, rad/s."""
+        return self.speed * (1 - self.passed(time))
+
+    def load_at(self, time: Number) -> Number:
+        """Torque with which the load resists, N·m."""
+        return self.load + (self.overload - self.load) * self.passed(time)
 
 
 @unrecorded()

@@ -10,10 +10,10 @@ from drives import clutch
 
 import afmcalc
 from afmcalc.drive.cases import case_of
-from afmcalc.drive.machine import trip
-from afmcalc.drive.packs import pack_of
-from afmcalc.drive.stepping import march
+from afmcalc.drive.lanes import march
+from afmcalc.drive.pack import pack_of
 from afmcalc.drive.train import train_of
+from afmcalc.drive.trip import trip
 
 DRIVES, STEPS = 10_000, 10_000
 SAMPLE = 100

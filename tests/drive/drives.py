@@ -3,12 +3,10 @@
 from dataclasses import replace
 from typing import Any
 
-from afmcalc.drive.direct import DirectPack, DirectPlant
-from afmcalc.drive.indirect import IndirectPlant
-from afmcalc.drive.machine import Trip, trip
+from afmcalc.drive.pack import DirectPack, Sleeve
 from afmcalc.drive.plant import Plant
-from afmcalc.drive.sleeve import Sleeve
 from afmcalc.drive.train import Engine, Train
+from afmcalc.drive.trip import Trip, trip
 from afmcalc.engines import Clutch, build
 from afmcalc.engines.laws import IndirectLaw
 
@@ -78,13 +76,13 @@ TRAIN = Train(
 )
 
 
-def plant(sliding: float, *, pack: dict[str, Any] | None = None, **changes: Any) -> DirectPlant:
+def plant(sliding: float, *, pack: dict[str, Any] | None = None, **changes: Any) -> Plant:
     """An ordinary clutch that slides at a torque (one pair, R = 0.1 m, f = 0.5), in a drive with changes."""
     own = DirectPack(sliding / 0.05, 0.1, 1.0, 0.0, 0.0, 0.5, 0.5)
-    return DirectPlant(replace(TRAIN, **changes), replace(own, **(pack or {})))
+    return Plant(replace(TRAIN, **changes), replace(own, **(pack or {})))
 
 
-class Begun(DirectPlant):
+class Begun(Plant):
     """A drive that begins in a state of its own."""
 
     state: tuple[float, ...]
@@ -93,10 +91,11 @@ class Begun(DirectPlant):
         return list(self.state)
 
 
-def begun(own: DirectPlant, *state: float) -> Begun:
-    """The same drive, begun elsewhere: v, ω_2, φ, ω_3, N."""
+def begun(own: Plant, *state: float) -> Begun:
+    """The same drive, begun elsewhere: v, ω_2, φ of the shaft, ω_3, of an indirect clutch w and φ of the balls, and N."""
     found = Begun(own.train, own.pack)
-    object.__setattr__(found, "state", state)
+    at_stop = () if own.pack.travels else (0.0, 0.0)
+    object.__setattr__(found, "state", (*state[:-1], *at_stop, state[-1]))
     return found
 
 
@@ -122,23 +121,7 @@ SLEEVE = Sleeve(SPRINGS, closing_force=2500.0, friction=0.3)
 """With T_н = 200 N·m at f 0.1: F_п2 3300 N."""
 
 
-def indirect(friction: float = 0.3, *, law: dict[str, Any] | None = None, mass: float = 0.0, **changes: Any) -> IndirectPlant:  # fmt: skip
+def indirect(friction: float = 0.3, *, law: dict[str, Any] | None = None, mass: float = 0.0, **changes: Any) -> Plant:  # fmt: skip
     """An indirect clutch (P5) in a drive with changes."""
     own = replace(SLEEVE, law=replace(SPRINGS, **(law or {})), friction=friction, mass=mass)
-    return IndirectPlant(replace(TRAIN, hub_inertia=0.02, **changes), own)
-
-
-class BegunIndirect(IndirectPlant):
-    """A drive that begins in a state of its own."""
-
-    state: tuple[float, ...]
-
-    def start(self) -> list[float]:
-        return list(self.state)
-
-
-def begun_indirect(own: IndirectPlant, *state: float) -> BegunIndirect:
-    """The same drive, begun elsewhere: v, ω_2, φ of the shaft, ω_3, w, φ of the balls, N held."""
-    found = BegunIndirect(own.train, own.sleeve)
-    object.__setattr__(found, "state", state)
-    return found
+    return Plant(replace(TRAIN, hub_inertia=0.02, **changes), own)

@@ -8,6 +8,7 @@ import pytest
 from drives import VARIANTS, begun, clutch, light, merged, plant, run
 
 from afmcalc.drive.cases import case_of, outcome_of, peak_time
+from afmcalc.drive.coast import creeping
 from afmcalc.drive.plant import Mode
 from afmcalc.drive.train import Engine
 from afmcalc.equations import drive as law
@@ -135,7 +136,7 @@ def test_slow_slip_takes_static_friction_back(monkeypatch):
     # but for the stop of the tool
     assert found.slip_time == pytest.approx(np.trapezoid(30 / (torque - 150), speeds), rel=1e-3)
     assert found.heat == pytest.approx(np.trapezoid(30 * speeds * torque / (torque - 150), speeds), rel=5e-3)
-    monkeypatch.setattr("afmcalc.drive.machine.creep", lambda *where, **how: None)
+    monkeypatch.setattr("afmcalc.drive.trip.creep", lambda *where, **how: None)
     stepped = outcome_of(own, 0.3).trip
     assert (found.peak, found.slip_time) == pytest.approx((stepped.peak, stepped.slip_time), rel=1e-5)
     assert found.heat == pytest.approx(stepped.heat, rel=1e-6)
@@ -143,7 +144,7 @@ def test_slow_slip_takes_static_friction_back(monkeypatch):
 
 def test_slow_slip_lasts_while_falling_friction_grows_a_swing_by_0_3_of_its_frequency():
     own = case_of(clutch(friction={"stribeck_speed": 0.02}), 0.3).plant
-    slow = own.creeping(Mode(pack=1))
+    slow = creeping(own, Mode(pack=1))
     steep = (slow.torque(slow.least) - slow.torque(slow.least + 1e-6)) / 1e-6
     # J_2 σ' = (−∂T/∂v − d)/2 against √(k J_2)
     assert 0.28 < (steep - own.train.damping) / (2 * math.sqrt(own.train.stiffness * slow.inertia)) < 0.3001
@@ -156,7 +157,7 @@ def test_a_standing_tool_is_torn_loose_as_static_friction_comes_back(monkeypatch
     own = clutch(drive=drive)
     found = outcome_of(own, 0.3).trip
     assert own.torque(0.3) < 317 < own.torque(0.36)
-    monkeypatch.setattr("afmcalc.drive.machine.creep", lambda *where, **how: None)
+    monkeypatch.setattr("afmcalc.drive.trip.creep", lambda *where, **how: None)
     stepped = outcome_of(own, 0.3).trip
     assert (found.peak, found.heat, found.slip_time) == pytest.approx(
         (stepped.peak, stepped.heat, stepped.slip_time), rel=1e-6

@@ -4,9 +4,10 @@ import math
 
 import numpy as np
 import pytest
-from drives import begun_indirect, indirect, run
+from drives import begun, indirect, run
 
-from afmcalc.drive.stepping import march
+from afmcalc.drive.lanes import march
+from afmcalc.drive.plant import SIZE, TURN
 from afmcalc.drive.train import Engine
 from afmcalc.engines.characteristic import CurvedSprings, DiscCharacteristic
 from afmcalc.equations import sleeve as law
@@ -19,7 +20,7 @@ FREE = {"time": 0.0, "stiffness": 1e-6, "load": 0.0, "engine": Engine(0.0, None,
 def swing(rate: float, mass: float = 0.0, **changes):
     """The hub, immovable, is turned against the driven half: the balls climb their wall and come back."""
     drive = indirect(0.3, mass=mass, motor_inertia=1e12, **(FREE | changes))
-    return begun_indirect(drive, 0.0, -rate, 0.0, 0.0, rate, 0.0, 3300.0)
+    return begun(drive, 0.0, -rate, 0.0, 0.0, rate, 0.0, 3300.0)
 
 
 @pytest.mark.parametrize("rate", [2.0, 10.0])
@@ -41,7 +42,7 @@ def test_v7_one_swing_of_the_control_unit(rate):
 
 def test_a_key_without_friction_gives_all_back():
     drive = indirect(0.3, law={"key_friction": 0.0}, motor_inertia=1e12, **FREE)  # fmt: skip
-    found = run(begun_indirect(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, 4500.0), 0.08, recorded=True)
+    found = run(begun(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, 4500.0), 0.08, recorded=True)
     back = [abs(row.speed_driven) for row in found.history if row.travel == 0]
     assert min(back) == pytest.approx(5.0, rel=1e-7)
     assert len(back) > 4, "it rolls to and fro"
@@ -95,14 +96,14 @@ def test_friction_that_falls_under_a_lasting_load_returns_along_kappa_plus():
     frictions = [0.8, 0.5, 0.3, 0.21, *[0.2 - step * number for number in range(1, int(0.19 / step))], 0.02, 0.01]
     for friction in frictions[1:]:
         drive = indirect(friction, **changes)
-        found = run(begun_indirect(drive, *state), 0.2)
-        state = found.state[: drive.size]
+        found = run(begun(drive, *state), 0.2)
+        state = found.state[:SIZE]
         expected, above = returning(friction, far), returning(friction + 2 * step, far)
         if friction > 0.2 or friction < 0.025:
             assert found.last == pytest.approx(expected, rel=1e-6), friction
         else:
             assert expected * (1 - 1e-9) <= found.last <= above * (1 + 1e-9), friction
-    assert state[drive.TURN] == 0, "and is seated in the end"
+    assert state[TURN] == 0, "and is seated in the end"
 
 
 @pytest.mark.parametrize("slope", [0.0, 9.0, 15.0])
@@ -113,14 +114,14 @@ def test_returning_it_slides_at_the_torque_of_the_law(friction, slope):
     """
     lasting = {"motor_inertia": 1e12, "driven_inertia": 1e9, "speed": 5.0, "time": 0.0, "load": 150.0}
     drive = indirect(friction, law={"gain_slope": slope}, **lasting)
-    own, before = drive.sleeve.law, friction * (1 + 2e-7)
+    own, before = drive.pack.law, friction * (1 + 2e-7)
     expected, torque = (own.torque_returning(2500.0, each, 0.8) for each in (friction, before))
     travel = (2500 - torque / (0.8 * before)) / 2e4
     turn = law.turn(travel, 0.1, 1.0, slope)
-    found = run(begun_indirect(drive, 5.0, 0.0, torque / 8000, 0.0, 0.0, turn, 2500.0), 0.2)
+    found = run(begun(drive, 5.0, 0.0, torque / 8000, 0.0, 0.0, turn, 2500.0), 0.2)
     assert found.last == pytest.approx(expected, rel=1e-6)
     # where friction has not fallen by κ₊/κ the key still holds it where 0.8 had put it
-    assert (found.state[drive.TURN] < turn) == (travel < own.travel(2500.0, 0.8) * (1 - 1e-9))
+    assert (found.state[TURN] < turn) == (travel < own.travel(2500.0, 0.8) * (1 - 1e-9))
 
 
 def test_the_stop_carries_what_the_springs_do_not():
@@ -137,7 +138,7 @@ def test_kappa_is_a_torsion_spring():
     kT = law.torsional_stiffness(2e4, 1e4, 0.1, 1.0, 1.0, 0.0, 0.0)
     free = {"key_friction": 0.0, "made_control_force": 2500.0}
     drive = indirect(0.3, law=free, motor_inertia=1e12, **FREE)
-    found = run(begun_indirect(drive, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 2500.0), 0.5, recorded=True)
+    found = run(begun(drive, 0.0, -1.0, 0.0, 0.0, 1.0, 0.0, 2500.0), 0.5, recorded=True)
     pairs = zip(found.history, found.history[1:], strict=False)
     top = next(row.time for row, after in pairs if after.travel < row.travel)
     # without preload the balls swing through their stop: half a period from wall to wall
@@ -163,9 +164,9 @@ def test_a_wall_that_holds_the_torque(friction):
 def test_a_swing_against_a_curved_wall(mass):
     """Energy: T κ(x)/R = F + m x'' on the way, so that dE = (C/κ)(dW + m x'' dx) with gains of the place."""
     drive = indirect(0.3, law=CURVED | {"key_friction": 0.0}, mass=mass, motor_inertia=1e12, **FREE)
-    found = run(begun_indirect(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, drive.sleeve.control_force), 0.2, recorded=True)
+    found = run(begun(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, drive.pack.resting_force), 0.2, recorded=True)
     kinetic = 0.5 * 0.05 * 25 + 0.5 * mass * law.travel_rate(5.0, 0.1, 1.0) ** 2
-    own = drive.sleeve
+    own = drive.pack
     assert own.work(found.travel_max) == pytest.approx(kinetic, rel=1e-6)
     back = [abs(row.speed_driven) for row in found.history if row.travel == 0]
     assert min(back) == pytest.approx(5.0, rel=1e-6)
@@ -197,22 +198,22 @@ def test_disc_springs(springs):
     lasting = {"motor_inertia": 1e12, "driven_inertia": 1e9, "speed": 5.0, "time": 0.0, "load": 150.0}
     low = 0.1
     drive = indirect(low, law=own, **lasting)
-    springs_law, before = drive.sleeve.law, low * (1 + 2e-7)
+    springs_law, before = drive.pack.law, low * (1 + 2e-7)
     expected, torque = (springs_law.torque_returning(2500.0, each, 0.8) for each in (low, before))
     pressed, closing = torque / (0.8 * before), springs[0]
     straight = closing is None
     travel = (2500 - pressed) / 2e4 if straight else closing.deflection(2500.0) - closing.deflection(pressed)
-    found = run(begun_indirect(drive, 5.0, 0.0, torque / 8000, 0.0, 0.0, travel / 0.1, 2500.0), 0.2)
-    assert found.state[drive.TURN] < travel / 0.1
+    found = run(begun(drive, 5.0, 0.0, torque / 8000, 0.0, 0.0, travel / 0.1, 2500.0), 0.2)
+    assert found.state[TURN] < travel / 0.1
     assert found.last == pytest.approx(expected, rel=1e-6)
 
     drive = indirect(friction, law=own | {"key_friction": 0.0}, motor_inertia=1e12, **FREE)
-    found = run(begun_indirect(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, 4500.0), 0.02, recorded=True)
+    found = run(begun(drive, 0.0, -5.0, 0.0, 0.0, 5.0, 0.0, 4500.0), 0.02, recorded=True)
     assert min(abs(row.speed_driven) for row in found.history if row.travel == 0) == pytest.approx(5.0, rel=1e-6)
 
     drive = indirect(friction, law=own, load=230.0)
     found = run(drive, 0.1)
-    stepped = march(drive.train, drive.sleeve, np.array([found.time / 1000]), 1000)
+    stepped = march(drive.train, drive.pack, np.array([found.time / 1000]), 1000)
     assert stepped.peak[0] == pytest.approx(found.peak, rel=5e-4)
     assert stepped.travel[0] == pytest.approx(found.travel_max, rel=5e-4)
-    assert drive.sleeve.torque(1.0) > 230 > drive.sleeve.lift, "it began off its stop"
+    assert drive.pack.torque(1.0) > 230 > drive.pack.lift, "it began off its stop"

@@ -6,11 +6,10 @@ import numpy as np
 import pytest
 from drives import SLEEVE, TRAIN, run
 
-from afmcalc.drive.direct import DirectPack
-from afmcalc.drive.packs import plant_of
+from afmcalc.drive.lanes import march
+from afmcalc.drive.pack import DirectPack, Sleeve
 from afmcalc.drive.peaks import step_of
-from afmcalc.drive.sleeve import Sleeve
-from afmcalc.drive.stepping import march
+from afmcalc.drive.plant import plant_of
 from afmcalc.drive.train import Engine
 from afmcalc.engines.laws import IndirectLaw
 

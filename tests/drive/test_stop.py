@@ -13,12 +13,12 @@ from scipy.integrate import solve_ivp
 from afmcalc.analysis.simulate import simulate
 from afmcalc.analysis.sweep.axes import parse_axis
 from afmcalc.drive.cases import bracket_of, case_of, outcome_of
-from afmcalc.drive.lanes import SleeveLanes
-from afmcalc.drive.machine import trip
-from afmcalc.drive.packs import pack_of
+from afmcalc.drive.lanes import Shaft, SleeveLanes, march
+from afmcalc.drive.pack import pack_of
 from afmcalc.drive.peaks import peaks_of, step_of
-from afmcalc.drive.stepping import Shaft, march
+from afmcalc.drive.plant import TURN
 from afmcalc.drive.train import train_of
+from afmcalc.drive.trip import trip
 from afmcalc.engines import build
 from afmcalc.spec.read import read_spec
 
@@ -129,8 +129,8 @@ def random_drive(rng):
 @pytest.mark.parametrize("seed", [0, 1, *(pytest.param(n, marks=pytest.mark.exhaustive) for n in range(2, 16))])
 def test_random_drives_in_the_band(seed):
     own = random_drive(np.random.default_rng([22, seed]))
-    found, step = run(own, 0.06), float(np.max(step_of(own.train, own.sleeve)))
-    stepped = march(own.train, own.sleeve, np.array([step]), int(0.06 / step))
+    found, step = run(own, 0.06), float(np.max(step_of(own.train, own.pack)))
+    stepped = march(own.train, own.pack, np.array([step]), int(0.06 / step))
     assert stepped.peak[0] == pytest.approx(found.peak, rel=1e-3)
     assert stepped.peak_clutch[0] == pytest.approx(found.peak_clutch, rel=5e-3)
 
@@ -189,14 +189,14 @@ def constant_torque(load: float):
 def test_a_constant_torque_pocket_starts_under_its_nominal_torque():
     """There the control unit has no stiffness, and nothing is lifted: the answer is that of a load a little below."""
     full = constant_torque(200.0)
-    assert full.sleeve.lift == pytest.approx(200.0)
-    assert full.sleeve.torsional(0.0, full.sleeve.net_gain, full.sleeve.lift) == pytest.approx(0.0, abs=1e-6)
-    assert full.start()[full.TURN] == 0
+    assert full.pack.lift == pytest.approx(200.0)
+    assert full.pack.torsional(0.0, full.pack.net_gain, full.pack.lift) == pytest.approx(0.0, abs=1e-6)
+    assert full.start()[TURN] == 0
     found, near = (trip(own, 0.05, given=True) for own in (full, constant_torque(200.0 / 1.0001)))
     for name in ("peak", "peak_clutch", "heat", "slip_time"):
         assert getattr(found, name) == pytest.approx(getattr(near, name), rel=2e-3), name
     step = np.array([0.05 / 1000])
-    assert march(full.train, full.sleeve, step, 1000).peak[0] == pytest.approx(found.peak, rel=1e-3)
+    assert march(full.train, full.pack, step, 1000).peak[0] == pytest.approx(found.peak, rel=1e-3)
 
 
 def test_the_energy_of_steps_closes():

@@ -11,8 +11,8 @@ from drives import indirect, merged
 from afmcalc.analysis.simulate import simulate, with_dynamic_factor
 from afmcalc.analysis.sweep.axes import parse_axis
 from afmcalc.drive.cases import case_of, outcome_of
-from afmcalc.drive.machine import trip
 from afmcalc.drive.peaks import peaks_of
+from afmcalc.drive.trip import trip
 from afmcalc.engines import build
 
 HEAVY = {

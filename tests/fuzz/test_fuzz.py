@@ -76,7 +76,7 @@ def test_nothing_breaks_it(tried, afmcalc, request, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     asked = request.config.getoption("--fuzz")
     if not asked:
-        monkeypatch.setattr("afmcalc.drive.machine.MOST_STEPS", 2000)  # the same refusal, sooner
+        monkeypatch.setattr("afmcalc.drive.trip.MOST_STEPS", 2000)  # the same refusal, sooner
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
     @settings(

@@ -1,7 +1,8 @@
-"""The drive through an event: smooth phases between located switches, every peak an event of its own."""
+"""One drive through an event: smooth phases between located switches, every peak an event of its own."""
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from functools import partial
 from typing import NamedTuple
 
@@ -13,8 +14,8 @@ from ..arrays import finite
 from ..errors import CalculationError
 from ..messages import say
 from ..progress import pulse
-from .coast import creep, stride
-from .plant import Mode, Plant, State, Torques
+from .coast import Heating, creep, stride
+from .plant import DRIVEN, NORMAL, SIZE, TOOL, TURN, TWIST, Guard, Mode, Plant, State, Torques, V
 from .rest import Stuck, settled
 
 TOLERANCE = 1e-9
@@ -24,8 +25,6 @@ MOST_STEPS = 40_000
 PATIENCE = 20_000
 """Steps after which a drive that does not settle is left, where no duration is given."""
 _STEPS_A_PERIOD = 4
-_WORKS = 5
-"""Energies that are summed along with the states: of motor, pack, shaft, tool, key."""
 _REVERSED = 1e-9
 """Speed, relative to that before the event, with which something has turned back and is no rounding."""
 _LOOK = 3.0
@@ -34,18 +33,12 @@ _UNSEEN = 1e-3
 """Swing, relative to the torque, that a history does not miss."""
 _INSIDE = (0.25, 0.5, 0.75)
 """Points of a step that a history shows beside its ends."""
-
-
-class Heating(NamedTuple):
-    """A moment of a slip."""
-
-    time: float
-    torque: float
-    """Of the pack, N·m; of the sign of the slip."""
-    slip: float
-    """rad/s."""
-    heat: float
-    """In the pack so far, J."""
+_TORQUES = 2
+"""Torques whose peaks are located, before the guards in what is looked at."""
+_NEAR = 1e-7
+"""Part of a step within which a peak is located."""
+_LOOKED_AT = (0.0, *(2.0**-power for power in range(30, 0, -3)))
+"""Places in a step at which a guard that begins at 0 is looked for above it."""
 
 
 class Moment(NamedTuple):
@@ -60,40 +53,41 @@ class Moment(NamedTuple):
     travel: float
 
 
-class Trip(NamedTuple):
+@dataclass
+class Trip:
     """What an event did."""
 
-    peak: float
+    peak: float = 0.0
     """In the shaft, N·m."""
-    peak_clutch: float
-    peak_wall: float
+    peak_clutch: float = 0.0
+    peak_wall: float = 0.0
     """Of the balls over cos α, N·m: what their walls bear, times n r."""
-    slip_time: float
-    heat: float
+    slip_time: float = 0.0
+    heat: float = 0.0
     """In the pack, J."""
-    key_heat: float
-    travel_max: float
-    trip_torque: float | None
+    key_heat: float = 0.0
+    travel_max: float = 0.0
+    trip_torque: float | None = None
     """Of the clutch as it began to slip; None where it did not."""
-    stuck: bool
+    stuck: bool = True
     """Whether the pack does not slip at the end."""
-    ended: bool
+    ended: bool = False
     """Whether the slip ended, and as far as is known for good."""
-    settled: bool
+    settled: bool = False
     """Whether nothing more can come."""
-    endless: bool
+    endless: bool = False
     """Whether the motor drives it for ever."""
-    last: float
+    last: float = 0.0
     """Torque of the clutch at the end, N·m."""
-    state: State
+    state: State = field(default_factory=list)
     """States and work at the end."""
-    time: float
+    time: float = 0.0
     """From which nothing more could come, s."""
-    residual: float
+    residual: float = 0.0
     """Error of the energy balance, relative to the largest energy in it."""
-    course: list[Heating]
+    course: list[Heating] = field(default_factory=list)
     """Of the slip, in order."""
-    history: list[Moment]
+    history: list[Moment] = field(default_factory=list)
 
 
 def trip(plant: Plant, horizon: float, *, recorded: bool = False, given: bool = False) -> Trip:
@@ -111,72 +105,58 @@ def trip(plant: Plant, horizon: float, *, recorded: bool = False, given: bool = 
     return _Run(plant, horizon, recorded=recorded, given=given).trip()
 
 
+class _Seen(NamedTuple):
+    """What is looked at in a moment of a mode."""
+
+    torques: Torques
+    guards: list[float]
+
+
 class _Run:
-    """One event under way: what has been seen of it."""
+    """One event under way."""
 
     def __init__(self, plant: Plant, horizon: float, *, recorded: bool, given: bool) -> None:
-        self.plant, self.horizon, self.given = plant, horizon, given
-        self.history: list[Moment] | None = [] if recorded else None
-        self.peak = self.peak_clutch = self.peak_wall = self.travel_max = self.slip_time = 0.0
-        self.trip_torque: float | None = None
+        self.plant, self.horizon, self.given, self.recorded = plant, horizon, given, recorded
+        self.seen = Trip()
+        """What has been seen of it."""
         self.off = math.inf
         """When the motor is switched off."""
-        self.course: list[Heating] = []
         self.stuck_since: float | None = 0.0
         self.gripped: float | None = 0.0
         """Since when the pack sticks, whatever the balls do."""
-        self.seen = 0.0
+        self.looked = 0.0
         """When it was last seen that something may still come."""
-        self.endless = self.settled = False
         self.steps = 0
         self.look = math.inf
         """When to see whether the slip can be taken in one stride."""
-        natural = math.sqrt(float(plant.train.stiffness / plant.train.driven_inertia))
-        self.natural = natural
-        self.swings = _LOOK * 2 * math.pi / natural
-        self.moment = 1e-6 / natural
-        """Time over which a slope is taken."""
-        self.scales = np.array([*plant.scales(), *[plant.stored(plant.start())] * _WORKS])
+        self.swings = _LOOK * 2 * math.pi / plant.natural
+        self.atol = np.array(plant.scales()) * TOLERANCE
+        self.step = math.inf
+        """The last step that was accepted, s."""
 
     def trip(self) -> Trip:
-        plant, t, recorded = self.plant, 0.0, self.history is not None
-        y = plant.start()
+        """Go through the phases; what they did, and whether the energy closes."""
+        plant, seen, t, y = self.plant, self.seen, 0.0, self.plant.start()
         before = plant.stored(y)
-        y, mode = plant.switched(t, [*y, *[0.0] * _WORKS], Mode(over=not plant.train.time), None)
+        y, mode = plant.switched(t, [*y, *[0.0] * (len(self.atol) - SIZE)], Mode(over=not plant.train.time), None)
         self._note(t, y, mode)
         self._slips(t, y, mode)
         for _ in range(MOST_SWITCHES):
             t, y, mode = self._phase(t, y, mode)
             if t >= min(self.horizon, self._resting(mode)):
-                self.settled, self.seen = self._settled(t, y, mode), t
-            if t >= self.horizon or self.endless or (self.settled and not (self.given and recorded)):
+                seen.settled, self.looked = self._settled(t, y, mode), t
+            if t >= self.horizon or seen.endless or (seen.settled and not (self.given and self.recorded)):
                 break
         else:
             raise CalculationError(say("simulate: the drive sticks and slips without end"))
-        motor, pack, shaft, tool, key = y[plant.size :]
-        scale = max(before, abs(motor), abs(tool), pack)
-        residual = abs(before + motor - plant.stored(y) - pack - shaft - tool - key) / scale
-        history = sorted(self.history or [], key=lambda row: row.time)
-        return Trip(
-            self.peak,
-            self.peak_clutch,
-            self.peak_wall,
-            self.slip_time,
-            pack,
-            key,
-            self.travel_max,
-            self.trip_torque,
-            mode.pack == 0,
-            mode.pack == 0 and (self.settled or self.given or self.trip_torque is None),
-            self.settled,
-            self.endless,
-            plant.torques(t, y, mode).clutch,
-            y,
-            t,
-            residual,
-            self.course,
-            history,
-        )
+        motor, seen.heat, shaft, tool, seen.key_heat = y[SIZE:]
+        left = before + motor - plant.stored(y) - seen.heat - shaft - tool - seen.key_heat
+        seen.residual = abs(left) / max(before, abs(motor), abs(tool), seen.heat)
+        seen.history.sort(key=lambda row: row.time)
+        seen.stuck = mode.pack == 0
+        seen.ended = seen.stuck and (seen.settled or self.given or seen.trip_torque is None)
+        seen.last, seen.state, seen.time = plant.torques(t, y, mode).clutch, y, t
+        return seen
 
     def _resting(self, mode: Mode) -> float:
         """When to see whether anything may still come: half a swing after it stuck, or was seen last.
@@ -187,22 +167,21 @@ class _Run:
         if not mode.over or since is None:
             return math.inf
         share = 1.0 if self.plant.train.kind == "load" and mode.tool else 0.5
-        return max(since, self.plant.train.time, self.seen) + share * self.plant.swing(mode)
+        return max(since, self.plant.train.time, self.looked) + share * self.plant.swing(mode)
 
     def _settled(self, t: float, y: State, mode: Mode) -> bool:
         """Whether nothing more can come."""
-        plant = self.plant
+        plant, peak = self.plant, self.seen.peak
         pending = mode.powered and self.off < math.inf
         if not mode.over or mode.pack or mode.tool < 0:
             return False
-        if mode.tool == 0 and not pending and plant.swings_out(y, mode, self.peak):
+        if mode.tool == 0 and not pending and plant.swings_out(y, mode, peak):
             return True
         if self.stuck_since is None:
             return False
-        elastic = plant.train.stiffness * y[plant.TWIST]
-        speeds = plant.motor_speed(y), y[plant.TOOL]
-        stuck = Stuck(*speeds, elastic, standing=mode.tool == 0, powered=mode.powered, pending=pending)
-        return bool(settled(plant.train, stuck, plant.sticks_up_to(t, y, mode), self.peak))
+        elastic, standing = plant.train.stiffness * y[TWIST], mode.tool == 0
+        stuck = Stuck(plant.motor_speed(y), y[TOOL], elastic, standing, mode.powered, pending)
+        return bool(settled(plant.train, stuck, plant.pack.sticks_up_to(y[TURN], y[NORMAL]), peak))
 
     def _phase(self, t: float, y: State, mode: Mode) -> tuple[float, State, Mode]:
         """Integrate to the next switch, and make it."""
@@ -215,79 +194,83 @@ class _Run:
             if mode.over and not (mode.tool and train.kind == "load"):
                 end, y = self._stride(end, y, mode, bound)
             self.look = end + self.swings
-        self.slip_time += end - t if mode.pack else 0.0
+        self.seen.slip_time += end - t if mode.pack else 0.0
         self._note(end, y, mode)
         if stage <= end and train.kind == "stop":
-            y[plant.TOOL] = 0.0
+            y[TOOL] = 0.0
         staged = mode._replace(over=stage <= end or mode.over, powered=mode.powered and end < off)
         y, new = plant.switched(end, y, staged, hit)
         self._note(end, y, new)
-        if (bool(new.pack), _still(new)) != (bool(mode.pack), _still(mode)):
+        if (bool(new.pack), new.still) != (bool(mode.pack), mode.still):
             self._slips(end, y, new)
         return end, y, new
 
     def _stride(self, t: float, y: State, mode: Mode, bound: float) -> tuple[float, State]:
         """Take in one stride what is left of a steady slip; a history keeps the swings that show."""
-        largest = _UNSEEN if self.history is not None else math.inf
+        largest = _UNSEEN if self.recorded else math.inf
         lasting = self.off == math.inf and not self.given
         found = stride(self.plant, t, y, mode, bound, lasting=lasting, largest=largest)
         found = found or creep(self.plant, t, y, mode, bound, lasting=lasting)
         if found is None:
             return t, y
-        self.course += [Heating(*each) for each in found.course]
-        self.endless = found.endless
+        self.seen.course += found.course
+        self.seen.endless = found.endless
         return found.time, found.y
 
     def _slips(self, t: float, y: State, mode: Mode) -> None:
         """Take down that slip, or anything that moves, begins or ends."""
-        self.stuck_since = t if _still(mode) else None
+        self.stuck_since = t if mode.still else None
         if mode.pack or self.gripped is None:
             self.gripped = None if mode.pack else t
         self.look = t + self.swings if mode.pack else math.inf
-        if mode.pack and self.trip_torque is None:
-            self.trip_torque = abs(self.plant.torques(t, y, mode).clutch)
+        if mode.pack and self.seen.trip_torque is None:
+            self.seen.trip_torque = abs(self.plant.torques(t, y, mode).clutch)
             cut_off = self.plant.train.cut_off
             self.off = math.inf if cut_off is None else t + float(cut_off)
 
     def _note(self, t: float, y: State, mode: Mode, torques: Torques | None = None) -> None:
         """Take down torques and travel."""
-        own, travel = self.plant, self.plant.travel(y)
-        torques = own.torques(t, y, mode) if torques is None else torques
-        self.peak = max(self.peak, abs(torques.shaft))
-        self.peak_clutch = max(self.peak_clutch, abs(torques.clutch))
-        self.peak_wall = max(self.peak_wall, abs(torques.balls) * math.hypot(1.0, own.leaning(y)))
-        self.travel_max = max(self.travel_max, travel)
+        plant, seen, travel = self.plant, self.seen, self.plant.travel(y)
+        torques = plant.torques(t, y, mode) if torques is None else torques
+        seen.peak = max(seen.peak, abs(torques.shaft))
+        seen.peak_clutch = max(seen.peak_clutch, abs(torques.clutch))
+        seen.peak_wall = max(seen.peak_wall, abs(torques.balls) * plant.pack.leaning(y[TURN]))
+        seen.travel_max = max(seen.travel_max, travel)
         if mode.pack:
-            self.course.append(Heating(t, torques.clutch, y[own.V], y[own.size + 1]))
-        if self.history is not None:
-            speeds = own.motor_speed(y), y[own.DRIVEN], y[own.TOOL]
-            self.history.append(Moment(t, torques.shaft, torques.clutch, *speeds, travel))
+            seen.course.append(Heating(t, torques.clutch, y[V], y[SIZE + 1]))
+        if self.recorded:
+            speeds = plant.motor_speed(y), y[DRIVEN], y[TOOL]
+            seen.history.append(Moment(t, torques.shaft, torques.clutch, *speeds, travel))
 
-    def _integrate(self, t: float, y: State, mode: Mode, bound: float) -> tuple[float, State, int | None]:
+    def _integrate(self, t: float, y: State, mode: Mode, bound: float) -> tuple[float, State, Guard | None]:
         """Step until a guard falls to 0 or to the bound; which guard, None at the bound."""
         plant = self.plant
-        method = Radau if plant.stiff else DOP853
-        natural = 2 * math.pi / self.natural
-        solver = method(
+        longest = (plant.swing(mode) if mode.still else 2 * math.pi / plant.natural) / _STEPS_A_PERIOD
+        solver = (Radau if plant.stiff else DOP853)(
             lambda at, states: plant.rates(at, states.tolist(), mode),
             t,
             np.array([finite(each) for each in y]),
             bound,
             rtol=TOLERANCE,
-            atol=self.scales * TOLERANCE,
-            max_step=(self.plant.swing(mode) if _still(mode) else natural) / _STEPS_A_PERIOD,
+            atol=self.atol,
+            max_step=longest,
         )
-        slopes = growth(plant, t, y, mode, solver.f.tolist(), seen(plant, t, y, mode), self.moment)
+        slopes = self._growth(t, y, mode, solver.f.tolist(), self._look_at(t, y, mode))
         while solver.status == "running":
             solver.step()
             self._patient(float(solver.t))
             if solver.status == "failed":
                 raise CalculationError(say("simulate: the integration fails at t = {time:g} s", time=solver.t))
             states = solver.y.tolist()
-            now = seen(plant, solver.t, states, mode)
-            before, slopes = slopes, growth(plant, solver.t, states, mode, solver.f.tolist(), now, self.moment)
-            turned = turned_in(before, slopes)
-            if turned or min(now.guards) < 0 or self.history is not None:
+            now = self._look_at(solver.t, states, mode)
+            before, slopes = slopes, self._growth(solver.t, states, mode, solver.f.tolist(), now)
+            # a torque had a peak where its growth changes sign; a guard that had a trough may have fallen below 0 there
+            turned = [
+                number
+                for number, (first, last) in enumerate(zip(before, slopes, strict=True))
+                if first * last < 0 and (number < _TORQUES or first < 0)
+            ]
+            if turned or min(now.guards) < 0 or self.recorded:
                 crossed = self._inside(solver, mode, turned)
                 if crossed is not None:
                     return crossed
@@ -313,9 +296,26 @@ class _Run:
                 )
             )
 
-    def _inside(self, solver: OdeSolver, mode: Mode, turned: list[int]) -> tuple[float, State, int] | None:
+    def _look_at(self, t: float, y: State, mode: Mode) -> _Seen:
+        torques = self.plant.torques(t, y, mode)
+        return _Seen(torques, [self.plant.guard(each, t, y, mode, torques) for each in self.plant.guards(mode)])
+
+    def _growth(self, t: float, y: State, mode: Mode, rates: State, now: _Seen) -> list[float]:
+        """By how much the torques of shaft and clutch and some guards grow in a moment; 0 where rounding decides."""
+        plant, moment = self.plant, self.plant.moment
+        ahead = [own + moment * rate for own, rate in zip(y, rates, strict=True)]
+        torques = plant.torques(t + moment, ahead, mode)
+        watched = plant.guards(mode)[:3]  # speeds while something slips: of pack, tool, balls
+        then = [plant.guard(each, t + moment, ahead, mode, torques) for each in watched]
+        pairs = zip(
+            (now.torques.shaft, now.torques.clutch, *now.guards), (torques.shaft, torques.clutch, *then), strict=False
+        )
+        return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in pairs]
+
+    def _inside(self, solver: OdeSolver, mode: Mode, turned: list[int]) -> tuple[float, State, Guard] | None:
         """Look into a step: note the peaks up to the first guard that falls to 0, and return that."""
         plant, dense, start = self.plant, solver.dense_output(), float(solver.t_old)
+        guards = plant.guards(mode)
 
         def at(time: float) -> State:
             states: State = dense(time).tolist()
@@ -324,84 +324,38 @@ class _Run:
         def slope(number: int, time: float) -> float:
             states = at(time)
             rates = plant.rates(time, states, mode)
-            return growth(plant, time, states, mode, rates, seen(plant, time, states, mode), self.moment)[number]
+            return self._growth(time, states, mode, rates, self._look_at(time, states, mode))[number]
 
         def guard(number: int, time: float) -> float:
-            return seen(plant, time, at(time), mode).guards[number]
+            states = at(time)
+            return plant.guard(guards[number], time, states, mode, plant.torques(time, states, mode))
 
         marks = []
         for number in turned:
-            mark = peak(partial(slope, number), start, solver.t)
+            mark = _peak(partial(slope, number), start, solver.t)
             # what turns back and on again within a step has stood still in it; rounding has not
-            if number < TORQUES or guard(number - TORQUES, mark) < -_REVERSED * plant.train.speed:
+            if number < _TORQUES or guard(number - _TORQUES, mark) < -_REVERSED * plant.train.speed:
                 marks.append(mark)
-        if self.history is not None:
+        if self.recorded:
             marks += [start + share * (solver.t - start) for share in _INSIDE]
         for mark in [*sorted(marks), float(solver.t)]:
             states = at(mark)
-            now = seen(plant, mark, states, mode)
-            fallen = [i for i, value in enumerate(now.guards) if value < 0]
+            now = self._look_at(mark, states, mode)
+            fallen = [number for number, value in enumerate(now.guards) if value < 0]
             if fallen:
-                time, first = min((crossing(partial(guard, number), start, mark), number) for number in fallen)
-                return time, at(time), first
+                time, first = min((_crossing(partial(guard, number), start, mark), number) for number in fallen)
+                return time, at(time), guards[first]
             self._note(mark, states, mode, now.torques)
         return None
 
 
-def _still(mode: Mode) -> bool:
-    """Whether the drive before the shaft turns as one."""
-    return not mode.pack and mode.balls in ("seat", "lock")
-
-
-TORQUES = 2
-"""Torques whose peaks are located, before the guards in what is looked at."""
-_SLIPPING = 3
-"""Guards that are speeds while something slips, the first ones: of pack, tool, balls."""
-_NEAR = 1e-7
-"""Part of a step within which a peak is located."""
-_LOOKED_AT = (0.0, *(2.0**-power for power in range(30, 0, -3)))
-"""Places in a step at which a guard that begins at 0 is looked for above it."""
-
-
-class Seen(NamedTuple):
-    """What is looked at in a moment of a mode."""
-
-    torques: Torques
-    guards: list[float]
-
-
-def seen(plant: Plant, t: float, y: State, mode: Mode) -> Seen:
-    """Look at a moment."""
-    torques = plant.torques(t, y, mode)
-    return Seen(torques, plant.guards(t, y, mode, torques))
-
-
-def growth(plant: Plant, t: float, y: State, mode: Mode, rates: State, at: Seen, moment: float) -> list[float]:
-    """By how much the torques of shaft and clutch and some guards grow in a moment; 0 where rounding decides."""
-    ahead = [own + moment * rate for own, rate in zip(y, rates, strict=True)]
-    now, then = (
-        (own.torques.shaft, own.torques.clutch, *own.guards[:_SLIPPING])
-        for own in (at, seen(plant, t + moment, ahead, mode))
-    )
-    return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in zip(now, then, strict=True)]
-
-
-def turned_in(before: list[float], after: list[float]) -> list[int]:
-    """Which torque had a peak in a step, and which guard a trough: it may have fallen below 0 there."""
-    return [
-        number
-        for number, (first, last) in enumerate(zip(before, after, strict=True))
-        if first * last < 0 and (number < TORQUES or first < 0)
-    ]
-
-
-def peak(slope: Callable[[float], float], start: float, end: float) -> float:
+def _peak(slope: Callable[[float], float], start: float, end: float) -> float:
     """Return where a slope changes sign; the height there has the square of its relative error."""
     first = slope(start)
     return float(brentq(slope, start, end, xtol=_NEAR * (end - start))) if first * slope(end) < 0 else start
 
 
-def crossing(guard: Callable[[float], float], start: float, end: float) -> float:
+def _crossing(guard: Callable[[float], float], start: float, end: float) -> float:
     """Return where a guard that begins at 0 or above and ends below last falls to 0."""
     ends = [start + share * (end - start) for share in _LOOKED_AT]
     above = [each for each in ends if guard(each) > 0]

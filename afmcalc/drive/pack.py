@@ -1,0 +1,454 @@
+"""A clutch at one friction as its drive meets it: discs, and for an indirect clutch the sleeve behind them.
+
+The law of what sticks and slips, written once for numbers (one event) and arrays (many drives). At its stop an indirect
+clutch is a direct one of gain κ while the torque rises, κ₊ while it falls; a direct clutch never leaves its stop.
+"""
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import ClassVar
+
+import numpy as np
+
+from ..arrays import Values, is_array, larger, smaller
+from ..engines import setting
+from ..engines.characteristic import root
+from ..engines.direct_law import DirectLaw
+from ..engines.laws import IndirectLaw
+from ..engines.protocol import Clutch
+from ..equations import adjustment, direct, pocket, sleeve
+from ..equations import drive as law
+from ..equations.terms import Number
+from ..errors import CalculationError
+from ..messages import say
+
+_IDLE = 1e-9
+"""κ in an array that stands for none: the law's own limit, an ordinary clutch."""
+_ROUNDING = 1e-12
+_FAR = 1e6
+"""Friction from which a sleeve returns that has been as far off as it can be."""
+_STEP = 1e-6
+"""Of friction, relative, over which the growth of the torque is taken."""
+
+
+class Pack:
+    """Discs with their balls at the stop."""
+
+    travels: ClassVar[bool]
+    """Whether the balls can leave their stop."""
+    mean_radius: Number
+    static_ratio: Number
+    decay_rate: Number
+    lag: Number
+    friction_pairs: Number
+    """Σ z f."""
+    resting_force: Number
+    """Normal force at the stop without load, N."""
+    least_force: Number
+    """Normal force at the stop at least, N."""
+    stop_gains: tuple[Number, Number]
+    """Net gains at the stop while the torque rises, and while it falls."""
+    lift: Number
+    """Torque of the balls at which they leave the stop, N·m."""
+
+    def ratio(self, slip: Number) -> Number:
+        """Friction at a slip over sliding friction."""
+        if not is_array(slip) and self.static_ratio == 1:
+            return 1.0
+        decay = np.exp(-self.decay_rate * np.abs(slip)) if is_array(slip) else math.exp(-self.decay_rate * abs(slip))
+        return law.stribeck_ratio(self.static_ratio, decay)
+
+    def carried(self, normal_force: Number, ratio: Number) -> Number:
+        """Torque at which a normal force slips, friction times ``ratio``."""
+        return direct.group_torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
+
+    def pressed_at_stop(self, torque: Number, net_gain: float) -> Number:
+        """Normal force at the stop for a gain κ or κ₊, N."""
+        return larger(
+            sleeve.normal_force_at_stop(self.resting_force, net_gain, abs(torque), self.mean_radius), self.least_force
+        )
+
+    def play(self, torque: Number) -> tuple[Number, Number]:
+        """Normal forces at the stop between which the key sticks, N: beyond them N follows the torque of the balls."""
+        rising, falling = self.stop_gains
+        return self.pressed_at_stop(torque, falling), self.pressed_at_stop(torque, rising)
+
+    def slipping_at_stop(self, ratio: Number, net_gain: Number, alone: Number, share: Number) -> Number:
+        """Torque of the slipping pack at the stop, N following along κ or κ₊, N·m; along the slip.
+
+        Args:
+            ratio: friction at the slip over sliding friction.
+            net_gain: κ or κ₊, negative where the balls pass their torque against the slip.
+            alone: torque of the balls without that of the pack, N·m.
+            share: share of the pack's torque that they pass.
+        """
+        pairs = self.friction_pairs * ratio
+        torque = sleeve.slip_torque_at_stop(pairs, self.mean_radius, self.resting_force, net_gain, alone, share)
+        return larger(torque, pairs * self.mean_radius * self.least_force)
+
+    def torque(self, ratio: Number) -> Number:
+        """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
+        raise NotImplementedError
+
+    @property
+    def least(self) -> Values:
+        """Slip torque at least: that of a sleeve which its key holds back, N·m."""
+        return self.torque(1.0)
+
+    @property
+    def growth(self) -> float:
+        """Growth of the torque with the share of friction, ∂T/∂(f(v)/f), as slip begins, N·m."""
+        raise NotImplementedError
+
+    def turn_under(self, torque: float) -> Values:
+        """Turn of the balls, at rest under a torque that has risen to it; 0 at the stop."""
+        return 0.0
+
+    def sticks_up_to(self, turn: Values, normal: Values) -> Values:
+        """Torque up to which nothing of a stuck clutch slips or moves, N·m."""
+        raise NotImplementedError
+
+    def leaning(self, turn: float) -> float:
+        """Torque that the walls of the balls bear over that of the clutch, 1/cos α and all."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class DirectPack(Pack):
+    """Discs of a direct clutch at one friction; numbers, or arrays in a sweep."""
+
+    closing_force: Number
+    mean_radius: Number
+    bypass_pairs: Number
+    controlled_pairs: Number
+    gain: Number
+    driving: Number
+    """f_1."""
+    driven: Number
+    """f_2."""
+    static_ratio: Number = 1.0
+    decay_rate: Number = 0.0
+    """R/v_s, s/rad."""
+    lag: Number = 0.0
+    """τ, s."""
+    lever: float = 0.0
+    """r/R; 0 where the circle of the balls is not known."""
+
+    travels = False
+    least_force = -math.inf
+    lift = math.inf
+
+    @cached_property
+    def friction_pairs(self) -> Number:
+        """Σ z f."""
+        return self.bypass_pairs * self.driving + self.controlled_pairs * self.driven
+
+    @cached_property
+    def resting_force(self) -> Number:
+        """F_п."""
+        return self.closing_force
+
+    @cached_property
+    def ball_share(self) -> Number:
+        """Share of the torque that passes the balls, z_2 f_2/Σ z f; below slip too (S22 for one material)."""
+        return self.controlled_pairs * self.driven / self.friction_pairs
+
+    @cached_property
+    def stop_gains(self) -> tuple[Number, Number]:
+        """C for the share of the torque that passes the balls; no key resists."""
+        return (self.gain * self.ball_share,) * 2
+
+    def torque(self, ratio: Number) -> Number:
+        """Slip torque with friction times ``ratio``, no lag."""
+        pairs = self.bypass_pairs, self.controlled_pairs
+        frictions = ratio * self.driving, ratio * self.driven
+        return direct.torque(self.closing_force, self.mean_radius, *pairs, self.gain, *frictions)
+
+    def potential(self, torque: float, ratio: float) -> float:
+        """T_п: torque at which it slips with the release force of ``torque``, friction times ``ratio``."""
+        return self.carried(self.pressed_at_stop(torque, self.stop_gains[0]), ratio)
+
+    @property
+    def growth(self) -> float:
+        """∂T/∂(f(v)/f), release force following."""
+        ratio, pairs = self.static_ratio, (self.bypass_pairs, self.controlled_pairs)
+        frictions = ratio * self.driving, ratio * self.driven
+        return law.torque_growth(self.closing_force, self.mean_radius, *pairs, self.gain, *frictions) / ratio
+
+    def sticks_up_to(self, turn: Values, normal: Values) -> Values:
+        """T(r_s f), or less while the normal force lags."""
+        breakaway = self.torque(self.static_ratio)
+        return smaller(breakaway, self.carried(normal, self.static_ratio)) if np.any(self.lag) else breakaway
+
+    def leaning(self, turn: float) -> float:
+        """Share of the balls over cos α, tan α = C r/R."""
+        return self.ball_share * math.hypot(1.0, self.gain * self.lever)
+
+
+@dataclass(frozen=True)
+class Sleeve(Pack):
+    """Discs, springs, key and balls of an indirect clutch at one friction; numbers, or arrays in a sweep."""
+
+    law: IndirectLaw
+    closing_force: Number
+    friction: Number
+    mass: Number = 0.0
+    static_ratio: Number = 1.0
+    decay_rate: Number = 0.0
+    """R/v_s, s/rad."""
+    lever: float = 0.0
+    """r/R; 0 where the circle of the balls is not known."""
+    branch: int = 0
+    """Law at the stop: 0 with the key's play, 1 along κ alone, −1 along κ₊ alone."""
+
+    travels = True
+    lag = 0.0
+
+    @cached_property
+    def friction_pairs(self) -> Number:
+        """z f."""
+        return self.law.pairs * self.friction
+
+    @cached_property
+    def mean_radius(self) -> Number:
+        """R_cp."""
+        return self.law.mean_radius
+
+    @cached_property
+    def net_gain(self) -> Number:
+        """κ at the stop."""
+        net = self.law.net_gain
+        return larger(net, _IDLE) if is_array(net) else net
+
+    @cached_property
+    def net_gain_returning(self) -> Number:
+        """κ₊ at the stop."""
+        return self.law.net_gain_returning
+
+    @cached_property
+    def stop_gains(self) -> tuple[Number, Number]:
+        """κ and κ₊, or one of them alone."""
+        gains = self.net_gain, self.net_gain_returning
+        return gains if not self.branch else (gains[self.branch < 0],) * 2
+
+    @cached_property
+    def resting_force(self) -> Number:
+        """F_п2."""
+        return self.law.control_force(self.closing_force)
+
+    @cached_property
+    def least_force(self) -> Number:
+        """F_п1."""
+        return self.closing_force
+
+    @cached_property
+    def lift(self) -> Number:
+        """S(0)/κ."""
+        return self.moment(0.0) / self.net_gain
+
+    @cached_property
+    def _springs(self) -> tuple[Number, Number, Number, Number]:
+        return self.closing_force, self.resting_force, self.law.closing_stiffness, self.law.control_stiffness
+
+    @cached_property
+    def _discs(self) -> tuple[Number, Number]:
+        """Disc springs, closing and control; None of a straight one."""
+        own = self.law.curved
+        return (None, None) if own is None else (own.closing, own.control)
+
+    @cached_property
+    def _pressed_in(self) -> tuple[Number, Number]:
+        """Deflections of disc springs at the stop; 0 of a straight one."""
+        forces = self.closing_force, self.resting_force
+        closing, control = (
+            0.0 if disc is None else disc.deflection(force) for disc, force in zip(self._discs, forces, strict=True)
+        )
+        return closing, control
+
+    def _deflections(self, travel: Number) -> tuple[Number, Number]:
+        """Of disc springs, closing and control; a spring that has been left presses no more."""
+        return larger(self._pressed_in[0] - travel, 0.0), self._pressed_in[1] + travel
+
+    def _stiffnesses(self, travel: Number) -> tuple[Number, Number]:
+        """c_1 and c_2 where the sleeve is."""
+        (closing, control), (slackened, pressed) = self._discs, self._deflections(travel)
+        return (
+            self._springs[2] if closing is None else closing.stiffness(slackened),
+            self._springs[3] if control is None else control.stiffness(pressed),
+        )
+
+    @property
+    def farthest(self) -> float:
+        """Travel at which the closing spring has been left, m."""
+        return self.closing_force / self._springs[2] if self._discs[0] is None else self._pressed_in[0]
+
+    def torque(self, ratio: Number) -> Number:
+        """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
+        return self.law.torque(self.closing_force, ratio * self.friction)
+
+    @property
+    def least(self) -> Values:
+        """Slip torque of a sleeve that returns from far off, N·m."""
+        return self.law.torque_returning(self.closing_force, self.friction, _FAR)
+
+    @property
+    def growth(self) -> float:
+        """∂T/∂(f(v)/f) with the sleeve where its key holds it."""
+        return self.torque(self.static_ratio) / self.static_ratio
+
+    def sticks_up_to(self, turn: Values, normal: Values) -> Values:
+        """T(r_s f), or less where the sleeve is still farther off: below it its swings only lose energy to the key."""
+        breakaway = self.torque(self.static_ratio)
+        held = self.carried(self.pressed(self.travel(turn)), self.static_ratio)
+        return np.where(np.asarray(turn) == 0, breakaway, smaller(breakaway, held))
+
+    def leaning(self, turn: float) -> float:
+        """1/cos α where the sleeve is, tan α = C r/R."""
+        return math.hypot(1.0, self.gain(self.travel(turn)) * self.lever)
+
+    def steeper(self, net_gain: Number, travel: Number) -> Number:
+        """A gain at the stop, where the sleeve has travelled to."""
+        return pocket.gain_at(net_gain, self.law.gain_slope, travel)
+
+    def gain(self, travel: Number) -> Number:
+        """C where the sleeve is."""
+        return self.steeper(self.law.gain, travel)
+
+    def moment(self, travel: Number) -> Number:
+        """S(x), N·m."""
+        control = self._discs[1]
+        if self.law.curved is None:
+            return sleeve.spring_moment(self.mean_radius, *self._springs, travel)
+        pressed = self._springs[1] + self._springs[3] * travel
+        if control is not None:
+            pressed = control.force(self._deflections(travel)[1])
+        return sleeve.spring_moment(self.mean_radius, self._slackened(travel), pressed, 0.0, 0.0, 0.0)
+
+    def work(self, travel: Number) -> Number:
+        """Work stored in both springs, J."""
+        if self.law.curved is None:
+            return sleeve.spring_work(*self._springs, travel)
+        # Simpson's rule: exact, for the force of a disc spring is a cubic
+        mean = (self.moment(0 * travel) + 4 * self.moment(travel / 2) + self.moment(travel)) / 6
+        return mean / self.mean_radius * travel
+
+    def pressed(self, travel: Number) -> Number:
+        """N off the stop, N: that of the closing spring; a pack that it leaves has none."""
+        return larger(self._slackened(travel), 0.0)
+
+    def _slackened(self, travel: Number) -> Number:
+        closing = self._discs[0]
+        if closing is not None:
+            return closing.force(self._deflections(travel)[0])
+        return sleeve.slackened_force(self.closing_force, self._springs[2], travel)
+
+    def travel(self, turn: Number) -> Number:
+        """Travel for a turn either way, m."""
+        return sleeve.travel(abs(turn), self.mean_radius, self.law.gain, self.law.gain_slope)
+
+    def turn_under(self, torque: float) -> Values:
+        """Turn of the balls, at rest under a torque that has risen to it; 0 up to T_н."""
+        if self.law.curved is None:
+            lifted = torque * self.net_gain / self.mean_radius - (self.resting_force - self.closing_force)
+            off = lifted > _ROUNDING * self.resting_force
+            stiffness = self._springs[2] + self._springs[3] - torque * self.law.gain_slope / self.mean_radius
+            # a constant-torque pocket has no stiffness at T_н, where nothing is lifted
+            travel = off * lifted / (stiffness + (1 - 1 * off))
+        else:
+            travel = root(
+                lambda at: self.moment(at) - torque * self.net_gain,
+                lambda at: self.mean_radius * sum(self._stiffnesses(at)),
+                self.farthest + 0.0 * (torque * self.net_gain),
+            )
+        return sleeve.turn(travel, self.mean_radius, self.law.gain, self.law.gain_slope)
+
+    def inertia(self, travel: Number, net_gain: Number) -> Number:
+        """Inertia of the sleeve's mass in the turn, kg·m²."""
+        return sleeve.sleeve_inertia(self.mass, self.mean_radius, self.gain(travel), net_gain)
+
+    def speed(self, travel: Number, rate: Number) -> Number:
+        """Speed of the sleeve for a rate of the turn, m/s."""
+        return sleeve.travel_rate(rate, self.mean_radius, self.gain(travel))
+
+    def driving_moment(self, travel: Number, rate: Number) -> Number:
+        """Moment of both springs, less what a steepening wall takes from a moving sleeve, N·m."""
+        moment = self.moment(travel)
+        if not is_array(self.mass) and not self.mass:
+            return moment
+        slope, speed = self.law.gain_slope, self.speed(travel, rate)
+        return moment - sleeve.centrifugal_moment(self.mass, self.mean_radius, self.gain(travel), slope, speed)
+
+    def key_limits(self, travel: Number) -> tuple[Number, Number]:
+        """Torques between which the key holds the sleeve off its stop, S/κ₊ and S/κ, N·m."""
+        moment = self.moment(travel)
+        return (
+            moment / self.steeper(self.net_gain_returning, travel),
+            moment / self.steeper(self.net_gain, travel),
+        )
+
+    def torsional(self, travel: Number, net_gain: Number, torque: Number) -> Number:
+        """Stiffness against a turn, N·m/rad."""
+        slope = self.law.gain_slope
+        return sleeve.torsional_stiffness(
+            *self._stiffnesses(travel), self.mean_radius, net_gain, self.gain(travel), slope, torque
+        )
+
+
+def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sleeve":
+    """Return the clutch at one friction.
+
+    Raises:
+        CalculationError: a sleeve that would be off its stop without load.
+    """
+    own = clutch.law
+    if isinstance(own, DirectLaw):
+        return _discs(clutch, own, clutch.closing_force, driving, driven)
+    if not is_array(own.net_gain) and not own.net_gain:
+        # feedback that the key just holds: an ordinary clutch
+        ordinary = DirectLaw(own.mean_radius, own.pairs, 0.0, 0.0)
+        return _discs(clutch, ordinary, clutch.closing_force, driving, driven)
+    unit, control = clutch.spec.control_unit, own.control_force(clutch.closing_force)
+    below = np.asarray(control < clutch.closing_force)
+    if below.any():
+        raise CalculationError(
+            say(
+                "simulate: the control spring ({control:.5g} N) must press more than the closing spring "
+                "({closing:.5g} N), else the sleeve is off its stop without load",
+                control=np.broadcast_to(control, below.shape)[below].flat[0],
+                closing=np.broadcast_to(clutch.closing_force, below.shape)[below].flat[0],
+            )
+        )
+    mass = 0.0 if unit is None or unit.sleeve_mass is None else unit.sleeve_mass
+    return Sleeve(own, clutch.closing_force, driving, mass, *_static(clutch), _lever(clutch))
+
+
+def ordinary_pack(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:
+    """Return the same discs without control unit, set for the same nominal torque."""
+    bypass = clutch.bypass_pairs
+    own = DirectLaw(clutch.mean_radius, bypass, clutch.spec.friction_group.pairs - bypass, 0.0)
+    per_force = own.torque_per_force(*setting.friction_at_setting(clutch.spec))
+    force = adjustment.closing_force(clutch.nominal_torque, setting.margin(clutch.spec), per_force)
+    return replace(_discs(clutch, own, force, driving, driven), lag=0.0)
+
+
+def _discs(clutch: Clutch, own: DirectLaw, force: Values, driving: Values, driven: Values) -> DirectPack:
+    unit = clutch.spec.control_unit
+    lag = 0.0 if unit is None or unit.release_lag is None else unit.release_lag
+    pairs = own.bypass_pairs, own.controlled_pairs
+    friction = (driving, driven, *_static(clutch))
+    return DirectPack(force, own.mean_radius, *pairs, own.gain, *friction, lag, _lever(clutch))
+
+
+def _lever(clutch: Clutch) -> Number:
+    """r/R; 0 where the circle of the balls is not known."""
+    unit = clutch.spec.control_unit
+    circle = None if unit is None else unit.ball_circle_radius
+    return 0.0 if circle is None else circle / clutch.mean_radius
+
+
+def _static(clutch: Clutch) -> tuple[Number, Number]:
+    """Static over sliding friction, and R/v_s by which it decays with the slip."""
+    friction = clutch.spec.friction
+    ratio = 1.0 if friction.static_ratio is None else friction.static_ratio
+    return ratio, 0.0 if friction.stribeck_speed is None else clutch.mean_radius / friction.stribeck_speed
