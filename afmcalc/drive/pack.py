@@ -47,7 +47,7 @@ class Pack:
     """Normal force at the stop without load, N."""
     least_force: Number
     """Normal force at the stop at least, N."""
-    stop_gains: tuple[Number, Number]
+    stop_gains: Number
     """Net gains at the stop while the torque rises, and while it falls."""
     lift: Number
     """Torque of the balls at which they leave the stop, N·m."""
