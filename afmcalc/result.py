@@ -78,6 +78,11 @@ def quantity(unit: str, symbol: str | None, description: str, *, optional: bool 
     return Field(description=description, json_schema_extra=about)
 
 
+def described(description: str, **shown: Any) -> Any:
+    """Declare a result field without unit and symbol: words, a yes or no, a part of the result."""
+    return quantity("", None, description, **shown)
+
+
 def shown_as(field: FieldInfo) -> Shown:
     """Return how a field of a result is shown."""
     return field.json_schema_extra if isinstance(field.json_schema_extra, Shown) else Shown()

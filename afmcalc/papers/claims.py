@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 
 from ..findings import Finding, finding
 from ..messages import joined, say, term
-from ..result import Answer, Result, Sentence, quantity
+from ..result import Answer, Result, Sentence, described, quantity
 from .figures import FIGURES, PaperFigure, paper_figure
 from .register import PAPERS, check_papers, data
 
@@ -37,51 +37,51 @@ def near(computed: float, printed: float, digits: float) -> bool:
 class Row(Result):
     """One printed figure or claim."""
 
-    id: str = quantity("", None, "id")
-    source: str = quantity("", None, "source")
-    inputs: str = quantity("", None, "inputs", detail=True)
-    printed: str = quantity("", None, "printed")
-    computed: Sentence = quantity("", None, "computed")
+    id: str = described("id")
+    source: str = described("source")
+    inputs: str = described("inputs", detail=True)
+    printed: str = described("printed")
+    computed: Sentence = described("computed")
     deviation: float | None = quantity("1", "dev.", "computed over printed, less 1")
-    verdict: Verdict = quantity("", None, "verdict")
-    correction: str | None = quantity("", None, "correction")
-    why: str = quantity("", None, "why")
+    verdict: Verdict = described("verdict")
+    correction: str | None = described("correction")
+    why: str = described("why")
 
 
 class CurveRow(Result):
     """One curve of a figure, recomputed."""
 
-    figure: str = quantity("", None, "figure")
-    curve: str = quantity("", None, "curve")
-    label: str = quantity("", None, "what it shows")
-    axes: Sentence = quantity("", None, "axes")
+    figure: str = described("figure")
+    curve: str = described("curve")
+    label: str = described("what it shows")
+    axes: Sentence = described("axes")
     first: float = quantity("1", None, "y first")
     least: float = quantity("1", None, "y least")
     largest: float = quantity("1", None, "y largest")
     last: float = quantity("1", None, "y last")
-    corrections: Sentence = quantity("", None, "corrections", detail=True)
+    corrections: Sentence = described("corrections", detail=True)
 
 
 class CurvePoint(Result):
     """One point of a curve."""
 
-    figure: str = quantity("", None, "figure")
-    curve: str = quantity("", None, "curve")
-    x: float = quantity("", None, "abscissa, SI")
-    y: float = quantity("", None, "ordinate, SI")
+    figure: str = described("figure")
+    curve: str = described("curve")
+    x: float = described("abscissa, SI")
+    y: float = described("ordinate, SI")
 
 
 class ReproduceResult(Answer):
     """The rows asked for, and whether every verdict is the one on record."""
 
-    rows: list[Row] = quantity("", None, "printed figures and claims")
-    reproduced: int = quantity("", None, "reproduced as printed")
-    corrected: int = quantity("", None, "reproduced with a correction")
-    not_reproduced: int = quantity("", None, "not reproduced")
-    undecided: int = quantity("", None, "left open by the paper")
-    as_expected: bool = quantity("", None, "every verdict is the one on record")
-    curves: list[CurveRow] | None = quantity("", None, "curves of the figures, recomputed", optional=True)
-    points: list[CurvePoint] | None = quantity("", None, "points of the curves", optional=True, data=True)
+    rows: list[Row] = described("printed figures and claims")
+    reproduced: int = described("reproduced as printed")
+    corrected: int = described("reproduced with a correction")
+    not_reproduced: int = described("not reproduced")
+    undecided: int = described("left open by the paper")
+    as_expected: bool = described("every verdict is the one on record")
+    curves: list[CurveRow] | None = described("curves of the figures, recomputed", optional=True)
+    points: list[CurvePoint] | None = described("points of the curves", optional=True, data=True)
 
 
 @cache

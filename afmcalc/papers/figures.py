@@ -5,7 +5,7 @@ from importlib import import_module
 from ..errors import AfmcalcError
 from ..letters import did_you_mean
 from ..messages import say
-from ..result import Result, quantity
+from ..result import Result, described
 
 FIGURES = {
     "F11-2": "fokin2011",
@@ -23,33 +23,33 @@ FIGURES = {
 class PaperAxis(Result):
     """An axis of a figure."""
 
-    name: str = quantity("", None, "quantity")
-    symbol: str = quantity("", None, "symbol")
-    unit: str = quantity("", None, "SI unit")
-    log: bool = quantity("", None, "whether its scale is logarithmic")
+    name: str = described("quantity")
+    symbol: str = described("symbol")
+    unit: str = described("SI unit")
+    log: bool = described("whether its scale is logarithmic")
 
 
 class PaperCurve(Result):
     """One curve, or a row of points."""
 
-    number: str = quantity("", None, "number of the curve in the paper")
-    label: str = quantity("", None, "what it shows")
-    x: list[float] = quantity("", None, "abscissae, SI")
-    y: list[float] = quantity("", None, "ordinates, SI")
-    points: bool = quantity("", None, "whether it is single points")
+    number: str = described("number of the curve in the paper")
+    label: str = described("what it shows")
+    x: list[float] = described("abscissae, SI")
+    y: list[float] = described("ordinates, SI")
+    points: bool = described("whether it is single points")
 
 
 class PaperFigure(Result):
     """One figure: axes, curves, what was mended and what the paper leaves open."""
 
-    name: str = quantity("", None, "paper and number of the figure")
-    title: str = quantity("", None, "what it shows")
-    panels: list[list[PaperCurve]] = quantity("", None, "curves, one list per pair of axes")
-    x: PaperAxis = quantity("", None, "abscissa, common to all panels")
-    y: list[PaperAxis] = quantity("", None, "ordinate of each panel")
-    inputs: str = quantity("", None, "inputs as printed")
-    corrections: list[str] = quantity("", None, "misprints mended, with their numbers")
-    assumed: str = quantity("", None, "inputs the paper does not print, as chosen here")
+    name: str = described("paper and number of the figure")
+    title: str = described("what it shows")
+    panels: list[list[PaperCurve]] = described("curves, one list per pair of axes")
+    x: PaperAxis = described("abscissa, common to all panels")
+    y: list[PaperAxis] = described("ordinate of each panel")
+    inputs: str = described("inputs as printed")
+    corrections: list[str] = described("misprints mended, with their numbers")
+    assumed: str = described("inputs the paper does not print, as chosen here")
 
 
 def axis(name: str, symbol: str, unit: str = "1", *, log: bool = False) -> PaperAxis:

@@ -10,7 +10,7 @@ from ..findings import Finding
 from ..letters import did_you_mean
 from ..messages import say
 from ..progress import counted
-from ..result import Answer, Result, quantity
+from ..result import Answer, Result, described
 
 PAPERS = ("F11", "S19", "S21", "S22")
 
@@ -18,44 +18,44 @@ PAPERS = ("F11", "S19", "S21", "S22")
 class Formula(Result):
     """One formula of a paper."""
 
-    id: str = quantity("", None, "formula")
-    status: Literal["as printed", "mended", "covered", "not recoverable"] = quantity("", None, "status")
-    misprint: str | None = quantity("", None, "misprint")
-    function: str | None = quantity("", None, "equation function")
-    proof: str | None = quantity("", None, "proof")
-    says: str = quantity("", None, "says")
-    printed: str | None = quantity("", None, "printed", detail=True)
-    correct: str | None = quantity("", None, "should be", detail=True)
-    covered_by: str | None = quantity("", None, "covered by", detail=True)
+    id: str = described("formula")
+    status: Literal["as printed", "mended", "covered", "not recoverable"] = described("status")
+    misprint: str | None = described("misprint")
+    function: str | None = described("equation function")
+    proof: str | None = described("proof")
+    says: str = described("says")
+    printed: str | None = described("printed", detail=True)
+    correct: str | None = described("should be", detail=True)
+    covered_by: str | None = described("covered by", detail=True)
 
 
 class Misprint(Result):
     """One misprint or contradiction of a paper."""
 
-    id: str = quantity("", None, "misprint")
-    where: str = quantity("", None, "where")
-    printed: str = quantity("", None, "printed")
-    correct: str = quantity("", None, "should be")
-    why: str = quantity("", None, "why")
-    proof: str | None = quantity("", None, "proof")
-    status: Literal["in print", "as extracted", "by the figure", "withdrawn"] = quantity("", None, "status")
+    id: str = described("misprint")
+    where: str = described("where")
+    printed: str = described("printed")
+    correct: str = described("should be")
+    why: str = described("why")
+    proof: str | None = described("proof")
+    status: Literal["in print", "as extracted", "by the figure", "withdrawn"] = described("status")
 
 
 class Proved(Result):
     """One proof that was run."""
 
-    proof: str = quantity("", None, "proof")
-    shows: str = quantity("", None, "what it shows")
+    proof: str = described("proof")
+    shows: str = described("what it shows")
 
 
 class EquationsResult(Answer):
     """The register, or the part of it asked for."""
 
-    numbered: int = quantity("", None, "numbered formulas in the papers asked for")
-    accounted: int = quantity("", None, "of them implemented or covered")
-    formulas: list[Formula] | None = quantity("", None, "formulas", optional=True)
-    misprints: list[Misprint] | None = quantity("", None, "misprints and contradictions", optional=True)
-    proved: list[Proved] | None = quantity("", None, "proofs run", optional=True)
+    numbered: int = described("numbered formulas in the papers asked for")
+    accounted: int = described("of them implemented or covered")
+    formulas: list[Formula] | None = described("formulas", optional=True)
+    misprints: list[Misprint] | None = described("misprints and contradictions", optional=True)
+    proved: list[Proved] | None = described("proofs run", optional=True)
 
 
 @cache

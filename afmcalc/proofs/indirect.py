@@ -7,6 +7,8 @@ from . import Refutation, Steps
 from .symbols import *
 
 KAPPA = indirect.net_gain(C, R, fk, d)
+CONTROL = indirect.control_force(F, z, KAPPA, fset)
+"""F_п2 that S21 (14) sets."""
 F2 = sp.Symbol("F_2", positive=True)
 
 
@@ -32,11 +34,10 @@ def _travel(control: sp.Expr, key_sign: int = -1) -> sp.Expr:
 def setting_of_the_control_spring() -> Steps:
     """S21 (14) from (1)–(4), (13); C from it is (5)."""
     nominal = direct.group_torque(F, R, z, fset)
-    control = indirect.control_force(F, z, KAPPA, fset)
-    yield "(1): the sleeve just rests at T_н", F + nominal * C / R - control - 2 * nominal * fk / d
+    yield "(1): the sleeve just rests at T_н", F + nominal * C / R - CONTROL - 2 * nominal * fk / d
     yield "T_н/F_п1 at the setting", indirect.torque_per_force(z, R, fset) - nominal / F
-    yield "(14)", control - (F * (1 + z * C * fset) - 2 * z * F * R * fset * fk / d)
-    gain = 2 * R * fk / d + (control - F) / (z * F * fset)
+    yield "(14)", CONTROL - (F * (1 + z * C * fset) - 2 * z * F * R * fset * fk / d)
+    gain = 2 * R * fk / d + (CONTROL - F) / (z * F * fset)
     yield "(5)", gain - C
     yield "(2), (13): F_p,min = z F_п1 C f_min", indirect.release_force(nominal, C, R) - z * F * C * fset
     yield "F_p = T tan α/r", indirect.release_force(nominal, R * q / r, R) - nominal * q / r
@@ -53,7 +54,7 @@ def travel_and_torque_from_the_balance() -> Steps:
     yield "(9): N = F_п1 − c_1 x", normal - (F - c1 * moved)
     tensed = sleeve.tensed_force(F2, c2, moved)
     yield "(9), (10): N = F_2/(1 + zκf)", indirect.normal_force_balanced(tensed, z, KAPPA, f) - normal
-    set_travel = _travel(indirect.control_force(F, z, KAPPA, fset))
+    set_travel = _travel(CONTROL)
     yield "(16)", indirect.travel(z, F, f, fset, KAPPA, _stiffness(f)) - set_travel
     yield "(12): no dip, x(f_set) = 0", set_travel.subs(f, fset)
 
@@ -69,15 +70,14 @@ def sleeve_at_its_stop() -> Steps:
     seated = indirect.normal_force_seated(F2, z, KAPPA, f)
     yield "N = F_п2/(1 + zκf)", seated - found[pressed]
     yield "at rest the pack carries F_п2", seated.subs(f, 0) - F2
-    control = indirect.control_force(F, z, KAPPA, fset)
-    yield "S = 0 just at the setting", found[reaction].subs({F2: control, f: fset})
-    at_set = indirect.normal_force_seated(control, z, KAPPA, fset)
-    moving = indirect.normal_force_moving(F, c1, control, c2, _stiffness(fset))
+    yield "S = 0 just at the setting", found[reaction].subs({F2: CONTROL, f: fset})
+    at_set = indirect.normal_force_seated(CONTROL, z, KAPPA, fset)
+    moving = indirect.normal_force_moving(F, c1, CONTROL, c2, _stiffness(fset))
     yield "both branches meet at f_set", at_set - moving
     own = direct.group_torque(seated, R, z, f)
     yield "a direct clutch with spring F_п2 and gain κ", own - direct.torque(F2, R, 0, z, KAPPA, f, f)
     yield "(10)", indirect.travel_as_made(F, F2, z, f, KAPPA, _stiffness(f)) - _travel(F2)
-    yield Refutation("not an ordinary clutch with F_п1", seated.subs(F2, control) - F)
+    yield Refutation("not an ordinary clutch with F_п1", seated.subs(F2, CONTROL) - F)
     parts = {C: C, fk: KAPPA - C, z: KAPPA, f: KAPPA}
     for symbol, part in parts.items():
         slope = sp.diff(1 + z * KAPPA * f, symbol) * symbol / (1 + z * KAPPA * f)
@@ -86,13 +86,12 @@ def sleeve_at_its_stop() -> Steps:
 
 def accuracy_of_the_indirect_clutch() -> Steps:
     """S21 (15) mended (M9), with f_set = f_min and above it."""
-    control = indirect.control_force(F, z, KAPPA, fset)
 
     def torque(friction: sp.Expr) -> sp.Expr:
-        return _torque(_travel(control), f).subs(f, friction)
+        return _torque(_travel(CONTROL), f).subs(f, friction)
 
     own = indirect.accuracy_factor(fmin, fset, fmax, c1, c2, z, KAPPA)
-    at_stop = direct.group_torque(indirect.normal_force_seated(control, z, KAPPA, fmin), R, z, fmin)
+    at_stop = direct.group_torque(indirect.normal_force_seated(CONTROL, z, KAPPA, fmin), R, z, fmin)
     yield "K_т with the sleeve at its stop below f_set", own - torque(fmax) / at_stop
     direct_clutch = accuracy.accuracy_factor(0, z, KAPPA, fmin, fmin, fmax, fmax)
     yield "f_set → f_max: a direct clutch of gain κ", own.subs(fset, fmax) - direct_clutch
@@ -116,26 +115,24 @@ def friction_at_the_key() -> Steps:
 def sleeve_returning() -> Steps:
     """Theory, section 5: with the key's friction reversed κ₊ replaces κ; the sleeve is locked until f fell by κ₊/κ."""
     kappa_back = indirect.net_gain_returning(C, R, fk, d)
-    control = indirect.control_force(F, z, KAPPA, fset)
-    back = _torque(_travel(control, key_sign=+1), f)
-    normal = indirect.normal_force_moving(F, c1, control, c2, _stiffness(f, kappa_back))
+    back = _torque(_travel(CONTROL, key_sign=+1), f)
+    normal = indirect.normal_force_moving(F, c1, CONTROL, c2, _stiffness(f, kappa_back))
     yield "T on the way back", direct.group_torque(normal, R, z, f) - back
-    rising = _torque(_travel(control), f)
+    rising = _torque(_travel(CONTROL), f)
     yield "lower by D_κ/D_κ₊", back / rising - _stiffness(f) / _stiffness(f, kappa_back)
-    back_at_stop = indirect.normal_force_seated(control, z, kappa_back, f) - F
+    back_at_stop = indirect.normal_force_seated(CONTROL, z, kappa_back, f) - F
     yield "seated again at f_set κ/κ₊", back_at_stop.subs(f, fset * KAPPA / kappa_back)
     hysteresis = indirect.accuracy_factor_hysteresis(rising.subs(f, fmax), back)
     yield "K_т,h = T(f_max)/T_ret", hysteresis - rising.subs(f, fmax) / back
     start = f * KAPPA / kappa_back
-    yield "it starts where f has fallen by κ₊/κ", _travel(control, key_sign=+1).subs(f, start) - _travel(control)
+    yield "it starts where f has fallen by κ₊/κ", _travel(CONTROL, key_sign=+1).subs(f, start) - _travel(CONTROL)
 
 
 def equivalent_to_all_driving() -> Steps:
     """The indirect clutch has the torque curve of an all-driving one with C_eff = κ c_1/(c_1 + c_2)."""
     equivalent = indirect.equivalent_gain(KAPPA, c1, c2)
-    control = indirect.control_force(F, z, KAPPA, fset)
     raised = F * (1 + z * equivalent * fset)
-    yield "T(f)", _torque(_travel(control), f) - direct.torque(raised, R, 0, z, equivalent, f, f)
+    yield "T(f)", _torque(_travel(CONTROL), f) - direct.torque(raised, R, 0, z, equivalent, f, f)
     own = indirect.accuracy_factor(fmin, fmin, fmax, c1, c2, z, KAPPA)
     yield "K_т", own - accuracy.accuracy_factor(0, z, equivalent, fmin, fmin, fmax, fmax)
 

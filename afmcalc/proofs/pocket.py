@@ -8,6 +8,8 @@ from .symbols import *
 
 X = sp.Symbol("x", positive=True)
 KAPPA, F2, SLOPE = sp.symbols("kappa F_2 C_1", positive=True)
+HOLDING = pocket.constant_torque_slope(c1, c2, z, fset, F)
+CONTROL = indirect.control_force(F, z, KAPPA, fset)
 W = pocket.slope_feedback(z, f, SLOPE)
 D = indirect.sleeve_stiffness(c1, c2, z, f, KAPPA)
 
@@ -53,8 +55,7 @@ def curved_pocket_balance() -> Steps:
 
 def curved_pocket_holds_the_torque() -> Steps:
     """C_1* = (c_1 + c_2)/(z f_L F_п1): T = T_н for every f above f_L; x = (F_п1/c_1)(1 − f_L/f) whatever the gain."""
-    control = indirect.control_force(F, z, KAPPA, fset)
-    yield "f_L is f_set where (14) sets the control spring", pocket.leaving_friction(F, control, z, KAPPA) - fset
+    yield "f_L is f_set where (14) sets the control spring", pocket.leaving_friction(F, CONTROL, z, KAPPA) - fset
     leaving = pocket.leaving_friction(F, F2, z, KAPPA)
     at_stop = indirect.normal_force_seated(F2, z, KAPPA, leaving)
     yield "the pack is pressed by F_п1 alone there", at_stop - F
@@ -62,30 +63,27 @@ def curved_pocket_holds_the_torque() -> Steps:
     travel = F / c1 * (1 - leaving / f)
     yield "x in balance", _balance(travel).subs(SLOPE, best)
     yield "T = z R f_L F_п1", direct.group_torque(F - c1 * travel, R, z, f) - z * R * leaving * F
-    slope = pocket.constant_torque_slope(c1, c2, z, fset, F)
     held = F / c1 * (1 - fset / f)
-    yield "the same with f_set", _balance(held).subs({SLOPE: slope, F2: control})
+    yield "the same with f_set", _balance(held).subs({SLOPE: HOLDING, F2: CONTROL})
     # in general T = R S(x)/κ(x), of which the sign of the slope is that of c_1 + c_2 − C_1 z f_set F_п1
-    spring = control - F + (c1 + c2) * X
+    spring = CONTROL - F + (c1 + c2) * X
     torque = R * spring / pocket.gain_at(KAPPA, SLOPE, X)
     turned = sp.diff(torque, X) * pocket.gain_at(KAPPA, SLOPE, X) ** 2 / (R * KAPPA)
-    yield "∂T/∂x falls with C_1 through C_1*", turned - z * fset * F * (slope - SLOPE)
-    yield Refutation("another slope does not hold it", turned.subs(SLOPE, 2 * slope))
+    yield "∂T/∂x falls with C_1 through C_1*", turned - z * fset * F * (HOLDING - SLOPE)
+    yield Refutation("another slope does not hold it", turned.subs(SLOPE, 2 * HOLDING))
 
 
 def curved_pocket_jumps() -> Steps:
     """Where b is 0 at the stop: beyond that slope the smallest travel is unstable."""
     at_leaving = indirect.sleeve_stiffness(c1, c2, z, fset, KAPPA)
     jumping = pocket.jumping_slope(at_leaving, z, fset, F)
-    control = indirect.control_force(F, z, KAPPA, fset)
-    stiffness = -sp.diff(_balance(X), X).subs({X: 0, f: fset, F2: control})
+    stiffness = -sp.diff(_balance(X), X).subs({X: 0, f: fset, F2: CONTROL})
     yield "the balance is neutral at the stop", stiffness.subs(SLOPE, jumping)
-    slope = pocket.constant_torque_slope(c1, c2, z, fset, F)
-    yield "above C_1* by c_1 κ/F_п1", jumping - slope - c1 * KAPPA / F
+    yield "above C_1* by c_1 κ/F_п1", jumping - HOLDING - c1 * KAPPA / F
     # a clutch that still holds, under a torque T: S(x) − T κ(x)/R, no pack in it
-    held, torque = control - F + (c1 + c2) * X, z * R * fset * F
+    held, torque = CONTROL - F + (c1 + c2) * X, z * R * fset * F
     pushed = sp.diff(torque * pocket.gain_at(KAPPA, SLOPE, X) / R - held, X)
-    yield "holding at T_н it is neutral at C_1*", pushed.subs(SLOPE, slope)
+    yield "holding at T_н it is neutral at C_1*", pushed.subs(SLOPE, HOLDING)
 
 
 def curved_pocket_elasticities() -> Steps:
