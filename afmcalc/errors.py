@@ -3,7 +3,7 @@
 from importlib.util import find_spec
 from typing import NamedTuple, Self
 
-from .messages import joined, say, term, translate
+from .messages import Text, joined, say, term, translate
 
 MOST_SHOWN = 20
 """Problems of a spec that are shown; of the others the number."""
@@ -15,6 +15,10 @@ class AfmcalcError(Exception):
     """Anything the user can put right; ``exit_code`` is the code the command line ends with."""
 
     exit_code = 2
+
+    def __init__(self, template: str, /, **values: object) -> None:
+        """Say what is wrong: a template of ``messages`` and what fills it, or what was said already."""
+        super().__init__(template if isinstance(template, Text) else Text(template, values))
 
     def __str__(self) -> str:
         """The message in English, no line of it too long to read."""
@@ -67,11 +71,9 @@ def need(extra: str) -> None:
     missing = [name for name in EXTRAS[extra] if find_spec(name) is None]
     if missing:
         raise AfmcalcError(
-            say(
-                "this needs {missing}, not installed here: pip install 'afmcalc[{extra}]'",
-                missing=joined(missing, say(" and ")),
-                extra=extra,
-            )
+            "this needs {missing}, not installed here: pip install 'afmcalc[{extra}]'",
+            missing=joined(missing, say(" and ")),
+            extra=extra,
         )
 
 
@@ -167,7 +169,7 @@ class SpecError(AfmcalcError, ValueError):
     def where(self, problem: Problem) -> str:
         """What gave the value, with line and column, as far as they are known."""
         origin = self.source.origin(problem.path) if isinstance(self.source, Label) else self.source
-        return joined([origin, problem.place], ":") if problem.place else origin
+        return joined([origin, str(problem.place)], ":") if problem.place else origin
 
 
 def _place(problem: Problem, source: str) -> Place | None:

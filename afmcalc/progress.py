@@ -117,9 +117,7 @@ class Bar:
             return
         left = spent * (total - done) / behind
         if gone + left > LONG and left > gone:
-            raise AfmcalcError(
-                say("this takes about {time}: --yes goes on with it, or ask for less", time=_in_words(left))
-            )
+            raise AfmcalcError("this takes about {time}: --yes goes on with it, or ask for less", time=_in_words(left))
 
     def _show(self, work: str, done: int, total: int) -> None:
         if self._bar is None:

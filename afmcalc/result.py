@@ -9,7 +9,6 @@ from pydantic.fields import FieldInfo
 
 from .errors import AfmcalcError
 from .findings import Finding
-from .messages import say
 
 if TYPE_CHECKING:
     import pandas
@@ -181,7 +180,7 @@ class Answer(Result):
         try:
             import pandas
         except ModuleNotFoundError:
-            raise AfmcalcError(say("to_dataframe() needs pandas, not installed here: pip install pandas")) from None
+            raise AfmcalcError("to_dataframe() needs pandas, not installed here: pip install pandas") from None
         return pandas.read_csv(io.StringIO(self._render(self._output, "csv")), float_precision="round_trip")
 
     def __repr__(self) -> str:

@@ -29,7 +29,7 @@ FAILURES = (
 )  # fmt: skip
 """Why files cannot be read or written, as the system says it."""
 
-SAYING = ("say", "told", "message", "translate", "term", "heard")
+SAYING = ("say", "told", "message", "translate", "term", "heard", "AfmcalcError", "FileError", "CalculationError")
 
 
 @cache

@@ -54,7 +54,7 @@ def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[Comp
     """
     if variants:
         if len(clutches) > 1:
-            raise AfmcalcError(say("compare --variants takes one SPEC"))
+            raise AfmcalcError("compare --variants takes one SPEC")
         return compare_variants(clutches[0])
     names = _names([clutch.spec for clutch in clutches])
     rows, remarks = [], []

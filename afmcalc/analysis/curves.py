@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from ..engines.protocol import Clutch
 from ..equations.overload import optimal_reduced_gain
 from ..errors import AfmcalcError, CalculationError
-from ..messages import say
 from ..result import Result, quantity
 from ..spec.keys import is_whole
 from ..spec.models import Method
@@ -184,15 +183,13 @@ def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
     name = text.partition("=")[0].strip()
     if name != "dT":
         raise AfmcalcError(
-            say("plot life: its axis is the scatter band dT, not {name!r} (dT=RANGE sets its range)", name=name)
+            "plot life: its axis is the scatter band dT, not {name!r} (dT=RANGE sets its range)", name=name
         )
     axis = band_axis(text, clutch)
     if "=" not in text:
         low, high = float(axis.values.min()), float(axis.values.max())
         if not high > low:
-            raise CalculationError(
-                say("plot life: the friction does not wander, there is no band: give --sweep dT=RANGE")
-            )
+            raise CalculationError("plot life: the friction does not wander, there is no band: give --sweep dT=RANGE")
         axis = axis._replace(values=np.linspace(low, high, POINTS))
     found, both = answers.of(LifeResult), answers.of(AdjustResult)
     (over,) = life_sweep(clutch, found.model, [axis], found.dynamic_factor)
@@ -231,7 +228,7 @@ def _path(clutch: Clutch) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         CalculationError: they do not move.
     """
     if not any(own.max > own.min for own in clutch.friction):
-        raise CalculationError(say("the friction does not wander (min = max): there is no curve over it"))
+        raise CalculationError("the friction does not wander (min = max): there is no curve over it")
     first, second = clutch.path(np.linspace(0.0, 1.0, POINTS))
     return np.asarray(first), np.asarray(second)
 

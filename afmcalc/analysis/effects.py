@@ -118,9 +118,9 @@ def effects_curve(clutch: Clutch) -> EffectsCurve:
     """
     path, brackets = list(_path(clutch)), _brackets(clutch)
     if not brackets:
-        raise CalculationError(say("plot effects: the spec gives the data of no effect (afmcalc effects says which)"))
+        raise CalculationError("plot effects: the spec gives the data of no effect (afmcalc effects says which)")
     if path[0] == path[-1]:
-        raise CalculationError(say("the friction does not wander (min = max): there is no curve over it"))
+        raise CalculationError("the friction does not wander (min = max): there is no curve over it")
     curves = []
     for name, bracket in brackets.items():
         if bracket.curves:
@@ -223,7 +223,7 @@ def _splines(clutch: Clutch) -> Bracket:
         """Forces on the pairs over that of the first, from the spring on: the controlled pairs, then the others."""
         if pairs > _MOST_PAIRS:
             raise CalculationError(
-                say("effects: splines are followed disc by disc, at most {most:,} pairs", most=_MOST_PAIRS)
+                "effects: splines are followed disc by disc, at most {most:,} pairs", most=_MOST_PAIRS
             )
         frictions = [driven] * (pairs - bypass) + [driving] * bypass
         chain = [1.0]

@@ -5,7 +5,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import AfmcalcError, CalculationError
 from ..letters import did_you_mean
-from ..messages import say
 from .registry import ANALYSES, PLOTS, Plot, StressRule
 
 if TYPE_CHECKING:
@@ -88,12 +87,10 @@ def plot_of(name: str) -> Plot:
     plots = of_commands | {"front": PLOTS["pareto"]} | PLOTS
     if name not in plots:
         raise AfmcalcError(
-            say(
-                "no plot {name!r}{hint}; there are: {kinds}",
-                name=name,
-                hint=did_you_mean(name, plots),
-                kinds=", ".join(PLOTS),
-            )
+            "no plot {name!r}{hint}; there are: {kinds}",
+            name=name,
+            hint=did_you_mean(name, plots),
+            kinds=", ".join(PLOTS),
         )
     return plots[name]
 
@@ -107,16 +104,14 @@ def check_request(name: str, request: Request) -> None:
     plot = plot_of(name)
     if plot.takes in _SINGLE and len(request.subjects) != 1:
         raise AfmcalcError(
-            say(
-                "plot {name} takes one {what}, not {count}",
-                name=name,
-                what=_SINGLE[plot.takes],
-                count=len(request.subjects),
-            )
+            "plot {name} takes one {what}, not {count}",
+            name=name,
+            what=_SINGLE[plot.takes],
+            count=len(request.subjects),
         )
     for option in ("sweep", "model", "profile", "cutter", "chord"):
         if getattr(request, option) is not None and option not in plot.options:
-            raise AfmcalcError(say("plot {name} has no use for --{option}", name=name, option=option))
+            raise AfmcalcError("plot {name} has no use for --{option}", name=name, option=option)
 
 
 def gathered(name: str, request: Request) -> Any:
@@ -158,7 +153,7 @@ def _life(request: Request) -> "list[LifeCurve]":
         drawn += [*own.series.unprotected, *own.series.protected_forecast, *(each.cycles for each in own.settings)]
     if not any(drawn):
         raise CalculationError(
-            say("plot life: by the model {model!r} fatigue sets no limit anywhere in the range", model=found[0].model)
+            "plot life: by the model {model!r} fatigue sets no limit anywhere in the range", model=found[0].model
         )
     return found
 
@@ -203,7 +198,7 @@ def _tolerance(request: Request) -> ToleranceFigure:
     (answers,) = request.subjects
     study, spec = answers.study, answers.clutch.spec
     if not study.histogram.densities:
-        raise CalculationError(say("plot tolerance: the torque does not scatter, there is no histogram"))
+        raise CalculationError("plot tolerance: the torque does not scatter, there is no histogram")
     return ToleranceFigure(
         spec.name, float(answers.clutch.nominal_torque), spec.tolerance.seed, CENTRAL[1] - CENTRAL[0], study
     )
@@ -227,7 +222,7 @@ def _pareto(request: Request) -> ParetoFigure:
 
     (need,) = request.subjects
     if len(set(need.objectives)) < 2:
-        raise CalculationError(say("plot pareto: one objective has one best clutch and no front; give two or more"))
+        raise CalculationError("plot pareto: one objective has one best clutch and no front; give two or more")
     result, findings = design(need)
     if not result.front:
         raise CalculationError(findings[0].message)

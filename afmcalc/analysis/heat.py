@@ -45,12 +45,10 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
     for each in limits_of(clutch):
         if own.ambient is not None and own.ambient >= each.low:
             raise CalculationError(
-                say(
-                    "heat: heat.ambient, {ambient:.4g} °C, is no cooler than the {limit:.4g} °C that {path} allows",
-                    ambient=own.ambient - FREEZING,
-                    limit=each.low - FREEZING,
-                    path=each.path,
-                )
+                "heat: heat.ambient, {ambient:.4g} °C, is no cooler than the {limit:.4g} °C that {path} allows",
+                ambient=own.ambient - FREEZING,
+                limit=each.low - FREEZING,
+                path=each.path,
             )
     found, faces = _shared(clutch, own, slips.at, area)
     work = None if area is None else _each(found, lambda trip: law.specific_work(trip.energy, _pairs(clutch), area))

@@ -177,7 +177,7 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: 
     answers: Mapping[str, Values]
     if any(axis.name == "dT" for axis in axes):
         if len(axes) > 1:
-            raise AfmcalcError(say("dT is swept alone: it takes the place of what the clutch gives"))
+            raise AfmcalcError("dT is swept alone: it takes the place of what the clutch gives")
         bands = _over_band(clutch, model, points[0], factor)
         answers = {name: cycles(part, model, load) for name, load in bands.items()}
     else:
@@ -250,7 +250,7 @@ def band_axis(text: str, clutch: Clutch) -> Axis:
     _, separator, given = text.partition("=")
     values = parse_values(text, given, "N*m") if separator else np.linspace(0.5 * band, 2 * band, 26)
     if bool((values < 0).any()):
-        raise AfmcalcError(say("--sweep {text:.80}: a scatter band is not negative", text=text))
+        raise AfmcalcError("--sweep {text:.80}: a scatter band is not negative", text=text)
     return Axis("dT", key, values)
 
 

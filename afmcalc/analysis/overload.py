@@ -138,7 +138,7 @@ def refuse(clutch: Clutch) -> None:
         unlike, variant = clutch.spec.friction.unlike, clutch.spec.variant
         what = say("unlike materials") if unlike else say("variant {variant!r}", variant=variant)
         raise CalculationError(
-            say("overload: S22 treats all-driving and differentiated clutches of one material, not {what}", what=what)
+            "overload: S22 treats all-driving and differentiated clutches of one material, not {what}", what=what
         )
 
 

@@ -332,7 +332,6 @@ def schema(command: str | None = None) -> dict[str, Any]:
 
     from ..errors import AfmcalcError
     from ..letters import did_you_mean
-    from ..messages import say
     from ..result import Output
     from ..spec import Spec
     from ..spec.requirements import Requirements
@@ -345,11 +344,11 @@ def schema(command: str | None = None) -> dict[str, Any]:
     if command not in ANALYSES:
         hint, results = did_you_mean(command, ANALYSES), ", ".join(ANALYSES)
         raise AfmcalcError(
-            say(
-                "no JSON of a command {command!r}{hint}; described are: spec, requirements, {results}",
-                command=command, hint=hint, results=results,
-            )
-        )  # fmt: skip
+            "no JSON of a command {command!r}{hint}; described are: spec, requirements, {results}",
+            command=command,
+            hint=hint,
+            results=results,
+        )
     result = ANALYSES[command].result_class
     parts: dict[str, Any] = {field.name: (field.type, ...) for field in fields(Output)}
     parts["result"] = (result, ...)

@@ -105,7 +105,7 @@ def with_dynamic_factor(spec: Spec, result: SimulateResult) -> dict[str, Any]:
 
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> SimulatePoint:
     if not friction or friction_driven == 0:
-        raise CalculationError(say("--friction 0: without friction there is no torque to simulate"))
+        raise CalculationError("--friction 0: without friction there is no torque to simulate")
     found = outcome_of(clutch, friction, friction_driven)
     return SimulatePoint(
         **friction_fields(clutch, friction, friction_driven),

@@ -6,7 +6,6 @@ from typing import Any
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..findings import Finding, finding
-from ..messages import say
 from ..result import Answer, Result, Triple, quantity
 
 
@@ -112,7 +111,7 @@ def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
     points = list(friction)
     if not clutch.spec.friction.unlike and any(pair[1] is not None for pair in points):
         raise CalculationError(
-            say("--friction F1,F2 is for unlike materials; this clutch has one friction (a decimal point, no comma)")
+            "--friction F1,F2 is for unlike materials; this clutch has one friction (a decimal point, no comma)"
         )
     return points
 

@@ -127,7 +127,7 @@ def synthesize(
 
     common.keep(spec, balls, writes="spec")
     if common.output == "-":
-        raise AfmcalcError(say("synthesize --output writes the completed spec beside the result: name a file"))
+        raise AfmcalcError("synthesize --output writes the completed spec beside the result: name a file")
     sizes = diameters(balls) if balls else None
     output = common.to_standard_output().calculate(common.build(spec), balls=sizes)
     if common.output:
@@ -201,9 +201,9 @@ def curve_of(plot: bool, sweep: list[str] | None, common: Common) -> "SweepDrawi
     if not plot:
         return None
     if not sweep:
-        raise AfmcalcError(say("--plot draws a sweep: give --sweep NAME with it (afmcalc plot draws the rest)"))
+        raise AfmcalcError("--plot draws a sweep: give --sweep NAME with it (afmcalc plot draws the rest)")
     if common.chosen_format != "table":
-        raise AfmcalcError(say("--plot draws under a table, not with --format {name}", name=common.chosen_format))
+        raise AfmcalcError("--plot draws under a table, not with --format {name}", name=common.chosen_format)
     from ..render.plot.text import swept_lines
 
     return swept_lines
@@ -217,6 +217,6 @@ def friction_of(text: str) -> tuple[float, float | None]:
         values = []
     if len(values) not in (1, 2) or not all(0 <= value < float("inf") for value in values):
         raise AfmcalcError(
-            say("--friction {text:.80}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text)
+            "--friction {text:.80}: write a coefficient such as 0.3, or F1,F2 for unlike materials", text=text
         )
     return values[0], values[1] if len(values) == 2 else None

@@ -53,12 +53,12 @@ def simulate(
     from ..spec import make_spec
 
     if "-" in (common.output, history):
-        raise AfmcalcError(say("simulate --output and --history write files beside the result: name one for each"))
+        raise AfmcalcError("simulate --output and --history write files beside the result: name one for each")
     common.keep(spec, beside=history, writes="spec")
     printed = common.to_standard_output()
     curve = curve_of(plot, sweep, printed) if sweep else None
     if plot and printed.chosen_format != "table":
-        raise AfmcalcError(say("--plot draws under a table, not with --format {name}", name=printed.chosen_format))
+        raise AfmcalcError("--plot draws under a table, not with --format {name}", name=printed.chosen_format)
     points = [friction_of(text) for text in friction or ()]
     clutch = printed.clutch(spec)
     output = printed.calculate(clutch, curve, friction=points, sweeps=axes_of(sweep, clutch))
@@ -152,7 +152,7 @@ def springs(
     """  # noqa: D301
     if pick and common.output in (None, "-") and common.chosen_format != "json":
         raise AfmcalcError(
-            say("springs --pick writes the spec with the spring: name a file with --output, or pass it on with --json")
+            "springs --pick writes the spec with the spring: name a file with --output, or pass it on with --json"
         )
     if not pick:
         common.calculate(common.clutch(spec), sort=sort, top=top, kind=kind, tolerance=tolerance)

@@ -7,7 +7,6 @@ from contextlib import suppress
 from itertools import combinations
 
 from ..errors import AfmcalcError, FileError, reason
-from ..messages import say
 from .signals import put_off, unreported
 from .streams import is_unicode
 
@@ -33,18 +32,18 @@ def format_of(output: str | None, asked: str | None) -> str:
     ending = ending_of(output or "")
     if ending in _NO_RESULT:
         raise AfmcalcError(
-            say(
-                "--output {output}: a result is written as .txt, .json, .csv or .md "
-                "(afmcalc report writes HTML and PDF, afmcalc plot pictures)",
-                output=output,
-            )
+            "--output {output}: a result is written as .txt, .json, .csv or .md "
+            "(afmcalc report writes HTML and PDF, afmcalc plot pictures)",
+            output=output,
         )
     named = _ENDINGS.get(ending)
     if named and asked not in (None, named):
         raise AfmcalcError(
-            say("--output {output} is the name of a file of format {named}, not {asked}",
-                output=output, named=named, asked=asked)
-        )  # fmt: skip
+            "--output {output} is the name of a file of format {named}, not {asked}",
+            output=output,
+            named=named,
+            asked=asked,
+        )
     return asked or named or "table"
 
 
@@ -56,7 +55,7 @@ def format_of_spec(output: str) -> str:
     """
     ending = ending_of(output)
     if ending != ".toml" and ending in (*_ENDINGS, *_NO_RESULT) and ending != ".json":
-        raise AfmcalcError(say("--output {output}: it gets a spec: .toml or .json", output=output))
+        raise AfmcalcError("--output {output}: it gets a spec: .toml or .json", output=output)
     return "json" if ending == ".json" else "toml"
 
 
@@ -69,9 +68,10 @@ def html_only(output: str | None) -> None:
     stem, ending = os.path.splitext(output or "")
     if ending.lower() in {*_ENDINGS, *_NO_RESULT} - {".html", ".htm"}:
         raise AfmcalcError(
-            say("--output {output}: a report is HTML; --output {stem}.html --pdf writes {stem}.pdf beside it",
-                output=output, stem=stem)
-        )  # fmt: skip
+            "--output {output}: a report is HTML; --output {stem}.html --pdf writes {stem}.pdf beside it",
+            output=output,
+            stem=stem,
+        )
 
 
 def refuse(*paths: str | None, force: bool, inputs: Iterable[str | None] = ()) -> None:
@@ -83,10 +83,10 @@ def refuse(*paths: str | None, force: bool, inputs: Iterable[str | None] = ()) -
     written = [path for path in paths if path not in (None, "-") and (os.path.isfile(path) or not os.path.exists(path))]
     for path in written:
         if any(_is_same(path, source) for source in inputs):
-            raise AfmcalcError(say("{path}: is read itself; write to another file", path=path))
+            raise AfmcalcError("{path}: is read itself; write to another file", path=path)
     for path, other in combinations(written, 2):
         if _is_same(path, other):
-            raise AfmcalcError(say("{path} and {other} are one file: name two", path=path, other=other))
+            raise AfmcalcError("{path} and {other} are one file: name two", path=path, other=other)
     for path in written:
         if os.path.exists(path) and not force:
             raise _exists(path)
@@ -100,7 +100,7 @@ def _is_same(path: str, other: str | None) -> bool:
 
 
 def _exists(path: str) -> AfmcalcError:
-    return AfmcalcError(say("{path}: exists already; --force replaces it", path=path))
+    return AfmcalcError("{path}: exists already; --force replaces it", path=path)
 
 
 def write(text: str, path: str | None, *, force: bool = False, utf8: bool = False) -> None:
@@ -136,7 +136,7 @@ def write_file(path: str, content: bytes, *, force: bool = False) -> None:
             _replace(target, content, created=created)
             unreported.append(path)
     except OSError as error:
-        raise FileError(say("{path}: cannot be written: {why}", path=path, why=reason(error))) from None
+        raise FileError("{path}: cannot be written: {why}", path=path, why=reason(error)) from None
 
 
 def _create(target: str) -> bool:

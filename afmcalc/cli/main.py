@@ -13,7 +13,7 @@ import typer
 from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..errors import AfmcalcError
-from ..messages import ENGLISH, Language, known, language, say, speaking, term, told
+from ..messages import ENGLISH, Language, known, language, speaking, term, told
 from .help import Command, Program, heard
 from .options import LANG
 from .streams import drop_output, prepare, tell
@@ -132,7 +132,7 @@ def chosen(arguments: list[str], environment: Mapping[str, str]) -> Language:
         return ENGLISH
     if name not in known():
         languages = ", ".join([ENGLISH.name, *known()])
-        raise AfmcalcError(say("{by} {name:.40}: known are {languages}", by=by, name=name, languages=languages))
+        raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=name, languages=languages)
     return language(name)
 
 

@@ -86,7 +86,7 @@ class Common:
     def chosen_format(self) -> str:
         """The format asked for, or that of the file; ``--json`` is a short form."""
         if self.json and self.format not in (None, "json"):
-            raise AfmcalcError(say("--json and --format {format} exclude each other", format=self.format))
+            raise AfmcalcError("--json and --format {format} exclude each other", format=self.format)
         return format_of(self.output, "json" if self.json else self.format)
 
     def to_standard_output(self) -> "Common":
@@ -113,7 +113,7 @@ class Common:
         """Refuse overrides where there is no spec to override, and what ``keep`` refuses."""
         self.keep()
         if self.set:
-            raise AfmcalcError(say("{name} takes no clutch, so --set has nothing to override", name=self.command))
+            raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=self.command)
 
     def bar(self) -> Bar:
         """Progress of what is calculated in the block; what takes longer than a minute is refused without ``--yes``."""

@@ -6,7 +6,6 @@ import typer
 
 from ..analysis.registry import EXPLAINED, StressRule
 from ..errors import AfmcalcError
-from ..messages import say
 from .help import completing, explained, figures
 from .options import Common, SpecArgument, with_common
 
@@ -43,7 +42,7 @@ def explain(
     from ..spec import resolved
 
     if model and command != "life":
-        raise AfmcalcError(say("explain: --model belongs to life"))
+        raise AfmcalcError("explain: --model belongs to life")
     common.keep(spec)
     given = common.read(spec, command)
     with common.bar():

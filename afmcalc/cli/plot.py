@@ -92,7 +92,7 @@ def plot(
         _for_the_shop(what, request, ending, common)
         return
     if ending == "dxf":
-        raise AfmcalcError(say("--output {output}: only plot pocket is drawn as .dxf", output=common.output))
+        raise AfmcalcError("--output {output}: only plot pocket is drawn as .dxf", output=common.output)
     if ending:
         need_drawing("plot")
     if takes == "names":
@@ -122,7 +122,7 @@ def _ending(output: str | None) -> str | None:
     assert output is not None
     ending = output.rpartition(".")[2].lower() if "." in output else ""
     if ending not in _ENDINGS:
-        raise AfmcalcError(say("--output {output}: end it in .png, .svg or .pdf (plot pocket: or .dxf)", output=output))
+        raise AfmcalcError("--output {output}: end it in .png, .svg or .pdf (plot pocket: or .dxf)", output=output)
     return ending
 
 
@@ -133,7 +133,7 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
         from ..render.plot.text import draw_sheet
 
         if not any(isinstance(panel, Chart) for panel in sheet.panels):
-            raise AfmcalcError(say("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)"))
+            raise AfmcalcError("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)")
         write(draw_sheet(sheet, unicode=is_unicode(), width=columns()), None)
         return
     from ..render.plot.figure import save
@@ -155,7 +155,7 @@ def _for_the_shop(what: str, request: "Request", ending: str | None, common: Com
     if ending == "dxf":
         need("cad")
     if ending in ("png", "pdf"):
-        raise AfmcalcError(say("--profile goes with -o FILE.dxf or FILE.svg, or stands alone"))
+        raise AfmcalcError("--profile goes with -o FILE.dxf or FILE.svg, or stands alone")
     subjects = _answers(what, request, common)
     with common.bar():
         drawing = shop_drawing_of(what, request._replace(subjects=subjects))
@@ -183,9 +183,9 @@ def _length(name: str, text: str | None) -> float | None:
     try:
         value = parse_quantity(text, "m")
     except ValueError as error:
-        raise AfmcalcError(say("--{name} {text}: {why}", name=name, text=text, why=error)) from None
+        raise AfmcalcError("--{name} {text}: {why}", name=name, text=text, why=error) from None
     if value <= 0:
-        raise AfmcalcError(say("--{name} {text}: must be greater than 0", name=name, text=text))
+        raise AfmcalcError("--{name} {text}: must be greater than 0", name=name, text=text)
     return value
 
 
@@ -195,7 +195,7 @@ def _answers(what: str, request: "Request", common: Common) -> "list[Answers]":
     from ..spec.quantity import doubts
 
     if request.subjects.count("-") > 1:
-        raise AfmcalcError(say("standard input (-) can be read once only"))
+        raise AfmcalcError("standard input (-) can be read once only")
     sources = list(request.subjects) or [None]
     clutches = [common.build(source, what) for source in sources]
     for clutch in clutches:

@@ -88,7 +88,7 @@ def report(
 
 def _pdf_beside(output: str | None) -> str:
     if output in (None, "-"):
-        raise AfmcalcError(say("--pdf prints beside the HTML file: give it with -o report.html"))
+        raise AfmcalcError("--pdf prints beside the HTML file: give it with -o report.html")
     assert output is not None
     return f"{os.path.splitext(output)[0]}.pdf"
 
@@ -130,5 +130,5 @@ def _date() -> str:
     if not epoch:
         return datetime.now().date().isoformat()
     if not epoch.isdecimal() or len(epoch) > _DIGITS:
-        raise AfmcalcError(say("SOURCE_DATE_EPOCH = {epoch!r:.40}: seconds since 1970 are wanted", epoch=epoch))
+        raise AfmcalcError("SOURCE_DATE_EPOCH = {epoch!r:.40}: seconds since 1970 are wanted", epoch=epoch)
     return datetime.fromtimestamp(int(epoch), UTC).date().isoformat()

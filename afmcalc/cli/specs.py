@@ -55,12 +55,12 @@ def init(
     from ..spec.write import annotated
 
     if output and file:
-        raise AfmcalcError(say("give FILE or --output, not both"))
+        raise AfmcalcError("give FILE or --output, not both")
     if variant and kind not in ("clutch", "drive"):
-        raise AfmcalcError(say("--variant belongs to --kind clutch or drive"))
+        raise AfmcalcError("--variant belongs to --kind clutch or drive")
     target = output or file or ("requirements.toml" if kind == "requirements" else "clutch.toml")
     if schema and target == "-":
-        raise AfmcalcError(say("--schema writes a file beside FILE: name one"))
+        raise AfmcalcError("--schema writes a file beside FILE: name one")
     text = annotated(_text(kind, variant))
     written = [(target, text)]
     if schema:

@@ -21,7 +21,6 @@ from ..equations import adjustment, direct, pocket, sleeve
 from ..equations import drive as law
 from ..equations.terms import Number
 from ..errors import CalculationError
-from ..messages import say
 
 _IDLE = 1e-9
 """κ in an array that stands for none: the law's own limit, an ordinary clutch."""
@@ -412,12 +411,10 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
     below = np.asarray(control < clutch.closing_force)
     if below.any():
         raise CalculationError(
-            say(
-                "simulate: the control spring ({control:.5g} N) must press more than the closing spring "
-                "({closing:.5g} N), else the sleeve is off its stop without load",
-                control=np.broadcast_to(control, below.shape)[below].flat[0],
-                closing=np.broadcast_to(clutch.closing_force, below.shape)[below].flat[0],
-            )
+            "simulate: the control spring ({control:.5g} N) must press more than the closing spring "
+            "({closing:.5g} N), else the sleeve is off its stop without load",
+            control=np.broadcast_to(control, below.shape)[below].flat[0],
+            closing=np.broadcast_to(clutch.closing_force, below.shape)[below].flat[0],
         )
     mass = 0.0 if unit is None or unit.sleeve_mass is None else unit.sleeve_mass
     return Sleeve(own, clutch.closing_force, driving, mass, *_static(clutch), _lever(clutch))

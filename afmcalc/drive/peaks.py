@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from ..arrays import Floats, Values
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
-from ..messages import say
 from .cases import swings_time, whole_time
 from .lanes import march
 from .pack import DirectPack, Sleeve, pack_of
@@ -59,12 +58,10 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values) -> Peaks:
     steps = int(np.ceil(np.max((swings_time(train) if duration is None else duration) / longest)))
     if steps > _MOST_STEPS:
         raise CalculationError(
-            say(
-                "simulate: {steps} time steps are needed, at most {most} are made: the drive's parts swing too unlike "
-                "(control unit and hub against the shaft)",
-                steps=steps,
-                most=_MOST_STEPS,
-            )
+            "simulate: {steps} time steps are needed, at most {most} are made: the drive's parts swing too unlike "
+            "(control unit and hub against the shaft)",
+            steps=steps,
+            most=_MOST_STEPS,
         )
     if duration is None:
         most = min(int(np.ceil(np.max(whole_time(train, sliding) / longest))), _MOST_STEPS)

@@ -12,7 +12,6 @@ from scipy.optimize import brentq
 
 from ..arrays import finite
 from ..errors import CalculationError
-from ..messages import say
 from ..progress import pulse
 from .coast import Heating, creep, stride
 from .plant import DRIVEN, NORMAL, SIZE, TOOL, TURN, TWIST, Guard, Mode, Plant, State, Torques, V
@@ -148,7 +147,7 @@ class _Run:
             if t >= self.horizon or seen.endless or (seen.settled and not (self.given and self.recorded)):
                 break
         else:
-            raise CalculationError(say("simulate: the drive sticks and slips without end"))
+            raise CalculationError("simulate: the drive sticks and slips without end")
         motor, seen.heat, shaft, tool, seen.key_heat = y[SIZE:]
         left = before + motor - plant.stored(y) - seen.heat - shaft - tool - seen.key_heat
         seen.residual = abs(left) / max(before, abs(motor), abs(tool), seen.heat)
@@ -260,7 +259,7 @@ class _Run:
             solver.step()
             self._patient(float(solver.t))
             if solver.status == "failed":
-                raise CalculationError(say("simulate: the integration fails at t = {time:g} s", time=solver.t))
+                raise CalculationError("simulate: the integration fails at t = {time:g} s", time=solver.t)
             states = solver.y.tolist()
             now = self._look_at(solver.t, states, mode)
             before, slopes = slopes, self._growth(solver.t, states, mode, solver.f.tolist(), now)
@@ -287,13 +286,11 @@ class _Run:
             self.horizon = t
         if self.steps > MOST_STEPS:
             raise CalculationError(
-                say(
-                    "simulate: at {time:.3g} s of {horizon:.3g} s {most:,} steps are taken: a shorter "
-                    "drive.event.duration, or inertias, stiffness and times that lie less far apart",
-                    time=t,
-                    horizon=self.horizon,
-                    most=MOST_STEPS,
-                )
+                "simulate: at {time:.3g} s of {horizon:.3g} s {most:,} steps are taken: a shorter "
+                "drive.event.duration, or inertias, stiffness and times that lie less far apart",
+                time=t,
+                horizon=self.horizon,
+                most=MOST_STEPS,
             )
 
     def _look_at(self, t: float, y: State, mode: Mode) -> _Seen:

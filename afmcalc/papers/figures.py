@@ -4,7 +4,6 @@ from importlib import import_module
 
 from ..errors import AfmcalcError
 from ..letters import did_you_mean
-from ..messages import say
 from ..result import Result, described
 
 FIGURES = {
@@ -77,12 +76,10 @@ def paper_figure(name: str) -> PaperFigure:
     wanted = name.upper().replace(" ", "-")
     if wanted not in FIGURES:
         raise AfmcalcError(
-            say(
-                "no figure {name!r}{hint}; there are: {figures}",
-                name=name,
-                hint=did_you_mean(wanted, FIGURES),
-                figures=", ".join(FIGURES),
-            )
+            "no figure {name!r}{hint}; there are: {figures}",
+            name=name,
+            hint=did_you_mean(wanted, FIGURES),
+            figures=", ".join(FIGURES),
         )
     module = import_module(f".{FIGURES[wanted]}", __package__)
     return getattr(module, f"figure_{wanted.partition('-')[2]}")()

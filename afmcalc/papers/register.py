@@ -85,12 +85,10 @@ def check_papers(papers: list[str]) -> None:
     for paper in papers:
         if paper not in PAPERS:
             raise AfmcalcError(
-                say(
-                    "--paper {paper}: no such paper{hint}; papers: {papers}",
-                    paper=paper,
-                    hint=did_you_mean(paper, PAPERS),
-                    papers=", ".join(PAPERS),
-                )
+                "--paper {paper}: no such paper{hint}; papers: {papers}",
+                paper=paper,
+                hint=did_you_mean(paper, PAPERS),
+                papers=", ".join(PAPERS),
             )
 
 
@@ -134,7 +132,7 @@ def equations(
                 }
                 hint = where.get(name[:1]) if name[1:].isdecimal() else None
                 raise AfmcalcError(
-                    say("--id {name}: no such formula{hint}", name=name, hint=hint or did_you_mean(name, known))
+                    "--id {name}: no such formula{hint}", name=name, hint=hint or did_you_mean(name, known)
                 )
         chosen = [entry for entry in chosen if entry.id in ids]
     numbered = [entry for entry in chosen if is_numbered(entry)]

@@ -68,7 +68,7 @@ def apply_overrides(data: dict[str, object], overrides: Overrides, model: type[B
             put(data, _path(override, model), value)
         except ValueError as error:
             path = str(error)
-            raise AfmcalcError(say("--set {override:.80}: {path} is no table", override=override, path=path)) from None
+            raise AfmcalcError("--set {override:.80}: {path} is no table", override=override, path=path) from None
     return data
 
 
@@ -93,11 +93,9 @@ def key_of(override: str) -> str:
     given, separator, _ = override.partition("=")
     if not separator or not given.strip():
         raise AfmcalcError(
-            say(
-                "--set {override:.80}: write PATH=VALUE, both and the equals sign in one word, for example "
-                "control_unit.gain=0.5",
-                override=override,
-            )
+            "--set {override:.80}: write PATH=VALUE, both and the equals sign in one word, for example "
+            "control_unit.gain=0.5",
+            override=override,
         )
     return given.strip()
 
@@ -113,7 +111,7 @@ def _path(override: str, model: type[BaseModel]) -> str:
         if known and not hint:
             hint = say("; known here: {names}", names=", ".join(known))
         raise AfmcalcError(
-            say("--set {override:.80}: unknown key {path!r:.80}{hint}", override=override, path=path, hint=hint)
+            "--set {override:.80}: unknown key {path!r:.80}{hint}", override=override, path=path, hint=hint
         )
     return path
 
@@ -125,9 +123,9 @@ def _value(text: str, override: str) -> object:
     except tomllib.TOMLDecodeError:
         return text
     except RecursionError:
-        raise AfmcalcError(say("--set {override:.80}: {why}", override=override, why=too_deep())) from None
+        raise AfmcalcError("--set {override:.80}: {why}", override=override, why=too_deep()) from None
     except ValueError:
-        raise AfmcalcError(say("--set {override:.80}: a number has too many digits", override=override)) from None
+        raise AfmcalcError("--set {override:.80}: a number has too many digits", override=override) from None
     if set(read) != {"value"}:  # further lines are part of the text
         return text
     check_size(read["value"], say("--set {override:.80}", override=override))

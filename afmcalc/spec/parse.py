@@ -36,7 +36,7 @@ def example_text(name: str) -> str:
     """
     if name not in (known := example_names()):
         hint = did_you_mean(name, known) or say("; there are: {names}", names=", ".join(known))
-        raise AfmcalcError(say("{prefix}{name}: no such example{hint}", prefix=PREFIX, name=name, hint=hint))
+        raise AfmcalcError("{prefix}{name}: no such example{hint}", prefix=PREFIX, name=name, hint=hint)
     return (_folder() / f"{name}.toml").read_text(encoding="utf-8")
 
 
@@ -91,9 +91,9 @@ def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
             with open(source, "rb") as file:
                 raw = file.read(LONGEST + 1)
     except OSError as error:
-        raise FileError(say("{label}: cannot be read: {why}", label=label, why=reason(error))) from None
+        raise FileError("{label}: cannot be read: {why}", label=label, why=reason(error)) from None
     except ValueError as error:
-        raise FileError(say("{label}: cannot be read: {why}", label=label, why=error)) from None
+        raise FileError("{label}: cannot be read: {why}", label=label, why=error) from None
     if len(raw) > LONGEST:
         raise _refused(label, say("is larger than {most} MiB, the most that is read", most=LONGEST >> 20))
     return raw, label

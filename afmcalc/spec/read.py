@@ -11,7 +11,6 @@ from os import PathLike
 from pydantic import BaseModel
 
 from ..errors import AfmcalcError
-from ..messages import say
 from .edit import Overrides, apply_overrides, overridden
 from .fields import keys_below
 from .models import Spec
@@ -109,7 +108,7 @@ def _of_toml(text: str, label: str) -> Sequence[object]:
     listed = data.get("diameters")
     if not isinstance(listed, list) or not listed:
         raise AfmcalcError(
-            say("{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]", label=label)
+            "{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]", label=label
         )
     return listed
 
@@ -119,21 +118,17 @@ def _of_csv(text: str, label: str) -> Sequence[object]:
     cells = [line for line in lines if line and not line.startswith("#")]
     if cells[:1] != [HEADING] or not cells[1:]:
         raise AfmcalcError(
-            say(
-                "{label}: must begin with the heading {heading}, then one ball diameter in mm a line",
-                label=label,
-                heading=HEADING,
-            )
+            "{label}: must begin with the heading {heading}, then one ball diameter in mm a line",
+            label=label,
+            heading=HEADING,
         )
     for cell in cells[1:]:
         if not re.fullmatch(r"\d{1,300}(\.\d+)?", cell, re.ASCII):
             raise AfmcalcError(
-                say(
-                    "{label}: line {line}: {cell!r} is no diameter in mm, such as 6.35",
-                    label=label,
-                    line=lines.index(cell) + 1,
-                    cell=cell,
-                )
+                "{label}: line {line}: {cell!r} is no diameter in mm, such as 6.35",
+                label=label,
+                line=lines.index(cell) + 1,
+                cell=cell,
             )
     return [float(cell) for cell in cells[1:]]
 
@@ -144,17 +139,13 @@ def _diameter(item: object, label: str) -> float:
         try:
             value = parse_quantity(item, "m")
         except ValueError as error:
-            raise AfmcalcError(say("{label}: diameters: {item!r}: {why}", label=label, item=item, why=error)) from None
+            raise AfmcalcError("{label}: diameters: {item!r}: {why}", label=label, item=item, why=error) from None
     elif isinstance(item, int | float) and not isinstance(item, bool):
         value = item / 1000 if abs(item) <= sys.float_info.max else math.inf
     else:
-        raise AfmcalcError(
-            say("{label}: diameters: {item!r} is no diameter; give numbers in mm", label=label, item=item)
-        )
+        raise AfmcalcError("{label}: diameters: {item!r} is no diameter; give numbers in mm", label=label, item=item)
     if not 0 < value < math.inf:
-        raise AfmcalcError(
-            say("{label}: diameters: {item!r} must be greater than 0 and finite", label=label, item=item)
-        )
+        raise AfmcalcError("{label}: diameters: {item!r} must be greater than 0 and finite", label=label, item=item)
     return value
 
 

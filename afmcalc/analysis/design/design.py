@@ -40,11 +40,9 @@ def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
     count = total(need)
     if count > MOST:
         raise AfmcalcError(
-            say(
-                "the search asks for {count:,} candidates; at most {most:,} are searched: coarser ranges, please",
-                count=count,
-                most=MOST,
-            )
+            "the search asks for {count:,} candidates; at most {most:,} are searched: coarser ranges, please",
+            count=count,
+            most=MOST,
         )
     found = search(need, lambda done: tell(say("searching"), done, count))
     best = numbered(need, [fine for _, fine in refinement(need, found)])
@@ -128,9 +126,7 @@ def check_objective(name: str | None) -> None:
     """
     if name is not None and name not in OBJECTIVES:
         hint, known = did_you_mean(name, OBJECTIVES), ", ".join(OBJECTIVES)
-        raise AfmcalcError(
-            say("--sort {name}: no such objective{hint}; one of {known}", name=name, hint=hint, known=known)
-        )
+        raise AfmcalcError("--sort {name}: no such objective{hint}; one of {known}", name=name, hint=hint, known=known)
 
 
 def shown(result: DesignResult, sort: str | None, top: int | None, pick: int | None = None) -> DesignResult:

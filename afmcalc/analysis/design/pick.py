@@ -10,7 +10,6 @@ import numpy as np
 from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import CalculationError
-from ...messages import say
 from ...result import Result
 from ...spec import Spec
 from ...spec.edit import as_written
@@ -48,7 +47,7 @@ def with_picked(need: Requirements, result: DesignResult, number: int) -> tuple[
     """
     if not 1 <= number <= len(result.front):
         raise CalculationError(
-            say("--pick {number}: the front has the numbers 1 to {count}", number=number, count=len(result.front))
+            "--pick {number}: the front has the numbers 1 to {count}", number=number, count=len(result.front)
         )
     exact = result.front[number - 1]
     tried = (

@@ -62,12 +62,10 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
     if command not in EXPLAINED:
         hint = did_you_mean(command, EXPLAINED)
         raise AfmcalcError(
-            say(
-                "explain: no calculation {command!r}{hint}; explained are {analyses}",
-                command=command,
-                hint=hint,
-                analyses=", ".join(EXPLAINED),
-            )
+            "explain: no calculation {command!r}{hint}; explained are {analyses}",
+            command=command,
+            hint=hint,
+            analyses=", ".join(EXPLAINED),
         )
     calculation = ANALYSES[command].function
     with recording() as calls:

@@ -78,13 +78,10 @@ def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
         rule = spec.kind.gain_limit.rule
         if end < low:
             raise CalculationError(
-                say(
-                    "no value of {name} keeps C = {gain:.6g} within the gain limit {rule} "
-                    "(--beyond-limit goes past it)",
-                    name=name,
-                    gain=float(clutch.gain),
-                    rule=rule,
-                )
+                "no value of {name} keeps C = {gain:.6g} within the gain limit {rule} (--beyond-limit goes past it)",
+                name=name,
+                gain=float(clutch.gain),
+                rule=rule,
             )
         ends.append((end, say("the gain limit {rule}", rule=rule)))
     high, why = min(ends, key=lambda end: end[0])

@@ -41,7 +41,7 @@ class Target(NamedTuple):
 def _travel(clutch: Clutch) -> Values:
     travel: Values | None = clutch.travel(clutch.friction[0].max)
     if travel is None:
-        raise AfmcalcError(say("travel_max is only of an indirect clutch: a direct one has no sleeve"))
+        raise AfmcalcError("travel_max is only of an indirect clutch: a direct one has no sleeve")
     return travel
 
 
@@ -95,15 +95,13 @@ def parse_target(text: str) -> tuple[str, float]:
     if name is None:
         known = [*TARGETS, *(symbol for target in TARGETS.values() for symbol in target.symbols)]
         raise AfmcalcError(
-            say(
-                "{text!r:.80} is no target{hint}; write NAME=VALUE, NAME one of {known}",
-                text=text,
-                hint=did_you_mean(given, known),
-                known=", ".join(f"{name} ({target.symbols[0]})" for name, target in TARGETS.items()),
-            )
+            "{text!r:.80} is no target{hint}; write NAME=VALUE, NAME one of {known}",
+            text=text,
+            hint=did_you_mean(given, known),
+            known=", ".join(f"{name} ({target.symbols[0]})" for name, target in TARGETS.items()),
         )
     if not separator or not value:
-        raise AfmcalcError(say("{text:.80}: write {name}=VALUE", text=text, name=given))
+        raise AfmcalcError("{text:.80}: write {name}=VALUE", text=text, name=given)
     try:
         number: float | str = float(value)
     except ValueError:
@@ -111,9 +109,9 @@ def parse_target(text: str) -> tuple[str, float]:
     try:
         wanted = parse_quantity(number, TARGETS[name].unit)
     except ValueError as error:
-        raise AfmcalcError(say("{text:.80}: {why}", text=text, why=error)) from None
+        raise AfmcalcError("{text:.80}: {why}", text=text, why=error) from None
     if not wanted > 0:
-        raise AfmcalcError(say("{text:.80}: must be greater than 0", text=text))
+        raise AfmcalcError("{text:.80}: must be greater than 0", text=text)
     return name, wanted
 
 
@@ -174,12 +172,10 @@ def solve(
     curve, whole, path = explore(problem.values, wanted, problem.domain), is_whole(problem.path), problem.path
     if len(curve.at) > 1 and np.ptp(curve.value) <= 1e-12 * abs(curve.value[0]):
         raise CalculationError(
-            say(
-                "{target} does not depend on {name} here: it is {level} for every value",
-                target=target,
-                name=name,
-                level=problem.told(float(curve.value[0])),
-            )
+            "{target} does not depend on {name} here: it is {level} for every value",
+            target=target,
+            name=name,
+            level=problem.told(float(curve.value[0])),
         )
     solutions = roots(problem.values, wanted, curve)
     exact = problem.closed(curve)
@@ -190,13 +186,11 @@ def solve(
         raise _not_attainable(problem, curve)
     if not whole and _is_level(curve, wanted, chosen[0]):
         raise CalculationError(
-            say(
-                "{target} = {wanted} is given by a whole range of {name}, not by one value: choose one, or solve for "
-                "another parameter",
-                target=target,
-                wanted=problem.told(wanted),
-                name=name,
-            )
+            "{target} = {wanted} is given by a whole range of {name}, not by one value: choose one, or solve for "
+            "another parameter",
+            target=target,
+            wanted=problem.told(wanted),
+            name=name,
         )
     solved = build(respecified(clutch.spec, {path: chosen[0]}))
     result = SolveResult(
@@ -304,23 +298,19 @@ def _symbol(name: str, spec: Spec) -> str:
     if path not in paths:
         known = [*PARAMETERS, *paths, *(each.rpartition(".")[2] for each in paths)]
         raise AfmcalcError(
-            say(
-                "--for {name:.80}: cannot be solved for{hint}; one of {names}",
-                name=name,
-                hint="" if path else did_you_mean(name, known),
-                names=", ".join(f"{symbol} ({ALIASES[symbol]})" for symbol in PARAMETERS),
-            )
+            "--for {name:.80}: cannot be solved for{hint}; one of {names}",
+            name=name,
+            hint="" if path else did_you_mean(name, known),
+            names=", ".join(f"{symbol} ({ALIASES[symbol]})" for symbol in PARAMETERS),
         )
     symbol = next(symbol for symbol in PARAMETERS if ALIASES[symbol] == path)
     if (only := variants_of(path)) and spec.variant not in only:
         raise AfmcalcError(
-            say(
-                "--for {name}: {path} is only for {only}, not {variant!r}",
-                name=symbol,
-                path=path,
-                only=", ".join(only),
-                variant=spec.variant,
-            )
+            "--for {name}: {path} is only for {only}, not {variant!r}",
+            name=symbol,
+            path=path,
+            only=", ".join(only),
+            variant=spec.variant,
         )
     return symbol
 

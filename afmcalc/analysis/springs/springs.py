@@ -321,10 +321,10 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> dic
     taken = set()
     for number in numbers:
         if number not in numbered:
-            raise AfmcalcError(say("--pick {number}: there are {most} to pick from", number=number, most=len(numbered)))
+            raise AfmcalcError("--pick {number}: there are {most} to pick from", number=number, most=len(numbered))
         block, option = numbered[number]
         if block in taken:
-            raise AfmcalcError(say("--pick {number}: {block} is picked already", number=number, block=block))
+            raise AfmcalcError("--pick {number}: {block} is picked already", number=number, block=block)
         taken.add(block)
         for other in ("disc", "coil"):
             data[block].pop(other, None)
@@ -373,7 +373,7 @@ def _curve(clutch: Clutch, wish: Wish) -> SpringCurve:
     if part is None:
         best = ranked(wish)
         if not best:
-            raise CalculationError(say("plot springs: there is no part for the {name} spring", name=wish.name))
+            raise CalculationError("plot springs: there is no part for the {name} spring", name=wish.name)
         part = part_of(best[0])
     own = characteristic(part)
     deflections = np.linspace(0.0, own.end, _CURVE_POINTS)

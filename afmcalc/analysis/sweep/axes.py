@@ -9,7 +9,6 @@ from ...arrays import Floats
 from ...engines import build
 from ...errors import AfmcalcError, SpecError
 from ...letters import did_you_mean
-from ...messages import say
 from ...spec import Spec
 from ...spec.edit import respecified, value_at
 from ...spec.fields import Key
@@ -37,15 +36,13 @@ def find_key(name: str) -> Key:
         symbols = ", ".join(ALIASES)
         hint = elsewhere(name) or did_you_mean(name, [*ALIASES, *names()])
         raise AfmcalcError(
-            say(
-                "{name!r:.80} is no key or symbol{hint}; symbols: {symbols}; keys: by name or path, as in the spec",
-                name=name,
-                hint=hint,
-                symbols=symbols,
-            )
+            "{name!r:.80} is no key or symbol{hint}; symbols: {symbols}; keys: by name or path, as in the spec",
+            name=name,
+            hint=hint,
+            symbols=symbols,
         )
     if known[path].unit is None:
-        raise AfmcalcError(say("{name!r} is not a number and cannot be swept", name=name))
+        raise AfmcalcError("{name!r} is not a number and cannot be swept", name=name)
     return known[path]
 
 
@@ -60,13 +57,11 @@ def parse_axis(text: str, spec: Spec) -> Axis:
     key = find_key("C" if name == "zC" else name)
     if (only := variants_of(key.path)) and spec.variant not in only:
         raise AfmcalcError(
-            say(
-                "--sweep {text:.80}: {path} is only for {only}, not {variant!r}",
-                text=text,
-                path=key.path,
-                only=", ".join(only),
-                variant=spec.variant,
-            )
+            "--sweep {text:.80}: {path} is only for {only}, not {variant!r}",
+            text=text,
+            path=key.path,
+            only=", ".join(only),
+            variant=spec.variant,
         )
     scale = 1 / (spec.friction_group.pairs - spec.bypass_pairs) if name == "zC" else 1.0
     if not separator:
@@ -86,29 +81,23 @@ def parse_values(text: str, given: str, unit: str) -> Floats:
         try:
             return parse_quantity(value, unit)
         except ValueError as error:
-            raise AfmcalcError(
-                say("--sweep {text:.80}: {part!r:.80}: {why}", text=text, part=part, why=error)
-            ) from None
+            raise AfmcalcError("--sweep {text:.80}: {part!r:.80}: {why}", text=text, part=part, why=error) from None
 
     ranged = ":" in given or _RANGE.search(given)
     parts = [part.strip() for part in given.split(":" if ranged else ",")]
     if len({_has_unit(part) for part in (parts[:2] if ranged else parts)}) > 1:
-        raise AfmcalcError(say("--sweep {text:.80}: give every value a unit, or none (SI)", text=text))
+        raise AfmcalcError("--sweep {text:.80}: give every value a unit, or none (SI)", text=text)
     if not ranged:
         return np.array([number(part) for part in parts])
     asked = parts[2] if len(parts) == 3 else ""
     if not asked.isdecimal() or (len(asked) <= 4 and int(asked) < 2):
-        raise AfmcalcError(
-            say("--sweep {text:.80}: write start:stop:count with a whole count of at least 2", text=text)
-        )
+        raise AfmcalcError("--sweep {text:.80}: write start:stop:count with a whole count of at least 2", text=text)
     if len(asked) > 10 or (count := int(asked)) > MOST_POINTS:
         raise AfmcalcError(
-            say(
-                "--sweep {text:.80}: {count:.20} points; at most {most:,} are swept",
-                text=text,
-                count=asked,
-                most=MOST_POINTS,
-            )
+            "--sweep {text:.80}: {count:.20} points; at most {most:,} are swept",
+            text=text,
+            count=asked,
+            most=MOST_POINTS,
         )
     return np.linspace(number(parts[0]), number(parts[1]), count)
 
@@ -123,7 +112,7 @@ def _doubted(text: str, given: str, key: Key, values: Floats) -> Unlikely | None
         return None
     doubts = [doubt for value in values.tolist() if (doubt := unlikely(value, key.unit, key.path))]
     if never := next((doubt for doubt in doubts if not doubt.possible), None):
-        raise AfmcalcError(say("--sweep {text:.80}: {why}", text=text, why=impossible(never)))
+        raise AfmcalcError("--sweep {text:.80}: {why}", text=text, why=impossible(never))
     return next(iter(doubts), None)
 
 
@@ -147,7 +136,7 @@ def default_range(key: Key, spec: Spec) -> Floats:
     if key.path == "adjustment.margin":
         return np.linspace(1.0, max(2.0, float(current or 1)), 21)
     if current is None:
-        raise AfmcalcError(say("{path} is not in the spec: give a range, {path}=start:stop:count", path=key.path))
+        raise AfmcalcError("{path} is not in the spec: give a range, {path}=start:stop:count", path=key.path)
     about = key.about
     assert about is not None
     low, high = 0.5 * current, 2 * current

@@ -56,12 +56,12 @@ def grid(axes: Sequence[Axis]) -> list[Floats]:
         count *= axis.values.size
     if count > MOST_POINTS:
         raise AfmcalcError(
-            say("the sweep asks for {count:,} points; at most {most:,} are swept", count=count, most=MOST_POINTS)
+            "the sweep asks for {count:,} points; at most {most:,} are swept", count=count, most=MOST_POINTS
         )
     if len({axis.key.path for axis in axes}) < len(axes):
-        raise AfmcalcError(say("the same key is swept twice"))
+        raise AfmcalcError("the same key is swept twice")
     if any(axis.name == "zC" for axis in axes) and any(axis.key.path.endswith("pairs") for axis in axes):
-        raise AfmcalcError(say("zC and a number of pairs cannot be swept together: sweep C with it"))
+        raise AfmcalcError("zC and a number of pairs cannot be swept together: sweep C with it")
     return [coordinates.ravel() for coordinates in np.meshgrid(*(axis.values for axis in axes), indexing="ij")]
 
 
@@ -102,9 +102,9 @@ def evaluate(spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Out
     arrays = {path: np.asarray(array, float) for path, array in values.items()}
     for path, array in arrays.items():
         if array.size == 0:
-            raise AfmcalcError(say("{path}: no values to sweep", path=path))
+            raise AfmcalcError("{path}: no values to sweep", path=path)
         if is_whole(path) and (wrong := array[array != np.floor(array)]).size:
-            raise AfmcalcError(say("--sweep {path}: {wrong:g} is not a whole number", path=path, wrong=float(wrong[0])))
+            raise AfmcalcError("--sweep {path}: {wrong:g} is not a whole number", path=path, wrong=float(wrong[0]))
     ends = (dict.fromkeys((float(array.min()), float(array.max()))) for array in arrays.values())
     for corner in product(*ends):
         valid = _validated(spec, dict(zip(arrays, corner, strict=True)))

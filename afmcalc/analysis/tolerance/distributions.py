@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import CalculationError
-from ...messages import say
 from ...spec import Spec
 from ...spec.edit import value_at
 from ...spec.keys import physical_limits, unit_at
@@ -158,41 +157,35 @@ def _input(spec: Spec, path: str, given: Distribution) -> Input:
         ends, spread = (low, high), (high - low) / 2
         if given.distribution == "triangular" and not low <= center <= high:
             raise CalculationError(
-                say(
-                    "tolerance.fields.{path}: the peak {center:g} is not between min {low:g} and max {high:g}",
-                    path=path,
-                    center=center,
-                    low=low,
-                    high=high,
-                )
+                "tolerance.fields.{path}: the peak {center:g} is not between min {low:g} and max {high:g}",
+                path=path,
+                center=center,
+                low=low,
+                high=high,
             )
     else:
         ends = center - spread, center + spread
         if given.distribution in ("uniform", "triangular") and not limits[0] <= ends[0] <= ends[1] <= limits[1]:
             raise CalculationError(
-                say(
-                    "tolerance.fields.{path}: it would scatter from {low:g} to {high:g}, beyond what it may be, "
-                    "{least:g} to {most:g}",
-                    path=path,
-                    low=ends[0],
-                    high=ends[1],
-                    least=limits[0],
-                    most=limits[1],
-                )
+                "tolerance.fields.{path}: it would scatter from {low:g} to {high:g}, beyond what it may be, "
+                "{least:g} to {most:g}",
+                path=path,
+                low=ends[0],
+                high=ends[1],
+                least=limits[0],
+                most=limits[1],
             )
         limits = max(limits[0], -math.inf if low is None else low), min(limits[1], math.inf if high is None else high)
     if given.distribution == "lognormal" and not center > 0:
-        raise CalculationError(say("tolerance.fields.{path}: a lognormal center must be greater than 0", path=path))
+        raise CalculationError("tolerance.fields.{path}: a lognormal center must be greater than 0", path=path)
     scattering = Input(path, unit, given.distribution, center, spread, ends, limits)
     below, above = scattering.mass
     if not (above - below > _LEAST_MASS if spread > 0 else limits[0] <= center <= limits[1]):
         raise CalculationError(
-            say(
-                "tolerance.fields.{path}: the limits {low:g} to {high:g} leave nothing of the distribution",
-                path=path,
-                low=limits[0],
-                high=limits[1],
-            )
+            "tolerance.fields.{path}: the limits {low:g} to {high:g} leave nothing of the distribution",
+            path=path,
+            low=limits[0],
+            high=limits[1],
         )
     return scattering
 
@@ -207,15 +200,13 @@ def _center_and_ends(spec: Spec, path: str, given: Distribution) -> tuple[float,
             high = friction.range.max if high is None else high
         return friction.range.mean if center is None else center, low, high
     if value_at(spec, path.rpartition(".")[0]) is None:
-        raise CalculationError(say("tolerance.fields.{path}: the spec has no such table to scatter in", path=path))
+        raise CalculationError("tolerance.fields.{path}: the spec has no such table to scatter in", path=path)
     if center is None:
         center = value_at(spec, path)
     if center is None and low is not None and high is not None:
         center = (low + high) / 2
     if center is None:
-        raise CalculationError(
-            say("tolerance.fields.{path}: the spec has no {path} to scatter; give center", path=path)
-        )
+        raise CalculationError("tolerance.fields.{path}: the spec has no {path} to scatter; give center", path=path)
     return float(center), low, high
 
 

@@ -165,9 +165,7 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
 def _refuse_few(clutches: int) -> None:
     if clutches < _LEAST_CLUTCHES:
         raise CalculationError(
-            say(
-                "tolerance: hardly a sample is a clutch (feedback must overcome the key's friction, faces have a width)"
-            )
+            "tolerance: hardly a sample is a clutch (feedback must overcome the key's friction, faces have a width)"
         )
 
 
@@ -237,7 +235,7 @@ def sobol_indices(model: Model, plan: Plan) -> list[IndexRow]:
 
     rows = np.array(plan.run(say("indices"), replicate))
     if not rows[:, 0].any():
-        raise CalculationError(say("tolerance.sobol_base: too few of the samples are a clutch; give a larger one"))
+        raise CalculationError("tolerance.sobol_base: too few of the samples are a clutch; give a larger one")
     return _indices(rows, list(groups))
 
 
@@ -308,7 +306,7 @@ def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> dict[str, ob
     ]
     sizes = [part[0].size for part in parts]
     if min(sizes) < _LEAST_CLUTCHES:
-        raise CalculationError(say("tolerance: hardly a sample is a clutch: there is no peak torque to tell"))
+        raise CalculationError("tolerance: hardly a sample is a clutch: there is no peak torque to tell")
     values = [np.concatenate(columns) for columns in zip(*parts, strict=True)]
     peaks = np.broadcast_to(peaks_of(model.clutch(values), *model.frictions_at(values)).shaft, values[0].shape)
     pieces = np.split(peaks, np.cumsum(sizes)[:-1])

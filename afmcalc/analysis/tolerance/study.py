@@ -84,7 +84,7 @@ def _threads(given: int | None) -> int:
     if given is None:
         return min(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1, 8)
     if given < 1:
-        raise AfmcalcError(say("threads must be at least 1"))
+        raise AfmcalcError("threads must be at least 1")
     return given
 
 

@@ -7,7 +7,6 @@ import tempfile
 from pathlib import Path
 
 from ...errors import AfmcalcError
-from ...messages import say
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "microsoft-edge", "msedge")
 _SECONDS = 120
@@ -24,11 +23,9 @@ def find_browser() -> str:
     if found is None:
         looked = chosen or ", ".join(NAMES)
         raise AfmcalcError(
-            say(
-                "--pdf: no headless browser found (looked for {looked}): install Chromium, name one in "
-                "AFMCALC_BROWSER, or leave --pdf out and print the HTML file from any browser",
-                looked=looked,
-            )
+            "--pdf: no headless browser found (looked for {looked}): install Chromium, name one in "
+            "AFMCALC_BROWSER, or leave --pdf out and print the HTML file from any browser",
+            looked=looked,
         )
     return found
 
@@ -62,9 +59,7 @@ def print_pdf(browser: str, page: str) -> bytes:
         code = _run(command)
         content = target.read_bytes() if target.is_file() else b""
     if code or not (content.startswith(b"%PDF-") and content.rstrip().endswith(b"%%EOF")):
-        raise AfmcalcError(
-            say("--pdf: {browser} did not print a whole PDF (exit code {code})", browser=browser, code=code)
-        )
+        raise AfmcalcError("--pdf: {browser} did not print a whole PDF (exit code {code})", browser=browser, code=code)
     return content
 
 
@@ -78,4 +73,4 @@ def _run(command: list[str]) -> int:
         quiet = subprocess.DEVNULL
         return subprocess.run(command, stdout=quiet, stderr=quiet, timeout=_SECONDS, check=False).returncode
     except (OSError, subprocess.TimeoutExpired) as error:
-        raise AfmcalcError(say("--pdf: {browser} did not print: {why}", browser=command[0], why=error)) from None
+        raise AfmcalcError("--pdf: {browser} did not print: {why}", browser=command[0], why=error) from None
