@@ -24,7 +24,7 @@ from .distributions import Array, normal_probability, normal_score
 from .model import Model
 from .result import LIFE_PROBABILITIES, ROBUST, Estimate, IndexRow, LifeRow, PeakRow, QuantileRow
 from .service import life_of, service_of, unprotected
-from .statistics import Grid, Population, Tally, deviation, estimate, mean, merged, ranked_values, share, spread
+from .statistics import Grid, Ranked, Tally, deviation, estimate, mean, merged, ranked_values, share, spread
 
 REPLICATES = 32
 CELL = 16384
@@ -169,7 +169,7 @@ def _refuse_few(clutches: int) -> None:
         )
 
 
-def sampled_figures(model: Model, tallies: Sequence[Tally], torques: Population, given: Tolerance) -> dict[str, object]:
+def sampled_figures(model: Model, tallies: Sequence[Tally], torques: Ranked, given: Tolerance) -> dict[str, object]:
     """Fields of the result that are figures of a sample; errors of moments and probabilities from the replicates."""
     whole = merged(tallies)
     fields: dict[str, object] = {
@@ -179,7 +179,7 @@ def sampled_figures(model: Model, tallies: Sequence[Tally], torques: Population,
         "standard_deviation": estimate(deviation, tallies, whole),
         "accuracy_factor_robust": torques.ratio(*ROBUST),
         "probability_below_machine": share(lambda tally: tally.below / tally.count, tallies, whole),
-        "quantiles": [QuantileRow.of(probability=p, torque=torques.quantile(p)) for p in given.quantiles],
+        "quantiles": [QuantileRow.of(probability=p, torque=torques.estimate(p)) for p in given.quantiles],
     }
     if model.may_fail:
         fields["probability_no_clutch"] = share(

@@ -149,12 +149,34 @@ class Ranked:
     size: int
     ulps: float = 0.0
     """Resolution of the values, in units of their last place."""
+    replicates: Sequence["Ranked"] = ()
+    """Those of a quasi-random sample, whose spread is then less than chance would give."""
 
     def quantile(self, p: float) -> float:
         """Value not exceeded with probability p."""
         return self._at(p * self.size)
 
     def estimate(self, p: float) -> Estimate:
+        """Quantile; its error from the replicates if they are large enough to have it, else from the rank."""
+        value, error = self._by_rank(p)
+        return Estimate(value, self._spread(lambda sample: sample.quantile(p), p) or error)
+
+    def ratio(self, low: float, high: float) -> Estimate:
+        """Quotient of a high and a low quantile; far apart in probability, they err independently."""
+        over, under = self._by_rank(high), self._by_rank(low)
+        value = over.value / under.value
+        relative = np.hypot(over.standard_error / over.value, under.standard_error / under.value)
+        error = self._spread(lambda sample: sample.quantile(high) / sample.quantile(low), low, high)
+        return Estimate(value, error or float(value * relative))
+
+    def below(self, values: Array) -> Array:
+        """Share of the sample below each value."""
+        return np.interp(values, self.values, self.counts) / self.size
+
+    def _at(self, rank: float) -> float:
+        return float(np.interp(rank, self.counts, self.values))
+
+    def _by_rank(self, p: float) -> Estimate:
         """Quantile, its error from the order statistics that hold it in 95 of 100 samples, and from the resolution.
 
         The ranks are those of the binomial distribution, so nothing is assumed of the density; where the sample ends
@@ -165,12 +187,10 @@ class Ranked:
         resolution = self.ulps * float(np.spacing(value)) / 12**0.5
         return Estimate(value, float(np.hypot(interval / (2 * _SCORE), resolution)))
 
-    def below(self, values: Array) -> Array:
-        """Share of the sample below each value."""
-        return np.interp(values, self.values, self.counts) / self.size
-
-    def _at(self, rank: float) -> float:
-        return float(np.interp(rank, self.counts, self.values))
+    def _spread(self, figure: Callable[["Ranked"], float], *probabilities: float) -> float | None:
+        if not self.replicates or min(sample.size for sample in self.replicates) < max(map(needed, probabilities)):
+            return None
+        return spread([figure(sample) for sample in self.replicates])
 
 
 def needed(p: float) -> int:
@@ -178,7 +198,7 @@ def needed(p: float) -> int:
     return int(np.ceil(_SCORE**2 * max(p / (1 - p), (1 - p) / p)))
 
 
-def ranked(tally: Tally) -> Ranked:
+def ranked(tally: Tally, replicates: Sequence[Ranked] = ()) -> Ranked:
     """The torques of a sample by rank: those in the bins to the width of a bin, those beyond as they are."""
     edges = tally.grid.edges
     outside = np.sort(np.concatenate(tally.outside)) if tally.outside else np.empty(0)
@@ -188,43 +208,14 @@ def ranked(tally: Tally) -> Ranked:
     first, last = (int(filled[0]), int(filled[-1]) + 1) if filled.size else (0, -1)
     inner = np.concatenate([[0], np.cumsum(tally.bins[first:last])])[: last - first + 1]
     steps: Array = np.arange(outside.size, dtype=np.float64) + 0.5
-    return Ranked(
-        np.concatenate([outside[:under], edges[first : last + 1], outside[under:]]),
-        np.concatenate([steps[:under], under + inner, tally.bins.sum() + steps[under:]]),
-        tally.count,
-        2.0**tally.grid.shift,
-    )
+    values = np.concatenate([outside[:under], edges[first : last + 1], outside[under:]])
+    counts = np.concatenate([steps[:under], under + inner, tally.bins.sum() + steps[under:]])
+    return Ranked(values, counts, tally.count, 2.0**tally.grid.shift, replicates)
 
 
 def ranked_values(values: Array) -> Ranked:
     """Values by rank, kept as they are."""
     return Ranked(np.sort(values), np.arange(values.size, dtype=np.float64) + 0.5, values.size)
-
-
-@dataclass(frozen=True)
-class Population:
-    """A sample and, where it is quasi-random, its replicates, whose spread is then less than chance would give."""
-
-    whole: Ranked
-    replicates: Sequence[Ranked]
-
-    def quantile(self, p: float) -> Estimate:
-        """Quantile; its error from the replicates if they are large enough to have it."""
-        value, error = self.whole.estimate(p)
-        return Estimate(value, self._error(lambda sample: sample.quantile(p), (p,)) or error)
-
-    def ratio(self, low: float, high: float) -> Estimate:
-        """Quotient of a high and a low quantile; far apart in probability, they err independently."""
-        over, under = self.whole.estimate(high), self.whole.estimate(low)
-        value = over.value / under.value
-        relative = np.hypot(over.standard_error / over.value, under.standard_error / under.value)
-        error = self._error(lambda sample: sample.quantile(high) / sample.quantile(low), (low, high))
-        return Estimate(value, error or float(value * relative))
-
-    def _error(self, figure: Callable[[Ranked], float], probabilities: Sequence[float]) -> float | None:
-        if not self.replicates or min(sample.size for sample in self.replicates) < max(map(needed, probabilities)):
-            return None
-        return spread([figure(sample) for sample in self.replicates])
 
 
 def spread(values: Sequence[float]) -> float:
@@ -236,7 +227,7 @@ def spread(values: Sequence[float]) -> float:
     return stdev([float(finite(value)) for value in values]) / len(values) ** 0.5
 
 
-def histogram(quantile: Callable[[float], float], below: Callable[[Array], Array], bars: int) -> Histogram:
+def histogram(quantile: Callable[[float], float], below: Callable[[Array], Array], bars: int = BARS) -> Histogram:
     """Histogram of the torque: bars of equal width, their probabilities by the share below their ends."""
     low, high = (quantile(p) for p in CENTRAL)
     if high - low <= 1e-9 * abs(high):

@@ -14,7 +14,7 @@ from .model import Model, with_setting
 from .result import InputRow, Study, ToleranceResult
 from .sampling import Plan, peak_figures, sampled_figures, simulate, sobol_indices
 from .service import exact_of
-from .statistics import BARS, Population, histogram, histogram_of_sample, merged, needed, ranked
+from .statistics import histogram, histogram_of_sample, merged, needed, ranked
 
 __all__ = ["Study", "ToleranceResult", "study", "tolerance"]
 
@@ -49,14 +49,14 @@ def study(clutch: Clutch, *, threads: int | None = None) -> Study:
     threads = _threads(threads)
     exact = exact_of(model) if given.method == "auto" else None
     if exact is not None:
-        figures, bars = exact.figures(given, machine), histogram(exact.quantile, exact.below, BARS)
+        figures, bars = exact.figures(given, machine), histogram(exact.quantile, exact.below)
     else:
         quasi = given.method == "quasi-monte-carlo"
         tallies = simulate(model, Plan(given.samples, given.seed, quasi, threads), given.torque_limit, machine)
         sobol = sobol_indices(model, Plan(given.sobol_base, given.seed, quasi, threads))
-        torques = Population(ranked(merged(tallies)), [ranked(tally) for tally in tallies] if quasi else [])
+        torques = ranked(merged(tallies), [ranked(tally) for tally in tallies] if quasi else ())
         figures = {**sampled_figures(model, tallies, torques, given), "sobol": sobol}
-        bars = histogram_of_sample(torques.whole)
+        bars = histogram_of_sample(torques)
     inputs = [
         InputRow(
             path=scattering.path,
