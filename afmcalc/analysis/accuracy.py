@@ -1,6 +1,6 @@
 """Accuracy of the clutch: K_т, its worst cases, its limits, what it is sensitive to, and sweeps of it."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
@@ -70,7 +70,7 @@ def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyRes
         accuracy_factor_worst_case=clutch.accuracy_factor_worst_case,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         accuracy_factor_hysteresis=clutch.accuracy_factor_hysteresis,
-        conventional_accuracy_factor=conventional_accuracy_factor(clutch),
+        conventional_accuracy_factor=_conventional_accuracy_factor(clutch),
         gain_limit=clutch.gain_limit,
         gain_threshold=clutch.gain_threshold,
         equivalent_gain=clutch.equivalent_gain,
@@ -79,30 +79,24 @@ def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyRes
         sensitivity=clutch.sensitivity(),
         sweep=swept,
     )
-    return result, [*clutch.findings(), *_kink(clutch), *_sweep_findings(swept), *replaced(clutch.spec, sweeps)]
+    return result, [*clutch.findings(), *_findings(clutch, swept), *replaced(clutch.spec, sweeps)]
 
 
-def _kink(clutch: Clutch) -> list[Finding]:
-    """Say where pockets hold the torque just so: beside it K_т grows on either side."""
+def _findings(clutch: Clutch, swept: list[AccuracySweep] | None) -> Iterator[Finding]:
+    """Say where K_т has a kink, and where breakaway peaks of swept points exceed the sustained torque."""
     slope, constant = clutch.gain_slope, clutch.constant_torque_slope
-    if not slope or constant is None or abs(float(slope / constant) - 1) > 1e-9:
-        return []
-    path = "control_unit.gain_slope"
-    return [finding("elasticity-one-sided", "info", value=float(slope), limit=float(constant), path=path)]
+    if slope and constant is not None and abs(float(slope / constant) - 1) <= 1e-9:
+        # pockets hold the torque just so: beside it K_т grows on either side
+        path = "control_unit.gain_slope"
+        yield finding("elasticity-one-sided", "info", value=float(slope), limit=float(constant), path=path)
+    if swept:
+        pairs = zip(swept[0].accuracy_factor, swept[0].accuracy_factor_peak, strict=True)
+        if beyond := sum(peak > sustained * (1 + 1e-9) for sustained, peak in pairs):
+            points = len(swept[0].values)
+            yield finding("sweep-beyond-gain-limit", "warning", value=beyond, limit=0.0, points=points)
 
 
-def _sweep_findings(swept: list[AccuracySweep] | None) -> list[Finding]:
-    """Say when swept points lie where breakaway peaks exceed the sustained torque."""
-    if not swept:
-        return []
-    pairs = zip(swept[0].accuracy_factor, swept[0].accuracy_factor_peak, strict=True)
-    beyond = sum(peak > sustained * (1 + 1e-9) for sustained, peak in pairs)
-    if not beyond:
-        return []
-    return [finding("sweep-beyond-gain-limit", "warning", value=beyond, limit=0.0, points=len(swept[0].values))]
-
-
-def conventional_accuracy_factor(clutch: Clutch) -> Any:
+def _conventional_accuracy_factor(clutch: Clutch) -> Any:
     """Return the K_т of an ordinary clutch with the same pairs: its torque follows z_1 f_1 + z_2 f_2."""
     first, second = clutch.friction
     bypass = clutch.bypass_pairs

@@ -42,10 +42,10 @@ class BallContact(NamedTuple):
 
 def places_along(clutch: Clutch, wall: Wall) -> tuple[list[float], list[float]]:
     """Torque and wall angle along the path of a ball on a curved wall, from the stop to the largest travel."""
-    own = clutch.friction[0]
-    leaving = min(max(float(clutch.leaving_friction or own.min), own.min), own.max)
+    low, _, high = clutch.friction[0]
+    leaving = min(max(float(clutch.leaving_friction or low), low), high)
     # where the torque is largest, as long as the sleeve has not jumped from there
-    along = np.append(np.linspace(leaving, own.max, _PLACES), max(clutch.torque_range.at_high * (1 - 1e-12), leaving))
+    along = np.append(np.linspace(leaving, high, _PLACES), max(clutch.torque_range.at_high * (1 - 1e-12), leaving))
     travels = np.broadcast_to(np.asarray(clutch.travel(along), float), along.shape).tolist()
     return clutch.torque(along).tolist(), [wall.angle_at(travel / wall.sleeves) for travel in travels]
 
@@ -94,7 +94,7 @@ def contact_of(
     used, allowable, basis = max(limits, key=lambda limit: limit[0] / limit[1], default=(0.0, None, None))
     if force is None or critical is None:
         return BallContact(None, allowable, basis, hertz=by_hertz)
-    found = BallContact(
+    contact = BallContact(
         force, allowable, basis,
         utilisation=None if allowable is None else used / allowable,
         critical=None if worst == most else critical,
@@ -102,10 +102,10 @@ def contact_of(
         pressure=None if borne is None else float(law.hertz_pressure(elastic.allowable_pressure, critical, borne)),
     )  # fmt: skip
     if wall.steepening == 0 or wall.sleeves == 2:
-        return found
+        return contact
     with unrecorded():
-        own = wall.angle
-        seat = float(np.max(wall_law.seat_force(forces, np.sin(np.add(angles, own)), math.sin(own), math.cos(own))))
+        stop = wall.angle
+        seat = float(np.max(wall_law.seat_force(forces, np.sin(np.add(angles, stop)), math.sin(stop), math.cos(stop))))
         flat = None if by_hertz is None else float(hertz.allowable_force(elastic, ball))
-    bears = min((each for each in (given, flat) if each is not None), default=None)
-    return found._replace(seat=seat, seat_utilisation=bears and seat / bears)
+    bears = min((limit for limit in (given, flat) if limit is not None), default=None)
+    return contact._replace(seat=seat, seat_utilisation=bears and seat / bears)

@@ -48,43 +48,43 @@ class ShopDrawing(NamedTuple):
 
 
 def shop_drawing(
-    clutch: Clutch, found: SynthesisResult, cutter: float | None = None, chord: float = CHORD
+    clutch: Clutch, unit: SynthesisResult, cutter: float | None = None, chord: float = CHORD
 ) -> ShopDrawing:
     """Lay out the pockets of a control unit as synthesized.
 
     Args:
         clutch: the clutch.
-        found: its control unit.
+        unit: its control unit.
         cutter: diameter of the cutter, m; its axis stands on the section. None for one as large as the ball.
         chord: how far a chord may lie off the wall, m.
 
     Raises:
         CalculationError: the wall cannot be cut, or not with this cutter.
     """
-    own = wall_of(clutch, found.face_gap, found.ball_diameter / 2)
-    if not own.can_be_cut:
-        assert own.undercut_radius is not None
+    wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
+    if not wall.can_be_cut:
+        assert wall.undercut_radius is not None
         message = say(
             "no pocket to draw: a ball of {ball:.5g mm} undercuts its curved wall, as does every one from "
             "{limit:.5g mm} on (afmcalc synthesize says what makes it possible)",
-            ball=found.ball_diameter,
-            limit=2 * own.undercut_radius,
+            ball=unit.ball_diameter,
+            limit=2 * wall.undercut_radius,
         )
         raise CalculationError(message)
-    radius = own.ball_radius if cutter is None else cutter / 2
-    if not 0 < radius <= own.ball_radius * (1 + 1e-12):
+    radius = wall.ball_radius if cutter is None else cutter / 2
+    if not 0 < radius <= wall.ball_radius * (1 + 1e-12):
         message = say(
             "--cutter: {cutter:.5g mm} is none: the pocket takes one of up to {ball:.5g mm}, as large as the ball",
             cutter=2 * radius,
-            ball=found.ball_diameter,
+            ball=unit.ball_diameter,
         )
         raise CalculationError(message)
-    profile = _profile(own, radius, chord)
-    seat = own if own.sleeves == 2 else own._replace(steepening=0.0)
-    path = [(-each.path_axial, each.path_around) for each in profile if each.travel >= 0]
-    way = _both_sides([(-each.cutter_axial, each.cutter_around) for each in profile])
-    first = _pocket(profile, own, found.pocket_depth_cut)
-    second = _mirrored(_pocket(_profile(seat, radius, chord), seat, found.pocket_depth_cut))
+    profile = _profile(wall, radius, chord)
+    seat = wall if wall.sleeves == 2 else wall._replace(steepening=0.0)
+    path = [(-place.path_axial, place.path_around) for place in profile if place.travel >= 0]
+    way = _both_sides([(-place.cutter_axial, place.cutter_around) for place in profile])
+    first = _pocket(profile, wall, unit.pocket_depth_cut)
+    second = _mirrored(_pocket(_profile(seat, radius, chord), seat, unit.pocket_depth_cut))
     extent = _extent(first, second)
     return ShopDrawing(
         name=clutch.spec.name or clutch.spec.variant,
@@ -96,7 +96,7 @@ def shop_drawing(
             Contour("PATH", path, closed=False),
             Contour("CUTTER", way, closed=False),
         ],
-        synthesis=found,
+        synthesis=unit,
         profile=profile,
         cutter_radius=radius,
         chord=chord,
@@ -120,15 +120,14 @@ def _profile(wall: Wall, cutter: float, chord: float) -> list[CutterPoint]:
                 wall_around=start.wall_around + around,
             ),
         )
-    return [_with_cutter(each, cutter) for each in points]
-
-
-def _with_cutter(point: WallPoint, radius: float) -> CutterPoint:
-    return CutterPoint(
-        **dict(point),
-        cutter_axial=point.wall_axial + radius * math.sin(point.wall_angle),
-        cutter_around=point.wall_around - radius * math.cos(point.wall_angle),
-    )
+    return [
+        CutterPoint(
+            **dict(point),
+            cutter_axial=point.wall_axial + cutter * math.sin(point.wall_angle),
+            cutter_around=point.wall_around - cutter * math.cos(point.wall_angle),
+        )
+        for point in points
+    ]
 
 
 def _pocket(profile: list[CutterPoint], wall: Wall, depth: float) -> Points:
@@ -136,7 +135,7 @@ def _pocket(profile: list[CutterPoint], wall: Wall, depth: float) -> Points:
     floor = depth + wall.face_gap / 2
     start = wall.at(0.0)
     half = start.wall_around - (floor + start.wall_axial) * wall.tangent
-    above = [(-each.wall_axial, each.wall_around) for each in profile if -each.wall_axial < floor * (1 - 1e-12)]
+    above = [(-place.wall_axial, place.wall_around) for place in profile if -place.wall_axial < floor * (1 - 1e-12)]
     return _both_sides([(floor, half), *above])
 
 

@@ -129,7 +129,7 @@ class Wall(NamedTuple):
         while self._farthest_off(end, enough) > chord:
             enough *= 2
         counts = range(enough // 2 + 1, enough + 1)
-        count = counts[bisect_left(counts, -chord, key=lambda each: -self._farthest_off(end, each))]
+        count = counts[bisect_left(counts, -chord, key=lambda number: -self._farthest_off(end, number))]
         return [self.at(end * i / count) for i in range(count + 1)]
 
     def _farthest_off(self, end: float, count: int) -> float:
@@ -144,8 +144,8 @@ class Wall(NamedTuple):
         along, around = last.wall_axial - first.wall_axial, last.wall_around - first.wall_around
         between = (self.at(start + (stop - start) * i / _WITHIN) for i in range(1, _WITHIN))
         crosses = (
-            along * (each.wall_around - first.wall_around) - around * (each.wall_axial - first.wall_axial)
-            for each in between
+            along * (place.wall_around - first.wall_around) - around * (place.wall_axial - first.wall_axial)
+            for place in between
         )
         return max(map(abs, crosses)) / math.hypot(along, around)
 
