@@ -27,9 +27,9 @@ if TYPE_CHECKING:
     from .analysis.solve.solve import SolveResult
     from .analysis.springs.springs import SpringsResult
     from .analysis.sweep.grid import Axis
+    from .analysis.synthesize import SynthesisResult
     from .analysis.tolerance.result import ToleranceResult
     from .analysis.torque import Pair, TorqueResult
-    from .analysis.unit import SynthesisResult
     from .drive.result import HeatResult, SimulateResult
 
 Sweep: TypeAlias = str | Sequence[str]

@@ -14,7 +14,7 @@ from .answers import Answers
 from .limits import Utilisation, hub_findings, pressure_findings, utilisations
 from .registry import ANALYSES
 from .requirements import RequirementRow, requirement_rows, simulates
-from .unit import SynthesisResult
+from .synthesize import SynthesisResult
 
 
 class CheckResult(Answer):

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from .shop import ShopDrawing
     from .simulate import MomentRow
     from .springs.springs import SpringsCurve
+    from .synthesize import SynthesisResult
     from .tolerance.study import Study
-    from .unit import SynthesisResult
 
 _SINGLE = {"clutch": "SPEC", "names": "NAME", "requirements": "REQUIREMENTS"}
 """What stands alone, as the help calls it."""

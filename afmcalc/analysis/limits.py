@@ -18,8 +18,7 @@ from .answers import Answers
 from .heat_findings import judged_temperature, share_of_rise
 from .life import LifeResult
 from .registry import ANALYSES
-from .synthesize import contact_limits
-from .unit import SynthesisResult
+from .synthesize import SynthesisResult, contact_limits
 
 Grade = Literal["pass", "note", "warning", "fail"]
 _GRADES: dict[str, Grade] = {"info": "note", "warning": "warning", "error": "fail"}

@@ -10,7 +10,7 @@ from typing import NamedTuple, TypeAlias
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..messages import say
-from .unit import SynthesisResult
+from .synthesize import SynthesisResult
 from .wall import CHORD, Wall, WallPoint, wall_of
 
 Points: TypeAlias = list[tuple[float, float]]

@@ -20,8 +20,8 @@ from ..check import found_unsimulated
 from ..limits import ring_pressures
 from ..registry import ANALYSES
 from ..springs.springs import SpringOption, part_of, ranked
+from ..synthesize import SynthesisResult
 from ..torque import TorqueResult
-from ..unit import SynthesisResult
 from .candidates import candidates, rounded
 from .limits import feasible, objectives
 from .rows import DesignResult, DesignRow, as_spec, rows

@@ -4,7 +4,7 @@ import math
 from typing import Any, NamedTuple
 
 from ...analysis.figures import PocketSection
-from ...analysis.unit import SynthesisResult
+from ...analysis.synthesize import SynthesisResult
 from ...messages import localized, told, translate
 from ..symbols import mathtext
 from ..units import display

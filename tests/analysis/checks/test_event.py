@@ -10,7 +10,7 @@ from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.check import check
 from afmcalc.analysis.life import LifeResult, life
 from afmcalc.analysis.simulate import simulate
-from afmcalc.analysis.unit import SynthesisResult
+from afmcalc.analysis.synthesize import SynthesisResult
 from afmcalc.drive.result import SimulateResult
 from afmcalc.engines import build
 from afmcalc.engines.parts import demands_of
