@@ -31,16 +31,7 @@ class CheckResult(Answer):
 
 
 def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = None) -> tuple[CheckResult, list[Finding]]:
-    """Collect the findings of a design.
-
-    Args:
-        clutch: the clutch.
-        strict: warnings fail the check too.
-        answers: what was asked of it already.
-
-    Returns:
-        The verdict and the findings.
-    """
+    """Return the verdict on a design and its findings; ``strict``: warnings fail it too."""
     answers = answers or Answers(clutch)
     requirements, missed = requirement_rows(answers)
     findings = [*_findings(answers), *missed]

@@ -60,9 +60,6 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
         spec: the clutch.
         model: rule for the damaging stress of the life.
         explained: whether to say how it was calculated, of the same run.
-
-    Returns:
-        Results, findings of all of them, each once, steps, and what there is to draw.
     """
     if explained:
         answers, derived = _explained(spec, model)

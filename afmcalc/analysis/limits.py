@@ -59,12 +59,7 @@ class _Limit(NamedTuple):
 
 
 def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]:
-    """Hold a design against every limit that applies to it.
-
-    Args:
-        answers: what was asked of the clutch.
-        findings: those of all its analyses; they decide how grave an exceeded limit is.
-    """
+    """Hold a design against every limit that applies to it; its findings decide how grave an exceeded limit is."""
     levels = {remark.code: remark.level for remark in findings}
     rows = []
     for code, name, symbol, unit, value, limit, least, used, level in _limits(answers):

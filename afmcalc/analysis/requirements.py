@@ -133,14 +133,9 @@ def simulates(name: str, clutch: Clutch) -> bool:
 
 
 def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[RequirementRow], list[Finding]]:
-    """Hold a clutch against every requirement of its spec.
+    """Return a row for every requirement of the spec, and a finding for each that is missed or not judged.
 
-    Args:
-        answers: what was asked of it.
-        simulated: whether those are judged that a simulation answers.
-
-    Returns:
-        A row for each, in the order of the spec's keys, and a finding for each that is missed or not judged.
+    Without ``simulated`` those are left out that a simulation answers.
     """
     required = answers.clutch.spec.requirements
     given = {} if required is None else required.model_dump(exclude_none=True)

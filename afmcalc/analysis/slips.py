@@ -71,16 +71,15 @@ class Load(NamedTuple):
         least, most = (law.torque_unprotected(factor, end) for end in (self.least, self.most))
         return Load(lambda share: law.torque_unprotected(factor, self.torque(share)), least, most, self.kinks, factor)
 
-    def stretched(self, least: Values, own: Values, band: Values) -> "Load":
-        """The same course over another scatter band above ``least``; straight where there is no band of its ``own``."""
-        if not own:
+    def stretched(self, least: Values, from_band: Values, band: Values) -> "Load":
+        """The same course over another scatter band above ``least``; straight where there was none."""
+        if not from_band:
             return Load(lambda share: least + share * band, least, least + band)
 
-        def torque(share: Values) -> Values:
-            return least + (self.torque(share) - least) * (band / own)
+        def moved(torque: Values) -> Values:
+            return least + (torque - least) * (band / from_band)
 
-        most = least + (self.most - least) * (band / own)
-        return Load(torque, least + (self.least - least) * (band / own), most, self.kinks)
+        return Load(lambda share: moved(self.torque(share)), moved(self.least), moved(self.most), self.kinks)
 
 
 def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
@@ -136,16 +135,16 @@ def cycles(part: Fatigue, rule: StressRule, load: Load) -> Values:
         return 0.0
     if chosen.each_slip:
         low = load.low(part.load_low)
-        found = _slips(part, lambda share: _stress(part, chosen, low, load.torque(share)), load.kinks)
+        number = _slips(part, lambda share: _stress(part, chosen, low, load.torque(share)), load.kinks)
     else:
-        found = _line(part, damaging_stress(part, rule, load))
-    if not all_nonzero(found):
+        number = _line(part, damaging_stress(part, rule, load))
+    if not all_nonzero(number):
         raise OverflowError
     if is_array(broken):
         import numpy as np
 
-        return np.where(broken, 0.0, found)
-    return found
+        return np.where(broken, 0.0, number)
+    return number
 
 
 def is_static(part: Fatigue, load: Load) -> bool | Values:
@@ -170,8 +169,7 @@ def _line(part: Fatigue, stress: Values) -> Values:
     import numpy as np
 
     with np.errstate(all="ignore"):
-        found: Values = np.where(np.asarray(stress) > 0, law.cycles(part.endurance_limit, stress, *line), np.nan)
-    return found
+        return np.where(np.asarray(stress) > 0, law.cycles(part.endurance_limit, stress, *line), np.nan)
 
 
 def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Values, ...]) -> Values:
@@ -190,10 +188,10 @@ def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Value
                 added, largest = _piece(stress, limit, line, left, right)
             damage, most = damage + added, np.maximum(most, largest)
     with np.errstate(all="ignore"):
-        found = np.where((most > limit) & (damage > 0), 1 / damage, np.nan)
-    if found.ndim:
-        return found
-    if np.isnan(found):
+        number = np.where((most > limit) & (damage > 0), 1 / damage, np.nan)
+    if number.ndim:
+        return number
+    if np.isnan(number):
         return math.nan
     mean = marked(float(damage), stress(0.0), stress(1.0))  # over the whole range
     return float(law.cycles_of_mean_damage(mean))

@@ -96,9 +96,6 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         clutch: a clutch with a control unit.
         balls: standard ball diameters in ascending order, m; None for the list that ships.
 
-    Returns:
-        The result and its findings.
-
     Raises:
         SpecError: the spec lacks what synthesis needs.
     """

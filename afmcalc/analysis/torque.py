@@ -67,15 +67,7 @@ Pair = tuple[float, float | None]
 
 
 def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult, list[Finding]]:
-    """Calculate torque and forces over the friction range, and at the friction asked for.
-
-    Args:
-        clutch: a clutch with float parameters.
-        friction: pairs (f, None) for all pairs alike or (f_1, f_2).
-
-    Returns:
-        The result and the findings.
-    """
+    """Calculate torque and forces over the friction range, and at pairs (f, None) or (f_1, f_2) asked for."""
     points = pairs_asked(clutch, friction)
     ends = list(zip(*clutch.friction, strict=True))
     states = [clutch.point(*end) for end in ends]
