@@ -13,7 +13,6 @@ from ..messages import joined, say, term
 from ..result import Answer, Result, Sentence, Triple, quantity
 from ..spec import Spec
 from ..spec.edit import as_variant, with_key, with_nominal_torque
-from ..spec.quantity import doubts
 from ..variants import VARIANTS
 from .check import found_unsimulated
 from .torque import triple
@@ -80,7 +79,7 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
             rows.append(_row(own, basis, clutch.spec.name, found))
             remarks += _told(own, variant, found)
     rows.sort(key=lambda row: row.basis != "spring force")
-    asked = doubts(clutch.spec.label.doubts)
+    asked = list(clutch.spec.label.findings)
     return CompareResult(clutches=rows), [*asked, *dict.fromkeys(remarks), *missing]
 
 

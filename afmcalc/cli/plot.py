@@ -192,13 +192,12 @@ def _length(name: str, text: str | None) -> float | None:
 def _answers(what: str, request: "Request", common: Common) -> "list[Answers]":
     """Read and build the clutches that are drawn."""
     from ..analysis.answers import Answers
-    from ..spec.quantity import doubts
 
     if request.subjects.count("-") > 1:
         raise AfmcalcError("standard input (-) can be read once only")
     sources = list(request.subjects) or [None]
     clutches = [common.build(source, what) for source in sources]
     for clutch in clutches:
-        for doubt in doubts(clutch.spec.label.doubts):
-            common.note(doubt.message)  # a plot has no findings
+        for question in clutch.spec.label.findings:
+            common.note(question.message)  # a plot has no findings
     return [Answers(clutch, model=request.model or "mean-stress") for clutch in clutches]

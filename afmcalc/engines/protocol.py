@@ -11,7 +11,6 @@ from ..equations import accuracy, adjustment, effects, overload
 from ..findings import Finding
 from ..recorders import unrecorded
 from ..spec.models import Method, Range, Spec
-from ..spec.quantity import doubts
 from . import setting
 
 if TYPE_CHECKING:
@@ -346,7 +345,7 @@ class Clutch(ABC):
         with unrecorded():
             found, nominal = self._law_findings(), float(self.nominal_torque)
             found = [*found, *setting.findings(self.spec, nominal, float(self.torque_min))]
-            return [*doubts(self.spec.label.doubts), *found, *self._part_findings()]
+            return [*self.spec.label.findings, *found, *self._part_findings()]
 
     def wishes(self, travel: float = 0.0) -> "list[Wish]":
         """What each spring is to give, and what happens to it where the sleeve travels by the law, or farther."""

@@ -3,7 +3,7 @@
 import json
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TypeVar
 
 from pydantic import BaseModel, ValidationError
@@ -12,12 +12,10 @@ from pydantic_core import ErrorDetails
 from ..errors import Problem, SpecError
 from ..letters import did_you_mean
 from ..messages import say
-from .fields import choices_at, keys_below, names_in
+from .fields import Broken, choices_at, keys_below, names_in
 from .keys import elsewhere
 from .models import Spec
-from .quantity import impossible
 from .rules import Table
-from .source import Source
 
 _MOST_TOLD = 100
 """Problems that are told; of the others the number."""
@@ -25,33 +23,30 @@ _MOST_TOLD = 100
 M = TypeVar("M", bound=BaseModel)
 
 
-def make_spec(data: Table, label: str = "spec") -> Spec:
+def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -> Spec:
     """Validate a spec given as nested mappings; ``label`` names it in errors."""
-    return validated(Spec, data, label)
+    return validated(Spec, data, label, broken)
 
 
-def validated(model: type[M], data: Table, label: str) -> M:
-    """Validate plain data, read from where ``label`` says.
+def validated(model: type[M], data: Table, label: str, broken: Iterable[Broken] = ()) -> M:
+    """Validate plain data, read from where ``label`` says; ``broken`` are rules that its text breaks.
 
     Raises:
         SpecError: every problem found.
     """
-    too_large = [
-        Problem(doubt.path, _given(doubt.path, data), impossible(doubt))
-        for doubt in (label.doubts if isinstance(label, Source) else ())
-        if not doubt.possible
-    ]
+    problems = [Problem(path, _given(path, data), message) for path, message in broken]
+    more = 0
     try:
         made = model.model_validate(dict(data), context=label)
+        if not problems:
+            return made
     except ValidationError as error:
         if mistake := _of_another_kind(data, model):
             raise SpecError(label, [mistake]) from None
         details = error.errors(include_url=False)
-        problems = dict.fromkeys(_problem(detail, data, model) for detail in details[:_MOST_TOLD])
-        raise SpecError(label, [*too_large, *problems], len(details[_MOST_TOLD:])) from None
-    if too_large:
-        raise SpecError(label, too_large)
-    return made
+        problems += dict.fromkeys(_problem(detail, data, model) for detail in details[:_MOST_TOLD])
+        more = len(details[_MOST_TOLD:])
+    raise SpecError(label, problems, more)
 
 
 def _of_another_kind(data: Table, model: type[BaseModel]) -> Problem | None:

@@ -2,7 +2,8 @@
 
 import math
 import re
-from collections.abc import Callable, Iterable, Mapping
+import sys
+from collections.abc import Callable, Mapping
 from decimal import Decimal
 from functools import cache
 from typing import NamedTuple
@@ -10,7 +11,6 @@ from typing import NamedTuple
 from ..findings import Finding, finding
 from ..letters import did_you_mean
 from ..messages import localized, say, term
-from .source import Unlikely
 
 EXAMPLES = {
     "N": ("a force", "2 kN"),
@@ -189,9 +189,8 @@ def factor(text: str, unit: str) -> Decimal:
     kinds = {si: kind for si, (kind, _) in EXAMPLES.items() if si != "1" and si not in SCALES} | _FOREIGN
     others = (term(kind) for si, kind in kinds.items() if _product(si, _words()).exponents == given.exponents)
     other = next(others, say("of dimension {dimension}", dimension=_dimension(given.exponents)))
-    kind = term(EXAMPLES[unit][0])
     raise ValueError(
-        say("{text} is {other}, not {kind}; {allowed}", text=text, other=other, kind=kind, allowed=allowed(unit))
+        say("{text} is {other}, not {kind}; {allowed}", text=text, other=other, kind=_kind(unit), allowed=allowed(unit))
     )
 
 
@@ -253,47 +252,31 @@ _LARGEST = {"m": 10.0}
 """SI unit → number above which it cannot be meant."""
 
 
-def unlikely(value: object, unit: str | None, path: str = "") -> Unlikely | None:
-    """Return a number without a unit where it is rarely or never meant in SI; None for any other value.
+def asked_unit(value: object, unit: str | None, path: str = "") -> Finding | None:
+    """Ask after a number without a unit that is rarely meant in SI; None for any other value.
 
-    >>> unlikely(2, "N").meant, unlikely("2 N", "N"), unlikely(100, "m").possible
-    ('2 kN', None, False)
+    Raises:
+        ValueError: it is never meant in SI.
+
+    >>> asked_unit(2, "N", "force").message, asked_unit("2 N", "N")
+    ('force: a number without a unit is in SI, 2 N; 2 kN? Write "2 kN" or "2 N"', None)
     """
-    if unit not in _UNLIKELY or isinstance(value, bool) or not isinstance(value, int | float):
+    if unit not in _UNLIKELY or isinstance(value, bool | str) or not isinstance(value, int | float):
         return None
     rare, other = _UNLIKELY[unit]
-    if not rare(value):
+    if not rare(value) or not value <= sys.float_info.max:
         return None
-    possible = value <= _LARGEST.get(unit, math.inf)
-    return Unlikely(path, float(value), f"{value:g} {unit}", f"{value:g} {other}", possible)
-
-
-def impossible(found: Unlikely) -> str:
-    """Say what a number without a unit cannot be."""
-    return say(
-        'a number without a unit is in SI, and {given} is too large: write "{meant}"',
-        given=found.given,
-        meant=found.meant,
-    )
-
-
-def doubts(found: Iterable[Unlikely]) -> list[Finding]:
-    """Ask after numbers without a unit that may be meant in another than SI."""
-    return [
-        finding("number-without-unit", "warning", value=each.value, path=each.path, given=each.given, meant=each.meant)
-        for each in found
-    ]
+    given, meant = f"{value:g} {unit}", f"{value:g} {other}"
+    if value > _LARGEST.get(unit, math.inf):
+        message = say(
+            'a number without a unit is in SI, and {given} is too large: write "{meant}"', given=given, meant=meant
+        )
+        raise ValueError(message)
+    return finding("number-without-unit", "warning", value=float(value), path=path, given=given, meant=meant)
 
 
 def parse_quantity(value: object, unit: str) -> float:
-    """Read ``value`` as a quantity of the dimension of ``unit``, in SI.
-
-    Args:
-        value: a number in SI or a string such as ``"20 N/mm"``.
-        unit: SI unit of the field, a key of ``EXAMPLES``.
-
-    Returns:
-        The number in SI.
+    """Read a number in SI, or a string such as ``"20 N/mm"``, as a quantity in SI of the dimension of ``unit``.
 
     Raises:
         ValueError: not a number, not finite, an unknown unit or one of another dimension.
@@ -303,10 +286,10 @@ def parse_quantity(value: object, unit: str) -> float:
     """
     if isinstance(value, bool):
         raise ValueError(say("a boolean is not {kind}; {allowed}", kind=_kind(unit), allowed=allowed(unit)))
-    if isinstance(value, int | float):
-        number = _as_float(value)
-    elif isinstance(value, str):
+    if isinstance(value, str):
         number = _parse_text(value, unit)
+    elif isinstance(value, int | float):
+        number = float(value) if abs(value) <= sys.float_info.max else math.inf
     else:
         raise ValueError(say("{kind} is wanted; {allowed}", kind=_kind(unit), allowed=allowed(unit)))
     if not math.isfinite(number):
@@ -318,28 +301,26 @@ def _kind(unit: str) -> str:
     return term(EXAMPLES[unit][0])
 
 
-def _as_float(value: int | float) -> float:
-    try:
-        return float(value)
-    except OverflowError:
-        return math.inf
-
-
 def _parse_text(text: str, unit: str) -> float:
     if (comma := _DECIMAL_COMMA.fullmatch(text)) and localized("0.5") == "0,5" and not _THOUSANDS.match(text.strip()):
         text = f"{comma[1]}.{comma[2]}"
     match = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
     if match is None:
         raise ValueError(say("cannot be read as a number with a unit; {allowed}", allowed=allowed(unit)))
-    number, unit_text = match[1], match[2].strip()
+    number, written = match[1], match[2].strip()
     if unread := unread_number(text):
         raise ValueError(unread)
-    if not unit_text:
+    if not written:
         raise ValueError(say("has no unit; {allowed}", allowed=allowed(unit)))
     if unit == "1":
         raise ValueError(say("is dimensionless and takes no unit; {allowed}", allowed=allowed(unit)))
-    zero = _zero(unit_text, unit) if unit in SCALES else Decimal(0)
-    times = Decimal(1) if unit in SCALES else factor(unit_text, unit)
+    if unit not in SCALES:
+        zero, times = Decimal(0), factor(written, unit)
+    elif written in SCALES[unit]:
+        zero, times = SCALES[unit][written], Decimal(1)
+    else:
+        message = say("{text!r} is no unit of {kind}; {allowed}", text=written, kind=_kind(unit), allowed=allowed(unit))
+        raise ValueError(message)
     try:
         return float(Decimal(number) * times + zero)
     except ArithmeticError:  # an exponent beyond those of Decimal; that of 0 counts too
@@ -374,12 +355,3 @@ def unread_number(text: str, *, quoted: bool = False) -> str | None:
         grouped = written(number.replace(",", ""))
         return say("a comma is not read: write {grouped} or {point}, whichever is meant", grouped=grouped, point=point)
     return say("a decimal comma is not read: write {point}", point=point)
-
-
-def _zero(unit_text: str, unit: str) -> Decimal:
-    """Where the scale ``unit_text`` begins, in SI units of the field."""
-    if unit_text not in SCALES[unit]:
-        raise ValueError(
-            say("{text!r} is no unit of {kind}; {allowed}", text=unit_text, kind=_kind(unit), allowed=allowed(unit))
-        )
-    return SCALES[unit][unit_text]

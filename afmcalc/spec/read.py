@@ -12,11 +12,11 @@ from pydantic import BaseModel
 
 from ..errors import AfmcalcError
 from .edit import Overrides, apply_overrides, overridden
-from .fields import keys_below
+from .fields import Broken, keys_below
 from .models import Spec
 from .parse import BUILT_IN, check_size, is_json, parse, text_of, toml_of
 from .problems import make_spec
-from .quantity import parse_quantity, unlikely
+from .quantity import asked_unit, parse_quantity
 from .rules import given_in
 from .source import Source
 
@@ -48,22 +48,25 @@ def spec_of(text: str, label: Source, overrides: Overrides = ()) -> Spec:
     return make_spec(*data_of(text, label, overrides, Spec))
 
 
-def data_of(text: str, label: Source, overrides: Overrides, model: type[BaseModel]) -> tuple[dict[str, object], Source]:
-    """Parse a text and override its values; what it is called then knows the numbers without a unit to ask after.
+def data_of(
+    text: str, label: Source, overrides: Overrides, model: type[BaseModel]
+) -> tuple[dict[str, object], Source, list[Broken]]:
+    """Parse a text and override its values.
 
-    JSON is what programs write, in SI: there only an override may be meant otherwise.
+    What it is called then asks after numbers without a unit; those that cannot be meant in SI are returned. JSON is
+    what programs write, in SI: there only an override may be meant otherwise.
     """
     data = apply_overrides(parse(text, label), overrides, model)
     changed, in_si, keys = overridden(overrides, model), is_json(text, label), keys_below(model)
-    doubts = [
-        doubt
-        for path, value in given_in(data).items()
-        if path in keys and (path in changed or not in_si)
-        for number in _numbers(value)
-        if (doubt := unlikely(number, keys[path].unit, path))
-    ]
+    questions, broken = [], []
+    for path, value in given_in(data).items():
+        if path in keys and (path in changed or not in_si):
+            try:
+                questions += [asked_unit(number, keys[path].unit, path) for number in _numbers(value)]
+            except ValueError as error:
+                broken.append((path, str(error)))
     by = "--set" if label.name is BUILT_IN else ""
-    return data, Source(label, text, dict.fromkeys(changed, by), doubts)
+    return data, Source(label, text, dict.fromkeys(changed, by), filter(None, questions)), broken
 
 
 def _numbers(value: object) -> Iterator[object]:

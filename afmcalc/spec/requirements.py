@@ -13,10 +13,9 @@ from pydantic import (
     PrivateAttr,
     StrictBool,
     TypeAdapter,
-    ValidationError,
 )
 from pydantic.json_schema import JsonSchemaValue
-from pydantic_core import CoreSchema, PydanticKnownError, core_schema
+from pydantic_core import CoreSchema, core_schema
 
 from ..messages import say
 from ..variants import VARIANTS, Variant
@@ -105,11 +104,6 @@ class Searched:
             return float(self._field.validate_python(value))
         except OverflowError:
             raise ValueError(say("must be finite")) from None
-        except ValidationError as error:
-            detail: Any = error.errors(include_url=False)[0]
-            if detail["type"] == "value_error":
-                raise detail["ctx"]["error"] from None
-            raise PydanticKnownError(detail["type"], detail.get("ctx")) from None
 
     def read(self, value: object) -> Choice:
         """Read what stands in the file."""
@@ -156,10 +150,9 @@ class Searched:
 
     def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         """Describe what may stand in the file."""
-        one: JsonSchemaValue = {"anyOf": [{"type": "number"}, {"type": "string"}]}
-        return {
-            "anyOf": [*one["anyOf"], {"type": "array", "items": one}, {"type": "object", "additionalProperties": one}]
-        }
+        one = [{"type": "number"}, {"type": "string"}]
+        several = {"type": "array", "items": {"anyOf": one}}, {"type": "object", "additionalProperties": {"anyOf": one}}
+        return {"anyOf": [*one, *several]}
 
 
 def _check_count(count: float, most: int) -> None:
@@ -417,8 +410,7 @@ def read_requirements(source: str | PathLike[str], overrides: Overrides = ()) ->
         SpecError: every problem found.
         FileError: the file cannot be read.
     """
-    text, label = text_of(source)
-    return make_requirements(*data_of(text, label, overrides, Requirements))
+    return validated(Requirements, *data_of(*text_of(source), overrides, Requirements))
 
 
 def make_requirements(data: Table, label: str = "requirements") -> Requirements:

@@ -1,8 +1,7 @@
 """Rules between the keys of a spec: what excludes what, what needs what, what a variant does not have."""
 
 from collections.abc import Iterator, Mapping
-from itertools import chain
-from typing import TypeAlias, TypeGuard
+from typing import NamedTuple, TypeAlias, TypeGuard
 
 from ..messages import say, say_many
 from ..variants import VARIANTS
@@ -12,95 +11,114 @@ Table: TypeAlias = Mapping[str, object]
 """A table of a spec as it was written."""
 
 
+class Rule(NamedTuple):
+    """A key is wrong, or wanting, where some keys are given and others are not; ``friction.`` is a block, a table."""
+
+    key: str
+    given: tuple[str, ...]
+    absent: tuple[str, ...] = ()
+    message: str = ""
+    """What is wrong; by default that the key is required beside the first of those given."""
+
+
+_ONE_FRICTION = say("give friction for all pairs or per group (friction.driving, friction.driven), not both")
+_RANGE = say("required (or give material instead of min and max)")
+_ONE_RADIUS = say("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius")
+_GROUPS = ("friction.driving", "friction.driven")
+_MEAN, _INNER, _OUTER = (f"friction_group.{name}_radius" for name in ("mean", "inner", "outer"))
+_GAIN, _ANGLE, _CIRCLE = "control_unit.gain", "control_unit.wall_angle", "control_unit.ball_circle_radius"
+_SLOPE, _POCKET, _PROFILED = "control_unit.gain_slope", "control_unit.pocket", "control_unit.profiled"
+_FORCE, _TORQUE = "closing_spring.force", "adjustment.nominal_torque"
+
+_RULES = (
+    *(
+        Rule(key, (key, group), message=_ONE_FRICTION)
+        for group in _GROUPS
+        for key in ("friction.min", "friction.mean", "friction.max", "friction.material")
+    ),
+    Rule("friction.driven", ("friction.driving",), ("friction.driven",)),
+    Rule("friction.driving", ("friction.driven",), ("friction.driving",)),
+    *(
+        Rule(key, (f"{block}.",), (key, f"{block}.material", *groups), _RANGE)
+        for block, groups in (("friction.driving", ()), ("friction.driven", ()), ("friction", _GROUPS))
+        for key in (f"{block}.min", f"{block}.max")
+    ),
+    *(Rule(key, (key, _MEAN), message=_ONE_RADIUS) for key in (_INNER, _OUTER, "friction_group.radius_model")),
+    Rule(_OUTER, (_INNER,), (_OUTER, _MEAN)),
+    Rule(_INNER, (_OUTER,), (_INNER, _MEAN)),
+    Rule(_MEAN, ("friction_group.",), (_MEAN, _INNER, _OUTER), say("required (or give inner_radius and outer_radius)")),
+    Rule(
+        _ANGLE,
+        (_ANGLE, _GAIN),
+        message=say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius"),
+    ),
+    Rule(_CIRCLE, (_ANGLE,), (_CIRCLE, _GAIN)),
+    Rule(_GAIN, ("control_unit.",), (_GAIN, _ANGLE), say("required (or give wall_angle and ball_circle_radius)")),
+    Rule(
+        _SLOPE,
+        (_SLOPE, _POCKET),
+        message=say("excludes control_unit.pocket: give the slope, or the pocket that it follows from"),
+    ),
+    Rule(_PROFILED, (_PROFILED,), (_SLOPE, _POCKET), say("is of a curved wall: give gain_slope or pocket with it")),
+    Rule(_FORCE, (), (_FORCE, _TORQUE), say("required (or give adjustment.nominal_torque, which sets it)")),
+    Rule(
+        _FORCE,
+        ("control_spring.force", _TORQUE),
+        (_FORCE,),
+        say("required beside control_spring.force: both forces as made"),
+    ),
+    Rule(
+        "drive.motor_torque",
+        ("drive.motor_torque", "drive.motor"),
+        message=say("excludes drive.motor: give a constant torque, or the motor's curve"),
+    ),
+    *(
+        Rule(f"drive.{key}", ("drive.event.",), (f"drive.{key}",))
+        for key in ("motor_inertia", "driven_inertia", "shaft_stiffness")
+    ),
+    Rule("drive.speed", ("drive.event.",), ("drive.speed", "drive.motor")),
+    *(
+        Rule(
+            f"tolerance.fields.{spring}.stiffness",
+            (f"tolerance.fields.{spring}.stiffness", f"{spring}.disc"),
+            message=say("has no effect beside {spring}.disc", spring=spring),
+        )
+        for spring in ("closing_spring", "control_spring")
+    ),
+)
+"""Rules that ask only whether keys are given."""
+
+
 def broken_rules(data: Table) -> list[Broken]:
     """Rules between keys that ``data`` breaks; values themselves are the models' business."""
     given = given_in(data)
-    every = (_friction, _radii, _gain, _pocket, _force, _variant, _pairs, _drive, _event, _discs)
-    return [*chain.from_iterable(rule(given) for rule in every)]
+    broken = [
+        (rule.key, rule.message or _beside(rule.given[0]))
+        for rule in _RULES
+        if given.keys() >= set(rule.given) and given.keys().isdisjoint(rule.absent)
+    ]
+    return [*dict.fromkeys(broken), *_static_friction(given), *_variant(given), *_pairs(given), *_event(given)]
+
+
+def _beside(path: str) -> str:
+    return say("required beside {other}", other=path.rstrip("."))
 
 
 def given_in(data: Table, prefix: str = "") -> dict[str, object]:
-    """Every value and table of a spec by dotted path; what is None is not given."""
+    """Every value and table of a spec by dotted path, a table also with a dot at its end; what is None is not given."""
     given: dict[str, object] = {}
     for name, value in data.items():
         if value is not None:
             given[prefix + name] = value
             if isinstance(value, dict):
-                given |= given_in(value, f"{prefix}{name}.")
+                given |= {f"{prefix}{name}.": value} | given_in(value, f"{prefix}{name}.")
     return given
 
 
-def _is_table(given: Table, path: str) -> bool:
-    return isinstance(given.get(path), dict)
-
-
-def _beside(path: str, other: str) -> Broken:
-    return path, say("required beside {other}", other=other)
-
-
-def _friction(given: Table) -> Iterator[Broken]:
-    groups = [path for path in ("friction.driving", "friction.driven") if path in given]
-    for key in ("min", "mean", "max", "material") if groups else ():
-        if (path := f"friction.{key}") in given:
-            yield (
-                path,
-                say("give friction for all pairs or per group (friction.driving, friction.driven), not both"),
-            )
-    if len(groups) == 1:
-        yield _beside("friction.driven" if groups == ["friction.driving"] else "friction.driving", groups[0])
+def _static_friction(given: Table) -> Iterator[Broken]:
     ratio = given.get("friction.static_ratio")
     if isinstance(ratio, int | float) and ratio > 1 and "friction.stribeck_speed" not in given:
-        yield _beside("friction.stribeck_speed", "friction.static_ratio")
-    for block in groups or ["friction"]:
-        if _is_table(given, block) and f"{block}.material" not in given:
-            for path in (f"{block}.min", f"{block}.max"):
-                if path not in given:
-                    yield path, say("required (or give material instead of min and max)")
-
-
-def _radii(given: Table) -> Iterator[Broken]:
-    inner, outer, mean, model = (
-        f"friction_group.{name}" for name in ("inner_radius", "outer_radius", "mean_radius", "radius_model")
-    )
-    if mean in given:
-        for path in (inner, outer, model):
-            if path in given:
-                yield (
-                    path,
-                    say("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius"),
-                )
-    elif inner in given and outer not in given:
-        yield _beside(outer, inner)
-    elif outer in given and inner not in given:
-        yield _beside(inner, outer)
-    elif inner not in given and _is_table(given, "friction_group"):
-        yield mean, say("required (or give inner_radius and outer_radius)")
-
-
-def _gain(given: Table) -> Iterator[Broken]:
-    gain, angle, radius = (f"control_unit.{name}" for name in ("gain", "wall_angle", "ball_circle_radius"))
-    if gain in given and angle in given:
-        yield angle, say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius")
-    elif angle in given and radius not in given:
-        yield _beside(radius, angle)
-    elif gain not in given and angle not in given and _is_table(given, "control_unit"):
-        yield gain, say("required (or give wall_angle and ball_circle_radius)")
-
-
-def _pocket(given: Table) -> Iterator[Broken]:
-    slope, pocket, profiled = (f"control_unit.{name}" for name in ("gain_slope", "pocket", "profiled"))
-    if slope in given and pocket in given:
-        yield slope, say("excludes control_unit.pocket: give the slope, or the pocket that it follows from")
-    if profiled in given and slope not in given and pocket not in given:
-        yield profiled, say("is of a curved wall: give gain_slope or pocket with it")
-
-
-def _force(given: Table) -> Iterator[Broken]:
-    path = "closing_spring.force"
-    if path not in given and "adjustment.nominal_torque" not in given:
-        yield path, say("required (or give adjustment.nominal_torque, which sets it)")
-    elif "control_spring.force" in given and path not in given:
-        yield path, say("required beside control_spring.force: both forces as made")
+        yield "friction.stribeck_speed", _beside("friction.static_ratio")
 
 
 def _special_keys() -> dict[str, tuple[str, ...]]:
@@ -168,30 +186,18 @@ def _pairs(given: Table) -> Iterator[Broken]:
         yield "friction_group.pairs", message
 
 
-def _drive(given: Table) -> Iterator[Broken]:
-    if "drive.motor" in given and "drive.motor_torque" in given:
-        yield "drive.motor_torque", say("excludes drive.motor: give a constant torque, or the motor's curve")
-
-
 _OF_EVENT = {"stop": ("stop_time",), "load": ("torque", "rise_time")}
 """Kind of event → keys that it needs and no other kind has."""
 
 
 def _event(given: Table) -> Iterator[Broken]:
-    if not _is_table(given, "drive.event"):
+    if "drive.event." not in given:
         return
     kind, variant = given.get("drive.event.kind"), VARIANTS.get(str(given.get("variant")))
-    needed = {
-        "motor_inertia": True,
-        "driven_inertia": True,
-        "shaft_stiffness": True,
-        "tool_inertia": kind == "load",
-        "hub_inertia": variant is not None and variant.travels,
-        "speed": "drive.motor" not in given,
-    }
-    for key, is_needed in needed.items():
-        if is_needed and f"drive.{key}" not in given:
-            yield _beside(f"drive.{key}", "drive.event")
+    if kind == "load" and "drive.tool_inertia" not in given:
+        yield "drive.tool_inertia", _beside("drive.event")
+    if variant is not None and variant.travels and "drive.hub_inertia" not in given:
+        yield "drive.hub_inertia", _beside("drive.event")
     if kind == "stop" and "drive.tool_inertia" in given:
         yield "drive.tool_inertia", say("only with an event of kind load: a stopped tool moves as it is told")
     for other, keys in _OF_EVENT.items():
@@ -200,11 +206,3 @@ def _event(given: Table) -> Iterator[Broken]:
                 yield path, say("required for an event of kind {kind}", kind=other)
             if other != kind and path in given and str(kind) in _OF_EVENT:
                 yield path, say("only for an event of kind {kind}", kind=other)
-
-
-def _discs(given: Table) -> Iterator[Broken]:
-    """A stack of discs has no stiffness that scatters on its own."""
-    for spring in ("closing_spring", "control_spring"):
-        path = f"tolerance.fields.{spring}.stiffness"
-        if path in given and f"{spring}.disc" in given:
-            yield path, say("has no effect beside {spring}.disc", spring=spring)

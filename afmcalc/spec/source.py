@@ -7,21 +7,10 @@ from functools import cached_property
 from typing import NamedTuple
 
 from ..errors import Label, Place
+from ..findings import Finding
 
 _SEARCHED = 1 << 20
 """Characters of a text in which places are looked for."""
-
-
-class Unlikely(NamedTuple):
-    """A number without a unit that may be meant in another than SI."""
-
-    path: str
-    value: float
-    given: str
-    """With its SI unit."""
-    meant: str
-    """With the unit that may be meant."""
-    possible: bool
 
 
 class Source(Label):
@@ -30,22 +19,22 @@ class Source(Label):
     text: str
     overridden: Mapping[str, str]
     """Dotted paths whose values are no longer those of the text → what gave them, where that is told."""
-    doubts: tuple[Unlikely, ...]
+    findings: tuple[Finding, ...]
     """Numbers without a unit that may be meant in another than SI."""
 
     def __new__(
-        cls, label: str, text: str = "", overridden: Mapping[str, str] | None = None, doubts: Iterable[Unlikely] = ()
+        cls, label: str, text: str = "", overridden: Mapping[str, str] | None = None, findings: Iterable[Finding] = ()
     ) -> "Source":
         """Name a text."""
         source = super().__new__(cls, label)
-        source.text, source.overridden, source.doubts = text, dict(overridden or {}), tuple(doubts)
+        source.text, source.overridden, source.findings = text, dict(overridden or {}), tuple(findings)
         return source
 
     def but(self, paths: Iterable[str]) -> "Source":
         """The same text, with other values at some paths."""
-        gone = set(paths)
-        doubts = (doubt for doubt in self.doubts if doubt.path not in gone)
-        return Source(self.name, self.text, {**self.overridden, **dict.fromkeys(gone, "")}, doubts)
+        gone = dict.fromkeys(paths, "")
+        findings = (finding for finding in self.findings if finding.path not in gone)
+        return Source(self.name, self.text, {**self.overridden, **gone}, findings)
 
     @cached_property
     def _spans(self) -> "dict[str, Span]":

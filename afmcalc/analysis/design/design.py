@@ -12,7 +12,6 @@ from ...findings import Finding, finding
 from ...letters import did_you_mean
 from ...messages import joined, measured, say, term
 from ...progress import tell
-from ...spec.quantity import doubts
 from ...spec.requirements import Requirements
 from ...variants import VARIANTS, Variant
 from .candidates import candidates
@@ -68,7 +67,7 @@ def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
         front=best,
     )
     missed = [finding("springs-miss", "warning", value=float(unsprung), path="springs")] if unsprung else []
-    return result, [*doubts(need.label.doubts), *_findings(result), *missed]
+    return result, [*need.label.findings, *_findings(result), *missed]
 
 
 def refinement(need: Requirements, found: Survey) -> list[tuple[DesignRow, DesignRow]]:

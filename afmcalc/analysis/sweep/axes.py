@@ -8,15 +8,15 @@ import numpy as np
 from ...arrays import Floats
 from ...engines import build
 from ...errors import AfmcalcError, SpecError
+from ...findings import Finding
 from ...letters import did_you_mean
 from ...spec import Spec
 from ...spec.edit import respecified, value_at
 from ...spec.fields import Key
 from ...spec.keys import ALIASES, elsewhere, keys, names, path_of
 from ...spec.models import FrictionRange
-from ...spec.quantity import impossible, parse_quantity, unlikely
+from ...spec.quantity import asked_unit, parse_quantity
 from ...spec.rules import variants_of
-from ...spec.source import Unlikely
 from .grid import MOST_POINTS, Axis
 
 _MOST_COUNTED = 200
@@ -67,7 +67,7 @@ def parse_axis(text: str, spec: Spec) -> Axis:
     if not separator:
         return Axis(name, key, default_range(key, spec) / scale, scale)
     values = parse_values(text, given, key.unit or "1")
-    return Axis(name, key, values, scale, _doubted(text, given, key, values))
+    return Axis(name, key, values, scale, _question(text, given, key, values))
 
 
 def parse_values(text: str, given: str, unit: str) -> Floats:
@@ -102,7 +102,7 @@ def parse_values(text: str, given: str, unit: str) -> Floats:
     return np.linspace(number(parts[0]), number(parts[1]), count)
 
 
-def _doubted(text: str, given: str, key: Key, values: Floats) -> Unlikely | None:
+def _question(text: str, given: str, key: Key, values: Floats) -> Finding | None:
     """Return the first of the values of a sweep that, given without a unit, may be meant in another than SI.
 
     Raises:
@@ -110,10 +110,11 @@ def _doubted(text: str, given: str, key: Key, values: Floats) -> Unlikely | None
     """
     if _has_unit(given):
         return None
-    doubts = [doubt for value in values.tolist() if (doubt := unlikely(value, key.unit, key.path))]
-    if never := next((doubt for doubt in doubts if not doubt.possible), None):
-        raise AfmcalcError("--sweep {text:.80}: {why}", text=text, why=impossible(never))
-    return next(iter(doubts), None)
+    try:
+        questions = [asked_unit(value, key.unit, key.path) for value in values.tolist()]
+    except ValueError as error:
+        raise AfmcalcError("--sweep {text:.80}: {why}", text=text, why=str(error)) from None
+    return next(filter(None, questions), None)
 
 
 def _has_unit(part: str) -> bool:

@@ -14,8 +14,6 @@ from ...result import Series
 from ...spec import Spec, edit
 from ...spec.fields import Key
 from ...spec.keys import is_whole
-from ...spec.quantity import doubts
-from ...spec.source import Unlikely
 
 MOST_POINTS = 200_000
 """Points of a sweep: its answers take 0.3 GB then."""
@@ -36,14 +34,14 @@ class Axis(NamedTuple):
     """Values of the parameter as called."""
     scale: float = 1.0
     """What a value is multiplied by to give the spec key (zC → C)."""
-    doubt: Unlikely | None = None
+    question: Finding | None = None
     """The first value without a unit that may be meant in another than SI."""
 
 
 def replaced(spec: Spec, axes: Sequence[Axis]) -> list[Finding]:
     """Say which keys of the spec a sweep has taken the place of, and ask after its numbers without a unit."""
     gone = edit.replaced(spec, [axis.key.path for axis in axes])
-    asked = doubts(axis.doubt for axis in axes if axis.doubt)
+    asked = [axis.question for axis in axes if axis.question]
     return [*asked, *(finding("sweep-replaces", "info", path=path, by=by) for path, by in gone.items())]
 
 
