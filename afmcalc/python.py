@@ -12,7 +12,7 @@ from .engines.protocol import Clutch as Engine
 from .findings import Finding
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
-from .spec.edit import Overrides, overridden, respecified
+from .spec.edit import Overrides, apply_overrides, respecified
 
 if TYPE_CHECKING:
     from .analysis.accuracy import AccuracyResult
@@ -61,7 +61,7 @@ class Clutch:
 
         A key takes the place of those that exclude it (the gain that of a wall angle).
         """
-        return Clutch(respecified(self.spec, overridden({**(keys or {}), **named})))
+        return Clutch(respecified(self.spec, apply_overrides({}, {**(keys or {}), **named})))
 
     def accuracy(self, sweep: Sweep = ()) -> "AccuracyResult":
         """Accuracy factor, its limits and sensitivities, and sweeps of it."""

@@ -62,19 +62,17 @@ def put(data: dict[str, Any], path: str, value: Any) -> None:
 
 
 def apply_overrides(data: dict[str, object], overrides: Overrides, model: type[BaseModel] = Spec) -> dict[str, object]:
-    """Apply overrides to parsed data."""
+    """Apply overrides to parsed data; return the dotted paths that they name, each with its value."""
+    changed: dict[str, object] = {}
     for override, value in _values(overrides):
+        path = _path(override, model)
         try:
-            put(data, _path(override, model), value)
+            put(data, path, value)
         except ValueError as error:
             path = str(error)
             raise AfmcalcError("--set {override:.80}: {path} is no table", override=override, path=path) from None
-    return data
-
-
-def overridden(overrides: Overrides, model: type[BaseModel] = Spec) -> dict[str, object]:
-    """Return the dotted paths that overrides name, each with its value."""
-    return {_path(override, model): value for override, value in _values(overrides)}
+        changed[path] = value
+    return changed
 
 
 def _values(overrides: Overrides) -> Iterator[tuple[str, object]]:

@@ -53,7 +53,7 @@ class Block(BaseModel):
         return self
 
 
-def key_field(description: str, symbol: str | None = None, default: Any = None, **bounds: Any) -> Any:
+def key(description: str, symbol: str | None = None, default: Any = None, **bounds: Any) -> Any:
     """A spec key: what it is, the papers' symbol, its default (``...``: it is required) and bounds of a plain type."""
     extra: dict[str, Any] | None = {"symbol": symbol} if symbol else None
     return Field(default=default, description=description, json_schema_extra=extra, **bounds)

@@ -8,16 +8,14 @@ from typing import Annotated, Any, Literal, NamedTuple
 from pydantic import (
     BeforeValidator,
     Field,
-    GetCoreSchemaHandler,
-    GetJsonSchemaHandler,
+    GetPydanticSchema,
     ModelWrapValidatorHandler,
     PrivateAttr,
     ValidationError,
     field_validator,
     model_validator,
 )
-from pydantic.json_schema import JsonSchemaValue
-from pydantic_core import CoreSchema, PydanticKnownError, core_schema
+from pydantic_core import PydanticKnownError, core_schema
 
 from ..messages import say
 from ..variants import VARIANTS, Variant
@@ -47,24 +45,12 @@ from .fields import (
     Torque,
     TorqueOrNone,
     WallAngle,
-    key_field,
+    key,
     rule_error,
 )
 from .source import Source
 from .springs import ClosingSpring, CoilSprings, ControlSpring, DiscStack
 from .tolerance import Tolerance, in_si
-
-
-class _Registered:
-    """Type of a field that names a variant: whichever records there are when a spec is read or described."""
-
-    def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:
-        """Take a name there is a record of."""
-        return core_schema.no_info_plain_validator_function(_registered)
-
-    def __get_pydantic_json_schema__(self, core: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        """List the names."""
-        return {"enum": list(VARIANTS), "type": "string"}
 
 
 def _registered(value: object) -> object:
@@ -74,7 +60,14 @@ def _registered(value: object) -> object:
     raise PydanticKnownError("literal_error", {"expected": f"{', '.join(names)} or {last}"})
 
 
-VariantName = Annotated[str, _Registered()]
+VariantName = Annotated[
+    str,
+    GetPydanticSchema(
+        lambda source, handler: core_schema.no_info_plain_validator_function(_registered),
+        lambda core, handler: {"enum": list(VARIANTS), "type": "string"},
+    ),
+]
+"""Whichever variants there are records of when a spec is read or described."""
 Method = Literal["min-friction", "mean-friction"]
 PocketShape = Literal["constant-torque"]
 Profiled = Literal["one", "both"]
@@ -92,10 +85,10 @@ class Range(NamedTuple):
 class FrictionRange(Block):
     """Friction of one group of pairs: a range, or a material of the catalogue."""
 
-    min: Coefficient | None = key_field("smallest coefficient of friction", "f_min")
-    mean: Coefficient | None = key_field("mean coefficient of friction; default (min + max)/2", "f_cp")
-    max: Coefficient | None = key_field("largest coefficient of friction", "f_max")
-    material: str | None = key_field("name of a friction material of the catalogue")
+    min: Coefficient | None = key("smallest coefficient of friction", "f_min")
+    mean: Coefficient | None = key("mean coefficient of friction; default (min + max)/2", "f_cp")
+    max: Coefficient | None = key("largest coefficient of friction", "f_max")
+    material: str | None = key("name of a friction material of the catalogue")
 
     def broken_rules(self) -> Iterable[Broken]:
         """Nothing beside a material; min ≤ mean ≤ max as far as given."""
@@ -128,10 +121,10 @@ class FrictionRange(Block):
 class Friction(FrictionRange):
     """Friction of all pairs, or of the driving and the driven group apart (differentiated only)."""
 
-    driving: FrictionRange | None = key_field("friction of the driving (bypass) pairs", "f_1")
-    driven: FrictionRange | None = key_field("friction of the driven (controlled) pairs", "f_2")
-    static_ratio: AtLeastOne | None = key_field("static over sliding friction; default 1", "r_s")
-    stribeck_speed: SlidingSpeed | None = key_field("sliding speed in which static friction decays", "v_s")
+    driving: FrictionRange | None = key("friction of the driving (bypass) pairs", "f_1")
+    driven: FrictionRange | None = key("friction of the driven (controlled) pairs", "f_2")
+    static_ratio: AtLeastOne | None = key("static over sliding friction; default 1", "r_s")
+    stribeck_speed: SlidingSpeed | None = key("sliding speed in which static friction decays", "v_s")
 
     @property
     def groups(self) -> tuple[Range, Range]:
@@ -155,17 +148,15 @@ class Friction(FrictionRange):
 class FrictionGroup(Block):
     """The pack of friction discs."""
 
-    pairs: Count = key_field("number of friction pairs, all groups", "z", default=...)
-    driving_pairs: Count | None = key_field(
-        "pairs that bypass the control unit; default 1 (differentiated only)", "z_1"
-    )
-    mean_radius: Length | None = key_field("mean friction radius", "R_cp")
-    inner_radius: Length | None = key_field("inner radius of the friction surface", "r_i")
-    outer_radius: Length | None = key_field("outer radius of the friction surface", "r_o")
-    radius_model: RadiusModel | None = key_field("how the mean radius follows from the two; default uniform-wear")
-    spline_friction: Ratio | None = key_field("friction of the discs in their splines (effects only)", "μ_s")
-    inner_spline_radius: Length | None = key_field("radius of the inner discs' splines (effects only)", "r_si")
-    outer_spline_radius: Length | None = key_field("radius of the outer discs' splines (effects only)", "r_so")
+    pairs: Count = key("number of friction pairs, all groups", "z", default=...)
+    driving_pairs: Count | None = key("pairs that bypass the control unit; default 1 (differentiated only)", "z_1")
+    mean_radius: Length | None = key("mean friction radius", "R_cp")
+    inner_radius: Length | None = key("inner radius of the friction surface", "r_i")
+    outer_radius: Length | None = key("outer radius of the friction surface", "r_o")
+    radius_model: RadiusModel | None = key("how the mean radius follows from the two; default uniform-wear")
+    spline_friction: Ratio | None = key("friction of the discs in their splines (effects only)", "μ_s")
+    inner_spline_radius: Length | None = key("radius of the inner discs' splines (effects only)", "r_si")
+    outer_spline_radius: Length | None = key("radius of the outer discs' splines (effects only)", "r_so")
 
     def broken_rules(self) -> Iterable[Broken]:
         """The outer radius is the greater one."""
@@ -177,11 +168,11 @@ class FrictionGroup(Block):
 class Contact(Block):
     """Elastic data of ball and pocket wall, for a Hertz check beside or instead of an allowable force."""
 
-    ball_modulus: Stress = key_field("Young's modulus of the ball", "E_1", default=...)
-    ball_poisson: PoissonRatio = key_field("Poisson's ratio of the ball", "ν_1", default=...)
-    wall_modulus: Stress = key_field("Young's modulus of the pocket wall", "E_2", default=...)
-    wall_poisson: PoissonRatio = key_field("Poisson's ratio of the pocket wall", "ν_2", default=...)
-    allowable_pressure: Stress = key_field("allowable maximum contact pressure", "[p_0]", default=...)
+    ball_modulus: Stress = key("Young's modulus of the ball", "E_1", default=...)
+    ball_poisson: PoissonRatio = key("Poisson's ratio of the ball", "ν_1", default=...)
+    wall_modulus: Stress = key("Young's modulus of the pocket wall", "E_2", default=...)
+    wall_poisson: PoissonRatio = key("Poisson's ratio of the pocket wall", "ν_2", default=...)
+    allowable_pressure: Stress = key("allowable maximum contact pressure", "[p_0]", default=...)
 
 
 HARDENED_STEEL = Contact(
@@ -194,29 +185,27 @@ HARDENED_STEEL = Contact(
 class ControlUnit(Block):
     """Balls in pockets with inclined walls."""
 
-    gain: Ratio | None = key_field("feedback gain", "C")
-    gain_slope: Slope | None = key_field(
+    gain: Ratio | None = key("feedback gain", "C")
+    gain_slope: Slope | None = key(
         "how the gain grows with the sleeve's travel, pockets with a curved wall (indirect only); default 0", "C_1"
     )
-    pocket: PocketShape | None = key_field(
+    pocket: PocketShape | None = key(
         "constant-torque: the curved wall that holds the torque, instead of gain_slope (indirect only)"
     )
-    profiled: Profiled | None = key_field("sleeves with the curved wall (indirect only); default one")
-    ball_circle_radius: Length | None = key_field("radius of the ball circle", "r")
-    wall_angle: WallAngle | None = key_field("wall angle of the pockets, from the axis", "α")
-    balls: Count | None = key_field("number of balls", "n")
-    hub_diameter: Length | None = key_field("hub diameter at the key (indirect only)", "d")
-    key_friction: Ratio | None = key_field("friction coefficient at the key (indirect only)", "f_1")
-    sleeve_mass: Mass | None = key_field("mass of the thrust sleeve; default 0 (indirect only)", "m")
-    release_lag: TimeOrNone | None = key_field("time by which the normal force lags the load; default 0", "τ")
-    face_gap: Gap | None = key_field("gap between the faces of the pockets", "s")
-    edge_clearance: Gap | None = key_field("clearance of the contact from the pocket's edge", "y")
-    allowable_contact_force: Force | None = key_field("allowable normal force on one ball", "[F_n]")
-    ball_diameter: Length | None = key_field("ball chosen; synthesize takes it instead of the next standard one", "d_ш")
-    sleeve_depth: Length | None = key_field("thickness, along the axis, of the sleeve the pockets are cut into", "B")
-    wall_friction: Ratio | None = key_field(
-        "friction of cams that slide on the walls, balls do not (effects only)", "μ"
-    )
+    profiled: Profiled | None = key("sleeves with the curved wall (indirect only); default one")
+    ball_circle_radius: Length | None = key("radius of the ball circle", "r")
+    wall_angle: WallAngle | None = key("wall angle of the pockets, from the axis", "α")
+    balls: Count | None = key("number of balls", "n")
+    hub_diameter: Length | None = key("hub diameter at the key (indirect only)", "d")
+    key_friction: Ratio | None = key("friction coefficient at the key (indirect only)", "f_1")
+    sleeve_mass: Mass | None = key("mass of the thrust sleeve; default 0 (indirect only)", "m")
+    release_lag: TimeOrNone | None = key("time by which the normal force lags the load; default 0", "τ")
+    face_gap: Gap | None = key("gap between the faces of the pockets", "s")
+    edge_clearance: Gap | None = key("clearance of the contact from the pocket's edge", "y")
+    allowable_contact_force: Force | None = key("allowable normal force on one ball", "[F_n]")
+    ball_diameter: Length | None = key("ball chosen; synthesize takes it instead of the next standard one", "d_ш")
+    sleeve_depth: Length | None = key("thickness, along the axis, of the sleeve the pockets are cut into", "B")
+    wall_friction: Ratio | None = key("friction of cams that slide on the walls, balls do not (effects only)", "μ")
     contact: Contact | None = None
 
     @property
@@ -228,23 +217,21 @@ class ControlUnit(Block):
 class Adjustment(Block):
     """How the spring is set."""
 
-    method: Method = key_field("friction at which the nominal torque is set", default="min-friction")
-    margin: AtLeastOne = key_field("torque margin", "β_н", default=1.0)
-    nominal_torque: Torque | None = key_field(
-        "nominal torque of the clutch; gives the spring force where absent", "T_н"
-    )
+    method: Method = key("friction at which the nominal torque is set", default="min-friction")
+    margin: AtLeastOne = key("torque margin", "β_н", default=1.0)
+    nominal_torque: Torque | None = key("nominal torque of the clutch; gives the spring force where absent", "T_н")
 
 
 class Fatigue(Block):
     """The part whose life is asked for."""
 
-    endurance_limit: Stress = key_field("endurance limit in shear", "τ_limb", default=...)
-    polar_section_modulus: SectionModulus = key_field("polar section modulus", "W_p", default=...)
-    exponent: Coefficient = key_field("exponent of the S-N line", "m_τ", default=...)
-    mean_stress_sensitivity: Ratio | None = key_field("sensitivity to the mean stress (model amplitude)", "ψ_τ")
-    ultimate_strength: Stress | None = key_field("ultimate strength in shear (model goodman)", "τ_u")
-    base_cycles: Coefficient = key_field("base cycles of the S-N line", "N_0", default=...)
-    load_low: TorqueOrNone = key_field(
+    endurance_limit: Stress = key("endurance limit in shear", "τ_limb", default=...)
+    polar_section_modulus: SectionModulus = key("polar section modulus", "W_p", default=...)
+    exponent: Coefficient = key("exponent of the S-N line", "m_τ", default=...)
+    mean_stress_sensitivity: Ratio | None = key("sensitivity to the mean stress (model amplitude)", "ψ_τ")
+    ultimate_strength: Stress | None = key("ultimate strength in shear (model goodman)", "τ_u")
+    base_cycles: Coefficient = key("base cycles of the S-N line", "N_0", default=...)
+    load_low: TorqueOrNone = key(
         "torque from which a slip swings the load and to which it falls back (amplitude, goodman)", "T_low", default=0.0
     )
 
@@ -252,32 +239,24 @@ class Fatigue(Block):
 class Required(Block):
     """What a clutch is to hold; each key is a row of ``check`` and of the report."""
 
-    nominal_torque: Torque | None = key_field("nominal torque of the clutch, at least", "T_н")
-    machine_torque: Torque | None = key_field(
+    nominal_torque: Torque | None = key("nominal torque of the clutch, at least", "T_н")
+    machine_torque: Torque | None = key(
         "nominal torque of the machine, at least: the clutch's over the margin", "T_н.маш"
     )
-    accuracy_factor: AtLeastOne | None = key_field("accuracy factor, at most", "K_т")
-    accuracy_factor_hysteresis: AtLeastOne | None = key_field(
-        "accuracy factor under a load that lasts, at most", "K_т,h"
-    )
-    torque_max: Torque | None = key_field("largest sustained torque, at most", "T_max")
-    outer_diameter: Length | None = key_field("outer diameter of the friction faces, at most", "2 r_o")
-    surface_pressure: Stress | None = key_field("mean surface pressure at rest, at most; needs both radii", "p")
-    travel: Length | None = key_field("largest travel of the sleeve, at most (indirect)", "x_max")
-    reduced_gain: Ratio | None = key_field("reduced gain, at most", "z_2 C")
-    peak_torque: Torque | None = key_field("peak torque in the shaft, at most (simulate)", "T_peak")
-    exceedance: Probability | None = key_field(
-        "probability that the torque exceeds T_max, at most (tolerance)", "P(T>T_max)"
-    )
-    work: SpecificWork | None = key_field("specific work of a trip, at most (heat)", "q_A")
-    temperature: Temperature | None = key_field("mean temperature of the discs after one trip, at most (heat)", "Θ")
-    face_temperature: Temperature | None = key_field(
-        "largest temperature of the faces in one trip, at most (heat)", "Θ_s"
-    )
-    contact_pressure: Stress | None = key_field(
-        "largest contact pressure of ball and wall, at most (synthesize)", "p_0"
-    )
-    cycles: Coefficient | None = key_field("life in cycles on either side of the clutch, at least", "N_ц")
+    accuracy_factor: AtLeastOne | None = key("accuracy factor, at most", "K_т")
+    accuracy_factor_hysteresis: AtLeastOne | None = key("accuracy factor under a load that lasts, at most", "K_т,h")
+    torque_max: Torque | None = key("largest sustained torque, at most", "T_max")
+    outer_diameter: Length | None = key("outer diameter of the friction faces, at most", "2 r_o")
+    surface_pressure: Stress | None = key("mean surface pressure at rest, at most; needs both radii", "p")
+    travel: Length | None = key("largest travel of the sleeve, at most (indirect)", "x_max")
+    reduced_gain: Ratio | None = key("reduced gain, at most", "z_2 C")
+    peak_torque: Torque | None = key("peak torque in the shaft, at most (simulate)", "T_peak")
+    exceedance: Probability | None = key("probability that the torque exceeds T_max, at most (tolerance)", "P(T>T_max)")
+    work: SpecificWork | None = key("specific work of a trip, at most (heat)", "q_A")
+    temperature: Temperature | None = key("mean temperature of the discs after one trip, at most (heat)", "Θ")
+    face_temperature: Temperature | None = key("largest temperature of the faces in one trip, at most (heat)", "Θ_s")
+    contact_pressure: Stress | None = key("largest contact pressure of ball and wall, at most (synthesize)", "p_0")
+    cycles: Coefficient | None = key("life in cycles on either side of the clutch, at least", "N_ц")
 
     def broken_rules(self) -> Iterable[Broken]:
         """A probability is one of a torque."""
@@ -298,15 +277,15 @@ Entry = Annotated[Name, BeforeValidator(_as_text)]
 class TitleBlock(Block):
     """What stands in the title block of a report; each is text."""
 
-    project: Entry | None = key_field("project the clutch belongs to")
-    drawing: Entry | None = key_field("number of the drawing")
-    revision: Entry | None = key_field("revision of the calculation")
-    author: Entry | None = key_field("who calculated")
-    checked: Entry | None = key_field("who checked")
-    norm_control: Entry | None = key_field("who checked it against the standards")
-    approved: Entry | None = key_field("who approved")
-    date: Entry | None = key_field("date of the calculation")
-    organisation: Entry | None = key_field("who answers for the calculation")
+    project: Entry | None = key("project the clutch belongs to")
+    drawing: Entry | None = key("number of the drawing")
+    revision: Entry | None = key("revision of the calculation")
+    author: Entry | None = key("who calculated")
+    checked: Entry | None = key("who checked")
+    norm_control: Entry | None = key("who checked it against the standards")
+    approved: Entry | None = key("who approved")
+    date: Entry | None = key("date of the calculation")
+    organisation: Entry | None = key("who answers for the calculation")
 
 
 @dataclass(frozen=True)
@@ -319,8 +298,8 @@ class Origin:
 class Spec(Block):
     """A clutch, as a spec file describes it."""
 
-    name: Name | None = key_field("what the clutch is called")
-    variant: VariantName = key_field("how the clutch regulates", default=...)
+    name: Name | None = key("what the clutch is called")
+    variant: VariantName = key("how the clutch regulates", default=...)
     friction: Friction
     friction_group: FrictionGroup
     # to validate a default would build its block twice

@@ -11,7 +11,7 @@ from os import PathLike
 from pydantic import BaseModel
 
 from ..errors import AfmcalcError
-from .edit import Overrides, apply_overrides, overridden
+from .edit import Overrides, apply_overrides
 from .fields import Broken, keys_below
 from .models import Spec
 from .parse import BUILT_IN, check_size, is_json, parse, text_of, toml_of
@@ -39,7 +39,9 @@ def read_spec(source: str | PathLike[str] | Mapping[str, object] | None = None, 
         FileError: the file cannot be read.
     """
     if isinstance(source, Mapping):
-        return make_spec(apply_overrides(deepcopy(dict(source)), overrides))
+        data = deepcopy(dict(source))
+        apply_overrides(data, overrides)
+        return make_spec(data)
     return spec_of(*text_of(source), overrides)
 
 
@@ -56,8 +58,8 @@ def data_of(
     What it is called then asks after numbers without a unit; those that cannot be meant in SI are returned. JSON is
     what programs write, in SI: there only an override may be meant otherwise.
     """
-    data = apply_overrides(parse(text, label), overrides, model)
-    changed, in_si, keys = overridden(overrides, model), is_json(text, label), keys_below(model)
+    data = parse(text, label)
+    changed, in_si, keys = apply_overrides(data, overrides, model), is_json(text, label), keys_below(model)
     questions, broken = [], []
     for path, value in given_in(data).items():
         if path in keys and (path in changed or not in_si):

@@ -36,7 +36,7 @@ from .fields import (
     Stress,
     Torque,
     WallAngle,
-    key_field,
+    key,
 )
 from .models import HARDENED_STEEL, Contact, Friction, Method, Origin, PocketShape, Profiled, VariantName
 from .parse import text_of
@@ -180,14 +180,14 @@ _GAIN_LIMITS = ", ".join(dict.fromkeys(each.gain_limit.rule for each in VARIANTS
 class Wanted(Block):
     """What the clutch must do."""
 
-    nominal_torque: Torque | None = key_field("nominal torque of the clutch", "T_н")
-    machine_torque: Torque | None = key_field(
+    nominal_torque: Torque | None = key("nominal torque of the clutch", "T_н")
+    machine_torque: Torque | None = key(
         "nominal torque of the machine, instead: with min-friction the clutch's is margin times it", "T_н.маш"
     )
-    accuracy_factor: AtLeastOne | None = key_field("largest K_т allowed", "K_т")
-    torque_max: Torque | None = key_field("largest torque allowed", "T_max")
-    method: Method = key_field("friction at which the nominal torque is set", default="min-friction")
-    margin: AtLeastOne = key_field(
+    accuracy_factor: AtLeastOne | None = key("largest K_т allowed", "K_т")
+    torque_max: Torque | None = key("largest torque allowed", "T_max")
+    method: Method = key("friction at which the nominal torque is set", default="min-friction")
+    margin: AtLeastOne = key(
         "torque margin: in the spring with mean-friction (S19), between clutch and machine with min-friction (S22)",
         "β_н",
         default=1.0,
@@ -218,8 +218,8 @@ class Wanted(Block):
 class ForceRange(Block):
     """Force that the pack may be pressed by at rest, any value between the ends (F_п; indirect F_п2)."""
 
-    min: Force = key_field("smallest force", default=...)
-    max: Force = key_field("largest force", default=...)
+    min: Force = key("smallest force", default=...)
+    max: Force = key("largest force", default=...)
 
     def broken_rules(self) -> Iterable[Broken]:
         """The ends are in order."""
@@ -230,23 +230,23 @@ class ForceRange(Block):
 class Search(Block):
     """Among what to choose: one value, a list, or ``{ start, stop, count }`` each."""
 
-    pairs: Pairs = key_field("friction pairs z", default=...)
+    pairs: Pairs = key("friction pairs z", default=...)
     driving_pairs: Pairs = Field(
         default_factory=lambda: Choice((1.0,)), description="bypass pairs z_1 (differentiated); default 1"
     )
-    mean_radius: Lengths | None = key_field("mean friction radius R_cp; or inner_radius and outer_radius")
-    inner_radius: Lengths | None = key_field("inner radius r_i of the friction faces")
-    outer_radius: Lengths | None = key_field("outer radius r_o; R_cp is the mean of both")
-    gain: Ratios | None = key_field("feedback gain C")
-    wall_angle: Angles | None = key_field("wall angle instead of the gain")
-    ball_circle_radius: Lengths | None = key_field("ball-circle radius r")
-    closing_force: ForceRange | None = key_field(
+    mean_radius: Lengths | None = key("mean friction radius R_cp; or inner_radius and outer_radius")
+    inner_radius: Lengths | None = key("inner radius r_i of the friction faces")
+    outer_radius: Lengths | None = key("outer radius r_o; R_cp is the mean of both")
+    gain: Ratios | None = key("feedback gain C")
+    wall_angle: Angles | None = key("wall angle instead of the gain")
+    ball_circle_radius: Lengths | None = key("ball-circle radius r")
+    closing_force: ForceRange | None = key(
         "force the pack must bear, any between min and max: F_п, of an indirect clutch F_п2"
     )
-    closing_forces: Forces | None = key_field("closing-spring forces F_п of a catalogue, instead of a range")
-    closing_stiffness: Stiffnesses | None = key_field("c_1 (indirect)")
-    control_stiffness: StiffnessesOrNone | None = key_field("c_2 (indirect); 0: a constant force")
-    ball_diameters: Diameters | None = key_field("standard balls; default the list that ships")
+    closing_forces: Forces | None = key("closing-spring forces F_п of a catalogue, instead of a range")
+    closing_stiffness: Stiffnesses | None = key("c_1 (indirect)")
+    control_stiffness: StiffnessesOrNone | None = key("c_2 (indirect); 0: a constant force")
+    ball_diameters: Diameters | None = key("standard balls; default the list that ships")
 
     @property
     def radii(self) -> Choice:
@@ -266,41 +266,39 @@ class Search(Block):
 class Fixed(Block):
     """What is the same for every candidate."""
 
-    balls: Count = key_field("number of balls n", default=6)
-    face_gap: Gap = key_field("gap s between the faces", default=0.002)
-    edge_clearance: Gap = key_field("clearance y at the pocket's edge", default=0.002)
-    face_width: Length | None = key_field("radial width of the friction faces, for pressure and outer diameter")
-    hub_diameter: Length | None = key_field("hub diameter d (indirect)")
-    key_friction: Ratio | None = key_field("friction f_1 at the key (indirect)")
-    pocket: PocketShape | None = key_field(
-        "constant-torque: pockets with the curved wall that holds the torque (indirect)"
-    )
-    profiled: Profiled | None = key_field("sleeves with the curved wall (indirect); default one")
-    contact: Contact | None = key_field("elastic data of balls and pockets, as in a spec; default hardened steel")
-    closing_room: Room | None = key_field("room for the closing spring, with springs", default=None)
-    control_room: Room | None = key_field("room for the control spring (indirect), with springs", default=None)
+    balls: Count = key("number of balls n", default=6)
+    face_gap: Gap = key("gap s between the faces", default=0.002)
+    edge_clearance: Gap = key("clearance y at the pocket's edge", default=0.002)
+    face_width: Length | None = key("radial width of the friction faces, for pressure and outer diameter")
+    hub_diameter: Length | None = key("hub diameter d (indirect)")
+    key_friction: Ratio | None = key("friction f_1 at the key (indirect)")
+    pocket: PocketShape | None = key("constant-torque: pockets with the curved wall that holds the torque (indirect)")
+    profiled: Profiled | None = key("sleeves with the curved wall (indirect); default one")
+    contact: Contact | None = key("elastic data of balls and pockets, as in a spec; default hardened steel")
+    closing_room: Room | None = key("room for the closing spring, with springs", default=None)
+    control_room: Room | None = key("room for the control spring (indirect), with springs", default=None)
 
 
 class Limits(Block):
     """What no candidate may exceed."""
 
-    surface_pressure: Stress | None = key_field("mean surface pressure; needs the width of the faces, or both radii")
-    outer_diameter: Length | None = key_field("outer diameter of the friction faces; needs the same")
-    contact_force: Force | None = key_field("normal force on one ball, instead of the contact pressure by Hertz")
-    travel: Length | None = key_field("travel of the sleeve (indirect)")
-    reduced_gain: Ratio | None = key_field("reduced gain")
-    gain_limit: StrictBool = key_field(f"hold the gain limit of the variant ({_GAIN_LIMITS})", default=True)
+    surface_pressure: Stress | None = key("mean surface pressure; needs the width of the faces, or both radii")
+    outer_diameter: Length | None = key("outer diameter of the friction faces; needs the same")
+    contact_force: Force | None = key("normal force on one ball, instead of the contact pressure by Hertz")
+    travel: Length | None = key("travel of the sleeve (indirect)")
+    reduced_gain: Ratio | None = key("reduced gain")
+    gain_limit: StrictBool = key(f"hold the gain limit of the variant ({_GAIN_LIMITS})", default=True)
 
 
 class Requirements(Block):
     """What is wanted, among what to choose, and what counts."""
 
-    name: Name | None = key_field("what the design is called")
-    variants: Annotated[tuple[VariantName, ...], Field(min_length=1)] = key_field("variants allowed", default=...)
-    objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = key_field(
+    name: Name | None = key("what the design is called")
+    variants: Annotated[tuple[VariantName, ...], Field(min_length=1)] = key("variants allowed", default=...)
+    objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = key(
         "what is to be small; closing_force is the force the pack must bear (F_п; indirect F_п2)", default=...
     )
-    springs: Literal["disc"] | None = key_field(
+    springs: Literal["disc"] | None = key(
         "disc: only clutches whose springs can be stacks of disc springs (DIN EN 16983) in fixed.closing_room, and "
         "fixed.control_room of an indirect one"
     )

@@ -5,7 +5,7 @@ from typing import Annotated
 
 from ..equations import springs
 from ..messages import say
-from .fields import Block, Broken, Count, Force, Gap, Length, Quantity, Ratio, Stiffness, StiffnessOrNone, key_field
+from .fields import Block, Broken, Count, Force, Gap, Length, Quantity, Ratio, Stiffness, StiffnessOrNone, key
 
 SNAPS = 1.4
 """Cone height over thickness up to which the force of a disc only grows (√2)."""
@@ -24,9 +24,9 @@ def _bigger(name: str, value: float | None, other: str, least: float | None) -> 
 class Room(Block):
     """Room for a spring around the shaft."""
 
-    inner_diameter: Gap | None = key_field("diameter of what the spring stands around", "D_1")
-    outer_diameter: Length | None = key_field("diameter of what is around the spring", "D_2")
-    length: Length | None = key_field("length there is for the spring as set, and as worn", "L")
+    inner_diameter: Gap | None = key("diameter of what the spring stands around", "D_1")
+    outer_diameter: Length | None = key("diameter of what is around the spring", "D_2")
+    length: Length | None = key("length there is for the spring as set, and as worn", "L")
 
     def broken_rules(self) -> Iterable[Broken]:
         """The outer diameter is the greater one."""
@@ -36,13 +36,13 @@ class Room(Block):
 class DiscStack(Block):
     """A stack of disc springs, DIN EN 16983."""
 
-    outer_diameter: Length = key_field("outer diameter of a disc", "D_e", default=...)
-    inner_diameter: Length = key_field("inner diameter of a disc", "D_i", default=...)
-    thickness: Length = key_field("thickness of a disc", "t", default=...)
-    reduced_thickness: Length | None = key_field("thickness of a disc with flats", "t'")
-    free_height: Length = key_field("height of a disc without load", "l_0", default=...)
-    parallel: Count = key_field("discs laid into each other", "n", default=1)
-    series: Count = key_field("such packs against each other", "i", default=1)
+    outer_diameter: Length = key("outer diameter of a disc", "D_e", default=...)
+    inner_diameter: Length = key("inner diameter of a disc", "D_i", default=...)
+    thickness: Length = key("thickness of a disc", "t", default=...)
+    reduced_thickness: Length | None = key("thickness of a disc with flats", "t'")
+    free_height: Length = key("height of a disc without load", "l_0", default=...)
+    parallel: Count = key("discs laid into each other", "n", default=1)
+    series: Count = key("such packs against each other", "i", default=1)
 
     def broken_rules(self) -> Iterable[Broken]:
         """A disc is a cone that does not snap through."""
@@ -60,11 +60,11 @@ class DiscStack(Block):
 class CoilSprings(Block):
     """Coil springs side by side, ends closed and ground."""
 
-    wire_diameter: Length = key_field("diameter of the wire", "d", default=...)
-    coil_diameter: Length = key_field("mean diameter of the coil", "D", default=...)
-    turns: Turns = key_field("active turns", "n", default=...)
-    free_length: Length = key_field("length without load", "L_0", default=...)
-    count: Count = key_field("springs around the shaft", "j", default=1)
+    wire_diameter: Length = key("diameter of the wire", "d", default=...)
+    coil_diameter: Length = key("mean diameter of the coil", "D", default=...)
+    turns: Turns = key("active turns", "n", default=...)
+    free_length: Length = key("length without load", "L_0", default=...)
+    count: Count = key("springs around the shaft", "j", default=1)
 
     def broken_rules(self) -> Iterable[Broken]:
         """A coil is wider than its wire, and longer than it is when its turns touch."""
@@ -88,9 +88,9 @@ class _Spring(Block):
     room: Room | None = None
     disc: DiscStack | None = None
     coil: CoilSprings | None = None
-    surface_friction: Ratio | None = key_field("friction of the cones of a disc stack on each other", "w_M")
-    edge_friction: Ratio | None = key_field("friction of the edges of a disc stack", "w_R")
-    thread_pitch: Length | None = key_field("pitch of the nut that sets the spring", "P_h")
+    surface_friction: Ratio | None = key("friction of the cones of a disc stack on each other", "w_M")
+    edge_friction: Ratio | None = key("friction of the edges of a disc stack", "w_R")
+    thread_pitch: Length | None = key("pitch of the nut that sets the spring", "P_h")
 
     def broken_rules(self) -> Iterable[Broken]:
         """It is of one part, whose stiffness it has."""
@@ -112,14 +112,12 @@ class _Spring(Block):
 class ClosingSpring(_Spring):
     """The spring that presses the pack (13 in S21)."""
 
-    force: Force | None = key_field("closing-spring force as set", "F_п")
-    stiffness: Stiffness | None = key_field("stiffness of the closing spring; needed by an indirect clutch", "c_1")
+    force: Force | None = key("closing-spring force as set", "F_п")
+    stiffness: Stiffness | None = key("stiffness of the closing spring; needed by an indirect clutch", "c_1")
 
 
 class ControlSpring(_Spring):
     """The spring that holds the thrust sleeve at its stop (11 in S21)."""
 
-    stiffness: StiffnessOrNone = key_field("stiffness of the control spring", "c_2", default=...)
-    force: Force | None = key_field(
-        "control-spring force as made; default so that the sleeve just rests at T_н", "F_п2"
-    )
+    stiffness: StiffnessOrNone = key("stiffness of the control spring", "c_2", default=...)
+    force: Force | None = key("control-spring force as made; default so that the sleeve just rests at T_н", "F_п2")

@@ -9,7 +9,7 @@ from pydantic import BaseModel, BeforeValidator, FailFast, field_validator
 
 from ..letters import did_you_mean
 from ..messages import say
-from .fields import Block, Broken, Quantity, Torque, key_field, keys_below, rule_error
+from .fields import Block, Broken, Quantity, Torque, key, keys_below, rule_error
 from .quantity import parse_quantity
 
 Kind = Literal["normal", "uniform", "triangular", "lognormal"]
@@ -43,41 +43,39 @@ Given = Annotated[float | str, BeforeValidator(_number_or_text)]
 class Distribution(Block):
     """How one number scatters about its value in the spec."""
 
-    distribution: Kind = key_field("kind of the distribution", default=...)
-    center: Given | None = key_field(
+    distribution: Kind = key("kind of the distribution", default=...)
+    center: Given | None = key(
         "mean of normal and lognormal, middle of uniform, peak of triangular; default the value in the spec"
     )
-    spread: Given | None = key_field(
+    spread: Given | None = key(
         "standard deviation (normal, lognormal) or half-width (uniform, triangular); a quantity or a percentage"
     )
-    min: Given | None = key_field("lower end; truncates a normal or lognormal distribution")
-    max: Given | None = key_field("upper end; truncates a normal or lognormal distribution")
+    min: Given | None = key("lower end; truncates a normal or lognormal distribution")
+    max: Given | None = key("upper end; truncates a normal or lognormal distribution")
 
 
 class Tolerance(Block):
     """What scatters, and how it is calculated."""
 
-    method: SamplingMethod = key_field("auto: exact where only friction varies, else Monte Carlo", default="auto")
-    setting: Setting = key_field(
+    method: SamplingMethod = key("auto: exact where only friction varies, else Monte Carlo", default="auto")
+    setting: Setting = key(
         "as-made: springs set for the nominal clutch and held; each-adjusted: every clutch set on the bench",
         default="as-made",
     )
-    samples: Whole = key_field("size of the sample", default=1_000_000, ge=1000, le=10**10)
-    seed: Whole = key_field("seed: the same seed gives the same digits", default=1, ge=0, le=2**63)
-    quantiles: Annotated[tuple[Number, ...], FailFast()] = key_field(
+    samples: Whole = key("size of the sample", default=1_000_000, ge=1000, le=10**10)
+    seed: Whole = key("seed: the same seed gives the same digits", default=1, ge=0, le=2**63)
+    quantiles: Annotated[tuple[Number, ...], FailFast()] = key(
         "probabilities of the quantiles", default=(0.005, 0.05, 0.5, 0.95, 0.995)
     )
-    torque_limit: Torque | None = key_field("torque whose exceedance is asked for", "T_lim")
-    friction_correlation: Number | None = key_field(
+    torque_limit: Torque | None = key("torque whose exceedance is asked for", "T_lim")
+    friction_correlation: Number | None = key(
         "correlation of the normal scores of f_1 and f_2 (Gaussian copula; Pearson's of the frictions "
         "themselves is nearer 0 unless both are normal): 1 together (F11), 0 independent (default)",
         ge=-1,
         le=1,
     )
-    sobol_base: Whole = key_field("base sample of the Sobol indices", default=65536, ge=64, le=2**30)
-    fields: dict[str, Distribution] = key_field(
-        "spec path (or friction) to its distribution", default=..., min_length=1
-    )
+    sobol_base: Whole = key("base sample of the Sobol indices", default=65536, ge=64, le=2**30)
+    fields: dict[str, Distribution] = key("spec path (or friction) to its distribution", default=..., min_length=1)
 
     @field_validator("quantiles")
     @classmethod

@@ -95,41 +95,23 @@ def _value(value: Any, unit: str | None) -> Any:
 def _quantity(value: float, unit: str) -> str:
     """Write a number in SI with the engineer's unit, or with its own where only that reads back to the same."""
     written = _WRITTEN[unit]
-    # of a decimal zero the exponent would be kept
-    text = f"{Decimal(value) / factor(written, unit):.{_DIGITS}g}" if value else "0"
+    text = f"{float(Decimal(value) / factor(written, unit)):.{_DIGITS}g}"
     plain = f"{value:.{_DIGITS}g}"
     if float(plain) == value and parse_quantity(f"{text} {written}", unit) != value:
         return f"{plain} {unit}"
-    return f"{_trimmed(text)} {written}"
+    return f"{text} {written}"
 
 
-def _trimmed(text: str) -> str:
-    """A decimal number without trailing zeros, which ``Decimal`` keeps."""
-    mantissa, exponent, power = text.partition("e")
-    return (mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa) + exponent + power
-
-
-_DRIVE = re.compile(r"(?ms)^\[drive\].*?(?=^(?:# )?\[(?!drive)|\Z)")
+_DRIVE = r"(?ms)^\[drive\].*?(?=^(?:# )?\[(?!drive)|\Z)"
 """The blocks of a drive, up to the block that follows."""
-_OF_A_HUB = re.compile(r"(?m)^# (hub_inertia = \S+ \S+)")
 
 
 def in_a_drive(text: str, *, hub: bool) -> str:
-    """Return an example of a clutch with the drive of the example that has one.
-
-    Args:
-        text: the clutch.
-        hub: whether its hub moves by itself, and has an inertia.
-    """
-    found = _DRIVE.search(example_text("drive"))
-    assert found is not None
-    drive = _OF_A_HUB.sub(lambda key: f"{key[1]}  ", found[0]) if hub else found[0]
-    return _DRIVE.sub(lambda own: drive, text, count=1)
-
-
-_NAME = re.compile(r'(?m)(?<=^name = ").*(?="$)')
-_OPTIONAL = re.compile(r"# (?=\[|[\w.\"]+ = )")
-"""Before a key or block that is there to be taken up."""
+    """Return an example of a clutch with the drive of the example that has one; with its inertia if the hub moves."""
+    drive = re.findall(_DRIVE, example_text("drive"))[0]
+    if hub:
+        drive = re.sub(r"(?m)^# (hub_inertia = \S+ \S+)", r"\1  ", drive)
+    return re.sub(_DRIVE, lambda match: drive, text, count=1)
 
 
 def comment(line: str) -> str:
@@ -138,17 +120,13 @@ def comment(line: str) -> str:
     >>> comment('# sleeve_depth = "25 mm"     # of the sleeve'), comment("# A clutch."), comment("[drive]")
     ('of the sleeve', 'A clutch.', '')
     """
-    if optional := _OPTIONAL.match(line):
-        line = line[optional.end() :]
-    before, mark, said = line.partition("# ")
-    return said if mark and before.count('"') % 2 == 0 else ""
+    # before a key or block that is there to be taken up
+    before, mark, text = re.sub(r"^# (?=\[|[\w.\"]+ = )", "", line).partition("# ")
+    return text if mark and before.count('"') % 2 == 0 else ""
 
 
 def annotated(text: str) -> str:
     """Return an example with its comments, and its name, in the language of the user."""
-    told = "".join(
-        line.removesuffix(said) + translate(said, "comment") + "\n"
-        for line in text.splitlines()
-        for said in (comment(line),)
-    )
-    return _NAME.sub(lambda found: named(found[0]), told, 1)
+    lines = ((line, comment(line)) for line in text.splitlines())
+    translated = "".join(f"{line.removesuffix(words)}{translate(words, 'comment')}\n" for line, words in lines)
+    return re.sub(r'(?m)(?<=^name = ").*(?="$)', lambda match: named(match[0]), translated, count=1)

@@ -13,8 +13,7 @@ from afmcalc.analysis.tolerance.model import Model, with_setting
 from afmcalc.analysis.tolerance.study import tolerance
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
-from afmcalc.spec import Spec, make_spec
-from afmcalc.spec.edit import apply_overrides
+from afmcalc.spec import read_spec
 
 BEST = 18.75
 """C_1* of P5's clutch: (20 + 10) N/mm/(8·0.1·2 kN)."""
@@ -32,7 +31,7 @@ def spec_of(*overrides):
         "adjustment": {"margin": 1.25},
         "fatigue": {"endurance_limit": 400e6, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7},
     }
-    return make_spec(apply_overrides(base, overrides, Spec))
+    return read_spec(base, overrides)
 
 
 def clutch(*overrides):
