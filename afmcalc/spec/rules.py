@@ -11,7 +11,7 @@ Table: TypeAlias = Mapping[str, object]
 """A table of a spec as it was written."""
 
 
-class Rule(NamedTuple):
+class KeyRule(NamedTuple):
     """A key is wrong, or wanting, where some keys are given and others are not; ``friction.`` is a block, a table."""
 
     key: str
@@ -32,53 +32,55 @@ _FORCE, _TORQUE = "closing_spring.force", "adjustment.nominal_torque"
 
 _RULES = (
     *(
-        Rule(key, (key, group), message=_ONE_FRICTION)
+        KeyRule(key, (key, group), message=_ONE_FRICTION)
         for group in _GROUPS
         for key in ("friction.min", "friction.mean", "friction.max", "friction.material")
     ),
-    Rule("friction.driven", ("friction.driving",), ("friction.driven",)),
-    Rule("friction.driving", ("friction.driven",), ("friction.driving",)),
+    KeyRule("friction.driven", ("friction.driving",), ("friction.driven",)),
+    KeyRule("friction.driving", ("friction.driven",), ("friction.driving",)),
     *(
-        Rule(key, (f"{block}.",), (key, f"{block}.material", *groups), _RANGE)
+        KeyRule(key, (f"{block}.",), (key, f"{block}.material", *groups), _RANGE)
         for block, groups in (("friction.driving", ()), ("friction.driven", ()), ("friction", _GROUPS))
         for key in (f"{block}.min", f"{block}.max")
     ),
-    *(Rule(key, (key, _MEAN), message=_ONE_RADIUS) for key in (_INNER, _OUTER, "friction_group.radius_model")),
-    Rule(_OUTER, (_INNER,), (_OUTER, _MEAN)),
-    Rule(_INNER, (_OUTER,), (_INNER, _MEAN)),
-    Rule(_MEAN, ("friction_group.",), (_MEAN, _INNER, _OUTER), say("required (or give inner_radius and outer_radius)")),
-    Rule(
+    *(KeyRule(key, (key, _MEAN), message=_ONE_RADIUS) for key in (_INNER, _OUTER, "friction_group.radius_model")),
+    KeyRule(_OUTER, (_INNER,), (_OUTER, _MEAN)),
+    KeyRule(_INNER, (_OUTER,), (_INNER, _MEAN)),
+    KeyRule(
+        _MEAN, ("friction_group.",), (_MEAN, _INNER, _OUTER), say("required (or give inner_radius and outer_radius)")
+    ),
+    KeyRule(
         _ANGLE,
         (_ANGLE, _GAIN),
         message=say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius"),
     ),
-    Rule(_CIRCLE, (_ANGLE,), (_CIRCLE, _GAIN)),
-    Rule(_GAIN, ("control_unit.",), (_GAIN, _ANGLE), say("required (or give wall_angle and ball_circle_radius)")),
-    Rule(
+    KeyRule(_CIRCLE, (_ANGLE,), (_CIRCLE, _GAIN)),
+    KeyRule(_GAIN, ("control_unit.",), (_GAIN, _ANGLE), say("required (or give wall_angle and ball_circle_radius)")),
+    KeyRule(
         _SLOPE,
         (_SLOPE, _POCKET),
         message=say("excludes control_unit.pocket: give the slope, or the pocket that it follows from"),
     ),
-    Rule(_PROFILED, (_PROFILED,), (_SLOPE, _POCKET), say("is of a curved wall: give gain_slope or pocket with it")),
-    Rule(_FORCE, (), (_FORCE, _TORQUE), say("required (or give adjustment.nominal_torque, which sets it)")),
-    Rule(
+    KeyRule(_PROFILED, (_PROFILED,), (_SLOPE, _POCKET), say("is of a curved wall: give gain_slope or pocket with it")),
+    KeyRule(_FORCE, (), (_FORCE, _TORQUE), say("required (or give adjustment.nominal_torque, which sets it)")),
+    KeyRule(
         _FORCE,
         ("control_spring.force", _TORQUE),
         (_FORCE,),
         say("required beside control_spring.force: both forces as made"),
     ),
-    Rule(
+    KeyRule(
         "drive.motor_torque",
         ("drive.motor_torque", "drive.motor"),
         message=say("excludes drive.motor: give a constant torque, or the motor's curve"),
     ),
     *(
-        Rule(f"drive.{key}", ("drive.event.",), (f"drive.{key}",))
+        KeyRule(f"drive.{key}", ("drive.event.",), (f"drive.{key}",))
         for key in ("motor_inertia", "driven_inertia", "shaft_stiffness")
     ),
-    Rule("drive.speed", ("drive.event.",), ("drive.speed", "drive.motor")),
+    KeyRule("drive.speed", ("drive.event.",), ("drive.speed", "drive.motor")),
     *(
-        Rule(
+        KeyRule(
             f"tolerance.fields.{spring}.stiffness",
             (f"tolerance.fields.{spring}.stiffness", f"{spring}.disc"),
             message=say("has no effect beside {spring}.disc", spring=spring),
