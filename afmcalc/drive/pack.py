@@ -411,8 +411,8 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
     below = np.asarray(control < clutch.closing_force)
     if below.any():
         raise CalculationError(
-            "simulate: the control spring ({control:.5g} N) must press more than the closing spring "
-            "({closing:.5g} N), else the sleeve is off its stop without load",
+            "simulate: the control spring ({control:.5g N}) must press more than the closing spring "
+            "({closing:.5g N}), else the sleeve is off its stop without load",
             control=np.broadcast_to(control, below.shape)[below].flat[0],
             closing=np.broadcast_to(clutch.closing_force, below.shape)[below].flat[0],
         )

@@ -1,10 +1,10 @@
 """The figures of the papers, recalculated from their formulas with the misprints mended."""
 
 from importlib import import_module
+from typing import NamedTuple
 
 from ..errors import AfmcalcError
 from ..letters import did_you_mean
-from ..result import Result, described
 
 FIGURES = {
     "F11-2": "fokin2011",
@@ -19,41 +19,43 @@ FIGURES = {
 """Figure → module of this package that has a function of its name (``figure_2``)."""
 
 
-class PaperAxis(Result):
+class PaperAxis(NamedTuple):
     """An axis of a figure."""
 
-    name: str = described("quantity")
-    symbol: str = described("symbol")
-    unit: str = described("SI unit")
-    log: bool = described("whether its scale is logarithmic")
+    name: str
+    symbol: str
+    unit: str = "1"
+    log: bool = False
 
 
-class PaperCurve(Result):
-    """One curve, or a row of points."""
+class PaperCurve(NamedTuple):
+    """One curve, or a row of points, in SI units."""
 
-    number: str = described("number of the curve in the paper")
-    label: str = described("what it shows")
-    x: list[float] = described("abscissae, SI")
-    y: list[float] = described("ordinates, SI")
-    points: bool = described("whether it is single points")
+    number: str
+    """Its number in the paper."""
+    label: str
+    x: list[float]
+    y: list[float]
+    points: bool = False
 
 
-class PaperFigure(Result):
+class PaperFigure(NamedTuple):
     """One figure: axes, curves, what was mended and what the paper leaves open."""
 
-    name: str = described("paper and number of the figure")
-    title: str = described("what it shows")
-    panels: list[list[PaperCurve]] = described("curves, one list per pair of axes")
-    x: PaperAxis = described("abscissa, common to all panels")
-    y: list[PaperAxis] = described("ordinate of each panel")
-    inputs: str = described("inputs as printed")
-    corrections: list[str] = described("misprints mended, with their numbers")
-    assumed: str = described("inputs the paper does not print, as chosen here")
-
-
-def axis(name: str, symbol: str, unit: str = "1", *, log: bool = False) -> PaperAxis:
-    """Describe an axis."""
-    return PaperAxis(name=name, symbol=symbol, unit=unit, log=log)
+    name: str
+    title: str
+    panels: list[list[PaperCurve]]
+    """Curves, one list per pair of axes."""
+    x: PaperAxis
+    """Common to all panels."""
+    y: list[PaperAxis]
+    """The ordinate of each panel."""
+    inputs: str
+    """As printed."""
+    corrections: list[str]
+    """Misprints mended, with their numbers."""
+    assumed: str = ""
+    """Inputs that the paper does not print, as chosen here."""
 
 
 def curve(number: str, label: str, x: object, y: object, *, points: bool = False) -> PaperCurve:
@@ -61,7 +63,7 @@ def curve(number: str, label: str, x: object, y: object, *, points: bool = False
     import numpy as np
 
     xs, ys = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
-    return PaperCurve(number=number, label=label, x=xs.tolist(), y=ys.tolist(), points=points)
+    return PaperCurve(number, label, xs.tolist(), ys.tolist(), points)
 
 
 def paper_figure(name: str) -> PaperFigure:

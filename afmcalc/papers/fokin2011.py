@@ -9,7 +9,7 @@ from ..arrays import Values
 from ..equations import accuracy
 from ..messages import say
 from .claims import Found, verdict
-from .figures import PaperFigure, axis, curve
+from .figures import PaperAxis, PaperFigure, curve
 
 RANGES = ((0.10, 0.6), (0.14, 0.7), (0.16, 0.7), (0.16, 0.8))
 """f_1min and f_1max of curves 1–4."""
@@ -41,8 +41,8 @@ def figure_2() -> PaperFigure:
         name="F11 fig. 2",
         title="accuracy factor against the ratio of the largest frictions",
         panels=[curves],
-        x=axis("ratio f_2max/f_1max", "n"),
-        y=[axis("accuracy factor", "K_т")],
+        x=PaperAxis("ratio f_2max/f_1max", "n"),
+        y=[PaperAxis("accuracy factor", "K_т")],
         inputs="Formula (17), z_2 = 6, C = 1.25; lines 5–7: z = 6, all pairs controlled.",
         corrections=[
             "M4: z_1 = 1, printed 2, with which all four curves fall (z_1 = 2 with C = 0.625 mends it too)",

@@ -6,7 +6,7 @@ from ..arrays import Values
 from ..equations import adjustment, direct, life
 from ..messages import say
 from .claims import Found, near, verdict
-from .figures import PaperFigure, axis, curve
+from .figures import PaperAxis, PaperFigure, curve
 
 LEAST, MEAN = 200.0, 600.0
 """T_min and T_cp, N·m."""
@@ -35,8 +35,8 @@ def figure_2() -> PaperFigure:
         name="S19 fig. 2",
         title="life of the protected side against the scatter band",
         panels=[curves],
-        x=axis("torque scatter band", "ΔT", "N*m"),
-        y=[axis("cycles to failure", "N", log=True)],
+        x=PaperAxis("torque scatter band", "ΔT", "N*m"),
+        y=[PaperAxis("cycles to failure", "N", log=True)],
         inputs="Formula (20), τ_limb = 400 MPa, W_p = 15 cm³, m_τ = 6, N_0 = 10⁷, printed ΔT of both settings.",
         corrections=[
             "M8: 1.27…1.44 is the ratio of mean torques, N of curve 2 is 4.1…9.1 times lower",

@@ -12,7 +12,7 @@ from ..arrays import Values
 from ..equations import accuracy, indirect, synthesis
 from ..messages import say
 from .claims import Found, near, verdict
-from .figures import PaperFigure, axis, curve
+from .figures import PaperAxis, PaperFigure, curve
 
 _PAIRS, _RADIUS, _HUB, _KEY = 8, 0.1, 0.05, 0.15
 _LOW, _HIGH = 0.1, 0.8
@@ -61,8 +61,8 @@ def figure_2() -> PaperFigure:
         name="S21 fig. 2",
         title="accuracy and nominal torque of the indirect clutch against the gain",
         panels=[curves],
-        x=axis("feedback gain", "C"),
-        y=[axis("accuracy factor K_т, torque ratio", "K_п")],
+        x=PaperAxis("feedback gain", "C"),
+        y=[PaperAxis("accuracy factor K_т, torque ratio", "K_п")],
         inputs=f"Formula (15), {_INPUTS}.",
         corrections=[
             "M9: (15) with 2 z R c_1 f f_1 divided by d",
@@ -82,8 +82,8 @@ def figure_4() -> PaperFigure:
         name="S21 fig. 4",
         title="ball radius and largest travel against the gain",
         panels=[[curve("1", "r_ш, ball radius (23)", gain, radius), curve("2", "x_max, travel (16)", gain, travel)]],
-        x=axis("feedback gain", "C"),
-        y=[axis("ball radius r_ш, travel", "x_max", "m")],
+        x=PaperAxis("feedback gain", "C"),
+        y=[PaperAxis("ball radius r_ш, travel", "x_max", "m")],
         inputs=f"Formulas (16), (23), {_INPUTS}, c_1 = 20 N/mm.",
         corrections=[
             "M28: the data are those of curve 1 of fig. 2, printed fig. 3",

@@ -6,7 +6,7 @@ from ..arrays import Values
 from ..equations import accuracy, adjustment, direct, indirect, overload
 from ..messages import say, term
 from .claims import Found, near, verdict
-from .figures import PaperFigure, axis, curve
+from .figures import PaperAxis, PaperFigure, curve
 
 MARGIN, LOW, HIGH = 1.25, 0.1, 0.8
 
@@ -41,8 +41,8 @@ def figure_1() -> PaperFigure:
                 curve("", "f_max = 0.8", smooth, HIGH),
             ]
         ],
-        x=axis("number of friction pairs", "z"),
-        y=[axis("coefficient of friction", "f")],
+        x=PaperAxis("number of friction pairs", "z"),
+        y=[PaperAxis("coefficient of friction", "f")],
         inputs="zC = 5, β_н = 1.25.",
         corrections=[
             "a reconstruction: formulas (10) and (11) are damaged in the text; read as 1 + z (z − 1)(β_н − 1)(1 − C f) "
@@ -50,7 +50,6 @@ def figure_1() -> PaperFigure:
             "M15, M18: as a difference of torques (10) cannot be right, it is a pure number; (22) less (8) is positive "
             "for every f",
         ],
-        assumed="",
     )
 
 
@@ -72,15 +71,14 @@ def figure_2() -> PaperFigure:
         name="S22 fig. 2",
         title="discriminant and roots of (17) against the reduced gain",
         panels=[left, right],
-        x=axis("reduced gain", "zC"),
-        y=[axis("discriminant", "D"), axis("coefficient of friction", "f")],
+        x=PaperAxis("reduced gain", "zC"),
+        y=[PaperAxis("discriminant", "D"), PaperAxis("coefficient of friction", "f")],
         inputs="β_н = 1.25, f_min = 0.1 and 0.2; the right root is drawn where it lies below f = 1.",
         corrections=[
             "(17): D = (β_н + (β_н − 2) zC f_min)², a perfect square",
             "P18: curves 4 and 6 coincide, both are 1/(zC)",
             "M37: the caption says reduced coefficient of friction for reduced gain",
         ],
-        assumed="",
     )
 
 
@@ -96,15 +94,14 @@ def figure_3() -> PaperFigure:
                 curve("2", "expected (18)", reduced, expected_factor(reduced)),
             ]
         ],
-        x=axis("reduced gain", "zC"),
-        y=[axis("accuracy factor", "K_т")],
+        x=PaperAxis("reduced gain", "zC"),
+        y=[PaperAxis("accuracy factor", "K_т")],
         inputs="β_н = 1.25, f = 0.1…0.8; curve 1 is (18) or (19) by case, the larger of T_ср and T_муф.",
         corrections=[
             "M11: (15) with [1 − v²] f_min divided by f",
             "M13: the best actual accuracy is at zC = 1/f_max = 1.25 (A = 1), printed ≈ 1.6, where A = 1.225",
             "M12: at equilibrium the trip is at T_муф and curve 2 holds throughout",
         ],
-        assumed="",
     )
 
 
@@ -125,15 +122,14 @@ def figure_4() -> PaperFigure:
                 curve("", "its reciprocal T_муф/T_ср", bypass, 1 / found, points=True),
             ]
         ],
-        x=axis("number of driving pairs", "z_1"),
-        y=[axis("actuation factor", "A")],
+        x=PaperAxis("number of driving pairs", "z_1"),
+        y=[PaperAxis("actuation factor", "A")],
         inputs="z = 4, β_н = 1.25, f = 0.1…0.8; (z − z_1)C = 1.6 for z_1 = 1, C = 1/(z_1 f_max) for z_1 ≥ 2.",
         corrections=[
             "M14: A = 1.225, 1.000, 0.419 falls with z_1, it does not grow above the all-driving line; the reciprocal "
             "has the shape described",
             "M30: the text gives line 1 both zC = 5 and zC = 1.6",
         ],
-        assumed="",
     )
 
 
