@@ -6,10 +6,10 @@ from itertools import compress
 from typing import Any, NamedTuple
 
 from ..findings import Finding
-from ..messages import named, printable, term, told, translate, with_unit
+from ..messages import named, printable, term, told, translate
 from ..result import Output
 from .document import Column, Document, Table
-from .units import display, display_unit, estimate, in_numbers, worded
+from .units import display, display_unit, estimate, headed, in_numbers, measured, worded
 
 
 class TextTable(NamedTuple):
@@ -108,7 +108,7 @@ def _table(table: Table) -> TextTable:
     meanings = [f"{column.symbol}: {column.name}" for column in shown if column.symbol]
     return TextTable(
         table.title[:1].upper() + table.title[1:],
-        [_heading(column) for column in shown],
+        [headed(translate(column.symbol or column.name), column.unit) for column in shown],
         [list(row) for row in zip(*texts, strict=True)],
         [
             any(isinstance(value, int | float) and not isinstance(value, bool) for value in column.values)
@@ -117,12 +117,6 @@ def _table(table: Table) -> TextTable:
         table._replace(columns=shown),
         "; ".join(meanings) if table.axes else "",
     )
-
-
-def _heading(column: Column) -> str:
-    unit = display_unit(column.unit)
-    name = translate(column.symbol or column.name)
-    return f"{name}, {unit}" if unit not in ("", "–") else name
 
 
 _NUMBER = re.compile(r"(\(?[-−]?\d+|–)(.*)")
@@ -227,7 +221,7 @@ def step_lines(laid_out: Document) -> list[str]:
         indent = " " * (5 + len(step.symbol))
         if step.substituted != step.formula:
             lines.append(f"{indent}= {in_numbers(step.substituted)}")
-        lines.append(f"{indent}= {step_value(step)}    [{translate(step.source).rstrip('.')}]")
+        lines.append(f"{indent}= {measured(step.value, step.unit)}    [{translate(step.source).rstrip('.')}]")
         if step.print_differs:
             lines.append(told("    print differs: {what}", what=term(step.print_differs)))
     return lines
@@ -244,11 +238,6 @@ _APART: Mapping[str, Mapping[str, str]] = {
     "setting": {"min-friction": "set at f_min", "mean-friction": "set at mean f"},
     "side": {"protected": "protected side", "unprotected": "unprotected side"},
 }
-
-
-def step_value(step: Any) -> str:
-    """Value of a step in the engineer's unit, with the SI value's unit where they differ."""
-    return with_unit(display(step.value, step.unit), display_unit(step.unit))
 
 
 def ranked(findings: Iterable[Finding]) -> list[Finding]:

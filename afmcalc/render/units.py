@@ -100,6 +100,25 @@ def display(value: object, unit: str) -> str:
     return significant((value - _unit(unit).zero) * factor(unit))
 
 
+def measured(value: object, unit: str) -> str:
+    """Return a value (SI) with its unit, both as shown to people.
+
+    >>> measured(2000.0, "N"), measured(0.5, "1")
+    ('2 kN', '0.5')
+    """
+    return with_unit(display(value, unit), display_unit(unit))
+
+
+def headed(name: str, unit: str) -> str:
+    """Return the name of a quantity with its unit as shown to people, where it has one.
+
+    >>> headed("force", "N"), headed("gain", "1")
+    ('force, kN', 'gain')
+    """
+    shown = display_unit(unit)
+    return f"{name}, {shown}" if shown not in ("", "–") else name
+
+
 def worded(text: str) -> str:
     """Return a text of a result in the language of the user; one made of several may be known in its parts only."""
     if isinstance(text, Text):

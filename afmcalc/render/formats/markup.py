@@ -7,9 +7,9 @@ from html import escape
 from ...messages import printable, told, translate
 from ...result import Output
 from ..document import Document, document
-from ..layout import TextTable, blocks, findings_lines, step_lines, step_value, title, told_apart, unfolded
+from ..layout import TextTable, blocks, findings_lines, step_lines, title, told_apart, unfolded
 from ..symbols import latex_in_numbers, value_latex
-from ..units import in_numbers
+from ..units import in_numbers, measured
 
 
 def markdown(output: Output, terminal: bool) -> str:
@@ -36,7 +36,7 @@ def _steps(laid_out: Document) -> list[str]:
         at = f" ({_escape(', '.join(places))})" if places else ""
         equals = " = ".join(dict.fromkeys(map(latex_in_numbers, (step.formula_latex, step.substituted_latex))))
         lines += [f"### {_escape(step.symbol)}{at}: {_escape(translate(step.name))}", ""]
-        lines += [f"$${step.symbol_latex} = {equals} = {value_latex(step_value(step))}$$", ""]
+        lines += [f"$${step.symbol_latex} = {equals} = {value_latex(measured(step.value, step.unit))}$$", ""]
         lines += [told("Source: {source}", source=_escape(translate(step.source))), ""]
         if step.print_differs:
             lines += [told("*Print differs:* {what}", what=_escape(translate(step.print_differs))), ""]

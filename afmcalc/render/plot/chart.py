@@ -5,9 +5,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from ...messages import RAISED, localized, translate, with_unit
+from ...messages import RAISED, localized, translate
 from ...result import Result, shown_as
-from ..units import display, display_unit, factor
+from ..units import factor, headed, measured
 
 
 class ChartAxis(NamedTuple):
@@ -21,9 +21,7 @@ class ChartAxis(NamedTuple):
     @property
     def label(self) -> str:
         """Quantity, symbol and the engineer's unit."""
-        unit = display_unit(self.unit)
-        name = f"{self.quantity} {self.symbol}".strip()
-        return f"{name}, {unit}" if unit not in ("", "–") else name
+        return headed(f"{self.quantity} {self.symbol}".strip(), self.unit)
 
     def shown(self, values: Iterable[float | None]) -> list[float]:
         """Return values in the engineer's unit, NaN for those that are None."""
@@ -149,4 +147,4 @@ def stated(symbol: str, value: float, unit: str) -> str:
     >>> stated("F_п", 2000.0, "N"), stated("C", 0.5, "1")
     ('F_п = 2 kN', 'C = 0.5')
     """
-    return f"{symbol} = {with_unit(display(value, unit), display_unit(unit))}"
+    return f"{symbol} = {measured(value, unit)}"

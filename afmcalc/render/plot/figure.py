@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 ENDINGS = ("png", "svg", "pdf")
 Ending = Literal["png", "svg", "pdf"]
 
+_CREATOR = "afmcalc plot"
 _HIGH, _LOW = 3.3, 2.5
 """Inches that axes with their labels have in a picture of its own, and in a page among others."""
 _LINE = 0.165
@@ -34,19 +35,19 @@ _LEFT = 0.015
 
 
 def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
-    """Set a sheet with its title and caption, on white.
+    """Return a file of a sheet with its title and caption, on white; ``dpi`` is that of a PNG.
 
-    Args:
-        sheet: what to draw.
-        ending: kind of file.
-        dpi: dots per inch of a PNG.
-
-    Returns:
-        The content of the file; without date or version, so that it depends on the sheet only.
+    Without date or version: the file depends on the sheet only.
     """
+    metadata: dict[str, dict[str, Any]] = {
+        "png": {"Software": _CREATOR},
+        "svg": {"Date": None, "Creator": _CREATOR},
+        "pdf": {"CreationDate": None, "ModDate": None, "Creator": _CREATOR, "Producer": None},
+    }
+    content = io.BytesIO()
     with _settings({"savefig.dpi": dpi}):
-        figure = _figure(sheet, bare=False)
-        return _bytes(figure, ending)
+        _figure(sheet).savefig(content, format=ending, metadata=metadata[ending])
+    return content.getvalue()
 
 
 def inline_svg(sheet: Sheet) -> str:
@@ -54,7 +55,7 @@ def inline_svg(sheet: Sheet) -> str:
     with _settings({"svg.fonttype": "none", "savefig.facecolor": "none"}):
         from .inline import svg_of
 
-        figure = _figure(sheet, bare=True)
+        figure = _figure(Sheet("", sheet.panels), _LOW)
         figure.patch.set_alpha(0)
         for axes in figure.axes:
             axes.patch.set_alpha(0)
@@ -85,18 +86,18 @@ def _matplotlib() -> Any:
     return mpl
 
 
-def _figure(sheet: Sheet, *, bare: bool) -> "Figure":
+def _figure(sheet: Sheet, axes_height: float = _HIGH) -> "Figure":
     from matplotlib.figure import Figure
     from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-    heights = [_height(panel, _LOW if bare else _HIGH) for panel in sheet.panels]
-    caption = [] if bare else _wrapped(sheet.caption)
+    heights = [_height(panel, axes_height) for panel in sheet.panels]
+    caption, title = _wrapped(sheet.caption), _title(sheet) if sheet.title else []
+    more = _TITLE_LINE * (len(title) - 1)
+    above = 0.34 + more if title else 0.02
     below = len(caption) * _LINE + (0.14 if caption else 0.02)
-    title = [] if bare or not sheet.title else _title(sheet)
-    above = 0.34 + _TITLE_LINE * (len(title) - 1) if title else 0.02
     total = sum(heights) + below + above
     figure = Figure(figsize=(WIDTH, total))
-    if not bare:
+    if title:  # else it is for a page, and laid out there
         rect = 0.005, below / total, 0.99, 1 - (below + above) / total
         figure.set_layout_engine(ConstrainedLayoutEngine(rect=rect, h_pad=0.1, w_pad=0.06))
     # one grid, so that the axes of all panels stand one below the other
@@ -107,10 +108,8 @@ def _figure(sheet: Sheet, *, bare: bool) -> "Figure":
             _legend(axes, _columns(panel.labels))
         else:
             panel.paint(axes)
-    if not bare:
-        middle = 0.2 + _TITLE_LINE * (len(title) - 1) / 2
-        figure.text(_LEFT, 1 - middle / total, "\n".join(title), va="center", **_TITLE)
-        figure.text(_LEFT, 0.08 / total, "\n".join(map(mathtext, caption)), fontsize=8, va="bottom", linespacing=1.35)
+    figure.text(_LEFT, 1 - (0.2 + more / 2) / total, "\n".join(title), va="center", **_TITLE)
+    figure.text(_LEFT, 0.08 / total, "\n".join(map(mathtext, caption)), fontsize=8, va="bottom", linespacing=1.35)
     return figure
 
 
@@ -162,18 +161,3 @@ def _wrapped(caption: str) -> list[str]:
     # Cyrillic letters are wider
     columns = 118 if spoken() == "en" else 100
     return [line for part in caption.splitlines() for line in textwrap.wrap(part, columns)]
-
-
-_CREATOR = "afmcalc plot"
-"""Without version: a file depends on its sheet only."""
-
-
-def _bytes(figure: "Figure", ending: Ending) -> bytes:
-    metadata: dict[str, dict[str, Any]] = {
-        "png": {"Software": _CREATOR},
-        "svg": {"Date": None, "Creator": _CREATOR},
-        "pdf": {"CreationDate": None, "ModDate": None, "Creator": _CREATOR, "Producer": None},
-    }
-    content = io.BytesIO()
-    figure.savefig(content, format=ending, metadata=metadata[ending])
-    return content.getvalue()

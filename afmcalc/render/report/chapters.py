@@ -18,7 +18,7 @@ from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.curves import SPRINGS
 from ..units import display, display_unit, factor, significant
-from .steps import Derived, blocks_of
+from .steps import Derived, block_of
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ def _chapter(topic: Topic, method: str) -> Chapter:
         title=translate(topic.title),
         about=translate(topic.about),
         tables=lay_out(topic.result),
-        blocks=blocks_of(topic.derivations, method),
+        blocks=[block_of(derivation, method) for derivation in topic.derivations],
         sheets=[] if topic.figure is None else [sheet_of(topic.plot, topic.figure)],
         sources=topic.sources,
     )

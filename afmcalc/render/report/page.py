@@ -1,6 +1,6 @@
 """From what was found of a clutch to the page of its report."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date
 from functools import cache
@@ -104,7 +104,7 @@ def render(subject: Subject) -> str:
         running=" · ".join(part for part in (name, subject.title.drawing, subject.title.revision) if part),
         entries=_entries(subject),
         verdict=verdict(dossier),
-        keys=_keys(subject),
+        keys=list(_spec_lines(resolved(dossier.spec))),
         chapters=found,
         figures=figures,
         sections=_sections(dossier, figures),
@@ -116,58 +116,42 @@ def render(subject: Subject) -> str:
     )
 
 
+Grade = Literal["pass", "warning", "fail"]
+
+
 class Verdict(NamedTuple):
     """What became of a clutch."""
 
-    grade: Literal["pass", "warning", "fail"]
+    grade: Grade
     sentence: str
     limit: str
     """What limits the clutch first; empty where nothing does."""
 
 
 def verdict(dossier: Dossier) -> Verdict:
-    """Sum up requirements and checks."""
-    required, checked = _required(dossier), _checked(dossier)
-    sentence, limit = told(f"verdict/{required}/{checked}"), _limit(dossier)
-    if required == "missed" or checked == "failed":
-        return Verdict("fail", sentence, limit)
-    return Verdict("pass" if required in ("none", "met") and checked == "passed" else "warning", sentence, limit)
-
-
-def _required(dossier: Dossier) -> Literal["none", "met", "open", "missed"]:
-    passed = [row.passed for row in dossier.requirements]
-    if False in passed:
-        return "missed"
-    return "none" if not passed else "open" if None in passed else "met"
-
-
-def _checked(dossier: Dossier) -> Literal["passed", "warned", "exceeded", "failed"]:
-    """What became of everything but the requirements."""
-    levels = {each.level for each in dossier.findings if not each.code.startswith("requirement-")}
-    if "error" in levels:
-        return "failed"
-    if any(each.verdict != "pass" for each in dossier.limits):
-        return "exceeded"
-    return "warned" if "warning" in levels else "passed"
-
-
-def _limit(dossier: Dossier) -> str:
-    """Name the limit of which the clutch uses most."""
-    most = max(dossier.limits, key=lambda each: each.utilisation, default=None)
-    if most is None:
-        return ""
-    key = "limited" if most.verdict == "pass" else "limited/exceeded"
-    return told(key, name=worded(most.name), symbol=most.symbol, utilisation=most.utilisation)
+    """Sum up requirements and checks, and name the limit of which the clutch uses most."""
+    passed = {row.passed for row in dossier.requirements}
+    required = "missed" if False in passed else "open" if None in passed else "met" if passed else "none"
+    levels = {finding.level for finding in dossier.findings if not finding.code.startswith("requirement-")}
+    exceeded = any(limit.verdict != "pass" for limit in dossier.limits)
+    checked = "exceeded" if exceeded else "warned" if "warning" in levels else "passed"
+    checked = "failed" if "error" in levels else checked
+    whole = required in ("none", "met") and checked == "passed"
+    grade: Grade = "fail" if required == "missed" or checked == "failed" else "pass" if whole else "warning"
+    most = max(dossier.limits, key=lambda limit: limit.utilisation, default=None)
+    limit = ""
+    if most is not None:
+        key = "limited" if most.verdict == "pass" else "limited/exceeded"
+        limit = told(key, name=worded(most.name), symbol=most.symbol, utilisation=most.utilisation)
+    return Verdict(grade, told(f"verdict/{required}/{checked}"), limit)
 
 
 def _entries(subject: Subject) -> list[tuple[str, str]]:
     """Title block: what is given of it, and what every report has."""
-    title, spec = subject.title, subject.dossier.spec
-    program = f"afmcalc {subject.version}"
-    own = {"variant": translate(spec.variant, "value"), "program": program}
-    own |= {name: getattr(title, name) for name in TitleBlock.model_fields} | {"date": _dated(title.date)}
+    variant, program = translate(subject.dossier.spec.variant, "value"), f"afmcalc {subject.version}"
+    title = dict(subject.title) | {"date": _dated(subject.title.date), "variant": variant, "program": program}
     form = FORMS[spoken()]
-    return [(name, own[name]) for name in form.entries if own[name] or name in form.signed]
+    return [(name, title[name]) for name in form.entries if title[name] or name in form.signed]
 
 
 def _dated(given: str | None) -> str | None:
@@ -187,66 +171,48 @@ def _sections(dossier: Dossier, figures: list["_Figure"]) -> list[str]:
 
 def _symbols(found: list[Chapter]) -> list[tuple[str, str]]:
     """Symbols of the formulas, each with what it stands for where it is first told."""
-    told: dict[str, str] = {}
+    meanings: dict[str, str] = {}
     for block in (block for chapter in found for block in chapter.blocks):
-        for each in block.where:
-            if each.text:
-                told.setdefault(each.symbol, each.text)
+        for part in block.where:
+            if part.text:
+                meanings.setdefault(part.symbol, part.text)
         # the heading of its step begins with a capital
         first = block.name[:1].lower() if block.name[1:2].islower() else block.name[:1]
-        told.setdefault(block.symbol, first + block.name[1:])
-    return sorted(told.items(), key=lambda item: item[0].casefold())
+        meanings.setdefault(block.symbol, first + block.name[1:])
+    return sorted(meanings.items(), key=lambda item: item[0].casefold())
 
 
-def _keys(subject: Subject) -> list[_SpecLine]:
-    known = keys()
-    found: list[_SpecLine] = []
-    for path, value in _flat(resolved(subject.dossier.spec), ""):
-        if isinstance(value, dict):
-            found += [_scatter(path, name, each) for name, each in value.items()]
-            continue
-        key = known[path]
-        shown = list(value) if isinstance(value, tuple) else str(value) if key.unit is None else value
-        if path == "name" or path.startswith("report."):  # what a user writes is not translated
-            shown = term(str(value), "name")
-        found.append(
-            _SpecLine(
-                path,
-                key.symbol or "",
-                translate(key.description),
-                display(shown, key.unit or ""),
-                display_unit(key.unit or ""),
-                key.unit is not None,
-            )
-        )
-    return found
+def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
+    """Every key of a spec that has a value."""
+    for name, value in data.items():
+        path = prefix + name
+        key = keys().get(path)
+        if key is None:
+            yield from _spec_lines(value, f"{path}.")
+        elif isinstance(value, dict):
+            yield from (_scatter(path, field, given) for field, given in value.items())
+        else:
+            shown = list(value) if isinstance(value, tuple) else str(value) if key.unit is None else value
+            if path == "name" or path.startswith("report."):  # what a user writes is not translated
+                shown = term(str(value), "name")
+            unit, numeric = key.unit or "", key.unit is not None
+            about = translate(key.description)
+            yield _SpecLine(path, key.symbol or "", about, display(shown, unit), display_unit(unit), numeric)
 
 
 def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
     """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of what scatters."""
-    unit = unit_at(name) or ""
-    given_as = {part: value for part, value in given.items() if part != "distribution"}
-    numbers = [f"{translate(part, 'value')} {display(value, unit)}" for part, value in given_as.items()]
+    unit, key = unit_at(name) or "", keys().get(name)
+    parts = {part: value for part, value in given.items() if part != "distribution"}
+    numbers = [f"{translate(part, 'value')} {display(value, unit)}" for part, value in parts.items()]
     # a spread in percent has no other unit
-    shown_unit = "" if all(isinstance(value, str) for value in given_as.values()) else display_unit(unit)
-    key = keys().get(name)
-    about = (
-        message("scatter: {about}", about=translate(key.description).partition(";")[0])
-        if key
-        else translate("scatter of the friction in service")
-    )
+    shown_unit = "" if all(isinstance(value, str) for value in parts.values()) else display_unit(unit)
+    symbol, about = "f", translate("scatter of the friction in service")
+    if key:
+        symbol = key.symbol or ""
+        about = message("scatter: {about}", about=translate(key.description).partition(";")[0])
     value = (", " if spoken() == "en" else "; ").join([worded(given["distribution"]), *numbers])
-    return _SpecLine(f'{path}."{name}"', key.symbol or "" if key else "f", about, value, shown_unit, False)
-
-
-def _flat(data: dict[str, Any], prefix: str) -> list[tuple[str, Any]]:
-    """Value keys with their values; a key that holds a table of the user's own keys keeps it."""
-    found: list[tuple[str, Any]] = []
-    for name, value in data.items():
-        path = prefix + name
-        deeper = isinstance(value, dict) and path not in keys()
-        found += _flat(value, f"{path}.") if deeper else [(path, value)]
-    return found
+    return _SpecLine(f'{path}."{name}"', symbol, about, value, shown_unit, False)
 
 
 def _figures(found: list[Chapter]) -> list[_Figure]:

@@ -8,9 +8,9 @@ from typing import NamedTuple
 from latex2mathml.converter import convert
 
 from ...analysis.explain.derivation import CaseRow, Derivation, Meaning
-from ...messages import localized, spoken, term, translate, with_unit
+from ...messages import localized, spoken, term, translate
 from ..symbols import value_latex
-from ..units import display, display_unit, in_numbers
+from ..units import in_numbers, measured
 from .words import told
 
 
@@ -49,80 +49,65 @@ class Derived(NamedTuple):
     header: Sequence[str]
     """Of the labels, where a line has several."""
     lines: Sequence[CaseLine]
-    notes: Sequence[str]
+    note: str
+    """What the print has instead."""
 
 
 _SHORT = 64
 """Signs that formula and numbers may have together to stand in one line."""
 
 
-def blocks_of(derivations: Sequence[Derivation], method: str) -> list[Derived]:
-    """Lay out derivations.
-
-    Args:
-        derivations: what was calculated.
-        method: how the spec sets its spring: what need not be said of each line.
-    """
-    return [_block(each, method) for each in derivations]
-
-
-def _block(own: Derivation, method: str) -> Derived:
-    columns = [_labels(own.rows, name, method) for name in ("friction", "branch", "setting", "side")]
-    named = [(name, labels) for name, labels in columns if any(labels)]
-    symbol, numbers = own.symbol_latex, own.rows[0].numbers
-    joined = not named and len(own.rows) == 1 and _size(own.formula) + _size(numbers) <= _SHORT
+def block_of(step: Derivation, method: str) -> Derived:
+    """Lay out a derivation; what ``method`` says, how the spec sets its spring, need not be said of each line."""
+    columns = [(name, _labels(step.rows, name, method)) for name in ("friction", "branch", "setting", "side")]
+    columns = [(name, labels) for name, labels in columns if any(labels)]
+    symbol, first = step.symbol_latex, step.rows[0]
+    joined = not columns and len(step.rows) == 1 and _size(step.formula) + _size(first.numbers) <= _SHORT
     # a formula may say no more than its symbol, and a number be its own value
-    parts = [symbol, *([own.formula] if own.formula not in ("", symbol) else [])]
+    parts = [symbol, *([step.formula] if step.formula not in ("", symbol) else [])]
     if joined:
-        parts += dict.fromkeys((numbers, value_latex(_value(own.rows[0], own.unit))))
+        parts += dict.fromkeys((first.numbers, value_latex(measured(first.value, step.unit))))
     lines = [
-        CaseLine(
-            [labels[index] for _, labels in named], _math(f"{symbol} = {_broken(row.numbers)}"), _value(row, own.unit)
-        )
-        for index, row in enumerate([] if joined else own.rows)
+        CaseLine(labels, _math(f"{symbol} = {_broken(row.numbers)}"), measured(row.value, step.unit))
+        for row, *labels in zip(step.rows, *(labels for _, labels in columns), strict=True)
     ]
-    notes = [told("differs", printed=term(own.differs))] if own.differs else []
     return Derived(
-        number=own.number,
-        first=bool(own.formula),
-        symbol=own.symbol,
-        name=translate(own.name),
-        source=translate(own.source).rstrip("."),
+        number=step.number,
+        first=bool(step.formula),
+        symbol=step.symbol,
+        name=translate(step.name),
+        source=translate(step.source).rstrip("."),
         formula=_math(" = ".join(parts)) if len(parts) > 1 else "",
-        where=[_explained(each) for each in own.where],
-        header=[told(name) for name, _ in named] if len(named) > 1 else [],
-        lines=lines,
-        notes=notes,
+        where=[_explained(meaning) for meaning in step.where],
+        header=[told(name) for name, _ in columns] if len(columns) > 1 else [],
+        lines=[] if joined else lines,
+        note=told("differs", printed=term(step.differs)) if step.differs else "",
     )
 
 
-def _labels(rows: Sequence[CaseRow], name: str, method: str) -> tuple[str, list[str]]:
+def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
     """One column of labels; empty where it would say of each line what goes without saying."""
-    found = {
-        "friction": [in_numbers(row.case.friction or "") for row in rows],
-        "branch": [told(f"branch/{row.case.branch}", **_after(row)) for row in rows],
-        "setting": [told(f"setting/{row.case.setting or method}") for row in rows],
-        "side": [told(f"side/{row.case.side}") if row.case.side else "" for row in rows],
-    }[name]
-    usual = {"branch": told("branch/"), "setting": told(f"setting/{method}")}.get(name)
-    return name, [""] * len(rows) if set(found) == {usual} else found
+    cases = [row.case for row in rows]
+    if name == "friction":
+        return [in_numbers(case.friction or "") for case in cases]
+    if name == "side":
+        return [told(f"side/{case.side}") if case.side else "" for case in cases]
+    if name == "branch":
+        usual = told("branch/")
+        labels = [told(f"branch/{case.branch}", after=case.after) for case in cases]
+    else:
+        usual = told(f"setting/{method}")
+        labels = [told(f"setting/{case.setting or method}") for case in cases]
+    return [""] * len(rows) if set(labels) == {usual} else labels
 
 
-def _after(row: CaseRow) -> dict[str, object]:
-    return {"after": row.case.after} if row.case.branch == "held" else {}
-
-
-def _explained(own: Meaning) -> Explained:
-    unit = "" if own.unit == "1" else translate(own.unit.replace("*", "·").replace("^3", "³"), "unit")
-    text = ", ".join(part for part in (translate(own.text) if own.text else "", unit if own.text else "") if part)
-    if own.number is None:
-        return Explained(own.symbol, text, "", None)
-    by = told("is", source=own.source, number=own.number) if own.source else told("by", number=own.number)
-    return Explained(own.symbol, text, by, own.number)
-
-
-def _value(row: CaseRow, unit: str) -> str:
-    return with_unit(display(row.value, unit), display_unit(unit))
+def _explained(meaning: Meaning) -> Explained:
+    unit = "" if meaning.unit == "1" else translate(meaning.unit.replace("*", "·").replace("^3", "³"), "unit")
+    text = ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
+    if meaning.number is None:
+        return Explained(meaning.symbol, text, "", None)
+    by = told("is" if meaning.source else "by", source=meaning.source, number=meaning.number)
+    return Explained(meaning.symbol, text, by, meaning.number)
 
 
 def _size(latex: str) -> int:

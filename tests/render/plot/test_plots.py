@@ -134,7 +134,7 @@ def test_no_title_is_cut(name, lang):
     with speaking(language(lang) if lang else ENGLISH), _settings():
         own = sheet(name)
         for called in (own.name, "W" * 200, "a clutch $x_1$ of many words " * 9):
-            figure = _figure(replace(own, name=called), bare=False)
+            figure = _figure(replace(own, name=called))
             FigureCanvasAgg(figure).draw()
             title, _ = figure.texts
             box = title.get_window_extent()
