@@ -37,7 +37,7 @@ def next_force_opening(
     """Normal force on the next pair when the balls unload the pack, N (1 + ε)/(1 − ε').
 
     Source: Balance of the disc between them; theory of the drive, section 13.
-    Validity: Every disc moves towards the spring; no more than what the pack was closed with.
+    Validity: Every disc moves towards the spring; N' is at most the force the pack was closed with.
     """
     return normal_force * (1 + share) / (1 - share_next)
 
@@ -49,7 +49,7 @@ def tan_wall_angle_loading(
     """Tangent that a sliding cam's wall acts with while it is driven up, tan(α − ρ), tan ρ = μ.
 
     Source: Theory of the drive, section 13: wedge with friction.
-    Validity: tan α > μ; else the cams hold by themselves.
+    Validity: tan α > μ; otherwise the cams lock.
     """
     return (tan_wall_angle - wall_friction) / (1 + tan_wall_angle * wall_friction)
 
@@ -98,6 +98,6 @@ def force_lost_by_wear(
     """Spring force lost when every pair has worn, c_п z δ.
 
     Source: Theory of the drive, section 10.
-    Validity: Nobody sets the spring again; a straight spring.
+    Validity: Linear spring that is not re-adjusted.
     """
     return stiffness * pairs * wear

@@ -57,7 +57,7 @@ def friction_area(inner_radius: InnerRadius, outer_radius: OuterRadius, pi: Pi) 
     """Area of a pair of faces, π (r_o² − r_i²).
 
     Source: Theory of the drive, section 10.
-    Validity: Full rings; grooves and sectors take from it.
+    Validity: Full rings; grooves and sectors reduce it.
     """
     return pi * (outer_radius**2 - inner_radius**2)
 
@@ -118,8 +118,8 @@ def face_admittance(
     """Flux into a face per rise of it, both as Laplace transforms: b √p tanh(l √(p/a)).
 
     Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 2.9 and 3.8, transformed; theory of the drive, 10.
-    Validity: A layer of the depth l behind which no heat leaves, evenly warm at first; bodies whose faces are equally
-        hot share the flux, and their admittances add up.
+    Validity: A layer of the depth l, evenly warm at first, that loses no heat at its back; bodies whose faces are
+        equally hot share the flux, and their admittances add up.
     """
     return effusivity * root * through
 
@@ -200,7 +200,7 @@ def setting_loss_per_wear(
     """Share of the force on the pack lost per wear of a pair, c_п z/F.
 
     Source: Theory of the drive, section 10.
-    Validity: Nobody sets the spring again; a straight spring.
+    Validity: Linear spring that is not re-adjusted.
     """
     return stiffness * pairs / force
 

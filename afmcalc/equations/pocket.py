@@ -83,7 +83,7 @@ def leaving_friction(
     """Friction at which the sleeve leaves its stop, f_L = (F_п2/F_п1 − 1)/(z κ).
 
     Source: S21 (14) for f_set; f_set itself with the control spring set by (14).
-    Validity: κ > 0; not above 0 where the sleeve never rests.
+    Validity: κ > 0; f_L ≤ 0 means that the sleeve never rests at its stop.
     """
     return (control_force / closing_force - 1) / (pairs * net_gain)
 

@@ -70,7 +70,7 @@ def disc_force(
     """Force of a disc spring, 4E/(1 − ν²) t³ s K_4²/(K_1 D_e²) [K_4² (h_0/t − s/t)(h_0/t − s/(2t)) + 1].
 
     Source: DIN EN 16984 (Almen & László 1936); theory of the drive, section 11.
-    Validity: 0 ≤ s ≤ h_0; beyond ¾ of it the lever shortens, the true force is larger.
+    Validity: 0 ≤ s ≤ h_0; beyond ¾ h_0 the lever shortens and the true force is larger.
     """
     square = factor_flats * factor_flats
     rigid = 4 * modulus * thickness * deflection * square / ((1 - poisson * poisson) * factor_load * outer_diameter**2)
@@ -114,7 +114,7 @@ def disc_stress(
     """Stress of a disc spring at an edge, −4E/(1 − ν²) s K_4/(K_1 D_e²) [K_4 K_m (h_0 − s/2) + K_b t].
 
     Source: DIN EN 16984 (Almen & László 1936); theory of the drive, section 11.
-    Validity: Elastic, without what shot peening and setting leave.
+    Validity: Elastic; residual stresses of shot peening and presetting are not counted.
     """
     rigid = -4 * modulus * deflection * factor_flats / ((1 - poisson * poisson) * factor_load * outer_diameter**2)
     return rigid * (factor_flats * membrane * (cone_height - deflection / 2) + bending * thickness)
@@ -162,7 +162,7 @@ def coil_stiffness(
     """Stiffness of a coil spring, G d⁴/(8 D³ n).
 
     Source: EN 13906-1; theory of the drive, section 11.
-    Validity: A small pitch.
+    Validity: Small pitch.
     """
     return shear_modulus * wire_diameter**4 / (8 * coil_diameter**3 * turns)
 
@@ -219,7 +219,7 @@ def coil_mass(
     """Mass of a coil spring, ρ (π/4) d² π D (n + 2).
 
     Source: Theory of the drive, section 11: volume of the wire.
-    Validity: A small pitch; two more turns at the ends.
+    Validity: Small pitch; two more turns at the ends.
     """
     return density * pi * pi * wire_diameter**2 * coil_diameter * (turns + 2) / 4
 
@@ -241,7 +241,7 @@ def coil_upper_stress(
     """Upper shear stress a wire bears for ever, τ_O = [2 S_se S_su + τ_U (S_su − S_se)]/(S_su + S_se).
 
     Source: Shigley, sec. 10-9 (Goodman: τ_a/S_se + τ_m/S_su = 1); stresses with k_τ, as EN 13906-1 has them.
-    Validity: Wire not shot peened; diameter to some 10 mm.
+    Validity: Wire not shot peened, diameter up to about 10 mm.
     """
     return (2 * endurance * ultimate + lower_stress * (ultimate - endurance)) / (ultimate + endurance)
 

@@ -104,7 +104,7 @@ def web(ball_pitch: BallPitch, pocket_width: PocketWidth) -> Annotated[Number, T
     """Web that is left between neighbouring pockets at the face, e = t_ш − b.
 
     Source: Geometry: chord of the ball circle.
-    Validity: Not above 0 the pockets cut into each other.
+    Validity: e > 0; otherwise the pockets cut into each other.
     """
     return ball_pitch - pocket_width
 
