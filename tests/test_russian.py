@@ -119,18 +119,18 @@ def test_numbers(number, shown):
     ],
 )
 def test_the_language_is_the_options_else_the_variables_else_the_locales(arguments, environment, name):
-    assert chosen(arguments, environment).name == name
+    assert chosen(without_lang(arguments)[1], environment).name == name
 
 
 def test_an_unknown_language_is_refused():
     for arguments, environment in ((["--lang", "xx"], {}), (["--lang"], {}), ([], {"AFMCALC_LANG": "Russian"})):
         with pytest.raises(AfmcalcError, match="known are en, ru"):
-            chosen(arguments, environment)
+            chosen(without_lang(arguments)[1], environment)
 
 
 def test_the_option_may_stand_anywhere():
-    assert without_lang(["--lang", "ru", "torque", "a.toml", "--lang=en"]) == ["torque", "a.toml"]
-    assert without_lang(["report", "--", "--lang", "ru"]) == ["report", "--", "--lang", "ru"]
+    assert without_lang(["--lang", "ru", "torque", "a.toml", "--lang=en"]) == (["torque", "a.toml"], "en")
+    assert without_lang(["report", "--", "--lang", "ru"]) == (["report", "--", "--lang", "ru"], "")
 
 
 @pytest.mark.parametrize(

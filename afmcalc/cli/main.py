@@ -33,14 +33,14 @@ FAULT = 70
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run a command line, that of the process where none is given, and end with its exit code."""
     prepare()
-    given = sys.argv[1:] if arguments is None else arguments
+    given, lang = without_lang(sys.argv[1:] if arguments is None else arguments)
     try:
-        speaks = chosen(given, os.environ)
+        speaks = chosen(lang, os.environ)
     except AfmcalcError as error:
         _complain(str(error))
         sys.exit(error.exit_code)
     with speaking(speaks):
-        sys.exit(_run(without_lang(given)))
+        sys.exit(_run(given))
 
 
 def _run(given: list[str]) -> int:
@@ -119,14 +119,30 @@ _OPTION = "--lang"
 _LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
 
 
-def chosen(arguments: list[str], environment: Mapping[str, str]) -> Language:
+def without_lang(arguments: list[str]) -> tuple[list[str], str]:
+    """Return the arguments without the language, which may stand anywhere, and the last one asked for, if any."""
+    kept, name = [], ""
+    rest = iter(arguments)
+    for argument in rest:
+        if argument == "--":
+            kept += [argument, *rest]
+        elif argument == _OPTION:
+            name = next(rest, "?")
+        elif argument.startswith(f"{_OPTION}="):
+            name = argument.partition("=")[2] or "?"
+        else:
+            kept.append(argument)
+    return kept, name
+
+
+def chosen(lang: str, environment: Mapping[str, str]) -> Language:
     """Return the language asked for: by the option, else by AFMCALC_LANG, else by the locale, if it is known.
 
     Raises:
         AfmcalcError: there is no such language.
     """
     by_locale = re.split("[_.@]", next(filter(None, map(environment.get, _LOCALE)), ""))[0]
-    asked = {_OPTION: _lang(arguments), "AFMCALC_LANG": environment.get("AFMCALC_LANG"), "": by_locale}
+    asked = {_OPTION: lang, "AFMCALC_LANG": environment.get("AFMCALC_LANG"), "": by_locale}
     by, name = next(((by, name) for by, name in asked.items() if name), ("", ENGLISH.name))
     if name == ENGLISH.name or (not by and name not in known()):
         return ENGLISH
@@ -134,31 +150,6 @@ def chosen(arguments: list[str], environment: Mapping[str, str]) -> Language:
         languages = ", ".join([ENGLISH.name, *known()])
         raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=name, languages=languages)
     return language(name)
-
-
-def _lang(arguments: list[str]) -> str | None:
-    """Value of the last ``--lang`` before ``--``; an empty one where it has none."""
-    asked = None
-    for at, argument in enumerate(arguments):
-        if argument == "--":
-            break
-        if argument == _OPTION:
-            asked = arguments[at + 1] if at + 1 < len(arguments) else "?"
-        elif argument.startswith(f"{_OPTION}="):
-            asked = argument.partition("=")[2] or "?"
-    return asked
-
-
-def without_lang(arguments: list[str]) -> list[str]:
-    """Return the arguments without the language: it may stand anywhere, and no command has to know it."""
-    end = arguments.index("--") if "--" in arguments else len(arguments)
-    given = arguments[:end]
-    kept = [
-        argument
-        for before, argument in zip(["", *given], given, strict=False)
-        if _OPTION not in (before, argument) and not argument.startswith(f"{_OPTION}=")
-    ]
-    return kept + arguments[end:]
 
 
 def _complain(text: str) -> None:
