@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import AfmcalcError, CalculationError
-from ..letters import did_you_mean
+from ..messages import did_you_mean
 from .registry import ANALYSES, PLOTS, Plot, StressRule
 
 if TYPE_CHECKING:

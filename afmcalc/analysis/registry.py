@@ -331,7 +331,7 @@ def schema(command: str | None = None) -> dict[str, Any]:
     from pydantic import create_model
 
     from ..errors import AfmcalcError
-    from ..letters import did_you_mean
+    from ..messages import did_you_mean
     from ..result import Output
     from ..spec import Spec
     from ..spec.requirements import Requirements

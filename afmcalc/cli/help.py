@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 
 from typer.core import TyperCommand, TyperGroup
 
-from ..messages import Text, told, translate
+from ..messages import Text, fitting, told, translate
 
 Context: TypeAlias = Any
 HelpFormatter: TypeAlias = Any
@@ -191,8 +191,6 @@ def _labelled(text: str) -> str:
 
 def _fitting(text: str) -> str:
     """Return a help as standard output shows it: where that lacks letters, the parser would write them all the same."""
-    from ..letters import fitting
-
     return fitting(text, getattr(sys.stdout, "encoding", None) or "utf-8")
 
 

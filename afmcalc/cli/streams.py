@@ -7,7 +7,7 @@ import sys
 from typing import Any
 
 from ..errors import LONGEST_LINE
-from ..messages import printable, say
+from ..messages import SPELLED, printable, say
 
 
 class _Pipe(io.FileIO):
@@ -67,19 +67,13 @@ def _guarded(stream: Any, raw: type[io.FileIO]) -> Any:
             line_buffering=stream.line_buffering,
         )
     if reconfigure := getattr(stream, "reconfigure", None):
-        reconfigure(errors="backslashreplace" if is_unicode(stream) else _spelling())
+        reconfigure(errors="backslashreplace" if is_unicode(stream) else SPELLED)
     return stream
 
 
 def is_unicode(stream: Any) -> bool:
     """Whether a stream takes any text."""
     return (getattr(stream, "encoding", "") or "").lower().replace("-", "").startswith("utf")
-
-
-def _spelling() -> str:
-    from ..letters import NAME
-
-    return NAME
 
 
 def drop_output() -> None:

@@ -4,7 +4,7 @@ from importlib import import_module
 from typing import NamedTuple
 
 from ..errors import AfmcalcError
-from ..letters import did_you_mean
+from ..messages import did_you_mean
 
 FIGURES = {
     "F11-2": "fokin2011",

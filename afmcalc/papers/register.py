@@ -7,8 +7,7 @@ from typing import Literal
 
 from ..errors import AfmcalcError
 from ..findings import Finding
-from ..letters import did_you_mean
-from ..messages import say
+from ..messages import did_you_mean, say
 from ..progress import counted
 from ..result import Answer, Result, described
 

@@ -7,8 +7,7 @@ from functools import cache
 from importlib.resources import files
 from typing import NamedTuple
 
-from ..letters import did_you_mean
-from ..messages import say
+from ..messages import did_you_mean, say
 from .fields import Broken
 
 

@@ -8,8 +8,7 @@ from pydantic import BaseModel
 
 from ..arrays import Values
 from ..errors import AfmcalcError
-from ..letters import did_you_mean
-from ..messages import say
+from ..messages import did_you_mean, say
 from .fields import names_in
 from .keys import elsewhere, names, path_of
 from .models import Method, Spec

@@ -6,8 +6,7 @@ from functools import cache
 
 from pydantic import BaseModel
 
-from ..letters import plain
-from ..messages import joined, say
+from ..messages import joined, plain, say
 from .fields import Key, keys_below
 from .models import Spec
 from .tolerance import scattering

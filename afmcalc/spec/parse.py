@@ -8,8 +8,7 @@ from os import PathLike
 from pathlib import Path
 
 from ..errors import AfmcalcError, FileError, Problem, SpecError, reason
-from ..letters import did_you_mean
-from ..messages import say
+from ..messages import did_you_mean, say
 from .source import Source
 
 _STANDARD_INPUT, BUILT_IN = say("standard input"), say("built-in default")

@@ -10,8 +10,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
 from ..errors import Problem, SpecError
-from ..letters import did_you_mean
-from ..messages import say
+from ..messages import did_you_mean, say
 from .fields import Broken, choices_at, keys_below, names_in
 from .keys import elsewhere
 from .models import Spec

@@ -9,8 +9,7 @@ from functools import cache
 from typing import NamedTuple
 
 from ..findings import Finding, finding
-from ..letters import did_you_mean
-from ..messages import localized, say, term
+from ..messages import did_you_mean, localized, say, term
 
 EXAMPLES = {
     "N": ("a force", "2 kN"),

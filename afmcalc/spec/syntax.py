@@ -6,8 +6,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from ..errors import Place, Problem
-from ..letters import in_latin, plain
-from ..messages import say
+from ..messages import in_latin, plain, say
 from .keys import elsewhere
 from .quantity import unread_number
 from .source import place_at

@@ -7,8 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, FailFast, field_validator
 
-from ..letters import did_you_mean
-from ..messages import say
+from ..messages import did_you_mean, say
 from .fields import Block, Broken, Quantity, Torque, key, keys_below, rule_error
 from .quantity import parse_quantity
 

@@ -10,7 +10,7 @@ import pytest
 from conftest import CONFIGS
 
 import afmcalc as afmcalc_package
-from afmcalc.letters import fitting
+from afmcalc.messages import fitting
 from afmcalc.render.units import display, display_unit, shown_in
 from afmcalc.result import Result, shown_as
 from afmcalc.spec.fields import Block

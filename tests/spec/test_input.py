@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from jsonschema import validate
 
 from afmcalc.errors import SpecError
-from afmcalc.letters import did_you_mean
+from afmcalc.messages import did_you_mean
 from afmcalc.spec import Spec, make_spec, read_spec
 from afmcalc.spec.edit import put, replaced, respecified
 from afmcalc.spec.fields import Ratio, keys_below

@@ -9,8 +9,7 @@ import numpy as np
 
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
-from ...letters import did_you_mean
-from ...messages import joined, measured, say, term
+from ...messages import did_you_mean, joined, measured, say, term
 from ...progress import tell
 from ...spec.requirements import Requirements
 from ...variants import VARIANTS, Variant

@@ -5,8 +5,7 @@ from typing import Any
 from ...engines import build
 from ...errors import AfmcalcError
 from ...findings import Finding
-from ...letters import did_you_mean
-from ...messages import joined, say, term
+from ...messages import did_you_mean, joined, say, term
 from ...papers.register import Formula, register
 from ...result import Answer, Result, Sentence, quantity
 from ...spec import Spec

@@ -12,8 +12,7 @@ from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
-from ...letters import did_you_mean, plain
-from ...messages import joined, measured, say
+from ...messages import did_you_mean, joined, measured, plain, say
 from ...result import Answer, quantity
 from ...spec import Spec
 from ...spec.edit import replaced, respecified, with_key

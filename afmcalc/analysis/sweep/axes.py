@@ -9,7 +9,7 @@ from ...arrays import Floats
 from ...engines import build
 from ...errors import AfmcalcError, SpecError
 from ...findings import Finding
-from ...letters import did_you_mean
+from ...messages import did_you_mean
 from ...spec import Spec
 from ...spec.edit import respecified, value_at
 from ...spec.fields import Key

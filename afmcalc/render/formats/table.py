@@ -5,7 +5,7 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
-from ...messages import translate
+from ...messages import fitting, translate
 from ...result import Output
 from ..document import document
 from ..layout import (
@@ -58,8 +58,6 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
 
 def _spelled(block: TextTable) -> TextTable:
     """Spell what standard output lacks before anything is aligned."""
-    from ...letters import fitting
-
     encoding = sys.stdout.encoding or "ascii"
     header, *rows = ([fitting(cell, encoding) for cell in cells] for cells in (block.header, *block.rows))
     return block._replace(header=header, rows=rows)
