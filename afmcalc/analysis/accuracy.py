@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from ..engines.protocol import Clutch
 from ..equations import accuracy as law
 from ..findings import Finding, finding
-from ..result import Answer, Series, quantity
+from ..result import Answer, Series, described, quantity
 from .sweep.grid import replaced, series
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ class AccuracyResult(Answer):
         optional=True,
     )
     sensitivity: dict[str, float] = quantity("1", "∂ln K_т/∂ln p", "elasticity of K_т", ranked=True)
-    sweep: list[AccuracySweep] | None = quantity("", None, "accuracy over the swept values", optional=True)
+    sweep: list[AccuracySweep] | None = described("accuracy over the swept values", optional=True)
 
 
 def sweep_outputs(clutch: Clutch) -> dict[str, Callable[[Clutch], Any]]:

@@ -9,7 +9,7 @@ from ..engines.protocol import Clutch
 from ..equations import adjustment
 from ..findings import Finding, finding
 from ..messages import term
-from ..result import Answer, Result, Triple, quantity
+from ..result import Answer, Result, Triple, described, quantity
 from ..spec import Spec
 from ..spec.edit import with_nominal_torque
 from ..spec.models import Method
@@ -25,8 +25,8 @@ class MethodResult(Result):
     torque: Triple = quantity("N*m", "T", "slip torque")
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
-    holds_nominal: bool = quantity("", None, "holds T_н over the friction range")
-    holds_machine: bool = quantity("", None, "holds T_н.маш over the friction range")
+    holds_nominal: bool = described("holds T_н over the friction range")
+    holds_machine: bool = described("holds T_н.маш over the friction range")
 
 
 class AdjustResult(Answer):
@@ -39,7 +39,7 @@ class AdjustResult(Answer):
     mean_friction: MethodResult = quantity("", "2", "set at the mean friction, with margin")
     scatter_ratio: float | None = quantity("1", "ΔT_2/ΔT_1", "band of mean-friction over that of min-friction")
     scatter_difference: float = quantity("N*m", "ΔT_2−ΔT_1", "band of mean-friction less that of min-friction")
-    narrower: Literal["min-friction", "mean-friction", "equal"] = quantity("", None, "method with the narrower band")
+    narrower: Literal["min-friction", "mean-friction", "equal"] = described("method with the narrower band")
     pairs_threshold: float | None = quantity(
         "1", "z_lim", "pairs above which min-friction is narrower, S19 (12)", optional=True
     )

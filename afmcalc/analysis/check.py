@@ -7,7 +7,7 @@ from typing import ClassVar
 from ..engines.protocol import Clutch
 from ..errors import SpecError
 from ..findings import Finding, finding
-from ..result import Answer, quantity
+from ..result import Answer, described
 from ..spec.catalogues import friction_materials
 from ..spec.edit import value_at
 from .answers import Answers
@@ -22,12 +22,12 @@ class CheckResult(Answer):
 
     findings_first: ClassVar[bool] = True
 
-    passed: bool = quantity("", None, "whether the check passed")
-    errors: int = quantity("", None, "findings that must be put right")
-    warnings: int = quantity("", None, "findings to think about")
-    notes: int = quantity("", None, "findings worth knowing")
-    requirements: list[RequirementRow] = quantity("", None, "requirements")
-    limits: list[Utilisation] = quantity("", None, "every limit, and how much of it is used")
+    passed: bool = described("whether the check passed")
+    errors: int = described("findings that must be put right")
+    warnings: int = described("findings to think about")
+    notes: int = described("findings worth knowing")
+    requirements: list[RequirementRow] = described("requirements")
+    limits: list[Utilisation] = described("every limit, and how much of it is used")
 
 
 def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = None) -> tuple[CheckResult, list[Finding]]:

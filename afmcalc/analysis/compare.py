@@ -10,7 +10,7 @@ from ..engines.protocol import Clutch
 from ..errors import AfmcalcError, SpecError
 from ..findings import Finding, finding
 from ..messages import joined, say, term
-from ..result import Answer, Result, Sentence, Triple, quantity
+from ..result import Answer, Result, Sentence, Triple, described, quantity
 from ..spec import Spec
 from ..spec.edit import as_variant, with_key, with_nominal_torque
 from ..variants import VARIANTS
@@ -21,9 +21,9 @@ from .torque import triple
 class ComparedClutch(Result):
     """The main quantities of one clutch; it is called by its file where names are equal."""
 
-    name: Sentence | None = quantity("", None, "clutch", optional=True)
-    variant: str = quantity("", None, "variant")
-    basis: Sentence | None = quantity("", None, "kept equal", optional=True)
+    name: Sentence | None = described("clutch", optional=True)
+    variant: str = described("variant")
+    basis: Sentence | None = described("kept equal", optional=True)
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")
     gain: float = quantity("1", "C", "feedback gain")
@@ -34,15 +34,15 @@ class ComparedClutch(Result):
     accuracy_factor_peak: float = quantity("1", "K_т,p", "accuracy factor by breakaway peaks")
     gain_limit: float | None = quantity("1", "C_max", "gain limit", optional=True)
     travel_max: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
-    warnings: int = quantity("", None, "warnings of check, nothing simulated")
-    errors: int = quantity("", None, "errors of check, nothing simulated")
+    warnings: int = described("warnings of check, nothing simulated")
+    errors: int = described("errors of check, nothing simulated")
 
 
 class CompareResult(Answer):
     """Clutches side by side."""
 
     of_several: ClassVar[bool] = True
-    clutches: list[ComparedClutch] = quantity("", None, "clutches compared", across=True, by="basis")
+    clutches: list[ComparedClutch] = described("clutches compared", across=True, by="basis")
 
 
 def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[CompareResult, list[Finding]]:

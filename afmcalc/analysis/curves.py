@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..engines.protocol import Clutch
 from ..equations.overload import optimal_reduced_gain
 from ..errors import AfmcalcError, CalculationError
-from ..result import Result, quantity
+from ..result import Result, described, quantity
 from ..spec.keys import is_whole
 from ..spec.models import Method
 from .accuracy import AccuracySweep, sweep_outputs
@@ -29,8 +29,8 @@ POINTS = 201
 class ClutchCurve(Result):
     """What a curve belongs to."""
 
-    name: str | None = quantity("", None, "name of the clutch", optional=True)
-    variant: str = quantity("", None, "variant")
+    name: str | None = described("name of the clutch", optional=True)
+    variant: str = described("variant")
 
 
 class TorqueCurve(ClutchCurve):
@@ -49,22 +49,22 @@ class TorqueCurve(ClutchCurve):
     )
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")
     margin: float = quantity("1", "β_н", "torque margin")
-    method: Method = quantity("", None, "setting of the spec")
+    method: Method = described("setting of the spec")
 
 
 class AccuracyCurve(ClutchCurve):
     """Accuracy over one key; where on it the clutch is, and its gain limit, as far as the key has them."""
 
-    series: AccuracySweep = quantity("", None, "accuracy over the key")
-    own: float | None = quantity("", None, "what the clutch has of the key", optional=True)
+    series: AccuracySweep = described("accuracy over the key")
+    own: float | None = described("what the clutch has of the key", optional=True)
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor of the clutch as it is")
-    limit: float | None = quantity("", None, "gain limit, as the key is called", optional=True)
+    limit: float | None = described("gain limit, as the key is called", optional=True)
 
 
 class SettingLife(Result):
     """The protected side with the spring set by one method."""
 
-    method: Method = quantity("", None, "method")
+    method: Method = described("method")
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
     cycles: float | None = quantity("1", "N_ц", "cycles of the protected side", null="unlimited")
 
@@ -72,10 +72,10 @@ class SettingLife(Result):
 class LifeCurve(ClutchCurve):
     """Life over the scatter band, and where both settings put the clutch."""
 
-    model: StressRule = quantity("", None, "rule for the damaging stress")
-    series: LifeSweep = quantity("", None, "life over the band")
+    model: StressRule = described("rule for the damaging stress")
+    series: LifeSweep = described("life over the band")
     base_cycles: float = quantity("1", "N_0", "base cycles of the S-N line")
-    settings: list[SettingLife] = quantity("", None, "both settings")
+    settings: list[SettingLife] = described("both settings")
 
 
 class OverloadCurve(ClutchCurve):
@@ -88,7 +88,7 @@ class OverloadCurve(ClutchCurve):
     potential_torque: list[float] = quantity("N*m", "T_п", "potential torque at T_н.маш, upper end of the trip bracket")
     machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")
     margin: float = quantity("1", "β_н", "torque margin")
-    accuracy: OverloadSweep = quantity("", None, "accuracy over the reduced gain")
+    accuracy: OverloadSweep = described("accuracy over the reduced gain")
     bypass_pairs: int = quantity("1", "z_1", "pairs that bypass the control unit")
     reduced_gain: float = quantity("1", "z_2 C", "reduced gain of the clutch")
     optimal_reduced_gain: float = quantity(

@@ -13,7 +13,7 @@ from ..equations import synthesis
 from ..errors import CalculationError, Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say, term
-from ..result import Answer, Result, Triple, quantity
+from ..result import Answer, Result, Triple, described, quantity
 from ..spec.edit import value_at
 
 EffectName = Literal["spline-friction", "sliding-cams", "centrifugal", "wear"]
@@ -35,7 +35,7 @@ C = TypeVar("C", bound=Clutch)
 class Effect(Result):
     """One effect: what the torque lies between, springs as set."""
 
-    effect: EffectName = quantity("", None, "effect")
+    effect: EffectName = described("effect")
     torque_low: Triple = quantity("N*m", "T_low", "smaller slip torque")
     torque_high: Triple = quantity("N*m", "T_high", "larger slip torque")
     accuracy_factor_low: float = quantity("1", "K_low", "smaller accuracy factor")
@@ -47,13 +47,13 @@ class EffectsResult(Answer):
 
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor by the law")
     torque: Triple = quantity("N*m", "T", "slip torque by the law")
-    effects: list[Effect] = quantity("", None, "effects the law neglects")
+    effects: list[Effect] = described("effects the law neglects")
 
 
 class EffectCurve(Result):
     """One effect along the common path of f_1 and f_2."""
 
-    effect: EffectName = quantity("", None, "effect")
+    effect: EffectName = described("effect")
     low: list[float] = quantity("N*m", "T_low", "smaller slip torque")
     high: list[float] = quantity("N*m", "T_high", "larger slip torque")
 
@@ -61,10 +61,10 @@ class EffectCurve(Result):
 class EffectsCurve(Result):
     """The law's torque and what each effect makes of it."""
 
-    name: str | None = quantity("", None, "name of the clutch", optional=True)
+    name: str | None = described("name of the clutch", optional=True)
     friction: list[float] = quantity("1", "f", "coefficient of friction")
     torque: list[float] = quantity("N*m", "T", "slip torque by the law")
-    effects: list[EffectCurve] = quantity("", None, "effects the law neglects")
+    effects: list[EffectCurve] = described("effects the law neglects")
 
 
 class Bracket(NamedTuple):

@@ -10,7 +10,7 @@ from ..equations import life as law
 from ..errors import AfmcalcError, Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say, term
-from ..result import Answer, Result, Series, quantity
+from ..result import Answer, Result, Series, described, quantity
 from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
 from .registry import StressRule
@@ -33,7 +33,7 @@ class MethodCycles(Result):
     mean_friction: float | None = quantity(
         "1", "N_ц,2", "cycles, if the springs were set at the mean friction with margin", null=UNLIMITED
     )
-    unlimited: list[Setting] = quantity("", None, "settings whose life fatigue does not limit")
+    unlimited: list[Setting] = described("settings whose life fatigue does not limit")
 
     def words(self, name: str) -> str | None:
         """Say that a life is not limited, whatever number the S-N line gives when it is extrapolated."""
@@ -58,8 +58,8 @@ class LifeSweep(Series):
 class LifeResult(Answer):
     """Cycles to failure of the protected and the unprotected side."""
 
-    model: StressRule = quantity("", None, "rule for the damaging stress")
-    protected: MethodCycles = quantity("", None, "protected side")
+    model: StressRule = described("rule for the damaging stress")
+    protected: MethodCycles = described("protected side")
     unprotected: MethodCycles = quantity("", "'", "unprotected side")
     protected_forecast: MethodCycles = quantity("", "cp", "protected side, load from T at the mean friction (S19)")
     unprotected_forecast: MethodCycles = quantity("", "'cp", "unprotected side, load from T at the mean friction (S19)")
@@ -68,7 +68,7 @@ class LifeResult(Answer):
     endurance_limit: float = quantity("Pa", "τ_limb", "endurance limit")
     base_cycles: float = quantity("1", "N_0", "base cycles of the S-N line")
     dynamic_factor: float = quantity("1", "k_д", "dynamic factor by which the unprotected side is loaded more")
-    sweep: list[LifeSweep] | None = quantity("", None, "life over the swept values", optional=True)
+    sweep: list[LifeSweep] | None = described("life over the swept values", optional=True)
 
 
 def life(

@@ -10,7 +10,7 @@ from ..engines.protocol import Clutch
 from ..equations import direct
 from ..findings import Finding, Level, finding
 from ..messages import say, term
-from ..result import Result, Sentence, quantity
+from ..result import Result, Sentence, described, quantity
 from ..spec.catalogues import Material, friction_materials
 from ..spec.edit import value_at
 from ..spec.read import diameters
@@ -27,13 +27,13 @@ _GRADES: dict[str, Grade] = {"info": "note", "warning": "warning", "error": "fai
 class Utilisation(Result):
     """One limit, and how much of it a design uses."""
 
-    name: Sentence = quantity("", None, "check")
-    symbol: Sentence = quantity("", None, "condition")
-    value: float = quantity("", None, "value", unit_in="shown_unit")
-    limit: float = quantity("", None, "limit", unit_in="shown_unit")
-    unit: str = quantity("", None, "unit", is_unit=True, unit_in="shown_unit")
+    name: Sentence = described("check")
+    symbol: Sentence = described("condition")
+    value: float = described("value", unit_in="shown_unit")
+    limit: float = described("limit", unit_in="shown_unit")
+    unit: str = described("unit", is_unit=True, unit_in="shown_unit")
     utilisation: float = quantity("1", "η", "utilisation, 1 at the limit")
-    verdict: Grade = quantity("", None, "verdict")
+    verdict: Grade = described("verdict")
 
     @property
     def shown_unit(self) -> str:

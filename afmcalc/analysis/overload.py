@@ -10,7 +10,7 @@ from ..equations import overload as law
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
-from ..result import Answer, Series, Triple, quantity
+from ..result import Answer, Series, Triple, described, quantity
 from .registry import ANALYSES
 from .sweep.grid import replaced, series
 
@@ -50,7 +50,7 @@ class OverloadResult(Answer):
     accuracy_factor_expected: float = quantity("1", "K_т,exp", "expected accuracy factor, S22 (18)")
     accuracy_factor_actual: float = quantity("1", "K_т,act", "actual accuracy factor with the published T_ср, S22 (19)")
     accuracy_factor_equilibrium: float = quantity("1", "K_т,eq", "accuracy factor with the equilibrium torque")
-    sweep: list[OverloadSweep] | None = quantity("", None, "overload over the swept values", optional=True)
+    sweep: list[OverloadSweep] | None = described("overload over the swept values", optional=True)
 
 
 def overload(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[OverloadResult, list[Finding]]:

@@ -7,7 +7,7 @@ from typing import Any, Literal, NamedTuple
 from ..engines.protocol import Clutch
 from ..findings import Finding, finding
 from ..messages import measured, term, translate
-from ..result import OpenTriple, Result, Sentence, Triple, quantity
+from ..result import OpenTriple, Result, Sentence, Triple, described, quantity
 from ..spec.keys import keys
 from .answers import Answers
 from .heat_findings import FREEZING, share_of_rise
@@ -22,15 +22,15 @@ _HELD = 1 + 1e-9
 class RequirementRow(Result):
     """One requirement, and whether the clutch holds it."""
 
-    requirement: str = quantity("", None, "requirement")
-    name: Sentence = quantity("", None, "quantity")
-    symbol: str = quantity("", None, "symbol")
-    value: float | None = quantity("", None, "value", unit_in="shown_unit")
-    bound: Literal["at least", "at most"] = quantity("", None, "is to be")
-    limit: float = quantity("", None, "limit", unit_in="shown_unit")
-    unit: str = quantity("", None, "unit", is_unit=True, unit_in="shown_unit")
+    requirement: str = described("requirement")
+    name: Sentence = described("quantity")
+    symbol: str = described("symbol")
+    value: float | None = described("value", unit_in="shown_unit")
+    bound: Literal["at least", "at most"] = described("is to be")
+    limit: float = described("limit", unit_in="shown_unit")
+    unit: str = described("unit", is_unit=True, unit_in="shown_unit")
     utilisation: float | None = quantity("1", "η", "utilisation, 1 at the limit")
-    passed: bool | None = quantity("", None, "passed")
+    passed: bool | None = described("passed")
 
     @property
     def shown_unit(self) -> str:

@@ -3,7 +3,7 @@
 import tomllib
 
 from ..findings import Finding
-from ..result import Answer, Result, quantity
+from ..result import Answer, Result, described, quantity
 from ..spec.catalogues import friction_materials
 from ..spec.parse import example_names, example_text
 
@@ -11,15 +11,15 @@ from ..spec.parse import example_names, example_text
 class ExampleRow(Result):
     """One file: any SPEC argument takes ``example:`` with its name."""
 
-    name: str = quantity("", None, "name after example:", code=True)
-    variant: str | None = quantity("", None, "variant of the clutch", optional=True)
-    about: str = quantity("", None, "what it is")
+    name: str = described("name after example:", code=True)
+    variant: str | None = described("variant of the clutch", optional=True)
+    about: str = described("what it is")
 
 
 class ExamplesResult(Answer):
     """The examples."""
 
-    examples: list[ExampleRow] = quantity("", None, "examples that ship")
+    examples: list[ExampleRow] = described("examples that ship")
 
 
 def examples() -> tuple[ExamplesResult, list[Finding]]:
@@ -35,23 +35,23 @@ def examples() -> tuple[ExamplesResult, list[Finding]]:
 class MaterialRow(Result):
     """One material: friction against smooth iron or steel, and what it stands."""
 
-    name: str = quantity("", None, "name for friction.material")
-    description: str = quantity("", None, "material")
-    condition: str = quantity("", None, "condition")
+    name: str = described("name for friction.material")
+    description: str = described("material")
+    condition: str = described("condition")
     friction_min: float = quantity("1", "f_min", "smallest friction")
     friction_max: float = quantity("1", "f_max", "largest friction")
     pressure_min: float | None = quantity("Pa", "p_max from", "allowable pressure, lower end", optional=True)
     pressure_max: float | None = quantity("Pa", "p_max to", "allowable pressure, upper end", optional=True)
     temperature_min: float | None = quantity("degC", "t_max from", "allowable temperature, lower end", optional=True)
     temperature_max: float | None = quantity("degC", "t_max to", "allowable temperature, upper end", optional=True)
-    source: str = quantity("", None, "source")
+    source: str = described("source")
 
 
 class MaterialsResult(Answer):
     """The catalogue."""
 
-    materials: list[MaterialRow] = quantity("", None, "friction materials")
-    sources: list[str] = quantity("", None, "sources")
+    materials: list[MaterialRow] = described("friction materials")
+    sources: list[str] = described("sources")
 
 
 def materials() -> tuple[MaterialsResult, list[Finding]]:

@@ -18,7 +18,7 @@ from ..findings import Finding, finding
 from ..messages import say
 from ..progress import counted
 from ..recorders import unrecorded
-from ..result import Answer, OpenTriple, Result, Triple, quantity
+from ..result import Answer, OpenTriple, Result, Triple, described, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_values
 from ..spec.models import Range
@@ -259,7 +259,7 @@ class MomentRow(Result):
 class HistoryResult(Answer):
     """The events at every friction asked for, one after the other."""
 
-    moments: list[MomentRow] = quantity("", None, "moments")
+    moments: list[MomentRow] = described("moments")
 
 
 def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = False) -> HistoryResult:

@@ -12,7 +12,7 @@ from ..errors import Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say
 from ..recorders import unrecorded
-from ..result import Answer, quantity
+from ..result import Answer, described, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_key
 from ..spec.models import ControlUnit
@@ -32,7 +32,7 @@ class SynthesisResult(Answer):
     wall_angle: float = quantity("rad", "α", "wall angle of the pockets; of a curved wall at the stop")
     wall_angle_max: float | None = quantity("rad", "α_max", "wall angle at the largest travel", optional=True)
     gain_slope: float | None = quantity("1/m", "C_1", "how the gain grows with the sleeve's travel", optional=True)
-    profiled: Literal["one", "both"] | None = quantity("", None, "sleeves with the curved wall", optional=True)
+    profiled: Literal["one", "both"] | None = described("sleeves with the curved wall", optional=True)
     ball_circle_radius: float = quantity("m", "r", "radius of the ball circle")
     travel_max: float = quantity("m", "x_max", "largest travel of the sleeve")
     face_gap: float = quantity("m", "s", "gap between the faces")
@@ -62,7 +62,7 @@ class SynthesisResult(Answer):
         "N", "F_s", "largest force of a wall that seats the ball in the other sleeve", optional=True
     )
     seat_utilisation: float | None = quantity("1", "F_s/[F_n]", "utilisation of the seat", optional=True)
-    contact_basis: Basis | None = quantity("", None, "where the allowable force is from")
+    contact_basis: Basis | None = described("where the allowable force is from")
     contact_utilisation: float | None = quantity("1", "F_n/[F_n]", "utilisation of the contact")
     contact_force_hertz: float | None = quantity(
         "N", "[F_n]_H", "normal force on one ball at the allowable contact pressure", optional=True
@@ -74,8 +74,8 @@ class SynthesisResult(Answer):
         "1", "C_Fn", "gain of the least contact force at equal spring force; beyond it F_n grows", optional=True
     )
 
-    wall: list[WallPoint] | None = quantity(
-        "", None, "curved wall from the stop to the face, from the ball's centre at the stop", optional=True
+    wall: list[WallPoint] | None = described(
+        "curved wall from the stop to the face, from the ball's centre at the stop", optional=True
     )
 
     @property

@@ -6,7 +6,7 @@ from typing import Any
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from ..findings import Finding, finding
-from ..result import Answer, Result, Triple, quantity
+from ..result import Answer, Result, Triple, described, quantity
 
 
 class FrictionPoint(Result):
@@ -54,7 +54,7 @@ class TorqueResult(Answer):
     torque_range: TorqueExtremes = quantity("", "", "extremes")
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor T_max/T_min")
-    points: list[FrictionPoint] | None = quantity("", None, "at the friction asked for", optional=True)
+    points: list[FrictionPoint] | None = described("at the friction asked for", optional=True)
 
     def words(self, name: str) -> str | None:
         """Tell people nothing of extremes at the ends of the range: the triple of the torque shows them."""

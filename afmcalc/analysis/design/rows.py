@@ -6,7 +6,7 @@ from typing import Literal
 import numpy as np
 
 from ...messages import say
-from ...result import Answer, Result, Sentence, quantity
+from ...result import Answer, Result, Sentence, described, quantity
 from ...spec import Spec, make_spec
 from ...spec.edit import as_written
 from ...spec.requirements import Requirements
@@ -19,8 +19,8 @@ class DesignRow(Result):
     """One clutch of the front."""
 
     number: int = quantity("", "no.", "number, for --pick")
-    mark: Literal["knee"] | None = quantity("", None, "mark", optional=True, null="")
-    variant: str = quantity("", None, "variant")
+    mark: Literal["knee"] | None = described("mark", optional=True, null="")
+    variant: str = described("variant")
     pairs: int = quantity("1", "z", "friction pairs")
     driving_pairs: int | None = quantity("1", "z_1", "bypass pairs", optional=True)
     mean_radius: float = quantity("m", "R_cp", "mean friction radius")
@@ -45,8 +45,8 @@ class DesignRow(Result):
     travel: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     contact_force: float | None = quantity("N", "F_n", "largest force on one ball", optional=True)
     surface_pressure: float | None = quantity("Pa", "p", "mean surface pressure", optional=True)
-    closing_part: Sentence | None = quantity("", None, "closing spring, discs in parallel × packs", optional=True)
-    control_part: Sentence | None = quantity("", None, "control spring, discs in parallel × packs", optional=True)
+    closing_part: Sentence | None = described("closing spring, discs in parallel × packs", optional=True)
+    control_part: Sentence | None = described("control spring, discs in parallel × packs", optional=True)
     accuracy_factor_sprung: float | None = quantity("1", "K_т,п", "accuracy factor with these springs", optional=True)
     torque_max_sprung: float | None = quantity(
         "N*m", "T_max,п", "largest torque with these springs", optional=True, detail=True
@@ -65,34 +65,31 @@ class DesignRow(Result):
 class Attainable(Result):
     """The best of a requirement among clutches that miss nothing else, or only what is named together with it."""
 
-    together: str | None = quantity("", None, "requirements given up together", optional=True)
-    requirement: str = quantity("", None, "requirement given up")
-    sense: str = quantity("", None, "is to be")
-    limit: float = quantity("", None, "limit", unit_in="unit")
-    best: float = quantity("", None, "best found", unit_in="unit")
-    unit: str = quantity("", None, "unit", is_unit=True)
+    together: str | None = described("requirements given up together", optional=True)
+    requirement: str = described("requirement given up")
+    sense: str = described("is to be")
+    limit: float = described("limit", unit_in="unit")
+    best: float = described("best found", unit_in="unit")
+    unit: str = described("unit", is_unit=True)
 
 
 class DesignResult(Answer):
     """The front of a design: the best between the grid points."""
 
-    candidates: int = quantity("", None, "candidates searched")
-    feasible: int = quantity("", None, "candidates that meet every requirement")
-    objectives: list[str] = quantity("", None, "what is small on the front")
-    on_front: int = quantity("", None, "clutches on the front: none beats another in everything")
-    knee: int | None = quantity(
-        "", None, "number of the knee: least sum of the objectives, each over its range",
+    candidates: int = described("candidates searched")
+    feasible: int = described("candidates that meet every requirement")
+    objectives: list[str] = described("what is small on the front")
+    on_front: int = described("clutches on the front: none beats another in everything")
+    knee: int | None = described("number of the knee: least sum of the objectives, each over its range",
         optional=True,
     )  # fmt: skip
-    excluded: dict[str, int] = quantity(
-        "", None, "candidates excluded by each constraint", ranked=True, keys_are="constraint"
+    excluded: dict[str, int] = described("candidates excluded by each constraint", ranked=True, keys_are="constraint")
+    attainable: list[Attainable] | None = described(
+        "what could be had instead, with all other requirements held", optional=True
     )
-    attainable: list[Attainable] | None = quantity(
-        "", None, "what could be had instead, with all other requirements held", optional=True
-    )
-    front: list[DesignRow] = quantity("", None, "the front")
-    picked: list[DesignRow] | None = quantity(
-        "", None, "the clutch picked, calculated from the round values as written", optional=True
+    front: list[DesignRow] = described("the front")
+    picked: list[DesignRow] | None = described(
+        "the clutch picked, calculated from the round values as written", optional=True
     )
 
 

@@ -7,7 +7,7 @@ from ...errors import AfmcalcError
 from ...findings import Finding
 from ...messages import did_you_mean, joined, say, term
 from ...papers.register import Formula, register
-from ...result import Answer, Result, Sentence, quantity
+from ...result import Answer, Result, Sentence, described
 from ...spec import Spec
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED
@@ -19,29 +19,29 @@ from .trace import Call, distinct, recording, with_roles
 class Step(Result):
     """One quantity: what it is, its formula, the formula with numbers, its value."""
 
-    symbol: str = quantity("", None, "symbol")
-    symbol_latex: str = quantity("", None, "symbol, LaTeX")
-    name: str = quantity("", None, "what it is")
-    at: Sentence | None = quantity("", None, "friction it is for", optional=True)
-    setting: Method | None = quantity("", None, "how the spring is set", optional=True)
-    side: str | None = quantity("", None, "side of the clutch that the load is on", optional=True)
-    formula: str = quantity("", None, "formula")
-    substituted: str = quantity("", None, "formula with numbers and units")
-    value: float = quantity("", None, "value, SI")
-    unit: str = quantity("", None, "SI unit")
-    source: str = quantity("", None, "source")
-    print_differs: Sentence | None = quantity("", None, "what the paper prints instead", optional=True)
-    note: str | None = quantity("", None, "note", optional=True)
-    function: str = quantity("", None, "equation function that ran")
-    formula_latex: str = quantity("", None, "formula, LaTeX")
-    substituted_latex: str = quantity("", None, "formula with numbers, LaTeX")
+    symbol: str = described("symbol")
+    symbol_latex: str = described("symbol, LaTeX")
+    name: str = described("what it is")
+    at: Sentence | None = described("friction it is for", optional=True)
+    setting: Method | None = described("how the spring is set", optional=True)
+    side: str | None = described("side of the clutch that the load is on", optional=True)
+    formula: str = described("formula")
+    substituted: str = described("formula with numbers and units")
+    value: float = described("value, SI")
+    unit: str = described("SI unit")
+    source: str = described("source")
+    print_differs: Sentence | None = described("what the paper prints instead", optional=True)
+    note: str | None = described("note", optional=True)
+    function: str = described("equation function that ran")
+    formula_latex: str = described("formula, LaTeX")
+    substituted_latex: str = described("formula with numbers, LaTeX")
 
 
 class ExplainResult(Answer):
     """The steps of a calculation, each quantity before it is used."""
 
-    explained: str = quantity("", None, "command explained")
-    steps: list[Step] = quantity("", None, "steps of the calculation", steps=True)
+    explained: str = described("command explained")
+    steps: list[Step] = described("steps of the calculation", steps=True)
 
 
 def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, list[Finding]]:

@@ -13,7 +13,7 @@ from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
 from ...messages import did_you_mean, joined, measured, plain, say
-from ...result import Answer, quantity
+from ...result import Answer, described, quantity
 from ...spec import Spec
 from ...spec.edit import replaced, respecified, with_key
 from ...spec.keys import ALIASES, is_whole, path_of
@@ -126,18 +126,16 @@ class NotAttainableError(CalculationError):
 class SolveResult(Answer):
     """The value of one parameter that gives what is wanted, and the clutch it gives."""
 
-    parameter: str = quantity("", None, "parameter solved for")
-    path: str = quantity("", None, "spec path")
-    unit: str = quantity("", None, "SI unit of the parameter", is_unit=True)
-    value: float = quantity("", None, "value found", unit_in="unit")
-    exact_value: float | None = quantity(
-        "", None, "value before rounding to a whole number", optional=True, unit_in="unit"
-    )
-    target: str = quantity("", None, "wanted quantity")
-    target_unit: str = quantity("", None, "SI unit of the target", is_unit=True)
-    wanted: float = quantity("", None, "wanted value", unit_in="target_unit")
-    reached: float = quantity("", None, "value reached", unit_in="target_unit")
-    method: Literal["closed-form", "bracketed-root"] = quantity("", None, "how it was found")
+    parameter: str = described("parameter solved for")
+    path: str = described("spec path")
+    unit: str = described("SI unit of the parameter", is_unit=True)
+    value: float = described("value found", unit_in="unit")
+    exact_value: float | None = described("value before rounding to a whole number", optional=True, unit_in="unit")
+    target: str = described("wanted quantity")
+    target_unit: str = described("SI unit of the target", is_unit=True)
+    wanted: float = described("wanted value", unit_in="target_unit")
+    reached: float = described("value reached", unit_in="target_unit")
+    method: Literal["closed-form", "bracketed-root"] = described("how it was found")
     gain: float = quantity("1", "C", "feedback gain")
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
     nominal_torque: float = quantity("N*m", "T_н", "nominal torque of the clutch")

@@ -15,7 +15,7 @@ from ...equations import springs as law
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
 from ...messages import joined, say, term
-from ...result import Answer, Result, Sentence, quantity
+from ...result import Answer, Result, Sentence, described, quantity
 from ...spec import resolved
 from ...spec.catalogues import discs
 from ...spec.springs import CoilSprings, DiscStack
@@ -36,10 +36,10 @@ _CURVE_POINTS = 121
 class SpringOption(Result):
     """A part that gives the force, and what else it gives."""
 
-    number: int | None = quantity("", None, "number", optional=True)
-    spring: SpringName | None = quantity("", None, "spring", optional=True)
-    kind: Kind = quantity("", None, "kind", detail=True)
-    part: Sentence = quantity("", None, "part")
+    number: int | None = described("number", optional=True)
+    spring: SpringName | None = described("spring", optional=True)
+    kind: Kind = described("kind", detail=True)
+    part: Sentence = described("part")
     parallel: int | None = quantity("1", "n", "discs laid into each other")
     series: int | None = quantity("1", "i", "packs against each other")
     count: int | None = quantity("1", "n_п", "springs around the shaft")
@@ -56,7 +56,7 @@ class SpringOption(Result):
     free_length: float = quantity("m", "L_0", "length without load", detail=True)
     used_low: float = quantity("1", "s_1/s_c", "least deflection in service over that pressed flat or solid")
     used_high: float = quantity("1", "s_2/s_c", "largest deflection in service over that pressed flat or solid")
-    loading: Literal["static", "dynamic"] | None = quantity("", None, "loading of a coil", optional=True)
+    loading: Literal["static", "dynamic"] | None = described("loading of a coil", optional=True)
     stress_correction: float | None = quantity(
         "1", "k_τ", "factor of the coil's curvature in the stress, 1 of one that rests", optional=True, detail=True
     )
@@ -86,13 +86,13 @@ class SpringsResult(Answer):
 
     closing_force: float = quantity("N", "F_п", "force wanted of the closing spring")
     closing_stiffness: float | None = quantity("N/m", "c_1", "stiffness wanted", null="any", optional=True)
-    closing_found: int = quantity("", None, "parts found for it")
+    closing_found: int = described("parts found for it")
     control_force: float | None = quantity("N", "F_п2", "force wanted of the control spring", optional=True)
     control_stiffness: float | None = quantity("N/m", "c_2", "stiffness wanted of it", null="any", optional=True)
-    control_found: int | None = quantity("", None, "parts found for it", optional=True)
-    closing: list[SpringOption] = quantity("", None, "closing spring")
-    control: list[SpringOption] | None = quantity("", None, "control spring", optional=True)
-    named: list[SpringOption] | None = quantity("", None, "springs that the spec names", optional=True)
+    control_found: int | None = described("parts found for it", optional=True)
+    closing: list[SpringOption] = described("closing spring")
+    control: list[SpringOption] | None = described("control spring", optional=True)
+    named: list[SpringOption] | None = described("springs that the spec names", optional=True)
     utilisation: float | None = quantity(
         "1",
         "η",
@@ -100,14 +100,14 @@ class SpringsResult(Answer):
         optional=True,
         detail=True,
     )
-    nearest: list[SpringOption] | None = quantity("", None, "nearest, where there is none", optional=True)
+    nearest: list[SpringOption] | None = described("nearest, where there is none", optional=True)
 
 
 class SpringCurve(Result):
     """Force over deflection of one spring, and where on it the clutch works."""
 
-    spring: SpringName = quantity("", None, "spring")
-    part: Sentence = quantity("", None, "part")
+    spring: SpringName = described("spring")
+    part: Sentence = described("part")
     deflection: list[float] = quantity("m", "s", "deflection")
     force: list[float] = quantity("N", "F", "force")
     tangent: list[float] = quantity("N", "c s", "straight spring of the stiffness as set")
@@ -120,8 +120,8 @@ class SpringCurve(Result):
 class SpringsCurve(Result):
     """The springs of a clutch."""
 
-    name: str | None = quantity("", None, "name of the clutch", optional=True)
-    springs: list[SpringCurve] = quantity("", None, "springs")
+    name: str | None = described("name of the clutch", optional=True)
+    springs: list[SpringCurve] = described("springs")
 
 
 _BY: Mapping[SpringOrder, Callable[[SpringOption], float]] = {
