@@ -11,6 +11,7 @@ from .fields import (
     Length,
     Quantity,
     Ratio,
+    RuledBlock,
     Temperature,
     Time,
     TimeOrNone,
@@ -82,7 +83,7 @@ class Drive(Block):
 _LINING = ("lining_conductivity", "lining_density", "lining_specific_heat")
 
 
-class Heat(Block):
+class Heat(RuledBlock):
     """Discs that take the heat, air that takes it from them, lining that is worn."""
 
     disc_mass: DiscMass | None = key("mass of all discs that take the heat", "m")

@@ -1,8 +1,8 @@
 """Field types of the spec: SI numbers that also take a string with a unit; and the keys that its models have."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from typing import Annotated, Any, NamedTuple, Self, TypeAlias, get_args, get_origin
 
 from pydantic import (
@@ -20,7 +20,7 @@ from pydantic.json_schema import JsonSchemaValue
 from pydantic_core import CoreSchema, core_schema
 
 from ..messages import say
-from .quantity import parse_quantity
+from .quantity import parse_quantity, whole_number
 
 Broken: TypeAlias = tuple[str, str]
 """A rule that a table breaks: dotted path of the key, below the table, and what is wrong."""
@@ -42,9 +42,13 @@ class Block(BaseModel):
     # only Spec is ever built on its own: building each block too would double the start-up time
     model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True)
 
+
+class RuledBlock(Block):
+    """A table with rules between its keys."""
+
     def broken_rules(self) -> Iterable[Broken]:
-        """Rules between the keys of the table that it breaks."""
-        return ()
+        """Rules that it breaks."""
+        raise NotImplementedError
 
     @model_validator(mode="after")
     def _hold_to_rules(self) -> Self:
@@ -81,15 +85,10 @@ class Quantity:
         """Upper end."""
         return self.le if self.lt is None else self.lt
 
-    def read(self, value: object) -> float:
-        """Read a number in SI, or a string with a unit."""
-        if not self.whole:
-            return parse_quantity(value, self.unit)
-        if isinstance(value, str) and value.strip().isdecimal():
-            raise ValueError(say("must be a whole number, without quotes: {number}", number=value.strip()))
-        if isinstance(value, bool) or not isinstance(value, int | float) or value != value // 1:
-            raise ValueError(say("must be a whole number"))
-        return int(value)
+    @property
+    def read(self) -> Callable[[object], float]:
+        """Function that reads a number in SI, or a string with a unit."""
+        return whole_number if self.whole else partial(parse_quantity, unit=self.unit)
 
     # pydantic's own way, an annotation per step, would take three times as long at every start
     def __get_pydantic_core_schema__(self, source: object, handler: GetCoreSchemaHandler) -> CoreSchema:

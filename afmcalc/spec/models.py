@@ -35,6 +35,7 @@ from .fields import (
     PoissonRatio,
     Probability,
     Ratio,
+    RuledBlock,
     SectionModulus,
     SlidingSpeed,
     Slope,
@@ -82,7 +83,7 @@ class Range(NamedTuple):
     max: float
 
 
-class FrictionRange(Block):
+class FrictionRange(RuledBlock):
     """Friction of one group of pairs: a range, or a material of the catalogue."""
 
     min: Coefficient | None = key("smallest coefficient of friction", "f_min")
@@ -145,7 +146,7 @@ class Friction(FrictionRange):
         return {f"{path}.material": block.material for path, block in blocks.items() if block and block.material}
 
 
-class FrictionGroup(Block):
+class FrictionGroup(RuledBlock):
     """The pack of friction discs."""
 
     pairs: Count = key("number of friction pairs, all groups", "z", default=...)
@@ -236,7 +237,7 @@ class Fatigue(Block):
     )
 
 
-class Required(Block):
+class Required(RuledBlock):
     """What a clutch is to hold; each key is a row of ``check`` and of the report."""
 
     nominal_torque: Torque | None = key("nominal torque of the clutch, at least", "T_н")

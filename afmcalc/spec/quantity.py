@@ -241,7 +241,7 @@ _DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+\s*[^\d\s,.].*)", re.DOTALL)
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}(?!\d)")
 """A comma that may be that of groups."""
 
-_UNLIKELY: dict[str, tuple[Callable[[float], bool], str]] = {
+RARELY_SI: dict[str, tuple[Callable[[float], bool], str]] = {
     "N": (lambda force: 0 < force < 20, "kN"),
     "m": (lambda length: length >= 0.5, "mm"),
     "rad/s": (lambda speed: speed > 1000, "rpm"),
@@ -260,9 +260,9 @@ def asked_unit(value: object, unit: str | None, path: str = "") -> Finding | Non
     >>> asked_unit(2, "N", "force").message, asked_unit("2 N", "N")
     ('force: a number without a unit is in SI, 2 N; 2 kN? Write "2 kN" or "2 N"', None)
     """
-    if unit not in _UNLIKELY or isinstance(value, bool | str) or not isinstance(value, int | float):
+    if unit not in RARELY_SI or isinstance(value, bool | str) or not isinstance(value, int | float):
         return None
-    rare, other = _UNLIKELY[unit]
+    rare, other = RARELY_SI[unit]
     if not rare(value) or not value <= sys.float_info.max:
         return None
     given, meant = f"{value:g} {unit}", f"{value:g} {other}"
@@ -324,6 +324,19 @@ def _parse_text(text: str, unit: str) -> float:
         return float(Decimal(number) * times + zero)
     except ArithmeticError:  # an exponent beyond those of Decimal; that of 0 counts too
         return float(number)
+
+
+def whole_number(value: object) -> int:
+    """Read a number that counts something.
+
+    Raises:
+        ValueError: it is none.
+    """
+    if isinstance(value, str) and value.strip().isdecimal():
+        raise ValueError(say("must be a whole number, without quotes: {number}", number=value.strip()))
+    if isinstance(value, bool) or not isinstance(value, int | float) or value != value // 1:
+        raise ValueError(say("must be a whole number"))
+    return int(value)
 
 
 def unread_number(text: str, *, quoted: bool = False) -> str | None:

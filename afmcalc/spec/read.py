@@ -16,7 +16,7 @@ from .fields import Broken, keys_below
 from .models import Spec
 from .parse import BUILT_IN, check_size, is_json, parse, text_of, toml_of
 from .problems import make_spec
-from .quantity import asked_unit, parse_quantity
+from .quantity import RARELY_SI, asked_unit, parse_quantity
 from .rules import given_in
 from .source import Source
 
@@ -62,9 +62,9 @@ def data_of(
     changed, in_si, keys = apply_overrides(data, overrides, model), is_json(text, label), keys_below(model)
     questions, broken = [], []
     for path, value in given_in(data).items():
-        if path in keys and (path in changed or not in_si):
+        if path in keys and (unit := keys[path].unit) in RARELY_SI and (path in changed or not in_si):
             try:
-                questions += [asked_unit(number, keys[path].unit, path) for number in _numbers(value)]
+                questions += [asked_unit(number, unit, path) for number in _numbers(value)]
             except ValueError as error:
                 broken.append((path, str(error)))
     by = "--set" if label.name is BUILT_IN else ""

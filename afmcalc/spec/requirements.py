@@ -31,6 +31,7 @@ from .fields import (
     Name,
     Quantity,
     Ratio,
+    RuledBlock,
     Stiffness,
     StiffnessOrNone,
     Stress,
@@ -177,7 +178,7 @@ Objective = Literal[
 _GAIN_LIMITS = ", ".join(dict.fromkeys(each.gain_limit.rule for each in VARIANTS.values() if each.gain_limit))
 
 
-class Wanted(Block):
+class Wanted(RuledBlock):
     """What the clutch must do."""
 
     nominal_torque: Torque | None = key("nominal torque of the clutch", "T_н")
@@ -215,7 +216,7 @@ class Wanted(Block):
         return given if given is not None else (self.machine_torque or 0.0) * self.over_machine
 
 
-class ForceRange(Block):
+class ForceRange(RuledBlock):
     """Force that the pack may be pressed by at rest, any value between the ends (F_п; indirect F_п2)."""
 
     min: Force = key("smallest force", default=...)
@@ -290,7 +291,7 @@ class Limits(Block):
     gain_limit: StrictBool = key(f"hold the gain limit of the variant ({_GAIN_LIMITS})", default=True)
 
 
-class Requirements(Block):
+class Requirements(RuledBlock):
     """What is wanted, among what to choose, and what counts."""
 
     name: Name | None = key("what the design is called")

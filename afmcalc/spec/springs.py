@@ -5,7 +5,7 @@ from typing import Annotated
 
 from ..equations import springs
 from ..messages import say
-from .fields import Block, Broken, Count, Force, Gap, Length, Quantity, Ratio, Stiffness, StiffnessOrNone, key
+from .fields import Broken, Count, Force, Gap, Length, Quantity, Ratio, RuledBlock, Stiffness, StiffnessOrNone, key
 
 SNAPS = 1.4
 """Cone height over thickness up to which the force of a disc only grows (√2)."""
@@ -21,7 +21,7 @@ def _bigger(name: str, value: float | None, other: str, least: float | None) -> 
         yield name, say("must be greater than {other} ({least:g} m)", other=other, least=least)
 
 
-class Room(Block):
+class Room(RuledBlock):
     """Room for a spring around the shaft."""
 
     inner_diameter: Gap | None = key("diameter of what the spring stands around", "D_1")
@@ -33,7 +33,7 @@ class Room(Block):
         return _bigger("outer_diameter", self.outer_diameter, "inner_diameter", self.inner_diameter)
 
 
-class DiscStack(Block):
+class DiscStack(RuledBlock):
     """A stack of disc springs, DIN EN 16983."""
 
     outer_diameter: Length = key("outer diameter of a disc", "D_e", default=...)
@@ -57,7 +57,7 @@ class DiscStack(Block):
             yield "free_height", say("must be at most {most:.5g} m: a higher disc snaps through", most=most)
 
 
-class CoilSprings(Block):
+class CoilSprings(RuledBlock):
     """Coil springs side by side, ends closed and ground."""
 
     wire_diameter: Length = key("diameter of the wire", "d", default=...)
@@ -82,7 +82,7 @@ class CoilSprings(Block):
         return self.count * float(one)
 
 
-class _Spring(Block):
+class _Spring(RuledBlock):
     """What both springs may say of the part."""
 
     room: Room | None = None
