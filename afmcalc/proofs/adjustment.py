@@ -6,8 +6,6 @@ from ..equations import adjustment, direct, life
 from . import Refutation, Steps
 from .symbols import *
 
-F1, F2 = sp.symbols("F_1 F_2", positive=True)
-
 
 def _torque(force: sp.Expr, friction: sp.Expr, bypass: sp.Expr = z1) -> sp.Expr:
     return direct.torque(force, R, bypass, z - bypass, C, friction, friction)
@@ -81,7 +79,7 @@ def threshold_is_not_inverse_to_the_gain() -> Steps:
 
 def cycles_from_the_line() -> Steps:
     """S19 (14)–(20): (18)–(20) from (14)–(17)."""
-    limit, stress, exponent, base, modulus, low, band = sp.symbols("tau_limb tau m_tau N_0 W_p T_min dT", positive=True)
+    limit, stress, exponent, base, modulus, low, band = positive("tau_limb tau m_tau N_0 W_p T_min dT")
     cycles = life.cycles(limit, stress, exponent, base)
     yield "(14)", sp.expand_power_base(cycles * stress**exponent, force=True) - limit**exponent * base
     whole = sp.expand_power_base(life.damage(limit, stress, exponent, base) * cycles, force=True)
@@ -91,7 +89,7 @@ def cycles_from_the_line() -> Steps:
     yield "(16), (17)", stresses[0] - low / modulus
     mean = life.mean_stress(*stresses)
     yield "(15), (18)", mean - (2 * low + band) / (2 * modulus)
-    often, rarely = sp.symbols("n_1 n_2", positive=True)
+    often, rarely = positive("n_1 n_2")
     damage = (often / cycles + rarely / (2 * cycles)) / (often + rarely)
     slips = life.cycles_of_mean_damage(damage)
     yield "Miner: after that many slips the damage is 1", slips * (often + rarely / 2) / cycles - (often + rarely)
@@ -106,7 +104,7 @@ def cycles_from_the_line() -> Steps:
 
 def equivalent_stresses() -> Steps:
     """Amplitude-based rules from their definitions."""
-    amplitude, mean, psi, ultimate = sp.symbols("tau_a tau_m psi tau_u", positive=True)
+    amplitude, mean, psi, ultimate = positive("tau_a tau_m psi tau_u")
     low, high = mean - amplitude, mean + amplitude
     yield "τ_a", life.stress_amplitude(low, high) - amplitude
     yield "τ_m", life.mean_stress(low, high) - mean

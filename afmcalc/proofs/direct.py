@@ -9,7 +9,7 @@ from .symbols import *
 
 def _balance() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     """Release force, normal force and torque from F11 (1)–(10) alone: F_o r = R z_2 f_2 (F − F_p), F_o = F_p/tan α."""
-    release = sp.Symbol("F_p", positive=True)
+    release = positive("F_p")
     solution = solved(release / t * r - R * f2 * z2 * (F - release), release)
     normal = F - solution
     return solution, normal, R * (z1 * f1 + z2 * f2) * normal
@@ -22,7 +22,7 @@ def torque_law_from_the_balance() -> Steps:
     yield "C = (R/r)·tan α", gain - R * t / r
     yield "(11) mended solves (7) with (10)", direct.release_force(F, z2, gain, f2) - release
     yield "(3) with (11): N", direct.normal_force(F, z2, gain, f2) - normal
-    ball = sp.Symbol("F_o", positive=True)
+    ball = positive("F_o")
     carried = direct.group_torque(normal, R, z2, f2)
     printed_8 = direct.group_torque(normal, R, z1, f1) + ball * r
     yield "M43: (7) in (8) is (9)", printed_8.subs(ball, carried / r) - R * (z1 * f1 + z2 * f2) * normal

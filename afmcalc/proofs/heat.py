@@ -6,9 +6,9 @@ from ..equations import direct, effects, heat
 from . import Steps
 from .symbols import *
 
-J, M, w0, tau = sp.symbols("J_1 M_1 omega_0 tau", positive=True)
-b, k, rho, c, m, A = sp.symbols("b k rho c m A", positive=True)
-mu, fn, rs = sp.symbols("mu f_next r_s", positive=True)
+J, M, w0, tau = positive("J_1 M_1 omega_0 tau")
+b, k, rho, c, m, A = positive("b k rho c m A")
+mu, fn, rs = positive("mu f_next r_s")
 SPEED = sp.Function("omega")
 
 
@@ -30,21 +30,21 @@ def slip_until_the_motor_stands() -> Steps:
 
 def temperature_of_the_discs() -> Steps:
     """Heat, area, rise: what comes in stays in the discs; in the mean of many trips it goes to the air."""
-    inner, width, radius = sp.symbols("r_i w rho_r", positive=True)
+    inner, width, radius = positive("r_i w rho_r")
     face = heat.friction_area(inner, inner + width, sp.pi)
     yield "A = ∫ 2π r dr", face - sp.integrate(2 * sp.pi * radius, (radius, inner, inner + width))
     yield "F = p A", direct.mean_pressure(F, inner, inner + width, sp.pi) * face - F
-    energy, rise = sp.symbols("Q Delta", positive=True)
+    energy, rise = positive("Q Delta")
     yield "z A q_A = Q", z * A * heat.specific_work(energy, z, A) - energy
     yield "z A q = T ω", z * A * heat.power_density(heat.slip_power(T_n, w0), z, A) - T_n * w0
     yield "m c ΔΘ = Q", m * c * heat.temperature_rise(energy, m, c) - energy
-    limit, ambient = sp.symbols("Theta_m Theta_0", positive=True)
+    limit, ambient = positive("Theta_m Theta_0")
     trips = heat.trips_without_cooling(limit, ambient, rise)
     yield "Θ_0 + n ΔΘ = Θ_max", ambient + trips * rise - limit
     yield "η n = 1", heat.share_of_rise(ambient + rise, ambient, limit) * trips - 1
     rate = heat.trips_per_time(k, limit, ambient, energy)
     yield "heat in = heat out", rate * energy - k * (limit - ambient)
-    headroom = sp.Symbol("H", positive=True)
+    headroom = positive("H")
     between = heat.time_between_trips(m, c, k, -sp.log(1 - rise / headroom))
     # what cooling leaves of the headroom, and the next trip's rise, make it up again
     left = headroom * sp.exp(-between * k / (m * c))
@@ -57,8 +57,8 @@ def temperature_of_the_discs() -> Steps:
 
 def rise_of_a_heated_face() -> Steps:
     """A layer heated on its face, under the Laplace transform: the equation of heat, nothing through its far side."""
-    depth, place = sp.symbols("l x", positive=True)
-    root, moment, far = sp.symbols("q t s", positive=True)
+    depth, place = positive("l x")
+    root, moment, far = positive("q t s")
     spread = sp.nsimplify(heat.effusivity(k, rho, c))
     yield "b² = k ρ c", spread**2 - k * rho * c
     # q = √p; the rise at the face is 1
@@ -77,7 +77,7 @@ def rise_of_a_heated_face() -> Steps:
 
 def wear_of_a_lining() -> Steps:
     """Volume worn and thickness lost; the spring follows the pack."""
-    depth, worn, energy = sp.symbols("s_w w_v Q", positive=True)
+    depth, worn, energy = positive("s_w w_v Q")
     trips = heat.trips_to_wear_out(z, A, depth, worn, energy)
     yield "trips × volume of one = z A s_w", trips * worn * energy - z * A * depth
     lost = effects.force_lost_by_wear(k, z, depth)
@@ -99,7 +99,7 @@ def discs_in_their_splines() -> Steps:
 
 def cams_that_slide() -> Steps:
     """The reaction of a wall with friction leans by ρ = arctan μ from its normal."""
-    angle = sp.Symbol("alpha", positive=True)
+    angle = positive("alpha")
     for sign, law in ((1, effects.tan_wall_angle_loading), (-1, effects.tan_wall_angle_unloading)):
         # normal force 1 and friction μ along the wall, against the way the cam slides
         around = sp.cos(angle) + sign * mu * sp.sin(angle)
@@ -110,7 +110,7 @@ def cams_that_slide() -> Steps:
 
 def centrifugal_force_of_the_balls() -> Steps:
     """A ball thrown outward leans on both cones alike; each gives back the axial part of its normal force."""
-    angle, ball = sp.symbols("alpha r_b", positive=True)
+    angle, ball = positive("alpha r_b")
     mass = effects.ball_mass(rho, ball, sp.pi)
     yield "m = ρ V", mass - sp.integrate(rho * sp.pi * (ball**2 - tau**2), (tau, -ball, ball))
     half = m * w0**2 * r / 2

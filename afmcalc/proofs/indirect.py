@@ -9,7 +9,6 @@ from .symbols import *
 KAPPA = indirect.net_gain(C, R, fk, d)
 CONTROL = indirect.control_force(F, z, KAPPA, fset)
 """F_п2 that S21 (14) sets."""
-F2 = sp.Symbol("F_2", positive=True)
 
 
 def _stiffness(friction: sp.Expr, kappa: sp.Expr = KAPPA) -> sp.Expr:

@@ -6,8 +6,8 @@ from ..equations import direct, drive, heat, indirect, overload, pocket, sleeve
 from . import Steps
 from .symbols import *
 
-J1, J2, Jh, k, zeta, speed, M, L, T, tau, N = sp.symbols("J_1 J_2 J_h k zeta omega M L T tau N", positive=True)
-phi, time, rate = sp.symbols("phi t phi_dot", positive=True)
+J1, J2, Jh, k, zeta, speed, M, L, T, tau, N = positive("J_1 J_2 J_h k zeta omega M L T tau N")
+phi, time, rate = positive("phi t phi_dot")
 
 
 def shaft() -> Steps:
@@ -23,7 +23,7 @@ def shaft() -> Steps:
     top = drive.shaft_torque(k, swing.subs(time, sp.pi / 2 / natural), 0, 0)
     inertia = exact(drive.inertia_torque(speed, k, J2))
     yield "its peak is the inertia torque (V2)", inertia - top
-    a, above = sp.symbols("a Delta", positive=True)
+    a, above = positive("a Delta")
     peak = exact(drive.stop_torque(J2, a, T + above, T) - J2 * a)
     wound = k * a * sp.sqrt(2 * above / (k * a))  # rate of the torque as the slip begins, at t_1
     yield "V4: amplitude about T + J_2 a", peak**2 - (J2 * a) ** 2 - (wound / natural) ** 2
@@ -32,13 +32,13 @@ def shaft() -> Steps:
 
 def kloss_motor() -> Steps:
     """Kloss' curve: breakdown at s_b, and its inverse on the stable branch."""
-    Mb, sb, s, ws = sp.symbols("M_b s_b s omega_s", positive=True)
+    Mb, sb, s, ws = positive("M_b s_b s omega_s")
     torque = drive.kloss_torque(Mb, sb, s)
     yield "as Kloss wrote it", torque - 2 * Mb / (s / sb + sb / s)
     yield "M(s_b) = M_b", torque.subs(s, sb) - Mb
     yield "M' vanishes there", sp.diff(torque, s).subs(s, sb)
     # s = q s_b with q < 1, the stable branch, makes the root rational
-    beyond = sp.Symbol("p", positive=True)
+    beyond = positive("p")
     q = 1 / (1 + beyond)
     found = exact(drive.kloss_slip(Mb, sb, 2 * Mb / (q + 1 / q)))
     found = rooted(sp.simplify(found))
@@ -53,7 +53,7 @@ def two_inertias() -> Steps:
     slip = drive.slip_acceleration(M, J1, T, L, J2)
     yield "v' = ω_1' − ω_2'", slip - ((M - T) / J1 - (T - L) / J2)
     yield "v' = (T* − T)(J_1 + J_2)/(J_1 J_2)", slip - (stuck - T) * (J1 + J2) / (J1 * J2)
-    decay, rs = sp.symbols("e r_s", positive=True)
+    decay, rs = positive("e r_s")
     yield "static friction at rest", drive.stribeck_ratio(rs, 1) - rs
     yield "sliding friction at speed", drive.stribeck_ratio(rs, 0) - 1
     yield "linear in e", sp.diff(drive.stribeck_ratio(rs, decay), decay) - (rs - 1)
@@ -61,7 +61,7 @@ def two_inertias() -> Steps:
 
 def run_down() -> Steps:
     """Slip at a constant torque (V1, V5): time and heat by integration."""
-    v0 = sp.Symbol("v_0", positive=True)
+    v0 = positive("v_0")
     reduced = J1 * J2 / (J1 + J2)
     free = drive.sticking_torque(M, J1, L, J2)
     v = v0 + drive.slip_acceleration(M, J1, T, L, J2) * time
@@ -93,10 +93,10 @@ def lag_between_expected_and_potential() -> Steps:
 def judder() -> Steps:
     """Growth with friction is a derivative; slip at rest on a falling characteristic (V6)."""
     growth = drive.torque_growth(F, R, z1, z2, C, f1, f2)
-    share = sp.Symbol("g", positive=True)
+    share = positive("g")
     grown = direct.torque(F, R, z1, z2, C, share * f1, share * f2)
     yield "∂T/∂ln f", growth - sp.diff(grown, share).subs(share, 1)
-    rs, vs, v = sp.symbols("r_s v_s v", positive=True)
+    rs, vs, v = positive("r_s v_s v")
     ratio = drive.stribeck_ratio(rs, sp.exp(-R * v / vs))
     slope = sp.diff(ratio, v).subs(v, 0)
     yield "−∂T/∂v at v = 0", drive.judder_damping(growth, R, rs, vs) + growth * slope
@@ -108,7 +108,6 @@ def judder() -> Steps:
 
 def swing_of_the_control_unit() -> Steps:
     """The control unit as a torsion spring with friction: stiffness, loop, the sleeve's mass (V7)."""
-    F1, F2 = sp.symbols("F_1 F_2", positive=True)
     net, back = indirect.net_gain(C, R, fk, d), indirect.net_gain_returning(C, R, fk, d)
     moment = sleeve.spring_moment(R, F1, F2, c1, c2, x)
     # S21 (6)–(8): F_п1 − c_1 x + T tan α/r − F_п2 − c_2 x ∓ 2 T f_1/d = 0, tan α/r = C/R
@@ -118,7 +117,7 @@ def swing_of_the_control_unit() -> Steps:
     work = sleeve.spring_work(F1, F2, c1, c2, x)
     yield "S = R dW/dx", sp.diff(work, x) * R - moment
     yield "no work without travel", work.subs(x, 0)
-    r, t, slope = sp.symbols("r t C_1", positive=True)
+    r, t, slope = positive("r t C_1")
     per_turn = sleeve.turn(x, R, C, slope)
     # r dφ = tan α dx with tan α = (r/R)(C + C_1 x)
     gain = pocket.gain_at(C, slope, x)
@@ -134,7 +133,7 @@ def swing_of_the_control_unit() -> Steps:
     steep = pocket.gain_at(net, slope, x)
     stiffness = sleeve.torsional_stiffness(c1, c2, R, steep, gain, slope, moment / steep)
     yield "k_T = d(S/κ)/dφ", stiffness - sp.diff(moment / steep, x) / sp.diff(per_turn, x)
-    m, rate = sp.symbols("m xdot", positive=True)
+    m, rate = positive("m xdot")
     acceleration = sp.Symbol("phi_ddot")
     turning = sp.Symbol("phi_dot")
     yield "x' = φ' dx/dφ", sleeve.travel_rate(turning, R, gain) * sp.diff(per_turn, x) - turning
@@ -151,7 +150,7 @@ def swing_of_the_control_unit() -> Steps:
 
 def balls_off_their_stop() -> Steps:
     """Torque through the balls while the sleeve moves: Newton before and behind them."""
-    S, kappa, mu = sp.symbols("S kappa mu", positive=True)
+    S, kappa, mu = positive("S kappa mu")
     turn = drive.slip_acceleration(M, J1, T, L, J2)
     found = solved(T - S / kappa - mu * turn, T)
     yield "T_b", sleeve.ball_torque_moving(S, kappa, mu, M, J1, L, J2) - found
@@ -160,7 +159,7 @@ def balls_off_their_stop() -> Steps:
 
 def pack_at_the_stop() -> Steps:
     """The seated sleeve: N of the balls' torque, the slipping pack with it."""
-    F1, F2, kappa, Tb = sp.symbols("F_1 F_2 kappa T_b", positive=True)
+    kappa, Tb = positive("kappa T_b")
     pressed = sleeve.normal_force_at_stop(F2, kappa, Tb, R)
     reaction = F2 - F1 - Tb * kappa / R
     yield "N = F_п1 + reaction of the stop", pressed - (F1 + reaction)

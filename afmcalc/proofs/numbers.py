@@ -39,7 +39,7 @@ def numbers_of_s19() -> Steps:
     stress = life.mean_stress(*(life.shear_stress(torque, RATIONAL(15, 10**6)) for torque in (200, 1300)))
     yield "M22: the stress of fig. 2 is at most 50 MPa", stress - 50 * 10**6
     yield "M22: N/N_0 there is 8^6", cycles(200, 1300) / 10**7 - 8**6
-    factor, first, second = sp.symbols("k dT_1 dT_2", positive=True)
+    factor, first, second = positive("k dT_1 dT_2")
     yield "M24: one factor keeps the order of the bands", factor * first / (factor * second) - first / second
     bands = [adjustment.scatter(force, R, z, z - 1, C, fmin, fmax) for force in (F, q * F)]
     least = [direct.torque(force, R, 1, z - 1, C, fmin, fmin) for force in (F, q * F)]

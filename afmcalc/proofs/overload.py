@@ -31,7 +31,7 @@ def _capacity(load: sp.Expr, friction: sp.Expr) -> sp.Expr:
 
 def nominal_torques() -> Steps:
     """S22 (1)–(4): the clutch's and the machine's nominal torque; (16)."""
-    release = sp.Symbol("T", positive=True)
+    release = positive("T")
     balance = release - z * R * fmin * (F - release * t / r)
     yield "(4) from (2), (3)", _all(CLUTCH) - solved(balance, release).subs(t, C * r / R)
     yield "(1)", MACHINE * beta - CLUTCH

@@ -6,8 +6,8 @@ from ..equations import direct, indirect, pocket
 from . import Refutation, Steps
 from .symbols import *
 
-X = sp.Symbol("x", positive=True)
-KAPPA, F2, SLOPE = sp.symbols("kappa F_2 C_1", positive=True)
+X = positive("x")
+KAPPA, SLOPE = positive("kappa C_1")
 HOLDING = pocket.constant_torque_slope(c1, c2, z, fset, F)
 CONTROL = indirect.control_force(F, z, KAPPA, fset)
 W = pocket.slope_feedback(z, f, SLOPE)
@@ -38,7 +38,7 @@ def curved_pocket_balance() -> Steps:
     normal = indirect.normal_force_moving(F, c1, F2, c2, stiffness)
     found = pocket.travel(F, normal, c1)
     yield "F_п1 − c_1 x = N", F - c1 * found - normal
-    k = sp.Symbol("k", positive=True)
+    k = positive("k")
     at_k = pocket.travel(F, indirect.normal_force_moving(F, c1, F2, c2, pocket.sleeve_stiffness(D, F, W, k)), c1)
     yield "the sleeve is in balance", _at_root(_balance(at_k), k)
     constant, linear, square = (sp.Poly(-_balance(X), X).coeff_monomial(X**power) for power in range(3))

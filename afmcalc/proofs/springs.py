@@ -4,11 +4,11 @@ import sympy as sp
 
 from ..equations import springs
 from . import Refutation, Steps
-from .symbols import exact
+from .symbols import exact, positive
 
-E, nu, a, b, t, h, s, k4 = sp.symbols("E nu a b t h s K_4", positive=True)
-x, y, w, n, i, F, G, d, D, rho, force = sp.symbols("x y w n i F G d D rho F_1", positive=True)
-RATIO, LOG = a / b, sp.Symbol("Lambda", positive=True)
+E, nu, a, b, t, h, s, k4 = positive("E nu a b t h s K_4")
+x, y, w, n, i, F, G, d, D, rho, force = positive("x y w n i F G d D rho F_1")
+RATIO, LOG = a / b, positive("Lambda")
 """δ, and ln δ, which nothing but the integrals knows to be that."""
 
 
@@ -46,7 +46,7 @@ def cone_that_turns() -> Steps:
 
 def disc_with_flats() -> Steps:
     """K_4 is what keeps the force at ¾ of the cone height of the disc without flats."""
-    thinner, height = sp.symbols("t_r l_0", positive=True)
+    thinner, height = positive("t_r l_0")
     square = exact(springs.disc_factor_flats(t, thinner, height)) ** 2
     (under,) = (part.base for part in square.atoms(sp.Pow) if part.exp == sp.Rational(1, 2))
     half = sp.sqrt(under) - square
@@ -62,7 +62,7 @@ def disc_with_flats() -> Steps:
     # K_4² = √D − h in (K_4²)² turning + K_4² bending = plain: what stands with the root, and what without
     yield "F(¾ h_0) is kept: with the root", bending - 2 * half * turning
     yield "F(¾ h_0) is kept: without", turning * (half**2 + under) - bending * half - plain
-    root = sp.Symbol("q", positive=True)
+    root = positive("q")
     stiffer = springs.disc_force(E, nu, 1, root, 2 * a, thinner, height - thinner, deflection)
     yield "K_4 in the force", stiffer - made(root**2)
     yield "no flats", square.subs({thinner: t, height: sp.Rational(7, 5) * t}) - 1
@@ -95,7 +95,7 @@ def stacks_of_discs() -> Steps:
     """Lengths, friction and mass of a stack."""
     length = springs.stack_length(n, i, h + t, t)
     yield "a pack: one free height and n − 1 thicknesses more", length / i - (h + n * t)
-    rim, surface = sp.symbols("w_R w_M", positive=True)
+    rim, surface = positive("w_R w_M")
     there = springs.stack_force_with_friction(F, n, surface, rim)
     # what friction takes is the share of the force that is there
     yield "F = nF + friction", there - F - there * (surface * (n - 1) + rim)
@@ -124,7 +124,7 @@ def wire_in_torsion() -> Steps:
 
 def wire_that_lasts() -> Steps:
     """Goodman's line τ_a/S_se + τ_m/S_su = 1 through a point known."""
-    amplitude, mean, ultimate, lower, endurance = sp.symbols("S_sa S_sm S_su tau_U S_se", positive=True)
+    amplitude, mean, ultimate, lower, endurance = positive("S_sa S_sm S_su tau_U S_se")
     yield "the point", amplitude / springs.coil_endurance(amplitude, mean, ultimate) + mean / ultimate - 1
     upper = springs.coil_upper_stress(lower, endurance, ultimate)
     line = (upper - lower) / 2 / endurance + (upper + lower) / 2 / ultimate
@@ -133,7 +133,7 @@ def wire_that_lasts() -> Steps:
 
 def coil_that_buckles() -> Steps:
     """Haringx: P (1 + P/γ) = π² β/(ν L)², bending and shear stiffness of the coil falling as its length L."""
-    length, q, seating, share = sp.symbols("L_0 q nu_K u", positive=True)
+    length, q, seating, share = positive("L_0 q nu_K u")
     # wire of the coil in torsion, bent, and its turns sheared
     spring = G * d**4 / (8 * D**3 * n)
     young, left = G / q, length * (1 - share)
@@ -142,7 +142,7 @@ def coil_that_buckles() -> Steps:
     load = spring * share * length
     euler = load * (1 + load / shear) * (seating * left) ** 2 - sp.pi**2 * bending
     root = exact(springs.coil_buckling_root(D, length, q, seating, sp.pi))
-    square = sp.Symbol("r", positive=True)
+    square = positive("r")
     at = exact(springs.coil_buckling_deflection(length, q, square**2)) / length
     reduced = sp.cancel(sp.together(euler.subs(share, at)))
     # what is left holds where r² is the root

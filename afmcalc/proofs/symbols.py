@@ -1,14 +1,21 @@
-"""Symbols of the theory, positive reals."""
+"""Symbols of the theory, positive reals, and what proofs do with them."""
+
+from typing import Any
 
 import sympy as sp
 
-z, z1, z2, C, R, r, F, t, f, f1, f2 = sp.symbols("z z_1 z_2 C R r F t f f_1 f_2", positive=True)
-fmin, fcp, fmax, fset = sp.symbols("f_min f_cp f_max f_set", positive=True)
-f1min, f1max, f2min, f2max = sp.symbols("f_1min f_1max f_2min f_2max", positive=True)
-n, p, q = sp.symbols("n p q", positive=True)
-beta, T_n = sp.symbols("beta T_n", positive=True)
-c1, c2, d, fk, x = sp.symbols("c_1 c_2 d f_k x", positive=True)
-N = sp.Symbol("N", positive=True)
+
+def positive(names: str) -> Any:
+    """Return symbols of positive reals: one, or a tuple of several."""
+    return sp.symbols(names, positive=True)
+
+
+z, z1, z2, C, R, r, F, t, f, f1, f2 = positive("z z_1 z_2 C R r F t f f_1 f_2")
+fmin, fcp, fmax, fset = positive("f_min f_cp f_max f_set")
+f1min, f1max, f2min, f2max = positive("f_1min f_1max f_2min f_2max")
+n, p, q, N = positive("n p q N")
+beta, T_n, F1, F2 = positive("beta T_n F_1 F_2")
+c1, c2, d, fk, x = positive("c_1 c_2 d f_k x")
 
 
 def solved(equation: sp.Expr, unknown: sp.Symbol) -> sp.Expr:

@@ -6,11 +6,11 @@ from ..equations import accuracy, direct, indirect, synthesis, wall
 from . import Refutation, Steps
 from .symbols import *
 
-ALPHA = sp.Symbol("alpha", positive=True)
-BALL, GAP, EDGE = sp.symbols("r_b s y", positive=True)
-T0, Q, SLOPE, SLEEVES = sp.symbols("t_0 q C_1 m", positive=True)
-XI = sp.Symbol("xi", positive=True)
-K, T = sp.symbols("K T", positive=True)
+ALPHA = positive("alpha")
+BALL, GAP, EDGE = positive("r_b s y")
+T0, Q, SLOPE, SLEEVES = positive("t_0 q C_1 m")
+XI = positive("xi")
+K, T = positive("K T")
 
 
 def ball_and_pocket() -> Steps:
@@ -49,7 +49,7 @@ def cut_of_the_pockets() -> Steps:
 def contact_force_of_the_balls() -> Steps:
     """S21 contact force (M10): the n normal forces carry T about the axis, and the release force along it."""
     cosine = sp.cos(ALPHA)
-    torque = sp.Symbol("T", positive=True)
+    torque = positive("T")
     force = synthesis.contact_force(torque, n, r, cosine)
     yield "moment: n F_n cos α r = T", n * force * cosine * r - torque
     yield "thrust: n F_n sin α = T tan α/r", n * force * sp.sin(ALPHA) - torque * sp.tan(ALPHA) / r
@@ -66,7 +66,7 @@ def contact_force_of_the_balls() -> Steps:
 
 def least_contact_force() -> Steps:
     """The cubic is where F_n ∝ (a + bC)·√(1 + q²C²)/(a' + b'C) is stationary."""
-    a, b, a2, b2 = sp.symbols("a b a_2 b_2", positive=True)
+    a, b, a2, b2 = positive("a b a_2 b_2")
     squared = ((a + b * C) / (a2 + b2 * C)) ** 2 * (1 + q**2 * C**2)
     coefficients = synthesis.least_contact_force_cubic(a, b, a2, b2, q)
     cubic = sum(coefficient * C ** (3 - power) for power, coefficient in enumerate(coefficients))
@@ -76,7 +76,7 @@ def least_contact_force() -> Steps:
 
 def hertz_ball_on_flat() -> Steps:
     """Johnson (4.22)–(4.24): contact radius a and pressure p_0 at the allowable force give the allowable pressure."""
-    e1, e2, nu1, nu2, pressure, ball, pi = sp.symbols("E_1 E_2 nu_1 nu_2 p_0 r_b pi", positive=True)
+    e1, e2, nu1, nu2, pressure, ball, pi = positive("E_1 E_2 nu_1 nu_2 p_0 r_b pi")
     modulus = synthesis.hertz_contact_modulus(e1, nu1, e2, nu2)
     yield "1/E*", 1 / modulus - (1 - nu1**2) / e1 - (1 - nu2**2) / e2
     force = synthesis.hertz_allowable_force(pressure, ball, q, pi)
@@ -89,7 +89,7 @@ def hertz_ball_on_flat() -> Steps:
 
 def mean_radii() -> Steps:
     """The friction moment of a ring, ∫ f p 2π r² dr, over f and its thrust ∫ p 2π r dr."""
-    inner, width, rho = sp.symbols("r_i w rho", positive=True)
+    inner, width, rho = positive("r_i w rho")
     outer = inner + width
     for pressure, radius in (
         (p, direct.mean_radius_uniform_pressure(inner, outer)),
@@ -102,7 +102,7 @@ def mean_radii() -> Steps:
 
 def surface_pressures() -> Steps:
     """Mean pressure of a ring and the peak at the inner edge, from their thrust."""
-    inner, width, rho = sp.symbols("r_i w rho", positive=True)
+    inner, width, rho = positive("r_i w rho")
     outer = inner + width
     mean = direct.mean_pressure(F, inner, outer, sp.pi)
     yield "∫ p 2π r dr = F", sp.integrate(mean * 2 * sp.pi * rho, (rho, inner, outer)) - F
@@ -139,7 +139,7 @@ def curved_wall() -> Steps:
 
 def seat_of_the_ball() -> Steps:
     """Curved wall at α against both walls of a seat at α_0: two forces bear the one."""
-    alpha, seat = sp.symbols("alpha alpha_0", positive=True)
+    alpha, seat = positive("alpha alpha_0")
     own = wall.seat_force(F, sp.sin(alpha + seat), sp.sin(seat), sp.cos(seat))
     other = (own * sp.cos(seat) - F * sp.cos(alpha)) / sp.cos(seat)
     along = (own + other) * sp.sin(seat) - F * sp.sin(alpha)
@@ -150,7 +150,7 @@ def seat_of_the_ball() -> Steps:
 
 def curved_wall_contact() -> Steps:
     """Johnson (4.5), (4.26), (4.27): pressure 3F/(2πab) on an ellipse, (ab)^{3/2} = 3 F R_e φ/(4 E_c)."""
-    rho, k, b, d, pressure, modulus, pi = sp.symbols("rho k B D p_0 E_c pi", positive=True)
+    rho, k, b, d, pressure, modulus, pi = positive("rho k B D p_0 E_c pi")
     ratio = wall.hertz_curvature_ratio(rho, BALL)
     across, along = 1 / (2 * BALL), (1 / BALL + 1 / (rho - BALL)) / 2
     yield "A/B of ball and convex wall", ratio - along / across
@@ -201,7 +201,7 @@ def inverses_of_indirect_accuracy() -> Steps:
     yield "K_т(z) = K", indirect.accuracy_factor(*ends, c1, c2, pairs, q) - K
     loop = exact(synthesis.net_loop_gain_for_accuracy_factor(fmin, fmin, fmax, c1, c2, K))
     printed = (c1 + c2) * (fmax - K * fmin) / (c1 * fmax * fmin * (K - 1))
-    above, below = sp.symbols("g h", positive=True)
+    above, below = positive("g h")
     difference = (loop - printed).subs(fmax, K * fmin + below).subs(K, 1 + above)
     yield "set at f_min: (15) solved for zκ, 1 < K_т < f_max/f_min", rooted(difference)
     ratio = synthesis.stiffness_ratio_for_accuracy_factor(*ends, z, q, K)
