@@ -64,18 +64,19 @@ def sweep_outputs(clutch: Clutch) -> dict[str, Callable[[Clutch], Any]]:
 
 def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyResult, list[Finding]]:
     """Calculate the accuracy of a clutch, and over the grid of ``sweeps`` if there are any."""
+    sleeve = clutch.sleeve
     swept = series(AccuracySweep, clutch, sweeps, sweep_outputs(clutch))
     result = AccuracyResult(
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_worst_case=clutch.accuracy_factor_worst_case,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
-        accuracy_factor_hysteresis=clutch.accuracy_factor_hysteresis,
+        accuracy_factor_hysteresis=sleeve and sleeve.accuracy_factor_hysteresis,
         conventional_accuracy_factor=_conventional_accuracy_factor(clutch),
         gain_limit=clutch.gain_limit,
-        gain_threshold=clutch.gain_threshold,
-        equivalent_gain=clutch.equivalent_gain,
-        constant_torque_slope=clutch.constant_torque_slope,
-        nominal_torque_ratio=clutch.nominal_torque_ratio,
+        gain_threshold=sleeve and sleeve.gain_threshold,
+        equivalent_gain=sleeve and sleeve.equivalent_gain,
+        constant_torque_slope=sleeve and sleeve.constant_torque_slope,
+        nominal_torque_ratio=sleeve and sleeve.nominal_torque_ratio,
         sensitivity=clutch.sensitivity(),
         sweep=swept,
     )
@@ -84,11 +85,12 @@ def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyRes
 
 def _findings(clutch: Clutch, swept: list[AccuracySweep] | None) -> Iterator[Finding]:
     """Say where K_т has a kink, and where breakaway peaks of swept points exceed the sustained torque."""
-    slope, constant = clutch.gain_slope, clutch.constant_torque_slope
-    if slope and constant is not None and abs(float(slope / constant) - 1) <= 1e-9:
-        # pockets hold the torque just so: beside it K_т grows on either side
-        path = "control_unit.gain_slope"
-        yield finding("elasticity-one-sided", "info", value=float(slope), limit=float(constant), path=path)
+    if clutch.sleeve is not None and clutch.sleeve.gain_slope:
+        slope, constant = float(clutch.sleeve.gain_slope), float(clutch.sleeve.constant_torque_slope)
+        if abs(slope / constant - 1) <= 1e-9:
+            # pockets hold the torque just so: beside it K_т grows on either side
+            path = "control_unit.gain_slope"
+            yield finding("elasticity-one-sided", "info", value=slope, limit=constant, path=path)
     if swept:
         pairs = zip(swept[0].accuracy_factor, swept[0].accuracy_factor_peak, strict=True)
         if beyond := sum(peak > sustained * (1 + 1e-9) for sustained, peak in pairs):

@@ -90,12 +90,14 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
 def _re_made(clutch: Clutch, first: Clutch, second: Clutch) -> Iterator[Finding]:
     """Say what the clutches compared have that the clutch as made has not."""
     control, unit = clutch.spec.control_spring, clutch.spec.control_unit
+    if clutch.sleeve is None or first.sleeve is None or second.sleeve is None:
+        return
     if control is not None and control.force is not None:
-        forces = {"at_min": float(first.control_force or 0.0), "at_mean": float(second.control_force or 0.0)}
+        forces = {"at_min": float(first.sleeve.control_force), "at_mean": float(second.sleeve.control_force)}
         yield finding("control-spring-re-set", "info", value=control.force, path="control_spring.force", **forces)
     if unit is not None and unit.pocket is not None:
-        slopes = {"at_min": float(first.gain_slope or 0.0), "at_mean": float(second.gain_slope or 0.0)}
-        value = float(clutch.gain_slope or 0.0)
+        slopes = {"at_min": float(first.sleeve.gain_slope), "at_mean": float(second.sleeve.gain_slope)}
+        value = float(clutch.sleeve.gain_slope)
         yield finding("pockets-re-cut", "info", value=value, path="control_unit.pocket", **slopes)
 
 
@@ -129,7 +131,7 @@ def _ratio(clutch: Clutch, set_at_min: Clutch, bands: list[float]) -> float | No
     """ΔT_2/ΔT_1; None when the torque does not wander at all, for friction does not, or pockets hold it."""
     if bands[0] <= 1e-12 * float(set_at_min.torque_max):
         return None
-    if clutch.friction_set is not None:
+    if clutch.sleeve is not None:
         # the stop moves with the setting, and K_т with it
         return bands[1] / bands[0]
     at_min, at_mean = (set_at_min.torque_per_force(method) for method in METHODS)

@@ -124,9 +124,11 @@ def _figures(answers: Answers) -> Iterator[tuple[str, str, float, tuple[float, f
         float(clutch.pack_force_at_rest) / (math.pi * radius**2),
         _PRESSURE,
     )
-    springs = {"closing_spring": clutch.closing_force, "control_spring": clutch.control_force}
+    springs = {"closing_spring": clutch.closing_force}
+    if clutch.sleeve is not None:
+        springs["control_spring"] = clutch.sleeve.control_force
     for name, force in springs.items():
-        if force is not None and (stiffness := value_at(spec, f"{name}.stiffness")):
+        if stiffness := value_at(spec, f"{name}.stiffness"):
             yield "unusual/deflection", f"{name}.stiffness", float(force) / stiffness, _times(_DEFLECTION, radius)
     if ANALYSES["synthesize"].applies(clutch):
         unit = answers.of(SynthesisResult)

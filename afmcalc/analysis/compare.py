@@ -127,7 +127,7 @@ def _row(clutch: Clutch, basis: str | None, name: str | None, found: Sequence[Fi
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         gain_limit=clutch.gain_limit,
-        travel_max=clutch.travel(clutch.friction[0].max),
+        travel_max=clutch.sleeve and clutch.sleeve.travel_max,
         errors=sum(each.level == "error" for each in found),
         warnings=sum(each.level == "warning" for each in found),
     )

@@ -2,18 +2,20 @@
 
 import math
 from collections.abc import Sequence
-from typing import Literal, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 
 from ..arrays import Values
-from ..engines.protocol import Clutch
 from ..equations import synthesis as law
 from ..equations import wall as wall_law
 from ..recorders import unrecorded
 from ..spec.models import ControlUnit
 from . import hertz
 from .wall import Wall
+
+if TYPE_CHECKING:
+    from ..engines.indirect import IndirectClutch
 
 Basis = Literal["given", "hertz-ball-on-flat", "hertz-ball-on-curved-wall"]
 _PLACES = 65
@@ -40,14 +42,14 @@ class BallContact(NamedTuple):
     seat_utilisation: float | None = None
 
 
-def places_along(clutch: Clutch, wall: Wall) -> tuple[list[float], list[float]]:
+def places_along(clutch: "IndirectClutch", wall: Wall) -> tuple[list[float], list[float]]:
     """Torque and wall angle along the path of a ball on a curved wall, from the stop to the largest travel."""
     low, _, high = clutch.friction[0]
-    leaving = min(max(float(clutch.leaving_friction or low), low), high)
+    leaving = min(max(float(clutch.leaving_friction), low), high)
     # where the torque is largest, as long as the sleeve has not jumped from there
     along = np.append(np.linspace(leaving, high, _PLACES), max(clutch.torque_range.at_high * (1 - 1e-12), leaving))
     travels = np.broadcast_to(np.asarray(clutch.travel(along), float), along.shape).tolist()
-    return clutch.torque(along).tolist(), [wall.angle_at(travel / wall.sleeves) for travel in travels]
+    return np.asarray(clutch.torque(along)).tolist(), [wall.angle_at(travel / wall.sleeves) for travel in travels]
 
 
 def contact_of(

@@ -101,7 +101,6 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
     path = _path(clutch)
     nominal = float(clutch.nominal_torque)
     by_method = [set_by(clutch.spec, method, nominal).torque(*path).tolist() for method in METHODS]
-    returning = clutch.torque_returning(path[0])
     return TorqueCurve(
         name=clutch.spec.name,
         variant=clutch.spec.variant,
@@ -111,7 +110,7 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
         torque_min_friction=by_method[0],
         torque_mean_friction=by_method[1],
         breakaway_torque=_breakaway(clutch, path),
-        torque_returning=None if returning is None else returning.tolist(),
+        torque_returning=clutch.sleeve and np.asarray(clutch.sleeve.torque_returning(path[0])).tolist(),
         nominal_torque=nominal,
         margin=clutch.spec.adjustment.margin,
         method=clutch.spec.adjustment.method,

@@ -3,10 +3,9 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
-from typing import Literal, NamedTuple, TypeVar
+from typing import Literal, NamedTuple
 
 from ..arrays import Values
-from ..engines.laws import IndirectLaw
 from ..engines.protocol import Clutch
 from ..equations import effects as law
 from ..equations import synthesis
@@ -29,7 +28,6 @@ _MOST_PAIRS = 1000
 
 Torque = Callable[[float, float], float]
 """Slip torque at f_1 and f_2, N·m."""
-C = TypeVar("C", bound=Clutch)
 
 
 class Effect(Result):
@@ -271,7 +269,7 @@ def _cams(clutch: Clutch) -> Bracket:
         return Bracket((), (stay,))
     loading = law.tan_wall_angle_loading(tangent, unit.wall_friction) / over
     unloading = law.tan_wall_angle_unloading(tangent, unit.wall_friction) / over
-    least = float(clutch.gain_threshold or 0.0)
+    least = float(clutch.least_gain)
     locks = finding("cams-lock", "warning", value=loading, limit=least, path=path)
     curves = _with_gain(clutch, loading).torque, _with_gain(clutch, unloading).torque
     return Bracket(curves, (locks,) if loading <= least else ())
@@ -301,33 +299,28 @@ def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
     force = float(clutch.pack_force_at_rest)
     if loss >= force:
         return Bracket((), (finding("force-used-up", "error", value=loss, limit=force, path=path),))
-    held = _springs_held(clutch)
-    if not isinstance(held.law, IndirectLaw):
-        return Bracket((replace(held, closing_force=held.closing_force - loss).torque, clutch.torque))
-    assert held.law.made_control_force is not None
-    weakened = replace(held, law=replace(held.law, made_control_force=held.law.made_control_force - loss))
+    if clutch.sleeve is None:
+        return Bracket((replace(clutch, closing_force=clutch.closing_force - loss).torque, clutch.torque))
+    weakened: Clutch = replace(clutch.sleeve, made_control_force=clutch.sleeve.control_force - loss)
     return Bracket((weakened.torque, clutch.torque))
 
 
-def _springs_held(clutch: C) -> C:
+def _springs_held(clutch: Clutch) -> Clutch:
     """The clutch with its control spring, if it has one, as made: no change of the law sets it again."""
-    if not isinstance(clutch.law, IndirectLaw):
-        return clutch
-    return replace(clutch, law=replace(clutch.law, made_control_force=clutch.control_force))
+    sleeve = clutch.sleeve
+    return clutch if sleeve is None else replace(sleeve, made_control_force=sleeve.control_force)
 
 
-def _with_gain(clutch: C, gain: float) -> C:
+def _with_gain(clutch: Clutch, gain: float) -> Clutch:
     """The clutch with another gain; where the key takes all of it, with as much as the key takes."""
-    held = _springs_held(clutch)
-    return replace(held, law=replace(held.law, gain=max(gain, float(clutch.gain_threshold or 0.0))))
+    return replace(_springs_held(clutch), gain=max(gain, float(clutch.least_gain)))
 
 
-def with_pairs(clutch: C, bypass: Values, controlled: Values) -> C:
+def with_pairs(clutch: Clutch, bypass: Values, controlled: Values) -> Clutch:
     """The clutch with pairs that count in part, its springs as they are set."""
-    held = _springs_held(clutch)
-    if isinstance(held.law, IndirectLaw):
-        return replace(held, law=replace(held.law, pairs=bypass + controlled))
-    return replace(held, law=replace(held.law, bypass_pairs=bypass, controlled_pairs=controlled))
+    if clutch.sleeve is not None:
+        bypass, controlled = 0.0, bypass + controlled
+    return replace(_springs_held(clutch), bypass_pairs=bypass, controlled_pairs=controlled)
 
 
 SOURCES: Mapping[EffectName, EffectSource] = {

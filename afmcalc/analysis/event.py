@@ -9,7 +9,7 @@ from ..drive.pack import Sleeve
 from ..drive.plant import Plant
 from ..drive.result import SimulateResult
 from ..drive.train import Train
-from ..engines.parts import demands_of
+from ..engines.parts import checks_of_spec
 from ..engines.protocol import Clutch
 from ..equations import drive as law
 from ..equations import synthesis
@@ -233,9 +233,9 @@ def _springs(clutch: Clutch, travel: float) -> Iterator[Finding]:
     own, rules = clutch.spec, {}
     if not own.spring_parts or not own.kind.travels:
         return
-    for path, each in demands_of(own, clutch.wishes()):
+    for path, each in checks_of_spec(own, clutch.spring_demands()):
         rules[path, each.rule] = each.beyond > _ROUNDING
-    for path, each in demands_of(own, clutch.wishes(travel)):
+    for path, each in checks_of_spec(own, clutch.spring_demands(travel)):
         if each.beyond > _ROUNDING and not rules.get((path, each.rule)):
             yield finding(
                 "event-spring", each.rule.level, value=each.value, limit=each.limit, path=path, travel=travel,

@@ -104,11 +104,10 @@ def _surface_findings(own: Heat, result: HeatResult) -> list[Finding]:
 @unrecorded()
 def slack_before_worn(clutch: Clutch, own: Heat) -> float | None:
     """Wear of a pair at which the spring that follows the pack falls slack, m; None where the lining is gone before."""
-    (stiffness, part), rest = clutch.following, float(clutch.pack_force_at_rest)
-    if own.lining is None or (part is None and not stiffness):
+    spring = clutch.following_spring
+    if own.lining is None or (spring.disc is None and not spring.straight_stiffness):
         return None
-    pressed = rest / float(stiffness or 0.0) if part is None else float(part.deflection(rest))
-    wear = pressed / clutch.spec.friction_group.pairs
+    wear = float(spring.deflection) / clutch.spec.friction_group.pairs
     return wear if wear < own.lining * (1 - 1e-9) else None
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import Literal, NamedTuple
 
 from ..drive.result import HeatResult, SimulateResult
-from ..engines.parts import demands_of
+from ..engines.parts import checks_of_spec
 from ..engines.protocol import Clutch
 from ..equations import direct
 from ..findings import Finding, Level, finding
@@ -94,13 +94,14 @@ def _of_clutch(clutch: Clutch) -> Iterator[_Limit]:
     if rule is not None and limit is not None:
         value, bound = rule.stated(gain, clutch.reduced_gain, limit)
         yield _Limit(rule.code, rule.quantity, rule.symbol, "1", float(value), float(bound))
-    if clutch.gain_threshold:
-        least, name = float(clutch.gain_threshold), term("gain against key friction")
+    if least := float(clutch.least_gain):
+        name = term("gain against key friction")
         yield _Limit("feedback-idle", name, "C ≥ 2R f_1/d", "1", gain, least, least=True)
     lowest, nominal = float(clutch.torque_min), float(clutch.nominal_torque)
     name = term("least torque in service")
     yield _Limit("below-nominal-torque", name, "T_min ≥ T_н", "N*m", lowest, nominal, least=True)
-    if (returned := clutch.torque_returning_min) is not None:
+    if clutch.sleeve is not None:
+        returned = clutch.sleeve.torque_returning_min
         name, machine = term("least torque, friction falling under load"), float(clutch.machine_torque)
         yield _Limit("returning-below-nominal", name, "T_ret ≥ T_н.маш", "N*m", float(returned), machine, least=True)
 
@@ -177,7 +178,7 @@ def _of_springs(clutch: Clutch, travel: float) -> Iterator[_Limit]:
     """What the springs named are to hold, each judged on its own, where the sleeve travels so far in an event."""
     if not clutch.spec.spring_parts:
         return
-    for path, demand in demands_of(clutch.spec, clutch.wishes(travel)):
+    for path, demand in checks_of_spec(clutch.spec, clutch.spring_demands(travel)):
         rule, used = demand.rule, demand.utilisation
         if math.isfinite(used):
             spring = term("closing spring") if path.startswith("closing") else term("control spring")

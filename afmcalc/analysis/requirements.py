@@ -170,9 +170,9 @@ def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[
 def _as_friction_falls(answers: Answers, given: Mapping[str, float]) -> Iterator[Finding]:
     """Warn where K_т holds its limit and K_т,h, of which nothing is asked, does not; K_т,h is never the smaller."""
     limit, name = given.get("accuracy_factor"), "accuracy_factor_hysteresis"
-    factor, returning = float(answers.clutch.accuracy_factor), answers.clutch.accuracy_factor_hysteresis
-    if limit is None or returning is None or name in given:
+    if limit is None or answers.clutch.sleeve is None or name in given:
         return
+    factor, returning = float(answers.clutch.accuracy_factor), answers.clutch.sleeve.accuracy_factor_hysteresis
     if factor <= limit * _HELD < returning:
         path = "requirements.accuracy_factor"
         yield finding("accuracy-not-lasting", "warning", value=float(returning), limit=limit, path=path, factor=factor)

@@ -94,10 +94,10 @@ def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
             at = one, two
         return clutch.torque(*at)
 
-    if clutch.leaving_friction is None:
+    if clutch.sleeve is None:
         return Load(torque, extremes.low, extremes.high, (clutch.path_bend,))
     low = first.mean if from_mean else first.min
-    places = clutch.leaving_friction, extremes.at_low, extremes.at_high
+    places = clutch.sleeve.leaving_friction, extremes.at_low, extremes.at_high
     kinks = tuple((at - low) / larger(first.max - low, 1e-300) for at in places)
     return Load(torque, extremes.low, extremes.high, kinks)
 

@@ -101,7 +101,7 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
     """
     unit = _unit(clutch)
     assert unit.ball_circle_radius is not None
-    travel = _travel(clutch)
+    travel = float(clutch.sleeve.travel_max) if clutch.sleeve else 0.0
     gap, clearance = clearances(unit)
     bare = wall_of(clutch, gap)
     sine = math.sin(bare.angle)
@@ -153,7 +153,7 @@ def _of_the_curve(clutch: Clutch, wall: Wall, contact: BallContact, travel: floa
     assert unit is not None
     return {
         "wall_angle_max": wall.angle_at(travel / wall.sleeves),
-        "gain_slope": clutch.gain_slope,
+        "gain_slope": clutch.sleeve and clutch.sleeve.gain_slope,
         "profiled": unit.profiled or "one",
         "undercut_radius": wall.undercut_radius,
         "contact_force_critical": contact.critical,
@@ -177,11 +177,6 @@ def _unit(clutch: Clutch) -> ControlUnit:
     raise SpecError(clutch.spec.label, [problem])
 
 
-def _travel(clutch: Clutch) -> float:
-    """x_max; a direct clutch has no sleeve, and its law no travel."""
-    return float(clutch.travel(clutch.friction[0].max) or 0.0)
-
-
 def _pitch(unit: ControlUnit) -> float | None:
     """Distance between neighbouring balls; None of a single one, or when their number is not given."""
     if unit.balls is None or unit.balls < 2:
@@ -191,8 +186,8 @@ def _pitch(unit: ControlUnit) -> float | None:
 
 def _contact(clutch: Clutch, unit: ControlUnit, wall: Wall, ball_radius: float | None) -> BallContact:
     """Largest F_n along the common path, and what it may be."""
-    if wall.steepening > 0:
-        places = places_along(clutch, wall)
+    if clutch.sleeve is not None and wall.steepening > 0:
+        places = places_along(clutch.sleeve, wall)
     else:
         first, second = clutch.friction
         torque = max(clutch.ball_torque(first.min, second.min), clutch.ball_torque(first.max, second.max))

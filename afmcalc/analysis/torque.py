@@ -71,21 +71,22 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
     points = pairs_asked(clutch, friction)
     ends = list(zip(*clutch.friction, strict=True))
     states = [clutch.point(*end) for end in ends]
+    sleeve = clutch.sleeve
     result = TorqueResult(
         nominal_torque=clutch.nominal_torque,
         machine_torque=clutch.machine_torque,
         closing_force=clutch.closing_force,
         gain=clutch.gain,
-        gain_slope=clutch.gain_slope or None,
+        gain_slope=None if sleeve is None else sleeve.gain_slope or None,
         reduced_gain=clutch.reduced_gain,
         **_friction_triples(clutch),
         torque=Triple.of(state.torque for state in states),
         normal_force=Triple.of(state.normal_force for state in states),
         release_force=Triple.of(state.release_force for state in states),
-        control_force=clutch.control_force,
-        pack_force_at_rest=None if clutch.control_force is None else clutch.pack_force_at_rest,
-        travel=_triple_or_none([state.travel for state in states]),
-        torque_returning=_triple_or_none([clutch.torque_returning(end[0]) for end in ends]),
+        control_force=sleeve and sleeve.control_force,
+        pack_force_at_rest=sleeve and sleeve.pack_force_at_rest,
+        travel=sleeve and Triple.of(state.travel for state in states),
+        torque_returning=sleeve and Triple.of(sleeve.torque_returning(friction) for friction, _ in ends),
         torque_range=TorqueExtremes(**clutch.torque_range._asdict()),
         scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
@@ -119,11 +120,6 @@ def _friction_triples(clutch: Clutch) -> dict[str, Triple]:
 def triple(clutch: Clutch, function: Callable[..., Any]) -> Triple:
     """Evaluate ``function(f_1, f_2)`` at the smallest, mean and largest friction."""
     return Triple.of(function(*frictions) for frictions in zip(*clutch.friction, strict=True))
-
-
-def _triple_or_none(values: list[Any]) -> Triple | None:
-    """Three values, or None where the clutch has no such thing."""
-    return None if None in values else Triple.of(values)
 
 
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> FrictionPoint:

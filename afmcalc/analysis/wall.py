@@ -162,7 +162,7 @@ def wall_of(clutch: Clutch, face_gap: float, ball_radius: float = 0.0) -> Wall:
     assert unit is not None
     assert unit.ball_circle_radius is not None
     tangent = float(synthesis.tan_wall_angle(clutch.gain, unit.ball_circle_radius, radius))
-    slope = float(clutch.gain_slope or 0.0)
+    slope = float(clutch.sleeve.gain_slope) if clutch.sleeve else 0.0
     if slope == 0:
         return Wall(tangent, 0.0, 2, face_gap, ball_radius)
     sleeves = 2 if unit.profiled == "both" else 1

@@ -12,11 +12,11 @@ from typing import ClassVar
 import numpy as np
 
 from ..arrays import Values, is_array, larger, smaller
-from ..engines import setting
-from ..engines.characteristic import root
-from ..engines.direct_law import DirectLaw
-from ..engines.laws import IndirectLaw
+from ..engines import parameters
+from ..engines.direct import DirectClutch
+from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
+from ..engines.springs import root
 from ..equations import adjustment, direct, pocket, sleeve
 from ..equations import drive as law
 from ..equations.terms import Number
@@ -189,8 +189,7 @@ class DirectPack(Pack):
 class Sleeve(Pack):
     """Discs, springs, key and balls of an indirect clutch at one friction; numbers, or arrays in a sweep."""
 
-    law: IndirectLaw
-    closing_force: Number
+    law: IndirectClutch
     friction: Number
     mass: Number = 0.0
     static_ratio: Number = 1.0
@@ -203,6 +202,11 @@ class Sleeve(Pack):
 
     travels = True
     lag = 0.0
+
+    @cached_property
+    def closing_force(self) -> Number:
+        """F_п1."""
+        return self.law.closing_force
 
     @cached_property
     def friction_pairs(self) -> Number:
@@ -234,7 +238,7 @@ class Sleeve(Pack):
     @cached_property
     def resting_force(self) -> Number:
         """F_п2."""
-        return self.law.control_force(self.closing_force)
+        return self.law.control_force
 
     @cached_property
     def least_force(self) -> Number:
@@ -253,8 +257,7 @@ class Sleeve(Pack):
     @cached_property
     def _discs(self) -> tuple[Number, Number]:
         """Disc springs, closing and control; None of a straight one."""
-        own = self.law.curved
-        return (None, None) if own is None else (own.closing, own.control)
+        return self.law.closing_disc, self.law.control_disc
 
     @cached_property
     def _pressed_in(self) -> tuple[Number, Number]:
@@ -284,12 +287,12 @@ class Sleeve(Pack):
 
     def torque(self, ratio: Number) -> Number:
         """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
-        return self.law.torque(self.closing_force, ratio * self.friction)
+        return self.law.torque(ratio * self.friction)
 
     @property
     def least(self) -> Values:
         """Slip torque of a sleeve that returns from far off, N·m."""
-        return self.law.torque_returning(self.closing_force, self.friction, _FAR)
+        return self.law.torque_returning(self.friction, _FAR)
 
     @property
     def growth(self) -> float:
@@ -317,7 +320,7 @@ class Sleeve(Pack):
     def moment(self, travel: Number) -> Number:
         """S(x), N·m."""
         control = self._discs[1]
-        if self.law.curved is None:
+        if not self.law.curved:
             return sleeve.spring_moment(self.mean_radius, *self._springs, travel)
         pressed = self._springs[1] + self._springs[3] * travel
         if control is not None:
@@ -326,7 +329,7 @@ class Sleeve(Pack):
 
     def work(self, travel: Number) -> Number:
         """Work stored in both springs, J."""
-        if self.law.curved is None:
+        if not self.law.curved:
             return sleeve.spring_work(*self._springs, travel)
         # Simpson's rule: exact, for the force of a disc spring is a cubic
         mean = (self.moment(0 * travel) + 4 * self.moment(travel / 2) + self.moment(travel)) / 6
@@ -348,7 +351,7 @@ class Sleeve(Pack):
 
     def turn_under(self, torque: float) -> Values:
         """Turn of the balls, at rest under a torque that has risen to it; 0 up to T_н."""
-        if self.law.curved is None:
+        if not self.law.curved:
             lifted = torque * self.net_gain / self.mean_radius - (self.resting_force - self.closing_force)
             off = lifted > _ROUNDING * self.resting_force
             stiffness = self._springs[2] + self._springs[3] - torque * self.law.gain_slope / self.mean_radius
@@ -400,14 +403,14 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
     Raises:
         CalculationError: a sleeve that would be off its stop without load.
     """
-    own = clutch.law
-    if isinstance(own, DirectLaw):
-        return _discs(clutch, own, clutch.closing_force, driving, driven)
+    own = clutch.sleeve
+    if own is None:
+        return _discs(clutch, driving, driven)
     if not is_array(own.net_gain) and not own.net_gain:
         # feedback that the key just holds: an ordinary clutch
-        ordinary = DirectLaw(own.mean_radius, own.pairs, 0.0, 0.0)
-        return _discs(clutch, ordinary, clutch.closing_force, driving, driven)
-    unit, control = clutch.spec.control_unit, own.control_force(clutch.closing_force)
+        ordinary = DirectClutch(own.closing_force, own.mean_radius, own.pairs, 0.0, 0.0, spec=own.spec)
+        return _discs(ordinary, driving, driven)
+    unit, control = clutch.spec.control_unit, own.control_force
     below = np.asarray(control < clutch.closing_force)
     if below.any():
         raise CalculationError(
@@ -417,24 +420,24 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
             closing=np.broadcast_to(clutch.closing_force, below.shape)[below].flat[0],
         )
     mass = 0.0 if unit is None or unit.sleeve_mass is None else unit.sleeve_mass
-    return Sleeve(own, clutch.closing_force, driving, mass, *_static(clutch), _lever(clutch))
+    return Sleeve(own, driving, mass, *_static(clutch), _lever(clutch))
 
 
 def ordinary_pack(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:
     """Return the same discs without control unit, set for the same nominal torque."""
     bypass = clutch.bypass_pairs
-    own = DirectLaw(clutch.mean_radius, bypass, clutch.spec.friction_group.pairs - bypass, 0.0)
-    per_force = own.torque_per_force(*setting.friction_at_setting(clutch.spec))
-    force = adjustment.closing_force(clutch.nominal_torque, setting.margin(clutch.spec), per_force)
-    return replace(_discs(clutch, own, force, driving, driven), lag=0.0)
+    pack = clutch.mean_radius, bypass, clutch.spec.friction_group.pairs - bypass, 0.0
+    own = DirectClutch(1.0, *pack, friction=clutch.friction, spec=clutch.spec)
+    force = adjustment.closing_force(clutch.nominal_torque, parameters.margin(clutch.spec), own.torque_per_force())
+    return replace(_discs(replace(own, closing_force=force), driving, driven), lag=0.0)
 
 
-def _discs(clutch: Clutch, own: DirectLaw, force: Values, driving: Values, driven: Values) -> DirectPack:
+def _discs(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:
     unit = clutch.spec.control_unit
     lag = 0.0 if unit is None or unit.release_lag is None else unit.release_lag
-    pairs = own.bypass_pairs, own.controlled_pairs
+    pairs = clutch.bypass_pairs, clutch.controlled_pairs
     friction = (driving, driven, *_static(clutch))
-    return DirectPack(force, own.mean_radius, *pairs, own.gain, *friction, lag, _lever(clutch))
+    return DirectPack(clutch.closing_force, clutch.mean_radius, *pairs, clutch.gain, *friction, lag, _lever(clutch))
 
 
 def _lever(clutch: Clutch) -> Number:

@@ -2,62 +2,16 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 from ..arrays import Floats, Values, chosen, quiet_division, smaller
 from ..equations import indirect, pocket, sleeve
-from ..recorders import marked, solved, unrecorded
-from .characteristic import DiscCharacteristic, root
+from .springs import SetSpring, root
 
 _PLACES = 32
 """Places among which a wall that lets the sleeve jump is searched for the first balance."""
 _HALVINGS = 45
 _ROUNDING = 1e-12
-
-
-@dataclass(frozen=True)
-class SetSpring:
-    """A spring as it is set; without a disc it is straight."""
-
-    set_force: Values
-    """N."""
-    straight_stiffness: Values
-    """N/m."""
-    disc: DiscCharacteristic | None
-
-    @cached_property
-    def deflection(self) -> Values:
-        """As set, m."""
-        return self.set_force / self.straight_stiffness if self.disc is None else self.disc.deflection(self.set_force)
-
-    def force(self, further: Values) -> Values:
-        """Force when pressed together so much further than as set, N."""
-        if self.disc is None:
-            return self.set_force + self.straight_stiffness * further
-        return self.disc.force(self.deflection + further)
-
-    def disc_force_shown(self, further: Values, travel: Values) -> Values:
-        """Force of discs at a travel, N, after their force at the setting and the stiffness there."""
-        assert self.disc is not None
-        self.disc.explain(self.deflection)
-        return marked(self.disc.force(marked(self.deflection + further, travel)), travel)
-
-    def stiffness(self, further: Values) -> Values:
-        """Slope of the force there, N/m."""
-        return self.straight_stiffness if self.disc is None else self.disc.stiffness(self.deflection + further)
-
-    def secant(self, further: Values) -> Values:
-        """Change of the force per deflection from as set, N/m."""
-        if self.disc is None:
-            return self.straight_stiffness
-        return (self.force(further) - self.set_force) / further
-
-    def slackens(self, force: Values) -> Values:
-        """How far it lengthens until so much force is left, m."""
-        if self.disc is None:
-            return (self.set_force - force) / self.straight_stiffness
-        return self.deflection - self.disc.deflection(force)
 
 
 @dataclass(frozen=True)
@@ -80,33 +34,17 @@ class Balance:
 
     def net_gain_at(self, travel: Values) -> Values:
         """κ where the sleeve is."""
-        if self.straight:
-            return self.net_gain
-        gain: Values = pocket.gain_at(self.net_gain, self.gain_slope, travel)
-        return gain
+        return self.net_gain if self.straight else pocket.gain_at(self.net_gain, self.gain_slope, travel)
 
-    def shown(self, friction: Values, search: Callable[[], Values], most: Values | None = None) -> Values:
-        """Normal force N where a search finds the sleeve, N; the balance that holds it there, its numbers put in."""
-        with unrecorded():
-            found = search()
-        travel = marked(found, friction, self.net_gain, self.closing.set_force)
-
-        def pressed() -> Values:
-            return self.pressed(travel) if most is None else smaller(most, self.pressed(travel))
-
-        def steps() -> Values:
-            if self.closing.disc is not None:
-                self.closing.disc_force_shown(-travel, travel)
-            own = self.control
-            control = (
-                sleeve.tensed_force(own.set_force, own.straight_stiffness, travel)
-                if own.disc is None
-                else own.disc_force_shown(travel, travel)
-            )
-            force: Values = indirect.normal_force_balanced(control, self.pairs, self.net_gain_at(travel), friction)
-            return force
-
-        return solved(pressed, steps)
+    def normal_force(self, friction: Values, travel: Values) -> Values:
+        """Normal force N that holds the sleeve at a travel, N: the control spring's, over the loop of the balls."""
+        control = self.control
+        force = (
+            sleeve.tensed_force(control.set_force, control.straight_stiffness, travel)
+            if control.disc is None
+            else control.force(travel)
+        )
+        return indirect.normal_force_balanced(force, self.pairs, self.net_gain_at(travel), friction)
 
     def _left(self, friction: Values) -> Callable[[Values], Values]:
         """What the control spring has more than closing spring and balls, N."""
@@ -115,10 +53,10 @@ class Balance:
     def _slope(self, friction: Values) -> Callable[[Values], Values]:
         def slope(at: Values) -> Values:
             loop = 1 + self.pairs * self.net_gain_at(at) * friction
-            found: Values = self.control.stiffness(at) + self.closing.stiffness(-at) * loop
-            if not self.straight:
-                found = found - self.pressed(at) * pocket.slope_feedback(self.pairs, friction, self.gain_slope)
-            return found
+            slope = self.control.stiffness(at) + self.closing.stiffness(-at) * loop
+            if self.straight:
+                return slope
+            return slope - self.pressed(at) * pocket.slope_feedback(self.pairs, friction, self.gain_slope)
 
         return slope
 
@@ -135,6 +73,8 @@ class Balance:
 
     def travel_returning(self, friction: Values, start: Values) -> Values:
         """Where it comes back to from ``start``, friction falling, m: the last place that holds it; 0 at the stop."""
+        if self.straight:
+            return smaller(self.travel(friction), start)
         left = self._left(friction)
         tried = self._tried(start, friction)[::-1]
         holds: Any = left(tried) <= 0
@@ -158,11 +98,9 @@ class Balance:
 
     def friction(self, travel: Values) -> Values:
         """Friction that holds the sleeve at a travel."""
+        forces = self.pressed(travel), self.control.force(travel)
         with quiet_division(travel):  # where the balls move nothing none does
-            own: Values = pocket.leaving_friction(
-                self.pressed(travel), self.control.force(travel), self.pairs, self.net_gain_at(travel)
-            )
-        return own
+            return pocket.leaving_friction(*forces, self.pairs, self.net_gain_at(travel))
 
     def way(self, start: Values, end: Values) -> Floats:
         """Places that hold the sleeve on its way as friction changes, along a first axis.
@@ -177,8 +115,7 @@ class Balance:
             """T = R (F_2 − N)/κ."""
             pressed, control = self.pressed(at), self.control.force(at)
             stiffness = self.control.stiffness(at) + self.closing.stiffness(-at)
-            slope: Values = stiffness * self.net_gain_at(at) - self.gain_slope * (control - pressed)
-            return slope
+            return stiffness * self.net_gain_at(at) - self.gain_slope * (control - pressed)
 
         def ordered(*places: Floats) -> tuple[Floats, Floats, Floats]:
             """Places in the order of the way, friction there, and the farthest that friction has gone before."""

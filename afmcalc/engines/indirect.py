@@ -1,204 +1,410 @@
-"""Engine of indirect regulation: a thrust sleeve between two springs (S21)."""
+"""Engine of indirect regulation: a thrust sleeve between two springs, friction at its key (S21)."""
 
-from dataclasses import replace
-from typing import Literal
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Literal
 
-from ..arrays import Values, checked_friction, is_array, larger, smaller
-from ..equations import accuracy, indirect
-from ..findings import Finding
+from ..arrays import Values, chosen, is_array, larger, quiet_division, smaller, square_root
+from ..equations import accuracy, indirect, pocket
+from ..errors import Problem, SpecError
+from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec
-from . import geometry, pockets, setting
-from .characteristic import DiscCharacteristic, curved
-from .laws import IndirectLaw
-from .protocol import ByGain, Clutch, Slip, extremes
-from .sensitivity import sensitivity
-from .sleeve_findings import sleeve_findings
+from . import parameters
+from .protocol import ByGain, Clutch, Slip, extremes, one_friction
+from .springs import DiscCharacteristic, SetSpring
+
+if TYPE_CHECKING:
+    from .balance import Balance
+
+_ROUNDING = 1e-12
 
 
+@dataclass(frozen=True)
 class IndirectClutch(Clutch):
-    """Clutch whose release force slackens the closing spring by way of a sleeve."""
+    """Clutch whose release force slackens the closing spring by way of a sleeve; all torque passes the balls."""
 
-    law: IndirectLaw
+    closing_stiffness: Values
+    """c_1, N/m."""
+    control_stiffness: Values
+    """c_2, N/m."""
+    key_friction: Values
+    """f_1 at the key."""
+    hub_diameter: Values
+    """d, m."""
+    friction_set: Values
+    """Friction at which the control spring is set so that the sleeve just stays at its stop."""
+    made_control_force: Values | None = None
+    """F_п2 as made, N; None where it is set by S21 (14)."""
+    closing_disc: DiscCharacteristic | None = None
+    """The closing spring where its force is not proportional to its deflection; None where it is straight."""
+    control_disc: DiscCharacteristic | None = None
+    """The same of the control spring."""
+    gain_slope: Values = 0.0
+    """C_1, 1/m: how the gain grows with the travel of the sleeve; 0 for a straight wall (theory, section 12)."""
 
     @classmethod
     def from_spec(cls, spec: Spec) -> "IndirectClutch":
         """Build the engine of a spec whose values may be arrays.
 
         Raises:
-            SpecError: a gain below the threshold 2 R f_1/d.
+            SpecError: a gain below the threshold 2 R f_1/d, or no wall that holds the torque.
         """
-        unit, control = spec.control_unit, spec.control_spring
-        assert unit is not None
-        assert control is not None
-        law = IndirectLaw(
-            mean_radius=geometry.mean_radius(spec),
-            pairs=spec.friction_group.pairs,
-            gain=geometry.feedback_gain(spec),
-            closing_stiffness=_given(spec.closing_spring.stiffness),
+        # the rules of the spec require these blocks and their values
+        unit: Any = spec.control_unit
+        closing: Any = spec.closing_spring
+        control: Any = spec.control_spring
+        clutch = cls(
+            closing_force=1.0,
+            mean_radius=parameters.mean_radius(spec),
+            bypass_pairs=0,
+            controlled_pairs=spec.friction_group.pairs,
+            gain=parameters.feedback_gain(spec),
+            friction=spec.friction.groups,
+            spec=spec,
+            closing_stiffness=closing.stiffness,
             control_stiffness=control.stiffness,
-            key_friction=_given(unit.key_friction),
-            hub_diameter=_given(unit.hub_diameter),
-            friction_set=setting.friction_at_setting(spec)[0],
+            key_friction=unit.key_friction,
+            hub_diameter=unit.hub_diameter,
+            friction_set=math.nan,
             made_control_force=control.force,
-            curved=curved(spec),
+            closing_disc=closing.disc and DiscCharacteristic(closing.disc),
+            control_disc=control.disc and DiscCharacteristic(control.disc),
         )
-        pockets.refuse_negative_net_gain(spec, law)
-        force = setting.closing_force(spec, lambda: law.torque_per_force)
-        return cls(spec, replace(law, gain_slope=pockets.gain_slope(spec, law, force)), spec.friction.groups, force)
+        clutch = replace(clutch, friction_set=clutch.friction_at_setting()[0])
+        clutch._refuse_negative_net_gain()
+        clutch = replace(clutch, closing_force=parameters.closing_force(spec, clutch.torque_per_force))
+        slope = clutch._slope_that_holds_the_torque() if unit.pocket == "constant-torque" else unit.gain_slope
+        return clutch if slope is None else replace(clutch, gain_slope=slope)
+
+    def _refuse_negative_net_gain(self) -> None:
+        """Below the threshold the sleeve leaves its stop at zero torque: no clutch at all."""
+        net = self.net_gain
+        if not _where_least(net, net) < 0:
+            return
+        threshold, gain = (_where_least(net, value) for value in (self.gain_threshold, self.gain))
+        message = say(
+            "must be at least 2 R f_1/d = {threshold:.6g}: below that the friction at the key exceeds the release "
+            "force, and the sleeve leaves its stop at zero torque",
+            threshold=threshold,
+        )
+        path = parameters.gain_path(self.spec)
+        given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
+        raise SpecError(self.spec.label, [Problem(path, given, message)])
+
+    def _slope_that_holds_the_torque(self) -> Values:
+        leaving = self.leaving_friction
+        if not is_array(leaving) and not leaving > 0:
+            message = say(
+                "no wall holds the torque: control_spring.force does not exceed the force of the closing spring, so "
+                "that the sleeve never rests at its stop"
+            )
+            raise SpecError(self.spec.label, [Problem("control_unit.pocket", repr("constant-torque"), message)])
+        return chosen(leaving > 0, lambda: self.constant_torque_slope, lambda: math.nan)
+
+    @property
+    def sleeve(self) -> "IndirectClutch":
+        """Itself: it has a sleeve."""
+        return self
 
     @property
     def pairs(self) -> Values:
         """z."""
-        return self.law.pairs
+        return self.controlled_pairs
 
     @property
-    def closing_stiffness(self) -> Values:
-        """c_1, N/m."""
-        return self.law.closing_stiffness
+    def reduced_gain(self) -> Values:
+        """z C."""
+        return self.pairs * self.gain
+
+    # gains
 
     @property
-    def following(self) -> tuple[Values | None, DiscCharacteristic | None]:
-        """The control spring: the stop is the pressure disc's, which takes sleeve and closing spring along."""
-        return self.law.control_stiffness, None if self.law.curved is None else self.law.curved.control
-
-    @property
-    def control_stiffness(self) -> Values:
-        """c_2, N/m."""
-        return self.law.control_stiffness
+    def straight(self) -> bool:
+        """Whether the walls are straight: the gain is the same wherever the sleeve is."""
+        return not is_array(self.gain_slope) and bool(self.gain_slope == 0)
 
     @property
     def gain_threshold(self) -> Values:
         """2 R f_1/d: the gain at which feedback begins."""
-        return self.law.gain_threshold
+        return indirect.gain_threshold(self.mean_radius, self.key_friction, self.hub_diameter)
+
+    @property
+    def least_gain(self) -> Values:
+        """Gain at which feedback begins."""
+        return self.gain_threshold
+
+    def gain_at(self, travel: Values) -> Values:
+        """C where the sleeve has travelled to."""
+        return self.gain if self.straight else pocket.gain_at(self.gain, self.gain_slope, travel)
 
     @property
     def net_gain(self) -> Values:
-        """κ, moving off the stop."""
-        return self.law.net_gain
+        """κ at the stop, moving off it."""
+        return indirect.net_gain(self.gain, self.mean_radius, self.key_friction, self.hub_diameter)
 
     @property
     def net_gain_returning(self) -> Values:
-        """κ₊, moving back."""
-        return self.law.net_gain_returning
+        """κ₊ at the stop, moving back."""
+        return indirect.net_gain_returning(self.gain, self.mean_radius, self.key_friction, self.hub_diameter)
 
-    @property
-    def gain_slope(self) -> Values:
-        """C_1 of the pockets, 1/m."""
-        return self.law.gain_slope
-
-    @property
-    def constant_torque_slope(self) -> Values:
-        """C_1* at which torque would not depend on friction once the sleeve is off its stop, 1/m."""
-        return self.law.constant_torque_slope(self.closing_force, self.friction[0].max)
-
-    @property
-    def friction_set(self) -> Values:
-        """Friction at the setting."""
-        return self.law.friction_set
-
-    @property
-    def leaving_friction(self) -> Values:
-        """Friction at which the sleeve leaves its stop."""
-        return self.law.leaving_friction(self.closing_force)
-
-    def torque_per_force(self, method: Method | None = None) -> Values:
-        """T/F_п1 at the friction of a setting, m; by default the spec's own."""
-        return replace(self.law, friction_set=setting.friction_at_setting(self.spec, method)[0]).torque_per_force
-
-    @property
-    def bypass_pairs(self) -> Values:
-        """z_1 = 0: all torque passes the balls."""
-        return 0
-
-    @property
-    def control_force(self) -> Values:
-        """F_п2, N (S21 (14))."""
-        force: Values = self.law.control_force(self.closing_force)
-        return force
+    def steepened(self, travel: Values) -> "IndirectClutch":
+        """The clutch with the gain of the place where the sleeve has travelled to."""
+        return self if self.straight else replace(self, gain=self.gain_at(travel))
 
     @property
     def equivalent_gain(self) -> Values | None:
         """Gain of the all-driving clutch with the same torque curve; curved springs or pockets have no such twin."""
-        if self.law.curved is not None or not self.law.straight:
+        if self.curved or not self.straight:
             return None
-        gain: Values = indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
-        return gain
+        return indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
 
-    def normal_force(self, friction: Values, friction_driven: Values | None = None) -> Values:
-        """Normal force N on the pairs, N: from F_п2 at rest down to F_п1 at the setting, then by S21 (9)."""
-        return self.law.normal_force(self.closing_force, _one(friction, friction_driven))
+    # springs
+
+    @property
+    def curved(self) -> bool:
+        """Whether the force of a spring is not proportional to its deflection."""
+        return self.closing_disc is not None or self.control_disc is not None
+
+    @cached_property
+    def closing_spring(self) -> SetSpring:
+        """The closing spring as it is set."""
+        return SetSpring(self.closing_force, self.closing_stiffness, self.closing_disc)
+
+    @cached_property
+    def control_spring(self) -> SetSpring:
+        """The control spring as it is set."""
+        return SetSpring(self.control_force, self.control_stiffness, self.control_disc)
+
+    @property
+    def following_spring(self) -> SetSpring:
+        """The control spring: the stop is the pressure disc's, which takes sleeve and closing spring along."""
+        return SetSpring(self.pack_force_at_rest, self.control_stiffness, self.control_disc)
+
+    @property
+    def control_force(self) -> Values:
+        """F_п2, N: as made, or by S21 (14)."""
+        if self.made_control_force is not None:
+            return self.made_control_force
+        return indirect.control_force(self.closing_force, self.pairs, self.net_gain, self.friction_set)
 
     @property
     def pack_force_at_rest(self) -> Values:
         """Force on the pack of the clutch at rest, N: what the control spring presses through sleeve and stop."""
-        return self.law.normal_force(self.closing_force, 0.0)
+        return self.normal_force(0.0)
+
+    def torque_per_force(self, method: Method | None = None) -> Values:
+        """T/F_п1 at the setting, m: there the pack is pressed by the closing spring alone."""
+        friction = self.friction_set if method is None else self.friction_at_setting(method)[0]
+        return indirect.torque_per_force(self.pairs, self.mean_radius, friction)
+
+    # the stop
+
+    @property
+    def leaving_friction(self) -> Values:
+        """Friction at which the sleeve leaves its stop: the law bends there."""
+        made, net = self.made_control_force, self.net_gain
+        if made is None:
+            return self.friction_set
+        if not is_array(net) and net == 0:
+            # the balls move nothing: it rests for ever, or never
+            return chosen(made >= self.closing_force, lambda: math.inf, lambda: -math.inf)
+        with quiet_division(net):  # arrays come to the same
+            return pocket.leaving_friction(self.closing_force, made, self.pairs, net)
+
+    def is_seated(self, friction: Values) -> Any:
+        """Whether, friction rising, the stop carries: the control spring has more than closing spring and balls."""
+        # just where it leaves both branches meet, unless a steep wall lets the sleeve jump off
+        return friction < self.leaving_friction if self.straight else friction <= self.leaving_friction
+
+    def _holds(self, friction: Values, net_gain: Values) -> Any:
+        """Whether the control spring holds a sleeve that is at its stop."""
+        return self.control_force > self.closing_force * (1 + self.pairs * net_gain * friction)
+
+    def _is_reseated(self, friction: Values, locked: Values) -> Any:
+        """Whether, friction falling, the sleeve is back at its stop; ``locked``: the normal force it returns from.
+
+        A wall so steep that the sleeve jumps off its stop also holds it off until it jumps back.
+        """
+        net = self.net_gain_returning
+        home = self._holds(friction, net)
+        if self.straight:
+            return home
+        weight = pocket.slope_feedback(self.pairs, friction, self.gain_slope) * self.closing_force
+        off = (self._straight_stiffness(friction, net) < weight) & (locked < self.closing_force)
+        # True > False: home, and not held off
+        return home > (off & (self._squared(friction, net) >= 0))
+
+    # pockets
+
+    @property
+    def constant_torque_slope(self) -> Values:
+        """C_1* at which torque would not depend on friction once the sleeve is off its stop, 1/m."""
+        return self.slope_that_holds(self.friction[0].max)
+
+    def slope_that_holds(self, friction_max: Values) -> Values:
+        """C_1* at which torque does not depend on friction once the sleeve is off its stop, 1/m.
+
+        With disc springs no C_1 does: that at which it is the same at ``friction_max`` as where the sleeve leaves.
+        """
+        leaving = self.leaving_friction
+        stiffness = self.closing_stiffness, self.control_stiffness
+        if self.curved:
+            # a little beyond where it leaves at least, so that there is a way to go
+            left = self.closing_force * leaving / larger(friction_max, leaving * (1 + 1e-6))
+            travel = self.closing_spring.slackens(left)
+            stiffness = self.closing_spring.secant(-travel), self.control_spring.secant(travel)
+        return pocket.constant_torque_slope(*stiffness, self.pairs, leaving, self.closing_force)
+
+    @property
+    def jumping_slope(self) -> Values:
+        """C_1 above which the sleeve jumps off its stop as friction rises, 1/m."""
+        leaving = self.leaving_friction
+        stiffnesses = self.closing_spring.stiffness(0.0), self.control_spring.stiffness(0.0)
+        stiffness = indirect.sleeve_stiffness(*stiffnesses, self.pairs, leaving, self.net_gain)
+        return pocket.jumping_slope(stiffness, self.pairs, leaving, self.closing_force)
+
+    # off the stop
+
+    def _straight_stiffness(self, friction: Values, net_gain: Values) -> Values:
+        """D(f) with the gain of the stop, N/m."""
+        springs = self.closing_stiffness, self.control_stiffness
+        return indirect.sleeve_stiffness(*springs, self.pairs, friction, net_gain)
+
+    def _squared(self, friction: Values, net_gain: Values) -> Values:
+        """k_t², N²/m²: negative where the sleeve has no place but its stop."""
+        return pocket.tangent_stiffness_squared(
+            self.closing_force,
+            self.closing_stiffness,
+            self.control_force,
+            self.control_stiffness,
+            self._straight_stiffness(friction, net_gain),
+            pocket.slope_feedback(self.pairs, friction, self.gain_slope),
+        )
+
+    def tangent_stiffness(self, friction: Values, net_gain: Values) -> Values:
+        """k_t, N/m: how stiff the balance is where the sleeve, off its stop, is; D(f) of a straight pocket."""
+        if self.straight:
+            return self._straight_stiffness(friction, net_gain)
+        # at the verge of a jump rounding may take the square below 0
+        return square_root(larger(self._squared(friction, net_gain), 0.0))
+
+    def _stiffness(self, friction: Values, net_gain: Values) -> Values:
+        """(F_п1 c_2 + F_п2 c_1)/N with the sleeve off its stop, N/m; D(f) of a straight pocket."""
+        straight = self._straight_stiffness(friction, net_gain)
+        if self.straight:
+            return straight
+        slope = pocket.slope_feedback(self.pairs, friction, self.gain_slope)
+        tangent = self.tangent_stiffness(friction, net_gain)
+        return pocket.sleeve_stiffness(straight, self.closing_force, slope, tangent)
+
+    def _pressed_at_stop(self, friction: Values, net_gain: Values) -> Values:
+        """F_п2/(1 + zκf), N."""
+        return indirect.normal_force_seated(self.control_force, self.pairs, net_gain, friction)
+
+    def _pressed_off_stop(self, friction: Values, net_gain: Values) -> Values:
+        """Normal force with the sleeve where its springs hold it, N (S21 (9))."""
+        if self.curved:
+            balance = self.balance(net_gain)
+            return balance.normal_force(friction, balance.travel(friction))
+        springs = self.closing_force, self.closing_stiffness, self.control_force, self.control_stiffness
+        force = indirect.normal_force_moving(*springs, self._stiffness(friction, net_gain))
+        return smaller(self.closing_force, force)
+
+    def balance(self, net_gain: Values) -> "Balance":
+        """What holds the sleeve off its stop, springs and walls as they are."""
+        from .balance import Balance
+
+        return Balance(self.closing_spring, self.control_spring, self.pairs, net_gain, self.gain_slope, self.straight)
+
+    # friction rising
+
+    def normal_force(self, friction: Values, friction_driven: Values | None = None) -> Values:
+        """Normal force N on the pairs, N: from F_п2 at rest down to F_п1 at the setting, then by S21 (9)."""
+        friction = one_friction(friction, friction_driven)
+        return chosen(
+            self.is_seated(friction),
+            lambda: self._pressed_at_stop(friction, self.net_gain),
+            lambda: self._pressed_off_stop(friction, self.net_gain),
+        )
 
     def torque(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Slip torque T, N·m, friction rising (S21 (11); at the stop a direct clutch of gain κ)."""
-        return self.law.torque(self.closing_force, _one(friction, friction_driven))
-
-    def torque_returning(self, friction: Values) -> Values:
-        """Torque when friction falls again from f_max under load, N·m (theory, section 5).
-
-        The key's friction holds the sleeve where f_max put it until f has fallen by κ₊/κ; then it moves back.
-        """
-        friction = checked_friction(friction)
-        return self.law.torque_returning(self.closing_force, friction, self.friction[0].max)
-
-    def release_force(self, friction: Values, friction_driven: Values | None = None) -> Values:
-        """Release force F_p of the balls on the sleeve, N."""
-        gain = self.gain if self.law.straight else self.law.gain_at(self.travel(friction))
-        found: Values = indirect.release_force(self.torque(friction, friction_driven), gain, self.mean_radius)
-        return found
-
-    def travel(self, friction: Values, friction_driven: Values | None = None) -> Values:
-        """Axial travel x of the sleeve, m; 0 at the stop (S21 (16))."""
-        friction = _one(friction, friction_driven)
-        return self.law.travel(self.closing_force, friction)
+        return indirect.torque(self.normal_force(friction, friction_driven), self.mean_radius, self.pairs, friction)
 
     def ball_torque(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Torque that passes the balls, N·m: all of it."""
         return self.torque(friction, friction_driven)
 
-    @property
-    def accuracy_factor(self) -> Values:
-        """K_т (S21 (15), with the stop)."""
-        own = self.friction[0]
-        if self.law.made_control_force is not None or self.law.curved is not None or not self.law.straight:
-            ratio: Values = accuracy.accuracy_factor_of_torques(self.torque_max, self.torque_min)
-            return ratio
-        factor: Values = indirect.accuracy_factor(
-            own.min,
-            self.friction_set,
-            own.max,
-            self.closing_stiffness,
-            self.control_stiffness,
-            self.pairs,
-            self.net_gain,
-        )
-        return factor
+    def release_force(self, friction: Values, friction_driven: Values | None = None) -> Values:
+        """Release force F_p of the balls on the sleeve, N."""
+        gain = self.gain if self.straight else self.gain_at(self.travel(friction))
+        return indirect.release_force(self.torque(friction, friction_driven), gain, self.mean_radius)
 
     @property
-    def accuracy_factor_hysteresis(self) -> Values:
-        """K_т under a load that lasts: friction falls from f_max to f_min, the key holding the sleeve back."""
-        factor: Values = indirect.accuracy_factor_hysteresis(self.torque_max, self.torque_returning_min)
-        return factor
+    def travel_max(self) -> Values:
+        """x_max at f_max, m."""
+        return self.travel(self.friction[0].max)
 
-    def _extremes(self, start: Literal["min", "mean"] = "min") -> tuple[Slip, Slip]:
-        """At the ends: the torque rises with friction; a curved pocket may let it fall, or the sleeve jump."""
-        low, high = getattr(self.friction[0], start), self.friction[0].max
-        first, last = (self.torque(low), low), (self.torque(high), high)
-        if self.law.straight:
-            return first, last
-        leaving = smaller(larger(self.leaving_friction, low), high)
-        between = self.law.turns_rising(self.closing_force, low, high) if self._bent else []
-        return extremes([first, (self.torque(leaving), leaving), *between, last])
+    def travel(self, friction: Values, friction_driven: Values | None = None) -> Values:
+        """Axial travel x of the sleeve, m; 0 at the stop (S21 (10), (16))."""
+        friction = one_friction(friction, friction_driven)
+        return chosen(self.is_seated(friction), lambda: 0.0, lambda: self._travelled(friction))
 
-    @property
-    def _bent(self) -> bool:
-        """Whether springs and walls are both curved: the torque may then have its extremes anywhere."""
-        return self.law.curved is not None and not self.law.straight
+    def _travelled(self, friction: Values) -> Values:
+        net, made = self.net_gain, self.made_control_force
+        if self.curved:
+            return self.balance(net).travel(friction)
+        if not self.straight:
+            return pocket.travel(self.closing_force, self.normal_force(friction), self.closing_stiffness)
+        stiffness = self._straight_stiffness(friction, net)
+        if made is None:
+            return indirect.travel(self.pairs, self.closing_force, friction, self.friction_set, net, stiffness)
+        return indirect.travel_as_made(self.closing_force, made, self.pairs, friction, net, stiffness)
+
+    # friction falling
+
+    def torque_returning(self, friction: Values, friction_max: Values | None = None) -> Values:
+        """Torque when friction falls again from f_max, or as told, under load, N·m (theory, section 5).
+
+        The key's friction holds the sleeve where f_max put it until f has fallen by κ₊/κ; then it moves back.
+        """
+        friction, most = one_friction(friction, None), self.friction[0].max if friction_max is None else friction_max
+        locked = self.normal_force(most)
+        is_locked = self._is_locked(friction, most, locked)
+        pressed = chosen(is_locked, lambda: locked, lambda: self._pressed_returning(friction, most, locked))
+        return indirect.torque(pressed, self.mean_radius, self.pairs, friction)
+
+    def _is_locked(self, friction: Values, friction_max: Values, locked: Values) -> Any:
+        """Whether the key still holds the sleeve where ``friction_max`` put it, pressing with ``locked``."""
+        steeper: Values = 0.0
+        if not self.straight:
+            travel = self.travel(friction_max) if self.curved else larger(self.closing_spring.slackens(locked), 0.0)
+            steeper = self.gain_slope * travel
+        lifting = friction_max * (self.net_gain + steeper)
+        return friction * (self.net_gain_returning + steeper) >= lifting * (1 - _ROUNDING)
+
+    def _pressed_returning(self, friction: Values, friction_max: Values, locked: Values) -> Values:
+        """Normal force of a sleeve that moves back, or is back at its stop, N."""
+        net = self.net_gain_returning
+        if self.curved:
+            travel = self.travel_returning(friction, friction_max)
+            seated = (travel <= 0) & self._holds(friction, net)
+        else:
+            seated = self._is_reseated(friction, locked)
+
+        def moving() -> Values:
+            if self.curved:
+                return self.balance(net).normal_force(friction, travel)
+            return self._pressed_off_stop(friction, net)
+
+        return chosen(seated, lambda: self._pressed_at_stop(friction, net), moving)
+
+    def travel_returning(self, friction: Values, friction_max: Values | None = None) -> Values:
+        """Travel of a sleeve when friction falls again from f_max, or as told, m; of curved springs or walls."""
+        most = self.friction[0].max if friction_max is None else friction_max
+        return self.balance(self.net_gain_returning).travel_returning(friction, self.travel(most))
 
     @property
     def torque_returning_min(self) -> Values:
@@ -207,66 +413,127 @@ class IndirectClutch(Clutch):
         At f_min, unless a curved pocket lets the torque rise from where the sleeve begins to return.
         """
         own = self.friction[0]
-        least: Values = self.torque_returning(own.min)
-        if self.law.straight:
+        least = self.torque_returning(own.min)
+        if self.straight:
             return least
         least = smaller(least, self.torque_returning(larger(own.max / self.hysteresis_ratio, own.min)))
-        if not self._bent:
+        if not self.curved:
             return least
-        return smaller(least, self.law.least_returning(self.closing_force, own.min, own.max))
+        ends = self.travel_max, self.travel_returning(own.min)
+        return smaller(least, self._turns(ends, self.net_gain_returning, own.min)[0][0])
 
     @property
     def hysteresis_ratio(self) -> Values:
         """How many times friction must fall from f_max before the sleeve returns, κ₊/κ where it is."""
-        there = self.law if self.law.straight else self.law.steepened(self.travel(self.friction[0].max))
-        ratio: Values = indirect.hysteresis_ratio(there.net_gain, there.net_gain_returning)
-        return ratio
+        there = self if self.straight else self.steepened(self.travel_max)
+        return indirect.hysteresis_ratio(there.net_gain, there.net_gain_returning)
+
+    # over the range
+
+    @property
+    def accuracy_factor(self) -> Values:
+        """K_т (S21 (15), with the stop)."""
+        if self.made_control_force is not None or self.curved or not self.straight:
+            return accuracy.accuracy_factor_of_torques(self.torque_max, self.torque_min)
+        first = self.friction[0]
+        springs = self.closing_stiffness, self.control_stiffness
+        return indirect.accuracy_factor(first.min, self.friction_set, first.max, *springs, self.pairs, self.net_gain)
+
+    @property
+    def accuracy_factor_hysteresis(self) -> Values:
+        """K_т under a load that lasts: friction falls from f_max to f_min, the key holding the sleeve back."""
+        return indirect.accuracy_factor_hysteresis(self.torque_max, self.torque_returning_min)
+
+    def extreme_slips(self, start: Literal["min", "mean"] = "min") -> tuple[Slip, Slip]:
+        """At the ends: the torque rises with friction; a curved pocket may let it fall, or the sleeve jump."""
+        low, high = getattr(self.friction[0], start), self.friction[0].max
+        first, last = (self.torque(low), low), (self.torque(high), high)
+        if self.straight:
+            return first, last
+        leaving = smaller(larger(self.leaving_friction, low), high)
+        between: list[Slip] = []
+        if self.curved:  # and so are the walls: the torque may have its extremes anywhere
+            between = self._turns((self.travel(low), self.travel(high)), self.net_gain, low)
+        return extremes([first, (self.torque(leaving), leaving), *between, last])
+
+    def _turns(self, ends: tuple[Values, Values], net_gain: Values, low: Values) -> list[Slip]:
+        """Least and largest torque on the way of the sleeve from one travel to another, from friction ``low`` on."""
+        import numpy as np
+
+        balance, high = self.balance(net_gain), self.friction[0].max
+        way = balance.way(*ends)
+        friction = np.asarray(balance.friction(way))
+        torque = indirect.torque(balance.pressed(way), self.mean_radius, self.pairs, friction)
+        inside = (friction >= low * (1 - _ROUNDING)) & (friction <= high * (1 + _ROUNDING))
+        torque, friction = np.where(inside, torque, self.torque(high)), np.where(inside, friction, high)
+        turns = (
+            [np.take_along_axis(values, place[None], axis=0)[0] for values in (torque, friction)]
+            for place in (torque.argmin(axis=0), torque.argmax(axis=0))
+        )
+        return [(one, two) if way.ndim > 1 else (float(one), float(two)) for one, two in turns]
 
     @property
     def nominal_torque_ratio(self) -> Values:
         """K_п against the base clutch of equal spring and gain, all pairs controlled."""
         at_setting = self.pairs, self.gain, self.friction_set
-        ratio: Values
-        if self.law.made_control_force is None:
-            ratio = indirect.nominal_torque_ratio(*at_setting)
-        else:
-            pressed = self.normal_force(self.friction_set)
-            ratio = indirect.nominal_torque_ratio_as_made(*at_setting, pressed, self.closing_force)
-        return ratio
+        if self.made_control_force is None:
+            return indirect.nominal_torque_ratio(*at_setting)
+        pressed = self.normal_force(self.friction_set)
+        return indirect.nominal_torque_ratio_as_made(*at_setting, pressed, self.closing_force)
 
     def ball_torque_by_gain(self) -> ByGain | None:
         """T ∝ D(f_set)/D(f_max), with F_п2 as made 1/D(f_max); D = (c_1 + c_2 − z c_1 f·threshold) + (z c_1 f)·C."""
-        if not self.law.straight:
+        if not self.straight:
             return None
-        springs = float(self.closing_stiffness + self.control_stiffness)
-        start = float(self.gain_threshold)
-        slopes = [
-            float(self.pairs * self.closing_stiffness) * f for f in (float(self.friction_set), self.friction[0].max)
-        ]
+        springs, start = float(self.closing_stiffness + self.control_stiffness), float(self.gain_threshold)
+        weight = float(self.pairs * self.closing_stiffness)
+        slopes = [weight * float(friction) for friction in (self.friction_set, self.friction[0].max)]
         at_set, at_max = (((springs - slope * start) / springs, slope / springs) for slope in slopes)
-        return ByGain(at_set if self.law.made_control_force is None else (1.0, 0.0), at_max, start)
+        return ByGain(at_set if self.made_control_force is None else (1.0, 0.0), at_max, start)
 
-    def sensitivity(self) -> dict[str, float]:
-        """Elasticities ∂ln K_т/∂ln p by spec path."""
-        return sensitivity(self.spec, self.law, self.closing_force, self.torque_range)
+    # findings
 
     def _law_findings(self) -> list[Finding]:
         """Springs that are curved, idle feedback, the key's hysteresis, a pocket that lets the torque fall."""
-        return sleeve_findings(self, self.law, lambda: self.hysteresis_ratio)
+        found = []
+        if self.curved:
+            path = "control_spring.disc" if self.closing_disc is None else "closing_spring.disc"
+            found.append(finding("curved-springs", "info", path=path))
+        if self.net_gain == 0:
+            path, gain, threshold = parameters.gain_path(self.spec), float(self.gain), float(self.gain_threshold)
+            return [*found, finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)]
+        return [*found, *self._slope_findings(), *(self._key_findings() if self.key_friction else [])]
+
+    def _slope_findings(self) -> list[Finding]:
+        """Beyond C_1* the sleeve runs off under a load that reaches T_н, and the torque falls."""
+        slope, most = float(self.gain_slope), self.friction[0].max
+        if slope == 0 or not 0 < self.leaving_friction < most:
+            return []
+        best, jumping = float(self.constant_torque_slope), float(self.jumping_slope)
+        if slope <= best * (1 + 1e-9):
+            return []
+        torques = {"most": float(self.torque(float(self.leaving_friction))), "falls": float(self.torque(most))}
+        code, path = "torque-jumps" if slope > jumping else "torque-falls-with-travel", "control_unit.gain_slope"
+        return [finding(code, "warning", value=slope, limit=best, path=path, **torques, jumping=jumping)]
+
+    def _key_findings(self) -> list[Finding]:
+        """How the key holds the sleeve back; a warning where the machine's torque is then no longer transmitted."""
+        returning, nominal, machine = map(float, (self.torque_returning_min, self.nominal_torque, self.machine_torque))
+        key = "control_unit.key_friction"
+        found = [finding("hysteresis", "info", value=float(self.hysteresis_ratio), limit=1.0, path=key)]
+        if returning < machine * (1 - 1e-12):
+            found.append(finding("returning-below-nominal", "warning", value=returning, limit=nominal, path=key))
+        elif returning < nominal * (1 - 1e-12):
+            found.append(
+                finding("returning-covered", "info", value=returning, limit=nominal, path=key, machine=machine)
+            )
+        return found
 
 
-def _given(value: Values | None) -> Values:
-    """Return a value that the rules of the spec require of this variant."""
-    assert value is not None
-    return value
+def _where_least(value: Values, other: Values) -> float:
+    """Where the first is least, the other, so that numbers named together belong together."""
+    if not is_array(value):
+        return float(other)
+    import numpy as np
 
-
-def _one(friction: Values, friction_driven: Values | None) -> Values:
-    """Return the one friction of all pairs."""
-    friction = checked_friction(friction)
-    if friction_driven is None or friction_driven is friction:
-        return friction
-    same = friction == checked_friction(friction_driven)
-    if not (bool(same.all()) if is_array(same) else same):
-        raise ValueError(say("an indirect clutch has one friction for all pairs"))
-    return friction
+    return float(np.broadcast_to(other, np.shape(value)).flat[int(np.argmin(value))])

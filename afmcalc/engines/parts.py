@@ -4,20 +4,21 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from ..equations import springs
+from ..equations import springs as law
 from ..findings import Finding, Level, finding
 from ..messages import term
 from ..spec.models import Spec
 from ..spec.springs import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack
-from .characteristic import (
+from .springs import (
     LEAST_USED,
     MODULUS,
     MOST_USED,
+    Characteristic,
     CoilCharacteristic,
     DiscCharacteristic,
+    SpringDemand,
     characteristic,
 )
-from .wish import Wish
 
 INDEX = (4.0, 20.0)
 """Mean coil diameter over wire diameter (EN 13906-1)."""
@@ -76,7 +77,7 @@ RING = PartRule("outer diameter", "spring-does-not-fit", "error", _OUTER, "D_e �
 PITCH = PartRule("outer diameter", "spring-does-not-fit", "error", _OUTER, "D_e ≤ t_п", "m")
 
 
-class Demand(NamedTuple):
+class PartCheck(NamedTuple):
     """A rule, and the numbers of one part."""
 
     rule: PartRule
@@ -99,85 +100,85 @@ class Demand(NamedTuple):
         return over / (self.scale or self.limit)
 
 
-def demands(wish: Wish, part: DiscStack | CoilSprings) -> list[Demand]:
+def checks_of_part(demand: SpringDemand, part: DiscStack | CoilSprings) -> list[PartCheck]:
     """What a part is to hold as a spring of a clutch.
 
     Args:
-        wish: what the spring is to give, and what happens to it.
+        demand: what the spring is to give, and what happens to it.
         part: a stack of disc springs, or coil springs.
 
     Returns:
         The demands, held or not.
     """
     own = characteristic(part)
-    held, deflection = float(own.force(own.end)), float(own.deflection(wish.force))
-    found = [Demand(FORCE, wish.force, held)]
-    least, most = deflection - wish.relaxes, deflection + wish.compresses
-    if wish.relaxes:
-        found.append(Demand(SLACK, wish.relaxes, deflection, own.end))
-    found += _of_discs(own, least, most) if isinstance(own, DiscCharacteristic) else _of_coils(own, wish, most)
-    return [*found, *_of_room(own, wish, own.free_length - least)]
+    held, deflection = float(own.force(own.end)), float(own.deflection(demand.force))
+    found = [PartCheck(FORCE, demand.force, held)]
+    least, most = deflection - demand.relaxes, deflection + demand.compresses
+    if demand.relaxes:
+        found.append(PartCheck(SLACK, demand.relaxes, deflection, own.end))
+    found += _of_discs(own, least, most) if isinstance(own, DiscCharacteristic) else _of_coils(own, demand, most)
+    return [*found, *_of_room(own, demand, own.free_length - least)]
 
 
-def _of_discs(own: DiscCharacteristic, least: float, most: float) -> Iterator[Demand]:
+def _of_discs(own: DiscCharacteristic, least: float, most: float) -> Iterator[PartCheck]:
     low, high = own.range
-    yield Demand(LEAST, least, low, own.end)
-    yield Demand(MOST, most, high, own.end)
-    yield Demand(TURNED, abs(own.stresses(most)[0]), OM_STRENGTH)
+    yield PartCheck(LEAST, least, low, own.end)
+    yield PartCheck(MOST, most, high, own.end)
+    yield PartCheck(TURNED, abs(own.stresses(most)[0]), OM_STRENGTH)
 
 
-def _of_coils(own: CoilCharacteristic, wish: Wish, most: float) -> Iterator[Demand]:
+def _of_coils(own: CoilCharacteristic, demand: SpringDemand, most: float) -> Iterator[PartCheck]:
     part = own.part
     index = part.coil_diameter / part.wire_diameter
-    yield Demand(TIGHT, index, INDEX[0])
-    yield Demand(SLENDER, index, INDEX[1])
-    yield Demand(SOLID, most, own.end)
-    yield Demand(GAPS, most, own.range[1], own.end)
-    yield from _buckling(own, wish, most)
+    yield PartCheck(TIGHT, index, INDEX[0])
+    yield PartCheck(SLENDER, index, INDEX[1])
+    yield PartCheck(SOLID, most, own.end)
+    yield PartCheck(GAPS, most, own.range[1], own.end)
+    yield from _buckling(own, demand, most)
     tensile = strength(part.wire_diameter)
     if tensile is None:
         return
     limit = SOLID_SHARE * tensile
-    yield Demand(STRESS, own.stress(most), limit)
-    yield Demand(STRESS_SOLID, own.stress(own.end), limit)
-    if wish.stroke is not None:
-        lower, upper = (own.correction * own.stress(at) for at in (most - wish.stroke, most))
+    yield PartCheck(STRESS, own.stress(most), limit)
+    yield PartCheck(STRESS_SOLID, own.stress(own.end), limit)
+    if demand.stroke is not None:
+        lower, upper = (own.correction * own.stress(at) for at in (most - demand.stroke, most))
         ultimate = SHEAR_SHARE * tensile
-        limit = float(springs.coil_upper_stress(lower, springs.coil_endurance(*ZIMMERLI, ultimate), ultimate))
-        yield Demand(FATIGUE if wish.cycles is None else FATIGUE._replace(level="error"), upper, limit)
+        limit = float(law.coil_upper_stress(lower, law.coil_endurance(*ZIMMERLI, ultimate), ultimate))
+        yield PartCheck(FATIGUE if demand.cycles is None else FATIGUE._replace(level="error"), upper, limit)
 
 
-def _buckling(own: CoilCharacteristic, wish: Wish, most: float) -> Iterator[Demand]:
+def _buckling(own: CoilCharacteristic, demand: SpringDemand, most: float) -> Iterator[PartCheck]:
     """A spring is guided by a shaft in it, or a bore around it, that is within a wire's thickness."""
-    part, room, ratio = own.part, wish.room, SHEAR_MODULUS / MODULUS
+    part, room, ratio = own.part, demand.room, SHEAR_MODULUS / MODULUS
     if part.count == 1:
         shaft, bore = room.inner_diameter or 0.0, room.outer_diameter or math.inf
         if min(part.coil_diameter - shaft, bore - part.coil_diameter) <= 2 * part.wire_diameter * (1 + _ROUNDING):
             return
-    root = float(springs.coil_buckling_root(part.coil_diameter, part.free_length, ratio, SEATING, math.pi))
+    root = float(law.coil_buckling_root(part.coil_diameter, part.free_length, ratio, SEATING, math.pi))
     if root >= 0:
-        yield Demand(BUCKLING, most, float(springs.coil_buckling_deflection(part.free_length, ratio, root)))
+        yield PartCheck(BUCKLING, most, float(law.coil_buckling_deflection(part.free_length, ratio, root)))
 
 
-def _of_room(own: DiscCharacteristic | CoilCharacteristic, wish: Wish, length: float) -> Iterator[Demand]:
+def _of_room(own: Characteristic, demand: SpringDemand, length: float) -> Iterator[PartCheck]:
     """What there is room for along the shaft, around it and, of several coils, side by side."""
-    part, room = own.part, wish.room
+    part, room = own.part, demand.room
     inner, outer = room.inner_diameter or 0.0, room.outer_diameter
     if room.length is not None:
-        yield Demand(LENGTH, length, room.length)
+        yield PartCheck(LENGTH, length, room.length)
     if isinstance(part, DiscStack):
         across, within = part.outer_diameter, part.inner_diameter
     else:
         across, within = part.coil_diameter + part.wire_diameter, part.coil_diameter - part.wire_diameter
     if isinstance(part, CoilSprings) and part.count > 1:
         if outer is not None and inner:
-            yield Demand(RING, across, (outer - inner) / 2)
-            yield Demand(PITCH, across, (inner + outer) / 2 * math.sin(math.pi / part.count))
+            yield PartCheck(RING, across, (outer - inner) / 2)
+            yield PartCheck(PITCH, across, (inner + outer) / 2 * math.sin(math.pi / part.count))
         return
     if outer is not None:
-        yield Demand(OUTER, across, outer)
+        yield PartCheck(OUTER, across, outer)
     if inner:
-        yield Demand(INNER, within, inner)
+        yield PartCheck(INNER, within, inner)
 
 
 def strength(wire: float) -> float | None:
@@ -188,24 +189,24 @@ def strength(wire: float) -> float | None:
     return (1980 - 740 * math.log10(wire * 1e3)) * 1e6
 
 
-def demands_of(spec: Spec, wishes: Iterable[Wish]) -> Iterator[tuple[str, Demand]]:
+def checks_of_spec(spec: Spec, demands: Iterable[SpringDemand]) -> Iterator[tuple[str, PartCheck]]:
     """What the springs that a spec names are to hold, each with the path of its part."""
-    for wish in wishes:
-        if (part := spec.spring_parts.get(wish.name)) is not None:
-            path = f"{wish.name}_spring.{'disc' if isinstance(part, DiscStack) else 'coil'}"
-            yield from ((path, each) for each in demands(wish, part))
+    for demand in demands:
+        if (part := spec.spring_parts.get(demand.name)) is not None:
+            path = f"{demand.name}_spring.{'disc' if isinstance(part, DiscStack) else 'coil'}"
+            yield from ((path, each) for each in checks_of_part(demand, part))
 
 
-def part_findings(spec: Spec, wishes: Sequence[Wish]) -> list[Finding]:
+def part_findings(spec: Spec, demands: Sequence[SpringDemand]) -> list[Finding]:
     """Springs that cannot give their force, do not fit, bear too much, or are used as they should not be."""
-    missed = [(path, each) for path, each in demands_of(spec, wishes) if each.beyond > _ROUNDING]
+    missed = [(path, each) for path, each in checks_of_spec(spec, demands) if each.beyond > _ROUNDING]
     weak = {path for path, each in missed if each.rule is FORCE}
     found = [_finding(path, each) for path, each in missed if path not in weak or each.rule is FORCE]
-    found += (each for wish in wishes for each in _remarks(wish, spec.spring_parts.get(wish.name)))
+    found += (each for demand in demands for each in _remarks(demand, spec.spring_parts.get(demand.name)))
     return list({(each.code, each.path): each for each in found}.values())
 
 
-def _finding(path: str, missed: Demand) -> Finding:
+def _finding(path: str, missed: PartCheck) -> Finding:
     rule, value, limit = missed.rule, missed.value, missed.limit
     if rule is FORCE:
         value, limit = limit, value
@@ -215,15 +216,15 @@ def _finding(path: str, missed: Demand) -> Finding:
     return finding(rule.code, rule.level, value=value, limit=limit, path=path, what=term(rule.what))
 
 
-def _remarks(wish: Wish, part: DiscStack | CoilSprings | None) -> Iterator[Finding]:
+def _remarks(demand: SpringDemand, part: DiscStack | CoilSprings | None) -> Iterator[Finding]:
     """A wire whose strength is not known, and a stiffness beside discs, whose curve the law takes."""
     if isinstance(part, CoilSprings):
         if strength(part.wire_diameter) is None:
-            path = f"{wish.name}_spring.coil.wire_diameter"
+            path = f"{demand.name}_spring.coil.wire_diameter"
             yield finding("wire-not-judged", "warning", value=part.wire_diameter, path=path)
-    elif part is not None and wish.stiffness is not None:
+    elif part is not None and demand.stiffness is not None:
         own = DiscCharacteristic(part)
-        slope = float(own.stiffness(own.deflection(wish.force)))
-        if abs(wish.stiffness / slope - 1) > ROUNDED:
-            path = f"{wish.name}_spring.stiffness"
-            yield finding("stiffness-of-the-discs", "warning", value=wish.stiffness, limit=slope, path=path)
+        slope = float(own.stiffness(own.deflection(demand.force)))
+        if abs(demand.stiffness / slope - 1) > ROUNDED:
+            path = f"{demand.name}_spring.stiffness"
+            yield finding("stiffness-of-the-discs", "warning", value=demand.stiffness, limit=slope, path=path)

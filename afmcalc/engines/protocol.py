@@ -1,24 +1,23 @@
-"""What every engine offers to the analyses."""
+"""What every clutch can be asked, whatever its torque law."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-from ..arrays import Values, chosen, larger, smaller
-from ..equations import accuracy, adjustment, effects, overload
+from ..arrays import Values, checked_friction, chosen, is_array, larger, smaller
+from ..equations import accuracy, adjustment, direct, effects, overload
 from ..findings import Finding
+from ..messages import say
 from ..recorders import unrecorded
 from ..spec.models import Method, Range, Spec
-from . import setting
+from . import parameters
 
 if TYPE_CHECKING:
     # what only some clutches have is no part of every start
-    from .characteristic import DiscCharacteristic
-    from .direct_law import DirectLaw
-    from .laws import IndirectLaw
-    from .wish import Wish
+    from .indirect import IndirectClutch
+    from .springs import SetSpring, SpringDemand
 
 
 class Point(NamedTuple):
@@ -75,19 +74,23 @@ class ByGain(NamedTuple):
 
 @dataclass(frozen=True)
 class Clutch(ABC):
-    """A clutch that can be asked; parameters are floats or, in a sweep, arrays.
+    """A clutch that can be asked; its numbers are floats or, in a sweep or a search, arrays."""
 
-    What a law does not have is None: a clutch without sleeve has no travel, no threshold of the gain.
-    """
-
-    spec: Spec
-    """The spec it was built from."""
-    law: "DirectLaw | IndirectLaw"
-    """Torque and forces as functions of the spring force and the friction."""
-    friction: tuple[Range, Range]
-    """Ranges of f_1 and f_2 (twice the same with one material)."""
     closing_force: Values
     """F_п as set, N."""
+    mean_radius: Values
+    """R_cp, m."""
+    bypass_pairs: Values
+    """z_1, pairs that bypass the control unit."""
+    controlled_pairs: Values
+    """z_2, pairs whose torque passes it."""
+    gain: Values
+    """C."""
+    # candidates of a search are asked for torque and forces alone, and have neither
+    friction: tuple[Range, Range] = field(kw_only=True, default=())  # type: ignore[assignment]
+    """Ranges of f_1 and f_2 (twice the same with one material)."""
+    spec: Spec = field(kw_only=True, default=None)  # type: ignore[assignment]
+    """The spec it was built from."""
 
     @classmethod
     @abstractmethod
@@ -95,193 +98,79 @@ class Clutch(ABC):
         """Build the engine of a spec whose values may be arrays."""
 
     @property
+    def sleeve(self) -> "IndirectClutch | None":
+        """The clutch as one whose thrust sleeve slackens its spring; None where the release force acts on the pack."""
+        return None
+
+    # springs and setting
+
+    @property
     def pack_force_at_rest(self) -> Values:
         """Force on the pack of the clutch at rest, N: the closing spring's."""
         return self.closing_force
 
     @property
-    def following(self) -> "tuple[Values | None, DiscCharacteristic | None]":
-        """The spring that follows the pack as it wears: its stiffness if given, its part where it is a curved one."""
-        own = self.spec.closing_spring
-        stiffness = own.coil.rate if own.stiffness is None and own.coil is not None else own.stiffness
-        if own.disc is None:
-            return stiffness, None
-        from .characteristic import DiscCharacteristic
+    def following_spring(self) -> "SetSpring":
+        """The spring that follows the pack as it wears."""
+        from .springs import DiscCharacteristic, SetSpring
 
-        return stiffness, DiscCharacteristic(own.disc)
+        given = self.spec.closing_spring
+        stiffness = given.coil.rate if given.stiffness is None and given.coil is not None else given.stiffness
+        disc = None if given.disc is None else DiscCharacteristic(given.disc)
+        return SetSpring(self.closing_force, stiffness, disc)
 
     @property
     def following_stiffness(self) -> Values | None:
         """Stiffness of the spring that follows a pack as it wears, N/m; None where the spec does not give it."""
-        stiffness, part = self.following
-        return stiffness if part is None else part.stiffness(part.deflection(self.pack_force_at_rest))
+        spring = self.following_spring
+        return spring.straight_stiffness if spring.disc is None else spring.stiffness(0.0)
 
     def lost_by_wear(self, wear: Values) -> Values:
         """Force that the pack loses as each pair wears by so much, N; needs the stiffness of the spring."""
-        pairs, (_, part) = self.spec.friction_group.pairs, self.following
-        if part is None:
-            lost: Values = effects.force_lost_by_wear(self.following_stiffness, pairs, wear)
-            return lost
-        rest = self.pack_force_at_rest
-        left = larger(part.deflection(rest) - pairs * wear, 0.0)
-        return rest - part.force(left)
+        pairs, spring = self.spec.friction_group.pairs, self.following_spring
+        if spring.disc is None:
+            return effects.force_lost_by_wear(spring.straight_stiffness, pairs, wear)
+        return spring.set_force - spring.force(-smaller(pairs * wear, spring.deflection))
 
-    @property
-    def mean_radius(self) -> Values:
-        """R_cp, m."""
-        return self.law.mean_radius
-
-    @property
-    def gain(self) -> Values:
-        """C."""
-        return self.law.gain
-
-    @property
-    def reduced_gain(self) -> Values:
-        """z C or z_2 C."""
-        return self.law.reduced_gain
-
-    @property
-    @abstractmethod
-    def bypass_pairs(self) -> Values:
-        """z_1, pairs that bypass the control unit."""
-
-    @property
-    def gain_limit(self) -> Values | None:
-        """Largest gain at which the law describes the whole slip."""
-        return None
-
-    @property
-    def gain_threshold(self) -> Values | None:
-        """Gain at which feedback begins."""
-        return None
-
-    @property
-    def equivalent_gain(self) -> Values | None:
-        """Gain of the all-driving clutch with the same torque curve."""
-        return None
-
-    @property
-    def nominal_torque_ratio(self) -> Values | None:
-        """K_п against the base clutch of equal spring and gain, all pairs controlled."""
-        return None
-
-    @property
-    def friction_set(self) -> Values | None:
-        """Friction at which the control spring is set so that the sleeve just stays at its stop."""
-        return None
-
-    @property
-    def torque_returning_min(self) -> Values | None:
-        """Smallest torque as friction falls from f_max to f_min under load, N·m."""
-        return None
-
-    @property
-    def leaving_friction(self) -> Values | None:
-        """Friction at which the sleeve leaves its stop: the law bends there."""
-        return None
-
-    @property
-    def gain_slope(self) -> Values | None:
-        """C_1, how the gain grows with the travel of the sleeve, 1/m."""
-        return None
-
-    @property
-    def constant_torque_slope(self) -> Values | None:
-        """C_1* at which torque does not depend on friction once the sleeve is off its stop, 1/m."""
-        return None
-
-    @property
-    def control_force(self) -> Values | None:
-        """F_п2 of the control spring, N."""
-        return None
+    def friction_at_setting(self, method: Method | None = None) -> tuple[Values, Values]:
+        """f_1 and f_2 at which the spring is set, by the spec's own method or another: the smallest, or the mean."""
+        first, second = self.friction
+        mean = (method or self.spec.adjustment.method) == "mean-friction"
+        return (first.mean, second.mean) if mean else (first.min, second.min)
 
     @property
     def nominal_torque(self) -> Values:
         """T_н of the clutch that the setting gives, N·m."""
-        at_setting = self.torque(*setting.friction_at_setting(self.spec))
-        torque: Values = adjustment.nominal_torque(at_setting, setting.margin(self.spec))
-        return torque
+        return adjustment.nominal_torque(self.torque(*self.friction_at_setting()), parameters.margin(self.spec))
 
     @property
     def machine_torque(self) -> Values:
         """T_н.маш of the machine, N·m: T_н over the margin, unless that is in the spring already (mean-friction)."""
-        torque: Values = overload.machine_torque(self.nominal_torque, setting.margin_over_machine(self.spec))
-        return torque
-
-    def path(self, share: Values) -> tuple[Values, Values]:
-        """f_1 and f_2 at a share (0…1) of the common path, on which both rise from their minima by their means."""
-        first, second = self.friction
-        if not self.spec.friction.unlike:
-            alike = first.min + share * (first.max - first.min)
-            return alike, alike
-        bend = larger(smaller(self.path_bend, 1 - _ALIKE), _ALIKE)
-        below, above = smaller(share / bend, 1.0), larger((share - bend) / (1 - bend), 0.0)
-        one, two = (own.min + below * (own.mean - own.min) + above * (own.max - own.mean) for own in (first, second))
-        return one, two
-
-    @property
-    def path_bend(self) -> Values:
-        """Share of the common path at which both frictions have their mean."""
-        first, second = self.friction
-        whole = first.max - first.min + (second.max - second.min)
-        return (first.mean - first.min + (second.mean - second.min)) / larger(whole, 1e-300)
-
-    @cached_property
-    def torque_range(self) -> TorqueRange:
-        """Extremes of the sustained torque along the common path."""
-        return self.torque_range_from("min")
-
-    def torque_range_from(self, start: Literal["min", "mean"]) -> TorqueRange:
-        """Extremes of the sustained torque along the common path, from its start or from the mean on."""
-        low, high = self._extremes(start)
-        return TorqueRange(low[0], high[0], low[1], high[1])
-
-    @abstractmethod
-    def _extremes(self, start: Literal["min", "mean"] = "min") -> tuple[Slip, Slip]:
-        """Slips of the smallest and of the largest torque along the common path."""
-
-    @property
-    def torque_max(self) -> Values:
-        """Largest sustained torque along the common path, N·m."""
-        most: Values = self.torque_range.high
-        return most
-
-    @property
-    def torque_min(self) -> Values:
-        """Smallest sustained torque along the common path, N·m."""
-        least: Values = self.torque_range.low
-        return least
-
-    @property
-    def scatter(self) -> Values:
-        """Width of the torque scatter band ΔT, N·m."""
-        band: Values = accuracy.scatter_band(self.torque_max, self.torque_min)
-        return band
-
-    @property
-    @abstractmethod
-    def accuracy_factor(self) -> Values:
-        """K_т along the common path."""
-
-    @property
-    def accuracy_factor_hysteresis(self) -> Values | None:
-        """K_т under a load that lasts, where the torque depends on whether friction rises or falls."""
-        return None
-
-    @property
-    def accuracy_factor_worst_case(self) -> Values:
-        """K_т with f_1 and f_2 independent."""
-        return self.accuracy_factor
-
-    @property
-    def accuracy_factor_peak(self) -> Values:
-        """K_т by breakaway peaks."""
-        return self.accuracy_factor
+        return overload.machine_torque(self.nominal_torque, parameters.margin_over_machine(self.spec))
 
     @abstractmethod
     def torque_per_force(self, method: Method | None = None) -> Any:
         """T/F_п at the friction of a setting, m; by default the spec's own."""
+
+    # limits of the gain
+
+    @property
+    def reduced_gain(self) -> Values:
+        """z_2 C."""
+        return direct.reduced_gain(self.controlled_pairs, self.gain)
+
+    @property
+    def least_gain(self) -> Values:
+        """Gain at which feedback begins."""
+        return 0.0
+
+    @property
+    def gain_limit(self) -> Values | None:
+        """Largest gain at which the law describes the whole slip, where the variant has one."""
+        rule = self.spec.kind.gain_limit
+        return None if rule is None else rule.gain(self.bypass_pairs, self.controlled_pairs, self.friction[0].max)
+
+    # torque and forces at one friction
 
     @abstractmethod
     def torque(self, friction: Values, friction_driven: Values | None = None) -> Any:
@@ -315,53 +204,135 @@ class Clutch(ABC):
         """Upper bound P of the breakaway torque, N·m; arguments as ``torque``."""
         return self.torque(friction, friction_driven)
 
-    def torque_returning(self, friction: Values) -> Any | None:
-        """Torque when friction falls again from f_max under load, N·m."""
-        return None
-
-    def travel(self, friction: Values, friction_driven: Values | None = None) -> Any | None:
-        """Axial travel of the sleeve, m; arguments as ``torque``."""
-        return None
-
     def point(self, friction: Values, friction_driven: Values | None = None) -> Point:
         """Torque, forces and travel at one friction."""
         return Point(
             torque=self.torque(friction, friction_driven),
             normal_force=self.normal_force(friction, friction_driven),
             release_force=self.release_force(friction, friction_driven),
-            travel=self.travel(friction, friction_driven),
+            travel=None if self.sleeve is None else self.sleeve.travel(friction, friction_driven),
         )
 
     @abstractmethod
     def ball_torque_by_gain(self) -> ByGain | None:
         """How the torque on the balls at f_max depends on the gain; None where not by a ratio of linear functions."""
 
+    # over the friction range
+
+    def path(self, share: Values) -> tuple[Values, Values]:
+        """f_1 and f_2 at a share (0…1) of the common path, on which both rise from their minima by their means."""
+        first, second = self.friction
+        if not self.spec.friction.unlike:
+            alike = first.min + share * (first.max - first.min)
+            return alike, alike
+        bend = larger(smaller(self.path_bend, 1 - _ALIKE), _ALIKE)
+        below, above = smaller(share / bend, 1.0), larger((share - bend) / (1 - bend), 0.0)
+        one, two = (own.min + below * (own.mean - own.min) + above * (own.max - own.mean) for own in (first, second))
+        return one, two
+
+    @property
+    def path_bend(self) -> Values:
+        """Share of the common path at which both frictions have their mean."""
+        first, second = self.friction
+        whole = first.max - first.min + (second.max - second.min)
+        return (first.mean - first.min + (second.mean - second.min)) / larger(whole, 1e-300)
+
+    @cached_property
+    def torque_range(self) -> TorqueRange:
+        """Extremes of the sustained torque along the common path."""
+        return self.torque_range_from("min")
+
+    def torque_range_from(self, start: Literal["min", "mean"]) -> TorqueRange:
+        """Extremes of the sustained torque along the common path, from its start or from the mean on."""
+        low, high = self.extreme_slips(start)
+        return TorqueRange(low[0], high[0], low[1], high[1])
+
     @abstractmethod
+    def extreme_slips(self, start: Literal["min", "mean"] = "min") -> tuple[Slip, Slip]:
+        """Slips of the smallest and of the largest torque along the common path."""
+
+    @property
+    def torque_max(self) -> Values:
+        """Largest sustained torque along the common path, N·m."""
+        return self.torque_range.high
+
+    @property
+    def torque_min(self) -> Values:
+        """Smallest sustained torque along the common path, N·m."""
+        return self.torque_range.low
+
+    @property
+    def scatter(self) -> Values:
+        """Width of the torque scatter band ΔT, N·m."""
+        return accuracy.scatter_band(self.torque_max, self.torque_min)
+
+    @property
+    @abstractmethod
+    def accuracy_factor(self) -> Values:
+        """K_т along the common path."""
+
+    @property
+    def accuracy_factor_worst_case(self) -> Values:
+        """K_т with f_1 and f_2 independent."""
+        return self.accuracy_factor
+
+    @property
+    def accuracy_factor_peak(self) -> Values:
+        """K_т by breakaway peaks."""
+        return self.accuracy_factor
+
     def sensitivity(self) -> dict[str, float]:
         """Elasticities ∂ln K_т/∂ln p by spec path."""
+        from .sensitivity import sensitivity
+
+        return sensitivity(self)
+
+    # findings
 
     def findings(self) -> list[Finding]:
-        """What a designer should know: what the law says of it, and the setting; no steps of a calculation."""
-        with unrecorded():
-            found, nominal = self._law_findings(), float(self.nominal_torque)
-            found = [*found, *setting.findings(self.spec, nominal, float(self.torque_min))]
-            return [*self.spec.label.findings, *found, *self._part_findings()]
+        """What a designer should know: what the law says of it, the setting, and the springs that are parts."""
+        with unrecorded():  # no steps of a calculation
+            found = [*self.spec.label.findings, *self._law_findings()]
+            found += parameters.setting_findings(self.spec, float(self.nominal_torque), float(self.torque_min))
+            if self.spec.spring_parts:
+                from .parts import part_findings
 
-    def wishes(self, travel: float = 0.0) -> "list[Wish]":
-        """What each spring is to give, and what happens to it where the sleeve travels by the law, or farther."""
-        from .wish import wishes
-
-        control, own = self.control_force, float(self.travel(self.friction[0].max) or 0.0)
-        held = None if control is None else float(control)
-        return wishes(self.spec, float(self.closing_force), held, max(travel, own))
-
-    def _part_findings(self) -> list[Finding]:
-        if not self.spec.spring_parts:
-            return []
-        from .parts import part_findings
-
-        return part_findings(self.spec, self.wishes())
+                found += part_findings(self.spec, self.spring_demands())
+            return found
 
     @abstractmethod
     def _law_findings(self) -> list[Finding]:
         """What the law says of its limits."""
+
+    def spring_demands(self, travel: float = 0.0) -> "list[SpringDemand]":
+        """What each spring is to give, and what happens to it where the sleeve travels by the law, or farther."""
+        from .springs import spring_demands
+
+        sleeve = self.sleeve
+        if sleeve is None:
+            return spring_demands(self.spec, float(self.closing_force), None, travel)
+        control = float(sleeve.control_force)
+        return spring_demands(self.spec, float(self.closing_force), control, max(travel, float(sleeve.travel_max)))
+
+
+def both_frictions(friction: Values, friction_driven: Values | None) -> tuple[Values, Values]:
+    """f_1 and f_2, checked.
+
+    Raises:
+        ValueError: negative or no number.
+    """
+    first = checked_friction(friction)
+    return first, first if friction_driven is None else checked_friction(friction_driven)
+
+
+def one_friction(friction: Values, friction_driven: Values | None) -> Values:
+    """The one friction of all pairs, checked.
+
+    Raises:
+        ValueError: negative or no number, or two different ones.
+    """
+    first, second = both_frictions(friction, friction_driven)
+    same = first is second or first == second
+    if not (bool(same.all()) if is_array(same) else same):
+        raise ValueError(say("an indirect clutch has one friction for all pairs"))
+    return first

@@ -36,7 +36,7 @@ def with_splines(spec, **changes):
 
 def pressed(clutch, forces_of, driving, driven, radii):
     """Forces on the pairs by bisection on the first: the balls take what the balance of the sleeve says."""
-    spec, law = clutch.spec, clutch.law
+    spec, law = clutch.spec, clutch
     bypass, radius = int(clutch.bypass_pairs), clutch.mean_radius
     frictions = [driven] * (spec.friction_group.pairs - bypass) + [driving] * bypass
     low, high = 0.0, float(clutch.pack_force_at_rest)

@@ -16,7 +16,7 @@ from afmcalc.analysis.tolerance.sampling import DRIVES, REPLICATES
 from afmcalc.analysis.tolerance.study import tolerance
 from afmcalc.drive.cases import case_of, outcome_of
 from afmcalc.engines import build
-from afmcalc.engines.characteristic import DiscCharacteristic
+from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.equations import drive as law
 from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.springs import DiscStack

@@ -10,7 +10,7 @@ from afmcalc.analysis.heat import heat
 from afmcalc.analysis.springs.candidates import _coils, coil_candidates
 from afmcalc.analysis.springs.springs import springs
 from afmcalc.engines import build
-from afmcalc.engines.wish import Wish
+from afmcalc.engines.springs import SpringDemand
 from afmcalc.render.report.chapters import chapters
 from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.catalogues import discs
@@ -177,10 +177,10 @@ def test_setting_friction_and_wear():
 
 def test_what_the_springs_go_through():
     """The closing spring of a direct clutch follows the wear; in an indirect one the control spring does."""
-    (direct,) = clutch(DEFAULT, "heat.lining=0.5e-3").wishes()
+    (direct,) = clutch(DEFAULT, "heat.lining=0.5e-3").spring_demands()
     assert (direct.relaxes, direct.compresses, direct.follows) == (4e-3, 0, 8)
     own = clutch(INDIRECT, "heat.lining=0.5e-3")
-    closing, control = own.wishes()
+    closing, control = own.spring_demands()
     assert (closing.relaxes, closing.follows) == (own.travel(0.8), None)
     assert (control.relaxes, control.compresses, control.follows) == (4e-3, own.travel(0.8), 8)
     assert control.force == own.control_force
@@ -297,7 +297,7 @@ COIL = {"relaxes": 0.0, "follows": None, "pitch": None, "friction": None, "name"
 
 def test_coils_are_of_sizes_that_a_works_makes():
     """Mean diameters in whole millimetres, every one that fits; turns in quarters, the nearest; lengths in tenths, up."""
-    wish = Wish(
+    wish = SpringDemand(
         force=2000.0, stiffness=20e3, compresses=1.23e-3, room=Room(inner_diameter=0.04, outer_diameter=0.07), **COIL
     )
     found = [each.part for each in coil_candidates(wish, 0.1)]

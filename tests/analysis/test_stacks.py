@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.springs.candidates import NONE, forces_held, holds_force, travel_held
-from afmcalc.engines.characteristic import DiscCharacteristic
+from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.spec.catalogues import discs
 from afmcalc.spec.springs import DiscStack, Room
 

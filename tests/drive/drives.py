@@ -8,7 +8,7 @@ from afmcalc.drive.plant import Plant
 from afmcalc.drive.train import Engine, Train
 from afmcalc.drive.trip import Trip, trip
 from afmcalc.engines import Clutch, build
-from afmcalc.engines.laws import IndirectLaw
+from afmcalc.engines.indirect import IndirectClutch
 
 REFERENCE: dict[str, Any] = {
     "variant": "differentiated",
@@ -106,9 +106,11 @@ def run(own: Plant, horizon: float, *, recorded: bool = False) -> Trip:
     return found
 
 
-SPRINGS = IndirectLaw(
+SPRINGS = IndirectClutch(
+    closing_force=2500.0,
     mean_radius=0.1,
-    pairs=8,
+    bypass_pairs=0,
+    controlled_pairs=8,
     gain=1.0,
     closing_stiffness=2e4,
     control_stiffness=1e4,
@@ -117,7 +119,7 @@ SPRINGS = IndirectLaw(
     friction_set=0.1,
 )
 """Data of P5: κ 0.4, κ₊ 1.6, springs 20 and 10 N/mm."""
-SLEEVE = Sleeve(SPRINGS, closing_force=2500.0, friction=0.3)
+SLEEVE = Sleeve(SPRINGS, friction=0.3)
 """With T_н = 200 N·m at f 0.1: F_п2 3300 N."""
 
 

@@ -9,7 +9,7 @@ from drives import begun, indirect, run
 from afmcalc.drive.lanes import march
 from afmcalc.drive.plant import SIZE, TURN
 from afmcalc.drive.train import Engine
-from afmcalc.engines.characteristic import CurvedSprings, DiscCharacteristic
+from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.equations import sleeve as law
 from afmcalc.spec.springs import DiscStack
 
@@ -115,13 +115,13 @@ def test_returning_it_slides_at_the_torque_of_the_law(friction, slope):
     lasting = {"motor_inertia": 1e12, "driven_inertia": 1e9, "speed": 5.0, "time": 0.0, "load": 150.0}
     drive = indirect(friction, law={"gain_slope": slope}, **lasting)
     own, before = drive.pack.law, friction * (1 + 2e-7)
-    expected, torque = (own.torque_returning(2500.0, each, 0.8) for each in (friction, before))
+    expected, torque = (own.torque_returning(each, 0.8) for each in (friction, before))
     travel = (2500 - torque / (0.8 * before)) / 2e4
     turn = law.turn(travel, 0.1, 1.0, slope)
     found = run(begun(drive, 5.0, 0.0, torque / 8000, 0.0, 0.0, turn, 2500.0), 0.2)
     assert found.last == pytest.approx(expected, rel=1e-6)
     # where friction has not fallen by κ₊/κ the key still holds it where 0.8 had put it
-    assert (found.state[TURN] < turn) == (travel < own.travel(2500.0, 0.8) * (1 - 1e-9))
+    assert (found.state[TURN] < turn) == (travel < own.travel(0.8) * (1 - 1e-9))
 
 
 def test_the_stop_carries_what_the_springs_do_not():
@@ -187,7 +187,7 @@ def test_disc_springs(springs):
     """Loaded slowly or returning by a hair the sleeve carries what `torque` says; a key free of friction gives a
     swing all its energy back; time steps find the same peak.
     """
-    own = {"curved": CurvedSprings(*springs)}
+    own = dict(zip(("closing_disc", "control_disc"), springs, strict=True))
     friction = 0.3
     loading = {"stiffness": 2000.0, "driven_inertia": 2000.0, "motor_inertia": 1e12, "damping": 2000.0}
     drive = indirect(friction, law=own, speed=16e-3, time=300.0, **loading)
@@ -199,7 +199,7 @@ def test_disc_springs(springs):
     low = 0.1
     drive = indirect(low, law=own, **lasting)
     springs_law, before = drive.pack.law, low * (1 + 2e-7)
-    expected, torque = (springs_law.torque_returning(2500.0, each, 0.8) for each in (low, before))
+    expected, torque = (springs_law.torque_returning(each, 0.8) for each in (low, before))
     pressed, closing = torque / (0.8 * before), springs[0]
     straight = closing is None
     travel = (2500 - pressed) / 2e4 if straight else closing.deflection(2500.0) - closing.deflection(pressed)

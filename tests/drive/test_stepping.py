@@ -11,7 +11,7 @@ from afmcalc.drive.pack import DirectPack, Sleeve
 from afmcalc.drive.peaks import step_of
 from afmcalc.drive.plant import plant_of
 from afmcalc.drive.train import Engine
-from afmcalc.engines.laws import IndirectLaw
+from afmcalc.engines.indirect import IndirectClutch
 
 EACH = 25
 """Drives of a kind: 200 in all."""
@@ -47,9 +47,9 @@ def random_drives(variant: str, kind: str, rng: np.random.Generator):
     if variant == "indirect":
         gain, slope = u(0.3, 1.5, EACH), np.where(u(size=EACH) < 0.5, 0.0, u(0, 15, EACH))
         springs = 10 ** u(3.7, 4.7, (2, EACH))
-        law = IndirectLaw(0.1, 8, gain, *springs, u(0, 0.8, EACH) * gain / 2, 0.1, 0.1, gain_slope=slope)
+        law = IndirectClutch(2500.0, 0.1, 0, 8, gain, *springs, u(0, 0.8, EACH) * gain / 2, 0.1, 0.1, gain_slope=slope)
         mass = np.where(u(size=EACH) < 0.5, 0.0, u(0, 3, EACH))
-        return train, Sleeve(law, 2500.0, friction, mass, static, decay)
+        return train, Sleeve(law, friction, mass, static, decay)
     bypass = {"conventional": 8, "differentiated": 1, "all-driving": 0}[variant]
     gain = u(0.1, 1.25, EACH)
     force = 200 * (1 + 0.1 * gain * (8 - bypass)) / (0.1 * 8 * 0.1)

@@ -8,8 +8,7 @@ from strategies import indirect_specs
 
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
-from afmcalc.engines.balance import SetSpring
-from afmcalc.engines.characteristic import DiscCharacteristic
+from afmcalc.engines.springs import DiscCharacteristic, SetSpring
 from afmcalc.spec.catalogues import discs
 from afmcalc.spec.springs import DiscStack
 
@@ -27,18 +26,19 @@ def stack(name, series):
 def test_the_same_place_as_the_closed_law_of_straight_springs(spec):
     """Jumps off the stop and back to it among them."""
     clutch = build(spec)
-    law, own, force = clutch.law, clutch.friction[0], clutch.closing_force
-    assume(not law.straight)
+    own = clutch.friction[0]
+    assume(not clutch.straight)
     for friction in np.linspace(own.min, own.max, 7)[1:]:
-        if law.is_seated(force, friction):
+        if clutch.is_seated(friction):
             continue
-        found = law.balance(force, law.net_gain).travel(friction)
-        assert float(found) == pytest.approx(
-            float(law.travel(force, friction)), rel=1e-7, abs=1e-9 * force / law.closing_stiffness
+        found, rounding = (
+            clutch.balance(clutch.net_gain).travel(friction),
+            clutch.closing_force / clutch.closing_stiffness,
         )
-    back = float(law.torque_returning(force, own.min, own.max))
-    place = law.travel_returning(force, own.min, own.max)
-    torque = law.mean_radius * law.pairs * own.min * float(law.balance(force, 0.0).pressed(place))
+        assert float(found) == pytest.approx(float(clutch.travel(friction)), rel=1e-7, abs=1e-9 * rounding)
+    back = float(clutch.torque_returning(own.min))
+    place = clutch.travel_returning(own.min)
+    torque = clutch.mean_radius * clutch.pairs * own.min * float(clutch.balance(0.0).pressed(place))
     if place > 1e-9:
         assert torque == pytest.approx(back, rel=1e-6)
 
@@ -63,7 +63,7 @@ def test_the_first_place_that_holds_the_sleeve(spec, one, two, series, both):
         "control_spring": spec.control_spring.model_copy(update={"disc": control}),
     }
     clutch = build(spec.model_copy(update=parts))
-    law, own, start = clutch.law, clutch.friction[0], float(first.deflection(clutch.closing_force))
+    law, own, start = clutch, clutch.friction[0], float(first.deflection(clutch.closing_force))
     x = np.linspace(0, start, PLACES)
     pressed = first.force(start - x)
     held = float(clutch.control_force)
@@ -86,7 +86,7 @@ def test_the_first_place_that_holds_the_sleeve(spec, one, two, series, both):
     far = float(moved[-1])
     for friction in frictions[::3]:
         there = np.flatnonzero((left(friction, law.gain_threshold) <= 0) & (x <= far))
-        back = float(law.travel_returning(clutch.closing_force, friction, own.max))
+        back = float(law.travel_returning(friction))
         assert back == pytest.approx(x[there[-1]] if there.size else 0.0, abs=3e-4 * start)
         if back > 0:
             torque = law.mean_radius * law.pairs * friction * float(first.force(start - back))

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from strategies import indirect_specs
 
 from afmcalc.engines import build
-from afmcalc.engines.characteristic import CoilCharacteristic, DiscCharacteristic
+from afmcalc.engines.springs import CoilCharacteristic, DiscCharacteristic
 from afmcalc.equations import springs
 from afmcalc.equations import springs as law
 from afmcalc.spec import read_spec
@@ -167,7 +167,7 @@ def test_a_sleeve_between_disc_springs_is_in_balance(spec, one, two, series, bot
     assume(float(closing.force(closing.end)) > plain.closing_force)
     assume(float(control.force(control.end)) > 1.5 * plain.control_force)
     clutch = curved(spec, closing.part, control.part if both else None)
-    own, law_of = clutch.friction[0], clutch.law
+    own, law_of = clutch.friction[0], clutch
     starts = closing.deflection(clutch.closing_force), control.deflection(clutch.control_force)
     for friction in np.linspace(own.min, own.max, 5):
         travel, pressed = float(clutch.travel(friction)), float(clutch.normal_force(friction))
@@ -208,7 +208,7 @@ def test_samples_follow_the_curve_one_by_one():
     one, two = stack("B 40", 1, 6), stack("C 90", 1, 10)
     clutch = curved(spec, one, two)
     forces = np.array([1800.0, 2000.0, 2100.0])
-    many = replace(clutch, closing_force=forces, law=replace(clutch.law, made_control_force=clutch.control_force))
+    many = replace(clutch, closing_force=forces, made_control_force=clutch.control_force)
     for at, force in enumerate(forces):
         alone = replace(many, closing_force=float(force))
         assert many.torque(0.8)[at] == pytest.approx(float(alone.torque(0.8)), rel=1e-12)

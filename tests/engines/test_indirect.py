@@ -78,7 +78,7 @@ def test_signs_of_s21(spec):
 def _smooth(clutch):
     """Whether K_т has a derivative: no jump off the stop near by, and no two torques about to change places."""
     own = clutch.friction[0]
-    if clutch.law.straight:
+    if clutch.straight:
         return True
     ends = [float(clutch.torque(own.min)), float(clutch.torque(own.max))]
     apart = abs(np.log(ends[1] / ends[0])) > 1e-4
@@ -86,7 +86,7 @@ def _smooth(clutch):
         apart &= own.min * 1.0001 < own.mean < own.max * 0.9999  # K_т has a kink where the sleeve leaves at an end
     inside = own.min < clutch.leaving_friction < own.max
     apart &= not inside or abs(np.log(clutch.torque(clutch.leaving_friction) / ends[1])) > 1e-4
-    return apart and clutch.gain_slope < 0.9 * clutch.law.jumping_slope(clutch.closing_force)
+    return apart and clutch.gain_slope < 0.9 * clutch.jumping_slope
 
 
 @given(st.one_of(indirect_specs(), indirect_specs(curved=True)), st.booleans())

@@ -7,8 +7,8 @@ from conftest import CONFIGS
 
 from afmcalc.analysis.springs.springs import part_of, springs
 from afmcalc.engines import build
-from afmcalc.engines.characteristic import characteristic
-from afmcalc.engines.parts import INNER, Demand
+from afmcalc.engines.parts import INNER, PartCheck
+from afmcalc.engines.springs import characteristic
 from afmcalc.errors import SpecError
 from afmcalc.spec import read_spec
 from afmcalc.spec.edit import with_values
@@ -182,7 +182,7 @@ def test_a_stiffness_beside_a_coil_is_the_coil_s(afmcalc):
 
 def test_utilisation_of_what_must_be_reached():
     """The inner diameter must reach the shaft's: 40 of 50 mm are used, and 10 mm of 100 are to spare."""
-    demand = Demand(INNER, 0.05, 0.04, scale=0.1)
+    demand = PartCheck(INNER, 0.05, 0.04, scale=0.1)
     assert demand.utilisation == pytest.approx(0.8)
     assert demand.beyond == pytest.approx(-0.1)
 

@@ -8,7 +8,7 @@ from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.sweep.grid import evaluate
 from afmcalc.engines import build
-from afmcalc.engines.characteristic import DiscCharacteristic
+from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, resolved
 from afmcalc.spec.catalogues import discs

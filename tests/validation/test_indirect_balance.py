@@ -169,7 +169,7 @@ def test_the_slope_that_holds_the_torque(spec, reach):
     held = build(with_key(spec, "control_unit.pocket", "constant-torque"))
     springs, at_set = spec.closing_spring, held.friction_set
     friction = at_set * np.linspace(1, reach, 50)
-    assert held.torque(friction) == pytest.approx(springs.force * held.law.torque_per_force, rel=1e-12)
+    assert held.torque(friction) == pytest.approx(springs.force * held.torque_per_force(), rel=1e-12)
     assert held.travel(friction) == pytest.approx(
         springs.force / springs.stiffness * (1 - at_set / friction),
         rel=1e-9,

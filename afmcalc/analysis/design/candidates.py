@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ...engines.direct_law import DirectLaw
-from ...engines.laws import IndirectLaw
+from ...engines.direct import DirectClutch
+from ...engines.indirect import IndirectClutch
 from ...equations import adjustment, direct, synthesis, wall
 from ...spec.models import HARDENED_STEEL
 from ...spec.requirements import Requirements
@@ -51,13 +51,13 @@ class Candidates:
 
     @cached_property
     def law(self) -> Any:
-        """The law of all candidates."""
-        return DirectLaw(self.at.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain)
+        """All candidates as one clutch, per N of closing force."""
+        return DirectClutch(1.0, self.at.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain)
 
     @cached_property
     def torque_per_force(self) -> Numbers:
         """Torque at the setting, m."""
-        return self.law.torque_per_force(*self.frictions[0])
+        return self.law.torque(*self.frictions[0])
 
     @cached_property
     def torques_per_force(self) -> tuple[Numbers, Numbers]:
@@ -66,13 +66,13 @@ class Candidates:
         if self.need.friction.unlike:
             first, second = self.need.friction.groups
             points += ((first.mean, second.mean),)
-        torques = [self.law.torque_per_force(*point) for point in points]
+        torques = [self.law.torque(*point) for point in points]
         return reduce(np.minimum, torques), reduce(np.maximum, torques)
 
     @cached_property
     def ball_torque_per_force(self) -> Numbers:
         """Largest torque that passes the balls, m: it grows with f_2, whatever the gain."""
-        return self.law.ball_torque(1.0, self.frictions[2][1])
+        return self.law.ball_torque(*self.frictions[2])
 
     @cached_property
     def pack_force_per_force(self) -> Numbers:
@@ -347,20 +347,20 @@ class IndirectCandidates(Candidates):
     @cached_property
     def law(self) -> Any:  # noqa: D102
         fixed, at = self.need.fixed, self.at
-        return IndirectLaw(
-            at.mean_radius, at.pairs, self.gain, at.closing_stiffness, at.control_stiffness,
+        return IndirectClutch(
+            1.0, at.mean_radius, 0, at.pairs, self.gain, at.closing_stiffness, at.control_stiffness,
             given(fixed.key_friction), given(fixed.hub_diameter), self.frictions[0][0],
         )  # fmt: skip
 
     @cached_property
     def torque_per_force(self) -> Numbers:  # noqa: D102
-        return self.law.torque_per_force
+        return self.law.torque_per_force()
 
     @cached_property
     def ends_per_force(self) -> tuple[Numbers, Numbers]:
         """Torque at f_min and at f_max, m."""
         at_set, (low, _), (high, _) = self.frictions
-        return self.torque_per_force if at_set[0] == low else self.law.torque(1.0, low), self.law.torque(1.0, high)
+        return self.torque_per_force if at_set[0] == low else self.law.torque(low), self.law.torque(high)
 
     @cached_property
     def torques_per_force(self) -> tuple[Numbers, Numbers]:
@@ -374,11 +374,11 @@ class IndirectCandidates(Candidates):
 
     @cached_property
     def pack_force_per_force(self) -> Numbers:  # noqa: D102
-        return self.law.control_force(1.0)
+        return self.law.control_force
 
     @cached_property
     def travel_per_force(self) -> Numbers:  # noqa: D102
-        return self.law.travel(1.0, self.frictions[2][0])
+        return self.law.travel(self.frictions[2][0])
 
     @cached_property
     def is_clutch(self) -> Mask:  # noqa: D102
@@ -391,7 +391,7 @@ class CurvedCandidates(IndirectCandidates):
     @cached_property
     def law(self) -> Any:  # noqa: D102
         straight = super().law
-        return replace(straight, gain_slope=straight.constant_torque_slope(1.0, self.frictions[2][0]))
+        return replace(straight, gain_slope=straight.slope_that_holds(self.frictions[2][0]))
 
     @cached_property
     def ball_torque_per_force(self) -> Numbers:

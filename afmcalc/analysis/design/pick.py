@@ -139,7 +139,9 @@ def made(need: Requirements, row: DesignRow) -> Made | None:
     plain = as_spec(need, row)
     if need.springs is None:
         return Made(plain, row) if passes(build(plain)) else None
-    lists: dict[str, list[SpringOption]] = {wish.name: ranked(wish, "disc")[:_STACKS] for wish in build(plain).wishes()}
+    lists: dict[str, list[SpringOption]] = {
+        wish.name: ranked(wish, "disc")[:_STACKS] for wish in build(plain).spring_demands()
+    }
     strayed = None
     for parts in product(*lists.values()):
         options = dict(zip(lists, parts, strict=True))

@@ -14,10 +14,9 @@ from numpy.typing import NDArray
 from ...arrays import Floats, Values
 from ...engines import build
 from ...engines.direct import DirectClutch
-from ...engines.geometry import angle_given
 from ...engines.indirect import IndirectClutch
+from ...engines.parameters import angle_given, margin
 from ...engines.protocol import Clutch
-from ...engines.setting import friction_at_setting, margin
 from ...equations import adjustment, synthesis
 from ...errors import CalculationError, SpecError
 from ...messages import say
@@ -64,7 +63,7 @@ def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
     low, low_taken = about.low or 0.0, about.gt is None
     ends = [(math.inf, "")]
     if name == "C":
-        low = float(clutch.gain_threshold or 0.0)
+        low = float(clutch.least_gain)
     if name == "z":
         low = float(spec.least_pairs)
     if name == "z1":
@@ -107,9 +106,9 @@ def _gain_limit(clutch: Clutch, limit: GainLimit, name: str) -> float:
 
 def _threshold_radius(clutch: Clutch) -> float:
     """Largest R that leaves a feedback: 2 R f_1/d grows with it to the gain; with a wall angle the gain grows too."""
-    if not clutch.gain_threshold or angle_given(clutch.spec):
+    if not clutch.least_gain or angle_given(clutch.spec):
         return math.inf
-    end = float(clutch.mean_radius * clutch.gain / clutch.gain_threshold)
+    end = float(clutch.mean_radius * clutch.gain / clutch.least_gain)
     while True:
         try:
             build(with_key(clutch.spec, "friction_group.mean_radius", end))
@@ -273,7 +272,7 @@ _AT_SETTING = ("nominal_torque", "closing_force")
 
 def closed_inverse(clutch: Clutch, name: str, target: str, now: float) -> Inverse | None:
     """Return the closed inverse for a parameter and a target that is ``now``; None where only a root search answers."""
-    unit, straight = clutch.spec.control_unit, not clutch.gain_slope
+    unit, straight = clutch.spec.control_unit, clutch.sleeve is None or not clutch.sleeve.gain_slope
     # pockets that hold the torque: the slope of the gain goes with the force as the travel does
     follows = unit is not None and unit.pocket is not None
     if name == "F" and target in (_PROPORTIONAL if straight or follows else _AT_SETTING):
@@ -307,7 +306,7 @@ def _of_torque(clutch: DirectClutch, target: str) -> dict[str, Inverse]:
     if spec.closing_spring.force is None:
         return {}
     if target == "nominal_torque":
-        friction, factor = friction_at_setting(spec), margin(spec)
+        friction, factor = clutch.friction_at_setting(), margin(spec)
     elif target == "torque_max" and not spec.friction.unlike:
         friction, factor = (clutch.friction[0].max, clutch.friction[0].max), 1.0
     else:

@@ -38,10 +38,9 @@ class Target(NamedTuple):
 
 
 def _travel(clutch: Clutch) -> Values:
-    travel: Values | None = clutch.travel(clutch.friction[0].max)
-    if travel is None:
+    if clutch.sleeve is None:
         raise AfmcalcError("travel_max is only of an indirect clutch: a direct one has no sleeve")
-    return travel
+    return clutch.sleeve.travel_max
 
 
 TARGETS: dict[str, Target] = {

@@ -8,9 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engines.characteristic import DiscCharacteristic, characteristic
-from ...engines.parts import INDEX, demands
-from ...engines.wish import Wish
+from ...engines.parts import INDEX, checks_of_part
+from ...engines.springs import DiscCharacteristic, SpringDemand, characteristic
 from ...equations import springs as law
 from ...messages import say
 from ...spec.catalogues import Disc, discs
@@ -83,10 +82,10 @@ def stack_of(disc: Disc, parallel: int, series: int) -> DiscStack:
     )
 
 
-def _judged(part: DiscStack | CoilSprings, label: str, wish: Wish, tolerance: float) -> Candidate:
+def _judged(part: DiscStack | CoilSprings, label: str, wish: SpringDemand, tolerance: float) -> Candidate:
     own = characteristic(part)
     misses = {"stiffness": 0.0}
-    for demand in demands(wish, part):
+    for demand in checks_of_part(wish, part):
         name = demand.rule.misses
         misses[name] = max(demand.beyond, misses.get(name, 0.0))
     if wish.stiffness is not None:
@@ -95,7 +94,7 @@ def _judged(part: DiscStack | CoilSprings, label: str, wish: Wish, tolerance: fl
     return Candidate(part, label, {name: by for name, by in misses.items() if by > _SLACK})
 
 
-def disc_candidates(wish: Wish, tolerance: float, *, fitting: bool = False) -> Iterator[Candidate]:
+def disc_candidates(wish: SpringDemand, tolerance: float, *, fitting: bool = False) -> Iterator[Candidate]:
     """Stacks of every size, n laid into each other, and as many packs as stiffness, travel or room ask for.
 
     With ``fitting`` not those that cannot do by their size or force.
@@ -110,7 +109,7 @@ def disc_candidates(wish: Wish, tolerance: float, *, fitting: bool = False) -> I
             yield _judged(part, f"DIN EN 16983 {disc.name}", wish, tolerance)
 
 
-def _series(wish: Wish, pack: DiscCharacteristic, deflection: float) -> set[int]:
+def _series(wish: SpringDemand, pack: DiscCharacteristic, deflection: float) -> set[int]:
     """How many packs are worth a look: as few as the travel allows, as many as the length does or the stiffness asks.
 
     Each bound is one-sided, so that where any number does, one of these does.
@@ -134,7 +133,7 @@ def _series(wish: Wish, pack: DiscCharacteristic, deflection: float) -> set[int]
     return {min(series, MOST_SERIES) for series in counts}
 
 
-def coil_candidates(wish: Wish, tolerance: float) -> Iterator[Candidate]:
+def coil_candidates(wish: SpringDemand, tolerance: float) -> Iterator[Candidate]:
     """Coil springs around the shaft, or several on a circle, of every wire."""
     for count in COUNTS:
         for wire in WIRES:
@@ -144,7 +143,7 @@ def coil_candidates(wish: Wish, tolerance: float) -> Iterator[Candidate]:
                     yield _judged(part, label_of(part), wish, tolerance)
 
 
-def _coils(wish: Wish, count: int, wire: float) -> list[float]:
+def _coils(wish: SpringDemand, count: int, wire: float) -> list[float]:
     """Mean coil diameters that fit, in steps of whole millimetres at least."""
     inner, outer = wish.room.inner_diameter or 0.0, wish.room.outer_diameter
     low, high = INDEX[0] * wire, INDEX[1] * wire
@@ -161,7 +160,7 @@ def _coils(wish: Wish, count: int, wire: float) -> list[float]:
     return [number * 1e-3 for number in range(first, math.floor(round(high / 1e-3, 6)) + 1, round(step / 1e-3))]
 
 
-def _turns(wish: Wish, count: int, wire: float, coil: float) -> list[float]:
+def _turns(wish: SpringDemand, count: int, wire: float, coil: float) -> list[float]:
     """Active turns, in quarters."""
     if wish.stiffness is None:
         return list(_FREE_TURNS)
@@ -170,7 +169,7 @@ def _turns(wish: Wish, count: int, wire: float, coil: float) -> list[float]:
     return [quarters] if TURNS[0] <= quarters <= TURNS[1] else []
 
 
-def _spring(wish: Wish, count: int, wire: float, coil: float, turns: float) -> CoilSprings:
+def _spring(wish: SpringDemand, count: int, wire: float, coil: float, turns: float) -> CoilSprings:
     """As short as the gaps between its turns allow when it is pressed most."""
     rate = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, turns))
     shortest = float(law.coil_solid_length(wire, turns) + law.coil_least_gap(wire, coil, turns))

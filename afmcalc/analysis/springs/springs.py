@@ -7,10 +7,9 @@ from typing import Any, Literal
 
 import numpy as np
 
-from ...engines.characteristic import CoilCharacteristic, DiscCharacteristic, characteristic
-from ...engines.parts import demands
+from ...engines.parts import checks_of_part
 from ...engines.protocol import Clutch
-from ...engines.wish import SpringName, Wish
+from ...engines.springs import CoilCharacteristic, DiscCharacteristic, SpringDemand, SpringName, characteristic
 from ...equations import springs as law
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
@@ -156,7 +155,7 @@ def springs(
     counts: dict[str, int] = {}
     remarks: list[Finding] = []
     number = 1
-    wanted = clutch.wishes()
+    wanted = clutch.spring_demands()
     for wish in wanted:
         every = list(_candidates(wish, kind, tolerance))
         order = sort or _order(wish)
@@ -186,20 +185,22 @@ def springs(
     return result, [*clutch.findings(), *remarks]
 
 
-def ranked(wish: Wish, kind: SpringKind = "any") -> list[SpringOption]:
+def ranked(wish: SpringDemand, kind: SpringKind = "any") -> list[SpringOption]:
     """Every part that does, in the order they are told in."""
     fitting = (each for each in _candidates(wish, kind, TOLERANCE, fitting=True) if not each.misses)
     return sorted((option_of(wish, each.part, each.label) for each in fitting), key=_BY[_order(wish)])
 
 
-def _candidates(wish: Wish, kind: SpringKind, tolerance: float, *, fitting: bool = False) -> Iterable[Candidate]:
+def _candidates(
+    wish: SpringDemand, kind: SpringKind, tolerance: float, *, fitting: bool = False
+) -> Iterable[Candidate]:
     if kind != "coil":
         yield from disc_candidates(wish, tolerance, fitting=fitting)
     if kind != "disc":
         yield from coil_candidates(wish, tolerance)
 
 
-def _order(wish: Wish) -> SpringOrder:
+def _order(wish: SpringDemand) -> SpringOrder:
     return "length" if wish.stiffness else "wear"
 
 
@@ -207,7 +208,7 @@ def _with(option: SpringOption, **values: object) -> SpringOption:
     return option.model_copy(update=values)
 
 
-def _best_of_each(wish: Wish, candidates: list[Candidate], sort: SpringOrder) -> list[SpringOption]:
+def _best_of_each(wish: SpringDemand, candidates: list[Candidate], sort: SpringOrder) -> list[SpringOption]:
     """The best of every size of disc, of every wire and count: its neighbours are much the same."""
 
     def family(candidate: Candidate) -> tuple[str, ...]:
@@ -220,7 +221,7 @@ def _best_of_each(wish: Wish, candidates: list[Candidate], sort: SpringOrder) ->
     return [min((option_of(wish, each.part, each.label) for each in group), key=_BY[sort]) for _, group in groups]
 
 
-def option_of(wish: Wish, part: DiscStack | CoilSprings, label: str) -> SpringOption:
+def option_of(wish: SpringDemand, part: DiscStack | CoilSprings, label: str) -> SpringOption:
     """What a part gives as set and in service, and what it bears."""
     own = characteristic(part)
     deflection = float(own.deflection(wish.force))
@@ -243,14 +244,14 @@ def option_of(wish: Wish, part: DiscStack | CoilSprings, label: str) -> SpringOp
         used_high=high / own.end,
         loss_per_travel=stiffness / force,
         loss_per_wear=None if wish.follows is None else wish.follows * stiffness / force,
-        utilisation=max(demand.utilisation for demand in demands(wish, part) if demand.rule.misses in _BORNE),
+        utilisation=max(demand.utilisation for demand in checks_of_part(wish, part) if demand.rule.misses in _BORNE),
         travel_setting=setting,
         turns_setting=None if wish.pitch is None else setting / wish.pitch,
         **of_kind,
     )
 
 
-def _of_coils(own: CoilCharacteristic, wish: Wish, high: float) -> dict[str, Any]:
+def _of_coils(own: CoilCharacteristic, wish: SpringDemand, high: float) -> dict[str, Any]:
     part, rests = own.part, wish.stroke is None
     correction = 1.0 if rests else own.correction
     mass = law.coil_mass(STEEL, part.wire_diameter, part.coil_diameter, part.turns, math.pi)
@@ -269,7 +270,7 @@ def _of_coils(own: CoilCharacteristic, wish: Wish, high: float) -> dict[str, Any
     }
 
 
-def _of_discs(own: DiscCharacteristic, wish: Wish, force: float, high: float) -> dict[str, Any]:
+def _of_discs(own: DiscCharacteristic, wish: SpringDemand, force: float, high: float) -> dict[str, Any]:
     part = own.part
     middle, edge = own.stresses(high)
     ring = law.ring_mass(STEEL, part.outer_diameter, part.inner_diameter, own.thickness, math.pi)
@@ -335,7 +336,7 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> dic
     return data
 
 
-def _none(wish: Wish, close: Candidate) -> Finding:
+def _none(wish: SpringDemand, close: Candidate) -> Finding:
     """Say that no part does, and what the nearest misses."""
     misses = joined(
         say("{name} by {by:.1%}", name=term(name), by=by)
@@ -349,7 +350,7 @@ def _none(wish: Wish, close: Candidate) -> Finding:
     return finding("no-spring", "warning", value=wish.force, path=path, part=close.label, size=size, misses=misses)
 
 
-def _remarks(wish: Wish) -> list[Finding]:
+def _remarks(wish: SpringDemand) -> list[Finding]:
     room, path = wish.room, f"{wish.name}_spring.room"
     remarks = []
     if room.inner_diameter is None or room.outer_diameter is None or room.length is None:
@@ -365,10 +366,10 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
     Raises:
         CalculationError: there is no part.
     """
-    return SpringsCurve(name=clutch.spec.name, springs=[_curve(clutch, wish) for wish in clutch.wishes()])
+    return SpringsCurve(name=clutch.spec.name, springs=[_curve(clutch, wish) for wish in clutch.spring_demands()])
 
 
-def _curve(clutch: Clutch, wish: Wish) -> SpringCurve:
+def _curve(clutch: Clutch, wish: SpringDemand) -> SpringCurve:
     part = clutch.spec.spring_parts.get(wish.name)
     if part is None:
         best = ranked(wish)

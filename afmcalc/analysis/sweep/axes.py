@@ -126,10 +126,11 @@ def default_range(key: Key, spec: Spec) -> Floats:
     current, pairs = current_value(spec, key.path), spec.friction_group.pairs
     if key.path == "control_unit.gain":
         clutch = build(spec)
-        limit, start = clutch.gain_limit, float(clutch.gain_threshold or 0.0)
+        limit, start = clutch.gain_limit, float(clutch.least_gain)
         return np.linspace(start, limit if limit is not None else max(2 * float(clutch.gain), start + 5.0), 26)
     if key.path == "control_unit.gain_slope":
-        return np.linspace(0.0, 2 * float(build(spec).constant_torque_slope or 0.0), 41)
+        sleeve = build(spec).sleeve
+        return np.linspace(0.0, 2 * float(sleeve.constant_torque_slope) if sleeve else 0.0, 41)
     if key.path == "friction_group.driving_pairs":
         return _whole(1, max(pairs - 1, 1))
     if key.path == "friction_group.pairs":

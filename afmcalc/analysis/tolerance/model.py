@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Values
-from ...engines import Clutch, build, geometry
+from ...engines import Clutch, build, parameters
 from ...equations import indirect
 from ...errors import Problem, SpecError
 from ...messages import say
@@ -70,9 +70,9 @@ class Model:
         if spec.kind.law == "indirect" and unit is not None:
             assert unit.key_friction is not None
             assert unit.hub_diameter is not None
-            radius = geometry.mean_radius(spec)
+            radius = parameters.mean_radius(spec)
             possible &= (
-                indirect.net_gain(geometry.feedback_gain(spec), radius, unit.key_friction, unit.hub_diameter) > 0
+                indirect.net_gain(parameters.feedback_gain(spec), radius, unit.key_friction, unit.hub_diameter) > 0
             )
         return possible
 
@@ -143,9 +143,9 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
         spec = with_values(spec, {"drive.dynamic_factor": dynamic_factor(clutch)})
     if as_made:
         spec = with_key(spec, "closing_spring.force", float(clutch.closing_force))
-    if clutch.control_force is not None:
-        spec = with_values(spec, {_CONTROL_FORCE: float(clutch.control_force) if as_made else None})
-    if clutch.gain_slope:
+    if clutch.sleeve is not None:
+        spec = with_values(spec, {_CONTROL_FORCE: float(clutch.sleeve.control_force) if as_made else None})
+    if clutch.sleeve is not None and clutch.sleeve.gain_slope:
         # pockets are cut once, for the nominal clutch
-        spec = with_key(spec, "control_unit.gain_slope", float(clutch.gain_slope))
+        spec = with_key(spec, "control_unit.gain_slope", float(clutch.sleeve.gain_slope))
     return spec

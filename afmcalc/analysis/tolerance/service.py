@@ -95,7 +95,7 @@ def service_of(model: Model) -> list[Slip]:
     frictions = [scattering for scattering in model.inputs if scattering.path in FRICTION]
     clutch = model.clutch(model.centers)
     most, count = _MOST if len(frictions) < 2 else _MOST_OF_TWO, _LEAST
-    bend = None if clutch.leaving_friction is None else float(clutch.leaving_friction)
+    bend = None if clutch.sleeve is None else float(clutch.sleeve.leaving_friction)
     slips = _slips(frictions, model.correlation, count, bend)
     life = float(life_of(model, clutch, slips))
     while count < most and len(slips) > 1:
@@ -175,8 +175,8 @@ class Exact:
         self.model, self._rising = model, rising
         clutch = model.clutch(model.centers)
         kinks = [kink for friction in model.inputs for kink in friction.kinks]
-        if clutch.leaving_friction is not None:
-            kinks += [friction.share_below(float(clutch.leaving_friction)) for friction in model.inputs]
+        if clutch.sleeve is not None:
+            kinks += [friction.share_below(float(clutch.sleeve.leaving_friction)) for friction in model.inputs]
         u, self._weights = panels(kinks)
         self._torque = _torque_at(model, u)
 

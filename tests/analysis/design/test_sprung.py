@@ -12,7 +12,7 @@ from afmcalc.analysis.design.pick import with_picked
 from afmcalc.analysis.springs.springs import springs
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
-from afmcalc.engines.characteristic import DiscCharacteristic
+from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.errors import SpecError
 from afmcalc.spec.catalogues import discs
 from afmcalc.spec.edit import with_values

@@ -1,0 +1,88 @@
+"""Parameters of a torque law from the keys of a spec: mean radius, feedback gain, friction and force as set."""
+
+from collections.abc import Callable
+from typing import Any
+
+from ..arrays import tangent
+from ..equations import adjustment, direct
+from ..findings import Finding, finding
+from ..spec.models import Method, Spec
+
+_MEAN_RADIUS = {
+    "uniform-wear": direct.mean_radius_uniform_wear,
+    "uniform-pressure": direct.mean_radius_uniform_pressure,
+}
+
+
+def mean_radius(spec: Spec) -> Any:
+    """R_cp, given or from the two radii."""
+    group = spec.friction_group
+    if group.mean_radius is not None:
+        return group.mean_radius
+    return _MEAN_RADIUS[group.radius_model or "uniform-wear"](group.inner_radius, group.outer_radius)
+
+
+def feedback_gain(spec: Spec) -> Any:
+    """C, given or from the wall angle; 0 without a control unit."""
+    unit = spec.control_unit
+    if unit is None:
+        return 0.0
+    if unit.wall_angle is None:
+        return unit.gain
+    return direct.gain(mean_radius(spec), unit.ball_circle_radius, tangent(unit.wall_angle))
+
+
+def angle_given(spec: Spec) -> bool:
+    """Whether the gain follows from a wall angle."""
+    return spec.control_unit is not None and spec.control_unit.wall_angle is not None
+
+
+def gain_path(spec: Spec) -> str:
+    """Key of the spec that the gain follows from."""
+    return "control_unit.wall_angle" if angle_given(spec) else "control_unit.gain"
+
+
+def force_path(spec: Spec) -> str:
+    """Key of the spec that the force of the closing spring follows from."""
+    return "closing_spring.force" if spec.closing_spring.force is not None else "adjustment.nominal_torque"
+
+
+def margin(spec: Spec, method: Method | None = None) -> Any:
+    """β_н as far as it is in the spring: with mean-friction only (S19; in S22 it divides the machine's torque)."""
+    return spec.adjustment.margin if (method or spec.adjustment.method) == "mean-friction" else 1.0
+
+
+def margin_over_machine(spec: Spec) -> Any:
+    """β_н as far as it lies between clutch and machine: with min-friction only (S22)."""
+    return spec.adjustment.margin / margin(spec)
+
+
+def closing_force(spec: Spec, torque_per_force: Callable[[], Any]) -> Any:
+    """F_п as given, or from the nominal torque and T/F_п at the setting: every law is proportional to F_п (S19)."""
+    if spec.closing_spring.force is not None:
+        return spec.closing_spring.force
+    return adjustment.closing_force(spec.adjustment.nominal_torque, margin(spec), torque_per_force())
+
+
+def setting_findings(spec: Spec, nominal: float, lowest: float) -> list[Finding]:
+    """Materials echoed with their source; the wished nominal torque missed, or not reached at an end of the range.
+
+    Args:
+        spec: the clutch.
+        nominal: T_н that the spring as set gives, N·m.
+        lowest: smaller of the torques at f_min and f_max, N·m.
+    """
+    found, wished = [], spec.adjustment.nominal_torque
+    for path, name in spec.friction.materials.items():
+        from ..spec.catalogues import friction_materials
+
+        entry = friction_materials()[name]
+        ends = {"low": entry.friction_min, "high": entry.friction_max}
+        found.append(finding("material", "info", path=path, name=name, source=entry.source, **ends))
+    if wished is not None and abs(nominal - wished) > 1e-4 * wished:
+        path = "adjustment.nominal_torque"
+        found.append(finding("nominal-torque-missed", "warning", value=nominal, limit=wished, path=path))
+    if lowest < nominal * (1 - 1e-12):
+        path = "adjustment.method"
+        found.append(finding("below-nominal-torque", "warning", value=lowest, limit=nominal, path=path))
+    return found

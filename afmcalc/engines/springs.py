@@ -1,0 +1,302 @@
+"""Springs of a clutch: the force of a part over its deflection, a spring as it is set, and what it is to give."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, NamedTuple, TypeAlias
+
+from ..arrays import Values, chosen, greatest, larger, smaller
+from ..equations import springs as law
+from ..recorders import marked, unrecorded
+from ..spec.models import Spec
+from ..spec.springs import ClosingSpring, CoilSprings, ControlSpring, DiscStack, Room
+
+MODULUS = 206e9
+"""Young's modulus of disc springs (DIN EN 16984), Pa."""
+POISSON = 0.3
+LEAST_USED, MOST_USED = 0.15, 0.75
+"""Shares of the cone height that a disc spring is used in (DIN EN 16984)."""
+QUASI_STATIC = 1e4
+"""Strokes up to which a spring counts as one that rests (EN 13906-1)."""
+_STEPS = 60
+_CLOSE = 1e-13
+"""Relative to the whole deflection."""
+
+
+def root(
+    rising: Callable[[Values], Values], slope: Callable[[Values], Values], end: Values, start: Values = 0.0
+) -> Values:
+    """Where a function that rises from ``start`` to ``end`` is 0, number by number; the nearer end where it is not.
+
+    Newton's steps, and halves of what is left where one would leave it: arrays as fast as numbers, of which SciPy's
+    bracketed searches take one at a time.
+    """
+    at = low = start + 0.0 * end
+    high = end
+    for _ in range(_STEPS):
+        value = rising(at)
+        below = value < 0
+        low, high = chosen(below, lambda: at, lambda: low), chosen(below, lambda: high, lambda: at)  # noqa: B023
+        step = at - value / slope(at)
+        there = chosen((step >= low) & (step <= high), lambda: step, lambda: (low + high) / 2)  # noqa: B023
+        moved, at = greatest(larger(there - at, at - there)), there
+        if not moved > _CLOSE * greatest(end):
+            break
+    return at
+
+
+@dataclass(frozen=True)
+class DiscCharacteristic:
+    """A stack of disc springs, without the friction between them; deflections are of the whole, m."""
+
+    part: DiscStack
+
+    @property
+    def ratio(self) -> float:
+        """δ."""
+        return self.part.outer_diameter / self.part.inner_diameter
+
+    @property
+    def thickness(self) -> float:
+        """As made: t, with flats t', m."""
+        return self.part.reduced_thickness or self.part.thickness
+
+    @property
+    def factors(self) -> tuple[float, float]:
+        """K_1 and K_4."""
+        load = law.disc_factor_load(self.ratio, math.log(self.ratio), math.pi)
+        reduced = self.part.reduced_thickness
+        if reduced is None:
+            return load, 1.0
+        return load, law.disc_factor_flats(self.part.thickness, reduced, self.part.free_height)
+
+    @property
+    def free_length(self) -> float:
+        """L_0 of the stack, m."""
+        return law.stack_length(self.part.parallel, self.part.series, self.part.free_height, self.thickness)
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """Deflections it may be used between, by the cone height of the disc without flats, m."""
+        whole = self.part.series * (self.part.free_height - self.part.thickness)
+        return LEAST_USED * whole, MOST_USED * whole
+
+    @property
+    def end(self) -> float:
+        """Deflection at which all discs are flat, m."""
+        return self.part.series * (self.part.free_height - self.thickness)
+
+    @cached_property
+    def shape(self) -> tuple[float, float, float, float, float, float, float]:
+        """E, ν, K_1, K_4, D_e, t and h_0 of a disc, with flats t' and l_0 − t'."""
+        height = self.part.free_height - self.thickness
+        return (MODULUS, POISSON, *self.factors, self.part.outer_diameter, self.thickness, height)
+
+    def force(self, deflection: Values) -> Values:
+        """Force of the stack, N."""
+        each = marked(deflection / self.part.series, deflection)
+        return self.part.parallel * law.disc_force(*self.shape, each)
+
+    def stiffness(self, deflection: Values) -> Values:
+        """Slope of the force, N/m."""
+        own = self.part
+        return own.parallel / own.series * law.disc_stiffness(*self.shape, deflection / own.series)
+
+    def deflection(self, force: Values) -> Values:
+        """Deflection that gives a force, m; all discs flat where none does.
+
+        The force grows ever slower, so that Newton's steps from nothing never go too far.
+        """
+        at, _ = 0.0 * force, self.shape  # the shape is a step of the calculation, unlike the search
+        with unrecorded():
+            for _ in range(_STEPS):
+                there = smaller(at + (force - self.force(at)) / self.stiffness(at), self.end)
+                moved, at = greatest(there - at), there
+                if not moved > _CLOSE * self.end:
+                    break
+        return at
+
+    def stresses(self, deflection: float) -> tuple[float, float]:
+        """Stress where the section turns (OM), and the largest tension at the edges II and III, Pa."""
+        logarithm, each = math.log(self.ratio), deflection / self.part.series
+        membrane = law.disc_factor_membrane(self.ratio, logarithm, math.pi)
+        bending = law.disc_factor_bending(self.ratio, logarithm, math.pi)
+        middle = law.disc_stress(*self.shape, each, 0.0, 3 / math.pi)
+        edges = (membrane, -bending), ((membrane - 2 * bending) / self.ratio, -bending / self.ratio)
+        return float(middle), max(float(law.disc_stress(*self.shape, each, *edge)) for edge in edges)
+
+
+@dataclass(frozen=True)
+class CoilCharacteristic:
+    """Coil springs side by side; forces are those of all together, N."""
+
+    part: CoilSprings
+
+    @property
+    def free_length(self) -> float:
+        """L_0, m."""
+        return self.part.free_length
+
+    @property
+    def rate(self) -> float:
+        """Stiffness of all together, N/m."""
+        return self.part.rate
+
+    @property
+    def range(self) -> tuple[float, float]:
+        """From nothing to where the gaps between the turns are the least that must stay, m."""
+        own = self.part
+        return 0.0, self.end - law.coil_least_gap(own.wire_diameter, own.coil_diameter, own.turns)
+
+    @property
+    def end(self) -> float:
+        """Deflection at which it is pressed solid, m."""
+        return self.part.free_length - law.coil_solid_length(self.part.wire_diameter, self.part.turns)
+
+    def force(self, deflection: Values) -> Values:
+        """Force, N."""
+        return self.rate * deflection
+
+    def stiffness(self, deflection: Values) -> Values:
+        """The same at every deflection, N/m."""
+        return self.rate + 0.0 * deflection
+
+    def deflection(self, force: Values) -> Values:
+        """Deflection that gives a force, m; pressed solid where none does."""
+        return smaller(force / self.rate, self.end)
+
+    @property
+    def correction(self) -> float:
+        """k_τ, by which a curved wire bears more at its inside: it counts where the spring moves."""
+        return law.coil_correction(self.part.wire_diameter, self.part.coil_diameter)
+
+    def stress(self, deflection: float) -> float:
+        """Shear stress of the wire, without the correction for the curve as for a spring that rests, Pa."""
+        each = self.rate * deflection / self.part.count
+        return law.coil_stress(each, self.part.wire_diameter, self.part.coil_diameter, 1.0, math.pi)
+
+
+Characteristic: TypeAlias = DiscCharacteristic | CoilCharacteristic
+
+
+def characteristic(part: DiscStack | CoilSprings) -> Characteristic:
+    """Return the characteristic of a part."""
+    return DiscCharacteristic(part) if isinstance(part, DiscStack) else CoilCharacteristic(part)
+
+
+@dataclass(frozen=True)
+class SetSpring:
+    """A spring as it is set; without a disc it is straight."""
+
+    set_force: Values
+    """N."""
+    straight_stiffness: Values | None
+    """N/m; None where only its force is known."""
+    disc: DiscCharacteristic | None = None
+
+    @property
+    def _rate(self) -> Values:
+        assert self.straight_stiffness is not None
+        return self.straight_stiffness
+
+    @cached_property
+    def deflection(self) -> Values:
+        """As set, m."""
+        return self.set_force / self._rate if self.disc is None else self.disc.deflection(self.set_force)
+
+    def force(self, further: Values) -> Values:
+        """Force when pressed together so much further than as set, N."""
+        if self.disc is None:
+            return self.set_force + self._rate * further
+        return self.disc.force(marked(self.deflection + further, further))
+
+    def stiffness(self, further: Values) -> Values:
+        """Slope of the force there, N/m."""
+        return self._rate if self.disc is None else self.disc.stiffness(self.deflection + further)
+
+    def secant(self, further: Values) -> Values:
+        """Change of the force per deflection from as set, N/m."""
+        return self._rate if self.disc is None else (self.force(further) - self.set_force) / further
+
+    def slackens(self, force: Values) -> Values:
+        """How far it lengthens until so much force is left, m."""
+        if self.disc is None:
+            return (self.set_force - force) / self._rate
+        return self.deflection - self.disc.deflection(force)
+
+
+SpringName = Literal["closing", "control"]
+
+
+class SpringDemand(NamedTuple):
+    """What one spring of a clutch is to give, and what happens to it."""
+
+    name: SpringName
+    force: float
+    """As set, N."""
+    stiffness: float | None
+    """N/m; None: any."""
+    relaxes: float
+    """How much longer it gets in service, m."""
+    compresses: float
+    """How much shorter, m."""
+    follows: int | None
+    """Pairs whose wear it follows; None: wear does not reach it."""
+    room: Room
+    pitch: float | None
+    """Of the nut, m."""
+    friction: tuple[float, float] | None
+    """w_M of the cones of a stack on each other, w_R of its edges."""
+    stroke: float | None = None
+    """How far it goes and comes at every trip, m; None: it rests, or moves too seldom to count (EN 13906-1)."""
+    cycles: float | None = None
+    """Trips asked for; None: not told."""
+
+
+def spring_demands(spec: Spec, closing_force: float, control_force: float | None, travel: float) -> list[SpringDemand]:
+    """What each spring of a clutch is to give.
+
+    The closing spring of a direct clutch follows the wear of the pack and rests. That of an indirect one is slackened
+    by the travel of the sleeve, which presses the control spring together, and it is the control spring that follows
+    the wear; both move at every trip.
+
+    Args:
+        spec: the clutch.
+        closing_force: F_п as set, N.
+        control_force: F_п2, N; None where there is no such spring.
+        travel: x_max of the sleeve, m.
+    """
+    pairs = spec.friction_group.pairs
+    worn = pairs * ((spec.heat and spec.heat.lining) or 0.0)
+    closing, control = spec.closing_spring, spec.control_spring
+    if control is None or control_force is None:
+        return [_demand("closing", closing, closing_force, worn, 0.0, pairs)]
+    cycles = spec.requirements.cycles if spec.requirements is not None else None
+    stroke = travel if cycles is None or cycles > QUASI_STATIC else None
+    return [
+        _demand("closing", closing, closing_force, travel, 0.0, None)._replace(stroke=stroke, cycles=cycles),
+        _demand("control", control, control_force, worn, travel, pairs)._replace(stroke=stroke, cycles=cycles),
+    ]
+
+
+def _demand(
+    name: SpringName,
+    spring: ClosingSpring | ControlSpring,
+    force: float,
+    relaxes: float,
+    compresses: float,
+    follows: int | None,
+) -> SpringDemand:
+    surface, edge = spring.surface_friction, spring.edge_friction
+    return SpringDemand(
+        name=name,
+        force=force,
+        stiffness=spring.stiffness or None,
+        relaxes=relaxes,
+        compresses=compresses,
+        follows=follows,
+        room=spring.room or Room(),
+        pitch=spring.thread_pitch,
+        friction=None if surface is None or edge is None else (surface, edge),
+    )
