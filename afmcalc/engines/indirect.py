@@ -513,7 +513,8 @@ class IndirectClutch(Clutch):
         if slope <= best * (1 + 1e-9):
             return []
         torques = {"most": float(self.torque(float(self.leaving_friction))), "falls": float(self.torque(most))}
-        code, path = "torque-jumps" if slope > jumping else "torque-falls-with-travel", "control_unit.gain_slope"
+        code = "torque-jumps" if slope > jumping else "torque-falls-with-travel"
+        path = "control_unit.gain_slope"
         return [finding(code, "warning", value=slope, limit=best, path=path, **torques, jumping=jumping)]
 
     def _key_findings(self) -> list[Finding]:
