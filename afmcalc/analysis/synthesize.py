@@ -101,7 +101,7 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
     """
     unit = _unit(clutch)
     assert unit.ball_circle_radius is not None
-    travel = float(clutch.sleeve.travel_max) if clutch.sleeve else 0.0
+    travel = _travel(clutch)
     gap, clearance = clearances(unit)
     bare = wall_of(clutch, gap)
     sine = math.sin(bare.angle)
@@ -193,6 +193,11 @@ def _contact(clutch: Clutch, unit: ControlUnit, wall: Wall, ball_radius: float |
         torque = max(clutch.ball_torque(first.min, second.min), clutch.ball_torque(first.max, second.max))
         places = [torque], [wall.angle]
     return contact_of(unit, wall, *places, ball_known=ball_radius is not None)
+
+
+def _travel(clutch: Clutch) -> float:
+    """x_max; a direct clutch has no sleeve, and its law no travel."""
+    return float(clutch.sleeve.travel_max) if clutch.sleeve else 0.0
 
 
 def least_contact_force_gain(clutch: Clutch) -> float | None:

@@ -512,10 +512,10 @@ class IndirectClutch(Clutch):
         best, jumping = float(self.constant_torque_slope), float(self.jumping_slope)
         if slope <= best * (1 + 1e-9):
             return []
-        torques = {"most": float(self.torque(float(self.leaving_friction))), "falls": float(self.torque(most))}
         code = "torque-jumps" if slope > jumping else "torque-falls-with-travel"
-        path = "control_unit.gain_slope"
-        return [finding(code, "warning", value=slope, limit=best, path=path, **torques, jumping=jumping)]
+        path, falls = "control_unit.gain_slope", float(self.torque(most))
+        most = float(self.torque(float(self.leaving_friction)))
+        return [finding(code, "warning", value=slope, limit=best, path=path, most=most, falls=falls, jumping=jumping)]
 
     def _key_findings(self) -> list[Finding]:
         """How the key holds the sleeve back; a warning where the machine's torque is then no longer transmitted."""

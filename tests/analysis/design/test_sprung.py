@@ -139,7 +139,7 @@ def brute(need, search):
         if all(any(each.level == "error" for each in findings) for findings in balls) or not exists(clutch, need):
             continue
         own = {
-            "closing_force": float(clutch.control_force or clutch.closing_force),
+            "closing_force": float(clutch.pack_force_at_rest),
             "accuracy_factor": float(clutch.accuracy_factor),
             "travel": found.travel_max,
             "pairs": values["pairs"],
