@@ -461,7 +461,9 @@ class IndirectClutch(Clutch):
         import numpy as np
 
         balance, high = self.balance(net_gain), self.friction[0].max
-        way = balance.way(*ends)
+        # of every clutch, where they differ only in what does not move the sleeve of any
+        shape = 0.0 * (self.closing_force * self.control_force * net_gain * self.gain_slope)
+        way = balance.way(*(end + shape for end in ends))
         friction = np.asarray(balance.friction(way))
         torque = indirect.torque(balance.pressed(way), self.mean_radius, self.pairs, friction)
         inside = (friction >= low * (1 - _ROUNDING)) & (friction <= high * (1 + _ROUNDING))

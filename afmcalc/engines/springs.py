@@ -77,9 +77,14 @@ class DiscCharacteristic:
         return law.stack_length(self.part.parallel, self.part.series, self.part.free_height, self.thickness)
 
     @property
+    def cone_height(self) -> float:
+        """l_0 − t of the disc without flats, m."""
+        return self.part.free_height - self.part.thickness
+
+    @property
     def range(self) -> tuple[float, float]:
-        """Deflections it may be used between, by the cone height of the disc without flats, m."""
-        whole = self.part.series * (self.part.free_height - self.part.thickness)
+        """Deflections it may be used between, by its cone height, m."""
+        whole = self.part.series * self.cone_height
         return LEAST_USED * whole, MOST_USED * whole
 
     @property

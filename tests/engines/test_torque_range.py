@@ -64,7 +64,7 @@ def met(clutch):
     share = np.append(np.linspace(0.0, 1.0, 10_001), clutch.path_bend)
     path = clutch.path(share)
     swept = np.asarray(clutch.torque(*path))
-    back = None if clutch.friction_set is None else float(np.min(clutch.torque_returning(path[0])))
+    back = None if clutch.sleeve is None else float(np.min(clutch.torque_returning(path[0])))
     return float(swept.min()), float(swept.max()), back
 
 
