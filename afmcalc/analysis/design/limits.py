@@ -17,6 +17,8 @@ from .candidates import Candidates
 from .space import SAME, Mask, Numbers, given
 
 OVER, UNDER = 1 + SAME, 1 - SAME
+_Value: TypeAlias = "Callable[[Candidates], Numbers]"
+_Holds: TypeAlias = "Callable[[Candidates], Mask]"
 
 
 class Constraint(NamedTuple):
@@ -44,52 +46,51 @@ class Constraint(NamedTuple):
 def constraints(need: Requirements, variant: Variant) -> list[Constraint]:
     """Every bound that the requirements put on a variant."""
     unit = _of_the_control_unit(need, variant) if variant.controlled else ()
-    return [*_bounds(need, variant), *unit, *(_of_springs(need, variant) if need.springs else ())]
+    return [*_bounds(need), *unit, *(_of_springs(need, variant) if need.springs else ())]
 
 
-def _bounds(need: Requirements, variant: Variant) -> Iterable[Constraint]:
+def _bound(
+    name: str, value: _Value, limit: float, unit: str, along_radius: tuple[int, int], *, at_least: bool = False
+) -> Constraint:
+    def holds(c: Candidates) -> Mask:
+        return value(c) >= limit * UNDER if at_least else value(c) <= limit * OVER
+
+    return Constraint(name, holds, along_radius, value, limit, unit, at_least)
+
+
+def _bounds(need: Requirements) -> Iterable[Constraint]:
     wanted, limits, span = need.wanted, need.limits, need.search.closing_force
     if span is None:
         largest = float(given(need.search.closing_forces).array()[-1])
-        yield Constraint(
-            "closing_force", lambda c: c.wanted_force <= largest / UNDER, (0, 0),
-            lambda c: c.wanted_force, largest, "N",
-        )  # fmt: skip
+        yield _bound("closing_force", lambda c: c.wanted_force, largest, "N", (0, 0))
     else:
-        most, least = span.max * OVER, span.min * UNDER
-        force: _Value = lambda c: c.pack_force  # noqa: E731
-        yield Constraint("closing_force", lambda c: c.pack_force <= most, (1, 1), force, span.max, "N")
-        yield Constraint(
-            "closing_force", lambda c: c.pack_force >= least, (-1, -1), force, span.min, "N", at_least=True
-        )
+        yield _bound("closing_force", lambda c: c.pack_force, span.max, "N", (1, 1))
+        yield _bound("closing_force", lambda c: c.pack_force, span.min, "N", (-1, -1), at_least=True)
     if (factor := wanted.accuracy_factor) is not None:
-        yield _at_most("accuracy_factor", lambda c: c.accuracy_factor, factor, "1", (0, 1))
+        yield _bound("accuracy_factor", lambda c: c.accuracy_factor, factor, "1", (0, 1))
     if (torque := wanted.torque_max) is not None:
-        yield _at_most("torque_max", lambda c: c.torque_max, torque, "N*m", (0, 1))
+        yield _bound("torque_max", lambda c: c.torque_max, torque, "N*m", (0, 1))
     if (width := need.fixed.face_width) is not None:
         yield Constraint(
             "face_width", lambda c: c.at.mean_radius > width / 2, (1, 1), lambda c: c.at.mean_radius, width / 2, "m",
             at_least=True,
         )  # fmt: skip
     if (pressure := limits.surface_pressure) is not None:
-        yield _at_most("surface_pressure", lambda c: c.surface_pressure, pressure, "Pa", (1, 1))
+        yield _bound("surface_pressure", lambda c: c.surface_pressure, pressure, "Pa", (1, 1))
     if width is not None or need.search.inner_radius is not None:
         for pressure in filter(None, map(allowable, need.friction.materials.values())):
-            yield _at_most("material_pressure", lambda c: c.peak_pressure, pressure, "Pa", (1, 1))
+            yield _bound("material_pressure", lambda c: c.peak_pressure, pressure, "Pa", (1, 1))
     if (diameter := limits.outer_diameter) is not None:
-        yield _at_most("outer_diameter", lambda c: c.outer_diameter, diameter, "m", (-1, -1))
+        yield _bound("outer_diameter", lambda c: c.outer_diameter, diameter, "m", (-1, -1))
 
 
 def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Constraint]:
     limits = need.limits
     if limits.gain_limit and variant.gain_limit is not None:
-
-        def within(c: Candidates) -> Mask:
-            return np.asarray(c.gain <= c.gain_limit * (1 + 1e-9))
-
+        within: _Holds = lambda c: c.gain <= c.gain_limit * (1 + 1e-9)  # noqa: E731
         yield Constraint("gain_limit", within, (0, -1), lambda c: c.gain / c.gain_limit, 1.0, "1")
     if (reduced := limits.reduced_gain) is not None:
-        yield _at_most("reduced_gain", lambda c: c.reduced_gain, reduced, "1", (0, -1))
+        yield _bound("reduced_gain", lambda c: c.reduced_gain, reduced, "1", (0, -1))
     if (force := limits.contact_force) is not None:
         yield Constraint(
             "contact_force", lambda c: c.ball_torque <= force * OVER / c.most_per_ball, (1, 1),
@@ -107,9 +108,9 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
     if variant.travels:
         hub = given(need.fixed.hub_diameter)
         room: _Value = lambda c: 2 * c.at.mean_radius - np.nan_to_num(c.face_width)  # noqa: E731
-        yield Constraint("hub_diameter", lambda c: room(c) >= hub * UNDER, (1, 1), room, hub, "m", at_least=True)
-    if variant.travels and (travel := limits.travel) is not None:
-        yield _at_most("travel", lambda c: c.travel, travel, "m", (0, 1))
+        yield _bound("hub_diameter", room, hub, "m", (1, 1), at_least=True)
+        if (travel := limits.travel) is not None:
+            yield _bound("travel", lambda c: c.travel, travel, "m", (0, 1))
 
 
 def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:
@@ -119,21 +120,14 @@ def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:
         yield Constraint("closing_spring", lambda c: holds_force(c.closing_force, closing), (0, 0))
         return
 
-    def slackens(c: Candidates) -> Mask:
-        return np.asarray(c.travel <= travel_held(c.closing_force, c.at.closing_stiffness, closing, relaxes=True))
-
-    def presses(c: Candidates) -> Mask:
-        return np.asarray(c.travel <= travel_held(c.control_force, c.at.control_stiffness, control, relaxes=False))
-
+    slackens: _Holds = lambda c: (  # noqa: E731
+        c.travel <= travel_held(c.closing_force, c.at.closing_stiffness, closing, relaxes=True)
+    )
+    presses: _Holds = lambda c: (  # noqa: E731
+        c.travel <= travel_held(c.control_force, c.at.control_stiffness, control, relaxes=False)
+    )
     yield Constraint("closing_spring", slackens, (0, 0))
     yield Constraint("control_spring", presses, (0, 0))
-
-
-_Value: TypeAlias = Callable[[Candidates], Numbers]
-
-
-def _at_most(name: str, value: _Value, limit: float, unit: str, along_radius: tuple[int, int]) -> Constraint:
-    return Constraint(name, lambda c: value(c) <= limit * OVER, along_radius, value, limit, unit)
 
 
 OBJECTIVES: dict[str, Callable[[Candidates], Numbers]] = {
@@ -150,22 +144,21 @@ OBJECTIVES: dict[str, Callable[[Candidates], Numbers]] = {
 
 
 @np.errstate(all="ignore")
-def objectives(found: Candidates) -> Numbers:
+def objectives(tried: Candidates) -> Numbers:
     """One row per candidate, one column per objective."""
-    columns = [OBJECTIVES[name](found) for name in found.need.objectives]
+    columns = [OBJECTIVES[name](tried) for name in tried.need.objectives]
     # columns of their own in memory, rows to look at
-    return np.moveaxis(np.stack(np.broadcast_arrays(*columns, found.at.pairs)[:-1]), 0, -1)
+    return np.moveaxis(np.stack(np.broadcast_arrays(*columns, tried.at.pairs)[:-1]), 0, -1)
 
 
-def feasible(found: Candidates, among: Mask) -> Mask:
+def feasible(tried: Candidates, among: Mask) -> Mask:
     """Those of some candidates that hold every constraint; what costs most is asked of those that hold the others."""
-    held = constraints(found.need, found.variant)
-    good = reduce(and_, (each.holds(found) for each in held if each.value), among & found.is_clutch)
-    if not good.any():
-        return good
-    few = found.at.at(good)
-    own = replace(found, at=few)
-    good[good] = reduce(and_, (each.holds(own) for each in held if not each.value), np.ones(few.pairs.shape, bool))
+    bounds = constraints(tried.need, tried.variant)
+    good = reduce(and_, (bound.holds(tried) for bound in bounds if bound.value), among & tried.is_clutch)
+    if good.any():
+        few = replace(tried, at=tried.at.at(good))
+        costly = (bound.holds(few) for bound in bounds if not bound.value)
+        good[good] = reduce(and_, costly, np.ones(few.at.pairs.shape, bool))
     return good
 
 
@@ -180,26 +173,29 @@ def unimodal(need: Requirements) -> bool:
 
 
 def never_worse(need: Requirements, variant: Variant) -> dict[str, int]:
-    """Axes along which a feasible candidate is never beaten: by its larger (1) or its smaller (−1) neighbour."""
+    """Axes along which a feasible candidate never beats its larger (1) or its smaller (−1) neighbour, if that is too.
+
+    Of 2·10⁶ indirect candidates by three objectives: 0.6 s, without 1.8 s.
+    """
     angle, aims = need.search.gain is None, set(need.objectives)
-    found: dict[str, int] = {}
+    ways: dict[str, int] = {}
     if curved(need, variant):
         # a stiffer spring, a larger radius may want a wall that cannot be cut
-        return found
+        return ways
     if variant.controlled and not angle:
         # a gain knows no ball circle: but for the balls all are alike
-        found["ball_circle_radius"] = 1 if "ball_diameter" in aims else -1
+        ways["ball_circle_radius"] = 1 if "ball_diameter" in aims else -1
     span = need.search.closing_force is not None
     by_gain = span and not variant.travels and "ball_diameter" not in aims
     # a given force loads the balls the more the larger R is: one that is chosen for that has to grow
     borne = need.contact is not None and "ball_diameter" in aims
     by_angle = unimodal(need) and (span or not (variant.travels or borne))
     if by_angle if angle and variant.controlled else by_gain:
-        found["mean_radius"] = 1
+        ways["mean_radius"] = 1
     if variant.travels:
-        found["closing_stiffness"] = 1
+        ways["closing_stiffness"] = 1
         if not aims & {"ball_diameter", "travel", "control_deflection"}:
-            found["control_stiffness"] = -1
+            ways["control_stiffness"] = -1
         elif not aims & {"accuracy_factor", "ball_diameter"}:
-            found["control_stiffness"] = 1
-    return found
+            ways["control_stiffness"] = 1
+    return ways

@@ -38,15 +38,8 @@ def refined(
     Each objective in turn is made as small as it goes without a rise of the others. Whole numbers and lists stay; so
     do a spring force from a catalogue and pockets with a curved wall, and then all the rest.
 
-    Args:
-        need: the requirements.
-        variant: variant of the candidates.
-        at: one candidate per element.
-        progress: is told how many of them are behind.
-        ball_first: whether the ball, which comes in sizes, is made smaller too, before all else.
-
-    Returns:
-        Candidates of the same number, each no worse than its own in any objective.
+    Candidates of the same number come out, each no worse than its own in any objective; ``progress`` is told how many
+    are behind. With ``ball_first`` the ball, which comes in sizes, is made smaller too, before all else.
     """
     count = at.pairs.size
     between = any(choice.between for choice in _free(need, variant).values())
