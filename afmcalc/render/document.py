@@ -148,7 +148,7 @@ def _records(records: Sequence[Result]) -> Table:
 
 def _sweep(sweeps: Sequence[Series]) -> Table:
     """Lay out series that share a grid: the coordinate of each, then the answers, which all have in common."""
-    axes = [Column(each.path, each.parameter, each.path, each.unit, each.values) for each in sweeps]
+    axes = [Column(sweep.path, sweep.parameter, sweep.path, sweep.unit, sweep.values) for sweep in sweeps]
     first, *_ = sweeps
     answers = [
         column._replace(values=column.values[0], words=())

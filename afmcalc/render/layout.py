@@ -43,11 +43,11 @@ def blocks(laid_out: Document) -> list[TextTable]:
     singles = [column for column in laid_out.singles if not column.error_of and not column.hidden]
     values = [(column, cells(column, errors.get(column.path))) for column in singles]
     triples = [(column, cells(column)) for column in laid_out.triples]
-    found = [quantities([translate("Value")], values)] if values else []
-    found += [quantities([*map(translate, ("at f_min", "at mean f", "at f_max"))], triples)] if triples else []
+    tables = [quantities([translate("Value")], values)] if values else []
+    tables += [quantities([*map(translate, ("at f_min", "at mean f", "at f_max"))], triples)] if triples else []
     if not laid_out.steps:
-        found += [_table(part) for table in laid_out.tables if not table.shown.data for part in _parts(table)]
-    return found
+        tables += [_table(part) for table in laid_out.tables if not table.shown.data for part in _parts(table)]
+    return tables
 
 
 def errors_in(columns: Sequence[Column]) -> dict[str, list[float]]:
@@ -142,9 +142,9 @@ def _pointed(column: Sequence[str]) -> list[str]:
     return [text.rjust(width) for text in (heading, *filled)]
 
 
-def unfolded(found: list[TextTable]) -> list[TextTable]:
+def unfolded(tables: list[TextTable]) -> list[TextTable]:
     """Tables for a page of any width: records side by side where they always stand so."""
-    return [part for block in found for part in (turned(block) if is_across(block) else [block])]
+    return [part for block in tables for part in (turned(block) if is_across(block) else [block])]
 
 
 _SHORT = 24
@@ -176,39 +176,31 @@ def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[Tex
         The tables; none where not even one record has room.
     """
     assert block.source is not None
-    texts = [list(column) for column in zip(*block.rows, strict=True)]
-    shared = [
-        len(block.rows) > 1 and not right and len(set(column)) == 1
-        for column, right in zip(texts, block.numeric, strict=True)
-    ]
-    common = "; ".join(
-        f"{head}: {column[0]}" for head, column, same in zip(block.header, texts, shared, strict=True) if same
-    )
+    shared: list[tuple[str, Column, list[str]]] = []
+    others: list[tuple[str, Column, list[str]]] = []
+    for head, column, right, *texts in zip(block.header, block.source.columns, block.numeric, *block.rows, strict=True):
+        same = len(texts) > 1 and not right and len(set(texts)) == 1
+        (shared if same else others).append((head, column._replace(units=None), texts))
+    common = "; ".join(f"{head}: {texts[0]}" for head, _, texts in shared)
     title = f"{block.title} ({common})" if common else block.title
-    first, *rest = (number for number, same in enumerate(shared) if not same)
-    heads = texts[first]
-    lines = [(block.source.columns[number]._replace(units=None), texts[number]) for number in rest]
-    whole = quantities(heads, lines, title)
-    widths = [max(map(len, record)) for record in zip(heads, *(texts[number] for number in rest), strict=True)]
+    (corner, _, heads), *rest = others
+    whole = quantities(heads, [(column, texts) for _, column, texts in rest], title)
+    widths = [max(map(len, record)) for record in zip(*(texts for *_, texts in others), strict=True)]
     ends = (max(len(row[place]) for row in whole.rows) for place in (0, 1, -1))
     if width is None or sum(ends) + sum(widths) + gap * (len(widths) + 2) <= width:
         return [whole]
-    corner, labels = block.header[first], [block.header[number] for number in rest]
-    room = width - max(map(len, (corner, *labels)))
+    room = width - max(len(head) for head, *_ in others)
     if max(widths) + gap > room:
         return []
-    found: list[TextTable] = []
+    tables: list[TextTable] = []
     start = 0
-    while start < len(heads):
-        stop, left = start, room
-        while stop < len(heads) and left >= widths[stop] + gap:
-            left -= widths[stop] + gap
-            stop += 1
-        rows = [[label, *texts[number][start:stop]] for label, number in zip(labels, rest, strict=True)]
-        numeric = [False, *(True for _ in range(start, stop))]
-        found.append(TextTable("" if start else title, [corner, *heads[start:stop]], rows, numeric))
-        start = stop
-    return found
+    for stop in range(1, len(heads) + 1):
+        if stop == len(heads) or sum(widths[start : stop + 1]) + gap * (stop + 1 - start) > room:
+            rows = [[head, *texts[start:stop]] for head, _, texts in rest]
+            header = [corner, *heads[start:stop]]
+            tables.append(TextTable("" if start else title, header, rows, [False] + [True] * (stop - start)))
+            start = stop
+    return tables
 
 
 def step_lines(laid_out: Document) -> list[str]:

@@ -57,5 +57,5 @@ def latex_in_numbers(latex: str) -> str:
     if spoken() == "en":
         return latex
     # a unit follows its number after a gap; an index does not
-    latex = re.sub(r"\\,\\text\{([^}]*)\}", lambda found: f"\\,\\text{{{translate(found[1], 'unit')}}}", latex)
+    latex = re.sub(r"\\,\\text\{([^}]*)\}", lambda match: f"\\,\\text{{{translate(match[1], 'unit')}}}", latex)
     return re.sub(r"(?<=\d)\.(?=\d)", "{,}", latex)

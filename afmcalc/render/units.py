@@ -137,7 +137,7 @@ def in_numbers(formula: str) -> str:
     """Return a formula with numbers and units put in as people of the user's language write it."""
     if spoken() == "en":
         return formula
-    return _NUMBER.sub(lambda found: with_unit(localized(found[1]), translate(found[2] or "", "unit")), formula)
+    return _NUMBER.sub(lambda match: with_unit(localized(match[1]), translate(match[2] or "", "unit")), formula)
 
 
 def significant(value: float) -> str:

@@ -46,13 +46,13 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
 
     curve = curve or curve_lines
     laid_out = document(output.result)
-    found, steps = blocks(laid_out), step_lines(laid_out)
+    tables, steps = blocks(laid_out), step_lines(laid_out)
     if not is_unicode():
-        found = [_spelled(block) for block in found]
+        tables = [_spelled(block) for block in tables]
     if terminal or _width():
-        text = _rich(output, found, steps, curve, terminal=terminal)
+        text = _rich(output, tables, steps, curve, terminal=terminal)
     else:
-        text = _plain(output, found, steps, curve)
+        text = _plain(output, tables, steps, curve)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
 
 
@@ -88,10 +88,10 @@ def is_unicode() -> bool:
     return (getattr(sys.stdout, "encoding", "") or "").lower().replace("-", "").startswith("utf")
 
 
-def _plain(output: Output, found: list[TextTable], steps: list[str], curve: SweepDrawing) -> str:
+def _plain(output: Output, tables: list[TextTable], steps: list[str], curve: SweepDrawing) -> str:
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
     lines = [title(output)]
-    for block in unfolded(found):
+    for block in unfolded(tables):
         lines += ["", *filter(None, (block.title, block.legend)), *_aligned(block), *curve(block, is_unicode(), None)]
     lines += steps
     if output.findings:
@@ -115,7 +115,7 @@ def _widths(block: TextTable) -> list[int]:
     return [max(map(len, column)) for column in zip(block.header, *block.rows, strict=True)]
 
 
-def _rich(output: Output, found: list[TextTable], steps: list[str], curve: SweepDrawing, *, terminal: bool) -> str:
+def _rich(output: Output, tables: list[TextTable], steps: list[str], curve: SweepDrawing, *, terminal: bool) -> str:
     """Lay out within the width there is: folded rather than cut; rules and colours only in a terminal."""
     from rich.console import Console
     from rich.text import Text
@@ -126,7 +126,7 @@ def _rich(output: Output, found: list[TextTable], steps: list[str], curve: Sweep
         file=text, force_terminal=terminal, no_color=None if terminal else True, width=width, highlight=False
     )
     console.print(Text(title(output), style="bold"))
-    for block in [part for whole in found for part in _within(whole, width)]:
+    for block in [part for whole in tables for part in _within(whole, width)]:
         console.print()
         if block.title:
             console.print(Text(block.title, style="italic"))

@@ -67,8 +67,10 @@ def _settings(more: dict[str, Any] | None = None) -> Iterator[None]:
     """Our parameters over matplotlib's defaults, for a while."""
     mpl = _matplotlib()
     # a copy: the defaults carry the backend, which is not ours to set
-    own: Any = {key: value for key, value in mpl.rcParamsDefault.items() if not key.startswith(("backend", "toolbar"))}
-    with warnings.catch_warnings(), mpl.rc_context(own | PARAMETERS | (more or {})):
+    defaults: Any = {
+        key: value for key, value in mpl.rcParamsDefault.items() if not key.startswith(("backend", "toolbar"))
+    }
+    with warnings.catch_warnings(), mpl.rc_context(defaults | PARAMETERS | (more or {})):
         # what the font lacks is drawn as a box, what has no room (a torque of 1e-18 N·m) beside it: that is seen
         warnings.filterwarnings("ignore", "Glyph|constrained_layout not applied")
         yield

@@ -92,9 +92,9 @@ class _Room(NamedTuple):
 
 
 def _room(axes: Axes, renderer: RendererSVG) -> _Room:
-    own, around = axes.bbox, axes.get_tightbbox(renderer)
+    inner, around = axes.bbox, axes.get_tightbbox(renderer)
     assert around is not None
-    return _Room(own.x0 - around.x0, around.x1 - own.x1, around.y1 - own.y1, own.y0 - around.y0)
+    return _Room(inner.x0 - around.x0, around.x1 - inner.x1, around.y1 - inner.y1, inner.y0 - around.y0)
 
 
 def _lay_out(figure: Figure, shares: Sequence[float], renderer: RendererSVG) -> None:

@@ -137,13 +137,13 @@ def _front(result: "DesignResult", x: str, y: str, by_pairs: bool) -> Chart:
         points = _points(label, rows, x, y)
         lines.append(points._replace(style=_COLOURED[place % len(_COLOURED)], marker=marker))
     if len(pairs) > 1:
-        lines = _tagged(lines, [z for _, z in sorted(groups)])
+        _tag(lines, [z for _, z in sorted(groups)])
     for row in result.front:
         if row.number == result.knee:
             knee = _points(told("knee: no. {number}", number=str(row.number)), [row], x, y)
             lines.append(knee._replace(style=_INK, marker=0, filled=True))
-    ends = [end for name in (x, y) for end in _ends([row.objective(name) for row in result.front])]
-    return Chart(_objective(result, x), _objective(result, y), lines, bounds=(ends[0], ends[1], ends[2], ends[3]))
+    along, up = (_ends([row.objective(name) for row in result.front]) for name in (x, y))
+    return Chart(_objective(result, x), _objective(result, y), lines, bounds=(*along, *up))
 
 
 def _points(label: str, rows: "list[DesignRow]", x: str, y: str) -> Line:
@@ -151,14 +151,12 @@ def _points(label: str, rows: "list[DesignRow]", x: str, y: str) -> Line:
     return Line(label, along, up, points=True, names=[str(row.number) for row in rows])
 
 
-def _tagged(lines: list[Line], pairs: list[int]) -> list[Line]:
+def _tag(lines: list[Line], pairs: list[int]) -> None:
     """Name each number of pairs once, at the end of the line that reaches furthest."""
-    tagged = list(lines)
     for z in set(pairs):
         alike = [number for number, other in enumerate(pairs) if other == z]
         furthest = max(alike, key=lambda number: lines[number].x[-1] or 0.0)
-        tagged[furthest] = lines[furthest]._replace(tag=f"z = {z}")
-    return tagged
+        lines[furthest] = lines[furthest]._replace(tag=f"z = {z}")
 
 
 def _objective(result: "DesignResult", name: str) -> ChartAxis:

@@ -19,15 +19,15 @@ def find_browser() -> str:
         AfmcalcError: there is none.
     """
     chosen = os.environ.get("AFMCALC_BROWSER")
-    found = next((path for name in ((chosen,) if chosen else NAMES) if (path := shutil.which(name))), None)
-    if found is None:
+    browser = next((path for name in ((chosen,) if chosen else NAMES) if (path := shutil.which(name))), None)
+    if browser is None:
         looked = chosen or ", ".join(NAMES)
         raise AfmcalcError(
             "--pdf: no headless browser found (looked for {looked}): install Chromium, name one in "
             "AFMCALC_BROWSER, or leave --pdf out and print the HTML file from any browser",
             looked=looked,
         )
-    return found
+    return browser
 
 
 def arguments(browser: str, profile: str) -> list[str]:

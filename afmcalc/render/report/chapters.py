@@ -94,9 +94,9 @@ def _scatter(result: ToleranceResult) -> list[TextTable]:
     figures = [(column, _with_error(column, errors.get(column.path), sampled)) for column in singles]
     quantiles = [(_quantile(row.probability, row.torque), [row.standard_error]) for row in result.quantiles]
     torques = [(column, _with_error(column, error, sampled)) for column, error in quantiles]
-    found = [quantities(heads, figures), quantities(heads, torques, translate("Quantiles of the torque"))]
-    found += [_lives(result.life_quantiles, sampled)] if result.life_quantiles else []
-    return [*found, _inputs(result.inputs), *([_shares(result.sobol)] if sampled else [])]
+    tables = [quantities(heads, figures), quantities(heads, torques, translate("Quantiles of the torque"))]
+    tables += [_lives(result.life_quantiles, sampled)] if result.life_quantiles else []
+    return [*tables, _inputs(result.inputs), *([_shares(result.sobol)] if sampled else [])]
 
 
 def _quantile(probability: float, torque: float) -> Column:

@@ -89,10 +89,10 @@ def drawing(svg: str, name: str, number: int) -> Markup:
     """Make one of our drawings part of the page: its own ids, the page's colours and width, a name to read out."""
     svg = svg[svg.index("<svg") :]
     svg = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>", "", svg, flags=re.DOTALL)
-    own = f"fig{number}-"
-    svg = re.sub(r'\bid="([^"]+)"', rf'id="{own}\1"', svg)
-    svg = re.sub(r"url\(#", f"url(#{own}", svg)
-    svg = re.sub(r'href="#', f'href="#{own}', svg)
+    prefix = f"fig{number}-"
+    svg = re.sub(r'\bid="([^"]+)"', rf'id="{prefix}\1"', svg)
+    svg = re.sub(r"url\(#", f"url(#{prefix}", svg)
+    svg = re.sub(r'href="#', f'href="#{prefix}', svg)
     lines = [(colour, f"--line-{index}") for index, colour in enumerate(COLOURS[:4])]
     for colour, variable in ((INK, "--ink"), (GRID, "--grid"), (SHADE, "--shade"), *lines):
         svg = svg.replace(colour, f"var({variable})")

@@ -1,4 +1,4 @@
-"""From what was found of a clutch to the page of its report."""
+"""From what was calculated of a clutch to the page of its report."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -27,7 +27,7 @@ from .words import FORMS, told
 
 @dataclass(frozen=True)
 class Subject:
-    """What was found of a clutch, and whose report it is."""
+    """What was calculated of a clutch, and whose report it is."""
 
     dossier: Dossier
     given: str
@@ -94,8 +94,8 @@ def _template() -> Template:
 def render(subject: Subject) -> str:
     """Write the page; the same subject gives the same text."""
     dossier = subject.dossier
-    found = chapters(dossier)
-    figures = _figures(found)
+    parts = chapters(dossier)
+    figures = _figures(parts)
     name = named(dossier.spec.name) or told("unnamed")
     return _template().render(
         subject=subject,
@@ -105,14 +105,14 @@ def render(subject: Subject) -> str:
         entries=_entries(subject),
         verdict=verdict(dossier),
         keys=list(_spec_lines(resolved(dossier.spec))),
-        chapters=found,
+        chapters=parts,
         figures=figures,
         sections=_sections(dossier, figures),
-        symbols=_symbols(found),
+        symbols=_symbols(parts),
         form=FORMS[spoken()],
         language=spoken(),
         findings=ranked(dossier.findings),
-        references=_references(found),
+        references=_references(parts),
     )
 
 
@@ -169,10 +169,10 @@ def _sections(dossier: Dossier, figures: list["_Figure"]) -> list[str]:
     return [name for name in form.sections if name in form.always or not empty.get(name)]
 
 
-def _symbols(found: list[Chapter]) -> list[tuple[str, str]]:
+def _symbols(parts: list[Chapter]) -> list[tuple[str, str]]:
     """Symbols of the formulas, each with what it stands for where it is first told."""
     meanings: dict[str, str] = {}
-    for block in (block for chapter in found for block in chapter.blocks):
+    for block in (block for chapter in parts for block in chapter.blocks):
         for part in block.where:
             if part.text:
                 meanings.setdefault(part.symbol, part.text)
@@ -215,15 +215,15 @@ def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
     return _SpecLine(f'{path}."{name}"', symbol, about, value, shown_unit, False)
 
 
-def _figures(found: list[Chapter]) -> list[_Figure]:
+def _figures(parts: list[Chapter]) -> list[_Figure]:
     """The drawings of all chapters, numbered through."""
-    sheets = [(chapter.key, sheet) for chapter in found for sheet in chapter.sheets]
+    sheets = [(chapter.key, sheet) for chapter in parts for sheet in chapter.sheets]
     return [
         _Figure(number, key, sheet, drawing(inline_svg(sheet), sheet.title, number))
         for number, (key, sheet) in enumerate(sheets, 1)
     ]
 
 
-def _references(found: list[Chapter]) -> list[tuple[str, str]]:
-    cited = {source for chapter in found for source in chapter.sources}
+def _references(parts: list[Chapter]) -> list[tuple[str, str]]:
+    cited = {source for chapter in parts for source in chapter.sources}
     return [(key, text) for key, text in REFERENCES.items() if key in cited]

@@ -139,8 +139,8 @@ def _math(latex: str) -> str:
     text = _mathml(latex.replace("{,}", "."))
     if spoken() == "en":
         return text
-    text = _NUMERAL.sub(lambda found: f"<mn>{localized(found[1])}</mn>", text)
-    return _UNIT.sub(lambda found: f"{found[1]}<mtext>{translate(found[2], 'unit')}</mtext>", text)
+    text = _NUMERAL.sub(lambda match: f"<mn>{localized(match[1])}</mn>", text)
+    return _UNIT.sub(lambda match: f"{match[1]}<mtext>{translate(match[2], 'unit')}</mtext>", text)
 
 
 _NUMERAL, _UNIT = re.compile("<mn>([^<]*)</mn>"), re.compile("(<mspace [^>]*>)<mtext>([^<]*)</mtext>")
