@@ -115,10 +115,10 @@ class OpenTriple(Result):
 class Series(Result):
     """One swept key: its coordinate at every point of the grid; subclasses add the answers there."""
 
-    parameter: str = quantity("", None, "swept key as called")
-    path: str = quantity("", None, "spec path")
-    unit: str = quantity("", None, "SI unit of the values")
-    values: list[float] = quantity("", None, "value at every point")
+    parameter: str = described("swept key as called")
+    path: str = described("spec path")
+    unit: str = described("SI unit of the values")
+    values: list[float] = described("value at every point")
 
 
 @dataclass(frozen=True)
