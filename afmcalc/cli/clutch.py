@@ -38,12 +38,7 @@ FrictionOption = Annotated[
 
 
 @with_common
-def torque(
-    spec: SpecArgument = None,
-    friction: FrictionOption = None,
-    *,
-    common: Common,
-) -> None:
+def torque(spec: SpecArgument = None, friction: FrictionOption = None, *, common: Common) -> None:
     """Torque, forces and accuracy over the friction range.
 
     \b
@@ -56,13 +51,7 @@ def torque(
 
 
 @with_common
-def accuracy(
-    spec: SpecArgument = None,
-    sweep: SweepOption = None,
-    plot: PlotOption = False,
-    *,
-    common: Common,
-) -> None:
+def accuracy(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOption = False, *, common: Common) -> None:
     """Accuracy factor, its limits and sensitivities, and sweeps of it.
 
     \b
@@ -122,18 +111,18 @@ def synthesize(
     afmcalc synthesize clutch.toml --json | afmcalc torque -
     """  # noqa: D301
     from ..analysis.synthesize import completed
-    from ..spec import make_spec
     from ..spec.read import diameters
 
     common.keep(spec, balls, writes="spec")
     if common.output == "-":
         raise AfmcalcError("synthesize --output writes the completed spec beside the result: name a file")
     sizes = diameters(balls) if balls else None
-    output = common.to_standard_output().calculate(common.build(spec), balls=sizes)
+    clutch = common.build(spec)
+    result = common.to_standard_output().calculate(clutch, balls=sizes).result
     if common.output:
-        assert output.spec is not None
-        common.write_spec(completed(make_spec(output.spec), output.result), say("Completed by afmcalc synthesize."))
-        common.wrote(say("wrote the completed spec to {output}", output=common.output))
+        about = say("Completed by afmcalc synthesize.")
+        wrote = say("wrote the completed spec to {output}", output=common.output)
+        common.write_spec(completed(clutch.spec, result), about, wrote)
 
 
 @with_common

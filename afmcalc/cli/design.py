@@ -135,8 +135,8 @@ def design(
     if empty:
         raise AfmcalcError(empty[0].message)
     if spec and common.output:
-        common.write_spec(spec, say("Number {pick} of the front of afmcalc design.", pick=pick))
-        common.wrote(say("wrote number {pick} to {output}", pick=pick, output=common.output))
+        about = say("Number {pick} of the front of afmcalc design.", pick=pick)
+        common.write_spec(spec, about, say("wrote number {pick} to {output}", pick=pick, output=common.output))
 
 
 _IN_TABLES = 30

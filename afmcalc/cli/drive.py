@@ -49,8 +49,6 @@ def simulate(
     afmcalc simulate drive.toml --output drive-with-factor.toml
     """  # noqa: D301
     from ..analysis.simulate import with_dynamic_factor
-    from ..engines import build
-    from ..spec import make_spec
 
     if "-" in (common.output, history):
         raise AfmcalcError("simulate --output and --history write files beside the result: name one for each")
@@ -61,17 +59,15 @@ def simulate(
         raise AfmcalcError("--plot draws under a table, not with --format {name}", name=printed.chosen_format)
     points = [friction_of(text) for text in friction or ()]
     clutch = printed.clutch(spec)
-    output = printed.calculate(clutch, curve, friction=points, sweeps=axes_of(sweep, clutch))
-    assert output.spec is not None
-    resolved = make_spec(output.spec)
+    result = printed.calculate(clutch, curve, friction=points, sweeps=axes_of(sweep, clutch)).result
     if plot and not sweep:
-        _draw(build(resolved), common)
+        _draw(clutch, common)
     if history:
-        _write_history(build(resolved), points, history, common)
+        _write_history(clutch, points, history, common)
     if common.output:
         about = say("Its dynamic factor is that of afmcalc simulate.")
-        common.write_spec(with_dynamic_factor(resolved, output.result), about)
-        common.wrote(say("wrote the spec with the dynamic factor to {output}", output=common.output))
+        wrote = say("wrote the spec with the dynamic factor to {output}", output=common.output)
+        common.write_spec(with_dynamic_factor(clutch.spec, result), about, wrote)
 
 
 def _draw(clutch: "Clutch", common: Common) -> None:
@@ -167,5 +163,5 @@ def springs(
     data = picked(clutch, result, pick)
     common.to_standard_output().emit(result, findings, data)
     if common.output not in (None, "-"):
-        common.write_spec(data, say("With a part chosen by afmcalc springs."))
-        common.wrote(say("wrote the spec with its spring to {output}", output=common.output))
+        wrote = say("wrote the spec with its spring to {output}", output=common.output)
+        common.write_spec(data, say("With a part chosen by afmcalc springs."), wrote)

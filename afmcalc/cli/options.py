@@ -206,8 +206,14 @@ class Common:
         """Write to the file, or to standard output."""
         write(text, self.output, force=self.force, utf8=utf8)
 
-    def write_spec(self, data: dict[str, Any], about: str) -> None:
-        """Write a spec to the file of a command that gives one beside its result; ``about`` says what it is."""
+    def write_spec(self, data: dict[str, Any], about: str, wrote: str) -> None:
+        """Write a spec to the file of a command that gives one beside its result, and report it.
+
+        Args:
+            data: the spec.
+            about: what it is, for its first line.
+            wrote: what is reported.
+        """
         assert self.output is not None
         if format_of_spec(self.output) == "json":
             import json
@@ -218,6 +224,7 @@ class Common:
 
             text = to_toml(data, about)
         self.write(text, utf8=True)
+        self.wrote(wrote)
 
 
 def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
