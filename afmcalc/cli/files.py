@@ -10,33 +10,25 @@ from ..errors import AfmcalcError, FileError, reason
 from .signals import put_off, unreported
 from .streams import is_unicode
 
-_ENDINGS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
-_NO_RESULT = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
-
-
-def ending_of(path: str) -> str:
-    """Ending of a file's name, in small letters.
-
-    >>> ending_of("a.b/Report.HTML"), ending_of("a.b/report")
-    ('.html', '')
-    """
-    return os.path.splitext(path)[1].lower()
+_FORMATS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
+_OTHERS = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
+"""Endings of what is no result."""
 
 
 def format_of(output: str | None, asked: str | None) -> str:
-    """Format in which a result goes to a file: the one asked for, else the one its name ends in, else a table.
+    """Return the format of a result: the one asked for, else the one its file's name ends in, else a table.
 
     Raises:
         AfmcalcError: the name ends in another one.
     """
-    ending = ending_of(output or "")
-    if ending in _NO_RESULT:
+    ending = _ending(output)
+    if ending in _OTHERS:
         raise AfmcalcError(
             "--output {output}: a result is written as .txt, .json, .csv or .md "
             "(afmcalc report writes HTML and PDF, afmcalc plot pictures)",
             output=output,
         )
-    named = _ENDINGS.get(ending)
+    named = _FORMATS.get(ending)
     if named and asked not in (None, named):
         raise AfmcalcError(
             "--output {output} is the name of a file of format {named}, not {asked}",
@@ -47,39 +39,48 @@ def format_of(output: str | None, asked: str | None) -> str:
     return asked or named or "table"
 
 
-def format_of_spec(output: str) -> str:
-    """Format in which a spec goes to a file, by its name: TOML where that says nothing.
+def is_json_spec(output: str) -> bool:
+    """Whether a spec goes to a file as JSON, by its name; else as TOML.
 
     Raises:
-        AfmcalcError: the name ends in something else.
+        AfmcalcError: the name is that of something else.
     """
-    ending = ending_of(output)
-    if ending != ".toml" and ending in (*_ENDINGS, *_NO_RESULT) and ending != ".json":
+    ending = _ending(output)
+    if ending in {*_FORMATS, *_OTHERS} - {".toml", ".json"}:
         raise AfmcalcError("--output {output}: it gets a spec: .toml or .json", output=output)
-    return "json" if ending == ".json" else "toml"
+    return ending == ".json"
 
 
 def html_only(output: str | None) -> None:
-    """Refuse a name that says a report is something else.
-
-    Raises:
-        AfmcalcError: it does.
-    """
-    stem, ending = os.path.splitext(output or "")
-    if ending.lower() in {*_ENDINGS, *_NO_RESULT} - {".html", ".htm"}:
+    """Refuse a name that says a report is something else."""
+    if _ending(output) in {*_FORMATS, *_OTHERS} - {".html", ".htm"}:
         raise AfmcalcError(
             "--output {output}: a report is HTML; --output {stem}.html --pdf writes {stem}.pdf beside it",
             output=output,
-            stem=stem,
+            stem=os.path.splitext(output or "")[0],
         )
 
 
-def refuse(*paths: str | None, force: bool, inputs: Iterable[str | None] = ()) -> None:
-    """Refuse to write over what is read, two outputs to one file, and without ``force`` over a file that exists.
+def picture_of(output: str | None) -> str | None:
+    """Return the kind of picture that goes to a file, by its name; None for text.
 
     Raises:
-        AfmcalcError: a file would be lost.
+        AfmcalcError: the name is that of no picture.
     """
+    if output in (None, "-"):
+        return None
+    ending = _ending(output).removeprefix(".")
+    if ending not in ("png", "svg", "pdf", "dxf"):
+        raise AfmcalcError("--output {output}: end it in .png, .svg or .pdf (plot pocket: or .dxf)", output=output)
+    return ending
+
+
+def _ending(path: str | None) -> str:
+    return os.path.splitext(path or "")[1].lower()
+
+
+def refuse(*paths: str | None, force: bool, inputs: Iterable[str | None] = ()) -> None:
+    """Refuse to write over what is read, two outputs to one file, and without ``force`` over a file that exists."""
     written = [path for path in paths if path not in (None, "-") and (os.path.isfile(path) or not os.path.exists(path))]
     for path in written:
         if any(_is_same(path, source) for source in inputs):

@@ -17,7 +17,7 @@ from ..analysis.registry import ANALYSES
 from ..errors import AfmcalcError, need
 from ..messages import say, told
 from ..progress import Bar
-from .files import format_of, format_of_spec, refuse, write
+from .files import format_of, is_json_spec, refuse, write, write_file
 from .help import completing, paths
 from .signals import unreported
 from .streams import is_unicode, tell
@@ -106,7 +106,7 @@ class Common:
         if writes == "result":
             self.chosen_format  # noqa: B018
         elif writes == "spec" and self.output:
-            format_of_spec(self.output)
+            is_json_spec(self.output)
         refuse(self.output, beside, force=self.force, inputs=sources)
 
     def takes_no_clutch(self) -> None:
@@ -206,6 +206,11 @@ class Common:
         """Write to the file, or to standard output."""
         write(text, self.output, force=self.force, utf8=utf8)
 
+    def save(self, content: bytes, path: str) -> None:
+        """Write a file, and report it."""
+        write_file(path, content, force=self.force)
+        self.wrote(say("wrote {output}", output=path))
+
     def write_spec(self, data: dict[str, Any], about: str, wrote: str) -> None:
         """Write a spec to the file of a command that gives one beside its result, and report it.
 
@@ -215,7 +220,7 @@ class Common:
             wrote: what is reported.
         """
         assert self.output is not None
-        if format_of_spec(self.output) == "json":
+        if is_json_spec(self.output):
             import json
 
             text = json.dumps(data, indent=2, ensure_ascii=False) + "\n"

@@ -7,7 +7,7 @@ import typer
 from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError, need
 from ..messages import say
-from .files import write, write_file
+from .files import picture_of, write
 from .help import completing, plots, swept
 from .options import Common, common_options, need_drawing
 
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from ..render.plot.chart import Sheet
     from ..spec.requirements import Requirements
 
-_ENDINGS = ("png", "svg", "pdf", "dxf")
 _SHOP = ("dxf", "svg")
 """Drawings of the pocket for the shop."""
 
@@ -85,7 +84,7 @@ def plot(
 
     chosen = plot_of(what)
     what, takes = chosen.name, chosen.takes
-    ending = _ending(common.output)
+    ending = picture_of(common.output)
     common.keep(*subjects or (), beside=profile, writes="document")
     request = Request(subjects or (), sweep, model, profile, _length("cutter", cutter), _length("chord", chord))
     if (what == "pocket" and ending in _SHOP) or profile is not None:
@@ -115,17 +114,6 @@ def _requirements(what: str, request: "Request", common: Common) -> "list[Requir
     return [read_requirements(source, common.set or ())]
 
 
-def _ending(output: str | None) -> str | None:
-    """Kind of the file, by its ending; None for text."""
-    if output in (None, "-"):
-        return None
-    assert output is not None
-    ending = output.rpartition(".")[2].lower() if "." in output else ""
-    if ending not in _ENDINGS:
-        raise AfmcalcError("--output {output}: end it in .png, .svg or .pdf (plot pocket: or .dxf)", output=output)
-    return ending
-
-
 def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
     if ending is None:
         from ..render.formats.table import columns, is_unicode
@@ -139,8 +127,7 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
     from ..render.plot.figure import save
 
     assert common.output is not None
-    write_file(common.output, save(sheet, ending), force=common.force)  # type: ignore[arg-type]
-    common.wrote(say("wrote {output}", output=common.output))
+    common.save(save(sheet, ending), common.output)  # type: ignore[arg-type]
 
 
 def _for_the_shop(what: str, request: "Request", ending: str | None, common: Common) -> None:
@@ -161,9 +148,7 @@ def _for_the_shop(what: str, request: "Request", ending: str | None, common: Com
         drawing = shop_drawing_of(what, request._replace(subjects=subjects))
     if ending is not None:
         assert common.output is not None
-        content = shop.dxf(drawing) if ending == "dxf" else shop.svg(drawing)
-        write_file(common.output, content, force=common.force)
-        common.wrote(say("wrote {output}", output=common.output))
+        common.save(shop.dxf(drawing) if ending == "dxf" else shop.svg(drawing), common.output)
     if request.profile is not None:
         write(shop.profile(drawing), request.profile, force=common.force)
         if request.profile != "-":

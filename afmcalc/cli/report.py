@@ -9,7 +9,7 @@ from .. import __version__
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import html_only, write_file
+from .files import html_only
 from .options import Common, SpecArgument, common_options, need_drawing
 
 if TYPE_CHECKING:
@@ -82,8 +82,7 @@ def report(
     if output not in (None, "-"):
         common.wrote(say("wrote {output}", output=output))
     if target:
-        write_file(target, printed, force=common.force)
-        common.wrote(say("wrote {target}", target=target))
+        common.save(printed, target)
 
 
 def _pdf_beside(output: str | None) -> str:
