@@ -8,8 +8,9 @@ from typing import Literal, NamedTuple
 from ..findings import Finding, finding
 from ..messages import joined, say, term
 from ..result import Answer, Result, Sentence, described, quantity
+from . import PAPERS
 from .figures import FIGURES, PaperFigure, paper_figure
-from .register import PAPERS, check_papers, data
+from .register import check_papers, data
 
 Verdict = Literal["reproduced", "reproduced with correction", "not reproduced", "undecided"]
 
@@ -90,9 +91,6 @@ def expected() -> dict[str, str]:
     return {entry["id"]: entry["verdict"] for entry in data("claims.toml")["claim"]}
 
 
-_MODULES = {"F11": "fokin2011", "S19": "shishkarev2019", "S21": "shishkarev2021", "S22": "shishkarev2022"}
-
-
 def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[ReproduceResult, list[Finding]]:
     """Recompute what the papers print, in the order of its numbers, and the curves of their figures.
 
@@ -107,7 +105,7 @@ def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[Repr
     check_papers(papers)
     checks: dict[str, Callable[[], Found]] = {}
     for paper in papers or PAPERS:
-        checks |= import_module(f".{_MODULES[paper]}", __package__).CHECKS
+        checks |= import_module(f".{PAPERS[paper]}", __package__).CHECKS
     rows = [_row(entry, checks[entry["id"]]()) for entry in data("claims.toml")["claim"] if entry["id"] in checks]
     verdicts = [row.verdict for row in rows]
     unexpected = [row for row in rows if row.verdict != expected()[row.id]]

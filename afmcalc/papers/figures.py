@@ -5,18 +5,10 @@ from typing import NamedTuple
 
 from ..errors import AfmcalcError
 from ..messages import did_you_mean
+from . import PAPERS
 
-FIGURES = {
-    "F11-2": "fokin2011",
-    "S19-2": "shishkarev2019",
-    "S21-2": "shishkarev2021",
-    "S21-4": "shishkarev2021",
-    "S22-1": "shishkarev2022",
-    "S22-2": "shishkarev2022",
-    "S22-3": "shishkarev2022",
-    "S22-4": "shishkarev2022",
-}
-"""Figure → module of this package that has a function of its name (``figure_2``)."""
+FIGURES = ("F11-2", "S19-2", "S21-2", "S21-4", "S22-1", "S22-2", "S22-3", "S22-4")
+"""Paper and number of each; its module (``PAPERS``) has a function of its number, ``figure_2``."""
 
 
 class PaperAxis(NamedTuple):
@@ -83,5 +75,5 @@ def paper_figure(name: str) -> PaperFigure:
             hint=did_you_mean(wanted, FIGURES),
             figures=", ".join(FIGURES),
         )
-    module = import_module(f".{FIGURES[wanted]}", __package__)
-    return getattr(module, f"figure_{wanted.partition('-')[2]}")()
+    paper, _, number = wanted.partition("-")
+    return getattr(import_module(f".{PAPERS[paper]}", __package__), f"figure_{number}")()

@@ -10,8 +10,7 @@ from ..findings import Finding
 from ..messages import did_you_mean, say
 from ..progress import counted
 from ..result import Answer, Result, described
-
-PAPERS = ("F11", "S19", "S21", "S22")
+from . import PAPERS
 
 
 class Formula(Result):
@@ -121,19 +120,16 @@ def equations(
     """
     check_papers(papers)
     chosen = [entry for entry in register() if not papers or entry.id.split()[0] in papers]
-    if ids:
-        known = [entry.id for entry in chosen]
-        for name in ids:
-            if name not in known:
-                where = {
-                    "M": say("; equations --misprints lists misprints"),
-                    "P": say("; reproduce has the printed figures"),
-                }
-                hint = where.get(name[:1]) if name[1:].isdecimal() else None
-                raise AfmcalcError(
-                    "--id {name}: no such formula{hint}", name=name, hint=hint or did_you_mean(name, known)
-                )
-        chosen = [entry for entry in chosen if entry.id in ids]
+    known = [entry.id for entry in chosen]
+    for name in ids:
+        if name not in known:
+            where = {
+                "M": say("; equations --misprints lists misprints"),
+                "P": say("; reproduce has the printed figures"),
+            }
+            hint = where.get(name[:1]) if name[1:].isdecimal() else None
+            raise AfmcalcError("--id {name}: no such formula{hint}", name=name, hint=hint or did_you_mean(name, known))
+    chosen = [entry for entry in chosen if not ids or entry.id in ids]
     numbered = [entry for entry in chosen if is_numbered(entry)]
     slips = [m for m in misprints() if not papers or m.where.split()[0] in papers] if show_misprints else None
     listed = slips if slips is not None else chosen
