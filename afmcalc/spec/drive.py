@@ -112,5 +112,5 @@ def missing_of(drive: Drive) -> list[str]:
     """Keys of the [drive] block that are missing, without which neither a simulation nor V1 can be asked."""
     if drive.motor is not None:
         return ["event"]
-    held = drive.motor_inertia is not None or drive.cut_off is not None
-    return [*(["speed"] if drive.speed is None else []), *([] if held else ["motor_inertia"])]
+    ends = drive.motor_inertia is not None or drive.cut_off is not None
+    return [*(["speed"] if drive.speed is None else []), *([] if ends else ["motor_inertia"])]

@@ -176,7 +176,7 @@ class Contact(Block):
     allowable_pressure: Stress = key("allowable maximum contact pressure", "[p_0]", default=...)
 
 
-HARDENED_STEEL = Contact(
+HARDENED_STEEL = Contact.model_construct(
     ball_modulus=206e9, ball_poisson=0.3, wall_modulus=206e9, wall_poisson=0.3, allowable_pressure=4.2e9
 )
 """Assumed where neither [control_unit.contact] nor an allowable force is given; 4200 MPa: static limit of ball bearings

@@ -135,19 +135,19 @@ def _product(text: str, words: Mapping[str, UnitProduct]) -> UnitProduct:
         ValueError: it is no product.
     """
     plain = text.translate(_SIGNS).replace("**", "^").strip()
-    plain = _DIVISOR.sub(lambda found: "/" + re.sub(r"\s*\*\s*|\s+", "/", found[1].strip()), plain)
+    plain = _DIVISOR.sub(lambda match: "/" + re.sub(r"\s*\*\s*|\s+", "/", match[1].strip()), plain)
     plain = re.sub(r"^1\s*(?=/)", "", plain)
     factor, exponents, latin, at = Decimal(1), [0] * len(_BASES), "", 0
     while at < len(plain) or not at:
-        found = _FACTOR.match(plain, at)
-        if found is None or (found[1] == "" if at else "*" in found[1]):
+        match = _FACTOR.match(plain, at)
+        if match is None or (match[1] == "" if at else "*" in match[1]):
             raise ValueError(text)
-        sign = -1 if "/" in found[1] else 1
-        for unit, power in _factors(found[2], sign * int(found[3] or 1), sign, words):
+        sign = -1 if "/" in match[1] else 1
+        for unit, power in _factors(match[2], sign * int(match[3] or 1), sign, words):
             factor *= unit.factor**power
-            exponents = [own + power * more for own, more in zip(exponents, unit.exponents, strict=True)]
-        latin += found[1] + "*".join(unit.latin for unit, _ in _factors(found[2], 1, 1, words)) + (found[3] or "")
-        at = found.end()
+            exponents = [total + power * more for total, more in zip(exponents, unit.exponents, strict=True)]
+        latin += match[1] + "*".join(unit.latin for unit, _ in _factors(match[2], 1, 1, words)) + (match[3] or "")
+        at = match.end()
     return UnitProduct(factor, tuple(exponents), latin)
 
 
@@ -176,7 +176,7 @@ def factor(text: str, unit: str) -> Decimal:
         if hint := _in_one_alphabet(text, unit):
             raise ValueError(say("unknown unit {text!r}{hint}", text=text, hint=hint)) from None
         (word,) = error.args
-        near = did_you_mean(word, [each for each in (*_COMMON, *_words()) if _fits(text.replace(word, each), unit)])
+        near = did_you_mean(word, [name for name in (*_COMMON, *_words()) if _fits(text.replace(word, name), unit)])
         message = say("unknown unit {names!r}{hint}; {allowed}", names=word, hint=near, allowed=allowed(unit))
         raise ValueError(message) from None
     except ValueError:

@@ -175,7 +175,7 @@ Objective = Literal[
     "control_force", "closing_deflection", "control_deflection",
 ]  # fmt: skip
 
-_GAIN_LIMITS = ", ".join(dict.fromkeys(each.gain_limit.rule for each in VARIANTS.values() if each.gain_limit))
+_GAIN_LIMITS = ", ".join(dict.fromkeys(variant.gain_limit.rule for variant in VARIANTS.values() if variant.gain_limit))
 
 
 class Wanted(RuledBlock):
@@ -252,9 +252,9 @@ class Search(Block):
     @property
     def radii(self) -> Choice:
         """What the mean radius follows: itself, or the outer radius at a given inner one."""
-        found = self.mean_radius or self.outer_radius
-        assert found is not None
-        return found
+        radii = self.mean_radius or self.outer_radius
+        assert radii is not None
+        return radii
 
     @property
     def least_mean_radius(self) -> float:

@@ -30,14 +30,14 @@ class _Cure(NamedTuple):
 
 
 def toml_problem(text: str, error: ValueError) -> Problem:
-    """Tell what the TOML parser found."""
+    """Tell what the TOML parser match."""
     why = str(error)
-    found = _POSITION.search(why)
-    if found is None or found[1] is None:
+    match = _POSITION.search(why)
+    if match is None or match[1] is None:
         at = len(text.rstrip())
     else:
-        before = text.split("\n", int(found[1]))[: int(found[1]) - 1]
-        at = sum(len(line) + 1 for line in before) + int(found[2]) - 1
+        before = text.split("\n", int(match[1]))[: int(match[1]) - 1]
+        at = sum(len(line) + 1 for line in before) + int(match[2]) - 1
     why = _POSITION.sub("", why)
     begin, line = _line(text, at)
     cure = _of_key(line, why) or _of_value(line, at - begin)
@@ -46,7 +46,7 @@ def toml_problem(text: str, error: ValueError) -> Problem:
 
 
 def json_problem(text: str, error: json.JSONDecodeError) -> Problem:
-    """Tell what the JSON parser found."""
+    """Tell what the JSON parser match."""
     begin, line = _line(text, error.pos)
     cure = _of_value(line, error.pos - begin)
     why = cure.message if cure else _lowered(error.msg)
@@ -69,10 +69,10 @@ def _place(text: str, at: int, begin: int, cure: _Cure | None) -> Place:
 
 def _of_key(line: str, why: str) -> _Cure | None:
     """What is wrong with the key of a line."""
-    found = _KEY.match(line)
-    if found is None:
+    match = _KEY.match(line)
+    if match is None:
         return None
-    key, start, end = found[2], found.start(2), found.end(2)
+    key, start, end = match[2], match.start(2), match.end(2)
     if why == "Cannot overwrite a value":
         return _Cure(say("the key {key} stands twice", key=key), start, end)
     if why.endswith("twice"):
@@ -80,7 +80,7 @@ def _of_key(line: str, why: str) -> _Cure | None:
     if not key.isascii() and any(letter.isalpha() for letter in key):
         hint = elsewhere(plain(key)) or in_latin(key)
         return _Cure(say("keys are written in Latin letters{hint}", hint=hint), start, end)
-    if not found[1].strip() and line[end:].lstrip().startswith(":"):
+    if not match[1].strip() and line[end:].lstrip().startswith(":"):
         return _Cure(say("write = between key and value, not a colon"), start, end + 1)
     return None
 
@@ -91,44 +91,44 @@ def _of_value(line: str, column: int) -> _Cure | None:
     if not signs:
         return None
     start = signs[-1]
-    for pattern, told in _VALUES:
-        if (found := re.compile(pattern + _END).match(line, start)) and (message := told(found)):
-            return _Cure(message, start, max(found.end(), start + 1))
+    for pattern, cure in _VALUES:
+        if (match := re.compile(pattern + _END).match(line, start)) and (message := cure(match)):
+            return _Cure(message, start, max(match.end(), start + 1))
     if line.count('"', start) % 2:
         return _Cure(say("the closing quote is missing"), start, len(line))
     return None
 
 
-def _unread(found: re.Match[str]) -> str | None:
-    return unread_number(found[0], quoted=True) if len(found[0]) < _LONG else None
+def _unread(match: re.Match[str]) -> str | None:
+    return unread_number(match[0], quoted=True) if len(match[0]) < _LONG else None
 
 
-def _unquoted(found: re.Match[str]) -> str:
-    return say('a number with a unit stands in quotes: "{value}"', value=found[0])
+def _unquoted(match: re.Match[str]) -> str:
+    return say('a number with a unit stands in quotes: "{value}"', value=match[0])
 
 
-def _decimals(found: re.Match[str]) -> str:
-    number = (found[1] or "0").lstrip("0") or "0"
-    return say("write {number}.{decimals}", number=number, decimals=found[2] or "0")
+def _decimals(match: re.Match[str]) -> str:
+    number = (match[1] or "0").lstrip("0") or "0"
+    return say("write {number}.{decimals}", number=number, decimals=match[2] or "0")
 
 
-def _word(found: re.Match[str]) -> str:
-    truth = _TRUTH.get(found[1].lower())
-    return say("write {truth}", truth=truth) if truth else say('text stands in quotes: "{text}"', text=found[1])
+def _word(match: re.Match[str]) -> str:
+    truth = _TRUTH.get(match[1].lower())
+    return say("write {truth}", truth=truth) if truth else say('text stands in quotes: "{text}"', text=match[1])
 
 
-def _plain_quotes(found: re.Match[str]) -> str:
-    return say('plain quotes are wanted: "{text}"', text=found[1])
+def _plain_quotes(match: re.Match[str]) -> str:
+    return say('plain quotes are wanted: "{text}"', text=match[1])
 
 
-def _missing(found: re.Match[str]) -> str:
+def _missing(match: re.Match[str]) -> str:
     return say("a value is missing")
 
 
 _VALUES: tuple[tuple[str, Callable[[re.Match[str]], str | None]], ...] = (
     (rf"[+-]?\d[\d ,.]*\d(?:{_UNIT})?", _unread),
     (rf"{_NUMBER}{_UNIT}", _unquoted),
-    (r"0+([1-9]\d*)", lambda found: say("write {number}", number=found[1])),
+    (r"0+([1-9]\d*)", lambda match: say("write {number}", number=match[1])),
     (r"(\d*)\.(\d*)", _decimals),
     (r"""[“”„«‘‚'](?P<text>[^“”„»’'"]*)[“”»’']""", _plain_quotes),
     (r"([^\W\d][\w-]*)", _word),

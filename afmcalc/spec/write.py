@@ -61,8 +61,9 @@ def _commented(text: str) -> Iterator[str]:
         if line.startswith("["):
             table = line.strip("[]") + "."
         key = keys().get(table + line.partition(" = ")[0])
-        said = ", ".join(filter(None, (key.symbol, re.split(r"; | \(", key.description)[0]))) if key else ""
-        yield f"{line:<{_COMMENT - 1}} # {said}\n" if said else f"{line}\n"
+        words = [key.symbol, re.split(r"; | \(", key.description)[0]] if key else []
+        text = ", ".join(filter(None, words))
+        yield f"{line:<{_COMMENT - 1}} # {text}\n" if text else f"{line}\n"
 
 
 def written(data: Mapping[str, Any], path: str = "") -> dict[str, Any]:
@@ -74,7 +75,7 @@ def written(data: Mapping[str, Any], path: str = "") -> dict[str, Any]:
             key = keys().get(inner)
             table[name] = _value(value, key.unit if key else None)
         elif path == "tolerance.fields":  # its keys are paths themselves
-            table[name] = {part: _value(each, unit_at(name)) for part, each in value.items()}
+            table[name] = {part: _value(number, unit_at(name)) for part, number in value.items()}
         elif value:
             table[name] = written(value, inner)
     return table
