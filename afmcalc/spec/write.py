@@ -11,7 +11,7 @@ from .models import Spec
 from .parse import example_text
 from .quantity import factor, parse_quantity
 
-_WRITTEN = {"N": "kN", "m": "mm", "N*m": "N*m", "N/m": "N/mm", "rad": "deg", "Pa": "MPa", "m^3": "cm^3"}
+WRITTEN = {"N": "kN", "m": "mm", "N*m": "N*m", "N/m": "N/mm", "rad": "deg", "Pa": "MPa", "m^3": "cm^3"}
 """SI unit → the one that a written spec has."""
 
 _DIGITS = 12
@@ -87,7 +87,7 @@ def _value(value: Any, unit: str | None) -> Any:
         return [_value(item, unit) for item in value]
     if isinstance(value, bool | str):
         return value
-    if unit in _WRITTEN:
+    if unit in WRITTEN:
         return _quantity(value, unit)
     text = f"{value:.{_DIGITS}g}"
     return value if isinstance(value, int) else int(text) if text.isdecimal() else float(text)
@@ -95,7 +95,7 @@ def _value(value: Any, unit: str | None) -> Any:
 
 def _quantity(value: float, unit: str) -> str:
     """Write a number in SI with the engineer's unit, or with its own where only that reads back to the same."""
-    written = _WRITTEN[unit]
+    written = WRITTEN[unit]
     text = f"{float(Decimal(value) / factor(written, unit)):.{_DIGITS}g}"
     plain = f"{value:.{_DIGITS}g}"
     if float(plain) == value and parse_quantity(f"{text} {written}", unit) != value:

@@ -14,6 +14,7 @@ from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError, FileError, SpecError
 from afmcalc.spec import make_spec, read_spec, resolved, to_toml
 from afmcalc.spec.catalogues import friction_materials
+from afmcalc.spec.edit import put
 from afmcalc.spec.parse import parse
 
 EXAMPLES = sorted(path for path in CONFIGS.glob("*.toml") if path.stem != "requirements")
@@ -24,14 +25,7 @@ def changed(**changes):
     """The base clutch with values at dotted paths (``__`` for the dot); None removes."""
     data = json.loads(json.dumps(BASE))
     for path, value in changes.items():
-        *blocks, name = path.split("__")
-        block = data
-        for part in blocks:
-            block = block.setdefault(part, {})
-        if value is None:
-            block.pop(name, None)
-        else:
-            block[name] = value
+        put(data, path.replace("__", "."), value)
     return data
 
 
@@ -245,9 +239,7 @@ def test_what_a_calculation_finds_wrong_names_the_file(command, changes, tmp_pat
     file = tmp_path / "some.toml"
     data = tomllib.loads((S21).read_text(encoding="utf-8"))
     for path, value in changes.items():
-        *blocks, name = path.split("__")
-        block = data[blocks[0]] if blocks else data
-        block.pop(name, None) if value is None else block.update({name: value})
+        put(data, path.replace("__", "."), value)
     file.write_text(tomli_w.dumps(data), encoding="utf-8")
     run = afmcalc(*command, file)
     assert run.code == 2
