@@ -104,16 +104,16 @@ def _title_block(spec: "Spec", options: dict[str, str | None]) -> "TitleBlock":
 
 def _read(source: str | None, common: Common) -> "tuple[bytes, str, Spec]":
     """Read a spec once, and return file and text with it; the text of a command's JSON is that of its spec block."""
-    from ..spec.parse import bytes_of, parse, text_in
+    from ..spec.parse import bytes_of, decoded, parse
     from ..spec.read import spec_of
 
     raw, name = bytes_of(common.given_instead("report") if source is None else source)
-    text, label = text_in(raw, name)
-    spec = spec_of(text, label, common.set or ())
+    given = decoded(raw, name)
+    spec, text = spec_of(given, common.set or ()), given.text
     if text.lstrip().startswith("{"):
         import json
 
-        text = json.dumps(parse(text, label), indent=2, ensure_ascii=False)
+        text = json.dumps(parse(given), indent=2, ensure_ascii=False)
     return raw, text.strip("\n"), spec
 
 

@@ -60,15 +60,14 @@ MOST_BITS = 1024
 _LONG_KEY = rf"""(?m)(?:^|[\[{{,])[ \t]*(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){{{DEEPEST}}}"""
 
 
-def text_of(source: str | PathLike[str] | None) -> tuple[str, Source]:
-    """Return the text of a spec as given, and what to call it in messages.
+def text_of(source: str | PathLike[str] | None) -> Source:
+    """Return the text of a spec as given, with what to call it in messages.
 
     Raises:
         FileError: it cannot be read.
         SpecError: it is no text, or too long for a spec.
     """
-    raw, label = bytes_of(source)
-    return text_in(raw, label)
+    return decoded(*bytes_of(source))
 
 
 def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
@@ -98,108 +97,101 @@ def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
     return raw, label
 
 
-def text_in(raw: bytes, label: str) -> tuple[str, Source]:
-    """Return the text of a file, and its name with the text.
+def decoded(raw: bytes, label: str) -> Source:
+    """Return the text of a file: UTF-8, or UTF-16 with its mark, as PowerShell writes.
 
     Raises:
         SpecError: it is no text.
     """
-    text = _decoded(raw, label)
-    return text, Source(label, text)
-
-
-def _decoded(raw: bytes, label: str) -> str:
-    """Text of a file: UTF-8, or UTF-16 with its mark, as PowerShell writes."""
     if raw.startswith((b"\xff\xfe", b"\xfe\xff")):
         try:
-            return raw.decode("utf-16")
+            return Source(label, raw.decode("utf-16"))
         except UnicodeDecodeError as error:
             raise _refused(label, say("is not UTF-16 text (byte {byte})", byte=error.start)) from None
     try:
-        return raw.decode("utf-8-sig")
+        return Source(label, raw.decode("utf-8-sig"))
     except UnicodeDecodeError as error:
         line = raw.count(b"\n", 0, error.start) + 1
-        raise _refused(
-            label, say("is not UTF-8 text (line {line}, byte {byte}): save it as UTF-8", line=line, byte=error.start)
-        ) from None
+        message = say("is not UTF-8 text (line {line}, byte {byte}): save it as UTF-8", line=line, byte=error.start)
+        raise _refused(label, message) from None
 
 
 def _refused(label: str, message: str, path: str = "") -> SpecError:
     return SpecError(label, [Problem(path, None, message)])
 
 
-def parse(text: str, label: str) -> dict[str, object]:
+def parse(source: Source) -> dict[str, object]:
     """Parse TOML or JSON text; JSON is what begins with a bracket or brace that TOML could not.
 
     Raises:
         SpecError: it is neither, or beyond a limit.
     """
-    if not text.strip():
-        raise _refused(label, say("is empty; a clutch spec in TOML or JSON is wanted"))
+    if not source.text.strip():
+        raise _refused(source, say("is empty; a clutch spec in TOML or JSON is wanted"))
     try:
-        data = _json_of(text, label) if is_json(text, label) else toml_of(text, label)
+        data = _json_of(source) if is_json(source) else toml_of(source)
     except RecursionError:
-        raise _refused(label, too_deep()) from None
-    check_size(data, label)
+        raise _refused(source, too_deep()) from None
+    check_size(data, source)
     return data
 
 
-def is_json(text: str, label: str) -> bool:
+def is_json(source: Source) -> bool:
     """Whether a text is meant as JSON."""
-    return text.lstrip()[:1] == "{" or label.endswith(".json")
+    return source.text.lstrip()[:1] == "{" or source.endswith(".json")
 
 
-def toml_of(text: str, label: str) -> dict[str, object]:
+def toml_of(source: Source) -> dict[str, object]:
     """Parse TOML text.
 
     Raises:
         SpecError: it is none, or beyond a limit.
     """
-    if len(text) > LONGEST_TOML:
-        raise _refused(label, say("is larger than {most} KiB, the most for TOML", most=LONGEST_TOML >> 10))
+    if len(source.text) > LONGEST_TOML:
+        raise _refused(source, say("is larger than {most} KiB, the most for TOML", most=LONGEST_TOML >> 10))
     # a dotted key of very many parts would take gigabytes to read
-    if re.search(_LONG_KEY, text):
-        raise _refused(label, say("a key has more than {most} parts, the most there may be", most=DEEPEST))
+    if re.search(_LONG_KEY, source.text):
+        raise _refused(source, say("a key has more than {most} parts, the most there may be", most=DEEPEST))
     try:
-        return tomllib.loads(text)
+        return tomllib.loads(source.text)
     except tomllib.TOMLDecodeError as error:
         from .syntax import toml_problem
 
-        raise SpecError(label, [toml_problem(text, error)]) from None
+        raise SpecError(source, [toml_problem(source.text, error)]) from None
     except ValueError:
-        raise _refused(label, say("is not valid TOML: a number has too many digits")) from None
+        raise _refused(source, say("is not valid TOML: a number has too many digits")) from None
 
 
-def _json_of(text: str, label: str) -> dict[str, object]:
+def _json_of(source: Source) -> dict[str, object]:
     def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
         seen: dict[str, object] = {}
         for key, value in pairs:
             if key in seen:
-                raise _refused(label, say("is not a spec: key {key!r} stands twice in one JSON object", key=key))
+                raise _refused(source, say("is not a spec: key {key!r} stands twice in one JSON object", key=key))
             seen[key] = value
         return seen
 
-    # so would JSON of very many values
-    if text.count(",") > MOST_COMMAS or text.count("{") + text.count("[") > MOST_BRACKETS:
-        raise _refused(label, say("holds more than {most:,} values, the most that are read", most=MOST_COMMAS))
+    # JSON of very many values would take gigabytes to read
+    if source.text.count(",") > MOST_COMMAS or source.text.count("{") + source.text.count("[") > MOST_BRACKETS:
+        raise _refused(source, say("holds more than {most:,} values, the most that are read", most=MOST_COMMAS))
     try:
-        data = json.loads(text, object_pairs_hook=unique)
+        data = json.loads(source.text, object_pairs_hook=unique)
     except json.JSONDecodeError as error:
         from .syntax import json_problem
 
-        raise SpecError(label, [json_problem(text, error)]) from None
+        raise SpecError(source, [json_problem(source.text, error)]) from None
     except AfmcalcError:
         raise
     except ValueError:
-        raise _refused(label, say("is not valid JSON: a number has too many digits")) from None
+        raise _refused(source, say("is not valid JSON: a number has too many digits")) from None
     if not isinstance(data, dict):
-        raise _refused(label, say("is not a spec: a JSON object is wanted"))
+        raise _refused(source, say("is not a spec: a JSON object is wanted"))
     if "spec" in data:
         if data["spec"] is None and "command" in data:
-            raise _refused(label, say("the output of {command!r} carries no clutch", command=data["command"]))
+            raise _refused(source, say("the output of {command!r} carries no clutch", command=data["command"]))
         data = data["spec"]
         if not isinstance(data, dict):
-            raise _refused(label, say("its spec block is no object"))
+            raise _refused(source, say("its spec block is no object"))
     return data
 
 

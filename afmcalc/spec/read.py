@@ -42,24 +42,24 @@ def read_spec(source: str | PathLike[str] | Mapping[str, object] | None = None, 
         data = deepcopy(dict(source))
         apply_overrides(data, overrides)
         return make_spec(data)
-    return spec_of(*text_of(source), overrides)
+    return spec_of(text_of(source), overrides)
 
 
-def spec_of(text: str, label: Source, overrides: Overrides = ()) -> Spec:
-    """Read a clutch spec from its text, named ``label``; see ``read_spec``."""
-    return make_spec(*data_of(text, label, overrides, Spec))
+def spec_of(source: Source, overrides: Overrides = ()) -> Spec:
+    """Read a clutch spec from its text; see ``read_spec``."""
+    return make_spec(*data_of(source, overrides, Spec))
 
 
 def data_of(
-    text: str, label: Source, overrides: Overrides, model: type[BaseModel]
+    source: Source, overrides: Overrides, model: type[BaseModel]
 ) -> tuple[dict[str, object], Source, list[Broken]]:
     """Parse a text and override its values.
 
     What it is called then asks after numbers without a unit; those that cannot be meant in SI are returned. JSON is
     what programs write, in SI: there only an override may be meant otherwise.
     """
-    data = parse(text, label)
-    changed, in_si, keys = apply_overrides(data, overrides, model), is_json(text, label), keys_below(model)
+    data = parse(source)
+    changed, in_si, keys = apply_overrides(data, overrides, model), is_json(source), keys_below(model)
     questions, broken = [], []
     for path, value in given_in(data).items():
         if path in keys and (unit := keys[path].unit) in RARELY_SI and (path in changed or not in_si):
@@ -67,8 +67,8 @@ def data_of(
                 questions += [asked_unit(number, unit, path) for number in _numbers(value)]
             except ValueError as error:
                 broken.append((path, str(error)))
-    by = "--set" if label.name is BUILT_IN else ""
-    return data, Source(label, text, dict.fromkeys(changed, by), filter(None, questions)), broken
+    by = "--set" if source.name is BUILT_IN else ""
+    return data, Source(source, source.text, dict.fromkeys(changed, by), filter(None, questions)), broken
 
 
 def _numbers(value: object) -> Iterator[object]:
@@ -99,39 +99,38 @@ def diameters(source: str | PathLike[str] | None = None) -> list[float]:
         AfmcalcError: the file is no such list.
     """
     if source is None:
-        text = files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8")
-        label = Source("balls.csv", text)
+        label = Source("balls.csv", files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8"))
     else:
-        text, label = text_of(source)
-    listed = (_of_csv if label.lower().endswith(".csv") else _of_toml)(text, label)
+        label = text_of(source)
+    listed = (_of_csv if label.lower().endswith(".csv") else _of_toml)(label)
     return sorted(_diameter(item, label) for item in listed)
 
 
-def _of_toml(text: str, label: str) -> Sequence[object]:
-    data = toml_of(text, label)
-    check_size(data, label)
+def _of_toml(source: Source) -> Sequence[object]:
+    data = toml_of(source)
+    check_size(data, source)
     listed = data.get("diameters")
     if not isinstance(listed, list) or not listed:
         raise AfmcalcError(
-            "{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]", label=label
+            "{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]", label=source
         )
     return listed
 
 
-def _of_csv(text: str, label: str) -> Sequence[object]:
-    lines = [line.strip() for line in text.splitlines()]
+def _of_csv(source: Source) -> Sequence[object]:
+    lines = [line.strip() for line in source.text.splitlines()]
     cells = [line for line in lines if line and not line.startswith("#")]
     if cells[:1] != [HEADING] or not cells[1:]:
         raise AfmcalcError(
             "{label}: must begin with the heading {heading}, then one ball diameter in mm a line",
-            label=label,
+            label=source,
             heading=HEADING,
         )
     for cell in cells[1:]:
         if not re.fullmatch(r"\d{1,300}(\.\d+)?", cell, re.ASCII):
             raise AfmcalcError(
                 "{label}: line {line}: {cell!r} is no diameter in mm, such as 6.35",
-                label=label,
+                label=source,
                 line=lines.index(cell) + 1,
                 cell=cell,
             )

@@ -409,7 +409,7 @@ def read_requirements(source: str | PathLike[str], overrides: Overrides = ()) ->
         SpecError: every problem found.
         FileError: the file cannot be read.
     """
-    return validated(Requirements, *data_of(*text_of(source), overrides, Requirements))
+    return validated(Requirements, *data_of(text_of(source), overrides, Requirements))
 
 
 def make_requirements(data: Table, label: str = "requirements") -> Requirements:

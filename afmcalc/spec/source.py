@@ -49,7 +49,7 @@ class Source(Label):
 
     def place(self, path: str, *, key: bool = False) -> Place | None:
         """Where the value at a dotted path stands, or its ``key``; of a missing one, the table that lacks it."""
-        if any(f"{path}.".startswith(f"{gone}.") for gone in self.overridden):
+        if not path or any(f"{path}.".startswith(f"{gone}.") for gone in self.overridden):
             return None
         outside = ["spec"] if "spec" in self._spans else []
         wanted = path

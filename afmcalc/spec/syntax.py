@@ -103,10 +103,6 @@ def _unread(match: re.Match[str]) -> str | None:
     return unread_number(match[0], quoted=True) if len(match[0]) < _LONG else None
 
 
-def _unquoted(match: re.Match[str]) -> str:
-    return say('a number with a unit stands in quotes: "{value}"', value=match[0])
-
-
 def _decimals(match: re.Match[str]) -> str:
     number = (match[1] or "0").lstrip("0") or "0"
     return say("write {number}.{decimals}", number=number, decimals=match[2] or "0")
@@ -117,21 +113,16 @@ def _word(match: re.Match[str]) -> str:
     return say("write {truth}", truth=truth) if truth else say('text stands in quotes: "{text}"', text=match[1])
 
 
-def _plain_quotes(match: re.Match[str]) -> str:
-    return say('plain quotes are wanted: "{text}"', text=match[1])
-
-
-def _missing(match: re.Match[str]) -> str:
-    return say("a value is missing")
-
-
 _VALUES: tuple[tuple[str, Callable[[re.Match[str]], str | None]], ...] = (
     (rf"[+-]?\d[\d ,.]*\d(?:{_UNIT})?", _unread),
-    (rf"{_NUMBER}{_UNIT}", _unquoted),
+    (rf"{_NUMBER}{_UNIT}", lambda match: say('a number with a unit stands in quotes: "{value}"', value=match[0])),
     (r"0+([1-9]\d*)", lambda match: say("write {number}", number=match[1])),
     (r"(\d*)\.(\d*)", _decimals),
-    (r"""[“”„«‘‚'](?P<text>[^“”„»’'"]*)[“”»’']""", _plain_quotes),
+    (
+        r"""[“”„«‘‚'](?P<text>[^“”„»’'"]*)[“”»’']""",
+        lambda match: say('plain quotes are wanted: "{text}"', text=match[1]),
+    ),
     (r"([^\W\d][\w-]*)", _word),
-    (r"", _missing),
+    (r"", lambda match: say("a value is missing")),
 )
 """What people write for a value → how it is put right; the first that fits."""

@@ -291,7 +291,7 @@ def test_a_mistyped_file_is_a_spec_or_an_error_at_a_place_that_there_is(file, as
         at = int(share * len(text))
         text = text[:at] + typed + text[at + gone :]
     try:
-        spec_of(text, Source("x", text))
+        spec_of(Source("x", text))
     except SpecError as error:
         for place in (problem.place for problem in error.problems if problem.place):
             assert text.split("\n")[place.line - 1].removesuffix("\r") == place.text

@@ -10,6 +10,7 @@ from conftest import CONFIGS
 from afmcalc.errors import LONGEST_LINE, SpecError
 from afmcalc.spec import make_spec
 from afmcalc.spec.parse import DEEPEST, LONGEST_TEXT, LONGEST_TOML, MOST_ITEMS, MOST_KEYS, parse
+from afmcalc.spec.source import Source
 
 DEFAULT = (CONFIGS / "default.toml").read_text(encoding="utf-8")
 KEYS = "\n".join(f"key{number} = 1" for number in range(MOST_KEYS + 1))
@@ -40,17 +41,17 @@ NINES = "9" * 5000
 def test_text_beyond_a_limit(text, says):
     start = time.perf_counter()
     with pytest.raises(SpecError) as error:
-        parse(text, "text")
-    assert str(error.value) == f"text: {says}"
+        parse(Source("text", text))
+    assert [str(problem) for problem in error.value.problems] == [says]
     assert time.perf_counter() - start < 2
 
 
 def test_what_is_within_every_limit_is_read():
     deep = "[" * (DEEPEST - 1) + "]" * (DEEPEST - 1)
-    assert parse(f"{DEFAULT}\n[x]\n{'.'.join('a' * (DEEPEST - 3))} = 1\n[y]\nz = {deep}", "text")["variant"]
-    assert "1.2.3" in parse("name = '" + "1.2.3," * 50 + "'", "text")["name"]
+    assert parse(Source("text", f"{DEFAULT}\n[x]\n{'.'.join('a' * (DEEPEST - 3))} = 1\n[y]\nz = {deep}"))["variant"]
+    assert "1.2.3" in parse(Source("text", "name = '" + "1.2.3," * 50 + "'"))["name"]
     output = json.dumps({"command": "x", "result": {"a": [0.5] * 200_000}, "spec": {"variant": "y"}})
-    assert parse(output, "text") == {"variant": "y"}
+    assert parse(Source("text", output)) == {"variant": "y"}
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="no endless file")
@@ -108,14 +109,14 @@ def test_a_sweep_without_a_range_has_as_many_points_as_one_can_look_at(pairs, af
 
 def test_errors_stay_short():
     """Twenty problems of many, no line too long, wherever the text came from."""
-    data = parse(DEFAULT, "text") | {f"key{number}": "x" * 900 for number in range(1500)}
+    data = parse(Source("text", DEFAULT)) | {f"key{number}": "x" * 900 for number in range(1500)}
     with pytest.raises(SpecError) as error:
         make_spec(data, "spec.toml")
     lines = str(error.value).splitlines()
     assert len(lines) == 21
     assert lines[-1] == "spec.toml: and 1,480 more"
     with pytest.raises(SpecError) as error:
-        make_spec(parse(DEFAULT, "text") | {"k" * 900: 1}, "s" * 300)
+        make_spec(parse(Source("text", DEFAULT)) | {"k" * 900: 1}, "s" * 300)
     assert [len(line) for line in str(error.value).splitlines()] == [LONGEST_LINE]
 
 

@@ -16,6 +16,7 @@ from afmcalc.spec import make_spec, read_spec, resolved, to_toml
 from afmcalc.spec.catalogues import friction_materials
 from afmcalc.spec.edit import put
 from afmcalc.spec.parse import parse
+from afmcalc.spec.source import Source
 
 EXAMPLES = sorted(path for path in CONFIGS.glob("*.toml") if path.stem != "requirements")
 BASE = tomllib.loads((CONFIGS / "default.toml").read_text())
@@ -44,7 +45,7 @@ def test_round_trip_keeps_every_result(spec):
     data = resolved(spec)
     first, second = build(spec).friction
     for text in (json.dumps(data), tomli_w.dumps(data)):
-        again = build(make_spec(parse(text, "text")))
+        again = build(make_spec(parse(Source("text", text))))
         assert again.torque(first.max, second.max) == build(spec).torque(first.max, second.max)
         assert again.accuracy_factor_worst_case == build(spec).accuracy_factor_worst_case
         assert again.friction == build(spec).friction
@@ -287,7 +288,7 @@ def test_every_problem_is_shown_at_once():
 )
 def test_text_that_is_no_spec(text, says):
     with pytest.raises(AfmcalcError, match=says):
-        parse(text, "text")
+        parse(Source("text", text))
 
 
 def test_files_that_cannot_be_read(tmp_path):
