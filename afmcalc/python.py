@@ -112,10 +112,10 @@ class Clutch:
 
     def solve(self, name: str, target: str, wanted: float | str, *, beyond_limit: bool = False) -> "SolveResult":
         """One parameter from one wanted quantity; ``Clutch(answer.spec)`` is the clutch that has it."""
-        from .analysis.solve.solve import parse_target, solve
+        from .analysis.solve.solve import parse_target
 
-        quantity, value = parse_target(f"{target}={wanted}")
-        result, solved, findings = solve(self.engine, name, quantity, value, beyond_limit=beyond_limit)
+        asked = (self.engine, name, *parse_target(f"{target}={wanted}"))
+        result, solved, findings = ANALYSES["solve"].function(*asked, beyond_limit=beyond_limit)
         return _answered("solve", solved.spec, result, findings)
 
     def springs(
@@ -211,11 +211,9 @@ build = Clutch
 
 def compare(*clutches: Clutch | str | PathLike[str], variants: bool = False) -> "CompareResult":
     """Several clutches, or files of specs, side by side; with ``variants`` one as every variant it can be built as."""
-    from .analysis.compare import compare as analysis
-
-    asked = [each if isinstance(each, Clutch) else load(each) for each in clutches or (None,)]
-    found = analysis([each.engine for each in asked], variants=variants)
-    return _answered("compare", asked[0].spec, *found)
+    compared = [clutch if isinstance(clutch, Clutch) else load(clutch) for clutch in clutches or (None,)]
+    answer = ANALYSES["compare"].function([clutch.engine for clutch in compared], variants=variants)
+    return _answered("compare", compared[0].spec, *answer)
 
 
 def design(requirements: str | PathLike[str] | Mapping[str, object], *, pick: int | None = None) -> "DesignResult":
@@ -227,12 +225,11 @@ def design(requirements: str | PathLike[str] | Mapping[str, object], *, pick: in
         SpecError: the requirements are invalid.
         AfmcalcError: more candidates than are searched; no such number.
     """
-    from .analysis.design.design import design as analysis
     from .analysis.design.pick import with_picked
     from .spec.requirements import make_requirements, read_requirements
 
     need = make_requirements(requirements) if isinstance(requirements, Mapping) else read_requirements(requirements)
-    result, findings = analysis(need)
+    result, findings = ANALYSES["design"].function(need)
     spec = None
     if pick is not None:
         result, spec = with_picked(need, result, pick)

@@ -165,14 +165,12 @@ def compare(
     afmcalc compare a.toml b.toml
     afmcalc compare clutch.toml --variants
     """  # noqa: D301
-    from ..analysis.compare import compare as analysis
     from ..spec import resolved
 
     sources: list[str | None] = [*specs] if specs else [None]
     common.keep(*sources)
     clutches = [common.build(source) for source in sources]
-    with common.bar():
-        result, findings = analysis(clutches, variants=variants)
+    result, findings = common.ask(clutches, variants=variants)
     common.emit(result, findings, resolved(clutches[0].spec))
 
 

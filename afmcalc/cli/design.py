@@ -44,15 +44,13 @@ def solve(
     afmcalc solve --for z torque_max=300 clutch.toml
     """  # noqa: D301
     from ..analysis.solve.solve import in_order, parse_target
-    from ..analysis.solve.solve import solve as analysis
     from ..spec import resolved
 
     target, spec = in_order(target, spec)
     common.keep(spec)
     name, wanted = parse_target(target)
     clutch = common.build(spec)
-    with common.bar():
-        result, solved, findings = analysis(clutch, parameter, name, wanted, beyond_limit=beyond_limit)
+    result, solved, findings = common.ask(clutch, parameter, name, wanted, beyond_limit=beyond_limit)
     common.emit(result, findings, resolved(solved.spec))
 
 
@@ -110,7 +108,6 @@ def design(
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
     from ..analysis.design.design import check_objective, shown
-    from ..analysis.design.design import design as analysis
     from ..analysis.design.pick import with_picked
     from ..spec import resolved
     from ..spec.requirements import read_requirements
@@ -118,8 +115,7 @@ def design(
     common.keep(requirements, writes="result" if pick is None else "spec")
     check_objective(sort)
     need = read_requirements(requirements, common.set or ())
-    with common.bar():
-        result, findings = analysis(need)
+    result, findings = common.ask(need)
     printed = common if pick is None else common.to_standard_output()
     spec = None
     if pick is not None and result.front:

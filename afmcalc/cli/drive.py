@@ -154,12 +154,10 @@ def springs(
         common.calculate(common.clutch(spec), sort=sort, top=top, kind=kind, tolerance=tolerance)
         return
     from ..analysis.springs.springs import picked
-    from ..analysis.springs.springs import springs as analysis
 
     common.keep(spec, writes="spec")
     clutch = common.build(spec)
-    with common.bar():
-        result, findings = analysis(clutch, sort, top, kind, tolerance)
+    result, findings = common.ask(clutch, sort, top, kind, tolerance)
     data = picked(clutch, result, pick)
     common.to_standard_output().emit(result, findings, data)
     if common.output not in (None, "-"):

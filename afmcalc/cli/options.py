@@ -162,10 +162,13 @@ class Common:
         """Run the analysis of the command on a clutch and print it; ``curve`` draws under a table's sweep."""
         from ..spec import resolved
 
-        analysis = ANALYSES[self.command].function
-        with self.bar():
-            result, findings = analysis(clutch, **options)
+        result, findings = self.ask(clutch, **options)
         return self.emit(result, findings, resolved(clutch.spec), curve)
+
+    def ask(self, *arguments: object, **options: object) -> Any:
+        """Return what the analysis of the command gives: its result and findings."""
+        with self.bar():
+            return ANALYSES[self.command].function(*arguments, **options)
 
     def emit(
         self,

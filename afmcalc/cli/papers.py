@@ -38,15 +38,13 @@ def explain(
     afmcalc explain torque clutch.toml
     afmcalc explain overload --format markdown > overload.md
     """  # noqa: D301
-    from ..analysis.explain.explain import explain as analysis
     from ..spec import resolved
 
     if model and command != "life":
         raise AfmcalcError("explain: --model belongs to life")
     common.keep(spec)
     given = common.read(spec, command)
-    with common.bar():
-        result, findings = analysis(command, given, **({"model": model} if model else {}))
+    result, findings = common.ask(command, given, **({"model": model} if model else {}))
     common.emit(result, findings, resolved(given))
 
 
@@ -68,12 +66,8 @@ def equations(
     afmcalc equations --id "S21 (15)" --prove
     afmcalc equations --misprints
     """  # noqa: D301
-    from ..papers.register import equations as analysis
-
     common.takes_no_clutch()
-    with common.bar():
-        result, findings = analysis(paper or [], id_ or [], show_misprints=misprints, prove=prove)
-    common.emit(result, findings)
+    common.emit(*common.ask(paper or [], id_ or [], show_misprints=misprints, prove=prove))
 
 
 @with_common
@@ -98,8 +92,5 @@ def reproduce(
     afmcalc reproduce --figure S22-3 --format csv
     afmcalc reproduce --paper S22 --format csv
     """  # noqa: D301
-    from ..papers.claims import reproduce as analysis
-
     common.takes_no_clutch()
-    result, findings = analysis(paper or [], figure)
-    common.emit(result, findings)
+    common.emit(*common.ask(paper or [], figure))

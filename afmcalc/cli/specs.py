@@ -111,11 +111,8 @@ def examples(*, common: Common) -> None:
     afmcalc examples
     afmcalc torque example:indirect
     """  # noqa: D301
-    from ..analysis.shipped import examples as analysis
-
     common.takes_no_clutch()
-    result, findings = analysis()
-    common.emit(result, findings)
+    common.emit(*common.ask())
 
 
 @with_common
@@ -151,11 +148,8 @@ def materials(*, common: Common) -> None:
     afmcalc materials
     afmcalc torque --set friction.min= --set friction.mean= --set friction.max= --set friction.material=woven-dry
     """  # noqa: D301
-    from ..analysis.shipped import materials as analysis
-
     common.takes_no_clutch()
-    result, findings = analysis()
-    common.emit(result, findings)
+    common.emit(*common.ask())
 
 
 def schema(
