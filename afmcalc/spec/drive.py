@@ -18,6 +18,7 @@ from .fields import (
     Torque,
     TorqueOrNone,
     key,
+    required,
 )
 
 Inertia = Annotated[float, Quantity("kg*m^2", gt=0)]
@@ -36,16 +37,16 @@ EventKind = Literal["stop", "load"]
 class Motor(Block):
     """An induction motor by Kloss, M_1 = 2 M_b/(s/s_b + s_b/s)."""
 
-    breakdown_torque: Torque = key("breakdown torque of the motor", "M_b", default=...)
-    breakdown_slip: Slip = key("slip at breakdown", "s_b", default=...)
-    synchronous_speed: Speed = key("synchronous speed, reduced to the clutch", "ω_s", default=...)
+    breakdown_torque: Torque = required("breakdown torque of the motor", "M_b")
+    breakdown_slip: Slip = required("slip at breakdown", "s_b")
+    synchronous_speed: Speed = required("synchronous speed, reduced to the clutch", "ω_s")
 
 
 class Event(Block):
     """What makes the clutch slip, at t = 0."""
 
-    kind: EventKind = key(
-        "stop: the tool is stopped in stop_time; load: its load rises to torque within rise_time", default=...
+    kind: EventKind = required(
+        "stop: the tool is stopped in stop_time; load: its load rises to torque within rise_time"
     )
     stop_time: TimeOrNone | None = key("time in which the tool is stopped; 0 is a sudden lock", "t_b")
     torque: Torque | None = key(

@@ -58,9 +58,14 @@ class RuledBlock(Block):
 
 
 def key(description: str, symbol: str | None = None, default: Any = None, **bounds: Any) -> Any:
-    """A spec key: what it is, the papers' symbol, its default (``...``: it is required) and bounds of a plain type."""
+    """A spec key: what it is, the papers' symbol, its default and the bounds of a plain type."""
     extra: dict[str, Any] | None = {"symbol": symbol} if symbol else None
     return Field(default=default, description=description, json_schema_extra=extra, **bounds)
+
+
+def required(description: str, symbol: str | None = None, **bounds: Any) -> Any:
+    """A spec key that must be given."""
+    return key(description, symbol, ..., **bounds)
 
 
 @dataclass(frozen=True)
@@ -116,8 +121,6 @@ def _one_line(value: object) -> object:
 Coefficient = Annotated[float, Quantity("1", gt=0)]
 Ratio = Annotated[float, Quantity("1", ge=0)]
 AtLeastOne = Annotated[float, Quantity("1", ge=1)]
-PoissonRatio = Annotated[float, Quantity("1", ge=0, le=0.5)]
-Probability = Annotated[float, Quantity("1", gt=0, lt=1)]
 Count = Annotated[int, Quantity("1", ge=1, whole=True)]
 Force = Annotated[float, Quantity("N", gt=0)]
 Length = Annotated[float, Quantity("m", gt=0)]
@@ -126,17 +129,12 @@ Torque = Annotated[float, Quantity("N*m", gt=0)]
 TorqueOrNone = Annotated[float, Quantity("N*m", ge=0)]
 Stiffness = Annotated[float, Quantity("N/m", gt=0)]
 StiffnessOrNone = Annotated[float, Quantity("N/m", ge=0)]
-Slope = Annotated[float, Quantity("1/m", ge=0)]
 WallAngle = Annotated[float, Quantity("rad", ge=0, lt=1.5707963267948966)]
 Stress = Annotated[float, Quantity("Pa", gt=0)]
-SectionModulus = Annotated[float, Quantity("m^3", gt=0)]
-Mass = Annotated[float, Quantity("kg", ge=0)]
 Time = Annotated[float, Quantity("s", gt=0)]
 TimeOrNone = Annotated[float, Quantity("s", ge=0)]
-SlidingSpeed = Annotated[float, Quantity("m/s", gt=0)]
 Temperature = Annotated[float, Quantity("K abs", ge=173.15)]
 """A number without a unit is in kelvin; the bound tells 20 from 20 degC."""
-SpecificWork = Annotated[float, Quantity("J/m^2", gt=0)]
 Name = Annotated[str, BeforeValidator(_one_line)]
 
 

@@ -30,16 +30,10 @@ from .fields import (
     Force,
     Gap,
     Length,
-    Mass,
     Name,
-    PoissonRatio,
-    Probability,
+    Quantity,
     Ratio,
     RuledBlock,
-    SectionModulus,
-    SlidingSpeed,
-    Slope,
-    SpecificWork,
     Stress,
     Temperature,
     TimeOrNone,
@@ -47,11 +41,20 @@ from .fields import (
     TorqueOrNone,
     WallAngle,
     key,
+    required,
     rule_error,
 )
 from .source import Source
 from .springs import ClosingSpring, CoilSprings, ControlSpring, DiscStack
 from .tolerance import Tolerance, in_si
+
+SectionModulus = Annotated[float, Quantity("m^3", gt=0)]
+PoissonRatio = Annotated[float, Quantity("1", ge=0, le=0.5)]
+Probability = Annotated[float, Quantity("1", gt=0, lt=1)]
+SpecificWork = Annotated[float, Quantity("J/m^2", gt=0)]
+Slope = Annotated[float, Quantity("1/m", ge=0)]
+SlidingSpeed = Annotated[float, Quantity("m/s", gt=0)]
+Mass = Annotated[float, Quantity("kg", ge=0)]
 
 
 def _registered(value: object) -> object:
@@ -149,7 +152,7 @@ class Friction(FrictionRange):
 class FrictionGroup(RuledBlock):
     """The pack of friction discs."""
 
-    pairs: Count = key("number of friction pairs, all groups", "z", default=...)
+    pairs: Count = required("number of friction pairs, all groups", "z")
     driving_pairs: Count | None = key("pairs that bypass the control unit; default 1 (differentiated only)", "z_1")
     mean_radius: Length | None = key("mean friction radius", "R_cp")
     inner_radius: Length | None = key("inner radius of the friction surface", "r_i")
@@ -169,11 +172,11 @@ class FrictionGroup(RuledBlock):
 class Contact(Block):
     """Elastic data of ball and pocket wall, for a Hertz check beside or instead of an allowable force."""
 
-    ball_modulus: Stress = key("Young's modulus of the ball", "E_1", default=...)
-    ball_poisson: PoissonRatio = key("Poisson's ratio of the ball", "ν_1", default=...)
-    wall_modulus: Stress = key("Young's modulus of the pocket wall", "E_2", default=...)
-    wall_poisson: PoissonRatio = key("Poisson's ratio of the pocket wall", "ν_2", default=...)
-    allowable_pressure: Stress = key("allowable maximum contact pressure", "[p_0]", default=...)
+    ball_modulus: Stress = required("Young's modulus of the ball", "E_1")
+    ball_poisson: PoissonRatio = required("Poisson's ratio of the ball", "ν_1")
+    wall_modulus: Stress = required("Young's modulus of the pocket wall", "E_2")
+    wall_poisson: PoissonRatio = required("Poisson's ratio of the pocket wall", "ν_2")
+    allowable_pressure: Stress = required("allowable maximum contact pressure", "[p_0]")
 
 
 HARDENED_STEEL = Contact.model_construct(
@@ -226,12 +229,12 @@ class Adjustment(Block):
 class Fatigue(Block):
     """The part whose life is asked for."""
 
-    endurance_limit: Stress = key("endurance limit in shear", "τ_limb", default=...)
-    polar_section_modulus: SectionModulus = key("polar section modulus", "W_p", default=...)
-    exponent: Coefficient = key("exponent of the S-N line", "m_τ", default=...)
+    endurance_limit: Stress = required("endurance limit in shear", "τ_limb")
+    polar_section_modulus: SectionModulus = required("polar section modulus", "W_p")
+    exponent: Coefficient = required("exponent of the S-N line", "m_τ")
     mean_stress_sensitivity: Ratio | None = key("sensitivity to the mean stress (model amplitude)", "ψ_τ")
     ultimate_strength: Stress | None = key("ultimate strength in shear (model goodman)", "τ_u")
-    base_cycles: Coefficient = key("base cycles of the S-N line", "N_0", default=...)
+    base_cycles: Coefficient = required("base cycles of the S-N line", "N_0")
     load_low: TorqueOrNone = key(
         "torque from which a slip swings the load and to which it falls back (amplitude, goodman)", "T_low", default=0.0
     )
@@ -300,7 +303,7 @@ class Spec(Block):
     """A clutch, as a spec file describes it."""
 
     name: Name | None = key("what the clutch is called")
-    variant: VariantName = key("how the clutch regulates", default=...)
+    variant: VariantName = required("how the clutch regulates")
     friction: Friction
     friction_group: FrictionGroup
     # to validate a default would build its block twice

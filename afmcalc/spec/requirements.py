@@ -38,6 +38,7 @@ from .fields import (
     Torque,
     WallAngle,
     key,
+    required,
 )
 from .models import HARDENED_STEEL, Contact, Friction, Method, Origin, PocketShape, Profiled, VariantName
 from .parse import text_of
@@ -219,8 +220,8 @@ class Wanted(RuledBlock):
 class ForceRange(RuledBlock):
     """Force that the pack may be pressed by at rest, any value between the ends (F_п; indirect F_п2)."""
 
-    min: Force = key("smallest force", default=...)
-    max: Force = key("largest force", default=...)
+    min: Force = required("smallest force")
+    max: Force = required("largest force")
 
     def broken_rules(self) -> Iterable[Broken]:
         """The ends are in order."""
@@ -231,7 +232,7 @@ class ForceRange(RuledBlock):
 class Search(Block):
     """Among what to choose: one value, a list, or ``{ start, stop, count }`` each."""
 
-    pairs: Pairs = key("friction pairs z", default=...)
+    pairs: Pairs = required("friction pairs z")
     driving_pairs: Pairs = Field(
         default_factory=lambda: Choice((1.0,)), description="bypass pairs z_1 (differentiated); default 1"
     )
@@ -295,9 +296,9 @@ class Requirements(RuledBlock):
     """What is wanted, among what to choose, and what counts."""
 
     name: Name | None = key("what the design is called")
-    variants: Annotated[tuple[VariantName, ...], Field(min_length=1)] = key("variants allowed", default=...)
-    objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = key(
-        "what is to be small; closing_force is the force the pack must bear (F_п; indirect F_п2)", default=...
+    variants: Annotated[tuple[VariantName, ...], Field(min_length=1)] = required("variants allowed")
+    objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = required(
+        "what is to be small; closing_force is the force the pack must bear (F_п; indirect F_п2)"
     )
     springs: Literal["disc"] | None = key(
         "disc: only clutches whose springs can be stacks of disc springs (DIN EN 16983) in fixed.closing_room, and "

@@ -5,7 +5,20 @@ from typing import Annotated
 
 from ..equations import springs
 from ..messages import say
-from .fields import Broken, Count, Force, Gap, Length, Quantity, Ratio, RuledBlock, Stiffness, StiffnessOrNone, key
+from .fields import (
+    Broken,
+    Count,
+    Force,
+    Gap,
+    Length,
+    Quantity,
+    Ratio,
+    RuledBlock,
+    Stiffness,
+    StiffnessOrNone,
+    key,
+    required,
+)
 
 SNAPS = 1.4
 """Cone height over thickness up to which the force of a disc only grows (√2)."""
@@ -36,11 +49,11 @@ class Room(RuledBlock):
 class DiscStack(RuledBlock):
     """A stack of disc springs, DIN EN 16983."""
 
-    outer_diameter: Length = key("outer diameter of a disc", "D_e", default=...)
-    inner_diameter: Length = key("inner diameter of a disc", "D_i", default=...)
-    thickness: Length = key("thickness of a disc", "t", default=...)
+    outer_diameter: Length = required("outer diameter of a disc", "D_e")
+    inner_diameter: Length = required("inner diameter of a disc", "D_i")
+    thickness: Length = required("thickness of a disc", "t")
     reduced_thickness: Length | None = key("thickness of a disc with flats", "t'")
-    free_height: Length = key("height of a disc without load", "l_0", default=...)
+    free_height: Length = required("height of a disc without load", "l_0")
     parallel: Count = key("discs laid into each other", "n", default=1)
     series: Count = key("such packs against each other", "i", default=1)
 
@@ -60,10 +73,10 @@ class DiscStack(RuledBlock):
 class CoilSprings(RuledBlock):
     """Coil springs side by side, ends closed and ground."""
 
-    wire_diameter: Length = key("diameter of the wire", "d", default=...)
-    coil_diameter: Length = key("mean diameter of the coil", "D", default=...)
-    turns: Turns = key("active turns", "n", default=...)
-    free_length: Length = key("length without load", "L_0", default=...)
+    wire_diameter: Length = required("diameter of the wire", "d")
+    coil_diameter: Length = required("mean diameter of the coil", "D")
+    turns: Turns = required("active turns", "n")
+    free_length: Length = required("length without load", "L_0")
     count: Count = key("springs around the shaft", "j", default=1)
 
     def broken_rules(self) -> Iterable[Broken]:
@@ -119,5 +132,5 @@ class ClosingSpring(_Spring):
 class ControlSpring(_Spring):
     """The spring that holds the thrust sleeve at its stop (11 in S21)."""
 
-    stiffness: StiffnessOrNone = key("stiffness of the control spring", "c_2", default=...)
+    stiffness: StiffnessOrNone = required("stiffness of the control spring", "c_2")
     force: Force | None = key("control-spring force as made; default so that the sleeve just rests at T_н", "F_п2")

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, BeforeValidator, FailFast, field_validator
 
 from ..messages import did_you_mean, say
-from .fields import Block, Broken, Quantity, Torque, key, keys_below, rule_error
+from .fields import Block, Broken, Quantity, Torque, key, keys_below, required, rule_error
 from .quantity import parse_quantity
 
 Kind = Literal["normal", "uniform", "triangular", "lognormal"]
@@ -42,7 +42,7 @@ Given = Annotated[float | str, BeforeValidator(_number_or_text)]
 class Distribution(Block):
     """How one number scatters about its value in the spec."""
 
-    distribution: Kind = key("kind of the distribution", default=...)
+    distribution: Kind = required("kind of the distribution")
     center: Given | None = key(
         "mean of normal and lognormal, middle of uniform, peak of triangular; default the value in the spec"
     )
@@ -74,7 +74,7 @@ class Tolerance(Block):
         le=1,
     )
     sobol_base: Whole = key("base sample of the Sobol indices", default=65536, ge=64, le=2**30)
-    fields: dict[str, Distribution] = key("spec path (or friction) to its distribution", default=..., min_length=1)
+    fields: dict[str, Distribution] = required("spec path (or friction) to its distribution", min_length=1)
 
     @field_validator("quantiles")
     @classmethod
