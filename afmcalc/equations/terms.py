@@ -24,7 +24,9 @@ class Term(NamedTuple):
     """Empty of a result that no other equation takes: its function's summary says what it is."""
 
 
-# The clutch, its pairs and its friction
+# The clutch and its pairs
+OuterRadius = Annotated[Number, Term("r_o", "m", "outer radius of the friction surface")]
+InnerRadius = Annotated[Number, Term("r_i", "m", "inner radius of the friction surface")]
 MeanRadius = Annotated[Number, Term("R_cp", "m", "mean friction radius")]
 BallCircleRadius = Annotated[Number, Term("r", "m", "radius of the ball circle")]
 TanWallAngle = Annotated[Number, Term("tan α", "1", "wall angle from the axis")]
@@ -33,28 +35,34 @@ BypassPairs = Annotated[Number, Term("z_1", "1", "pairs that bypass the control 
 ControlledPairs = Annotated[Number, Term("z_2", "1", "pairs whose torque passes the balls")]
 Gain = Annotated[Number, Term("C", "1", "feedback gain")]
 ClosingForce = Annotated[Number, Term("F_п", "N", "closing-spring force as set")]
-FrictionDriven = Annotated[Number, Term("f_2", "1", "friction of the controlled pairs")]
-FrictionDriving = Annotated[Number, Term("f_1", "1", "friction of the bypass pairs")]
 NormalForce = Annotated[Number, Term("N", "N", "normal force on the pairs")]
 GroupPairs = Annotated[Number, Term("z_i", "1", "pairs of the group")]
 GroupFriction = Annotated[Number, Term("f_i", "1", "friction of the group")]
-FrictionDrivingMax = Annotated[Number, Term("f_1max", "1", "largest friction of the bypass pairs")]
 SlipTorque = Annotated[Number, Term("T", "N*m", "slip torque")]
 ReleaseForce = Annotated[Number, Term("F_p", "N", "release force of the control unit")]
 GainLimit = Annotated[Number, Term("C_max", "1", "largest feedback gain")]
+AxialForce = Annotated[Number, Term("F", "N", "axial force on the ring")]
 
-# Accuracy
+# Friction
+Friction = Annotated[Number, Term("f", "1", "coefficient of friction")]
+FrictionMin = Annotated[Number, Term("f_min", "1", "smallest coefficient of friction")]
+FrictionMean = Annotated[Number, Term("f_cp", "1", "mean coefficient of friction")]
+FrictionMax = Annotated[Number, Term("f_max", "1", "largest coefficient of friction")]
+FrictionSet = Annotated[Number, Term("f_set", "1", "friction at the setting (f_min or f_cp)")]
+FrictionDriving = Annotated[Number, Term("f_1", "1", "friction of the bypass pairs")]
 FrictionDrivingMin = Annotated[Number, Term("f_1min", "1", "smallest friction of the bypass pairs")]
+FrictionDrivingMax = Annotated[Number, Term("f_1max", "1", "largest friction of the bypass pairs")]
+FrictionDriven = Annotated[Number, Term("f_2", "1", "friction of the controlled pairs")]
 FrictionDrivenMin = Annotated[Number, Term("f_2min", "1", "smallest friction of the controlled pairs")]
 FrictionDrivenMax = Annotated[Number, Term("f_2max", "1", "largest friction of the controlled pairs")]
+FrictionRatioMin = Annotated[Number, Term("p", "1", "f_2min/f_1min")]
+FrictionRatioMax = Annotated[Number, Term("n", "1", "f_2max/f_1max")]
+
+# Accuracy
 TorqueMax = Annotated[Number, Term("T_max", "N*m", "largest torque")]
 TorqueMin = Annotated[Number, Term("T_min", "N*m", "smallest torque")]
 PeakMax = Annotated[Number, Term("P_max", "N*m", "larger of sustained torque and the bypass pairs' peak, at f_max")]
 PeakMin = Annotated[Number, Term("P_min", "N*m", "larger of sustained torque and the bypass pairs' peak, at f_min")]
-FrictionRatioMax = Annotated[Number, Term("n", "1", "f_2max/f_1max")]
-FrictionRatioMin = Annotated[Number, Term("p", "1", "f_2min/f_1min")]
-FrictionMin = Annotated[Number, Term("f_min", "1", "smallest coefficient of friction")]
-FrictionMax = Annotated[Number, Term("f_max", "1", "largest coefficient of friction")]
 Scatter = Annotated[Number, Term("ΔT", "N*m", "torque scatter band")]
 AccuracyFactor = Annotated[Number, Term("K_т", "1", "accuracy factor")]
 BestAccuracyFactor = Annotated[Number, Term("K_best", "1", "smallest accuracy factor that can be reached")]
@@ -66,10 +74,8 @@ TorqueAtSetting = Annotated[Number, Term("T_set", "N*m", "slip torque at the fri
 TorquePerForceMean = Annotated[Number, Term("a_cp", "m", "slip torque per spring force at f_cp")]
 TorquePerForceMin = Annotated[Number, Term("a_min", "m", "slip torque per spring force at f_min")]
 Margin = Annotated[Number, Term("β_н", "1", "torque margin")]
-FrictionMean = Annotated[Number, Term("f_cp", "1", "mean coefficient of friction")]
 
 # Overload
-Friction = Annotated[Number, Term("f", "1", "coefficient of friction")]
 LoopGain = Annotated[Number, Term("v", "1", "loop gain at f")]
 ClutchNominalTorque = Annotated[Number, Term("T_н.муф", "N*m", "nominal torque of the clutch, T_муф at f_min")]
 LoopGainMin = Annotated[Number, Term("u", "1", "loop gain at f_min")]
@@ -103,7 +109,6 @@ Cycles = Annotated[Number, Term("N_ц", "1", "cycles to failure")]
 # Indirect regulation
 KeyFriction = Annotated[Number, Term("f_1", "1", "friction coefficient at the key")]
 HubDiameter = Annotated[Number, Term("d", "m", "hub diameter at the key")]
-FrictionSet = Annotated[Number, Term("f_set", "1", "friction at the setting (f_min or f_cp)")]
 IndirectClosingForce = Annotated[Number, Term("F_п", "N", "closing-spring force as set (S21: F_п1)")]
 NetGain = Annotated[Number, Term("κ", "1", "C − 2 R f_1/d, gain net of the key's friction")]
 ClosingStiffness = Annotated[Number, Term("c_1", "N/m", "stiffness of the closing spring")]
@@ -200,11 +205,6 @@ AllowableForce = Annotated[Number, Term("F_n,allow", "N", "force at which the ba
 WantedAccuracyFactor = Annotated[Number, Term("K_т wanted", "1", "accuracy factor that is wanted")]
 WantedTorque = Annotated[Number, Term("T wanted", "N*m", "torque that is wanted")]
 ReducedGainLimit = Annotated[Number, Term("largest zC", "1", "largest reduced gain, 5 by S22")]
-
-# The friction surface
-InnerRadius = Annotated[Number, Term("r_i", "m", "inner radius of the friction surface")]
-OuterRadius = Annotated[Number, Term("r_o", "m", "outer radius of the friction surface")]
-AxialForce = Annotated[Number, Term("F", "N", "axial force on the ring")]
 
 # The drive
 DampingRatio = Annotated[Number, Term("ζ", "1", "damping ratio of the driven half on the shaft")]
