@@ -113,8 +113,7 @@ def gain_limits() -> Steps:
     yield "z_1 f_max R F = T(f_max) at the limit", bypass - direct.torque(F, R, z1, z2, limit, fmax, fmax)
     yield (
         "T/(R F) − z_1 f_1 has the sign of 1 − z_1 C f_1 (same for unlike materials)",
-        (direct.torque(F, R, z1, z2, C, f1, f2) - direct.group_torque(F, R, z1, f1)) * (1 + C * z2 * f2)
-        - F * R * z2 * f2 * (1 - z1 * C * f1),
+        (torque - direct.group_torque(F, R, z1, f1)) * (1 + C * z2 * f2) - F * R * z2 * f2 * (1 - z1 * C * f1),
     )
     yield "S22: zC = 5 at the recommended limit", direct.reduced_gain(z, direct.gain_limit_all_driving(z)) - 5
     slope = sp.diff(torque, f2)
