@@ -265,8 +265,7 @@ def _slow_path(plant: Plant, mode: Mode, slow: Creep, begin: float) -> Callable[
     def path(at: float) -> list[float]:
         # a motor that wins speeds the slip up: no farther than the series goes
         inside = min(max((at - slow.least) / wide - 1, -1.0), 1.0)
-        values: list[float] = (np.cos(orders * math.acos(inside)) @ series).tolist()
-        return values
+        return (np.cos(orders * math.acos(inside)) @ series).tolist()
 
     return path
 

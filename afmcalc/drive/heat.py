@@ -38,8 +38,7 @@ class Course(NamedTuple):
         left, right = share * share * (3 - 2 * share), share * (1 - share)
         gained = (self.heat[number + 1] - self.heat[number]) * left
         bent = right * long * (self.power[number] * (1 - share) - self.power[number + 1] * share)
-        found: Floats = self.heat[number] + gained + bent
-        return found
+        return self.heat[number] + gained + bent
 
     @property
     def largest(self) -> float:
@@ -84,8 +83,7 @@ class Body(NamedTuple):
             deep = law.fourier_number(*own, 1 / variable, self.depth) ** -0.5
             # beyond that it is 1 to the last digit, and its exponentials too large
             through = np.tanh(np.where(deep.real > _DEEP, _DEEP, deep))
-        found: Floats = law.face_admittance(law.effusivity(*own), variable**0.5, through)
-        return found
+        return law.face_admittance(law.effusivity(*own), variable**0.5, through)
 
 
 def largest_rise(bodies: list[Body], course: Course) -> float:

@@ -159,8 +159,7 @@ class SleeveLanes:
         """Torque that the sleeve's mass takes for a speed of the balls gained in a step."""
         own = self.pack
         net = own.steeper(np.where(out, own.net_gain, own.net_gain_returning), travel)
-        mass: Values = own.inertia(travel, net) / self.h
-        return mass
+        return own.inertia(travel, net) / self.h
 
     def _bounced(
         self, joint: "_Joint", ratio: Values, near: NDArray[np.intp]
@@ -485,8 +484,7 @@ def _passed(
     slipping = Slipping(clutch.torque, shaft.driven, sliding, breakaway)
     still = settled(train, stuck, clutch.sticks_up_to, peak)
     gone = slips_below(train, stuck, slipping, peak) & (clutch.slip > 0)
-    over: NDArray[np.bool_] = (clutch.rate == 0) & (time > train.time) & np.where(clutch.slip == 0, still, gone)
-    return over
+    return (clutch.rate == 0) & (time > train.time) & np.where(clutch.slip == 0, still, gone)
 
 
 class Shaft:
@@ -515,8 +513,7 @@ class Shaft:
     def _led(self, time: Floats) -> Floats:
         """Speed of a tool that is being stopped."""
         left = 1 - time / np.where(self.train.time > 0, self.train.time, 1.0)
-        led: Floats = np.where(time < self.train.time, self.train.speed * left, 0.0)
-        return led
+        return np.where(time < self.train.time, self.train.speed * left, 0.0)
 
     def free(self, number: int, passed: Floats) -> Floats:
         """Speed of the driven half without the clutch; moves the tool on, under the torque ``passed`` before."""
@@ -541,8 +538,7 @@ class Shaft:
         alone = coupling * (first + h * passed) + own * second
         held = np.clip(alone / (h * own), -load, load)
         self._after = (alone - own * h * held) / det
-        left: Floats = (other * first + coupling * (second - h * held)) / det
-        return left
+        return (other * first + coupling * (second - h * held)) / det
 
     def take(self, driven: Floats) -> None:
         """Move on with the speed the driven half has come to."""

@@ -89,8 +89,7 @@ def slips_below(train: Train, stuck: Stuck, slipping: Slipping, peak: Values) ->
     beyond = np.where(rest < slipping.sliding, np.maximum(slipping.breakaway - rest, 0.0), 0.0)
     grows = np.asarray(stuck.powered) & fed(train, beyond / (train.stiffness * front) ** 0.5)
     again = np.where(grows, slipping.breakaway + beyond * (behind / front) ** 0.5, 0.0)
-    below: Flags = np.asarray(stuck.standing) & (np.maximum(top, again) <= peak * (1 + _STEPPED))
-    return below
+    return np.asarray(stuck.standing) & (np.maximum(top, again) <= peak * (1 + _STEPPED))
 
 
 def fed(train: Train, speed: Values) -> Flags:
@@ -99,14 +98,12 @@ def fed(train: Train, speed: Values) -> Flags:
         return np.zeros(np.shape(speed), bool)
     at = np.multiply.outer(_LOOKS, speed)
     given = (train.engine.at(at) - train.engine.at(0.0 * at)) * at
-    grows: Flags = np.any(given > train.damping * at * at * (1 + 1e-9), axis=0)
-    return grows
+    return np.any(given > train.damping * at * at * (1 + 1e-9), axis=0)
 
 
 def _top(train: Train, inertia: Values, swing: Values) -> Floats:
     """Largest torque of a shaft that swings by ``swing``, its damping with it."""
-    top: Floats = swing * (1 + train.damping / (train.stiffness * inertia) ** 0.5)
-    return top
+    return swing * (1 + train.damping / (train.stiffness * inertia) ** 0.5)
 
 
 def _before(train: Train) -> float:

@@ -33,8 +33,7 @@ class Engine:
         """M_1 at a speed, N·m."""
         if self.slip is None:
             return self.torque
-        driven: V = law.kloss_torque(self.torque, self.slip, law.motor_slip(speed, self.synchronous))
-        return driven
+        return law.kloss_torque(self.torque, self.slip, law.motor_slip(speed, self.synchronous))
 
 
 @dataclass(frozen=True)
@@ -61,8 +60,7 @@ class Train:
     @property
     def inertia_torque(self) -> float:
         """ω_0 √(k (J_2 + J_h)), N·m: what the motor does not drive any more as the discs slip."""
-        torque: float = law.inertia_torque(self.speed, self.stiffness, self.driven_inertia + self.hub_inertia)
-        return torque
+        return law.inertia_torque(self.speed, self.stiffness, self.driven_inertia + self.hub_inertia)
 
     @property
     def front(self) -> float:
@@ -141,8 +139,7 @@ def _speed(clutch: Clutch, load: float) -> float:
     # the formula has no slip without load, where the motor runs at its synchronous speed
     loaded = np.all(load > 0)
     slip = law.kloss_slip(motor.breakdown_torque, motor.breakdown_slip, load) if loaded else 0.0
-    speed: float = motor.synchronous_speed * (1 - slip)
-    return speed
+    return motor.synchronous_speed * (1 - slip)
 
 
 T = TypeVar("T")

@@ -89,8 +89,7 @@ class Balance:
         with np.errstate(all="ignore"):  # nothing presses where the closing spring is let out
             found = np.sort(np.concatenate([grid, turned(self._friction_slope, grid)]), axis=0)
         found = found.reshape(len(found), *(1,) * max(np.ndim(friction) - np.ndim(grid[0]), 0), *found.shape[1:])
-        wide: Floats = found + 0.0 * friction
-        return wide
+        return found + 0.0 * friction
 
     def _friction_slope(self, travel: Values) -> Values:
         """Of the sign of df/dx where the sleeve is held."""
