@@ -4,12 +4,12 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, reduce
-from typing import Any
 
 import numpy as np
 
 from ...engines.direct import DirectClutch
 from ...engines.indirect import IndirectClutch
+from ...engines.protocol import Clutch
 from ...equations import adjustment, direct, synthesis, wall
 from ...spec.models import HARDENED_STEEL
 from ...spec.requirements import Requirements
@@ -25,14 +25,13 @@ _MOST_CIRCLES = 10_000
 
 def candidates(need: Requirements, variant: Variant, at: Axes) -> "Candidates":
     """Candidates of a variant."""
-    if not variant.travels:
-        return Candidates(need, variant, at)
-    return (IndirectCandidates if need.fixed.pocket is None else CurvedCandidates)(need, variant, at)
+    curved = variant.travels and need.fixed.pocket is not None
+    return (CurvedCandidates if curved else Candidates)(need, variant, at)
 
 
 @dataclass(frozen=True)
 class Candidates:
-    """Candidates of direct regulation; the arrays of ``at`` broadcast, and so does every answer, in SI.
+    """Candidates of a variant; the arrays of ``at`` broadcast, and so does every answer, in SI.
 
     The spring force is the least that gives the nominal torque, or the next of a catalogue: every law is
     proportional to it and nothing gets better with more of it. What ends in ``_per_force`` is per N of it.
@@ -44,49 +43,52 @@ class Candidates:
     digits: int | None = None
     """Digits that the spring force is rounded up to; None: it is exact."""
 
-    @property
-    def no_clutch(self) -> str:
-        """Name under which candidates count that are no clutch, and under no other."""
-        return "pairs"
-
     @cached_property
-    def law(self) -> Any:
-        """All candidates as one clutch, per N of closing force."""
-        return DirectClutch(1.0, self.at.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain)
+    def clutch(self) -> Clutch:
+        """All candidates as one clutch, its closing force 1 N."""
+        at, fixed = self.at, self.need.fixed
+        if not self.variant.travels:
+            return DirectClutch(1.0, at.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain)
+        straight = IndirectClutch(
+            1.0, at.mean_radius, 0, at.pairs, self.gain, at.closing_stiffness, at.control_stiffness,
+            given(fixed.key_friction), given(fixed.hub_diameter), self.frictions[0][0],
+        )  # fmt: skip
+        if fixed.pocket is None:
+            return straight
+        # the wall that holds the torque goes with 1/F_п, so that torques stay proportional
+        return replace(straight, gain_slope=straight.slope_that_holds(self.frictions[2][0]))
 
     @cached_property
     def torque_per_force(self) -> Numbers:
         """Torque at the setting, m."""
-        return self.law.torque(*self.frictions[0])
+        sleeve = self.clutch.sleeve
+        return self.clutch.torque(*self.frictions[0]) if sleeve is None else np.asarray(sleeve.torque_per_force())
 
     @cached_property
     def torques_per_force(self) -> tuple[Numbers, Numbers]:
         """Smallest and largest torque, m: at the ends of the friction; of unlike materials also where both are mean."""
-        points = self.frictions[1:]
+        at_set, *points = self.frictions
         if self.need.friction.unlike:
             first, second = self.need.friction.groups
-            points += ((first.mean, second.mean),)
-        torques = [self.law.torque(*point) for point in points]
+            points.append((first.mean, second.mean))
+        torques = [self.torque_per_force if point == at_set else self.clutch.torque(*point) for point in points]
         return reduce(np.minimum, torques), reduce(np.maximum, torques)
 
     @cached_property
     def ball_torque_per_force(self) -> Numbers:
-        """Largest torque that passes the balls, m: it grows with f_2, whatever the gain."""
-        return self.law.ball_torque(*self.frictions[2])
+        """Largest torque that passes the balls, m: it grows with f_2, whatever the gain; with a sleeve it is all."""
+        return self.torques_per_force[1] if self.variant.travels else self.clutch.ball_torque(*self.frictions[2])
 
-    @cached_property
-    def pack_force_per_force(self) -> Numbers:
-        """Force that presses the pack at rest."""
-        return np.ones(1)
-
-    @cached_property
-    def travel_per_force(self) -> Numbers:
-        """Largest travel, m/N."""
-        return np.zeros(1)
+    @property
+    def no_clutch(self) -> str:
+        """Name under which candidates count that are no clutch, and under no other."""
+        return "gain_threshold" if self.variant.travels else "pairs"
 
     @cached_property
     def is_clutch(self) -> Mask:
         """Whether it can be built and adapts at all."""
+        if (sleeve := self.clutch.sleeve) is not None:
+            return np.asarray(sleeve.net_gain > 0)
         return self.controlled_pairs > 0 if self.variant.controlled else np.ones(1, bool)
 
     @cached_property
@@ -130,10 +132,11 @@ class Candidates:
         """Controlled pairs times gain."""
         return direct.reduced_gain(self.controlled_pairs, self.gain)
 
-    @cached_property
+    @property
     def gain_slope(self) -> Numbers:
         """C_1 of the pockets, 1/m."""
-        return np.zeros(1)
+        sleeve = self.clutch.sleeve
+        return np.zeros(1) if sleeve is None else sleeve.gain_slope / self.closing_force
 
     @cached_property
     def tangent(self) -> Numbers:
@@ -165,7 +168,7 @@ class Candidates:
     @cached_property
     def pack_force(self) -> Numbers:
         """Force that presses the pack at rest, N."""
-        return self.closing_force * self.pack_force_per_force
+        return self.closing_force * self.clutch.pack_force_at_rest
 
     @cached_property
     def nominal_torque(self) -> Numbers:
@@ -230,7 +233,8 @@ class Candidates:
     @cached_property
     def travel(self) -> Numbers:
         """Largest travel of the sleeve, m; 0 without one."""
-        return self.closing_force * self.travel_per_force
+        sleeve = self.clutch.sleeve
+        return np.zeros(1) if sleeve is None else self.closing_force * sleeve.travel(self.frictions[2][0])
 
     @cached_property
     def control_force(self) -> Numbers:
@@ -337,70 +341,8 @@ class Candidates:
         return listed[np.searchsorted(listed[:-1], least * (1 - SAME))]
 
 
-class IndirectCandidates(Candidates):
-    """Candidates of indirect regulation: the release force moves a sleeve between two springs."""
-
-    @property
-    def no_clutch(self) -> str:  # noqa: D102
-        return "gain_threshold"
-
-    @cached_property
-    def law(self) -> Any:  # noqa: D102
-        fixed, at = self.need.fixed, self.at
-        return IndirectClutch(
-            1.0, at.mean_radius, 0, at.pairs, self.gain, at.closing_stiffness, at.control_stiffness,
-            given(fixed.key_friction), given(fixed.hub_diameter), self.frictions[0][0],
-        )  # fmt: skip
-
-    @cached_property
-    def torque_per_force(self) -> Numbers:  # noqa: D102
-        return self.law.torque_per_force()
-
-    @cached_property
-    def ends_per_force(self) -> tuple[Numbers, Numbers]:
-        """Torque at f_min and at f_max, m."""
-        at_set, (low, _), (high, _) = self.frictions
-        return self.torque_per_force if at_set[0] == low else self.law.torque(low), self.law.torque(high)
-
-    @cached_property
-    def torques_per_force(self) -> tuple[Numbers, Numbers]:
-        """Smallest and largest torque, m: the law rises or falls all the way."""
-        return np.minimum(*self.ends_per_force), np.maximum(*self.ends_per_force)
-
-    @cached_property
-    def ball_torque_per_force(self) -> Numbers:
-        """All torque passes the balls, and it rises with friction."""
-        return self.ends_per_force[1]
-
-    @cached_property
-    def pack_force_per_force(self) -> Numbers:  # noqa: D102
-        return self.law.control_force
-
-    @cached_property
-    def travel_per_force(self) -> Numbers:  # noqa: D102
-        return self.law.travel(self.frictions[2][0])
-
-    @cached_property
-    def is_clutch(self) -> Mask:  # noqa: D102
-        return self.law.net_gain > 0
-
-
-class CurvedCandidates(IndirectCandidates):
-    """Pockets whose curved wall holds the torque: C_1* goes with 1/F_п, so that torques stay proportional."""
-
-    @cached_property
-    def law(self) -> Any:  # noqa: D102
-        straight = super().law
-        return replace(straight, gain_slope=straight.slope_that_holds(self.frictions[2][0]))
-
-    @cached_property
-    def ball_torque_per_force(self) -> Numbers:
-        """It is held from the setting on."""
-        return self.torques_per_force[1]
-
-    @cached_property
-    def gain_slope(self) -> Numbers:  # noqa: D102
-        return self.law.gain_slope / self.closing_force
+class CurvedCandidates(Candidates):
+    """Candidates with pockets whose curved wall holds the torque."""
 
     @property
     def sleeves(self) -> int:
