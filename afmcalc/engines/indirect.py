@@ -204,9 +204,10 @@ class IndirectClutch(Clutch):
     @property
     def leaving_friction(self) -> Values:
         """Friction at which the sleeve leaves its stop: the law bends there."""
-        made, net = self.made_control_force, self.net_gain
+        made = self.made_control_force
         if made is None:
             return self.friction_set
+        net = self.net_gain
         if not is_array(net) and net == 0:
             # the balls move nothing: it rests for ever, or never
             return chosen(made >= self.closing_force, lambda: math.inf, lambda: -math.inf)
