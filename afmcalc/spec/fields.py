@@ -1,5 +1,6 @@
 """Field types of the spec: SI numbers that also take a string with a unit; and the keys that its models have."""
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache, partial
@@ -81,14 +82,10 @@ class Quantity:
     whole: bool = False
 
     @property
-    def low(self) -> float | None:
-        """Lower end of what is allowed, itself in or out."""
-        return self.ge if self.gt is None else self.gt
-
-    @property
-    def high(self) -> float | None:
-        """Upper end."""
-        return self.le if self.lt is None else self.lt
+    def limits(self) -> tuple[float, float]:
+        """Ends of what is allowed, themselves in or out."""
+        low, high = self.ge if self.gt is None else self.gt, self.le if self.lt is None else self.lt
+        return -math.inf if low is None else float(low), math.inf if high is None else float(high)
 
     @property
     def read(self) -> Callable[[object], float]:

@@ -62,8 +62,7 @@ def physical_limits(path: str) -> tuple[float, float]:
     ((0.0, inf), (0.0, inf))
     """
     about = scattering(path, Spec)
-    low, high = (about.low, about.high) if about else (None, None)
-    return -math.inf if low is None else float(low), math.inf if high is None else float(high)
+    return about.limits if about else (-math.inf, math.inf)
 
 
 def path_of(name: str, model: type[BaseModel] = Spec) -> str | None:

@@ -144,11 +144,12 @@ def _broken_rules(path: str, given: Distribution, about: Quantity) -> Iterator[B
     center: Any = given.center
     low: Any = given.min
     high: Any = given.max
+    least, most = about.limits
     for name, value in (("center", center), ("min", low), ("max", high)):
-        if value is not None and about.low is not None and value < about.low:
-            yield name, say("must be at least {low:g}, as {path} itself", low=about.low, path=path)
-        elif value is not None and about.high is not None and value > about.high:
-            yield name, say("must be at most {high:g}, as {path} itself", high=about.high, path=path)
+        if value is not None and value < least:
+            yield name, say("must be at least {low:g}, as {path} itself", low=least, path=path)
+        elif value is not None and value > most:
+            yield name, say("must be at most {high:g}, as {path} itself", high=most, path=path)
     share = percentage(given.spread)
     size: Any = given.spread if share is None else share
     if size is not None and not size >= 0:

@@ -60,7 +60,7 @@ def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
     spec, path = clutch.spec, ALIASES[name]
     about = keys()[path].about
     assert about is not None
-    low, low_taken = about.low or 0.0, about.gt is None
+    low, low_taken = max(about.limits[0], 0.0), about.gt is None
     ends = [(math.inf, "")]
     if name == "C":
         low = float(clutch.least_gain)

@@ -152,9 +152,8 @@ def default_range(key: Key, spec: Spec) -> Floats:
             high = ends.mean if end == "min" and pinned else ends.max
     if key.path == "control_unit.wall_angle":
         high = min(high, 1.5)
-    low = low if about.low is None else max(low, about.low)
-    high = high if about.high is None else min(high, about.high)
-    low, high = (_feasible(spec, key.path, current, end) for end in (low, high))
+    least, most = about.limits
+    low, high = (_feasible(spec, key.path, current, end) for end in (max(low, least), min(high, most)))
     return _whole(math.ceil(low), math.floor(high)) if about.whole else np.linspace(low, high, 26)
 
 
