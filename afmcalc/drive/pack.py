@@ -17,11 +17,12 @@ from ..engines.direct import DirectClutch
 from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..engines.springs import root
-from ..equations import adjustment, direct, pocket, sleeve
-from ..equations import drive as law
+from ..equations import adjustment, direct, drive, pocket, sleeve
+from ..equations.calls import plain
 from ..equations.terms import Number
 from ..errors import CalculationError
 
+_direct, _drive, _pocket, _sleeve = plain(direct), plain(drive), plain(pocket), plain(sleeve)
 _IDLE = 1e-9
 """κ in an array that stands for none: the law's own limit, an ordinary clutch."""
 _ROUNDING = 1e-12
@@ -50,22 +51,24 @@ class Pack:
     """Net gains at the stop while the torque rises, and while it falls."""
     lift: Number
     """Torque of the balls at which they leave the stop, N·m."""
+    farthest_turn: Number
+    """Turn of the balls at which the closing spring has been left, rad."""
 
     def ratio(self, slip: Number) -> Number:
         """Friction at a slip over sliding friction."""
         if not is_array(slip) and self.static_ratio == 1:
             return 1.0
         decay = np.exp(-self.decay_rate * np.abs(slip)) if is_array(slip) else math.exp(-self.decay_rate * abs(slip))
-        return law.stribeck_ratio(self.static_ratio, decay)
+        return _drive.stribeck_ratio(self.static_ratio, decay)
 
     def carried(self, normal_force: Number, ratio: Number) -> Number:
         """Torque at which a normal force slips, friction times ``ratio``."""
-        return direct.group_torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
+        return _direct.group_torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
 
     def pressed_at_stop(self, torque: Number, net_gain: float) -> Number:
         """Normal force at the stop for a gain κ or κ₊, N."""
         return larger(
-            sleeve.normal_force_at_stop(self.resting_force, net_gain, abs(torque), self.mean_radius), self.least_force
+            _sleeve.normal_force_at_stop(self.resting_force, net_gain, abs(torque), self.mean_radius), self.least_force
         )
 
     def play(self, torque: Number) -> tuple[Number, Number]:
@@ -83,7 +86,7 @@ class Pack:
             share: share of the pack's torque that they pass.
         """
         pairs = self.friction_pairs * ratio
-        torque = sleeve.slip_torque_at_stop(pairs, self.mean_radius, self.resting_force, net_gain, alone, share)
+        torque = _sleeve.slip_torque_at_stop(pairs, self.mean_radius, self.resting_force, net_gain, alone, share)
         return larger(torque, pairs * self.mean_radius * self.least_force)
 
     def torque(self, ratio: Number) -> Number:
@@ -137,6 +140,7 @@ class DirectPack(Pack):
     travels = False
     least_force = -math.inf
     lift = math.inf
+    farthest_turn = 1.0
 
     @cached_property
     def friction_pairs(self) -> Number:
@@ -162,7 +166,7 @@ class DirectPack(Pack):
         """Slip torque with friction times ``ratio``, no lag."""
         pairs = self.bypass_pairs, self.controlled_pairs
         frictions = ratio * self.driving, ratio * self.driven
-        return direct.torque(self.closing_force, self.mean_radius, *pairs, self.gain, *frictions)
+        return _direct.torque(self.closing_force, self.mean_radius, *pairs, self.gain, *frictions)
 
     def potential(self, torque: float, ratio: float) -> float:
         """T_п: torque at which it slips with the release force of ``torque``, friction times ``ratio``."""
@@ -173,7 +177,7 @@ class DirectPack(Pack):
         """∂T/∂(f(v)/f), release force following."""
         ratio, pairs = self.static_ratio, (self.bypass_pairs, self.controlled_pairs)
         frictions = ratio * self.driving, ratio * self.driven
-        return law.torque_growth(self.closing_force, self.mean_radius, *pairs, self.gain, *frictions) / ratio
+        return _drive.torque_growth(self.closing_force, self.mean_radius, *pairs, self.gain, *frictions) / ratio
 
     def sticks_up_to(self, turn: Values, normal: Values) -> Values:
         """T(r_s f), or less while the normal force lags."""
@@ -285,6 +289,11 @@ class Sleeve(Pack):
         """Travel at which the closing spring has been left, m."""
         return self.closing_force / self._springs[2] if self._discs[0] is None else self._pressed_in[0]
 
+    @property
+    def farthest_turn(self) -> float:
+        """The same as a turn of the balls, rad."""
+        return _sleeve.turn(self.farthest, self.mean_radius, self.law.gain, self.law.gain_slope)
+
     def torque(self, ratio: Number) -> Number:
         """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
         return self.law.torque(ratio * self.friction)
@@ -311,7 +320,7 @@ class Sleeve(Pack):
 
     def steeper(self, net_gain: Number, travel: Number) -> Number:
         """A gain at the stop, where the sleeve has travelled to."""
-        return pocket.gain_at(net_gain, self.law.gain_slope, travel)
+        return _pocket.gain_at(net_gain, self.law.gain_slope, travel)
 
     def gain(self, travel: Number) -> Number:
         """C where the sleeve is."""
@@ -321,16 +330,16 @@ class Sleeve(Pack):
         """S(x), N·m."""
         control = self._discs[1]
         if not self.law.curved:
-            return sleeve.spring_moment(self.mean_radius, *self._springs, travel)
+            return _sleeve.spring_moment(self.mean_radius, *self._springs, travel)
         pressed = self._springs[1] + self._springs[3] * travel
         if control is not None:
             pressed = control.force(self._deflections(travel)[1])
-        return sleeve.spring_moment(self.mean_radius, self._slackened(travel), pressed, 0.0, 0.0, 0.0)
+        return _sleeve.spring_moment(self.mean_radius, self._slackened(travel), pressed, 0.0, 0.0, 0.0)
 
     def work(self, travel: Number) -> Number:
         """Work stored in both springs, J."""
         if not self.law.curved:
-            return sleeve.spring_work(*self._springs, travel)
+            return _sleeve.spring_work(*self._springs, travel)
         # Simpson's rule: exact, for the force of a disc spring is a cubic
         mean = (self.moment(0 * travel) + 4 * self.moment(travel / 2) + self.moment(travel)) / 6
         return mean / self.mean_radius * travel
@@ -343,11 +352,11 @@ class Sleeve(Pack):
         closing = self._discs[0]
         if closing is not None:
             return closing.force(self._deflections(travel)[0])
-        return sleeve.slackened_force(self.closing_force, self._springs[2], travel)
+        return _sleeve.slackened_force(self.closing_force, self._springs[2], travel)
 
     def travel(self, turn: Number) -> Number:
         """Travel for a turn either way, m."""
-        return sleeve.travel(abs(turn), self.mean_radius, self.law.gain, self.law.gain_slope)
+        return _sleeve.travel(abs(turn), self.mean_radius, self.law.gain, self.law.gain_slope)
 
     def turn_under(self, torque: float) -> Values:
         """Turn of the balls, at rest under a torque that has risen to it; 0 up to T_н."""
@@ -363,15 +372,15 @@ class Sleeve(Pack):
                 lambda at: self.mean_radius * sum(self._stiffnesses(at)),
                 self.farthest + 0.0 * (torque * self.net_gain),
             )
-        return sleeve.turn(travel, self.mean_radius, self.law.gain, self.law.gain_slope)
+        return _sleeve.turn(travel, self.mean_radius, self.law.gain, self.law.gain_slope)
 
     def inertia(self, travel: Number, net_gain: Number) -> Number:
         """Inertia of the sleeve's mass in the turn, kg·m²."""
-        return sleeve.sleeve_inertia(self.mass, self.mean_radius, self.gain(travel), net_gain)
+        return _sleeve.sleeve_inertia(self.mass, self.mean_radius, self.gain(travel), net_gain)
 
     def speed(self, travel: Number, rate: Number) -> Number:
         """Speed of the sleeve for a rate of the turn, m/s."""
-        return sleeve.travel_rate(rate, self.mean_radius, self.gain(travel))
+        return _sleeve.travel_rate(rate, self.mean_radius, self.gain(travel))
 
     def driving_moment(self, travel: Number, rate: Number) -> Number:
         """Moment of both springs, less what a steepening wall takes from a moving sleeve, N·m."""
@@ -379,7 +388,7 @@ class Sleeve(Pack):
         if not is_array(self.mass) and not self.mass:
             return moment
         slope, speed = self.law.gain_slope, self.speed(travel, rate)
-        return moment - sleeve.centrifugal_moment(self.mass, self.mean_radius, self.gain(travel), slope, speed)
+        return moment - _sleeve.centrifugal_moment(self.mass, self.mean_radius, self.gain(travel), slope, speed)
 
     def key_limits(self, travel: Number) -> tuple[Number, Number]:
         """Torques between which the key holds the sleeve off its stop, S/κ₊ and S/κ, N·m."""
@@ -392,7 +401,7 @@ class Sleeve(Pack):
     def torsional(self, travel: Number, net_gain: Number, torque: Number) -> Number:
         """Stiffness against a turn, N·m/rad."""
         slope = self.law.gain_slope
-        return sleeve.torsional_stiffness(
+        return _sleeve.torsional_stiffness(
             *self._stiffnesses(travel), self.mean_radius, net_gain, self.gain(travel), slope, torque
         )
 

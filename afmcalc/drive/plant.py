@@ -16,11 +16,12 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from ..equations import drive as law
-from ..equations import sleeve
+from ..equations import drive, sleeve
+from ..equations.calls import plain
 from .pack import Pack
 from .train import Train
 
+_drive, _sleeve = plain(drive), plain(sleeve)
 State = list[float]
 V, DRIVEN, TWIST, TOOL, RATE, TURN, NORMAL = range(7)
 """Slip v of the pack, ω_2, twist of the shaft, ω_3, w = ω_h − ω_2, turn φ of the balls, and the normal force that the
@@ -145,8 +146,8 @@ class Plant:
 
     def scales(self) -> State:
         """Size of every state and work, for the tolerance of the integration."""
-        speed, twist = self.train.speed, self.sliding / self.train.stiffness
-        return [speed, speed, twist, speed, speed, twist, self.pack.resting_force, *[self.stored(self.start())] * WORKS]
+        speed, twist, turn = self.train.speed, self.sliding / self.train.stiffness, float(self.pack.farthest_turn)
+        return [speed, speed, twist, speed, speed, turn, self.pack.resting_force, *[self.stored(self.start())] * WORKS]
 
     def swing(self, mode: Mode) -> float:
         """Time of a swing of the stuck drive on its shaft, s."""
@@ -167,9 +168,14 @@ class Plant:
         """Travel of the sleeve, m."""
         return self.pack.travel(y[TURN]) if y[TURN] else 0.0
 
+    def _along(self, y: Sequence[float], mode: Mode) -> float:
+        """Travel along the wall of a mode, m: going on smoothly beyond the stop, which a step may look past."""
+        turn = mode.side * y[TURN]
+        return self.pack.travel(turn) if turn > 0 else self.pack.speed(0.0, turn)
+
     def shaft(self, y: Sequence[float]) -> float:
         """Torque in the shaft, N·m."""
-        return law.shaft_torque(self.train.stiffness, y[TWIST], self.train.damping, y[DRIVEN] - y[TOOL])
+        return _drive.shaft_torque(self.train.stiffness, y[TWIST], self.train.damping, y[DRIVEN] - y[TOOL])
 
     def resistance(self, t: float, mode: Mode) -> float:
         """Torque of the load, N·m."""
@@ -189,7 +195,7 @@ class Plant:
     def normal(self, y: Sequence[float], mode: Mode, balls: float) -> float:
         """Normal force on the pairs."""
         if mode.balls != "seat":
-            return self.pack.pressed(self.travel(y))
+            return self.pack.pressed(self._along(y, mode))
         return self.pack.pressed_at_stop(balls, self.net_gain(mode)) if mode.hold else y[NORMAL]
 
     def capacity(self, y: Sequence[float], mode: Mode, balls: float) -> float:
@@ -206,10 +212,10 @@ class Plant:
                 clutch = mode.pack * pack.carried(self.normal(y, mode, 0.0), pack.ratio(y[V]))
                 return Torques(motor, clutch, side * self._on_wall(y, mode, side * clutch, hub, side * shaft), shaft)
             balls = side * self._on_wall(y, mode, side * motor, first + hub, side * shaft)
-            return Torques(motor, law.sticking_torque(motor, first, balls, hub), balls, shaft)
+            return Torques(motor, _drive.sticking_torque(motor, first, balls, hub), balls, shaft)
         if not mode.pack:
-            balls = law.sticking_torque(motor, first + hub, shaft, last)
-            clutch = law.sticking_torque(motor, first, shaft, hub + last) if hub else balls
+            balls = _drive.sticking_torque(motor, first + hub, shaft, last)
+            clutch = _drive.sticking_torque(motor, first, shaft, hub + last) if hub else balls
             return Torques(motor, clutch, balls, shaft)
         if mode.balls == "seat" and mode.hold:
             net = self.net_gain(mode) * (side * mode.pack if pack.travels else 1)
@@ -217,16 +223,16 @@ class Plant:
             clutch = mode.pack * pack.slipping_at_stop(pack.ratio(y[V]), net, alone, share)
         else:
             clutch = mode.pack * pack.carried(self.normal(y, mode, 0.0), pack.ratio(y[V]))
-        return Torques(motor, clutch, law.sticking_torque(clutch, hub, shaft, last) if hub else clutch, shaft)
+        return Torques(motor, clutch, _drive.sticking_torque(clutch, hub, shaft, last) if hub else clutch, shaft)
 
     def _on_wall(self, y: Sequence[float], mode: Mode, drive: float, inertia: float, load: float) -> float:
         """Torque of the balls on the wall they are on, while the sleeve moves."""
-        pack, travel = self.pack, self.travel(y)
+        pack, travel = self.pack, self._along(y, mode)
         net, moment = pack.steeper(self.net_gain(mode), travel), pack.driving_moment(travel, y[RATE])
         if not pack.mass:
             return moment / net
         mass = pack.inertia(travel, net)
-        return sleeve.ball_torque_moving(moment, net, mass, drive, inertia, load, self.train.driven_inertia)
+        return _sleeve.ball_torque_moving(moment, net, mass, drive, inertia, load, self.train.driven_inertia)
 
     def _behind(self, balls: float, shaft: float) -> tuple[float, float]:
         """Torque and inertia behind the pack: those of the hub, or of the driven half."""
@@ -241,15 +247,15 @@ class Plant:
         twisting, turning, key, slipping, late = driven - tool, 0.0, 0.0, 0.0, 0.0
         if mode.moving:
             turning = (clutch - balls) / train.hub_inertia - (balls - shaft) / train.driven_inertia
-            travel = self.travel(y)
+            travel = self._along(y, mode)
             moment, gain = pack.driving_moment(travel, rate), pack.gain(travel)
             speed, growth = (mode.side * pack.mean_radius * each / gain for each in (rate, turning))
             key = balls * rate - (moment / pack.mean_radius + pack.mass * growth) * speed
         if mode.pack:
             behind, inertia = self._behind(balls, shaft)
-            slipping = law.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
+            slipping = _drive.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
         if pack.lag:
-            late = law.normal_force_rate(normal, pack.pressed_at_stop(clutch, pack.stop_gains[0]), pack.lag)
+            late = _drive.normal_force_rate(normal, pack.pressed_at_stop(clutch, pack.stop_gains[0]), pack.lag)
         if train.kind == "stop":
             stopping, power = (0.0 if mode.over else -train.speed / train.time), shaft * tool
         else:
@@ -337,7 +343,14 @@ class Plant:
             for new in self._allowed(y, mode, hit, torques, normal)
             if new != mode or hit in (None, Guard.TOOL)
         ]
-        return y, min(modes, key=lambda new: self._contradiction(t, y, new))
+        least = math.inf
+        for each in modes:
+            contradiction = self._contradiction(t, y, each)
+            if contradiction < least:
+                least, new = contradiction, each
+            if not least:
+                break
+        return y, new
 
     def _come_to_rest(self, y: State, mode: Mode, hit: Guard | None) -> None:
         if hit == Guard.PACK:
@@ -420,7 +433,7 @@ class Plant:
             wrong.append(abs(clutch) - self.capacity(y, mode, balls))
         elif not y[V]:
             behind, inertia = self._behind(balls, shaft)
-            rate = law.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
+            rate = _drive.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
             wrong.append(-mode.pack * rate * inertia)
         if mode.balls == "seat" and pack.travels:
             wrong += [along - pack.lift, -along, self._held_wrongly(y, mode, along)]
@@ -428,7 +441,7 @@ class Plant:
             low, high = pack.key_limits(self.travel(y))
             wrong += [along - high, low - along]
         elif mode.moving and not y[RATE]:
-            rate = law.slip_acceleration(clutch, hub, balls, shaft, train.driven_inertia)
+            rate = _drive.slip_acceleration(clutch, hub, balls, shaft, train.driven_inertia)
             outwards = mode.side * rate * train.driven_inertia
             wrong.append(-outwards if mode.balls == "out" else outwards)
         worst = max(wrong) / self.sliding

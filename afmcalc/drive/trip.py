@@ -1,7 +1,7 @@
 """One drive through an event: smooth phases between located switches, every peak an event of its own."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from typing import NamedTuple
@@ -36,7 +36,7 @@ _TORQUES = 2
 """Torques whose peaks are located, before the guards in what is looked at."""
 _NEAR = 1e-7
 """Part of a step within which a peak is located."""
-_LOOKED_AT = (0.0, *(2.0**-power for power in range(30, 0, -3)))
+_LOOKED_AT = tuple(2.0**-power for power in range(30, 0, -3))
 """Places in a step at which a guard that begins at 0 is looked for above it."""
 
 
@@ -129,15 +129,13 @@ class _Run:
         self.look = math.inf
         """When to see whether the slip can be taken in one stride."""
         self.swings = _LOOK * 2 * math.pi / plant.natural
-        self.atol = np.array(plant.scales()) * TOLERANCE
-        self.step = math.inf
-        """The last step that was accepted, s."""
+        self.scales = np.array(plant.scales())
 
     def trip(self) -> Trip:
         """Go through the phases; what they did, and whether the energy closes."""
         plant, seen, t, y = self.plant, self.seen, 0.0, self.plant.start()
         before = plant.stored(y)
-        y, mode = plant.switched(t, [*y, *[0.0] * (len(self.atol) - SIZE)], Mode(over=not plant.train.time), None)
+        y, mode = plant.switched(t, [*y, *[0.0] * (len(self.scales) - SIZE)], Mode(over=not plant.train.time), None)
         self._note(t, y, mode)
         self._slips(t, y, mode)
         for _ in range(MOST_SWITCHES):
@@ -245,16 +243,19 @@ class _Run:
         """Step until a guard falls to 0 or to the bound; which guard, None at the bound."""
         plant = self.plant
         longest = (plant.swing(mode) if mode.still else 2 * math.pi / plant.natural) / _STEPS_A_PERIOD
+        # a swing of the balls may be one step, which is cut where they turn: what is between its ends is less exact
+        tolerance = TOLERANCE / 100 if mode.moving else TOLERANCE
         solver = (Radau if plant.stiff else DOP853)(
             lambda at, states: plant.rates(at, states.tolist(), mode),
             t,
             np.array([finite(each) for each in y]),
             bound,
-            rtol=TOLERANCE,
-            atol=self.atol,
+            rtol=tolerance,
+            atol=self.scales * tolerance,
             max_step=longest,
         )
-        slopes = self._growth(t, y, mode, solver.f.tolist(), self._look_at(t, y, mode))
+        which = range(_TORQUES + min(3, len(plant.guards(mode))))
+        slopes = self._growth(t, y, mode, solver.f.tolist(), which)
         while solver.status == "running":
             solver.step()
             self._patient(float(solver.t))
@@ -262,12 +263,13 @@ class _Run:
                 raise CalculationError("simulate: the integration fails at t = {time:g} s", time=solver.t)
             states = solver.y.tolist()
             now = self._look_at(solver.t, states, mode)
-            before, slopes = slopes, self._growth(solver.t, states, mode, solver.f.tolist(), now)
+            before, slopes = slopes, self._growth(solver.t, states, mode, solver.f.tolist(), which)
             # a torque had a peak where its growth changes sign; a guard that had a trough may have fallen below 0 there
             turned = [
                 number
                 for number, (first, last) in enumerate(zip(before, slopes, strict=True))
-                if first * last < 0 and (number < _TORQUES or first < 0)
+                if first * last < 0
+                and (self._rises(number, now, solver, first, last) if number < _TORQUES else first < 0)
             ]
             if turned or min(now.guards) < 0 or self.recorded:
                 crossed = self._inside(solver, mode, turned)
@@ -277,6 +279,14 @@ class _Run:
             if self.horizon <= solver.t < bound:
                 return self.horizon, states, None
         return bound, solver.y.tolist(), None
+
+    def _rises(self, number: int, now: _Seen, solver: OdeSolver, *growths: float) -> bool:
+        """Whether a peak of the torque of shaft or clutch in the last step may be the highest so far."""
+        torque, highest = (
+            (now.torques.shaft, self.seen.peak) if number == 0 else (now.torques.clutch, self.seen.peak_clutch)
+        )
+        reach = max(map(abs, growths)) / self.plant.moment * float(solver.t - solver.t_old)
+        return self.recorded or abs(torque) + reach > highest
 
     def _patient(self, t: float) -> None:
         """Count a step; after too many the drive is left, or the duration given is refused."""
@@ -297,16 +307,20 @@ class _Run:
         torques = self.plant.torques(t, y, mode)
         return _Seen(torques, [self.plant.guard(each, t, y, mode, torques) for each in self.plant.guards(mode)])
 
-    def _growth(self, t: float, y: State, mode: Mode, rates: State, now: _Seen) -> list[float]:
-        """By how much the torques of shaft and clutch and some guards grow in a moment; 0 where rounding decides."""
-        plant, moment = self.plant, self.plant.moment
+    def _watched(self, t: float, y: State, mode: Mode, which: Sequence[int]) -> list[float]:
+        """Torques of shaft and clutch, then guards that are speeds while something slips: of pack, tool, balls."""
+        torques, guards = self.plant.torques(t, y, mode), self.plant.guards(mode)
+        own = torques.shaft, torques.clutch
+        return [
+            own[number] if number < _TORQUES else self.plant.guard(guards[number - _TORQUES], t, y, mode, torques)
+            for number in which
+        ]
+
+    def _growth(self, t: float, y: State, mode: Mode, rates: State, which: Sequence[int]) -> list[float]:
+        """By how much what is watched grows in a moment; 0 where rounding decides."""
+        moment = self.plant.moment
         ahead = [own + moment * rate for own, rate in zip(y, rates, strict=True)]
-        torques = plant.torques(t + moment, ahead, mode)
-        watched = plant.guards(mode)[:3]  # speeds while something slips: of pack, tool, balls
-        then = [plant.guard(each, t + moment, ahead, mode, torques) for each in watched]
-        pairs = zip(
-            (now.torques.shaft, now.torques.clutch, *now.guards), (torques.shaft, torques.clutch, *then), strict=False
-        )
+        pairs = zip(self._watched(t, y, mode, which), self._watched(t + moment, ahead, mode, which), strict=True)
         return [b - a if abs(b - a) > 1e-12 * abs(a) else 0.0 for a, b in pairs]
 
     def _inside(self, solver: OdeSolver, mode: Mode, turned: list[int]) -> tuple[float, State, Guard] | None:
@@ -320,8 +334,7 @@ class _Run:
 
         def slope(number: int, time: float) -> float:
             states = at(time)
-            rates = plant.rates(time, states, mode)
-            return self._growth(time, states, mode, rates, self._look_at(time, states, mode))[number]
+            return self._growth(time, states, mode, plant.rates(time, states, mode), (number,))[0]
 
         def guard(number: int, time: float) -> float:
             states = at(time)
@@ -354,6 +367,10 @@ def _peak(slope: Callable[[float], float], start: float, end: float) -> float:
 
 def _crossing(guard: Callable[[float], float], start: float, end: float) -> float:
     """Return where a guard that begins at 0 or above and ends below last falls to 0."""
-    ends = [start + share * (end - start) for share in _LOOKED_AT]
-    above = [each for each in ends if guard(each) > 0]
-    return float(brentq(guard, above[-1], end, xtol=1e-14, rtol=1e-14)) if above else start
+    if not guard(start) > 0:
+        ends = (start + share * (end - start) for share in _LOOKED_AT)
+        above = [each for each in ends if guard(each) > 0]
+        if not above:
+            return start
+        start = above[-1]
+    return float(brentq(guard, start, end, xtol=1e-14, rtol=1e-14))
