@@ -48,11 +48,9 @@ def finding(
     Raises:
         OverflowError: a number is beyond the range of numbers: it would be told as nan or inf.
     """
-    values = {"value": value, "limit": limit, "path": path, **values}
-    for number in values.values():
-        if isinstance(number, float):
-            finite(number)
     # a float of NumPy is no float of JSON
+    given = {"value": value, "limit": limit, "path": path, **values}
+    values = {name: float(finite(number)) if isinstance(number, float) else number for name, number in given.items()}
     value, limit = (number if number is None or type(number) is int else float(number) for number in (value, limit))
     return Finding(level, code.partition("/")[0], Text(FINDINGS[code], values), value, limit, path)
 

@@ -2,16 +2,13 @@
 
 from collections.abc import Callable, Iterator, Sequence
 from operator import attrgetter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..engines.protocol import Clutch
 from ..equations import accuracy as law
 from ..findings import Finding, finding
 from ..result import Answer, Series, described, quantity
-from .sweep.grid import replaced, series
-
-if TYPE_CHECKING:
-    from .sweep.grid import Axis
+from .sweep.grid import Axis, replaced, series
 
 
 class AccuracySweep(Series):
@@ -62,7 +59,7 @@ def sweep_outputs(clutch: Clutch) -> dict[str, Callable[[Clutch], Any]]:
     return {name: attrgetter(name) for name in names}
 
 
-def accuracy(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[AccuracyResult, list[Finding]]:
+def accuracy(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[AccuracyResult, list[Finding]]:
     """Calculate the accuracy of a clutch, and over the grid of ``sweeps`` if there are any."""
     sleeve = clutch.sleeve
     swept = series(AccuracySweep, clutch, sweeps, sweep_outputs(clutch))

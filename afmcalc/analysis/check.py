@@ -33,8 +33,9 @@ class CheckResult(Answer):
 def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = None) -> tuple[CheckResult, list[Finding]]:
     """Return the verdict on a design and its findings; ``strict``: warnings fail it too."""
     answers = answers or Answers(clutch)
+    findings = _findings(answers)
     requirements, missed = requirement_rows(answers)
-    findings = [*_findings(answers), *missed]
+    findings += missed
     levels = [remark.level for remark in findings]
     result = CheckResult(
         passed="error" not in levels and not (strict and "warning" in levels),

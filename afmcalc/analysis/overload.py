@@ -1,7 +1,7 @@
 """Overload with a torque margin (S22): potential torque, actuation torque as published and at equilibrium."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..arrays import larger
 from ..engines.protocol import Clutch
@@ -12,10 +12,7 @@ from ..findings import Finding, finding
 from ..messages import say
 from ..result import Answer, Series, Triple, described, quantity
 from .registry import ANALYSES
-from .sweep.grid import replaced, series
-
-if TYPE_CHECKING:
-    from .sweep.grid import Axis
+from .sweep.grid import Axis, replaced, series
 
 
 class OverloadSweep(Series):
@@ -53,7 +50,7 @@ class OverloadResult(Answer):
     sweep: list[OverloadSweep] | None = described("overload over the swept values", optional=True)
 
 
-def overload(clutch: Clutch, sweeps: "Sequence[Axis]" = ()) -> tuple[OverloadResult, list[Finding]]:
+def overload(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[OverloadResult, list[Finding]]:
     """Calculate the overload of an all-driving or differentiated clutch of one material.
 
     Raises:

@@ -118,11 +118,6 @@ class Wall(NamedTuple):
         """Width of the pocket at the face, m."""
         return 2 * self.at(self.mouth).wall_around
 
-    @property
-    def apex_depth(self) -> float:
-        """Depth h_1 at which both walls would meet, straight on below the ball at the stop, m."""
-        return float(synthesis.pocket_depth(self.ball_radius, math.sin(self.angle), self.face_gap))
-
     def points(self, chord: float = CHORD) -> list[WallPoint]:
         """Places from the stop to the mouth, so near that chords between them keep within ``chord`` of the wall."""
         end, enough = self.mouth, 1

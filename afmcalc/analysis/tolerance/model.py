@@ -88,15 +88,16 @@ class Model:
         return build(self._spec(values))
 
     def _spec(self, values: Sequence[Values]) -> Spec:
-        given = self._by_path(values)
+        given = self.by_path(values)
         return with_values(self.spec, {path: given[path] for path in given if path not in FRICTION})
 
-    def _by_path(self, values: Sequence[Values]) -> dict[str, Values]:
+    def by_path(self, values: Sequence[Values]) -> dict[str, Values]:
+        """Values by the path of what scatters."""
         return {scattering.path: value for scattering, value in zip(self.inputs, values, strict=True)}
 
-    def torque(self, values: Sequence[Values], clutch: Clutch | None = None) -> Values:
-        """Slip torque, N·m; of ``clutch`` where it is built of the values already."""
-        return self.torque_of(clutch or self.clutch(values), self._by_path(values))
+    def torque(self, values: Sequence[Values]) -> Values:
+        """Slip torque, N·m."""
+        return self.torque_of(self.clutch(values), self.by_path(values))
 
     def torque_of(self, clutch: Clutch, frictions: Mapping[str, Values]) -> Values:
         """Slip torque of a clutch, N·m, at the frictions named; at the mean where none is."""
@@ -110,10 +111,6 @@ class Model:
             return named.get("friction.driving", first), named.get("friction.driven", second)
         alike = named.get("friction", first)
         return alike, alike
-
-    def frictions_at(self, values: Sequence[Values]) -> tuple[Values, Values]:
-        """f_1 and f_2 of samples."""
-        return self.frictions(self._by_path(values))
 
 
 def with_setting(clutch: Clutch, given: Tolerance) -> Spec:

@@ -113,16 +113,7 @@ class Stream:
 
 
 def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> list[Tally]:
-    """Sample the torque.
-
-    Args:
-        model: torque as a function of what scatters.
-        plan: size, seed, method, threads.
-        upper: torque whose exceedance is counted, N·m; None for none.
-        lower: torque below which samples are counted, N·m.
-
-    Returns:
-        A tally per replicate.
+    """Sample the torque: a tally per replicate, which counts those above ``upper`` and below ``lower``, N·m, too.
 
     Raises:
         CalculationError: hardly any sample is a clutch.
@@ -308,7 +299,9 @@ def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> dict[str, ob
     if min(sizes) < _LEAST_CLUTCHES:
         raise CalculationError("tolerance: hardly a sample is a clutch: there is no peak torque to tell")
     values = [np.concatenate(columns) for columns in zip(*parts, strict=True)]
-    peaks = np.broadcast_to(peaks_of(model.clutch(values), *model.frictions_at(values)).shaft, values[0].shape)
+    peaks = np.broadcast_to(
+        peaks_of(model.clutch(values), *model.frictions(model.by_path(values))).shaft, values[0].shape
+    )
     pieces = np.split(peaks, np.cumsum(sizes)[:-1])
     order = ranked_values(peaks)
     fields: dict[str, object] = {
