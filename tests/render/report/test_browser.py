@@ -54,7 +54,6 @@ ALL_SHOWN = "[...document.querySelectorAll('.scroll')].every(box => box.scrollWi
 
 
 @browser
-@pytest.mark.exhaustive
 def test_in_a_browser(opened):
     name, page = opened
     for scheme, width in (("light", 1280), ("dark", 1280), ("dark", 375)):
