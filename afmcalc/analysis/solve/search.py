@@ -143,7 +143,7 @@ def explore(function: Function, wanted: float, domain: Domain) -> Curve:
     low = 0 if domain.low_taken else _approached(value)
     high = lost = 0
     if not math.isfinite(domain.high):
-        high, lost = _approached(value[::-1]), 0
+        high, lost = _approached(value[::-1]), _noisy(function, at, value)
     limit_low, limit_high = float(value[0]) if low else None, float(value[-1]) if high else None
     kept = slice(low, len(value) - max(high, lost))
     at, value = at[kept], value[kept]
