@@ -31,7 +31,7 @@ def rule_error(broken: Iterable[Broken], others: ValidationError | None = None) 
     """Return pydantic's error for rules that a table breaks, beside what pydantic itself found in it."""
     lines: list[Any] = [*others.errors(include_url=False)] if others else []
     lines += [
-        {"type": "value_error", "loc": (path,), "input": None, "ctx": {"error": ValueError(message)}}
+        {"type": "value_error", "loc": tuple(path.split(".")), "input": None, "ctx": {"error": ValueError(message)}}
         for path, message in broken
     ]
     return ValidationError.from_exception_data("spec", lines)
