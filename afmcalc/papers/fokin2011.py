@@ -90,9 +90,8 @@ def p14() -> Found:
 
 def _break_even(n: float, low: float, high: float) -> float:
     """Return p where the curve at n meets the line of the same friction."""
-    from scipy.optimize import brentq
-
-    return float(brentq(lambda p: factor(n, p, low, high) - line(low, high), 1, 2))
+    ratios = np.linspace(1, 2, 10001)
+    return float(np.interp(-line(low, high), -factor(n, ratios, low, high), ratios))
 
 
 def _elasticity(function: Callable[[float], float]) -> float:
