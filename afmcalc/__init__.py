@@ -26,29 +26,20 @@ __all__ = [
     "read_spec",
 ]
 
-_HOMES = {
-    "Clutch": "python",
-    "build": "python",
-    "compare": "python",
-    "design": "python",
-    "load": "python",
-    "AfmcalcError": "errors",
-    "FileError": "errors",
-    "SpecError": "errors",
-    "Spec": "spec",
-    "read_spec": "spec",
-}
+_HOMES = {"errors": ("AfmcalcError", "FileError", "SpecError"), "spec": ("Spec", "read_spec")}
+"""Module → public names of it; all others are of ``python``."""
 
 
 if not TYPE_CHECKING:  # who checks types is to know every name
 
     def __getattr__(name: str) -> object:
         """Import a public name on first use, so that ``import afmcalc`` costs nothing."""
-        if name not in _HOMES:
+        if name not in __all__:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         from importlib import import_module
 
-        return getattr(import_module(f".{_HOMES[name]}", __name__), name)
+        home = next((home for home, names in _HOMES.items() if name in names), "python")
+        return getattr(import_module(f".{home}", __name__), name)
 
 
 def __dir__() -> list[str]:

@@ -71,15 +71,6 @@ def quiet_division(value: Values) -> AbstractContextManager[object]:
     return nullcontext()
 
 
-def through_math(function: Callable[[float], float], value: Values) -> Values:
-    """Apply a function of ``math`` element by element: NumPy's own may differ in the last bit."""
-    if is_array(value):
-        import numpy as np
-
-        return np.fromiter(map(function, value.ravel()), float, value.size).reshape(value.shape)
-    return function(float(value))
-
-
 def square_root(value: Values) -> Values:
     """Square root, the same to the last bit for floats and arrays."""
     if is_array(value):
@@ -90,8 +81,12 @@ def square_root(value: Values) -> Values:
 
 
 def tangent(angle: Values) -> Values:
-    """Tangent, the same to the last bit for floats and arrays."""
-    return through_math(math.tan, angle)
+    """Tangent, the same to the last bit for floats and arrays: NumPy's own may differ in the last."""
+    if is_array(angle):
+        import numpy as np
+
+        return np.fromiter(map(math.tan, angle.ravel()), float, angle.size).reshape(angle.shape)
+    return math.tan(float(angle))
 
 
 def finite(value: Values) -> Values:

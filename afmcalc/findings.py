@@ -35,14 +35,10 @@ def finding(
     path: str | None = None,
     **values: object,
 ) -> Finding:
-    """Make a finding whose sentence is that of its code in ``FINDINGS``.
+    """Make a finding with the sentence of its code in ``FINDINGS``, which shows ``value``, ``limit``, ``path``, others.
 
     Args:
-        code: short name that scripts may rely on; one with several sentences is followed by ``/case``.
-        level: how grave it is.
-        value: the number in question, SI; the sentence may show it as ``{value}``.
-        limit: what it is held against, SI; ``{limit}``.
-        path: spec key it belongs to; ``{path}``.
+        code: as ``Finding`` has it; one with several sentences is followed by ``/case``.
         values: what else the sentence shows, SI.
 
     Raises:

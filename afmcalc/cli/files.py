@@ -16,11 +16,7 @@ _OTHERS = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")
 
 
 def format_of(output: str | None, asked: str | None) -> str:
-    """Return the format of a result: the one asked for, else the one its file's name ends in, else a table.
-
-    Raises:
-        AfmcalcError: the name ends in another one.
-    """
+    """Return the format of a result: as asked, else as its file is named, else a table; refuse another name."""
     ending = _ending(output)
     if ending in _OTHERS:
         raise AfmcalcError(
@@ -40,11 +36,7 @@ def format_of(output: str | None, asked: str | None) -> str:
 
 
 def is_json_spec(output: str) -> bool:
-    """Whether a spec goes to a file as JSON, by its name; else as TOML.
-
-    Raises:
-        AfmcalcError: the name is that of something else.
-    """
+    """Whether a spec goes to a file as JSON, by its name, not as TOML; refuse the name of something else."""
     ending = _ending(output)
     if ending in {*_FORMATS, *_OTHERS} - {".toml", ".json"}:
         raise AfmcalcError("--output {output}: it gets a spec: .toml or .json", output=output)
@@ -62,11 +54,7 @@ def html_only(output: str | None) -> None:
 
 
 def picture_of(output: str | None) -> str | None:
-    """Return the kind of picture that goes to a file, by its name; None for text.
-
-    Raises:
-        AfmcalcError: the name is that of no picture.
-    """
+    """Return the kind of picture that goes to a file, by its name, None for text; refuse any other name."""
     if output in (None, "-"):
         return None
     ending = _ending(output).removeprefix(".")

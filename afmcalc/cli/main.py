@@ -136,11 +136,7 @@ def without_lang(arguments: list[str]) -> tuple[list[str], str]:
 
 
 def chosen(lang: str, environment: Mapping[str, str]) -> Language:
-    """Return the language asked for: by the option, else by AFMCALC_LANG, else by the locale, if it is known.
-
-    Raises:
-        AfmcalcError: there is no such language.
-    """
+    """Return the language asked for by the option, else by AFMCALC_LANG, else by the locale: English where unknown."""
     by_locale = re.split("[_.@]", next(filter(None, map(environment.get, _LOCALE)), ""))[0]
     asked = {_OPTION: lang, "AFMCALC_LANG": environment.get("AFMCALC_LANG"), "": by_locale}
     by, name = next(((by, name) for by, name in asked.items() if name), ("", ENGLISH.name))

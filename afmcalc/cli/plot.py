@@ -131,11 +131,7 @@ def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
 
 
 def _for_the_shop(what: str, request: "Request", ending: str | None, common: Common) -> None:
-    """Write the pocket in true millimetres, and the profile of its wall.
-
-    Raises:
-        AfmcalcError: another plot, a picture that is none for the shop, a pocket or a cutter that cannot be.
-    """
+    """Write the pocket in true millimetres, and the profile of its wall."""
     from ..analysis.figures import shop_drawing_of
     from ..render import shop
 
@@ -156,11 +152,7 @@ def _for_the_shop(what: str, request: "Request", ending: str | None, common: Com
 
 
 def _length(name: str, text: str | None) -> float | None:
-    """Read the length that an option gives, with its unit.
-
-    Raises:
-        AfmcalcError: none, or not above 0.
-    """
+    """Read the length above 0 that an option gives, with its unit."""
     from ..spec.quantity import parse_quantity
 
     if text is None:
