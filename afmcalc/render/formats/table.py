@@ -42,9 +42,7 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
 
     ``curve`` draws under a sweep, by default a small curve of characters.
     """
-    from ..plot.text import curve_lines
-
-    curve = curve or curve_lines
+    curve = curve or _small_curve
     laid_out = document(output.result)
     tables, steps = blocks(laid_out), step_lines(laid_out)
     if not is_unicode():
@@ -54,6 +52,15 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
     else:
         text = _plain(output, tables, steps, curve)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+
+
+def _small_curve(block: TextTable, unicode: bool, width: int | None) -> list[str]:
+    """Draw the first answer of a sweep along one axis; nothing for any other table."""
+    if block.source is None or block.source.axes != 1:
+        return []
+    from ..plot.text import curve_lines
+
+    return curve_lines(block.source, unicode)
 
 
 def _spelled(block: TextTable) -> TextTable:

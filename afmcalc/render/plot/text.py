@@ -93,11 +93,9 @@ def _swept(table: Table) -> Chart | None:
     return Chart(x, y, lines)
 
 
-def curve_lines(block: TextTable, unicode: bool, width: int | None = None) -> list[str]:
-    """Draw the first answer of a sweep along one axis, small; nothing for any other table."""
-    if block.source is None or block.source.axes != 1:
-        return []
-    x, y = block.source.columns[:2]
+def curve_lines(table: Table, unicode: bool) -> list[str]:
+    """Draw the first answer of a sweep along one axis, small; nothing of fewer points than three."""
+    x, y = table.columns[:2]
     if len(x.values) < 3:
         return []
     return ["", *curve(x.values, y.values, told("{y} against {x}", y=y.symbol, x=x.symbol), unicode=unicode)]
