@@ -10,6 +10,7 @@ import sys
 import tomllib
 from itertools import groupby
 
+import pytest
 from conftest import ROOT
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -35,10 +36,11 @@ def test_the_spec_and_every_command_are_there(afmcalc, tmp_path):
 
 
 def test_line_by_line_in_an_empty_folder(undrawn, afmcalc, tmp_path, monkeypatch):
-    """Every shell line in the order of the page, then the Python, with nothing but the installed package."""
+    """Every command of the page in its order, then the Python, with nothing but the installed package."""
     monkeypatch.chdir(tmp_path)
-    lines = [line for block in re.findall(r"```sh\n(.*?)```", README, re.DOTALL) for line in block.splitlines()]
-    ours = [line.split("&& ")[-1] for line in lines if "afmcalc" in line.split("#")[0] and "pytest" not in line]
+    blocks = re.findall(r"```(?:sh|console)\n(.*?)```", README, re.DOTALL)
+    lines = [line.removeprefix("$ ") for block in blocks for line in block.splitlines()]
+    ours = [line.split("&& ")[-1] for line in lines if re.match("(pip.*&& )?afmcalc ", line)]
     assert len(ours) > 10
     for line in ours:
         words, piped = shlex.split(line, comments=True), ""
@@ -52,35 +54,54 @@ def test_line_by_line_in_an_empty_folder(undrawn, afmcalc, tmp_path, monkeypatch
     extras = set(
         tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
     )
-    assert set(re.findall(r"\[([a-z,]+)\]'", README)) <= extras
+    assert {name for names in re.findall(r"\[([a-z,]+)\]'", README) for name in names.split(",")} <= extras
 
 
 def test_the_pictures_are_those_that_are_drawn_today():
-    pictures = re.findall(r"!\[[^]]+\]\(([^)]+)\)", README)
-    assert len(pictures) == 2
-    assert all((ROOT / picture).parent.name == "baseline" and (ROOT / picture).is_file() for picture in pictures)
+    """One is a baseline of the plots; the page of the report is drawn anew for a release."""
+    plot, page = re.findall(r"!\[[^]]+\]\(([^)]+)\)", README)
+    assert (ROOT / plot).parent.name == "baseline"
+    assert (ROOT / plot).is_file()
+    assert (ROOT / page).read_bytes().startswith(b"\x89PNG")
+
+
+def test_it_fits_on_two_screens():
+    lines = README.splitlines()
+    assert len(lines) <= 120 >= max(map(len, lines))
 
 
 PIECES = {
     "analysis/gap.py": '''
-from ..engines.protocol import Clutch
-from ..findings import Finding
-from ..result import Answer, quantity
+from ..engines import Clutch
+from ..equations import direct
+from ..findings import Finding, finding
+from ..result import Answer, Result, quantity
+
+
+class End(Result):
+    """One end of the range."""
+
+    friction: float = quantity("1", "f", "coefficient of friction")
+    share: float = quantity("1", "f/Δf", "share of the width")
 
 
 class GapResult(Answer):
     """How far apart the ends of the friction range are."""
 
     gap: float = quantity("1", "Δf", "width of the friction range")
+    ends: list[End] = quantity("", None, "both ends")
 
 
 def gap(clutch: Clutch) -> tuple[GapResult, list[Finding]]:
     """Calculate the width of the friction range."""
-    return GapResult(gap=round(clutch.friction[0].max - clutch.friction[0].min, 9)), clutch.findings()
+    ends = clutch.friction[0].min, clutch.friction[0].max
+    width = direct.friction_width(*ends)
+    result = GapResult(gap=width, ends=[End(friction=end, share=end / width) for end in ends])
+    return result, [finding("gap-told", "info", value=width)]
 ''',
     "analysis/registry.py": """
         Analysis(
-            "gap", "analysis.gap", "GapResult", "clutch",
+            "gap", "analysis.gap", "GapResult", "clutch", explained=True,
             section=Section("Width of the friction", "The range of friction.", "Its width is {gap:.3g}."),
         ),
 """,
@@ -101,16 +122,65 @@ def gap(spec: SpecArgument = None, *, common: Common) -> None:
         return self._ask("gap")
 
 ''',
+    "findings.py": """
+    "gap-told": "the friction range is {value:.3g} wide",
+""",
+    "equations/terms.py": """
+FrictionWidth = Annotated[Number, Term("Δf", "1", "width of the friction range")]
+""",
+    "equations/direct.py": '''
+
+@equation
+def friction_width(friction_min: FrictionMin, friction_max: FrictionMax) -> FrictionWidth:
+    """Width of the friction range, f_max − f_min.
+
+    Source: a test.
+    Validity: f_max ≥ f_min.
+    """
+    return friction_max - friction_min
+''',
+    "proofs/direct.py": '''
+
+def width_of_the_friction() -> Steps:
+    """From its ends."""
+    yield "f_min + Δf = f_max", fmin + direct.friction_width(fmin, fmax) - fmax
+''',
+    "variants.py": """
+        Variant(
+            name="two-driving",
+            law="direct",
+            description="two pairs bypass the control unit",
+            bypass=lambda pairs, driving: 2,
+            needs=(("control_unit",),),
+            example="default",
+        ),
+""",
+    "spec/materials.toml": """
+[materials.felt]
+description = "felt"
+condition = "dry"
+friction = [0.2, 0.3]
+pressure_kPa = [50]
+temperature_C = [90]
+source = "juvinall"
+""",
 }
-"""What the page says that an analysis is made of, by file."""
-BEFORE = {"analysis/registry.py": '        Analysis("compare"', "python.py": "    def heat("}
+"""What the page says that is added, by file."""
+BEFORE = {
+    "analysis/registry.py": '        Analysis("compare"',
+    "python.py": "    def heat(",
+    "findings.py": '    "friction-fixed"',
+    "variants.py": '        Variant(\n            name="all-driving"',
+}
 """What a piece is put before, where that is not the end of its file."""
 
 ASKED = """
 import afmcalc
 from afmcalc.cli.main import main
 assert afmcalc.__file__.startswith({home!r}), afmcalc.__file__
-print(afmcalc.load().gap().to_dict())
+from afmcalc.proofs import prove
+prove("width_of_the_friction")
+print(afmcalc.load().gap().gap)
 for arguments in {arguments!r}:
     print("====")
     try:
@@ -120,9 +190,12 @@ for arguments in {arguments!r}:
 """
 
 
-def test_an_analysis_is_added_as_the_page_says(tmp_path):
-    (recipe,) = re.findall(r"^- an analysis: (.*?);$", README, re.MULTILINE | re.DOTALL)
-    assert re.findall(r"`([\w./]+)`", recipe) == ["analysis/", "registry.py", "cli/", "python.py"]
+def test_what_is_added_as_the_page_says_is_there(tmp_path):
+    """A variant, a material, a finding, rows and columns, an analysis, a formula with its proof."""
+    recipes = README[README.index("To add") :]
+    for file in PIECES:
+        folder, _, name = file.rpartition("/")
+        assert f"`{file}`" in recipes or f"`{folder}/`" in recipes or f"`{name}`" in recipes, file
     package = tmp_path / "afmcalc"
     shutil.copytree(ROOT / "afmcalc", package, ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(ROOT / "configs", package / "configs")
@@ -131,17 +204,27 @@ def test_an_analysis_is_added_as_the_page_says(tmp_path):
         text = file.read_text(encoding="utf-8") if file.exists() else ""
         at = text.index(BEFORE[name]) if name in BEFORE else len(text)
         file.write_text(text[:at] + (piece.lstrip("\n") if name in BEFORE else piece) + text[at:], encoding="utf-8")
-    asked = [["--help"], ["gap", "--help"], ["gap"], ["gap", "--json"], ["schema", "gap"], ["report", "-o", "r.html"]]
+    asked = [
+        ["--help"], ["gap", "--help"], ["gap"], ["gap", "--json"], ["schema", "gap"], ["explain", "gap"],
+        ["torque", "--set", "variant=two-driving", "--set", "friction_group.driving_pairs="],
+        ["check", "--set", "friction.min=", "--set", "friction.mean=", "--set", "friction.max=", "--set", "friction.material=felt", "--json"],
+        ["report", "-o", "r.html"],
+    ]  # fmt: skip
     run = subprocess.run(
         [sys.executable, "-c", ASKED.format(home=str(tmp_path), arguments=asked)],
         cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(tmp_path)}, capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
-    python, help_, own, table, printed, schema, _ = run.stdout.split("====\n")
-    assert python == "{'gap': 0.7}\n"
+    python, help_, usage, table, printed, schema, steps, torque, felt, _ = run.stdout.split("====\n")
+    assert float(python) == pytest.approx(0.7)
     assert re.search(r"^  gap +Width of the friction range$", help_, re.MULTILINE)
-    assert "afmcalc gap clutch.toml" in own
+    assert "afmcalc gap clutch.toml" in usage
     assert re.search(r"^Δf +width of the friction range +0\.7 +–$", table, re.MULTILINE)
-    assert json.loads(printed)["result"] == {"gap": 0.7}
-    assert json.loads(schema)["$defs"]["GapResult"]["required"] == ["gap"]
+    assert re.search(r"^ +f +f/Δf$", table, re.MULTILINE), table
+    assert "info: the friction range is 0.7 wide [gap-told]" in table
+    assert json.loads(printed)["result"]["ends"][1]["friction"] == 0.8
+    assert json.loads(schema)["$defs"]["GapResult"]["required"] == ["gap", "ends"]
+    assert "Δf = f_max - f_min" in steps
+    assert torque.startswith("torque: Base clutch – two-driving")
+    assert json.loads(felt)["spec"]["friction"]["material"] == "felt"
     assert "Its width is 0.7." in (tmp_path / "r.html").read_text(encoding="utf-8")
