@@ -58,9 +58,9 @@ def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[Comp
     names = _names([clutch.spec for clutch in clutches])
     rows, remarks = [], []
     for clutch, name in zip(clutches, names, strict=True):
-        found = found_unsimulated(clutch)
-        rows.append(_row(clutch, None, name, found))
-        remarks += _told(clutch, name or clutch.spec.variant, found)
+        judged = found_unsimulated(clutch)
+        rows.append(_row(clutch, None, name, judged))
+        remarks += _remarks_of(clutch, name or clutch.spec.variant, judged)
     return CompareResult(clutches=rows), remarks
 
 
@@ -74,10 +74,10 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
             missing.append(_missing(variant, error))
             continue
         by_name = term("spring force"), term("nominal torque")
-        for own, basis in zip((by_force, by_torque), by_name, strict=True):
-            found = found_unsimulated(own)
-            rows.append(_row(own, basis, clutch.spec.name, found))
-            remarks += _told(own, variant, found)
+        for built, basis in zip((by_force, by_torque), by_name, strict=True):
+            judged = found_unsimulated(built)
+            rows.append(_row(built, basis, clutch.spec.name, judged))
+            remarks += _remarks_of(built, variant, judged)
     rows.sort(key=lambda row: row.basis != "spring force")
     asked = list(clutch.spec.label.findings)
     return CompareResult(clutches=rows), [*asked, *dict.fromkeys(remarks), *missing]
@@ -101,9 +101,9 @@ def _names(specs: Sequence[Spec]) -> list[str | None]:
     ]
 
 
-def _told(clutch: Clutch, name: str, found: Sequence[Finding]) -> list[Finding]:
+def _remarks_of(clutch: Clutch, name: str, judged: Sequence[Finding]) -> list[Finding]:
     """What a clutch itself tells, and what else is counted, each with its name."""
-    counted = (each for each in found if each.level != "info")
+    counted = (each for each in judged if each.level != "info")
     return [_named(each, name) for each in dict.fromkeys((*clutch.findings(), *counted))]
 
 
@@ -112,7 +112,7 @@ def _named(remark: Finding, name: str) -> Finding:
     return replace(remark, message=say("{name}: {message}", name=term(name, "name"), message=remark.message))
 
 
-def _row(clutch: Clutch, basis: str | None, name: str | None, found: Sequence[Finding]) -> ComparedClutch:
+def _row(clutch: Clutch, basis: str | None, name: str | None, judged: Sequence[Finding]) -> ComparedClutch:
     torque = triple(clutch, clutch.torque)
     return ComparedClutch(
         name=name and term(name, "name"),
@@ -128,8 +128,8 @@ def _row(clutch: Clutch, basis: str | None, name: str | None, found: Sequence[Fi
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         gain_limit=clutch.gain_limit,
         travel_max=clutch.sleeve and clutch.sleeve.travel_max,
-        errors=sum(each.level == "error" for each in found),
-        warnings=sum(each.level == "warning" for each in found),
+        errors=sum(each.level == "error" for each in judged),
+        warnings=sum(each.level == "warning" for each in judged),
     )
 
 

@@ -124,17 +124,17 @@ def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
     """
     text = sweep or "C"
     axis = parse_axis(text, clutch.spec)
-    own = _own_value(axis, clutch)
+    current = _value_of(axis, clutch)
     if "=" not in text and not is_whole(axis.key.path):
-        ends = [float(axis.values.min()), float(axis.values.max()), *([] if own is None else [own])]
+        ends = [float(axis.values.min()), float(axis.values.max()), *([] if current is None else [current])]
         axis = axis._replace(values=np.linspace(min(ends), max(ends), POINTS))
     limit = clutch.gain_limit if axis.key.path == "control_unit.gain" else None
-    found = _over(axis, AccuracySweep, clutch, sweep_outputs(clutch))
+    swept = _over(axis, AccuracySweep, clutch, sweep_outputs(clutch))
     return AccuracyCurve(
         name=clutch.spec.name,
         variant=clutch.spec.variant,
-        series=found,
-        own=own,
+        series=swept,
+        own=current,
         accuracy_factor=clutch.accuracy_factor,
         limit=None if limit is None else limit / axis.scale,
     )
@@ -151,9 +151,9 @@ def overload_curve(clutch: Clutch) -> OverloadCurve:
     refuse(clutch)
     friction = _path(clutch)[0]
     trip = Actuation(clutch, friction)
-    own, controlled = float(clutch.reduced_gain), clutch.spec.friction_group.pairs - float(clutch.bypass_pairs)
-    gains = Axis("zC", find_key("C"), np.linspace(0.0, max(5.0, 1.2 * own), 401), 1 / controlled)
-    found = _over(gains, OverloadSweep, clutch, OVERLOAD_OUTPUTS)
+    reduced, controlled = float(clutch.reduced_gain), clutch.spec.friction_group.pairs - float(clutch.bypass_pairs)
+    gains = Axis("zC", find_key("C"), np.linspace(0.0, max(5.0, 1.2 * reduced), 401), 1 / controlled)
+    swept = _over(gains, OverloadSweep, clutch, OVERLOAD_OUTPUTS)
     return OverloadCurve(
         name=clutch.spec.name,
         variant=clutch.spec.variant,
@@ -164,9 +164,9 @@ def overload_curve(clutch: Clutch) -> OverloadCurve:
         potential_torque=trip.potential.tolist(),
         machine_torque=trip.machine,
         margin=clutch.spec.adjustment.margin,
-        accuracy=found,
+        accuracy=swept,
         bypass_pairs=int(clutch.bypass_pairs),
-        reduced_gain=own,
+        reduced_gain=reduced,
         optimal_reduced_gain=optimal_reduced_gain(clutch.friction[0].max),
     )
 
@@ -190,17 +190,17 @@ def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
         if not high > low:
             raise CalculationError("plot life: the friction does not wander, there is no band: give --sweep dT=RANGE")
         axis = axis._replace(values=np.linspace(low, high, POINTS))
-    found, both = answers.of(LifeResult), answers.of(AdjustResult)
-    (over,) = life_sweep(clutch, found.model, [axis], found.dynamic_factor)
+    life, both = answers.of(LifeResult), answers.of(AdjustResult)
+    (over,) = life_sweep(clutch, life.model, [axis], life.dynamic_factor)
     fields = {method: method.replace("-", "_") for method in METHODS}
     return LifeCurve(
         name=clutch.spec.name,
         variant=clutch.spec.variant,
-        model=found.model,
+        model=life.model,
         series=over,
-        base_cycles=found.base_cycles,
+        base_cycles=life.base_cycles,
         settings=[
-            SettingLife(method=method, scatter=getattr(both, field).scatter, cycles=getattr(found.protected, field))
+            SettingLife(method=method, scatter=getattr(both, field).scatter, cycles=getattr(life.protected, field))
             for method, field in fields.items()
         ],
     )
@@ -208,12 +208,12 @@ def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
 
 def _over(axis: Axis, kind: type[S], clutch: Clutch, outputs: Mapping[str, Callable[[Clutch], Any]]) -> S:
     """Sweep over one axis."""
-    found = series(kind, clutch, [axis], outputs)
-    assert found is not None
-    return found[0]
+    swept = series(kind, clutch, [axis], outputs)
+    assert swept is not None
+    return swept[0]
 
 
-def _own_value(axis: Axis, clutch: Clutch) -> float | None:
+def _value_of(axis: Axis, clutch: Clutch) -> float | None:
     """What the clutch has of a swept key, also where it follows from others."""
     follows = {"control_unit.gain": clutch.gain, "closing_spring.force": clutch.closing_force}
     value = follows.get(axis.key.path, current_value(clutch.spec, axis.key.path))
@@ -226,7 +226,7 @@ def _path(clutch: Clutch) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     Raises:
         CalculationError: they do not move.
     """
-    if not any(own.max > own.min for own in clutch.friction):
+    if not any(group.max > group.min for group in clutch.friction):
         raise CalculationError("the friction does not wander (min = max): there is no curve over it")
     first, second = clutch.path(np.linspace(0.0, 1.0, POINTS))
     return np.asarray(first), np.asarray(second)

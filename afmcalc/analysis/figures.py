@@ -146,23 +146,27 @@ def _overload(request: Request) -> "OverloadCurve":
 def _life(request: Request) -> "list[LifeCurve]":
     from .curves import life_curve
 
-    found = [life_curve(answers, request.sweep) for answers in request.subjects]
-    drawn = [each for curve in found for each in curve.series.protected]
-    if len(found) == 1:
-        (own,) = found
-        drawn += [*own.series.unprotected, *own.series.protected_forecast, *(each.cycles for each in own.settings)]
+    curves = [life_curve(answers, request.sweep) for answers in request.subjects]
+    drawn = [cycles for curve in curves for cycles in curve.series.protected]
+    if len(curves) == 1:
+        (only,) = curves
+        drawn += [
+            *only.series.unprotected,
+            *only.series.protected_forecast,
+            *(setting.cycles for setting in only.settings),
+        ]
     if not any(drawn):
         raise CalculationError(
-            "plot life: by the model {model!r} fatigue sets no limit anywhere in the range", model=found[0].model
+            "plot life: by the model {model!r} fatigue sets no limit anywhere in the range", model=curves[0].model
         )
-    return found
+    return curves
 
 
 def _pocket(request: Request) -> PocketSection:
     (answers,) = request.subjects
     spec = answers.clutch.spec
-    found, _ = answers.ask("synthesize")
-    return PocketSection(spec.name, spec.control_unit.balls, found)
+    synthesis, _ = answers.ask("synthesize")
+    return PocketSection(spec.name, spec.control_unit.balls, synthesis)
 
 
 def _effects(request: Request) -> "EffectsCurve":
@@ -188,8 +192,8 @@ def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
 
     check_request(name, request)
     (answers,) = request.subjects
-    found, _ = answers.ask("synthesize")
-    return shop_drawing(answers.clutch, found, request.cutter, CHORD if request.chord is None else request.chord)
+    synthesis, _ = answers.ask("synthesize")
+    return shop_drawing(answers.clutch, synthesis, request.cutter, CHORD if request.chord is None else request.chord)
 
 
 def _tolerance(request: Request) -> ToleranceFigure:
@@ -213,7 +217,7 @@ def _simulate(request: Request) -> SimulateFigure:
     (answers,) = request.subjects
     clutch, result = answers.clutch, answers.of(SimulateResult)
     rows = history(clutch, short=True).moments
-    courses = [list(own) for _, own in groupby(rows, lambda row: (row.friction, row.friction_driving))]
+    courses = [list(course) for _, course in groupby(rows, lambda row: (row.friction, row.friction_driving))]
     return SimulateFigure(clutch.spec.name, clutch.spec.drive.event.kind, result.load_torque, result, courses)
 
 

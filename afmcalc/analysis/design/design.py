@@ -42,8 +42,8 @@ def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
             count=count,
             most=MOST,
         )
-    found = search(need, lambda done: tell(say("searching"), done, count))
-    best = numbered(need, [fine for _, fine in refinement(need, found)])
+    survey = search(need, lambda done: tell(say("searching"), done, count))
+    best = numbered(need, [fine for _, fine in refinement(need, survey)])
     unsprung = 0
     if need.springs is not None:
         sprung = []
@@ -56,12 +56,12 @@ def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
     if not best:
         missing = attainable(need, lambda done, of: tell(say("looking for what is attainable"), done, of))
     result = DesignResult(
-        candidates=found.candidates,
-        feasible=found.feasible,
+        candidates=survey.candidates,
+        feasible=survey.feasible,
         objectives=list(need.objectives),
         on_front=len(best),
         knee=next((row.number for row in best if row.mark), None),
-        excluded={name: number for name, number in (found.excluded | {"springs": unsprung}).items() if number},
+        excluded={name: number for name, number in (survey.excluded | {"springs": unsprung}).items() if number},
         attainable=missing,
         front=best,
     )
@@ -69,15 +69,15 @@ def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
     return result, [*need.label.findings, *_findings(result), *missed]
 
 
-def refinement(need: Requirements, found: Survey) -> list[tuple[DesignRow, DesignRow]]:
+def refinement(need: Requirements, survey: Survey) -> list[tuple[DesignRow, DesignRow]]:
     """Return every member of the front on the grid, and what it becomes between the grid points.
 
     With the ball an objective twice: with the smallest that gives nothing up, and as good as can be with its own.
     """
     both: list[tuple[DesignRow, DesignRow]] = []
     ways = (False, True) if "ball_diameter" in need.objectives else (False,)
-    count = len(ways) * sum(len(values) for _, _, values in found.members)
-    for (variant, at, _), ball_first in product(found.members, ways):
+    count = len(ways) * sum(len(values) for _, _, values in survey.members)
+    for (variant, at, _), ball_first in product(survey.members, ways):
         behind = len(both)
 
         def progress(done: int, behind: int = behind) -> None:

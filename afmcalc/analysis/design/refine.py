@@ -80,18 +80,18 @@ class _Rows:
         self.limit = objectives(candidates(need, variant, self.at)) * (1 + 1e-12)
 
     def _span(self, name: str, choice: Choice | None) -> _Span:
-        own = getattr(self.at, name)
+        column = getattr(self.at, name)
         if name == "mean_radius":
             return self._radii(choice)
         if choice is None or not choice.between:
-            return _Span(own, own)
-        return _Span(np.full(own.shape, choice.start), np.full(own.shape, choice.stop))
+            return _Span(column, column)
+        return _Span(np.full(column.shape, choice.start), np.full(column.shape, choice.stop))
 
     def _radii(self, choice: Choice | None) -> _Span:
         """Mean radii that the search and the outer diameter allow."""
-        own, inner, limit = self.at.mean_radius, self.at.inner_radius, self.need.limits.outer_diameter
+        mean, inner, limit = self.at.mean_radius, self.at.inner_radius, self.need.limits.outer_diameter
         if choice is None or not choice.between:
-            return _Span(own, own)
+            return _Span(mean, mean)
         width = self.need.fixed.face_width
         if self.need.search.mean_radius is None:
             radii = choice.array()
@@ -99,7 +99,7 @@ class _Rows:
             low, high = (inner + beyond) / 2, (inner + choice.stop) / 2
             most = np.inf if limit is None else (limit / 2 + inner) / 2
         else:
-            low, high = np.full(own.shape, choice.start), np.full(own.shape, choice.stop)
+            low, high = np.full(mean.shape, choice.start), np.full(mean.shape, choice.stop)
             most = np.inf if limit is None or width is None else (limit - width) / 2
         return _Span(low, np.maximum(low, np.minimum(high, most)))
 
@@ -115,34 +115,34 @@ class _Rows:
     def _least(self, goal: str, best: Axes) -> Axes:
         low, high = self._steeps()
         reached = self._score(goal, best)[:, 0]
-        own = self._steep(best)
+        steep = self._steep(best)
         for turn in range(ROUNDS):
             parts = np.linspace(0.0, 1.0, FIRST if turn == 0 else LATER)
-            tried = np.concatenate([low + (high - low) * parts, own], axis=1)
+            tried = np.concatenate([low + (high - low) * parts, steep], axis=1)
             at = self._placed(goal, tried)
             score = self._score(goal, at)
             choice = score.argmin(axis=1)
-            each = np.arange(len(choice))
-            better = score[each, choice] < reached
-            reached = np.where(better, score[each, choice], reached)
+            row = np.arange(len(choice))
+            better = score[row, choice] < reached
+            reached = np.where(better, score[row, choice], reached)
             best = Axes(
                 *(
-                    np.where(better[:, None], np.broadcast_to(new, score.shape)[each, choice][:, None], old)
+                    np.where(better[:, None], np.broadcast_to(new, score.shape)[row, choice][:, None], old)
                     for new, old in zip(at, best, strict=True)
                 )
             )
-            own = np.where(better[:, None], tried[each, choice][:, None], own)
-            low = np.where(tried < own, tried, low).max(axis=1, keepdims=True)
-            high = np.where(tried > own, tried, high).min(axis=1, keepdims=True)
+            steep = np.where(better[:, None], tried[row, choice][:, None], steep)
+            low = np.where(tried < steep, tried, low).max(axis=1, keepdims=True)
+            high = np.where(tried > steep, tried, high).min(axis=1, keepdims=True)
         return best
 
     def _score(self, goal: str, at: Axes) -> Numbers:
         """The objective (of a ball what it needs) where a candidate is feasible and gives nothing up, else infinite."""
         shape = np.broadcast_shapes(*(column.shape for column in at))
-        found = candidates(self.need, self.variant, Axes(*(np.broadcast_to(column, shape) for column in at)))
-        values = objectives(found)
-        good = feasible(found, np.asarray((values <= self.limit).all(axis=-1)))
-        aim = found.ball_needed if goal == "ball_diameter" else values[..., self.need.objectives.index(goal)]
+        tried = candidates(self.need, self.variant, Axes(*(np.broadcast_to(column, shape) for column in at)))
+        values = objectives(tried)
+        good = feasible(tried, np.asarray((values <= self.limit).all(axis=-1)))
+        aim = tried.ball_needed if goal == "ball_diameter" else values[..., self.need.objectives.index(goal)]
         return np.where(good, aim, np.inf)
 
     def _steep(self, at: Axes) -> Numbers:
@@ -194,14 +194,14 @@ class _Rows:
 
     def _largest_gain(self) -> Numbers:
         """Largest C that its range, the limit of the variant and the one on z C allow."""
-        own, limits = candidates(self.need, self.variant, self.at), self.need.limits
+        rows, limits = candidates(self.need, self.variant, self.at), self.need.limits
         highest = np.full(self.at.pairs.shape, np.inf)
         if self.need.search.gain is not None:
             highest = self.spans["steering"].high
         if limits.gain_limit:
-            highest = np.minimum(highest, own.gain_limit)
+            highest = np.minimum(highest, rows.gain_limit)
         if limits.reduced_gain is not None:
-            highest = np.minimum(highest, limits.reduced_gain / own.controlled_pairs)
+            highest = np.minimum(highest, limits.reduced_gain / rows.controlled_pairs)
         return highest
 
     def _radius_of_least_force(self, steep: Numbers) -> Numbers:
@@ -259,18 +259,18 @@ class _Rows:
         aims = self.need.objectives
         return self.limit[..., aims.index(name)] if name in aims else np.full(self.at.pairs.shape, np.inf)
 
-    def _travel_allowed(self, own: Candidates) -> Numbers:
+    def _travel_allowed(self, tried: Candidates) -> Numbers:
         need = self.need
         limit = np.inf if need.limits.travel is None else need.limits.travel
-        ball = np.minimum(self._most("ball_diameter"), own.largest_ball)
-        return np.minimum(np.minimum(limit, self._most("travel")), own.travel_room(ball)) * _INSIDE
+        ball = np.minimum(self._most("ball_diameter"), tried.largest_ball)
+        return np.minimum(np.minimum(limit, self._most("travel")), tried.travel_room(ball)) * _INSIDE
 
-    def _torque_allowed(self, own: Candidates) -> Numbers:
+    def _torque_allowed(self, tried: Candidates) -> Numbers:
         wanted, limits = self.need.wanted, self.need.limits
         factor = np.minimum(self._most("accuracy_factor"), wanted.accuracy_factor or np.inf)
-        allowed = np.minimum(factor * own.closing_force * own.torques_per_force[0], wanted.torque_max or np.inf)
+        allowed = np.minimum(factor * tried.closing_force * tried.torques_per_force[0], wanted.torque_max or np.inf)
         contact = np.full(1, np.inf if limits.contact_force is None else limits.contact_force)
         if self.need.contact is not None:
-            ball = np.minimum(self._most("ball_diameter"), own.largest_bearing_ball)
+            ball = np.minimum(self._most("ball_diameter"), tried.largest_bearing_ball)
             contact = np.minimum(contact, hertz.allowable_force(self.need.contact, ball / 2))
-        return np.minimum(allowed, contact / own.force_per_ball) * _INSIDE
+        return np.minimum(allowed, contact / tried.force_per_ball) * _INSIDE

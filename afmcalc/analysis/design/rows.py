@@ -98,33 +98,33 @@ _OF_A_SLEEVE = ("control_force", "pack_force_at_rest", "closing_deflection", "co
 
 
 @np.errstate(all="ignore")
-def rows(found: Candidates) -> list[DesignRow]:
+def rows(tried: Candidates) -> list[DesignRow]:
     """Turn columns to rows, numbered in their order; what does not apply, or is not finite, is None."""
-    need, at = found.need, found.at
+    need, at = tried.need, tried.at
     columns = {name: getattr(at, name) for name in _SEARCHED} | {
-        "closing_force": found.closing_force,
-        "nominal_torque": found.nominal_torque,
-        "accuracy_factor": found.accuracy_factor,
-        "torque_max": found.torque_max,
-        "surface_pressure": found.surface_pressure,
-        "inner_radius": at.mean_radius - found.face_width / 2,
-        "outer_diameter": found.outer_diameter,
+        "closing_force": tried.closing_force,
+        "nominal_torque": tried.nominal_torque,
+        "accuracy_factor": tried.accuracy_factor,
+        "torque_max": tried.torque_max,
+        "surface_pressure": tried.surface_pressure,
+        "inner_radius": at.mean_radius - tried.face_width / 2,
+        "outer_diameter": tried.outer_diameter,
     }
-    if found.variant.controlled:
-        columns |= {"gain": found.gain, "ball_diameter": found.ball_diameter, "contact_force": found.contact_force}
+    if tried.variant.controlled:
+        columns |= {"gain": tried.gain, "ball_diameter": tried.ball_diameter, "contact_force": tried.contact_force}
         if need.search.wall_angle is not None:
             columns["wall_angle"] = at.steering
-    if curved(need, found.variant):
-        columns["gain_slope"] = found.gain_slope
-    if found.variant.travels:
-        columns |= {name: getattr(found, name) for name in _OF_A_SLEEVE if name != "pack_force_at_rest"}
-        columns["pack_force_at_rest"] = found.pack_force
+    if curved(need, tried.variant):
+        columns["gain_slope"] = tried.gain_slope
+    if tried.variant.travels:
+        columns |= {name: getattr(tried, name) for name in _OF_A_SLEEVE if name != "pack_force_at_rest"}
+        columns["pack_force_at_rest"] = tried.pack_force
     if need.wanted.margin != 1:
-        columns["machine_torque"] = found.nominal_torque / need.wanted.over_machine
+        columns["machine_torque"] = tried.nominal_torque / need.wanted.over_machine
     names = list(columns)
     lists = zip(*(np.broadcast_to(column, at.pairs.shape).tolist() for column in columns.values()), strict=True)
     return [
-        DesignRow(number=number, variant=found.variant.name, **dict(zip(names, map(_defined, row), strict=True)))
+        DesignRow(number=number, variant=tried.variant.name, **dict(zip(names, map(_defined, row), strict=True)))
         for number, row in enumerate(lists, 1)
     ]
 

@@ -80,26 +80,26 @@ class Survey:
 
 def search(need: Requirements, progress: Callable[[int], None] = lambda done: None) -> Survey:
     """Go through the whole space; ``progress`` is told how many candidates are behind."""
-    found = Survey()
+    survey = Survey()
     for variant in (VARIANTS[name] for name in dict.fromkeys(need.variants)):
         looked_up = separable(need, variant) and need.search.radii.size >= _MANY
-        (by_radius if looked_up else by_tile)(need, variant, found, progress)
-    found.settle()
-    return found
+        (by_radius if looked_up else by_tile)(need, variant, survey, progress)
+    survey.settle()
+    return survey
 
 
 @np.errstate(all="ignore")
-def by_tile(need: Requirements, variant: Variant, found: Survey, progress: Callable[[int], None]) -> None:
+def by_tile(need: Requirements, variant: Variant, survey: Survey, progress: Callable[[int], None]) -> None:
     """Evaluate every candidate of a variant, a tile of the grid at a time."""
     listed = forces(need)
     for tile in (tile for laid in grids(need, variant) for tile in tiles(laid, TILE)):
         good, excluded = _judged(need, variant, tile)
-        found.candidates += listed * tile.size
-        found.feasible += int(np.count_nonzero(good))
+        survey.candidates += listed * tile.size
+        survey.feasible += int(np.count_nonzero(good))
         for name, count in excluded.items():
-            found.excluded[name] += listed * count
-        found.add(need, variant, tile.points(np.flatnonzero(_best(need, variant, good, tile))))
-        progress(found.candidates)
+            survey.excluded[name] += listed * count
+        survey.add(need, variant, tile.points(np.flatnonzero(_best(need, variant, good, tile))))
+        progress(survey.candidates)
 
 
 def _judged(need: Requirements, variant: Variant, tile: Tile) -> tuple[Mask, Counter[str]]:
@@ -142,7 +142,7 @@ def separable(need: Requirements, variant: Variant) -> bool:
 
 
 @np.errstate(all="ignore")
-def by_radius(need: Requirements, variant: Variant, found: Survey, progress: Callable[[int], None]) -> None:
+def by_radius(need: Requirements, variant: Variant, survey: Survey, progress: Callable[[int], None]) -> None:
     """Go through every combination but the mean radius, and look up the radii it allows.
 
     Where the spring force is a range, at a given gain or at a given wall angle the largest feasible radius is best in
@@ -151,9 +151,9 @@ def by_radius(need: Requirements, variant: Variant, found: Survey, progress: Cal
     """
     for laid in grids(need, variant):
         for tile in tiles(laid._replace(mean_radius=laid.mean_radius[-1:]), _ROWS):
-            _Rows(need, variant, tile, laid.mean_radius).into(found)
-            found.candidates += tile.size * laid.mean_radius.size
-            progress(found.candidates)
+            _Rows(need, variant, tile, laid.mean_radius).into(survey)
+            survey.candidates += tile.size * laid.mean_radius.size
+            progress(survey.candidates)
 
 
 class _Rows:
@@ -163,12 +163,12 @@ class _Rows:
         self.need, self.variant, self.tile, self.radii = need, variant, tile, radii
         self.by_gain = need.search.gain is not None or not variant.controlled
 
-    def into(self, found: Survey) -> None:
+    def into(self, survey: Survey) -> None:
         """Count, and hand on the best of every row."""
         size, at_largest = self.radii.size, candidates(self.need, self.variant, self.tile.axes)
         built = np.broadcast_to(at_largest.is_clutch, self.tile.shape)
         rows = int(np.count_nonzero(built))
-        found.excluded[at_largest.no_clutch] += size * (self.tile.size - rows)
+        survey.excluded[at_largest.no_clutch] += size * (self.tile.size - rows)
         begin, end, good = np.zeros(self.tile.shape, np.int64), np.full(self.tile.shape, size), built
         grouped: dict[str, list[Constraint]] = defaultdict(list)
         for constraint in constraints(self.need, self.variant):
@@ -176,11 +176,11 @@ class _Rows:
         for name, group in grouped.items():
             first, last, holds = self._span(group, at_largest)
             kept = np.where(holds & built, np.maximum(last - first, 0), 0)
-            found.excluded[name] += size * rows - int(kept.sum()) * (self.tile.size // kept.size)
+            survey.excluded[name] += size * rows - int(kept.sum()) * (self.tile.size // kept.size)
             begin, end, good = np.maximum(begin, first), np.minimum(end, last), good & holds
-        found.feasible += int(np.maximum(end - begin, 0)[good].sum())
+        survey.feasible += int(np.maximum(end - begin, 0)[good].sum())
         for row, place in self._best(begin, np.where(good, end, 0)):
-            found.add(self.need, self.variant, self.tile.points(row)._replace(mean_radius=self.radii[place]))
+            survey.add(self.need, self.variant, self.tile.points(row)._replace(mean_radius=self.radii[place]))
 
     def _span(self, group: list[Constraint], at_largest: Candidates) -> tuple[Places, Places, Mask]:
         """First place, place after the last, and which rows hold what does not depend on the radius."""

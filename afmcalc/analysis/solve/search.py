@@ -159,12 +159,12 @@ def roots(function: Function, wanted: float, curve: Curve) -> list[float]:
         return []
     side = np.where(np.abs(gap) <= _ROUNDING * abs(wanted), 0.0, np.sign(gap))
     crossed = np.flatnonzero(side[:-1] * side[1:] < 0)
-    found = [root for i in crossed if (root := _crossing(function, wanted, at[i], at[i + 1])) is not None]
+    places = [root for i in crossed if (root := _crossing(function, wanted, at[i], at[i + 1])) is not None]
     on = side == 0
     for i in np.flatnonzero(on & ~np.concatenate([[False], on[:-1]])):
         # a stretch on the wanted value counts once, where it begins
         stretch = 0 < i < len(on) - 1 and on[i + 1]
-        found.append(
+        places.append(
             _edge(lambda x: np.abs(function(x) - wanted) <= _ROUNDING * wanted, at[i - 1], at[i])[1]
             if stretch
             else float(at[i])
@@ -176,7 +176,7 @@ def roots(function: Function, wanted: float, curve: Curve) -> list[float]:
     near[-1] &= curve.limit_high is None
     near[:-1] &= ~on[1:]
     near[1:] &= ~on[:-1]
-    return sorted([*found, *at[near].tolist()])
+    return sorted([*places, *at[near].tolist()])
 
 
 def _samples(domain: Domain) -> Floats:
@@ -223,16 +223,16 @@ def _with_extremes(function: Function, wanted: float, at: Floats, value: Floats)
     gap, side = np.abs(value - wanted), np.sign(value - wanted)
     bracketed = _lowest(gap)
     bracketed[[0, -1]] = False
-    found = []
+    extremes = []
     for i in np.flatnonzero(bracketed):
         level = max(gap[i - 1], gap[i + 1]) - gap[i] <= SAME * (abs(value[i]) + abs(wanted))
         if not level and side[i - 1] == side[i] == side[i + 1]:
-            found.append(_extreme(function, side[i], at[i - 1], at[i + 1]))
-    if not found:
+            extremes.append(_extreme(function, side[i], at[i - 1], at[i + 1]))
+    if not extremes:
         return at, value
-    joined = np.concatenate([at, found])
+    joined = np.concatenate([at, extremes])
     joined, first = np.unique(joined, return_index=True)
-    return joined, np.concatenate([value, function(np.array(found))])[first]
+    return joined, np.concatenate([value, function(np.array(extremes))])[first]
 
 
 def _extreme(function: Function, side: float, low: float, high: float) -> float:

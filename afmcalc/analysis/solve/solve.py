@@ -171,7 +171,7 @@ def solve(
             "{target} does not depend on {name} here: it is {level} for every value",
             target=target,
             name=name,
-            level=problem.told(float(curve.value[0])),
+            level=problem.shown(float(curve.value[0])),
         )
     solutions = roots(problem.values, wanted, curve)
     exact = problem.closed(curve)
@@ -185,7 +185,7 @@ def solve(
             "{target} = {wanted} is given by a whole range of {name}, not by one value: choose one, or solve for "
             "another parameter",
             target=target,
-            wanted=problem.told(wanted),
+            wanted=problem.shown(wanted),
             name=name,
         )
     solved = build(respecified(clutch.spec, {path: chosen[0]}))
@@ -212,7 +212,7 @@ def solve(
         listed = joined(
             say("{name} = {value}", name=name, value=_with_unit(value, PARAMETERS[name])) for value in others
         )
-        given = problem.told(wanted)
+        given = problem.shown(wanted)
         remarks.append(
             finding(
                 "solve-another-value", "info", value=others[0], path=path, target=target, wanted=given, others=listed
@@ -242,7 +242,7 @@ class _Problem:
             value = TARGETS[self.target].value(build(with_key(self.clutch.spec, self.path, at)))
         return np.broadcast_to(np.asarray(value, float), at.shape)
 
-    def told(self, value: float) -> str:
+    def shown(self, value: float) -> str:
         """A value of the target with its unit."""
         return _with_unit(value, TARGETS[self.target].unit)
 
@@ -319,7 +319,7 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
         return say(
             "{target} = {wanted} is not attainable by {name}: {nearest}",
             target=problem.target,
-            wanted=problem.told(wanted),
+            wanted=problem.shown(wanted),
             name=name,
             nearest=nearest,
         )
@@ -340,14 +340,14 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
         return limit is not None and abs(nearest - wanted) - abs(limit - wanted) > 1e-12 * abs(limit)
 
     if nearer(limit := curve.limit_low):
-        where = say("the best is {best}, approached as {name} goes to 0", best=problem.told(limit), name=name)
+        where = say("the best is {best}, approached as {name} goes to 0", best=problem.shown(limit), name=name)
         return NotAttainableError(refusal(where), limit, None)
     if nearer(limit := curve.limit_high):
-        where = say("the best is {best}, approached as {name} grows without end", best=problem.told(limit), name=name)
+        where = say("the best is {best}, approached as {name} grows without end", best=problem.shown(limit), name=name)
         return NotAttainableError(refusal(where), limit, None)
     where = say(
         "the best is {best}, reached at {name} = {place}{why}",
-        best=problem.told(nearest),
+        best=problem.shown(nearest),
         name=name,
         place=_with_unit(place, PARAMETERS[name]),
         why=say(" ({why})", why=domain.why) if place == domain.high and domain.why else "",

@@ -83,13 +83,13 @@ def stack_of(disc: Disc, parallel: int, series: int) -> DiscStack:
 
 
 def _judged(part: DiscStack | CoilSprings, label: str, wish: SpringDemand, tolerance: float) -> Candidate:
-    own = characteristic(part)
+    spring = characteristic(part)
     misses = {"stiffness": 0.0}
     for demand in checks_of_part(wish, part):
         name = demand.rule.misses
         misses[name] = max(demand.beyond, misses.get(name, 0.0))
     if wish.stiffness is not None:
-        off = abs(float(own.stiffness(own.deflection(wish.force))) / wish.stiffness - 1)
+        off = abs(float(spring.stiffness(spring.deflection(wish.force))) / wish.stiffness - 1)
         misses["stiffness"] = off if off > tolerance else 0.0
     return Candidate(part, label, {name: by for name, by in misses.items() if by > _SLACK})
 
@@ -247,8 +247,8 @@ def travel_held(
 
 def _travel(row: Any, force: Numbers, stiffness: Numbers, room: Room, tolerance: float, *, relaxes: bool) -> Numbers:
     """The largest over the numbers of packs that give the stiffness: it grows with them until the length is used up."""
-    held = (force >= row["least"]) & (force <= row["most"])
-    deflection = _deflection(row, np.where(held, force, row["least"]))
+    bears = (force >= row["least"]) & (force <= row["most"])
+    deflection = _deflection(row, np.where(bears, force, row["least"]))
     slope = row["parallel"] * law.disc_stiffness(**{name: row[name] for name in _SHAPE}, deflection=deflection)
     # whole numbers of packs whose stiffness is near enough
     least = np.maximum(np.ceil(slope / stiffness / (1 + tolerance) * (1 + _ROUNDING)), 1.0)
@@ -270,7 +270,7 @@ def _travel(row: Any, force: Numbers, stiffness: Numbers, room: Room, tolerance:
     else:
         longest = np.floor(room.length / (rest + per if relaxes else rest) * (1 + _ROUNDING))
         best = np.fmax(*(reached(np.clip(longest + more, least, most)) for more in (0, 1)))
-    return np.where(held & (least <= most), best, NONE)
+    return np.where(bears & (least <= most), best, NONE)
 
 
 def _deflection(row: Any, force: Numbers) -> Numbers:

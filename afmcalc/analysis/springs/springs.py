@@ -223,25 +223,29 @@ def _best_of_each(wish: SpringDemand, candidates: list[Candidate], sort: SpringO
 
 def option_of(wish: SpringDemand, part: DiscStack | CoilSprings, label: str) -> SpringOption:
     """What a part gives as set and in service, and what it bears."""
-    own = characteristic(part)
-    deflection = float(own.deflection(wish.force))
-    force, stiffness = float(own.force(deflection)), float(own.stiffness(deflection))
+    spring = characteristic(part)
+    deflection = float(spring.deflection(wish.force))
+    force, stiffness = float(spring.force(deflection)), float(spring.stiffness(deflection))
     low, high = deflection - wish.relaxes, deflection + wish.compresses
-    setting = float(own.deflection((1 + SETTING) * force) - own.deflection((1 - SETTING) * force))
-    of_kind = _of_coils(own, wish, high) if isinstance(own, CoilCharacteristic) else _of_discs(own, wish, force, high)
+    setting = float(spring.deflection((1 + SETTING) * force) - spring.deflection((1 - SETTING) * force))
+    of_kind = (
+        _of_coils(spring, wish, high)
+        if isinstance(spring, CoilCharacteristic)
+        else _of_discs(spring, wish, force, high)
+    )
     return SpringOption(
         number=None,
         part=label,
         force=force,
-        force_least=None if low < 0 else float(own.force(low)),
-        force_largest=float(own.force(high)),
+        force_least=None if low < 0 else float(spring.force(low)),
+        force_largest=float(spring.force(high)),
         stiffness=stiffness,
         deflection=deflection,
-        length_set=own.free_length - deflection,
-        length=own.free_length - low,
-        free_length=own.free_length,
-        used_low=low / own.end,
-        used_high=high / own.end,
+        length_set=spring.free_length - deflection,
+        length=spring.free_length - low,
+        free_length=spring.free_length,
+        used_low=low / spring.end,
+        used_high=high / spring.end,
         loss_per_travel=stiffness / force,
         loss_per_wear=None if wish.follows is None else wish.follows * stiffness / force,
         utilisation=max(demand.utilisation for demand in checks_of_part(wish, part) if demand.rule.misses in _BORNE),
@@ -251,9 +255,9 @@ def option_of(wish: SpringDemand, part: DiscStack | CoilSprings, label: str) -> 
     )
 
 
-def _of_coils(own: CoilCharacteristic, wish: SpringDemand, high: float) -> dict[str, Any]:
-    part, rests = own.part, wish.stroke is None
-    correction = 1.0 if rests else own.correction
+def _of_coils(spring: CoilCharacteristic, wish: SpringDemand, high: float) -> dict[str, Any]:
+    part, rests = spring.part, wish.stroke is None
+    correction = 1.0 if rests else spring.correction
     mass = law.coil_mass(STEEL, part.wire_diameter, part.coil_diameter, part.turns, math.pi)
     return {
         **dict.fromkeys(("parallel", "series", "force_up", "force_down")),
@@ -264,16 +268,16 @@ def _of_coils(own: CoilCharacteristic, wish: SpringDemand, high: float) -> dict[
         "inner_diameter": part.coil_diameter - part.wire_diameter,
         "loading": "static" if rests else "dynamic",
         "stress_correction": correction,
-        "stress": correction * own.stress(high),
-        "stress_solid": own.stress(own.end),
+        "stress": correction * spring.stress(high),
+        "stress_solid": spring.stress(spring.end),
         "mass": part.count * float(mass),
     }
 
 
-def _of_discs(own: DiscCharacteristic, wish: SpringDemand, force: float, high: float) -> dict[str, Any]:
-    part = own.part
-    middle, edge = own.stresses(high)
-    ring = law.ring_mass(STEEL, part.outer_diameter, part.inner_diameter, own.thickness, math.pi)
+def _of_discs(spring: DiscCharacteristic, wish: SpringDemand, force: float, high: float) -> dict[str, Any]:
+    part = spring.part
+    middle, edge = spring.stresses(high)
+    ring = law.ring_mass(STEEL, part.outer_diameter, part.inner_diameter, spring.thickness, math.pi)
     up = down = None
     if wish.friction is not None:
         up, down = (
@@ -376,18 +380,18 @@ def _curve(clutch: Clutch, wish: SpringDemand) -> SpringCurve:
         if not best:
             raise CalculationError("plot springs: there is no part for the {name} spring", name=wish.name)
         part = part_of(best[0])
-    own = characteristic(part)
-    deflections = np.linspace(0.0, own.end, _CURVE_POINTS)
-    at = float(own.deflection(wish.force))
-    slope = float(own.stiffness(at))
+    spring = characteristic(part)
+    deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)
+    at = float(spring.deflection(wish.force))
+    slope = float(spring.stiffness(at))
     return SpringCurve(
         spring=wish.name,
         part=label_of(part),
         deflection=deflections.tolist(),
-        force=np.asarray(own.force(deflections)).tolist(),
+        force=np.asarray(spring.force(deflections)).tolist(),
         tangent=(wish.force + slope * (deflections - at)).tolist(),
         set_deflection=at,
-        set_force=float(own.force(at)),
+        set_force=float(spring.force(at)),
         service=(at - wish.relaxes, at + wish.compresses),
-        usable=own.range,
+        usable=spring.range,
     )

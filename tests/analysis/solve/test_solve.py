@@ -96,7 +96,7 @@ def test_driving_pairs():
         (["--for", "C", "accuracy_factor=9"], "the best is 8, reached at C = 0"),
         (["--for", "z1", "accuracy_factor=2.7"], "the best is 2.84211, reached at z1 = 1"),
         (["--for", "z", "nominal_torque=1000000"], "the best is 400 N·m, approached as z grows"),
-        # K_т → 1 as z grows, until beyond 1e7 pairs the scatter is only the rounding of two torques
+        # both torques go to F R/C as z grows; beyond 1e7 pairs their difference is only rounding
         (["--for", "z", "scatter=1e-9"], "the best is 0 N·m, approached as z grows"),
         (["--for", "F", "accuracy_factor=2"], "does not depend on F"),
         # a kink between two samples, (z_1 f_max + z_2 f_min)/(z f_min)
