@@ -80,8 +80,8 @@ class Language(string.Formatter):
         assert self.catalogue is not None
         if context or not text:  # of nothing gettext gives the head of the catalogue
             return self.catalogue.pgettext(context, text)
-        found = self.catalogue.gettext(text)
-        return self.catalogue.pgettext("value", text) if found == text else found
+        sentence = self.catalogue.gettext(text)
+        return self.catalogue.pgettext("value", text) if sentence == text else sentence
 
     def format_field(self, value: object, format_spec: str) -> str:
         """Set one value of a sentence."""

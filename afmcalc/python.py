@@ -189,7 +189,7 @@ def _rendered(output: Output, name: str) -> str:
 
 def _pairs(friction: Friction) -> "list[Pair]":
     given = [friction] if isinstance(friction, float | int | tuple) and friction != () else friction
-    return [each if isinstance(each, tuple) else (float(each), None) for each in given]
+    return [point if isinstance(point, tuple) else (float(point), None) for point in given]
 
 
 def load(source: str | PathLike[str] | Mapping[str, object] | None = None, set: Overrides = ()) -> Clutch:

@@ -90,8 +90,8 @@ def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Co
     from ..result import Output
 
     with common.bar():
-        found = Output(command="history", version=__version__, spec=None, result=history(clutch, points), findings=[])
-    write(csv.render(found, terminal=False), path, force=common.force)
+        output = Output(command="history", version=__version__, spec=None, result=history(clutch, points), findings=[])
+    write(csv.render(output, terminal=False), path, force=common.force)
     common.wrote(say("wrote the history to {output}", output=path))
 
 

@@ -130,12 +130,12 @@ class Command(TyperCommand):
 
     def format_options(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write arguments and options."""
-        arguments: list[Any] = [each for each in self.params if each.param_type_name == "argument"]
+        arguments: list[Any] = [item for item in self.params if item.param_type_name == "argument"]
         if arguments:
             with formatter.section(told("Arguments")):
                 rows = [(argument.metavar, translate(argument.help or "")) for argument in arguments]
                 formatter.write_dl(rows, col_max=_WIDEST)
-        _write_options([each for each in self.get_params(ctx) if each not in arguments], ctx, formatter)
+        _write_options([item for item in self.get_params(ctx) if item not in arguments], ctx, formatter)
 
     def format_epilog(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write the names that can be given."""
@@ -297,8 +297,8 @@ OURS = {
 def heard(message: str) -> str:
     """Say a message of the parser in our words, in the language of the user."""
     for template in (*OURS, *SAID):
-        if found := re.fullmatch(_pattern(template), message, re.DOTALL):
-            parts = {name: heard(part) if name == "message" else part for name, part in found.groupdict().items()}
+        if match := re.fullmatch(_pattern(template), message, re.DOTALL):
+            parts = {name: heard(part) if name == "message" else part for name, part in match.groupdict().items()}
             return translate(Text(OURS.get(template, template), parts))
     return translate(message)
 

@@ -72,9 +72,9 @@ def report(
     title, digest = _title_block(read, options), sha256(raw).hexdigest()
     steps = 3 if browser else 2
     with common.bar() as bar:
-        found = dossier(read, model)
+        answers = dossier(read, model)
         bar.advance("report", 1, steps)
-        page = render(Subject(found, given, title, digest, read.label, common.set or (), __version__))
+        page = render(Subject(answers, given, title, digest, read.label, common.set or (), __version__))
         bar.advance("report", 2, steps)
         # both, or neither where the browser fails
         printed = print_pdf(browser, page) if browser else b""

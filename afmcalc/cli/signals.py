@@ -11,7 +11,7 @@ _SIGNALS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if
 _AGAIN = 0.01
 """Seconds until a signal is sent again that came where no exception can leave."""
 _waiting: list[int] = []
-_held: list[bool] = []
+_blocks: list[bool] = []
 unreported: list[str] = []
 """Files written of which nothing has been said yet."""
 
@@ -35,17 +35,17 @@ class put_off:  # noqa: N801
 
     def __enter__(self) -> None:
         """Begin."""
-        _held.append(True)
+        _blocks.append(True)
 
     def __exit__(self, *error: object) -> None:
         """End the program now if a signal has come."""
-        _held.pop()
-        if _waiting and not _held:
+        _blocks.pop()
+        if _waiting and not _blocks:
             _end(_waiting.pop())
 
 
 def _arrived(number: int, frame: object) -> None:
-    if _held:
+    if _blocks:
         _waiting.append(number)
     else:
         _end(number)

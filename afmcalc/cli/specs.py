@@ -12,9 +12,9 @@ from .files import refuse, write
 from .help import completing, described
 from .options import Common, ForceOption, QuietOption, SpecArgument, with_common
 
-_EXAMPLES = {each.name: each.example for each in VARIANTS.values() if each.example} | dict.fromkeys(
-    ["unlike-materials"]
-)
+_EXAMPLES = {name: variant.example for name, variant in VARIANTS.items() if variant.example} | {
+    "unlike-materials": None
+}
 """Clutch to start from → its example, where the names differ."""
 _DEFAULT = next(name for name, example in _EXAMPLES.items() if example == "default")
 _KINDS = {"clutch": "torque", "requirements": "design", "tolerance": "tolerance", "drive": "simulate"}
