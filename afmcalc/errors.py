@@ -55,7 +55,6 @@ def reason(error: OSError) -> str:
 EXTRAS = {
     "explain": ("sympy",),
     "plot": ("matplotlib",),
-    "ru": ("babel",),
     "cad": ("ezdxf",),
     "report": ("jinja2", "matplotlib", "latex2mathml"),
 }

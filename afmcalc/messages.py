@@ -128,24 +128,16 @@ _NUMBER_SIGNS = {"ru": (",", "\xa0")}
 
 def known() -> list[str]:
     """Names of the languages that there is a catalogue of."""
-    return sorted(name.removesuffix(".po") for name in os.listdir(FOLDER) if name.endswith(".po"))
+    return sorted(name.removesuffix(".mo") for name in os.listdir(FOLDER) if name.endswith(".mo"))
 
 
 @cache
 def language(name: str) -> Language:
     """Return a language by its name."""
-    import io
     from gettext import GNUTranslations
 
-    from babel.messages.mofile import write_mo
-    from babel.messages.pofile import read_po
-
-    with open(os.path.join(FOLDER, f"{name}.po"), "rb") as file:
-        catalogue = read_po(file, abort_invalid=True)
-    compiled = io.BytesIO()
-    write_mo(compiled, catalogue)
-    compiled.seek(0)
-    return Language(name, GNUTranslations(compiled), *_NUMBER_SIGNS[name])
+    with open(os.path.join(FOLDER, f"{name}.mo"), "rb") as file:
+        return Language(name, GNUTranslations(file), *_NUMBER_SIGNS.get(name, (".", ",")))
 
 
 class Text(str):

@@ -1,15 +1,18 @@
 """Russian: everything has it, in whole sentences, and only people see it."""
 
 import copy
+import io
 import os
 import pickle
 import re
 import string
 import subprocess
 import sys
+from gettext import GNUTranslations
 from pathlib import Path
 
 import pytest
+from babel.messages.mofile import write_mo
 from babel.messages.pofile import read_po
 from conftest import CONFIGS, ROOT
 from hypothesis import given
@@ -204,9 +207,28 @@ def test_a_russian_spec_is_the_english_one_with_other_comments(afmcalc):
         assert english != russian
 
 
-def test_english_loads_nothing_of_it():
+@pytest.mark.parametrize("path", [*Path(FOLDER).glob("*.po")], ids=lambda path: path.name)
+def test_a_catalogue_is_compiled(path):
+    """``AFMCALC_UPDATE=1 pytest tests/test_russian.py`` compiles them."""
+    with path.open("rb") as file:
+        catalogue = read_po(file, abort_invalid=True)
+    compiled = io.BytesIO()
+    write_mo(compiled, catalogue)
+    target = path.with_suffix(".mo")
+    if os.environ.get("AFMCALC_UPDATE"):
+        target.write_bytes(compiled.getvalue())
+    compiled.seek(0)
+    with target.open("rb") as file:
+        read, wanted = GNUTranslations(file), GNUTranslations(compiled)
+    assert vars(read)["_catalog"] == vars(wanted)["_catalog"], (
+        "AFMCALC_UPDATE=1 pytest tests/test_russian.py compiles it"
+    )
+
+
+@pytest.mark.parametrize("name", ["en", "ru"])
+def test_no_library_is_loaded_for_it(name):
     program = "import sys; from afmcalc.cli.main import main\ntry: main(['torque'])\nexcept SystemExit: pass\n"
     asked = "print('babel' in sys.modules, file=sys.stderr)"
-    environment = {**os.environ, "PYTHONPATH": str(ROOT), "AFMCALC_LANG": "en"}
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "AFMCALC_LANG": name}
     run = subprocess.run([sys.executable, "-c", program + asked], capture_output=True, env=environment, check=True)
     assert run.stderr.split()[-1] == b"False"
