@@ -4,7 +4,8 @@ One variable is left to search. Let u = tan α/r: at a given u, with the spring 
 torque, every objective and every bound but those that cap R or r from above gains from a larger R (the pack force
 per torque is a line in 1/R, C = u R), a larger r (u holds C, so only the balls see it) and a larger c_1. Torque
 and travel are fractions linear in c_2, so its ends follow from three values of the law. What is left is a search
-over u.
+over u: 1.7 ms a row for three objectives, where SciPy's SLSQP takes 9 ms for one objective from one start, and one
+start in seven ends elsewhere.
 """
 
 from collections.abc import Callable
