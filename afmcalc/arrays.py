@@ -55,7 +55,7 @@ def greatest(value: Values) -> float:
 
 def chosen(condition: Any, yes: Callable[[], Values], no: Callable[[], Values]) -> Values:
     """Elementwise choice; of two numbers only the one chosen is calculated."""
-    if is_array(condition):
+    if getattr(condition, "ndim", 0):
         import numpy as np
 
         return np.where(condition, yes(), no())

@@ -99,9 +99,8 @@ class Variant:
         return self.bypass(1, driving_pairs) + 1 if self.controlled else 1
 
 
-# the lambdas look the equation up when it runs: an explanation puts its recorders there
 BREAKAWAY_LIMIT = GainLimit(
-    most=lambda pairs, friction_max: direct.gain_limit_differentiated(pairs, friction_max),  # noqa: PLW0108
+    most=direct.gain_limit_differentiated,
     code="gain-above-limit",
     quantity="feedback gain",
     symbol="C ≤ 1/(z_1 f_1max)",

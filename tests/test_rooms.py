@@ -15,7 +15,7 @@ LINE = (
 
 GROUND = {
     *("result", "findings", "errors", "messages", "arrays"),
-    *("recorders", "progress"),
+    "progress",
 }
 MAY_ONLY = {"equations": set(), "ground": set(), "proofs": {"equations"}}
 """Rooms that know less than what is left of them."""
@@ -95,7 +95,7 @@ def test_the_graph_is_read():
     assert "cli.main" in imported("__main__")
 
 
-SHARED = {"Clutch", "Call"}
+SHARED = {"Clutch"}
 """Names of two classes: of rooms that do not meet, and the clutch that Python asks, which has the engine's."""
 
 

@@ -4,8 +4,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..engines.protocol import Clutch
+from ..equations.calls import unnoted
 from ..findings import Finding
-from ..recorders import unrecorded
 from ..result import Result
 from .registry import ANALYSES, Analysis, StressRule
 
@@ -44,7 +44,7 @@ class Answers:
 
     def _run(self, analysis: Analysis) -> tuple[Any, list[Finding]]:
         if not analysis.explained:
-            with unrecorded():
+            with unnoted():
                 return self._ran(analysis)
         return self._ran(analysis)
 

@@ -9,7 +9,7 @@ import numpy as np
 from ..arrays import Values
 from ..equations import synthesis as law
 from ..equations import wall as wall_law
-from ..recorders import unrecorded
+from ..equations.calls import unnoted
 from ..spec.models import ControlUnit
 from . import hertz
 from .wall import Wall
@@ -76,7 +76,7 @@ def contact_of(
         path = wall_law.path_radius(wall.steepening, math.cos(angle)) if wall.steepening > 0 else None
         return float(hertz.allowable_force(elastic, ball, path))
 
-    with unrecorded():  # where the force and where the pressure is largest; of a number of balls not given, of all
+    with unnoted():  # where the force and where the pressure is largest; of a number of balls not given, of all
         cosines = np.cos(angles)
         forces = law.contact_force(np.array(torques, float), unit.balls or 1, unit.ball_circle_radius, cosines)
         most = worst = int(np.argmax(forces))
@@ -105,7 +105,7 @@ def contact_of(
     )  # fmt: skip
     if wall.steepening == 0 or wall.sleeves == 2:
         return contact
-    with unrecorded():
+    with unnoted():
         stop = wall.angle
         seat = float(np.max(wall_law.seat_force(forces, np.sin(np.add(angles, stop)), math.sin(stop), math.cos(stop))))
         flat = None if by_hertz is None else float(hertz.allowable_force(elastic, ball))

@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 from ..engines import Clutch, build
+from ..equations.calls import noted
 from ..errors import CalculationError
 from ..findings import Finding
 from ..messages import Text, term
@@ -11,7 +12,7 @@ from ..spec import Spec
 from .answers import Answers
 from .check import CheckResult
 from .explain.derivation import Derivation, derivations
-from .explain.trace import recording, with_roles
+from .explain.trace import CallReader
 from .figures import Request, gathered
 from .limits import Utilisation
 from .registry import ANALYSES, Analysis, Plot, StressRule, Told
@@ -83,17 +84,15 @@ def _reported(analysis: Analysis, clutch: Clutch) -> bool:
 def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:
     """Ask what can be explained, and note the equations that ran; each formula is shown where it first stands."""
     wanted = [each for each in ANALYSES.values() if each.section and each.explained]
-    # imported before anything is recorded, so that none keeps a recording function
-    assert all(each.function for each in wanted)
     ends = {}
-    with recording() as calls:
-        answers = Answers(build(with_roles(spec)), model=model)
+    with noted() as notes:
+        answers = Answers(build(spec), model=model)
         for each in wanted:
             if each.applies(answers.clutch):
                 answers.ask(each.name)
-                ends[each.name] = len(calls)
-    starts = [0, *ends.values()]
-    sections = {name: calls[start:end] for start, (name, end) in zip(starts, ends.items(), strict=False)}
+                ends[each.name] = len(notes)
+    starts, trace = [0, *ends.values()], CallReader()
+    sections = {name: trace.calls(notes[at:end]) for at, (name, end) in zip(starts, ends.items(), strict=False)}
     return answers, derivations(sections)
 
 

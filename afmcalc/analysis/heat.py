@@ -9,11 +9,11 @@ from ..drive.heat import ENDS, HeatedSlip, HeatedSlips, course_of, motor_torque,
 from ..drive.result import EnergySource, HeatResult
 from ..engines.protocol import Clutch
 from ..equations import heat as law
+from ..equations.calls import derived, unnoted
 from ..errors import CalculationError, Problem, SpecError
 from ..findings import Finding
 from ..messages import say
 from ..progress import counted
-from ..recorders import marked, unrecorded
 from ..result import OpenTriple, Triple
 from ..spec.drive import Heat, missing_of
 from .heat_findings import FREEZING, Limit, limit_of, limits_of, remarks, slack_before_worn
@@ -95,7 +95,7 @@ def _area(clutch: Clutch) -> float | None:
 def _power(clutch: Clutch, found: Mapping[str, HeatedSlip], area: float | None) -> Triple | None:
     if area is None:
         return None
-    powers = {end: marked(found[end].course.largest, getattr(clutch.friction[1], end)) for end in ENDS}
+    powers = {end: derived(found[end].course.largest, getattr(clutch.friction[1], end)) for end in ENDS}
     return Triple(**{end: law.power_density(power, _pairs(clutch), area) for end, power in powers.items()})
 
 
@@ -132,7 +132,7 @@ def _shared(
     """Share the heat of every slip among discs and lining: slips with the lining's share, rises of the faces."""
     from ..drive.heat import largest_rise, most_in_disc
 
-    with unrecorded():  # no formula leads to it: the numbers of its solution are no steps
+    with unnoted():  # no formula leads to it: the numbers of its solution are no steps
         bodies = _bodies(clutch, own, area)
         if not bodies or area is None:
             return slips, None
@@ -164,7 +164,7 @@ def _trips(
             told["trips_per_hour_peak"] = _how_many(
                 found,
                 lambda trip: _rate(
-                    own, law.share_of_rise(marked(ambient + _rise_of(own, trip), trip.energy), ambient, limit.low)
+                    own, law.share_of_rise(derived(ambient + _rise_of(own, trip), trip.energy), ambient, limit.low)
                 ),
             )
     return dict(told)
@@ -179,7 +179,7 @@ def _rate(own: Heat, used: Values) -> float:
     """Trips per hour, each of which uses a share of the room up to the limit."""
     if used >= 1:
         return 0.0
-    logarithm = marked(-math.log1p(-used), used)
+    logarithm = derived(-math.log1p(-used), used)
     return HOUR / float(law.time_between_trips(own.disc_mass, own.specific_heat, own.cooling, logarithm))
 
 
@@ -241,7 +241,7 @@ def _simulated(clutch: Clutch, answers: "Answers | None") -> HeatedSlips:
     return HeatedSlips("simulate", at, ends)
 
 
-@unrecorded()
+@unnoted()
 def _course(clutch: Clutch, end: str) -> "Course":
     from ..drive.cases import case_of
 
@@ -251,7 +251,7 @@ def _course(clutch: Clutch, end: str) -> "Course":
 
 def _of(clutch: Clutch, end: str, slip: HeatedSlip) -> HeatedSlip:
     """The slip, and for an explanation the friction that its heat is for."""
-    return slip if slip.energy is None else slip._replace(energy=marked(slip.energy, getattr(clutch.friction[1], end)))
+    return slip if slip.energy is None else slip._replace(energy=derived(slip.energy, getattr(clutch.friction[1], end)))
 
 
 def _torque(clutch: Clutch, end: str) -> Values:

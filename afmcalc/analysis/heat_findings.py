@@ -6,8 +6,8 @@ from ..drive.heat import HeatedSlips, motor_torque
 from ..drive.result import HeatResult
 from ..engines.protocol import Clutch
 from ..equations import heat as law
+from ..equations.calls import unnoted
 from ..findings import Finding, finding
-from ..recorders import unrecorded
 from ..result import OpenTriple
 from ..spec.catalogues import Material, friction_materials
 from ..spec.drive import Heat
@@ -101,7 +101,7 @@ def _surface_findings(own: Heat, result: HeatResult) -> list[Finding]:
     return said
 
 
-@unrecorded()
+@unnoted()
 def slack_before_worn(clutch: Clutch, own: Heat) -> float | None:
     """Wear of a pair at which the spring that follows the pack falls slack, m; None where the lining is gone before."""
     spring = clutch.following_spring

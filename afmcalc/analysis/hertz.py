@@ -4,11 +4,10 @@ import math
 
 from ..arrays import Values
 from ..equations import synthesis, wall
-
-# what a search tries is no step of a calculation: bound here, it is not recorded
-from ..equations.wall import hertz_axes
+from ..equations.calls import plain
 from ..spec.models import Contact
 
+_hertz_axes = plain(wall).hertz_axes
 _ITERATIONS = 30
 """Each leaves at most a quarter of the error: d ln(𝐁/𝐃)/d ln k lies between 0 and 1/2."""
 
@@ -26,7 +25,7 @@ def axis_ratio(curvature_ratio: Values) -> Values:
     """Minor over major semi-axis of the ellipse that two curvatures give; a larger ratio is a slimmer ellipse."""
     ratio = curvature_ratio ** (-2 / 3)
     for _ in range(_ITERATIONS):
-        ratio = ratio * (hertz_axes(ratio, *integrals(ratio)) / curvature_ratio) ** 0.5
+        ratio = ratio * (_hertz_axes(ratio, *integrals(ratio)) / curvature_ratio) ** 0.5
     return ratio
 
 

@@ -13,11 +13,11 @@ from ..drive.peaks import Peaks, peaks_of
 from ..drive.result import SimulatePoint, SimulateResult, SimulateSweep
 from ..drive.train import train_of
 from ..engines.protocol import Clutch
+from ..equations.calls import unnoted
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
 from ..progress import counted
-from ..recorders import unrecorded
 from ..result import Answer, OpenTriple, Result, Triple, described, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_values
@@ -33,7 +33,7 @@ _WIDE = 0.05
 """Width of the bracket κ … κ₊, relative to the value, beyond which it is said."""
 
 
-@unrecorded()
+@unnoted()
 def simulate(
     clutch: Clutch, friction: Iterable[Pair] = (), sweeps: Sequence[Axis] = ()
 ) -> tuple[SimulateResult, list[Finding]]:

@@ -13,7 +13,7 @@ from ..arrays import Values, all_nonzero, finite, is_array, larger, smaller
 from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
-from ..recorders import marked, unrecorded
+from ..equations.calls import derived, unnoted
 from ..spec.models import Fatigue
 from .registry import StressRule
 
@@ -184,7 +184,7 @@ def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Value
     damage, most = np.zeros(()), np.full((), -np.inf)
     for left, right in zip(edges, edges[1:], strict=False):
         if np.any(left != right):
-            with unrecorded():
+            with unnoted():
                 added, largest = _piece(stress, limit, line, left, right)
             damage, most = damage + added, np.maximum(most, largest)
     with np.errstate(all="ignore"):
@@ -193,7 +193,7 @@ def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Value
         return number
     if np.isnan(number):
         return math.nan
-    mean = marked(float(damage), stress(0.0), stress(1.0))  # over the whole range
+    mean = derived(float(damage), stress(0.0), stress(1.0))  # over the whole range
     return float(law.cycles_of_mean_damage(mean))
 
 

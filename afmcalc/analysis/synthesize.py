@@ -8,10 +8,10 @@ from ..arrays import finite
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
+from ..equations.calls import unnoted
 from ..errors import Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say
-from ..recorders import unrecorded
 from ..result import Answer, described, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_key
@@ -276,7 +276,7 @@ def _curve_findings(clutch: Clutch, result: SynthesisResult, sizes: Sequence[flo
         yield finding(code, "error", value=value, limit=2 * limit, path=path, needed=needed, gain=gain)
 
 
-@unrecorded()
+@unnoted()
 def _gain_that_can_be_cut(clutch: Clutch, sizes: Sequence[float]) -> float | None:
     """Smallest gain, in steps of 2 %, with which a standard ball is large enough and does not undercut."""
     unit, gain = clutch.spec.control_unit, float(clutch.gain)

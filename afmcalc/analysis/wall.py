@@ -6,12 +6,12 @@ from typing import NamedTuple
 
 from ..engines.protocol import Clutch
 from ..equations import synthesis, wall
-
-# what is asked along the whole wall is no step of a calculation: bound here, it is not recorded for an explanation
-from ..equations.synthesis import ball_radius
-from ..equations.wall import contact_depth, path, path_tangent, wall_around, wall_axial
+from ..equations.calls import plain
 from ..result import Result, quantity
 from ..spec.models import ControlUnit
+
+_along = plain(wall)  # asked along the whole wall
+_ball_radius = plain(synthesis).ball_radius
 
 DEFAULT_CLEARANCE = 0.002
 """s and y where the spec gives none, m: S21 takes 2…3 mm."""
@@ -65,23 +65,23 @@ class Wall(NamedTuple):
 
     def angle_at(self, depth: float) -> float:
         """Wall angle where the ball is ξ from its place at the stop, rad."""
-        return math.atan(path_tangent(self.tangent, self.steepening, depth))
+        return math.atan(_along.path_tangent(self.tangent, self.steepening, depth))
 
     def contact_depth(self, depth: float) -> float:
         """How far below the face the ball at ξ touches, m."""
-        return float(contact_depth(self.ball_radius, math.sin(self.angle_at(depth)), depth, self.face_gap))
+        return float(_along.contact_depth(self.ball_radius, math.sin(self.angle_at(depth)), depth, self.face_gap))
 
     def at(self, depth: float) -> WallPoint:
         """The ball at ξ."""
         angle = self.angle_at(depth)
-        around = path(self.tangent, self.steepening, depth)
+        around = _along.path(self.tangent, self.steepening, depth)
         return WallPoint(
             travel=self.sleeves * depth,
             wall_angle=angle,
             path_axial=depth,
             path_around=around,
-            wall_axial=wall_axial(depth, self.ball_radius, math.sin(angle)),
-            wall_around=wall_around(around, self.ball_radius, math.cos(angle)),
+            wall_axial=_along.wall_axial(depth, self.ball_radius, math.sin(angle)),
+            wall_around=_along.wall_around(around, self.ball_radius, math.cos(angle)),
         )
 
     def smallest_ball(self, travel: float, clearance: float) -> float:
@@ -94,7 +94,7 @@ class Wall(NamedTuple):
         def needed(depth: float) -> tuple[float, float, float, float]:
             return 2 * depth, self.face_gap, clearance, math.sin(self.angle_at(depth))
 
-        shallowest = max((0.0, travel / self.sleeves), key=lambda depth: ball_radius(*needed(depth)))
+        shallowest = max((0.0, travel / self.sleeves), key=lambda depth: _ball_radius(*needed(depth)))
         return float(synthesis.ball_radius(*needed(shallowest)))
 
     def clearance(self, travel: float) -> float:

@@ -9,8 +9,8 @@ import numpy as np
 from ..arrays import Floats, Values
 from ..engines.protocol import Clutch
 from ..equations import heat as law
+from ..equations.calls import unnoted
 from ..findings import Finding
-from ..recorders import unrecorded
 from ..spec.drive import Drive
 from .result import EnergySource
 
@@ -181,7 +181,7 @@ def run_down(drive: Drive, torque: Values, motor: Values) -> HeatedSlip:
         return slipped._replace(energy=law.slip_energy(torque, speed, speed, off))
     carried = bool(torque <= motor)
     if not carried:
-        with unrecorded():
+        with unnoted():
             stands = law.run_down_time(inertia, speed, torque, motor)
         if off is None or stands <= off:
             time = law.run_down_time(inertia, speed, torque, motor)
@@ -200,7 +200,7 @@ def run_down(drive: Drive, torque: Values, motor: Values) -> HeatedSlip:
 def _slipped(torque: Values, at: Sequence[tuple[Values, Values]]) -> HeatedSlip:
     """A slip whose speed changes evenly between moments: time and speed."""
     moments, energy = [(0.0, float(law.slip_power(torque, at[0][1])), 0.0)], 0.0
-    with unrecorded():  # how the power falls from there, and the heat grows
+    with unnoted():  # how the power falls from there, and the heat grows
         for (before, first), (time, last) in pairwise(at):
             energy = energy + law.slip_energy(torque, first, last, time - before)
             moments.append((float(time), float(law.slip_power(torque, last)), float(energy)))

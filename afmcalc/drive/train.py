@@ -11,10 +11,10 @@ import numpy as np
 from ..arrays import V, is_array
 from ..engines.protocol import Clutch
 from ..equations import drive as law
+from ..equations.calls import unnoted
 from ..equations.terms import Number
 from ..errors import Problem, SpecError
 from ..messages import say
-from ..recorders import unrecorded
 from ..spec.drive import Drive, EventKind
 
 
@@ -87,7 +87,7 @@ class Train:
         return self.load + (self.overload - self.load) * self.passed(time)
 
 
-@unrecorded()
+@unnoted()
 def train_of(clutch: Clutch) -> Train:
     """Return the drive of a clutch.
 

@@ -25,7 +25,7 @@ class DirectClutch(Clutch):
             bypass_pairs=bypass,
             controlled_pairs=direct.controlled_pairs(spec.friction_group.pairs, bypass),
             gain=parameters.feedback_gain(spec),
-            friction=spec.friction.groups,
+            friction=parameters.frictions(spec),
             spec=spec,
         )
         return replace(clutch, closing_force=parameters.closing_force(spec, clutch.torque_per_force))

@@ -61,7 +61,7 @@ class IndirectClutch(Clutch):
             bypass_pairs=0,
             controlled_pairs=spec.friction_group.pairs,
             gain=parameters.feedback_gain(spec),
-            friction=spec.friction.groups,
+            friction=parameters.frictions(spec),
             spec=spec,
             closing_stiffness=closing.stiffness,
             control_stiffness=control.stiffness,
@@ -317,6 +317,9 @@ class IndirectClutch(Clutch):
         """What holds the sleeve off its stop, springs and walls as they are."""
         from .balance import Balance
 
+        for spring in (self.closing_spring, self.control_spring):
+            if spring.disc is not None:
+                _ = spring.deflection  # a step of the calculation, unlike the search for the balance
         return Balance(self.closing_spring, self.control_spring, self.pairs, net_gain, self.gain_slope, self.straight)
 
     # friction rising
@@ -389,18 +392,18 @@ class IndirectClutch(Clutch):
     def _pressed_returning(self, friction: Values, friction_max: Values, locked: Values) -> Values:
         """Normal force of a sleeve that moves back, or is back at its stop, N."""
         net = self.net_gain_returning
-        if self.curved:
+        if self.curved and not self.straight:
             travel = self.travel_returning(friction, friction_max)
-            seated = (travel <= 0) & self._holds(friction, net)
-        else:
-            seated = self._is_reseated(friction, locked)
-
-        def moving() -> Values:
-            if self.curved:
-                return self.balance(net).normal_force(friction, travel)
-            return self._pressed_off_stop(friction, net)
-
-        return chosen(seated, lambda: self._pressed_at_stop(friction, net), moving)
+            return chosen(
+                (travel <= 0) & self._holds(friction, net),
+                lambda: self._pressed_at_stop(friction, net),
+                lambda: self.balance(net).normal_force(friction, travel),
+            )
+        return chosen(
+            self._is_reseated(friction, locked),
+            lambda: self._pressed_at_stop(friction, net),
+            lambda: self._pressed_off_stop(friction, net),
+        )
 
     def travel_returning(self, friction: Values, friction_max: Values | None = None) -> Values:
         """Travel of a sleeve when friction falls again from f_max, or as told, m; of curved springs or walls."""

@@ -5,8 +5,9 @@ from typing import Any
 
 from ..arrays import tangent
 from ..equations import adjustment, direct
+from ..equations.calls import derived
 from ..findings import Finding, finding
-from ..spec.models import Method, Spec
+from ..spec.models import Method, Range, Spec
 
 _MEAN_RADIUS = {
     "uniform-wear": direct.mean_radius_uniform_wear,
@@ -47,6 +48,20 @@ def force_path(spec: Spec) -> str:
     return "closing_spring.force" if spec.closing_spring.force is not None else "adjustment.nominal_torque"
 
 
+def frictions(spec: Spec) -> tuple[Range, Range]:
+    """Ranges of f_1 and f_2, twice the same with one material; an explanation knows each number by its symbol."""
+    first, second = spec.friction.groups
+    if spec.friction.unlike:
+        return _named(first, "1"), _named(second, "2")
+    alike = _named(first, "")
+    return alike, alike
+
+
+def _named(friction: Range, group: str) -> Range:
+    ends = zip(friction, ("min", "cp", "max"), strict=True)
+    return Range(*(derived(value, role=f"f_{group}{end}") for value, end in ends))
+
+
 def margin(spec: Spec, method: Method | None = None) -> Any:
     """β_н as far as it is in the spring: with mean-friction only (S19; in S22 it divides the machine's torque)."""
     return spec.adjustment.margin if (method or spec.adjustment.method) == "mean-friction" else 1.0
@@ -60,7 +75,7 @@ def margin_over_machine(spec: Spec) -> Any:
 def closing_force(spec: Spec, torque_per_force: Callable[[], Any]) -> Any:
     """F_п as given, or from the nominal torque and T/F_п at the setting: every law is proportional to F_п (S19)."""
     if spec.closing_spring.force is not None:
-        return spec.closing_spring.force
+        return derived(spec.closing_spring.force, role=spec.adjustment.method)
     return adjustment.closing_force(spec.adjustment.nominal_torque, margin(spec), torque_per_force())
 
 

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from ..arrays import Values, checked_friction, chosen, is_array, larger, smaller
 from ..equations import accuracy, adjustment, direct, effects, overload
+from ..equations.calls import unnoted
 from ..findings import Finding
 from ..messages import say
-from ..recorders import unrecorded
 from ..spec.models import Method, Range, Spec
 from . import parameters
 
@@ -291,7 +291,7 @@ class Clutch(ABC):
 
     def findings(self) -> list[Finding]:
         """What a designer should know: what the law says of it, the setting, and the springs that are parts."""
-        with unrecorded():  # no steps of a calculation
+        with unnoted():  # no steps of a calculation
             found = [*self.spec.label.findings, *self._law_findings()]
             found += parameters.setting_findings(self.spec, float(self.nominal_torque), float(self.torque_min))
             if self.spec.spring_parts:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 
 from ..arrays import Values
 from ..equations import accuracy, indirect, pocket
+from ..equations.calls import derived
 from ..spec.models import FrictionRange, Spec
 from .parameters import force_path
 
@@ -17,16 +18,9 @@ if TYPE_CHECKING:
 Elasticities: TypeAlias = dict[str, float]
 
 
-class Part(float):
-    """What of κ, or of F_п1, is proportional to a parameter: it knows the parameter's symbol, for who explains."""
-
-    of: str
-
-    def __new__(cls, value: Values, of: str) -> "Part":
-        """A number, and what it is proportional to."""
-        part = super().__new__(cls, float(value))
-        part.of = of
-        return part
+def _part(value: Values, symbol: str) -> float:
+    """What of κ, or of F_п1, is proportional to a parameter; an explanation names the parameter."""
+    return derived(float(value), role=f"∂ln {symbol}")
 
 
 def sensitivity(clutch: "Clutch") -> Elasticities:
@@ -70,7 +64,7 @@ class _Torque:
     """In the friction it is at."""
     end: str | None
     """End of the range that this friction is; None where the forces fix it."""
-    in_feedback: Callable[[Part], float]
+    in_feedback: Callable[[float], float]
     """In a parameter to which a part of κ is proportional; of κ where the sleeve is."""
     travel: float = 0.0
     """Of the sleeve, m."""
@@ -87,7 +81,7 @@ def _of_indirect(clutch: "IndirectClutch") -> Elasticities:
     set_here = clutch.made_control_force is None
     in_control = high.control_force - low.control_force
 
-    def passed_on(part: Part) -> float:
+    def passed_on(part: float) -> float:
         """What F_п2 = F_п1 (1 + z f_set κ) passes on."""
         if not set_here:
             return 0.0
@@ -96,8 +90,8 @@ def _of_indirect(clutch: "IndirectClutch") -> Elasticities:
 
     def in_feedback(symbol: str, part: Values, slope: Values = 0.0) -> float:
         """``part`` of κ at the stop, and what the slope adds where the sleeve is."""
-        ends = (torque.in_feedback(Part(part + slope * torque.travel, symbol)) for torque in (high, low))
-        return float(next(ends) - next(ends)) + passed_on(Part(part, symbol))
+        ends = (torque.in_feedback(_part(part + slope * torque.travel, symbol)) for torque in (high, low))
+        return float(next(ends) - next(ends)) + passed_on(_part(part, symbol))
 
     in_force = high.closing_force - low.closing_force + (in_control if set_here else 0.0)
     if set_here and clutch.straight:
@@ -108,7 +102,7 @@ def _of_indirect(clutch: "IndirectClutch") -> Elasticities:
     for torque, sign in ((high, 1.0), (low, -1.0)):
         _spread(found, spec.friction, "friction", torque.end, sign * torque.friction)
     at_set = "mean" if spec.adjustment.method == "mean-friction" else "min"
-    _spread(found, spec.friction, "friction", at_set, passed_on(Part(clutch.net_gain, "f_set")) + follows)
+    _spread(found, spec.friction, "friction", at_set, passed_on(_part(clutch.net_gain, "f_set")) + follows)
     in_gain, in_key = in_feedback("C", clutch.gain), in_feedback("f_1", -clutch.gain_threshold)
     found |= {
         "friction_group.pairs": in_feedback("z", clutch.net_gain, clutch.gain_slope) + follows,
@@ -138,29 +132,29 @@ def _torque(clutch: "IndirectClutch", friction: Values, *ends: Literal["min", "m
     # at the bend itself the range lies on one side: what f_min moves along is below it, what f_max does above
     if friction <= leaving if end == "min" else friction < leaving:
 
-        def seated(part: Part) -> float:
+        def seated(part: float) -> float:
             return -float(indirect.seated_elasticity_in_feedback(pairs, friction, part, net))
 
-        return _Torque(1 + seated(Part(net, "f")), end, seated, control_force=1.0)
+        return _Torque(1 + seated(_part(net, "f")), end, seated, control_force=1.0)
     tangent = clutch.tangent_stiffness(friction, net)
     pressed, travel = clutch.normal_force(friction), clutch.travel(friction)
     slope = pocket.slope_feedback(pairs, friction, clutch.gain_slope)
     c1, c2 = clutch.closing_stiffness, clutch.control_stiffness
 
-    def moving(part: Part) -> float:
+    def moving(part: float) -> float:
         return float(pocket.force_elasticity_in_feedback(c1, pairs, friction, part, tangent))
 
-    def in_closing(part: Part) -> float:
+    def in_closing(part: float) -> float:
         return float(pocket.force_elasticity_in_closing_spring(part, c2, slope, tangent, pressed))
 
     return _Torque(
-        friction=0.0 if end is None else 1 + moving(Part(clutch.steepened(travel).net_gain, "f")),
+        friction=0.0 if end is None else 1 + moving(_part(clutch.steepened(travel).net_gain, "f")),
         end=end,
         in_feedback=moving,
         travel=float(travel),
-        closing_stiffness=in_closing(Part(-c1 * travel, "c_1")),
+        closing_stiffness=in_closing(_part(-c1 * travel, "c_1")),
         control_stiffness=float(pocket.force_elasticity_in_control_stiffness(c1, c2, travel, tangent, pressed)),
-        closing_force=in_closing(Part(clutch.closing_force, "F_п1")),
+        closing_force=in_closing(_part(clutch.closing_force, "F_п1")),
         control_force=float(pocket.force_elasticity_in_control_force(c1, control, tangent, pressed)),
     )
 

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple, TypeAlias
 
 from ..arrays import Values, chosen, greatest, larger, smaller
 from ..equations import springs as law
-from ..recorders import marked, unrecorded
+from ..equations.calls import derived, unnoted
 from ..spec.models import Spec
 from ..spec.springs import ClosingSpring, CoilSprings, ControlSpring, DiscStack, Room
 
@@ -25,25 +25,30 @@ _CLOSE = 1e-13
 
 
 def root(
-    rising: Callable[[Values], Values], slope: Callable[[Values], Values], end: Values, start: Values = 0.0
+    rising: Callable[[Values], Values],
+    slope: Callable[[Values], Values],
+    end: Values,
+    start: Values = 0.0,
+    of: tuple[Values, ...] = (),
 ) -> Values:
     """Where a function that rises from ``start`` to ``end`` is 0, number by number; the nearer end where it is not.
 
     Newton's steps, and halves of what is left where one would leave it: arrays as fast as numbers, of which SciPy's
-    bracketed searches take one at a time.
+    bracketed searches take one at a time. An explanation shows the function there, and that it is for what ``of`` is.
     """
     at = low = start + 0.0 * end
     high = end
-    for _ in range(_STEPS):
-        value = rising(at)
-        below = value < 0
-        low, high = chosen(below, lambda: at, lambda: low), chosen(below, lambda: high, lambda: at)  # noqa: B023
-        step = at - value / slope(at)
-        there = chosen((step >= low) & (step <= high), lambda: step, lambda: (low + high) / 2)  # noqa: B023
-        moved, at = greatest(larger(there - at, at - there)), there
-        if not moved > _CLOSE * greatest(end):
-            break
-    return at
+    with unnoted():
+        for _ in range(_STEPS):
+            value = rising(at)
+            below = value < 0
+            low, high = chosen(below, lambda: at, lambda: low), chosen(below, lambda: high, lambda: at)  # noqa: B023
+            step = at - value / slope(at)
+            there = chosen((step >= low) & (step <= high), lambda: step, lambda: (low + high) / 2)  # noqa: B023
+            moved, at = greatest(larger(there - at, at - there)), there
+            if not moved > _CLOSE * greatest(end):
+                break
+    return derived(at, *of, steps=rising)
 
 
 @dataclass(frozen=True)
@@ -100,7 +105,7 @@ class DiscCharacteristic:
 
     def force(self, deflection: Values) -> Values:
         """Force of the stack, N."""
-        each = marked(deflection / self.part.series, deflection)
+        each = derived(deflection / self.part.series, deflection)
         return self.part.parallel * law.disc_force(*self.shape, each)
 
     def stiffness(self, deflection: Values) -> Values:
@@ -114,7 +119,7 @@ class DiscCharacteristic:
         The force grows ever slower, so that Newton's steps from nothing never go too far.
         """
         at, _ = 0.0 * force, self.shape  # the shape is a step of the calculation, unlike the search
-        with unrecorded():
+        with unnoted():
             for _ in range(_STEPS):
                 there = smaller(at + (force - self.force(at)) / self.stiffness(at), self.end)
                 moved, at = greatest(there - at), there
@@ -208,13 +213,16 @@ class SetSpring:
     @cached_property
     def deflection(self) -> Values:
         """As set, m."""
-        return self.set_force / self._rate if self.disc is None else self.disc.deflection(self.set_force)
+        if self.disc is None:
+            return self.set_force / self._rate
+        disc, at = self.disc, self.disc.deflection(self.set_force)
+        return derived(at, steps=lambda at: (disc.force(at), disc.stiffness(at)))
 
     def force(self, further: Values) -> Values:
         """Force when pressed together so much further than as set, N."""
         if self.disc is None:
             return self.set_force + self._rate * further
-        return self.disc.force(marked(self.deflection + further, further))
+        return self.disc.force(derived(self.deflection + further, further))
 
     def stiffness(self, further: Values) -> Values:
         """Slope of the force there, N/m."""

@@ -1,4 +1,7 @@
-"""Note the calls of equations, so that ``explain`` can print them."""
+"""Note the calls of equations, so that ``explain`` can print them.
+
+A value is known again by its identity: the object that one equation returned and another is given is one number.
+"""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -9,18 +12,20 @@ from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 P = ParamSpec("P")
 R = TypeVar("R")
+V = TypeVar("V")
 
 
-class Call(NamedTuple):
-    """One call of an equation: the function, what it was given, and what it returned."""
+class Note(NamedTuple):
+    """One number: the equation that gave it, or None, what it was given, and the number."""
 
-    function: Callable[..., Any]
+    function: Callable[..., Any] | None
     args: tuple[Any, ...]
     kwargs: dict[str, Any]
     value: Any
+    role: str = ""
 
 
-_CALLS: ContextVar[list[Call] | None] = ContextVar("calls", default=None)
+_NOTES: ContextVar[list[Note] | None] = ContextVar("notes", default=None)
 
 
 def equation(function: Callable[P, R]) -> Callable[P, R]:
@@ -28,12 +33,12 @@ def equation(function: Callable[P, R]) -> Callable[P, R]:
 
     @wraps(function)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:
-        calls = _CALLS.get()
-        if calls is None:
+        notes = _NOTES.get()
+        if notes is None:
             return function(*args, **kwargs)
         with unnoted():
             value = function(*args, **kwargs)
-        calls.append(Call(function, args, kwargs, value))
+        notes.append(Note(call, args, kwargs, value))
         return value
 
     return call
@@ -45,22 +50,42 @@ def plain(module: ModuleType) -> Any:
     return SimpleNamespace(**{name: function for name, function in functions if function is not None})
 
 
+def derived(value: V, *of: object, role: str = "", steps: Callable[[Any], object] | None = None) -> V:
+    """Return a number that no equation gives; where calls are noted, say what it is for.
+
+    Args:
+        value: a number, or an array, of which nothing is noted.
+        of: numbers that it was calculated from: it is for the same friction, setting and side.
+        role: what it stands for: an end of a range of friction (``f_1min``), how a spring is set (``min-friction``),
+            or the parameter that it is proportional to (``∂ln C``).
+        steps: runs the equations that hold of it, the number put in; called only where calls are noted.
+    """
+    notes = _NOTES.get()
+    if notes is None or getattr(value, "ndim", 0):
+        return value
+    own: Any = float(value) * 1.0  # an object of its own: a number may stand for two things
+    notes.append(Note(None, of, {}, own, role))
+    if steps is not None:
+        steps(own)
+    return own
+
+
 @contextmanager
-def noted() -> Iterator[list[Call]]:
-    """Note every call of an equation within the block."""
-    calls: list[Call] = []
-    token = _CALLS.set(calls)
+def noted() -> Iterator[list[Note]]:
+    """Note every call of an equation within the block; other threads do not meet it."""
+    notes: list[Note] = []
+    token = _NOTES.set(notes)
     try:
-        yield calls
+        yield notes
     finally:
-        _CALLS.reset(token)
+        _NOTES.reset(token)
 
 
 @contextmanager
 def unnoted() -> Iterator[None]:
-    """Note no calls within the block."""
-    token = _CALLS.set(None)
+    """Note nothing within the block: what a search tries is no step of a calculation."""
+    token = _NOTES.set(None)
     try:
         yield
     finally:
-        _CALLS.reset(token)
+        _NOTES.reset(token)

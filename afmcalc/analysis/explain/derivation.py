@@ -9,8 +9,7 @@ from ...messages import joined, say, term
 from ...papers.register import register
 from ...spec.keys import keys
 from .formula import FormulaText, symbol_latex
-from .order import in_order
-from .trace import Call, Circumstance, Marked, distinct, identity
+from .trace import Call, Circumstance, distinct, identity, in_order
 
 
 class Meaning(NamedTuple):
@@ -160,8 +159,8 @@ def _meanings(calls: list[Call], told: _Told) -> Iterable[Meaning]:
 
 
 def _meaning(call: Call, name: str, told: _Told) -> Meaning:
-    term, value = call.equation.arguments[name], call.arguments[name]
-    number = _number(term.symbol, value, told)
+    term = call.equation.arguments[name]
+    number = _number(call, name, told)
     own = next((each for each, (count, _) in told.results.items() if count == number), term.symbol)
     if term.symbol in _OF_TANGENT:
         return Meaning(term.symbol, _OF_TANGENT[term.symbol], "1", number=told.results["tan α"][0])
@@ -175,12 +174,12 @@ _OF_TANGENT = {
 }
 
 
-def _number(symbol: str, value: float, told: _Told) -> int | None:
-    """Number of the formula that a value comes from; None of one that is given."""
-    if isinstance(value, Marked):
-        return told.numbers.get(value.origin)
-    number, values = told.results.get(symbol, (None, set[str]()))
-    return number if f"{value:.12g}" in values else None
+def _number(call: Call, name: str, told: _Told) -> int | None:
+    """Number of the formula that an argument comes from; None of one that is given."""
+    if name in call.marks:
+        return told.numbers.get(call.marks[name].origin)
+    number, values = told.results.get(call.equation.arguments[name].symbol, (None, set[str]()))
+    return number if f"{call.arguments[name]:.12g}" in values else None
 
 
 @cache

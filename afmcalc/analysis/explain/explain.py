@@ -3,6 +3,7 @@
 from typing import Any
 
 from ...engines import build
+from ...equations.calls import noted
 from ...errors import AfmcalcError
 from ...findings import Finding
 from ...messages import did_you_mean, joined, say, term
@@ -12,8 +13,7 @@ from ...spec import Spec
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED
 from .formula import FormulaText, symbol_latex
-from .order import in_order
-from .trace import Call, distinct, recording, with_roles
+from .trace import Call, CallReader, distinct, in_order
 
 
 class Step(Result):
@@ -67,9 +67,9 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
             analyses=", ".join(EXPLAINED),
         )
     calculation = ANALYSES[command].function
-    with recording() as calls:
-        _, findings = calculation(build(with_roles(spec)), **options)
-    return ExplainResult(explained=command, steps=steps_of(calls)), findings
+    with noted() as notes:
+        _, findings = calculation(build(spec), **options)
+    return ExplainResult(explained=command, steps=steps_of(CallReader().calls(notes))), findings
 
 
 def steps_of(calls: list[Call]) -> list[Step]:

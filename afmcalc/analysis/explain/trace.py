@@ -1,19 +1,13 @@
-"""Recording which equations a calculation ran, with what arguments: an explanation cannot drift from the code."""
+"""Which equations a calculation ran, with what arguments, and what each value is for."""
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from functools import wraps
-from importlib import import_module
+from collections.abc import Iterable, Mapping
 from inspect import signature
-from typing import Any, Literal, NamedTuple, get_args
+from typing import Any, Literal, NamedTuple, cast, get_args
 
-from ...engines.sensitivity import Part
+from ...equations.calls import Note
 from ...equations.catalogue import Equation, equations
 from ...messages import say
-from ...recorders import Recorders, Wrapped, recorded_by
-from ...spec import Spec
-from ...spec.edit import with_values
-from ...spec.models import Friction, Method, Range
+from ...spec.models import Method
 from ...variants import Law
 
 _LAWS = (*get_args(Law), "drive", "heat")
@@ -29,6 +23,8 @@ _OF_THE_CLUTCH = (
     *("overload.machine_torque", "overload.interval_low", "accuracy.scatter_band"),
 )
 """Equations whose results are for no friction, though their arguments are."""
+_SET_BY = {"direct.torque_per_force": "friction_driven", "adjustment.closing_force": "torque_per_force"}
+"""Equation → the argument that says how the spring is set; of others ``friction_set``."""
 _SETTINGS: dict[str, Method] = {"min": "min-friction", "cp": "mean-friction"}
 """End of the range that the friction at the setting is → the method."""
 
@@ -60,50 +56,17 @@ class Circumstance(NamedTuple):
         return self.friction
 
 
-class Marked(float):
-    """A number that knows what it is; arithmetic on it gives a plain number, which says nothing it does not know."""
+class Mark(NamedTuple):
+    """What is known of a number."""
 
     case: Circumstance
     """What it is, or is for."""
-    end: str
+    end: str = ""
     """End of the range that a coefficient of friction is: min, cp, max."""
-    origin: str
+    origin: str = ""
     """Equation it came from."""
-
-    def __new__(cls, value: float, case: Circumstance, *, end: str = "", origin: str = "") -> "Marked":
-        """Mark ``value``."""
-        marked = super().__new__(cls, value)
-        marked.case, marked.end, marked.origin = case, end, origin
-        return marked
-
-
-class _MarkedFriction(Friction):
-    """Friction whose coefficients know which end of which range they are."""
-
-    @property
-    def range(self) -> Range:
-        return _marked(super().range)
-
-    @property
-    def groups(self) -> tuple[Range, Range]:
-        first, second = super().groups
-        return (_marked(first, "1"), _marked(second, "2")) if self.unlike else (first, second)
-
-
-def _marked(own: Range, group: str = "") -> Range:
-    ends = zip(own, ("min", "cp", "max"), strict=True)
-    return Range(*(Marked(value, Circumstance(f"f_{group}{end}"), end=end) for value, end in ends))
-
-
-def with_roles(spec: Spec) -> Spec:
-    """Return the spec with coefficients of friction, and a spring, that know what they are; engines pass them on."""
-    given = {name: getattr(spec.friction, name) for name in Friction.model_fields}
-    marked = spec.model_copy(update={"friction": _MarkedFriction.model_construct(**given)})
-    force = spec.closing_spring.force
-    if force is None:
-        return marked
-    set_so = Marked(force, Circumstance(setting=spec.adjustment.method))
-    return with_values(marked, {"closing_spring.force": set_so})
+    parameter: str = ""
+    """Elasticity that it is the part of a parameter in: ``∂ln C``."""
 
 
 class Call(NamedTuple):
@@ -112,24 +75,26 @@ class Call(NamedTuple):
     equation: Equation
     arguments: dict[str, Any]
     value: Any
+    marks: dict[str, Mark]
+    """What is known of its arguments, by name."""
 
     def symbol(self, name: str) -> str:
         """Symbol of an argument: of a friction the end of its range, of a special T, C, κ … that of T', C(x), κ₊ …"""
-        symbol, value = self.equation.arguments[name].symbol, self.arguments[name]
-        if not isinstance(value, Marked):
+        symbol, mark = self.equation.arguments[name].symbol, self.marks.get(name)
+        if mark is None:
             return symbol
-        if value.origin and (special := equations()[value.origin].result.symbol).startswith(symbol):
+        if mark.origin and (special := equations()[mark.origin].result.symbol).startswith(symbol):
             return special
-        if value.end and symbol[:3] in ("f_1", "f_2"):
-            return symbol[:3] + value.end
-        return str(value.case.friction) if value.end and symbol in ("f", "f_i") else symbol
+        if mark.end and symbol[:3] in ("f_1", "f_2"):
+            return symbol[:3] + mark.end
+        return str(mark.case.friction) if mark.end and symbol in ("f", "f_i") else symbol
 
     @property
     def result(self) -> str:
         """Symbol of the result; an elasticity in a parameter p names it."""
         symbol = self.equation.result.symbol
-        of = next((value.of for value in self.arguments.values() if isinstance(value, Part)), "p")
-        return f"{symbol.removesuffix('p')}{of}" if symbol.endswith("∂ln p") else symbol
+        parameter = next((mark.parameter for mark in self.marks.values() if mark.parameter), "∂ln p")
+        return f"{symbol.removesuffix('∂ln p')}{parameter}" if symbol.endswith("∂ln p") else symbol
 
     @property
     def case(self) -> Circumstance:
@@ -137,13 +102,9 @@ class Call(NamedTuple):
         return self._at._replace(setting=self._setting, side=self._side)
 
     @property
-    def _marked(self) -> list[Marked]:
-        return [value for value in self.arguments.values() if isinstance(value, Marked)]
-
-    @property
-    def _results(self) -> list[Marked]:
-        """Arguments that are results of other equations."""
-        return [value for value in self._marked if not value.end]
+    def _results(self) -> list[Mark]:
+        """Arguments that are no coefficients of friction."""
+        return [mark for mark in self.marks.values() if not mark.end]
 
     @property
     def _at(self) -> Circumstance:
@@ -155,7 +116,7 @@ class Call(NamedTuple):
             return Circumstance(_AT_LIMIT)
         if module not in _LAWS:
             return Circumstance(own) if own else self._shared(over_range=module == "life")
-        if own and any(value.origin == _RETURNING for value in self._results):
+        if own and any(mark.origin == _RETURNING for mark in self._results):
             return Circumstance(own, "returning")
         shared = self._shared()
         if shared.friction is None or "friction_set" in self.arguments:
@@ -166,7 +127,7 @@ class Call(NamedTuple):
 
     def _shared(self, *, over_range: bool = False) -> Circumstance:
         """What the results among the arguments are for; the range between them where a cycle goes over one."""
-        cases = {value.case._replace(setting=None, side=""): None for value in self._results if value.case.friction}
+        cases = {mark.case._replace(setting=None, side=""): None for mark in self._results if mark.case.friction}
         # what is the same on both branches is on the one that another of them is on
         branches = [case for case in cases if case.branch] or list(cases)
         if len(branches) == 1 and len({case.friction for case in cases}) == 1:
@@ -177,87 +138,76 @@ class Call(NamedTuple):
     @property
     def _setting(self) -> Method | None:
         """How the spring is set: by the friction at the setting, or as what it is calculated from."""
-        at_setting = self.arguments.get("friction_set")
-        if self.equation.name == "direct.torque_per_force":
-            at_setting = self.arguments["friction_driven"]
-        if isinstance(at_setting, Marked) and at_setting.end:
-            return _SETTINGS.get(at_setting.end)
-        settings = {value.case.setting for value in self._results if value.case.setting}
+        at_setting = self.marks.get(_SET_BY.get(self.equation.name, "friction_set"))
+        if at_setting is not None and (at_setting.end or at_setting.case.setting):
+            return _SETTINGS.get(at_setting.end, at_setting.case.setting)
+        settings = {mark.case.setting for mark in self._results if mark.case.setting}
         return settings.pop() if len(settings) == 1 else None
 
     @property
     def _side(self) -> Side:
-        if self.equation.name == _UNPROTECTED or any(value.case.side == "unprotected" for value in self._results):
+        if self.equation.name == _UNPROTECTED or any(mark.case.side == "unprotected" for mark in self._results):
             return "unprotected"
         return "protected" if self.equation.name.startswith("life.") else ""
 
     @property
     def _own(self) -> str | None:
         """What the friction among the arguments says."""
-        own = [name for name in _FRICTION if name in self.arguments]
-        if not own:
+        names = [name for name in _FRICTION if name in self.arguments]
+        if not names:
             return None
-        if len({getattr(self.arguments[name], "end", "") for name in own}) > 1:
-            return ", ".join(self.symbol(name) for name in reversed(own))
-        value = self.arguments[own[0]]
-        if isinstance(value, Marked) and value.end:
-            return value.case.friction
-        return f"{self.equation.arguments[own[0]].symbol} = {value:g}"
+        ends = {self.marks[name].end if name in self.marks else "" for name in names}
+        if len(ends) > 1:
+            return ", ".join(self.symbol(name) for name in reversed(names))
+        if ends != {""}:
+            return self.marks[names[0]].case.friction
+        return f"{self.equation.arguments[names[0]].symbol} = {self.arguments[names[0]]:g}"
 
 
-@contextmanager
-def recording() -> Iterator[list[Call]]:
-    """Record every outermost call of an equation function made within the block.
+class CallReader:
+    """Makes calls of notes: a number that one equation gave and another was given is known by its identity."""
 
-    The functions of the equation modules are wrapped while the block runs; calls that one equation makes of
-    another belong to it and are not listed.
-    """
-    calls: list[Call] = []
-    depth = [0]
-    places = tuple(_wrapped(each, _recorder(each, calls, depth)) for each in equations().values())
-    with recorded_by(Recorders(places, _marked_like)):
-        yield calls
+    def __init__(self) -> None:
+        """Know nothing yet."""
+        self._marks: dict[int, Mark] = {}
 
+    def calls(self, notes: Iterable[Note]) -> list[Call]:
+        """The calls among notes, which follow those told before and are kept as long as this is asked."""
+        return [call for note in notes if (call := self._read(note)) is not None]
 
-def _wrapped(equation: Equation, recorder: Callable[..., Any]) -> Wrapped:
-    module, _, name = equation.name.partition(".")
-    return Wrapped(import_module(f"...equations.{module}", __package__), name, equation.function, recorder)
+    def _read(self, note: Note) -> Call | None:
+        if note.function is None:
+            self._marks[id(note.value)] = self._derived(note)
+            return None
+        equation = equations()[f"{note.function.__module__.rpartition('.')[2]}.{note.function.__name__}"]
+        arguments = signature(note.function).bind(*note.args, **note.kwargs).arguments
+        marks = {name: self._marks[id(value)] for name, value in arguments.items() if id(value) in self._marks}
+        call = Call(equation, dict(arguments), note.value, marks)
+        if type(note.value) is float:
+            self._marks[id(note.value)] = Mark(call.case, origin=equation.name)
+        return call
 
-
-def _marked_like(value: Any, *like: Any) -> Any:
-    """A number that no equation gives, marked with what others are for: a range of friction where theirs differ."""
-    if isinstance(value, Marked):
-        return value
-    marks = [each.case for each in like if isinstance(each, Marked)]
-    frictions = {case.at: case for case in marks if case.friction}
-    case = Circumstance(" … ".join(str(at) for at in frictions)) if len(frictions) > 1 else Circumstance()
-    case = case if len(frictions) != 1 else next(iter(frictions.values()))
-    if any(getattr(each, "origin", "") == _RETURNING for each in like):
-        case = case._replace(branch="returning")
-    settings = {each.setting for each in marks if each.setting}
-    side: Side = next((each.side for each in marks if each.side), "")
-    case = case._replace(setting=settings.pop() if len(settings) == 1 else None, side=side)
-    origins = {getattr(each, "origin", "") for each in like}
-    return Marked(float(value), case, origin=origins.pop() if len(origins) == 1 else "")
-
-
-def _recorder(equation: Equation, calls: list[Call], depth: list[int]) -> Callable[..., Any]:
-    bound = signature(equation.function)
-
-    @wraps(equation.function)
-    def record(*args: Any, **kwargs: Any) -> Any:
-        depth[0] += 1
-        try:
-            value = equation.function(*args, **kwargs)
-        finally:
-            depth[0] -= 1
-        if depth[0] > 0:
-            return value
-        call = Call(equation, dict(bound.bind(*args, **kwargs).arguments), value)
-        calls.append(call)
-        return Marked(value, call.case, origin=equation.name) if type(value) is float else value
-
-    return record
+    def _derived(self, note: Note) -> Mark:
+        """What a number is for that no equation gives: a range of friction where what it is from differs."""
+        if note.role in get_args(Method):
+            return Mark(Circumstance(setting=cast(Method, note.role)))
+        if note.role.startswith("∂"):
+            return Mark(Circumstance(), parameter=note.role)
+        if note.role:
+            return Mark(Circumstance(note.role), end=note.role[2:].lstrip("12"))
+        marks = [self._marks[id(value)] for value in note.args if id(value) in self._marks]
+        frictions = {mark.case.at: mark.case for mark in marks if mark.case.friction}
+        case = Circumstance(" … ".join(str(at) for at in frictions)) if len(frictions) > 1 else Circumstance()
+        case = case if len(frictions) != 1 else next(iter(frictions.values()))
+        if any(mark.origin == _RETURNING for mark in marks):
+            case = case._replace(branch="returning")
+        settings = {mark.case.setting for mark in marks if mark.case.setting}
+        side: Side = next((mark.case.side for mark in marks if mark.case.side), "")
+        origins = {mark.origin for mark in marks} if len(marks) == len(note.args) else set()
+        return Mark(
+            case._replace(setting=settings.pop() if len(settings) == 1 else None, side=side),
+            origin=origins.pop() if len(origins) == 1 else "",
+        )
 
 
 def distinct(calls: list[Call]) -> list[Call]:
@@ -278,3 +228,34 @@ def identity(call: Call) -> tuple[object, ...]:
     # the same number by two ways may differ in its last digits
     numbers = (f"{value:.12g}" for value in call.arguments.values())
     return (call.equation.name, call.case, call.result, *map(call.symbol, call.arguments), *numbers)
+
+
+def in_order(calls: Iterable[Call]) -> list[list[Call]]:
+    """Return calls by equation: what a call uses before it, and else in the order in which the equations ran.
+
+    A group is parted where it must: κ leads to the sleeve's place, and is taken anew there.
+    """
+    left, parts = dict[str, list[Call]](), list[list[Call]]()
+    for call in calls:
+        left.setdefault(call.equation.name, []).append(call)
+    known = _values(left)
+    while left:
+        missing = _values(left)
+        ready = {name: [call for call in calls if not _uses(call, known) & missing] for name, calls in left.items()}
+        whole = (name for name in left if len(ready[name]) == len(left[name]))
+        name = next(whole, next((name for name in left if ready[name]), next(iter(left))))
+        parts.append(part := ready[name] or left[name])
+        left[name] = [call for call in left[name] if not any(call is other for other in part)]
+        left = {name: calls for name, calls in left.items() if calls}
+    return parts
+
+
+def _values(groups: Mapping[str, list[Call]]) -> set[tuple[str, str]]:
+    """Equations with their values, and without."""
+    return {(name, own) for name, calls in groups.items() for call in calls for own in ("", f"{call.value:.12g}")}
+
+
+def _uses(call: Call, known: set[tuple[str, str]]) -> set[tuple[str, str]]:
+    """Results of other equations that a call uses; of one that a search found, all of its equation."""
+    used = {(mark.origin, f"{call.arguments[name]:.12g}") for name, mark in call.marks.items()}
+    return {each if each in known else (each[0], "") for each in used if each[0] != call.equation.name}

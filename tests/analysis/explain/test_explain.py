@@ -1,6 +1,7 @@
 """Explanations: the formula shown is the code that ran."""
 
 import re
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import sympy
@@ -12,10 +13,10 @@ from strategies import direct_specs, indirect_specs
 from afmcalc.analysis.accuracy import accuracy
 from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.explain.formula import FormulaText
-from afmcalc.analysis.explain.trace import distinct, recording, with_roles
+from afmcalc.analysis.explain.trace import CallReader, distinct
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED
 from afmcalc.engines import build
-from afmcalc.equations import direct
+from afmcalc.equations.calls import noted
 from afmcalc.equations.catalogue import equations
 from afmcalc.spec import make_spec, read_spec, resolved
 
@@ -29,9 +30,9 @@ def test_every_value_shown_is_the_value_calculated(command, name):
     spec = read_spec(CONFIGS / f"{name}.toml")
     result, _ = explain(command, spec)
     assert result.steps
-    with recording() as calls:
+    with noted() as notes:
         ANALYSES[command].function(build(spec))
-    values = {(call.equation.name, call.value) for call in calls if isinstance(call.value, int | float)}
+    values = {(call.equation.name, call.value) for call in CallReader().calls(notes) if isinstance(call.value, int | float)}
     for step in result.steps:
         assert any(step.function == function and step.value == pytest.approx(value) for function, value in values)
         assert step.source
@@ -129,16 +130,34 @@ def test_an_elasticity_names_its_parameter(afmcalc):
     assert told["control_unit.key_friction"] == pytest.approx(key)
 
 
-def test_recording_restores_the_functions_and_lists_outermost_calls():
-    before = direct.torque
-    with recording() as calls:
-        assert direct.torque is not before
+def test_outermost_calls_are_noted_and_none_after_the_block():
+    with noted() as notes:
         clutch = build(read_spec(S21))
         _ = clutch.accuracy_factor
-    assert direct.torque is before
-    names = [call.equation.name for call in distinct(calls)]
-    assert "indirect.accuracy_factor" in names
+    names = [call.equation.name for call in distinct(CallReader().calls(notes))]
     assert names.count("indirect.accuracy_factor") == 1
+    before = len(notes)
+    assert type(build(read_spec(S21)).torque(0.3)) is float
+    assert len(notes) == before
+
+
+def test_threads_explain_beside_each_other_and_a_torque_beside_them_is_a_plain_number():
+    """Four at once: each explanation is whole, and other threads note nothing."""
+    spec = read_spec(S21)
+    whole = [step.to_dict() for step in explain("torque", spec)[0].steps]
+    clutch, torques = build(spec), []
+
+    def ask(number):
+        if number % 2:
+            torques.extend(clutch.torque(0.3) for _ in range(200))
+            return None
+        return [step.to_dict() for step in explain("torque", spec)[0].steps]
+
+    with ThreadPoolExecutor(4) as threads:
+        explained = [steps for steps in threads.map(ask, range(16)) if steps is not None]
+    assert explained == [whole] * 8
+    assert len(whole) > 20
+    assert {(type(torque), torque) for torque in torques} == {(float, clutch.torque(0.3))}
 
 
 def test_a_mended_formula_is_marked(afmcalc):
@@ -228,7 +247,7 @@ def test_every_result_has_its_steps_whatever_numbers_coincide(spec):
             assert any(s.value == pytest.approx(result(*pair), rel=1e-12) for s in own), (symbol, at)
             others = {f"f_{digit}{other}" for digit in ("", "1", "2") for other in {"min", "cp", "max"} - {name}}
             assert not any(other in s.formula for s in own for other in others)
-        returning = clutch.torque_returning(pair[0])
+        returning = clutch.sleeve and clutch.sleeve.torque_returning(pair[0])
         back = [s.value for s in steps if s.symbol == "T" and (s.at or "").partition(" ")[0].rstrip(",") == at]
         assert returning is None or any(value == pytest.approx(returning, rel=1e-12) for value in back)
     assert any(s.symbol == "T_н" for s in steps)
@@ -441,10 +460,10 @@ def test_no_symbol_stands_for_quantities_of_different_units(name):
     for command in EXPLAINED:
         if not ANALYSES[command].applies(clutch):
             continue
-        with recording() as calls:
-            ANALYSES[command].function(build(with_roles(spec)))
+        with noted() as notes:
+            ANALYSES[command].function(build(spec))
         units = {}
-        for call in distinct(calls):
+        for call in distinct(CallReader().calls(notes)):
             terms = {call.symbol(name): call.equation.arguments[name].unit for name in call.arguments}
             for symbol, unit in (terms | {call.result: call.equation.result.unit}).items():
                 units.setdefault(symbol, set()).add(unit)
