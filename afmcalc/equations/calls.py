@@ -12,7 +12,6 @@ from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 P = ParamSpec("P")
 R = TypeVar("R")
-V = TypeVar("V")
 
 
 class Note(NamedTuple):
@@ -50,7 +49,7 @@ def plain(module: ModuleType) -> Any:
     return SimpleNamespace(**{name: function for name, function in functions if function is not None})
 
 
-def derived(value: V, *of: object, role: str = "", steps: Callable[[Any], object] | None = None) -> V:
+def derived(value: Any, *of: object, role: str = "", steps: Callable[[Any], object] | None = None) -> Any:
     """Return a number that no equation gives; where calls are noted, say what it is for.
 
     Args:
@@ -61,9 +60,9 @@ def derived(value: V, *of: object, role: str = "", steps: Callable[[Any], object
         steps: runs the equations that hold of it, the number put in; called only where calls are noted.
     """
     notes = _NOTES.get()
-    if notes is None or getattr(value, "ndim", 0):
+    if notes is None or getattr(value, "ndim", False):
         return value
-    own: Any = float(value) * 1.0  # an object of its own: a number may stand for two things
+    own = float(value) * 1.0  # an object of its own: a number may stand for two things
     notes.append(Note(None, of, {}, own, role))
     if steps is not None:
         steps(own)

@@ -32,7 +32,9 @@ def test_every_value_shown_is_the_value_calculated(command, name):
     assert result.steps
     with noted() as notes:
         ANALYSES[command].function(build(spec))
-    values = {(call.equation.name, call.value) for call in CallReader().calls(notes) if isinstance(call.value, int | float)}
+    values = {
+        (call.equation.name, call.value) for call in CallReader().calls(notes) if isinstance(call.value, int | float)
+    }
     for step in result.steps:
         assert any(step.function == function and step.value == pytest.approx(value) for function, value in values)
         assert step.source
