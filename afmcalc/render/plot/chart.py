@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from ...messages import RAISED, localized, translate
+from ...messages import RAISED, localized, told, translate
 from ...result import Result, shown_as
 from ..units import factor, headed, measured
 
@@ -148,3 +148,8 @@ def stated(symbol: str, value: float, unit: str) -> str:
     ('F_п = 2 kN', 'C = 0.5')
     """
     return f"{symbol} = {measured(value, unit)}"
+
+
+def guide_at(text: str, symbol: str, value: float, unit: str, *, across: bool = True) -> Guide:
+    """Guide at a value, which ``{stated}`` in the text of its label tells."""
+    return Guide(told(text, stated=stated(symbol, value, unit)), value, across)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 from ...messages import joined, named, term, told, translate
 from ...spec.keys import is_whole, keys
 from ..units import display
-from .chart import Area, Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, line_of, power, stated
+from .chart import Area, Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
 if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no other analysis than its own
     from ...analysis.curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
@@ -37,8 +37,7 @@ def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
     extra = [name for name in ("breakaway_torque", "torque_returning") if getattr(curve, name)]
     lines = [line_of(curve, name, curve.friction) for name in (*methods, *extra)]
     spans = [_band(number, getattr(curve, name)) for number, name in enumerate(methods)]
-    nominal = curve.nominal_torque
-    guide = Guide(told("clutch's nominal torque {stated}", stated=stated("T_н", nominal, "N*m")), nominal)
+    guide = guide_at(term("clutch's nominal torque {stated}"), "T_н", curve.nominal_torque, "N*m")
     caption = told(
         "Both settings for the same nominal torque; margin β_н = {margin:g} in the second. ΔT is the scatter band of "
         "each. The spec sets it by {method}.",
@@ -76,8 +75,7 @@ def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
         own, factor = stated(symbol, curve.own, x.unit), stated("K_т", curve.accuracy_factor, "1")
         guides.append(Guide(told("this clutch: {own}, {factor}", own=own, factor=factor), curve.own, across=False))
     if curve.limit is not None:
-        label = told("limit of the gain, {stated}", stated=stated(symbol, curve.limit, "1"))
-        guides.append(Guide(label, curve.limit, across=False))
+        guides.append(guide_at(term("limit of the gain, {stated}"), symbol, curve.limit, "1", across=False))
     return Sheet(title, [Chart(x, y, lines, guides=guides)], name=curve.name)
 
 
@@ -106,18 +104,17 @@ def _trip(curve: "OverloadCurve") -> Chart:
     lines.append(equilibrium._replace(x=equilibrium.x[::20], y=equilibrium.y[::20]))
     label = translate("trip bracket, T_муф to T_п")
     bracket = Area(label, curve.friction, curve.expected_torque, curve.potential_torque)
-    machine = curve.machine_torque
-    guide = Guide(told("machine's nominal torque {stated}", stated=stated("T_н.маш", machine, "N*m")), machine)
+    guide = guide_at(term("machine's nominal torque {stated}"), "T_н.маш", curve.machine_torque, "N*m")
     title = translate("Torque at the trip")
     return Chart(x, y._replace(symbol="T"), lines, title, guides=[guide], areas=[bracket], from_zero=True)
 
 
 def _overload_accuracy(curve: "OverloadCurve") -> Chart:
-    series, own, best = curve.accuracy, curve.reduced_gain, curve.optimal_reduced_gain
+    series, best = curve.accuracy, curve.optimal_reduced_gain
     names = ("accuracy_factor_expected", "accuracy_factor_actual")
     guides = [
-        Guide(told("this clutch: {stated}", stated=stated("zC", own, "1")), own, across=False),
-        Guide(told("best by the published T_ср, {stated}", stated=stated("zC", best, "1")), best, across=False),
+        guide_at(term("this clutch: {stated}"), "zC", curve.reduced_gain, "1", across=False),
+        guide_at(term("best by the published T_ср, {stated}"), "zC", best, "1", across=False),
     ]
     x = ChartAxis(translate("reduced gain"), "zC" if curve.bypass_pairs == 0 else "z_2 C")
     y = ChartAxis(translate("accuracy factor"), "K_т")
@@ -222,7 +219,7 @@ def simulate(figure: "SimulateFigure") -> Sheet:
     """An event of the drive: what the shaft carries at three frictions, who turns how fast, the sleeve's travel."""
     mean = figure.courses[1]
     time, times = axis_of(mean[0], "time"), [row.time for row in mean]
-    load = Guide(told("load before the event {stated}", stated=stated("T_0", figure.load, "N*m")), figure.load)
+    load = guide_at(term("load before the event {stated}"), "T_0", figure.load, "N*m")
     torques = _at_frictions(figure, lambda row: row.torque_shaft)
     title = translate("Torque in the shaft")
     panels = [Chart(time, axis_of(mean[0], "torque_shaft"), torques, title, guides=[load])]
