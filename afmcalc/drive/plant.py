@@ -33,8 +33,8 @@ FAST = 20.0
 """Decays in a radian of the shaft's swing beyond which an implicit method is taken."""
 _ROUNDING = 1e-9
 """Relative contradiction that is none."""
-_NOTHING = 1e-10
-"""Share of the energy in the drive that a last swing of the balls at their stop may lose unseen."""
+_NOTHING = 1e-8
+"""Share of the energy in the drive that a last swing of the balls at their stop may lose unseen: 0.005 % of a peak."""
 _CLOSE = 1e-9
 """Relative tolerance within which an element at its limit still sticks."""
 
@@ -457,9 +457,12 @@ class Plant:
         return off * pack.mean_radius
 
     def swings_out(self, y: Sequence[float], mode: Mode, peak: float) -> bool:
-        """Whether balls that swing on a standing tool have no energy for a slip, nor for a torque above the peak."""
+        """Whether balls that swing on a standing tool have no energy for a slip, nor for a torque above the peak.
+
+        Of a motor that does not feed them: off, or of constant torque.
+        """
         train, pack = self.train, self.pack
-        if not pack.travels or (mode.powered and train.engine.slip is not None):
+        if not pack.travels:
             return False
         rest = train.engine.torque if mode.powered else 0.0
         most = np.float64(min(peak, self.holds))

@@ -23,6 +23,8 @@ MOST_STEPS = 40_000
 """Of an event: twice what a history of seconds takes of a drive that hardly damps."""
 PATIENCE = 20_000
 """Steps after which a drive that does not settle is left, where no duration is given."""
+QUIET = 2_000
+"""Steps without slip or a higher peak after which nothing more comes of a standing drive that nothing feeds."""
 _STEPS_A_PERIOD = 4
 _REVERSED = 1e-9
 """Speed, relative to that before the event, with which something has turned back and is no rounding."""
@@ -125,7 +127,8 @@ class _Run:
         """Since when the pack sticks, whatever the balls do."""
         self.looked = 0.0
         """When it was last seen that something may still come."""
-        self.steps = 0
+        self.steps = self.quiet = 0
+        """Steps taken, and those since the pack slipped or a peak rose."""
         self.look = math.inf
         """When to see whether the slip can be taken in one stride."""
         self.swings = _LOOK * 2 * math.pi / plant.natural
@@ -172,7 +175,8 @@ class _Run:
         pending = mode.powered and self.off < math.inf
         if not mode.over or mode.pack or mode.tool < 0:
             return False
-        if mode.tool == 0 and not pending and plant.swings_out(y, mode, peak):
+        fed = mode.powered and plant.train.engine.slip is not None
+        if mode.tool == 0 and not pending and not fed and (self.quiet > QUIET or plant.swings_out(y, mode, peak)):
             return True
         if self.stuck_since is None:
             return False
@@ -229,6 +233,8 @@ class _Run:
         """Take down torques and travel."""
         plant, seen, travel = self.plant, self.seen, self.plant.travel(y)
         torques = plant.torques(t, y, mode) if torques is None else torques
+        if mode.pack or abs(torques.shaft) > seen.peak:
+            self.quiet = 0
         seen.peak = max(seen.peak, abs(torques.shaft))
         seen.peak_clutch = max(seen.peak_clutch, abs(torques.clutch))
         seen.peak_wall = max(seen.peak_wall, abs(torques.balls) * plant.pack.leaning(y[TURN]))
@@ -292,6 +298,7 @@ class _Run:
         """Count a step; after too many the drive is left, or the duration given is refused."""
         pulse()
         self.steps += 1
+        self.quiet += 1
         if not self.given and self.steps > PATIENCE:
             self.horizon = t
         if self.steps > MOST_STEPS:
