@@ -225,12 +225,7 @@ class SleeveLanes:
                 turn, rate = np.where(ends, place * h * turns, turn), np.where(ends, place * moves, rate)
                 going, left = going & ~ends, left - up - down
                 speed = speed * np.sqrt(home / out)
-        balls = (before + gained - rate) / yields
-        needed = (joint.slip + joint.across * balls) / joint.pack
-        clutch = np.clip(needed, -capacity, capacity)
-        rate = joint.rate + joint.across * clutch - joint.balls * balls
-        slip = np.where(clutch == needed, 0.0, joint.slip - joint.pack * clutch + joint.across * balls)
-        return crosses, seated, turn, _Found(clutch, balls, slip, rate, pressed)
+        return crosses, seated, turn, joint.pushed(capacity, (before + gained - rate) / yields, pressed)
 
     def _moving(self, joint: "_Joint", ratio: Values) -> "_Found":
         """Off the stop: the key holds between S/κ₊ and S/κ."""
@@ -337,11 +332,8 @@ class _Joint(NamedTuple):
         first = np.clip((self.slip + self.across * self.rate / self.balls) / both, -capacity, capacity)
         wanted = (self.rate + self.across * first) / self.balls
         balls = np.clip(wanted, low, high)
-        needed = (self.slip + self.across * balls) / self.pack
-        clutch = np.clip(needed, -capacity, capacity)
-        slip = np.where(clutch == needed, 0.0, self.slip - self.pack * clutch + self.across * balls)
-        rate = np.where(balls == wanted, 0.0, self.rate + self.across * clutch - self.balls * balls)
-        return _Found(clutch, balls, slip, rate, normal)
+        found = self.pushed(capacity, balls, normal)
+        return found._replace(rate=np.where(balls == wanted, 0.0, found.rate))
 
     def yielding(self, found: _Found, stiff: Floats, capacity: Values) -> _Found:
         """The same with a torque of the balls that grows with their speed, where they move."""
@@ -497,7 +489,7 @@ class Shaft:
         self.torque = self.elastic = np.broadcast_to(train.load, h.shape).astype(float)
         self._until = float(np.max(train.time / h)) + 1
         if train.kind == "stop":
-            self.tool = self._led(0 * h)
+            self.tool = train.led(0 * h)
         self._after, self._rate = self.tool, self.driven - self.tool
         # torque at the middle of the step: elastic torque + link·(u + u⁺), u the rate of twist
         self._coupling = h * (h * train.stiffness / 4 + train.damping / 2)
@@ -510,11 +502,6 @@ class Shaft:
         self.per_torque = self._lost if train.kind == "stop" else h * other / self._joint[2]
         """What a torque on the driven half adds to its speed in a step."""
 
-    def _led(self, time: Floats) -> Floats:
-        """Speed of a tool that is being stopped."""
-        left = 1 - time / np.where(self.train.time > 0, self.train.time, 1.0)
-        return np.where(time < self.train.time, self.train.speed * left, 0.0)
-
     def free(self, number: int, passed: Floats) -> Floats:
         """Speed of the driven half without the clutch; moves the tool on, under the torque ``passed`` before."""
         if self.train.kind == "load":
@@ -522,7 +509,7 @@ class Shaft:
             return self._loaded((number + 0.5) * self.h, passed)
         speed: Floats = self._kept * self.driven - self._lost * self.elastic
         if number < self._until:
-            self._after = self._led((number + 1) * self.h)
+            self._after = self.train.led((number + 1) * self.h)
             speed = speed + self._drawn * (self.tool + self._after)
         return speed
 
@@ -532,8 +519,7 @@ class Shaft:
         impulse = h * self.elastic + coupling * self._rate
         own, other, det = self._joint
         first, second = train.driven_inertia * self.driven - impulse, train.tool_inertia * self.tool + impulse
-        risen = np.where(train.time > 0, np.minimum(middle / np.where(train.time > 0, train.time, 1.0), 1.0), 1.0)
-        load = train.load + (train.overload - train.load) * risen
+        load = train.load_at(middle)
         # what the clutch adds to the tool is that of its torque before: a part of the second order
         alone = coupling * (first + h * passed) + own * second
         held = np.clip(alone / (h * own), -load, load)

@@ -28,8 +28,6 @@ _IDLE = 1e-9
 _ROUNDING = 1e-12
 _FAR = 1e6
 """Friction from which a sleeve returns that has been as far off as it can be."""
-_STEP = 1e-6
-"""Of friction, relative, over which the growth of the torque is taken."""
 
 
 class Pack:
