@@ -1,6 +1,6 @@
 """Engine of direct regulation: one law, the variants are pair counts."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal
 
 from ..arrays import Values, is_array, larger, smaller
@@ -18,17 +18,12 @@ class DirectClutch(Clutch):
     @classmethod
     def from_spec(cls, spec: Spec) -> "DirectClutch":
         """Build the engine of a spec whose values may be arrays."""
-        bypass = spec.bypass_pairs
-        clutch = cls(
-            closing_force=1.0,
-            mean_radius=parameters.mean_radius(spec),
-            bypass_pairs=bypass,
-            controlled_pairs=direct.controlled_pairs(spec.friction_group.pairs, bypass),
-            gain=parameters.feedback_gain(spec),
-            friction=parameters.frictions(spec),
-            spec=spec,
-        )
-        return replace(clutch, closing_force=parameters.closing_force(spec, clutch.torque_per_force))
+        bypass, friction = spec.bypass_pairs, parameters.frictions(spec)
+        controlled = direct.controlled_pairs(spec.friction_group.pairs, bypass)
+        pack = parameters.mean_radius(spec), bypass, controlled, parameters.feedback_gain(spec)
+        at_setting = parameters.at_setting(friction, spec)
+        force = parameters.closing_force(spec, lambda: direct.torque_per_force(*pack, *at_setting))
+        return cls(force, *pack, friction=friction, spec=spec)
 
     @property
     def _pack(self) -> tuple[Values, Values, Values, Values]:

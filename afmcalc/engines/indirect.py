@@ -55,28 +55,32 @@ class IndirectClutch(Clutch):
         unit: Any = spec.control_unit
         closing: Any = spec.closing_spring
         control: Any = spec.control_spring
+        friction, pairs, radius = parameters.frictions(spec), spec.friction_group.pairs, parameters.mean_radius(spec)
+        friction_set, _ = parameters.at_setting(friction, spec)
         clutch = cls(
-            closing_force=1.0,
-            mean_radius=parameters.mean_radius(spec),
+            closing_force=parameters.closing_force(
+                spec, lambda: indirect.torque_per_force(pairs, radius, friction_set)
+            ),
+            mean_radius=radius,
             bypass_pairs=0,
-            controlled_pairs=spec.friction_group.pairs,
+            controlled_pairs=pairs,
             gain=parameters.feedback_gain(spec),
-            friction=parameters.frictions(spec),
+            friction=friction,
             spec=spec,
             closing_stiffness=closing.stiffness,
             control_stiffness=control.stiffness,
             key_friction=unit.key_friction,
             hub_diameter=unit.hub_diameter,
-            friction_set=math.nan,
+            friction_set=friction_set,
             made_control_force=control.force,
             closing_disc=closing.disc and DiscCharacteristic(closing.disc),
             control_disc=control.disc and DiscCharacteristic(control.disc),
+            gain_slope=0.0 if unit.gain_slope is None else unit.gain_slope,
         )
-        clutch = replace(clutch, friction_set=clutch.friction_at_setting()[0])
         clutch._refuse_negative_net_gain()
-        clutch = replace(clutch, closing_force=parameters.closing_force(spec, clutch.torque_per_force))
-        slope = clutch._slope_that_holds_the_torque() if unit.pocket == "constant-torque" else unit.gain_slope
-        return clutch if slope is None else replace(clutch, gain_slope=slope)
+        if unit.pocket != "constant-torque":
+            return clutch
+        return replace(clutch, gain_slope=clutch._slope_that_holds_the_torque())
 
     def _refuse_negative_net_gain(self) -> None:
         """Below the threshold the sleeve leaves its stop at zero torque: no clutch at all."""

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from ..arrays import tangent
+from ..arrays import Values, tangent
 from ..equations import adjustment, direct
 from ..equations.calls import derived
 from ..findings import Finding, finding
@@ -60,6 +60,13 @@ def frictions(spec: Spec) -> tuple[Range, Range]:
 def _named(friction: Range, group: str) -> Range:
     ends = zip(friction, ("min", "cp", "max"), strict=True)
     return Range(*(derived(value, role=f"f_{group}{end}") for value, end in ends))
+
+
+def at_setting(friction: tuple[Range, Range], spec: Spec, method: Method | None = None) -> tuple[Values, Values]:
+    """f_1 and f_2 at which the spring is set, by the spec's own method or another: the smallest, or the mean."""
+    first, second = friction
+    mean = (method or spec.adjustment.method) == "mean-friction"
+    return (first.mean, second.mean) if mean else (first.min, second.min)
 
 
 def margin(spec: Spec, method: Method | None = None) -> Any:

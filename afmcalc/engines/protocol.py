@@ -134,9 +134,7 @@ class Clutch(ABC):
 
     def friction_at_setting(self, method: Method | None = None) -> tuple[Values, Values]:
         """f_1 and f_2 at which the spring is set, by the spec's own method or another: the smallest, or the mean."""
-        first, second = self.friction
-        mean = (method or self.spec.adjustment.method) == "mean-friction"
-        return (first.mean, second.mean) if mean else (first.min, second.min)
+        return parameters.at_setting(self.friction, self.spec, method)
 
     @property
     def nominal_torque(self) -> Values:
