@@ -320,7 +320,8 @@ def both_frictions(friction: Values, friction_driven: Values | None) -> tuple[Va
         ValueError: negative or no number.
     """
     first = checked_friction(friction)
-    return first, first if friction_driven is None else checked_friction(friction_driven)
+    alike = friction_driven is None or friction_driven is friction
+    return first, first if alike else checked_friction(friction_driven)
 
 
 def one_friction(friction: Values, friction_driven: Values | None) -> Values:

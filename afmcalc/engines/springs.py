@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal, NamedTuple, TypeAlias
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 from ..arrays import Values, chosen, greatest, larger, smaller
 from ..equations import springs as law
@@ -252,15 +252,15 @@ class SpringDemand(NamedTuple):
     """N/m; None: any."""
     relaxes: float
     """How much longer it gets in service, m."""
-    compresses: float
-    """How much shorter, m."""
-    follows: int | None
-    """Pairs whose wear it follows; None: wear does not reach it."""
     room: Room
     pitch: float | None
     """Of the nut, m."""
     friction: tuple[float, float] | None
     """w_M of the cones of a stack on each other, w_R of its edges."""
+    compresses: float = 0.0
+    """How much shorter it gets in service, m."""
+    follows: int | None = None
+    """Pairs whose wear it follows; None: wear does not reach it."""
     stroke: float | None = None
     """How far it goes and comes at every trip, m; None: it rests, or moves too seldom to count (EN 13906-1)."""
     cycles: float | None = None
@@ -284,32 +284,23 @@ def spring_demands(spec: Spec, closing_force: float, control_force: float | None
     worn = pairs * ((spec.heat and spec.heat.lining) or 0.0)
     closing, control = spec.closing_spring, spec.control_spring
     if control is None or control_force is None:
-        return [_demand("closing", closing, closing_force, worn, 0.0, pairs)]
+        return [_demand("closing", closing, closing_force, relaxes=worn, follows=pairs)]
     cycles = spec.requirements.cycles if spec.requirements is not None else None
-    stroke = travel if cycles is None or cycles > QUASI_STATIC else None
+    moves = {"stroke": travel if cycles is None or cycles > QUASI_STATIC else None, "cycles": cycles}
     return [
-        _demand("closing", closing, closing_force, travel, 0.0, None)._replace(stroke=stroke, cycles=cycles),
-        _demand("control", control, control_force, worn, travel, pairs)._replace(stroke=stroke, cycles=cycles),
+        _demand("closing", closing, closing_force, relaxes=travel, **moves),
+        _demand("control", control, control_force, relaxes=worn, compresses=travel, follows=pairs, **moves),
     ]
 
 
-def _demand(
-    name: SpringName,
-    spring: ClosingSpring | ControlSpring,
-    force: float,
-    relaxes: float,
-    compresses: float,
-    follows: int | None,
-) -> SpringDemand:
+def _demand(name: SpringName, spring: ClosingSpring | ControlSpring, force: float, **service: Any) -> SpringDemand:
     surface, edge = spring.surface_friction, spring.edge_friction
     return SpringDemand(
         name=name,
         force=force,
         stiffness=spring.stiffness or None,
-        relaxes=relaxes,
-        compresses=compresses,
-        follows=follows,
         room=spring.room or Room(),
         pitch=spring.thread_pitch,
         friction=None if surface is None or edge is None else (surface, edge),
+        **service,
     )
