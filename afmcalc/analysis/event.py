@@ -32,23 +32,23 @@ _NEAR = 1e-3
 _ROUNDING = 1e-9
 
 
-def remarks_of(clutch: Clutch, train: Train, found: Sequence[Outcome], result: SimulateResult) -> list[Finding]:
-    """Return the remarks on an event, ``found`` at f_min, mean friction and f_max, and on its ``result``."""
+def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result: SimulateResult) -> list[Finding]:
+    """Return the remarks on an event, ``outcomes`` at f_min, mean friction and f_max, and on its ``result``."""
     return [
-        _inertia(train, found),
-        *_ordinary(train, found),
-        *_before(train, found),
-        *_endless(train, found),
-        *_unclosed(found),
-        *_lag(clutch, found),
+        _inertia(train, outcomes),
+        *_ordinary(train, outcomes),
+        *_before(train, outcomes),
+        *_endless(train, outcomes),
+        *_unclosed(outcomes),
+        *_lag(clutch, outcomes),
         *_dynamic_factor(clutch, result),
-        *_judder(clutch, train, found),
+        *_judder(clutch, train, outcomes),
     ]
 
 
-def _inertia(train: Train, found: Sequence[Outcome]) -> Finding:
+def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
     """What turns behind the discs does to the shaft: a sudden stop by its speed, a slow one by its deceleration."""
-    path, plant = "drive.driven_inertia", found[-1].case.plant
+    path, plant = "drive.driven_inertia", outcomes[-1].case.plant
     behind, limit, load = train.driven_inertia + train.hub_inertia, plant.sliding, min(train.load, plant.sliding)
     swing = math.pi * math.sqrt(behind / train.stiffness)
     # the slip begins as the tool, slowing down with ω_0/t_b, has wound the shaft up from the load
@@ -59,24 +59,24 @@ def _inertia(train: Train, found: Sequence[Outcome]) -> Finding:
     return finding("inertia-torque/slow", "info", value=float(beyond), limit=limit, path=path, swing=swing)
 
 
-def _ordinary(train: Train, found: Sequence[Outcome]) -> list[Finding]:
+def _ordinary(train: Train, outcomes: Sequence[Outcome]) -> list[Finding]:
     """Where the ordinary clutch of equal nominal torque is no like for like comparison."""
     said, load = [], train.load
     if train.hub_inertia:
         inertia = train.driven_inertia + train.hub_inertia
         said.append(finding("ordinary-carries-hub", "info", value=inertia, path="drive.hub_inertia"))
-    carried = min(each.ordinary.sliding for each in found)
+    carried = min(each.ordinary.sliding for each in outcomes)
     if carried < load * (1 - _ROUNDING):
         path = "adjustment.method"
         said.append(finding("ordinary-slips-before-event", "info", value=carried, limit=load, path=path))
     return said
 
 
-def _before(train: Train, found: Sequence[Outcome]) -> list[Finding]:
+def _before(train: Train, outcomes: Sequence[Outcome]) -> list[Finding]:
     """The drive before the event: does the clutch carry the load, the motor drive it?"""
     said = []
     load, motor = train.load, float(train.engine.at(train.speed))
-    for end, each in zip(_ENDS, found, strict=True):
+    for end, each in zip(_ENDS, outcomes, strict=True):
         carried = each.case.plant.breakaway
         if carried < load * (1 - _ROUNDING):
             path = "drive.load_torque"
@@ -87,11 +87,11 @@ def _before(train: Train, found: Sequence[Outcome]) -> list[Finding]:
     return said
 
 
-def _endless(train: Train, found: Sequence[Outcome]) -> list[Finding]:
+def _endless(train: Train, outcomes: Sequence[Outcome]) -> list[Finding]:
     """Does the motor stop, and does the slip end within the time that is simulated?"""
     said = []
     strongest, path = float(train.engine.torque), "drive.cut_off"
-    for end, each in zip(_ENDS, found, strict=True):
+    for end, each in zip(_ENDS, outcomes, strict=True):
         pulled = abs(each.trip.last) if each.endless else _at_cut_off(each)
         if pulled is None or not (each.endless or pulled <= strongest):
             continue
@@ -101,7 +101,7 @@ def _endless(train: Train, found: Sequence[Outcome]) -> list[Finding]:
         said.append(
             finding(code, level, value=pulled, limit=strongest, path=path, at=end, sliding=sliding, heat=heat, off=off)
         )
-    for end, each in zip(_ENDS, found, strict=True):
+    for end, each in zip(_ENDS, outcomes, strict=True):
         path, lasted = "drive.event.duration", each.trip.time
         if not each.trip.stuck:
             if not each.endless:
@@ -119,15 +119,15 @@ def _at_cut_off(each: Outcome) -> float | None:
     return next((abs(moment.torque) for moment in course if moment.time >= course[0].time + off), None)
 
 
-def _unclosed(found: Sequence[Outcome]) -> list[Finding]:
+def _unclosed(outcomes: Sequence[Outcome]) -> list[Finding]:
     """Does the energy close? It always has."""
-    worst = max(each.trip.residual for each in found)
+    worst = max(each.trip.residual for each in outcomes)
     return [finding("energy-not-closed", "error", value=worst, limit=_CLOSED)] if worst > _CLOSED else []
 
 
-def _lag(clutch: Clutch, found: Sequence[Outcome]) -> list[Finding]:
+def _lag(clutch: Clutch, outcomes: Sequence[Outcome]) -> list[Finding]:
     """S22's open question, as a number: where between T_муф and T_п does this drive trip?"""
-    unit, each = clutch.spec.control_unit, found[-1]
+    unit, each = clutch.spec.control_unit, outcomes[-1]
     share, at, held = each.trip_position, each.trip.trip_torque, each.potential
     if unit is None or not unit.release_lag or share is None:
         return []
@@ -144,7 +144,7 @@ def _dynamic_factor(clutch: Clutch, result: SimulateResult) -> list[Finding]:
     return [finding("dynamic-factor-exceeded", "warning", value=computed, limit=float(assumed), path=path)]
 
 
-def _judder(clutch: Clutch, train: Train, found: Sequence[Outcome]) -> list[Finding]:
+def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> list[Finding]:
     """Whether slow slip is steady (V6), where friction falls most with speed."""
     friction = clutch.spec.friction
     ratio, speed = friction.static_ratio or 1.0, friction.stribeck_speed
@@ -154,7 +154,7 @@ def _judder(clutch: Clutch, train: Train, found: Sequence[Outcome]) -> list[Find
     def needed(plant: Plant) -> float:
         return float(law.judder_damping(plant.pack.growth, clutch.mean_radius, ratio, speed))
 
-    worst = max(found, key=lambda each: needed(each.case.plant))
+    worst = max(outcomes, key=lambda each: needed(each.case.plant))
     own, ordinary, damping = needed(worst.case.plant), needed(worst.ordinary), train.damping
     if damping > own:
         return []
@@ -175,55 +175,55 @@ class Strength(NamedTuple):
     wall: Wall | None
 
 
-def contact_forces(clutch: Clutch, found: Sequence[Outcome]) -> list[float] | None:
+def contact_forces(clutch: Clutch, outcomes: Sequence[Outcome]) -> list[float] | None:
     """Largest F_n of every event, N; None without balls whose number and circle are known."""
     unit = clutch.spec.control_unit
     if unit is None or unit.balls is None or unit.ball_circle_radius is None or not clutch.gain:
         return None
-    if clutch.spec.kind.travels and let_go(found) is None:
+    if clutch.spec.kind.travels and let_go(outcomes) is None:
         return None  # feedback that the key just holds is simulated without its balls
     count, radius = unit.balls, unit.ball_circle_radius
-    return [float(synthesis.contact_force(each.trip.peak_wall, count, radius, 1.0)) for each in found]
+    return [float(synthesis.contact_force(each.trip.peak_wall, count, radius, 1.0)) for each in outcomes]
 
 
 def strength_of(clutch: Clutch) -> Strength:
     """Return what the control unit as synthesized bears."""
     if not ANALYSES["synthesize"].applies(clutch):
         return Strength(None, "", None, 0.0, None)
-    found, _ = synthesize(clutch)
-    wall = wall_of(clutch, found.face_gap, found.ball_diameter / 2)
-    if not clutch.spec.kind.travels or found.ball_diameter_standard is None or not wall.can_be_cut:
-        return Strength(found.contact_force_allowable, found.contact_path, None, 0.0, None)
+    unit, _ = synthesize(clutch)
+    wall = wall_of(clutch, unit.face_gap, unit.ball_diameter / 2)
+    if not clutch.spec.kind.travels or unit.ball_diameter_standard is None or not wall.can_be_cut:
+        return Strength(unit.contact_force_allowable, unit.contact_path, None, 0.0, None)
     travel = wall.sleeves * wall.mouth
-    return Strength(found.contact_force_allowable, found.contact_path, travel, found.edge_clearance, wall)
+    return Strength(unit.contact_force_allowable, unit.contact_path, travel, unit.edge_clearance, wall)
 
 
-def let_go(found: Sequence[Outcome]) -> float | None:
+def let_go(outcomes: Sequence[Outcome]) -> float | None:
     """Travel at which the closing spring presses no more, m; None without a sleeve."""
-    pack = found[-1].case.plant.pack
+    pack = outcomes[-1].case.plant.pack
     return float(pack.farthest) if isinstance(pack, Sleeve) else None
 
 
-def strains(clutch: Clutch, found: Sequence[Outcome]) -> Iterator[Finding]:
+def strains(clutch: Clutch, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
     """Say where an event asks for more than balls, pockets or the closing spring have."""
-    own = strength_of(clutch)
-    if (forces := contact_forces(clutch, found)) is not None and own.contact_force is not None:
+    strength = strength_of(clutch)
+    if (forces := contact_forces(clutch, outcomes)) is not None and strength.contact_force is not None:
         force, at = max(zip(forces, _ENDS, strict=True))
-        if force > own.contact_force * (1 + 1e-9):
-            limit, path = own.contact_force, own.contact_path
+        if force > strength.contact_force * (1 + 1e-9):
+            limit, path = strength.contact_force, strength.contact_path
             yield finding("event-contact-force", "error", value=force, limit=limit, path=path, at=at)
-    travel, at = max((each.trip.travel_max, end) for each, end in zip(found, _ENDS, strict=True))
-    if own.travel is not None and own.wall is not None:
-        left = own.wall.clearance(travel)
-        if travel > own.travel:
-            yield finding("event-ball-leaves-pocket", "error", value=travel, limit=own.travel, at=at)
-        elif left < own.clearance * (1 - 1e-9):
+    travel, at = max((each.trip.travel_max, end) for each, end in zip(outcomes, _ENDS, strict=True))
+    if strength.travel is not None and strength.wall is not None:
+        left = strength.wall.clearance(travel)
+        if travel > strength.travel:
+            yield finding("event-ball-leaves-pocket", "error", value=travel, limit=strength.travel, at=at)
+        elif left < strength.clearance * (1 - 1e-9):
             path = "control_unit.edge_clearance"
             yield finding(
-                "event-clearance", "warning", value=left, limit=own.clearance, path=path, at=at, travel=travel
+                "event-clearance", "warning", value=left, limit=strength.clearance, path=path, at=at, travel=travel
             )
     yield from _springs(clutch, travel)
-    free = let_go(found)
+    free = let_go(outcomes)
     if free is not None and travel > free * (1 - 1e-9):
         yield finding("event-spring-let-go", "error", value=travel, limit=free, path="closing_spring", at=at)
 

@@ -5,7 +5,19 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from ..arrays import Values
-from ..drive.heat import ENDS, HeatedSlip, HeatedSlips, course_of, motor_torque, run_down
+from ..drive.cases import case_of
+from ..drive.heat import (
+    ENDS,
+    Body,
+    Course,
+    HeatedSlip,
+    HeatedSlips,
+    course_of,
+    largest_rise,
+    most_in_disc,
+    motor_torque,
+    run_down,
+)
 from ..drive.result import EnergySource, HeatResult
 from ..engines.protocol import Clutch
 from ..equations import heat as law
@@ -20,7 +32,6 @@ from .heat_findings import FREEZING, Limit, limit_of, limits_of, remarks, slack_
 from .registry import ANALYSES
 
 if TYPE_CHECKING:
-    from ..drive.heat import Body, Course
     from .answers import Answers
 
 HOUR = 3600.0
@@ -112,12 +123,10 @@ def _temperatures(own: Heat, rises: OpenTriple | None) -> OpenTriple | None:
     return OpenTriple(**{end: None if rise is None else own.ambient + rise for end, rise in after.items()})
 
 
-def _bodies(clutch: Clutch, own: Heat, area: float | None) -> "list[Body]":
+def _bodies(clutch: Clutch, own: Heat, area: float | None) -> list[Body]:
     """What the faces heat: disc, or disc and lining; nothing where the disc is not known."""
     if own.conductivity is None or own.density is None or own.specific_heat is None or area is None:
         return []
-    from ..drive.heat import Body
-
     mass = own.disc_mass
     depth = None if mass is None else float(law.heated_depth(mass, own.density, _pairs(clutch), area))
     bodies = [Body(own.conductivity, own.density, own.specific_heat, depth)]
@@ -130,8 +139,6 @@ def _shared(
     clutch: Clutch, own: Heat, slips: Mapping[str, HeatedSlip], area: float | None
 ) -> tuple[Mapping[str, HeatedSlip], OpenTriple | None]:
     """Share the heat of every slip among discs and lining: slips with the lining's share, rises of the faces."""
-    from ..drive.heat import largest_rise, most_in_disc
-
     with unnoted():  # no formula leads to it: the numbers of its solution are no steps
         bodies = _bodies(clutch, own, area)
         if not bodies or area is None:
@@ -242,9 +249,7 @@ def _simulated(clutch: Clutch, answers: "Answers | None") -> HeatedSlips:
 
 
 @unnoted()
-def _course(clutch: Clutch, end: str) -> "Course":
-    from ..drive.cases import case_of
-
+def _course(clutch: Clutch, end: str) -> Course:
     course = case_of(clutch, *(getattr(own, end) for own in clutch.friction)).run().course
     return course_of((each.time, float(law.slip_power(each.torque, each.slip)), each.heat) for each in course)
 

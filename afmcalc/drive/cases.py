@@ -117,14 +117,14 @@ def outcome_of(clutch: Clutch, friction: float, friction_driven: float | None = 
     return Outcome(case, case.run(), ordinary.plant, ordinary.run().peak)
 
 
-def bracket_of(found: Outcome) -> Sequence[Outcome]:
+def bracket_of(outcome: Outcome) -> Sequence[Outcome]:
     """Return the event as it is, then with N at the stop along κ alone, along κ₊ alone; empty without a key's play."""
-    case, pack = found.case, found.case.plant.pack
+    case, pack = outcome.case, outcome.case.plant.pack
     if not isinstance(pack, Sleeve) or pack.net_gain == pack.net_gain_returning:
         return []
     plants = (replace(case.plant, pack=replace(pack, branch=branch)) for branch in (1, -1))
     cases = (case._replace(plant=plant, horizon=case.horizon if case.given else longest(plant)) for plant in plants)
-    return [found, *(found._replace(case=each, trip=each.run()) for each in cases)]
+    return [outcome, *(outcome._replace(case=each, trip=each.run()) for each in cases)]
 
 
 def longest(plant: Plant) -> float:

@@ -61,12 +61,12 @@ class DirectLanes:
 
     def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
         """Find the torque of the pack, from the speeds of both halves without it."""
-        own = self.pack
+        pack = self.pack
         needed = (motor - free) / self._each
         slip, self.top = self.slip + self._trend, np.zeros(needed.shape)
         for _ in range(2 if self._static else 1):
             # static friction is that of the middle of the step: foretold, then mended
-            capacity = self._capacity(own.ratio((self.slip + slip) / 2) if self._static else 1.0)
+            capacity = self._capacity(pack.ratio((self.slip + slip) / 2) if self._static else 1.0)
             self.torque = np.maximum(np.minimum(needed, capacity), -capacity)
             self.top = np.maximum(self.top, np.abs(self.torque))
             # exactly 0 where it sticks
@@ -75,18 +75,18 @@ class DirectLanes:
             self._trend = np.where(slip == 0, 0.0, slip - self.slip)
         self.slip = slip
         if self._half is not None:
-            balance = own.pressed_at_stop(self.torque, own.stop_gains[0])
+            balance = pack.pressed_at_stop(self.torque, pack.stop_gains[0])
             self.normal = balance + (self.normal - balance) * self._half**2
 
     def _capacity(self, ratio: Values) -> Values:
-        """Largest torque of the pack; a late normal force is that of the middle of the step, its own torque in it."""
-        own = self.pack
+        """Largest torque of the pack; a late normal force is that of the middle of the step, its pack torque in it."""
+        pack = self.pack
         if self._half is None:
-            return own.torque(ratio)
-        loop = own.gain * own.controlled_pairs * own.driven * (1 - self._half)
-        alone: Values = own.closing_force * (1 - self._half) + self.normal * self._half
+            return pack.torque(ratio)
+        loop = pack.gain * pack.controlled_pairs * pack.driven * (1 - self._half)
+        alone: Values = pack.closing_force * (1 - self._half) + self.normal * self._half
         middle: Values = direct.normal_force(alone, 1.0, loop, ratio)
-        return own.carried(middle, ratio)
+        return pack.carried(middle, ratio)
 
 
 class SleeveLanes:
@@ -136,7 +136,7 @@ class SleeveLanes:
 
     def _found(self, joint: "_Joint", ratio: Values) -> "tuple[_Found, Floats]":
         """Torques and speeds after a step, and the turn of the balls."""
-        own, h = self.pack, self.h
+        pack, h = self.pack, self.h
         at_stop = self.turn == 0
         moving = self._moving(joint, ratio)
         still = self._still(joint, ratio)
@@ -151,15 +151,15 @@ class SleeveLanes:
             parts = [np.array(value) for value in moving[:4]]
             for whole, part in zip(parts, bounced[:4], strict=True):
                 whole[near] = np.where(crosses, part, whole[near])
-            moving = _Found(parts[0], parts[1], parts[2], parts[3], own.closing_force)
-        found = _picked(at_stop | stays, still, moving._replace(normal=own.closing_force))
+            moving = _Found(parts[0], parts[1], parts[2], parts[3], pack.closing_force)
+        found = _picked(at_stop | stays, still, moving._replace(normal=pack.closing_force))
         return found, np.where(stays, 0.0, np.where(at_stop, h / 2 * (self.rate + found.rate), after))
 
     def _mass(self, travel: Floats, out: NDArray[np.bool_]) -> Values:
         """Torque that the sleeve's mass takes for a speed of the balls gained in a step."""
-        own = self.pack
-        net = own.steeper(np.where(out, own.net_gain, own.net_gain_returning), travel)
-        return own.inertia(travel, net) / self.h
+        pack = self.pack
+        net = pack.steeper(np.where(out, pack.net_gain, pack.net_gain_returning), travel)
+        return pack.inertia(travel, net) / self.h
 
     def _bounced(
         self, joint: "_Joint", ratio: Values, near: NDArray[np.intp]
@@ -169,15 +169,15 @@ class SleeveLanes:
         Returns:
             Whether the balls come to the stop, whether they come to rest there, their turn, torques and speeds.
         """
-        own, whole, begun, before = self.pack, self.h.shape, self.turn[near], self.rate[near]
+        pack, whole, begun, before = self.pack, self.h.shape, self.turn[near], self.rate[near]
         joint = _Joint(*(np.broadcast_to(value, whole)[near] for value in joint))
         pressed, mass, back, lift, share, h = (
             np.broadcast_to(value, whole)[near]
-            for value in (own.closing_force, self._mass_at_stop, self._mass_back, own.lift, self._share, self.h)
+            for value in (pack.closing_force, self._mass_at_stop, self._mass_back, pack.lift, self._share, self.h)
         )
         first, capacity = (
             np.where(begun < 0, -1.0, 1.0),
-            np.broadcast_to(own.carried(own.closing_force, ratio), whole)[near],
+            np.broadcast_to(pack.carried(pack.closing_force, ratio), whole)[near],
         )
         resting = joint.boxed(capacity, -np.inf, np.inf, pressed)
         sticks = np.abs(resting.clutch) < capacity
@@ -229,56 +229,56 @@ class SleeveLanes:
 
     def _moving(self, joint: "_Joint", ratio: Values) -> "_Found":
         """Off the stop: the key holds between S/κ₊ and S/κ."""
-        own = self.pack
+        pack = self.pack
         side, ahead = np.where(self.turn < 0, -1.0, 1.0), self.h / 2 * self.rate
-        travel = own.travel(self.turn + ahead)
+        travel = pack.travel(self.turn + ahead)
         mass = self._mass(travel, self.turn * self.rate >= 0)
         joint = joint.heavier(mass, self.rate)
         # implicit midpoint: half of the way on is that of the speed before, the other half that of the speed to come
-        halfway = own.travel(self.turn + ahead / 2)
-        moment = own.driving_moment(halfway, self.rate + self._gained / 2)
-        nets = [own.steeper(net, halfway) for net in (own.net_gain, own.net_gain_returning)]
+        halfway = pack.travel(self.turn + ahead / 2)
+        moment = pack.driving_moment(halfway, self.rate + self._gained / 2)
+        nets = [pack.steeper(net, halfway) for net in (pack.net_gain, pack.net_gain_returning)]
         most, least = (side * (moment / net) for net in nets)
-        normal = own.pressed(travel)
-        capacity = own.carried(normal, ratio)
+        normal = pack.pressed(travel)
+        capacity = pack.carried(normal, ratio)
         found = joint.boxed(capacity, np.minimum(least, most), np.maximum(least, most), normal)
         outwards = found.balls == most
-        stiff = self.h / 4 * own.torsional(halfway, np.where(outwards, *nets), np.abs(found.balls))
+        stiff = self.h / 4 * pack.torsional(halfway, np.where(outwards, *nets), np.abs(found.balls))
         # a wall may yield the more the further it gives way, but never faster than what is on it can follow
         found = joint.yielding(found, np.where(found.rate == 0, 0.0, np.maximum(stiff, -0.5 / joint.balls)), capacity)
         return found._replace(balls=found.balls + mass * (found.rate - self.rate))
 
     def _still(self, joint: "_Joint", ratio: Values) -> "_Found":
         """At the stop: N falls along κ, rises along κ₊, is held between; beyond S(0)/κ the sleeve lifts off."""
-        own = self.pack
+        pack = self.pack
         alone, share = joint.rate / joint.balls, joint.across / joint.balls
         stuck = (joint.slip + joint.across * alone) / (joint.pack - joint.across * share)
         # the impulse that stops balls coming to their stop is no torque that pushes the sleeve
         steady = alone - self.rate / joint.balls
-        normal = np.clip(self.held, *own.play(steady + share * stuck))
+        normal = np.clip(self.held, *pack.play(steady + share * stuck))
         way = np.where(stuck < 0, -1.0, 1.0)
-        before = own.carried(self.held, ratio)
+        before = pack.carried(self.held, ratio)
         held = steady + share * way * before
         side = way * np.where(held < 0, -1.0, 1.0)
-        rising, falling = (own.slipping_at_stop(ratio, side * net, way * steady, share) for net in own.stop_gains)
-        low, high = own.play(held)
+        rising, falling = (pack.slipping_at_stop(ratio, side * net, way * steady, share) for net in pack.stop_gains)
+        low, high = pack.play(held)
         slipping = np.where(self.held > high, rising, np.where(self.held < low, falling, before))
-        sticks = np.abs(stuck) <= own.carried(normal, ratio)
+        sticks = np.abs(stuck) <= pack.carried(normal, ratio)
         clutch = np.where(sticks, stuck, way * slipping)
         balls = alone + share * clutch
-        lifted = np.abs(balls) > own.lift
+        lifted = np.abs(balls) > pack.lift
         mass = self._mass_at_stop
         off = joint.heavier(mass, 0.0).pushed(
-            own.carried(own.closing_force, ratio), np.copysign(own.lift, balls), own.closing_force
+            pack.carried(pack.closing_force, ratio), np.copysign(pack.lift, balls), pack.closing_force
         )
         slip = np.where(sticks, 0.0, joint.slip - joint.pack * clutch + joint.across * balls)
-        pressed = np.where(sticks, normal, slipping / own.carried(1.0, ratio))
+        pressed = np.where(sticks, normal, slipping / pack.carried(1.0, ratio))
         return _Found(
             np.where(lifted, off.clutch, clutch),
             np.where(lifted, off.balls + mass * off.rate, balls),
             np.where(lifted, off.slip, slip),
             np.where(lifted, off.rate, 0.0),
-            np.where(lifted, own.closing_force, pressed),
+            np.where(lifted, pack.closing_force, pressed),
         )
 
 
