@@ -53,8 +53,8 @@ class Derivation(NamedTuple):
     """What the paper prints instead."""
 
 
-class _Told:
-    """What a report has said already."""
+class _Report:
+    """What a report has shown so far."""
 
     def __init__(self) -> None:
         self.numbers: dict[str, int] = {}
@@ -70,31 +70,31 @@ def derivations(sections: Mapping[str, list[Call]]) -> dict[str, list[Derivation
     """Return the derivations of each section; what an earlier one has shown is not shown again.
 
     Args:
-        sections: name of a section → the calls of equations that were recorded for it.
+        sections: name of a section → the calls of equations that were noted for it.
     """
-    told = _Told()
-    return {name: list(_section(calls, told)) for name, calls in sections.items()}
+    report = _Report()
+    return {name: list(_section(calls, report)) for name, calls in sections.items()}
 
 
-def _section(calls: list[Call], told: _Told) -> Iterable[Derivation]:
+def _section(calls: list[Call], report: _Report) -> Iterable[Derivation]:
     untold = []
     for call in distinct(calls):
-        if (own := identity(call)) not in told.calls and not call.equation.result.symbol.startswith(_SLOPE):
-            told.calls.add(own)
+        if (own := identity(call)) not in report.calls and not call.equation.result.symbol.startswith(_SLOPE):
+            report.calls.add(own)
             untold.append(call)
     for part in in_order(untold):
-        yield _derivation(part, told)
+        yield _derivation(part, report)
 
 
 _SLOPE = "∂"
 """Slopes are no quantities of the clutch: they rank what it depends on (``explain`` has their steps)."""
 
 
-def _derivation(calls: list[Call], told: _Told) -> Derivation:
+def _derivation(calls: list[Call], report: _Report) -> Derivation:
     equation = calls[0].equation
-    result, shown = equation.result, equation.name in told.numbers
-    number = told.numbers.setdefault(equation.name, len(told.numbers) + 1)
-    told.results.setdefault(result.symbol, (number, set()))[1].update(f"{call.value:.12g}" for call in calls)
+    result, shown = equation.result, equation.name in report.numbers
+    number = report.numbers.setdefault(equation.name, len(report.numbers) + 1)
+    report.results.setdefault(result.symbol, (number, set()))[1].update(f"{call.value:.12g}" for call in calls)
     return Derivation(
         number=number,
         symbol=result.symbol,
@@ -102,7 +102,7 @@ def _derivation(calls: list[Call], told: _Told) -> Derivation:
         unit=result.unit,
         symbol_latex=symbol_latex(result.symbol),
         formula="" if shown else _text(calls[0]).latex(),
-        where=list(_meanings(calls, told)),
+        where=list(_meanings(calls, report)),
         rows=[_row(call, line=len(calls) > _FEW) for call in calls],
         source="" if shown else equation.source,
         differs="" if shown else _misprints().get(equation.name, ""),
@@ -123,10 +123,10 @@ def _misprints() -> dict[str, str]:
     found: dict[str, list[str]] = {}
     for entry in register():
         if entry.status == "mended" and entry.printed and entry.function:
-            told = say(
+            printed = say(
                 "{id}: {printed} ({misprint})", id=term(entry.id), printed=term(entry.printed), misprint=entry.misprint
             )
-            found.setdefault(entry.function, []).append(told)
+            found.setdefault(entry.function, []).append(printed)
     return {name: joined(printed, "; ") for name, printed in found.items()}
 
 
@@ -139,31 +139,31 @@ def _text(call: Call) -> FormulaText:
     return FormulaText(call.equation.function, symbols, call.arguments, units)
 
 
-def _meanings(calls: list[Call], told: _Told) -> Iterable[Meaning]:
+def _meanings(calls: list[Call], report: _Report) -> Iterable[Meaning]:
     """Say what the symbols of a formula stand for, each meaning once in a report."""
     for call in calls:
         for name in call.arguments:
             if call.equation.arguments[name].symbol == "π":
                 continue
-            meaning = _meaning(call, name, told)
+            meaning = _meaning(call, name, report)
             # what a spec gives is one thing, whatever words a formula has for it
             given = meaning.number is None and meaning.symbol in _keys()
             own = meaning._replace(text="") if given else meaning
-            if own in told.meanings:
+            if own in report.meanings:
                 continue
-            told.meanings.add(own)
-            if meaning.source and (meaning.symbol, meaning.text) in told.texts:
+            report.meanings.add(own)
+            if meaning.source and (meaning.symbol, meaning.text) in report.texts:
                 meaning = meaning._replace(text="")  # κ, and for the way back κ₊ in its place
-            told.texts.add((meaning.symbol, meaning.text))
+            report.texts.add((meaning.symbol, meaning.text))
             yield meaning
 
 
-def _meaning(call: Call, name: str, told: _Told) -> Meaning:
+def _meaning(call: Call, name: str, report: _Report) -> Meaning:
     term = call.equation.arguments[name]
-    number = _number(call, name, told)
-    own = next((each for each, (count, _) in told.results.items() if count == number), term.symbol)
+    number = _number(call, name, report)
+    own = next((each for each, (count, _) in report.results.items() if count == number), term.symbol)
     if term.symbol in _OF_TANGENT:
-        return Meaning(term.symbol, _OF_TANGENT[term.symbol], "1", number=told.results["tan α"][0])
+        return Meaning(term.symbol, _OF_TANGENT[term.symbol], "1", number=report.results["tan α"][0])
     text = term.meaning or ("" if number else _keys().get(term.symbol, ""))
     return Meaning(term.symbol, text, term.unit, own if own != term.symbol else "", number)
 
@@ -174,11 +174,11 @@ _OF_TANGENT = {
 }
 
 
-def _number(call: Call, name: str, told: _Told) -> int | None:
+def _number(call: Call, name: str, report: _Report) -> int | None:
     """Number of the formula that an argument comes from; None of one that is given."""
     if name in call.marks:
-        return told.numbers.get(call.marks[name].origin)
-    number, values = told.results.get(call.equation.arguments[name].symbol, (None, set[str]()))
+        return report.numbers.get(call.marks[name].origin)
+    number, values = report.results.get(call.equation.arguments[name].symbol, (None, set[str]()))
     return number if f"{call.arguments[name]:.12g}" in values else None
 
 

@@ -73,7 +73,7 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
 
 
 def steps_of(calls: list[Call]) -> list[Step]:
-    """Return the steps of what was recorded, each quantity before it is used."""
+    """Return the steps of what was noted, each quantity before it is used."""
     return [_step(call) for part in in_order(distinct(calls)) for call in part]
 
 
