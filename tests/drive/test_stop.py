@@ -258,3 +258,19 @@ def test_lanes_that_are_stepped_on_stay_where_the_event_is():
     event = outcome_of(clutch, 0.3779).trip
     assert found.peak == pytest.approx(event.peak, rel=1e-3)
     assert found.peak_clutch == pytest.approx(event.peak_clutch, rel=5e-3)
+
+
+@pytest.mark.exhaustive
+def test_balls_whose_key_is_free_of_friction_swing_on_but_the_event_ends():
+    """Nothing feeds them once the motor is off: the slip is over, and in steps too."""
+    own = issue(**{"control_unit.key_friction": 0, "drive.cut_off": 0.05})
+    found = case_of(own, 0.8).run()
+    assert found.settled
+    assert found.ended
+    friction = np.array([0.8])
+    train, pack = train_of(own), pack_of(own, friction, friction)
+    step = np.broadcast_to(step_of(train, pack), (1,)).astype(float)
+    stepped = march(train, pack, step, int(0.2 / step[0]))
+    assert stepped.heat[0] == pytest.approx(found.heat, rel=2e-3)
+    assert stepped.peak[0] == pytest.approx(found.peak, rel=1e-3)
+    assert stepped.slip[0] == 0
