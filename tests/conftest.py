@@ -6,6 +6,7 @@ import io
 import json
 import os
 import sys
+from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -83,11 +84,29 @@ def pytest_configure(config):
     """Some random examples of each kind, many with what is exhaustive; no verdict by the clock."""
     if os.environ.get("AFMCALC_UPDATE"):
         config.option.markexpr = ""  # every stored output
-    many = "not exhaustive" not in config.option.markexpr
+    exhaustive = "not exhaustive" not in config.option.markexpr
     # the same ones every time where a machine judges, new ones where a person looks
     machine = bool(os.environ.get("CI"))
-    settings.register_profile("ours", deadline=None, derandomize=machine, max_examples=200 if many else 8)
-    settings.load_profile("ours")
+    settings.register_profile("quick", deadline=None, derandomize=machine, max_examples=8)
+    settings.register_profile("exhaustive", deadline=None, derandomize=machine, max_examples=200)
+    settings.load_profile("exhaustive" if exhaustive else "quick")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    """Of a test marked ``every(n)`` the first case and every n-th after it run by default; the others are exhaustive."""
+    cases = Counter()
+    for item in items:
+        if mark := item.get_closest_marker("every"):
+            test = item.path, item.originalname
+            if cases[test] % mark.args[0]:
+                item.add_marker(pytest.mark.exhaustive)
+            cases[test] += 1
+
+
+def several(few, many):
+    """How often a test asks its question, or of what: few by default, many where what is exhaustive runs."""
+    return many if settings.get_current_profile_name() == "exhaustive" else few
 
 
 def fewer(parts: int) -> settings:

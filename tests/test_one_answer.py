@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from conftest import several
 
 import afmcalc
 
@@ -315,17 +316,9 @@ def verdict(wrong: list[str], telling: set[str], *tables: str) -> None:
     assert not (silent := places - telling), f"places that never tell a number: {silent}"
 
 
-def asked_often(few: tuple[Any, ...], many: tuple[Any, ...], names: str = "seeds") -> Any:
-    """The same question of few random clutches, and of many where what is exhaustive runs."""
-    return pytest.mark.parametrize(
-        names, [pytest.param(*few), pytest.param(*many, marks=pytest.mark.exhaustive)], ids=["few", "many"]
-    )
-
-
-@asked_often((range(2, 3),), (range(12),))
-def test_a_quantity_is_one_number(seeds, ask):
+def test_a_quantity_is_one_number(ask):
     wrong, telling = [], set[str]()
-    for _, kind, spec in some(seeds):
+    for _, kind, spec in some(range(several(1, 12))):
         asked = ask(spec)
         wrong += asked.apart(TOLD, 1e-9, telling)
         # the two frictions of unlike materials scatter apart; samples miss a peak just before a jump
@@ -333,18 +326,16 @@ def test_a_quantity_is_one_number(seeds, ask):
     verdict(wrong, telling, TOLD, SCATTERED)
 
 
-@asked_often((("curved",),), (KINDS,), "kinds")
-def test_a_report_prints_what_the_commands_tell(kinds, ask, undrawn):
+def test_a_report_prints_what_the_commands_tell(ask, undrawn):
     wrong, telling = [], set[str]()
-    for _, _, spec in some(range(200, 201), kinds):
+    for _, _, spec in some(range(200, 201), several(("curved",), KINDS)):
         wrong += ask(spec).apart(PRINTED, 1e-4, telling)
     verdict(wrong, telling, PRINTED)
 
 
-@asked_often((range(300, 301), ("unlike",)), (range(301, 302), KINDS), "seeds, kinds")
-def test_an_event_is_one_number(seeds, kinds, ask):
+def test_an_event_is_one_number(ask):
     wrong, telling = [], set[str]()
-    for rng, _, spec in some(seeds, kinds):
+    for rng, _, spec in some(range(301, 302), several(("unlike",), KINDS)):
         wrong += ask(drive(spec, rng)).apart(EVENT, 1e-9, telling)
     verdict(wrong, telling, EVENT)
 
@@ -398,10 +389,9 @@ class Law:
         return float(min([locked * max(falls, low), *seats, *(torque[friction >= low] if most else [])]))
 
 
-@asked_often((range(101, 102),), (range(102, 114),))
-def test_no_friction_exceeds_what_is_told(seeds, ask):
+def test_no_friction_exceeds_what_is_told(ask):
     wrong, steps = [], 10_001
-    for _, kind, spec in some(seeds):
+    for _, kind, spec in some(range(102, several(103, 114))):
         asked, given = ask(spec), spec["friction"]
         torque_of, groups = (
             afmcalc.load(asked.file).torque,
@@ -440,16 +430,11 @@ def test_no_friction_exceeds_what_is_told(seeds, ask):
     assert not wrong, f"{len(wrong)}\n" + "\n".join(wrong)
 
 
-@asked_often(
-    (range(400, 401), (0.29,)),
-    (range(401, 404), (0.27, 0.28, 0.285, 0.29, 0.295, 0.3, 0.305, 0.31)),
-    "seeds, frictions",
-)
-def test_about_the_setting_a_sweep_tells_what_an_event_does(seeds, frictions, ask):
+def test_about_the_setting_a_sweep_tells_what_an_event_does(ask):
     """About the friction at which the sleeve leaves its stop: an event against the steps of a sweep."""
-    wrong = []
+    wrong, frictions = [], several((0.29,), (0.27, 0.28, 0.285, 0.29, 0.295, 0.3, 0.305, 0.31))
     names = ("speed", "motor_inertia", "driven_inertia", "hub_inertia", "shaft_stiffness", "damping_ratio", "cut_off")
-    for seed in seeds:
+    for seed in range(401, several(402, 404)):
         rng, spec = np.random.default_rng(seed), afmcalc.load("example:indirect").accuracy().spec
         # the forces of a setting at f = 0.3, as made: the sleeve leaves there whatever the range
         spec["control_spring"]["force"], spec["friction"] = 6608.0, {"min": 0.25, "mean": 0.26, "max": 0.35}
@@ -496,14 +481,13 @@ def wanted(rng: Rng) -> list[str]:
     return [part for key in keys for part in ("--set", key)]
 
 
-@asked_often((range(512, 513), 3), (range(500, 540), 2), "seeds, picks")
-def test_a_picked_row_is_the_clutch_of_its_file(seeds, picks, afmcalc, ask):
+def test_a_picked_row_is_the_clutch_of_its_file(afmcalc, ask):
     """The row told of a pick is the clutch that its file describes, its front's but for rounding; check passes it."""
     wrong, checked = [], 0
-    for seed in seeds:
+    for seed in several([512], range(500, 540)):
         search = ("design", "example:requirements", *wanted(np.random.default_rng(seed)))
         front = afmcalc(*search, "--json").json["result"]["front"]
-        for number in sorted({*map(int, np.linspace(1, len(front), picks))} if front else ()):
+        for number in sorted({*map(int, np.linspace(1, len(front), 2))} if front else ()):
             picked = afmcalc(*search, "--pick", number, "--json")
             passed = afmcalc("check", "-", stdin=picked.out)
             asked, (row,) = ask(picked.json["spec"]), picked.json["result"]["picked"]

@@ -77,13 +77,8 @@ def russian(monkeypatch):
     monkeypatch.setenv("AFMCALC_LANG", "ru")
 
 
-MOST = ("default",)
-"""The example that is asked by default."""
-
-
-@pytest.mark.parametrize(
-    "name", [*MOST, *(pytest.param(name, marks=pytest.mark.exhaustive) for name in EXAMPLES if name not in MOST)]
-)
+@pytest.mark.every(20)
+@pytest.mark.parametrize("name", EXAMPLES)
 def test_every_command_for_every_example(name, afmcalc, russian):
     for command, *given in COMMANDS:
         if "springs" in (command, *given) and name not in ("default", "indirect"):
@@ -163,9 +158,8 @@ def page_of(afmcalc):
     return page
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[] if name == "drive" else pytest.mark.exhaustive) for name in REPORTS]
-)
+@pytest.mark.every(20)
+@pytest.mark.parametrize("name", REPORTS)
 def test_report(name, page_of):
     page = page_of(name)
     for code in ("style", "pre", "code", "math", "sub"):

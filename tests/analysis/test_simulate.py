@@ -38,10 +38,6 @@ _STACK = DiscCharacteristic(DiscStack.model_validate(DISC))
 SPRUNG = merged(INDIRECT, {"closing_spring": {"stiffness": _STACK.stiffness(_STACK.deflection(2500)), "disc": DISC}})
 
 
-AGAIN = (VARIANTS["conventional"], VARIANTS["all-driving"], SPRUNG)
-"""Swept by the same code as another one here."""
-
-
 def codes(own, **options):
     return {found.code: found for found in simulate(own, **options)[1]}
 
@@ -119,14 +115,11 @@ def test_indirect_clutch():
     assert result.peak_torque_conventional.max > outcome_of(light(), 0.8).ordinary_peak
 
 
-@pytest.mark.parametrize(
-    "changes",
-    [
-        pytest.param(each, marks=pytest.mark.exhaustive if each in AGAIN else [])
-        for each in (*VARIANTS.values(), INDIRECT, SPRUNG)
-    ],
-    ids=[*VARIANTS, "indirect", "indirect with disc springs"],
-)
+SWEPT = VARIANTS | {"indirect": INDIRECT, "indirect with disc springs": SPRUNG}
+
+
+@pytest.mark.every(3)
+@pytest.mark.parametrize("changes", SWEPT.values(), ids=SWEPT)
 def test_sweep_is_what_single_runs_give(changes):
     own = light(**changes)
     axis = parse_axis("drive.shaft_stiffness=5000,8000,12000", own.spec)

@@ -68,22 +68,10 @@ EVERYWHERE = ["torque", "accuracy", "check", "adjust", "life", "compare"]
 PAIRS = [(c, n) for c in EVERYWHERE for n in ("default", "conventional", "unlike-materials", "all-driving", "indirect")]
 PAIRS += [("overload", n) for n in ("default", "all-driving")]
 PAIRS += [("synthesize", n) for n in ("default", "unlike-materials", "all-driving", "indirect")]
-FEW = {
-    "torque": ("default", "unlike-materials"),
-    "accuracy": ("conventional",),
-    "check": ("indirect",),
-    "adjust": ("all-driving", "indirect"),
-    "life": ("unlike-materials",),
-    "compare": ("default",),
-    "overload": ("all-driving",),
-    "synthesize": ("indirect",),
-}
-"""Every command and every clutch; the other pairs are exhaustive."""
 
 
-@pytest.mark.parametrize(
-    ("command", "name"), [pytest.param(c, n, marks=[] if n in FEW[c] else pytest.mark.exhaustive) for c, n in PAIRS]
-)
+@pytest.mark.every(4)
+@pytest.mark.parametrize(("command", "name"), PAIRS)
 def test_file_standard_input_and_json_give_the_same(name, command, afmcalc):
     path = CONFIGS / f"{name}.toml"
     direct = afmcalc(command, path, "--json")

@@ -38,15 +38,8 @@ WRITERS = {
 }
 
 
-AGAIN = {"x.svg", "typer", "pydantic", "afmcalc.engines.direct", "numpy", "at the end"}
-"""Written, or interrupted, in the same code as another one here."""
-
-
-def few(names):
-    return [pytest.param(name, marks=pytest.mark.exhaustive if name in AGAIN else []) for name in names]
-
-
-@pytest.mark.parametrize("name", few(WRITERS))
+@pytest.mark.every(2)
+@pytest.mark.parametrize("name", WRITERS)
 def test_a_full_disk_leaves_nothing_behind(name, afmcalc, tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "dont_write_bytecode", True)  # Python keeps bytecode that it could not write whole
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -128,7 +121,8 @@ MOMENTS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("moment", few(MOMENTS))
+@pytest.mark.every(2)
+@pytest.mark.parametrize("moment", MOMENTS)
 def test_ctrl_c_at_any_moment(moment, tmp_path):
     target = tmp_path / ("x.svg" if moment in ("numpy", "matplotlib") else "x.json")
     command = ["plot", "torque"] if target.suffix == ".svg" else ["torque"]
@@ -238,8 +232,9 @@ def signals_watched():
         signal.signal(number, handler)
 
 
+@pytest.mark.every(3)
+@pytest.mark.parametrize("name", WRITE)
 @pytest.mark.parametrize("fault", FAULTS)
-@pytest.mark.parametrize("name", [*few(WRITE)])
 def test_a_fault_at_any_write(name, fault, afmcalc, tmp_path, signals_watched, monkeypatch):
     """At every call that writes: old or new, whole, and nothing beside it; the exit code says what it was."""
     target = tmp_path / name

@@ -16,7 +16,7 @@ from afmcalc.spec import read_spec
 
 SPEC = CONFIGS / "default.toml"
 WISHES = CONFIGS / "requirements.toml"
-FEW = ["--set", "search.gain=[0.5, 0.7]", "--set", "search.pairs=8", "--set", "search.mean_radius=0.1"]
+SMALL = ["--set", "search.gain=[0.5, 0.7]", "--set", "search.pairs=8", "--set", "search.mean_radius=0.1"]
 
 EVENT = [CONFIGS / "drive.toml", "--set", "drive.motor_inertia=0.2", "--set", "drive.event.duration=0.02"]
 
@@ -37,12 +37,9 @@ WRITERS = {
     "init": (["init"], "x.toml"),
     "synthesize": (["synthesize", SPEC, "-o"], "x.toml"),
     "spring": (["springs", SPEC, "--pick", "1", "-o"], "x.json"),
-    "design": (["design", WISHES, "--pick", "1", *FEW, "-o"], "x.toml"),
+    "design": (["design", WISHES, "--pick", "1", *SMALL, "-o"], "x.toml"),
 }
 """Every way to write a file."""
-
-SLOW = {"png", "paper", "dxf", "profile", "history", "event"}
-"""Written by the same code as another one here."""
 
 RESEMBLING = {
     "json": '{\n  "command": "torque",\n  "mine": true\n}\n',
@@ -55,9 +52,8 @@ RESEMBLING = {
 """Files that begin as what the command writes, and are the user's."""
 
 
-@pytest.mark.parametrize(
-    "case", [pytest.param(each, marks=pytest.mark.exhaustive if each in SLOW else []) for each in WRITERS]
-)
+@pytest.mark.every(2)
+@pytest.mark.parametrize("case", WRITERS)
 def test_a_file_that_exists_is_replaced_by_force_alone(case, undrawn, afmcalc, tmp_path):
     """Whatever wrote it: the same command, another program, or nobody yet (an empty file)."""
     arguments, name = WRITERS[case]

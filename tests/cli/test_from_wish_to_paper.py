@@ -25,9 +25,8 @@ PRINTED = pytest.mark.skipif(
 
 
 # that a browser prints a page is asked of a small one in test_browser.py
-@pytest.mark.parametrize(
-    "paper", [[], pytest.param(["--pdf"], marks=[pytest.mark.exhaustive, PRINTED])], ids=["screen", "paper"]
-)
+@pytest.mark.every(2)
+@pytest.mark.parametrize("paper", [[], pytest.param(["--pdf"], marks=PRINTED)], ids=["screen", "paper"])
 def test_from_init_to_the_report(paper, undrawn, afmcalc, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert afmcalc("init", "wanted.toml", "--kind", "requirements").code == 0

@@ -121,7 +121,7 @@ TYPED = {
     "afmcalc torque my": {"my-clutch.toml"},
 }
 """A command, an option, a value of one, a file: what a shell may get wrong."""
-FEW = {typed: TYPED[typed] for typed in list(TYPED)[-2:]}
+OF_BOTH = {typed: TYPED[typed] for typed in list(TYPED)[-2:]}
 """For shells that start the program more than once for each: a value, which the program gives, and a file, which the shell does."""
 
 
@@ -170,11 +170,11 @@ def test_completion_in_bash(tmp_path):
 @pytest.mark.exhaustive
 def test_completion_in_fish(tmp_path):
     home = home_of("fish", tmp_path)
-    script = "\n".join(f"echo (complete -C '{typed}' | string replace -r '\\t.*' '')" for typed in FEW)
+    script = "\n".join(f"echo (complete -C '{typed}' | string replace -r '\\t.*' '')" for typed in OF_BOTH)
     run = subprocess.run(
         ["fish", "-c", script], env=environment(home), cwd=home, capture_output=True, text=True, check=True
     )
-    for line, wanted in zip(run.stdout.splitlines(), FEW.values(), strict=True):
+    for line, wanted in zip(run.stdout.splitlines(), OF_BOTH.values(), strict=True):
         assert wanted <= set(line.split())
 
 
@@ -191,7 +191,7 @@ def test_completion_in_zsh(tmp_path):
         _said(person, [_READY])
         os.write(person, b"afmcalc \t")  # the first time zsh only loads the function
         _said(person, ["\a"])
-        for typed, wanted in FEW.items():
+        for typed, wanted in OF_BOTH.items():
             os.write(person, b"\x07")
             _said(person, [_READY])
             os.write(person, f"{typed}\t".encode())

@@ -4,6 +4,7 @@ from dataclasses import fields, is_dataclass, replace
 
 import numpy as np
 import pytest
+from conftest import several
 from drives import SLEEVE, TRAIN, run
 
 from afmcalc.drive.lanes import march
@@ -67,23 +68,16 @@ def part(whole, place: int | slice):
 
 
 FAMILIES = [(variant, kind) for variant in VARIANTS for kind in ("stop", "load")]
-FEW = (("conventional", "stop"), ("differentiated", "load"), ("all-driving", "stop"), ("indirect", "load"))
-"""Every variant and both kinds of event; the others, and more of each, are exhaustive."""
 
 
-@pytest.mark.parametrize(
-    ("variant", "kind", "count"),
-    [
-        pytest.param(*family, count, marks=[] if family in FEW and count < EACH else pytest.mark.exhaustive)
-        for family in FAMILIES
-        for count in (5, EACH)
-    ],
-)
-def test_random_drives(variant, kind, count):
+@pytest.mark.every(3)
+@pytest.mark.parametrize(("variant", "kind"), FAMILIES)
+def test_random_drives(variant, kind):
     """Peak and heat within 0.2 %, at the step of sweeps and tolerances.
 
     Heat of less than a thousandth of the energy in the drive warms nothing: 0.2 % of that thousandth will do.
     """
+    count = several(5, EACH)
     # of ten families this one has most of what was once wrong: swings between the walls, a key that holds for a moment
     rng = np.random.default_rng([5, VARIANTS.index(variant) * 2 + (kind == "load")])
     train, pack = (part(each, slice(count)) for each in random_drives(variant, kind, rng))
@@ -98,9 +92,9 @@ def test_random_drives(variant, kind, count):
     assert np.count_nonzero(heats) >= count / 4
 
 
-@pytest.mark.parametrize(("finest", "within"), [(800, 1e-4), pytest.param(3200, 1e-5, marks=pytest.mark.exhaustive)])
-def test_the_error_falls_with_the_step(finest, within):
+def test_the_error_falls_with_the_step():
     """Of the second order while it slips all along, and at least of the first over every switch."""
+    finest, within = several((800, 1e-4), (3200, 1e-5))
     pack = DirectPack(3000.0, 0.1, 0.0, 8.0, 0.5, 0.4, 0.4, 1.2, 0.1 / 0.3)
     sleeve = replace(SLEEVE, friction=0.4)
     for own, hub in ((pack, 0.0), (sleeve, 0.02)):

@@ -6,8 +6,7 @@ import signal
 import time
 from contextlib import contextmanager
 
-import pytest
-from conftest import Run
+from conftest import Run, several
 from hostile import CASES
 from hypothesis import HealthCheck, given, settings
 
@@ -71,8 +70,7 @@ def accepted_back(run: Run, case, afmcalc) -> None:
     assert again.json["result"] == printed["result"]
 
 
-@pytest.mark.parametrize("tried", [100, pytest.param(2000, marks=pytest.mark.exhaustive)])
-def test_nothing_breaks_it(tried, afmcalc, request, monkeypatch):
+def test_nothing_breaks_it(afmcalc, request, monkeypatch):
     monkeypatch.setenv("COLUMNS", "80")
     asked = request.config.getoption("--fuzz")
     if not asked:
@@ -80,7 +78,7 @@ def test_nothing_breaks_it(tried, afmcalc, request, monkeypatch):
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
     @settings(
-        max_examples=asked or tried,
+        max_examples=asked or several(100, 2000),
         derandomize=not asked,
         suppress_health_check=list(HealthCheck),
         database=None,

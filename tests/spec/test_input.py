@@ -403,6 +403,12 @@ def test_look_alike_letters_are_compared_as_what_they_look_like(word, known, sai
     assert did_you_mean(word, known) == said
 
 
+@pytest.mark.parametrize(("seen", "meant"), list(zip("АВЕКМНОРСТХавекморстх", "ABEKMHOPCTXabekmopctx", strict=True)))
+def test_each_letter_that_looks_like_a_latin_one_is_taken_for_it(seen, meant):
+    assert did_you_mean(f"{seen}1", [f"{meant}1"]) == f"; did you mean '{meant}1' (all Latin)?"
+    assert did_you_mean(f"wall_{seen}1", [f"wall_{meant}2"]) == f"; did you mean 'wall_{meant}2'?"
+
+
 @pytest.mark.parametrize(
     ("grid", "values"),
     [

@@ -5,7 +5,7 @@ import tomllib
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, several
 from scipy.optimize import minimize
 
 from afmcalc.analysis.design.design import refinement
@@ -175,27 +175,10 @@ def restarts(need, row, starts, generator):
     return best
 
 
-FEW = (
-    "by the ball",
-    "smallest ball",
-    "indirect, smallest ball",
-    "mean-friction",
-    "conventional",
-    "indirect, springs short",
-)
-"""Every variant; the others, and more rows of each, are exhaustive."""
-
-
-@pytest.mark.parametrize(
-    ("case", "rows"),
-    [
-        pytest.param(case, rows, marks=[] if case in FEW and rows < 4 else pytest.mark.exhaustive)
-        for case in CASES
-        for rows in (2, 4)
-    ],
-)
+@pytest.mark.every(2)
+@pytest.mark.parametrize("case", CASES)
 @pytest.mark.filterwarnings("ignore:Values in x were outside bounds")
-def test_no_restart_finds_better(case, rows):
+def test_no_restart_finds_better(case):
     need = requirements(*CASES[case])
     both = refinement(need, search(need))
     assert both, case
@@ -206,7 +189,7 @@ def test_no_restart_finds_better(case, rows):
     if goal == "ball_diameter":
         # the second half is with the smallest ball; it comes in sizes
         both, step = both[len(both) // 2 :], np.diff(FINE["ball_diameters"]).max()
-    for number in generator.permutation(len(both))[:rows]:
+    for number in generator.permutation(len(both))[: several(2, 4)]:
         grid, fine = both[number]
         best = restarts(need, grid, 16, generator)
         assert fine.objective(goal) <= best * (1 + 1e-6) + step, number

@@ -5,6 +5,7 @@ import itertools
 
 import numpy as np
 import pytest
+from conftest import several
 
 from afmcalc.analysis.design import pick
 from afmcalc.analysis.design.design import design
@@ -179,11 +180,9 @@ def without_rooms(fixed):
     return {name: value for name, value in fixed.items() if not name.endswith("_room")}
 
 
-@pytest.mark.parametrize(
-    ("radii", "stiffnesses", "gains"), [(4, 4, 4), pytest.param(5, 5, 6, marks=pytest.mark.exhaustive)]
-)
-def test_springs_finds_the_springs_of_every_clutch_proposed(radii, stiffnesses, gains):
+def test_springs_finds_the_springs_of_every_clutch_proposed():
     """Refined clutches too, which lie between the grid points."""
+    radii, stiffnesses, gains = several((4, 4, 4), (5, 5, 6))
     ranges = {
         "mean_radius": {"start": 0.08, "stop": 0.12, "count": radii},
         "closing_stiffness": {"start": 1e5, "stop": 8e5, "count": stiffnesses},

@@ -1,11 +1,12 @@
 """Explanations: the formula shown is the code that ran."""
 
+import math
 import re
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 import sympy
-from conftest import CONFIGS, S21
+from conftest import CONFIGS, S21, fewer
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
@@ -18,6 +19,7 @@ from afmcalc.analysis.registry import ANALYSES, EXPLAINED
 from afmcalc.engines import build
 from afmcalc.equations.calls import noted
 from afmcalc.equations.catalogue import equations
+from afmcalc.errors import AfmcalcError
 from afmcalc.spec import make_spec, read_spec, resolved
 
 CASES = [(c, n) for c in ("torque", "accuracy", "adjust", "check") for n in ("default", "conventional", "unlike-materials", "all-driving", "indirect")]  # fmt: skip
@@ -39,6 +41,31 @@ def test_every_value_shown_is_the_value_calculated(command, name):
         assert any(step.function == function and step.value == pytest.approx(value) for function, value in values)
         assert step.source
         assert step.unit == equations()[step.function].result.unit
+
+
+WANTED = st.fixed_dictionaries(
+    {"nominal_torque": st.floats(1, 1e5)},
+    optional={"accuracy_factor": st.floats(1, 20), "torque_max": st.floats(1, 1e6), "reduced_gain": st.floats(0, 9)},
+)
+
+
+@pytest.mark.parametrize("command", EXPLAINED)
+@fewer(2)
+@given(st.one_of(direct_specs(), indirect_specs()), WANTED)
+def test_a_clutch_with_requirements_and_nothing_that_is_not_needed_is_explained(command, spec, wanted):
+    """By the answer that the command itself gives, or by its refusal: no contact, no fatigue, no drive, no heat."""
+    own = make_spec({**resolved(spec), "requirements": wanted})
+    try:
+        _, findings = ANALYSES[command].function(build(own))
+    except AfmcalcError as refused:
+        with pytest.raises(type(refused)) as again:
+            explain(command, own)
+        assert str(again.value) == str(refused)
+    else:
+        told, same = explain(command, own)
+        assert same == findings
+        assert told.steps
+        assert all(math.isfinite(step.value) for step in told.steps)
 
 
 @pytest.mark.parametrize("name", ["default", "unlike-materials", "all-driving", "indirect", "constant-torque"])

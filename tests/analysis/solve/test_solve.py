@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from conftest import CONFIGS, S21
+from conftest import CONFIGS, S21, several
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from solve_scan import run
@@ -190,10 +190,10 @@ def test_an_extreme_is_touched():
     assert "solve-another-value" not in [finding.code for finding in findings]
 
 
-@pytest.mark.parametrize("count", [15, pytest.param(100, marks=pytest.mark.exhaustive)])
 @pytest.mark.parametrize("name", PARAMETERS)
-def test_against_a_scan(name, count):
+def test_against_a_scan(name):
     """What is solved is, what is refused has no answer, the best is one (1,000 each: python tests/solve_scan.py 1000)."""
+    count = several(15, 100)
     seen = run(name, count)
     assert seen["solved"] > 0.3 * count, seen
 

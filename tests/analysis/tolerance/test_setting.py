@@ -1,11 +1,11 @@
 """Who is set, what is no clutch, whose life: against single clutches, built and asked one by one."""
 
 import copy
-import itertools
 import math
 
 import numpy as np
 import pytest
+from conftest import several
 
 import afmcalc as api
 from afmcalc.analysis.tolerance.study import study, tolerance
@@ -99,20 +99,11 @@ def single_torques(base, fields, setting, count, seed):
     return np.array(torques), failed
 
 
-FEW = (("indirect", "each-adjusted"), ("differentiated, set by its torque", "as-made"))
-"""Every kind of clutch, each setting once; the others, and more clutches of each, are exhaustive."""
-
-
-@pytest.mark.parametrize(
-    ("name", "setting", "count"),
-    [
-        pytest.param(*each, count, marks=[] if each in FEW and count < 4000 else pytest.mark.exhaustive)
-        for each in itertools.product(CASES, SETTINGS)
-        for count in (1000, 4000)
-    ],
-)
-def test_against_single_clutches(name, setting, count):
-    base, fields = CASES[name]
+@pytest.mark.every(3)
+@pytest.mark.parametrize("setting", SETTINGS)
+@pytest.mark.parametrize("name", CASES)
+def test_against_single_clutches(name, setting):
+    (base, fields), count = CASES[name], several(1000, 4000)
     torques, failed = single_torques(base, fields, setting, count, seed=11)
     given = {path: {"distribution": kind, "spread": spread} for path, (kind, spread) in fields.items()}
     found, _ = tolerance(build(scattering(base, given, samples=100_000, seed=5, setting=setting)))
@@ -134,15 +125,9 @@ def test_the_two_settings_differ():
         assert abs(first / second - 1) > 0.01
 
 
-@pytest.mark.parametrize(
-    ("method", "setting"),
-    [
-        ("monte-carlo", "as-made"),
-        ("quasi-monte-carlo", "each-adjusted"),
-        pytest.param("monte-carlo", "each-adjusted", marks=pytest.mark.exhaustive),
-        pytest.param("quasi-monte-carlo", "as-made", marks=pytest.mark.exhaustive),
-    ],
-)
+@pytest.mark.every(3)
+@pytest.mark.parametrize("setting", SETTINGS)
+@pytest.mark.parametrize("method", ["monte-carlo", "quasi-monte-carlo"])
 def test_what_is_no_clutch_is_counted(method, setting):
     """C uniform on 0.45…1.55 against 2 R f_1/d = 0.6: P(κ ≤ 0) = 0.15/1.1, and torques as of C in 0.6…1.55."""
     options = {"samples": 50_000, "method": method, "setting": setting}

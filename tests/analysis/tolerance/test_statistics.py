@@ -5,7 +5,7 @@ from statistics import NormalDist
 
 import numpy as np
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, several
 from hypothesis import example, given
 from hypothesis import strategies as st
 
@@ -40,18 +40,11 @@ def tally_of(values, pilot=5000, parts=1):
 
 
 WIDTHS = [1, 5, 20, 50, 100, 150, 200, 300, 600, 1000]
-FEW = {"monte-carlo": (5, 100, 1000), "quasi-monte-carlo": (1, 50, 300)}
-"""Narrow, wide and wider than any by each method; the widths between are exhaustive."""
 
 
-@pytest.mark.parametrize(
-    ("method", "percent"),
-    [
-        pytest.param(method, percent, marks=[] if percent in few else pytest.mark.exhaustive)
-        for method, few in FEW.items()
-        for percent in WIDTHS
-    ],
-)
+@pytest.mark.every(3)
+@pytest.mark.parametrize("method", ["monte-carlo", "quasi-monte-carlo"])
+@pytest.mark.parametrize("percent", WIDTHS)
 def test_quantiles_of_a_lognormal_torque_of_any_width(percent, method):
     """T = z R f F: lognormal as its force, quantiles in closed form; within 3 stated errors, nothing negative."""
     base = read_spec(CONFIGS / "conventional.toml")
@@ -99,16 +92,11 @@ def test_bins_hold_what_they_number(low, ratio):
     assert grid.shift == 0 or place[-1] - place[0] >= BINS // 8
 
 
-@pytest.mark.parametrize(
-    ("samples", "runs"),
-    [
-        pytest.param(samples, runs, marks=[] if (samples, runs) == (4000, 600) else pytest.mark.exhaustive)
-        for samples in (1000, 2000, 4000, 16_000)
-        for runs in (600, 1500)
-    ],
-)
-def test_error_bars_cover_what_they_say(samples, runs):
+@pytest.mark.every(4)
+@pytest.mark.parametrize("samples", [4000, 1000, 2000, 16_000])
+def test_error_bars_cover_what_they_say(samples):
     """Of many samples, 95 of 100 intervals q ± 1.96 s hold the true quantile, however few the samples."""
+    runs = several(600, 1500)
     rng = np.random.Generator(np.random.SFC64(7))
     probabilities = [p for p in PROBABILITIES if needed(p) <= samples]
     truth = {p: math.exp(0.3 * NormalDist().inv_cdf(p)) for p in probabilities}

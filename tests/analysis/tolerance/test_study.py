@@ -1,11 +1,10 @@
 """The sampler against exact quantiles, error propagation and analytic Sobol indices; every error path."""
 
-import itertools
 import math
 
 import numpy as np
 import pytest
-from conftest import CONFIGS, S21, fewer
+from conftest import CONFIGS, S21, fewer, several
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
@@ -38,22 +37,12 @@ FRICTIONS = [
 
 
 SOURCES = [CONFIGS / f"{name}.toml" for name in ("default", "all-driving", "conventional", "indirect")] + [S21]
-PAIRED = [
-    pytest.param(
-        source,
-        friction,
-        method,
-        id=f"{source.stem}-{friction['distribution']}-{method}",
-        marks=[] if number % 4 == place and number % 2 == way else pytest.mark.exhaustive,
-    )
-    for number, source in enumerate(SOURCES)
-    for place, friction in enumerate(FRICTIONS)
-    for way, method in enumerate(METHODS)
-]
-"""Every clutch once, each distribution and each method; and all of one with all of the others."""
 
 
-@pytest.mark.parametrize(("source", "friction", "method"), PAIRED)
+@pytest.mark.every(9)
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("friction", FRICTIONS, ids=lambda each: each["distribution"])
+@pytest.mark.parametrize("source", SOURCES, ids=lambda each: each.stem)
 def test_the_sampler_against_the_exact_answer(source, friction, method):
     base = read_spec(source)
     limit = float(build(base).torque(base.friction.range.mean * 1.1))
@@ -126,7 +115,8 @@ def test_sobol_indices_of_a_product(quasi):
     assert sum(index.first_order for index in indices) == pytest.approx(1, abs=0.05)
 
 
-@pytest.mark.parametrize("method", [pytest.param(METHODS[0], marks=pytest.mark.exhaustive), METHODS[1]])
+@pytest.mark.every(2)
+@pytest.mark.parametrize("method", METHODS[::-1])
 def test_same_seed_same_digits_for_any_threads(method):
     spec = read_spec(CONFIGS / "tolerance.toml", [f"tolerance.method={method}", "tolerance.samples=100_000",
                                                   "tolerance.sobol_base=4096"])  # fmt: skip
@@ -136,10 +126,8 @@ def test_same_seed_same_digits_for_any_threads(method):
     assert run(other).mean != first.mean
 
 
-@pytest.mark.parametrize(
-    ("runs", "low", "high"), [(8, 0.4, 2.5), pytest.param(20, 0.6, 1.7, marks=pytest.mark.exhaustive)]
-)
-def test_standard_errors_are_those_of_repeated_runs(runs, low, high):
+def test_standard_errors_are_those_of_repeated_runs():
+    runs, low, high = several((8, 0.4, 2.5), (20, 0.6, 1.7))
     spec = read_spec(CONFIGS / "tolerance.toml", ["tolerance.samples=5_000", "tolerance.sobol_base=64"])
     repeated = [
         run(spec.model_copy(update={"tolerance": spec.tolerance.model_copy(update={"seed": seed})}))
@@ -151,17 +139,9 @@ def test_standard_errors_are_those_of_repeated_runs(runs, low, high):
         assert low < said / seen < high, field
 
 
-CORRELATED = ((-0.6, METHODS[1]), (0.0, METHODS[0]), (1.0, METHODS[0]))
-"""Some, none and whole; each by the other method too is exhaustive."""
-
-
-@pytest.mark.parametrize(
-    ("correlation", "method"),
-    [
-        pytest.param(*each, marks=[] if each in CORRELATED else pytest.mark.exhaustive)
-        for each in itertools.product((-0.6, 0.0, 0.5, 1.0), METHODS)
-    ],
-)
+@pytest.mark.every(3)
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("correlation", [-0.6, 0.0, 0.5, 1.0])
 def test_correlation_of_the_two_frictions(correlation, method):
     """σ_T² = a² + b² + 2ρab for small spreads of f_1 and f_2; at ρ = 1 the exact answer too."""
     base = read_spec(CONFIGS / "unlike-materials.toml")
@@ -223,18 +203,9 @@ def test_simulate_counts():
     assert sum(each.above for each in tallies) == sum(each.below for each in tallies) == 5000
 
 
-BARRED = ((0, 1000), (1, 30_000), (2, 1000), (3, 200_000))
-"""Every distribution with some number of samples."""
-
-
-@pytest.mark.parametrize(
-    ("friction", "samples"),
-    [
-        pytest.param(friction, samples, marks=[] if (number, samples) in BARRED else pytest.mark.exhaustive)
-        for number, friction in enumerate(FRICTIONS)
-        for samples in (1000, 30_000, 200_000)
-    ],
-)
+@pytest.mark.every(5)
+@pytest.mark.parametrize("samples", [1000, 30_000, 200_000])
+@pytest.mark.parametrize("friction", FRICTIONS, ids=lambda each: each["distribution"])
 def test_the_histogram_of_a_sample_against_the_exact_one(friction, samples):
     base = read_spec(CONFIGS / "default.toml")
     options = {"samples": samples, "sobol_base": 64}

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import CONFIGS, ROOT
+from conftest import CONFIGS, ROOT, several
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from PIL import Image
 
@@ -95,13 +95,8 @@ def difference(first, second):
     return float(np.sqrt(np.mean((first - second) ** 2)))
 
 
-FIRST = {kind: name for name, (kind, *_) in reversed(PICTURES.items())}
-"""Kind of plot → the first of its pictures; the others, drawn by the same code, are exhaustive."""
-
-
-@pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[] if name in FIRST.values() else pytest.mark.exhaustive) for name in PICTURES]
-)
+@pytest.mark.every(3)
+@pytest.mark.parametrize("name", PICTURES)
 def test_picture(name):
     path = BASELINE / f"{name}.png"
     made = save(sheet(name), "png", DPI)
@@ -121,14 +116,9 @@ def test_a_missing_curve_exceeds_the_tolerance():
     assert difference(made, pixels(save(whole, "png", DPI))) > TOLERANCE
 
 
+@pytest.mark.every(15)
 @pytest.mark.parametrize("lang", [None, "ru"])
-@pytest.mark.parametrize(
-    "name",
-    [
-        pytest.param(name, marks=[] if name in ("torque", "accuracy-pairs") else pytest.mark.exhaustive)
-        for name in PICTURES
-    ],
-)
+@pytest.mark.parametrize("name", PICTURES)
 def test_no_title_is_cut(name, lang):
     """Neither in width nor in height, whatever the clutch is called; nor does it reach into what is drawn."""
     with speaking(language(lang) if lang else ENGLISH), _settings():
@@ -163,15 +153,12 @@ def test_styles_can_be_told_apart_without_colour():
     assert len(COLOURS) == len(set(COLOURS)) == len(set(map(str, DASHES)))
 
 
-@pytest.mark.parametrize(
-    "endings", [("svg",), pytest.param(("png", "pdf"), marks=pytest.mark.exhaustive)], ids=" and ".join
-)
-def test_same_spec_same_bytes(endings, tmp_path):
+def test_same_spec_same_bytes(tmp_path):
     """From this process and from one with another hash seed, without a backend or a home of matplotlib."""
     code = "import sys; from afmcalc.cli.main import main\nfor each in sys.argv[2:]:\n"
     code += " try: main(['plot', 'torque', sys.argv[1], '-o', each, '--quiet'])\n except SystemExit as end: assert not end.code"
     nowhere = {"MPLBACKEND": "nonsense", "MPLCONFIGDIR": "/proc/none", "HOME": "/proc/none"}
-    again = [tmp_path / f"again.{ending}" for ending in endings]
+    again = [tmp_path / f"again.{ending}" for ending in several(["svg"], ["svg", "png", "pdf"])]
     run = subprocess.run(
         [sys.executable, "-c", code, CONFIGS / "default.toml", *again],
         check=True, capture_output=True, env={**os.environ, **nowhere, "PYTHONHASHSEED": "7", "PYTHONPATH": str(ROOT)},
@@ -205,17 +192,8 @@ def test_a_name_is_text(afmcalc, tmp_path):
     )
 
 
-LONG = {"simulate", "springs"}
-"""What takes long before it is drawn, by the same code as the others."""
-
-
-@pytest.mark.parametrize(
-    "what",
-    [
-        pytest.param(each, marks=pytest.mark.exhaustive if each in LONG else [])
-        for each in sorted(set(PLOTS) - {"pocket"})
-    ],
-)
+@pytest.mark.every(3)
+@pytest.mark.parametrize("what", sorted(set(PLOTS) - {"pocket"}))
 def test_without_a_file_it_is_drawn_as_text(what, afmcalc):
     own = {
         "paper": "S22-3",
