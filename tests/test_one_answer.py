@@ -318,7 +318,7 @@ def verdict(wrong: list[str], telling: set[str], *tables: str) -> None:
 
 def test_a_quantity_is_one_number(ask):
     wrong, telling = [], set[str]()
-    for _, kind, spec in some(range(several(1, 12))):
+    for _, kind, spec in some(range(2, several(3, 14))):
         asked = ask(spec)
         wrong += asked.apart(TOLD, 1e-9, telling)
         # the two frictions of unlike materials scatter apart; samples miss a peak just before a jump
@@ -430,11 +430,12 @@ def test_no_friction_exceeds_what_is_told(ask):
     assert not wrong, f"{len(wrong)}\n" + "\n".join(wrong)
 
 
+@pytest.mark.exhaustive  # of the drive of drive/test_stop.py it is asked by default
 def test_about_the_setting_a_sweep_tells_what_an_event_does(ask):
     """About the friction at which the sleeve leaves its stop: an event against the steps of a sweep."""
-    wrong, frictions = [], several((0.29,), (0.27, 0.28, 0.285, 0.29, 0.295, 0.3, 0.305, 0.31))
+    wrong, frictions = [], (0.27, 0.28, 0.285, 0.29, 0.295, 0.3, 0.305, 0.31)
     names = ("speed", "motor_inertia", "driven_inertia", "hub_inertia", "shaft_stiffness", "damping_ratio", "cut_off")
-    for seed in range(401, several(402, 404)):
+    for seed in range(401, 404):
         rng, spec = np.random.default_rng(seed), afmcalc.load("example:indirect").accuracy().spec
         # the forces of a setting at f = 0.3, as made: the sleeve leaves there whatever the range
         spec["control_spring"]["force"], spec["friction"] = 6608.0, {"min": 0.25, "mean": 0.26, "max": 0.35}

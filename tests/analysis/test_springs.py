@@ -273,7 +273,9 @@ def test_a_spring_has_its_length_as_set_and_at_full_travel(afmcalc):
 def test_what_rests_on_a_slack_spring_is_not_told():
     """Six discs B 40 pressed by 3.56 mm by 2 kN; eight pairs wear by 4 mm: slack, no 1.5 million trips, no force < 0."""
     stack = {"outer_diameter": 0.04, "inner_diameter": 0.0204, "thickness": 1.5e-3, "free_height": 2.65e-3, "series": 6}
-    data = resolved(read_spec(CONFIGS / "drive.toml")) | {"closing_spring": {"force": 2000.0, "disc": stack}}
+    data = resolved(read_spec(CONFIGS / "drive.toml", ["drive.motor_inertia=0.2"])) | {
+        "closing_spring": {"force": 2000.0, "disc": stack}
+    }
     own = build(make_spec(data))
     told, found = heat(own)
     assert told.trips_to_wear_out is None

@@ -232,7 +232,7 @@ def signals_watched():
         signal.signal(number, handler)
 
 
-@pytest.mark.every(3)
+@pytest.mark.every(5)
 @pytest.mark.parametrize("name", WRITE)
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_at_any_write(name, fault, afmcalc, tmp_path, signals_watched, monkeypatch):

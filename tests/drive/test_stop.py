@@ -237,6 +237,7 @@ def test_the_energy_of_steps_closes():
     assert np.all(lost[-1][1:] > 0), "the key takes its share"
 
 
+@pytest.mark.exhaustive
 def test_a_peak_that_has_passed_is_not_found_again_beside_others():
     """Stepped on beside slower drives, a drive switched off at rest swung up to 5709 N·m where its peak is 675 N·m."""
     own = issue(**{"drive.cut_off": 0.05})

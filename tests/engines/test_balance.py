@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from conftest import several
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from strategies import indirect_specs
@@ -21,7 +22,7 @@ def stack(name, series):
     return DiscStack(**{each: getattr(SIZES[name], each) for each in SHAPE}, parallel=6, series=series)
 
 
-@settings(max_examples=40)
+@settings(max_examples=several(10, 40))
 @given(indirect_specs(curved=True))
 def test_the_same_place_as_the_closed_law_of_straight_springs(spec):
     """Jumps off the stop and back to it among them."""
@@ -43,7 +44,7 @@ def test_the_same_place_as_the_closed_law_of_straight_springs(spec):
         assert torque == pytest.approx(back, rel=1e-6)
 
 
-@settings(max_examples=30)
+@settings(max_examples=several(8, 30))
 @given(
     indirect_specs(curved=True),
     st.sampled_from(sorted(SIZES)),

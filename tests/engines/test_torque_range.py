@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from conftest import several
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
@@ -68,7 +69,11 @@ def met(clutch):
     return float(swept.min()), float(swept.max()), back
 
 
-@settings(max_examples=40, suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow], deadline=None)
+@settings(
+    max_examples=several(10, 40),
+    suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow],
+    deadline=None,
+)
 @given(clutches())
 def test_no_friction_gives_more_or_less_and_a_step_aside_gives_as_much(spec):
     clutch = build(spec)
@@ -92,7 +97,11 @@ def test_no_friction_gives_more_or_less_and_a_step_aside_gives_as_much(spec):
         assert clutch.torque_returning_min == pytest.approx(back, rel=2e-2)
 
 
-@settings(max_examples=15, suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow], deadline=None)
+@settings(
+    max_examples=several(5, 15),
+    suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow],
+    deadline=None,
+)
 @given(clutches())
 def test_arrays_equal_numbers(spec):
     path = "friction_group.mean_radius"

@@ -39,6 +39,7 @@ def said_of(model, path, value):
     return set()
 
 
+@pytest.mark.every(3)
 @pytest.mark.parametrize(("model", "key"), FIELDS, ids=lambda each: getattr(each, "path", each))
 def test_a_wrong_dimension_is_refused(model, key):
     as_number = said_of(model, key.path, 3)

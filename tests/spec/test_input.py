@@ -7,7 +7,7 @@ import tomllib
 from copy import deepcopy
 
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, several
 from hypothesis import given
 from hypothesis import strategies as st
 from jsonschema import validate
@@ -250,7 +250,7 @@ def test_whatever_stands_at_a_key_is_told_in_our_words(make, example):
     data = tomllib.loads((CONFIGS / f"{example}.toml").read_text(encoding="utf-8"))
     model = Requirements if make is make_requirements else Spec
     for path in [*keys_below(model), "tolerance.fields.friction", "tolerance.fields.friction.spread"]:
-        for value in WEIRD:
+        for value in several(WEIRD[::3], WEIRD):
             changed = deepcopy(data)
             try:
                 put(changed, path, value)
@@ -396,7 +396,7 @@ def test_a_temperature_without_a_unit_asks_for_degrees(afmcalc):
         ("расе", ["pack"], "; did you mean 'pack'?"),  # not a letter of it is Latin
         ("РАСК", ["Pack"], "; did you mean 'Pack'?"),
         ("Gian", ["gain", "GAIN"], "; did you mean 'gain'?"),
-        ("gain", ["gain"], ""), ("stone", ["gain"], ""), ("g" * 61, ["g" * 60], ""),
+        ("gain", ["gain"], ""), ("расе", ["расе", "pace"], ""), ("stone", ["gain"], ""), ("g" * 61, ["g" * 60], ""),
     ],
 )  # fmt: skip
 def test_look_alike_letters_are_compared_as_what_they_look_like(word, known, said):

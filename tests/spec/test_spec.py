@@ -148,6 +148,12 @@ BAD = {
         "0.1",
         "greater than friction_group.inner_radius",
     ),
+    "radii equal": (
+        {"friction_group__mean_radius": None, "friction_group__inner_radius": 0.1, "friction_group__outer_radius": 0.1},
+        "friction_group.outer_radius",
+        "0.1",
+        "greater than friction_group.inner_radius",
+    ),
     "neither force nor torque": (
         {"closing_spring__force": None},
         "closing_spring.force",

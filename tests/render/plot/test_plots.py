@@ -116,7 +116,7 @@ def test_a_missing_curve_exceeds_the_tolerance():
     assert difference(made, pixels(save(whole, "png", DPI))) > TOLERANCE
 
 
-@pytest.mark.every(15)
+@pytest.mark.every(31)
 @pytest.mark.parametrize("lang", [None, "ru"])
 @pytest.mark.parametrize("name", PICTURES)
 def test_no_title_is_cut(name, lang):
