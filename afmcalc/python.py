@@ -114,9 +114,11 @@ class Clutch:
         """One parameter from one wanted quantity; ``Clutch(answer.spec)`` is the clutch that has it."""
         from .analysis.solve.solve import parse_target
 
-        asked = (self.engine, name, *parse_target(f"{target}={wanted}"))
-        result, solved, findings = ANALYSES["solve"].function(*asked, beyond_limit=beyond_limit)
-        return _answered("solve", solved.spec, result, findings)
+        target, value, questions = parse_target(f"{target}={wanted}")
+        result, solved, findings = ANALYSES["solve"].function(
+            self.engine, name, target, value, beyond_limit=beyond_limit
+        )
+        return _answered("solve", solved.spec, result, [*questions, *findings])
 
     def springs(
         self, sort: SpringOrder | None = None, top: int = 10, kind: SpringKind = "any", tolerance: float = 0.1

@@ -48,10 +48,10 @@ def solve(
 
     target, spec = in_order(target, spec)
     common.keep(spec)
-    name, wanted = parse_target(target)
+    name, wanted, questions = parse_target(target)
     clutch = common.build(spec)
     result, solved, findings = common.ask(clutch, parameter, name, wanted, beyond_limit=beyond_limit)
-    common.emit(result, findings, resolved(solved.spec))
+    common.emit(result, [*questions, *findings], resolved(solved.spec))
 
 
 @with_common

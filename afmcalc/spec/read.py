@@ -62,7 +62,12 @@ def data_of(
     changed, in_si, keys = apply_overrides(data, overrides, model), is_json(source), keys_below(model)
     questions, broken = [], []
     for path, value in given_in(data).items():
-        if path in keys and (unit := keys[path].unit) in RARELY_SI and (path in changed or not in_si):
+        # center and ends of what scatters are in the unit of its key
+        scatters = (
+            path.removeprefix("tolerance.fields.").removesuffix(".center").removesuffix(".min").removesuffix(".max")
+        )
+        key = keys.get(path) or keys.get(scatters)
+        if key and (unit := key.unit) in RARELY_SI and (path in changed or not in_si):
             try:
                 questions += [asked_unit(number, unit, path) for number in _numbers(value)]
             except ValueError as error:

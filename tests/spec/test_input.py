@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from jsonschema import validate
 
+from afmcalc.analysis.solve.solve import parse_target
 from afmcalc.errors import SpecError
 from afmcalc.messages import did_you_mean
 from afmcalc.spec import Spec, make_spec, read_spec
@@ -341,6 +342,25 @@ def test_a_number_without_a_unit_that_may_be_meant_in_another_is_asked_after(pat
     again = afmcalc("torque", "-", "--json", stdin=run.out).json
     assert "number-without-unit" not in str(again["findings"])
     assert again["result"] == run.json["result"]
+
+
+def test_a_number_that_scatters_or_is_wanted_is_asked_after_too(afmcalc):
+    text = (CONFIGS / "tolerance.toml").read_text(encoding="utf-8")
+    few = ["--set", "tolerance.samples=1000", "--set", "tolerance.sobol_base=64", "--json"]
+    run = afmcalc("tolerance", "-", *few, stdin=text.replace('spread = "5 %"', 'spread = "5 %", center = 2'))
+    (asked,) = [finding for finding in run.json["findings"] if finding["code"] == "number-without-unit"]
+    assert (asked["path"], asked["value"]) == ("tolerance.fields.closing_spring.force.center", 2)
+    assert "2 kN" in asked["message"]
+    run = afmcalc("tolerance", "-", *few, stdin=text.replace('spread = "1 mm"', 'spread = "1 mm", max = 110'))
+    assert run.code == 2
+    assert 'write "110 mm"' in run.err
+    run = afmcalc("solve", "--for", "c1", "travel_max=3", "example:indirect")
+    assert run.code == 2  # no such travel
+    run = afmcalc("solve", "--for", "c1", "travel_max=100", "example:indirect")
+    assert 'write "100 mm"' in run.err
+    (asked,) = parse_target("closing_force=2")[2]
+    assert "2 kN" in asked.message
+    assert parse_target("closing_force=2 N")[2] == []
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ from ...result import Answer, described, quantity
 from ...spec import Spec
 from ...spec.edit import replaced, respecified, with_key
 from ...spec.keys import ALIASES, is_whole, path_of
-from ...spec.quantity import parse_quantity
+from ...spec.quantity import asked_unit, parse_quantity
 from ...spec.rules import variants_of
 from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, roots
 
@@ -82,8 +82,8 @@ def in_order(target: str, spec: str | None) -> tuple[str, str | None]:
     return (spec, target) if spec is not None and is_target(spec) > is_target(target) else (target, spec)
 
 
-def parse_target(text: str) -> tuple[str, float]:
-    """Read ``NAME=VALUE``, the value in SI or with a unit.
+def parse_target(text: str) -> tuple[str, float, list[Finding]]:
+    """Read ``NAME=VALUE``, the value in SI or with a unit; a number that is rarely meant in SI is asked after.
 
     Raises:
         AfmcalcError: no such target, or no such value.
@@ -106,11 +106,12 @@ def parse_target(text: str) -> tuple[str, float]:
         number = value
     try:
         wanted = parse_quantity(number, TARGETS[name].unit)
+        question = asked_unit(number, TARGETS[name].unit, name)
     except ValueError as error:
         raise AfmcalcError("{text:.80}: {why}", text=text, why=error) from None
     if not wanted > 0:
         raise AfmcalcError("{text:.80}: must be greater than 0", text=text)
-    return name, wanted
+    return name, wanted, [question] if question else []
 
 
 class NotAttainableError(CalculationError):
