@@ -22,7 +22,7 @@ from ..plot.figure import inline_svg
 from ..units import display, display_unit, worded
 from .chapters import Chapter, chapters
 from .markup import cell, css_string, drawing, mathml, symbol
-from .words import FORMS, told
+from .words import form_spoken, told
 
 
 @dataclass(frozen=True)
@@ -109,7 +109,7 @@ def render(subject: Subject) -> str:
         figures=figures,
         sections=_sections(dossier, figures),
         symbols=_symbols(parts),
-        form=FORMS[spoken()],
+        form=form_spoken(),
         language=spoken(),
         findings=ranked(dossier.findings),
         references=_references(parts),
@@ -150,7 +150,7 @@ def _entries(subject: Subject) -> list[tuple[str, str]]:
     """Title block: what is given of it, and what every report has."""
     variant, program = translate(subject.dossier.spec.variant, "value"), f"afmcalc {subject.version}"
     title = dict(subject.title) | {"date": _dated(subject.title.date), "variant": variant, "program": program}
-    form = FORMS[spoken()]
+    form = form_spoken()
     return [(name, title[name]) for name in form.entries if title[name] or name in form.signed]
 
 
@@ -164,7 +164,7 @@ def _dated(given: str | None) -> str | None:
 
 def _sections(dossier: Dossier, figures: list["_Figure"]) -> list[str]:
     """Sections of the report, in their order."""
-    form = FORMS[spoken()]
+    form = form_spoken()
     empty = {"requirements": not dossier.requirements, "plots": not figures}
     return [name for name in form.sections if name in form.always or not empty.get(name)]
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from ...messages import Text, translate
+from ...messages import Text, spoken, translate
 
 REPORT: Mapping[str, str] = {
     "kind": "Calculation report",
@@ -161,3 +161,8 @@ FORMS = {
     ),
 }
 """Language → form."""
+
+
+def form_spoken() -> Form:
+    """Form of a calculation in the language of the user; one that has none of its own takes the English one."""
+    return FORMS.get(spoken(), FORMS["en"])
