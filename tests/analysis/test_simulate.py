@@ -272,6 +272,7 @@ def test_a_load_that_is_carried_but_for_rounding_is_carried():
     assert "slips-before-event" in codes(light(drive={"load_torque": carried * (1 + 1e-6)}))
 
 
+@pytest.mark.every(2)
 @pytest.mark.parametrize("friction", [0.1, 0.8])
 def test_a_slow_stop_loads_the_shaft_by_its_deceleration_whatever_the_stiffness(friction):
     """V4 to its end: T + J_2 a + √(J_2 a [J_2 a + 2 (T − T_0)]), 292.45 N·m at f_min, at four stiffnesses alike."""
@@ -314,6 +315,7 @@ KEYED = {
 }  # fmt: skip
 
 
+@pytest.mark.every(2)
 @pytest.mark.parametrize("cut_off", [None, 0.5])
 def test_the_motor_is_compared_with_the_torque_that_the_clutch_slips_with(cut_off):
     """The key holds the sleeve back: the pack slips with less than the table's T, and both numbers are told as such."""

@@ -148,6 +148,7 @@ def brute(need, search):
         yield rounded(*(own[name] for name in need.objectives))
 
 
+@pytest.mark.every(2)
 @pytest.mark.parametrize(
     "data",
     [
