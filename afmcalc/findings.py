@@ -179,14 +179,14 @@ FINDINGS: Mapping[str, str] = {
     "contact-assumed": "control_unit.contact is not given: ball and wall are taken as hardened steel, "
     "{modulus:.5g GPa}, Poisson's ratio {poisson:g}, contact pressure at most {limit:.5g MPa}: it is {value:.5g MPa}",
     # heat
-    "temperature-exceeded": "discs or faces reach {celsius:.4g} °C in one trip: above the {low:g}…{high:g} °C that "
+    "temperature-exceeded": "discs or faces reach {value:.4g °C} in one trip: above the {low:g °C…}{high:g °C} that "
     "{name} allows",
-    "temperature-in-range": "discs or faces reach {celsius:.4g} °C in one trip: within the printed range of what "
-    "{name} allows, {low:g}…{high:g} °C",
-    "discs-melt": "steel discs or their faces would reach {celsius:.4g} °C in one trip: iron melts at {melts:.0f} °C "
+    "temperature-in-range": "discs or faces reach {value:.4g °C} in one trip: within the printed range of what "
+    "{name} allows, {low:g °C…}{high:g °C}",
+    "discs-melt": "steel discs or their faces would reach {value:.4g °C} in one trip: iron melts at {limit:.0f °C} "
     "(CRC Handbook), steel below it; more mass, less heat or an earlier cut-off is needed",
-    "temperature-beyond-catalogue": "discs or faces reach {celsius:.4g} °C in one trip: no material of the catalogue "
-    "allows more than {allowed:g} °C ({name})",
+    "temperature-beyond-catalogue": "discs or faces reach {value:.4g °C} in one trip: no material of the catalogue "
+    "allows more than {limit:g °C} ({name})",
     "faces-not-judged": "the temperature of the faces is not known (it needs heat.conductivity, heat.density and both "
     "radii): the mean of the discs, which is lower, is held against what {name} allows",
     "lining-thick": "no heat.lining: the lining is taken as endlessly thick, a lower bound of the surface temperature",

@@ -10,7 +10,6 @@ Below them: characters that must not reach a terminal, letters that a stream lac
 """
 
 import codecs
-import math
 import os
 import re
 import string
@@ -22,31 +21,6 @@ from typing import TYPE_CHECKING, SupportsFloat
 
 if TYPE_CHECKING:
     from gettext import GNUTranslations
-
-SCALES = {
-    "N": 1.0,
-    "kN": 1e-3,
-    "mm": 1e3,
-    "N·m": 1.0,
-    "N/mm": 1e-3,
-    "1/mm": 1e-3,
-    "kPa": 1e-3,
-    "MPa": 1e-6,
-    "GPa": 1e-9,
-    "deg": 180 / math.pi,
-    "kJ": 1e-3,
-    "s": 1.0,
-    "ms": 1e3,
-    "N·m·s": 1.0,
-    "J/mm²": 1e-6,
-    "K": 1.0,
-    "°C": 1.0,
-    "m": 1.0,
-    "rad": 1.0,
-    "N/m": 1.0,
-    "1/m": 1.0,
-}
-"""Unit of a field → what a value in SI is multiplied by."""
 
 
 class Language(string.Formatter):
@@ -99,7 +73,9 @@ class Language(string.Formatter):
         if not unit:
             return self.number(format(value, number_format)) if _is_number(value) else format(value, number_format)
         assert isinstance(value, SupportsFloat)
-        shown = self.number(format(float(value) * SCALES[unit.removesuffix("…")], number_format))
+        from .units import in_unit
+
+        shown = self.number(format(in_unit(float(value), unit.removesuffix("…")), number_format))
         return f"{shown}…" if unit.endswith("…") else with_unit(shown, self.translated(unit, "unit"))
 
     def number(self, shown: str) -> str:
@@ -201,12 +177,14 @@ def joined(parts: Iterable[object], sign: str = ", ") -> str:
 
 
 def measured(value: float, unit: str, digits: int = 6) -> str:
-    """Say a value in SI with the unit of ``SCALES``, none for a pure number.
+    """Say a value in SI in the unit of that name, which is "1" of a pure number.
 
-    >>> measured(2000.0, "kN")
-    '2 kN'
+    >>> measured(2000.0, "kN"), measured(0.5, "1")
+    ('2 kN', '0.5')
     """
-    return Text(f"{{value:.{digits}g {unit}}}" if unit else f"{{value:.{digits}g}}", {"value": value})
+    from .units import typeset
+
+    return Text(f"{{value:.{digits}g {typeset(unit)}}}", {"value": value})
 
 
 def with_unit(number: str, unit: str) -> str:

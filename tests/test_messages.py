@@ -8,7 +8,8 @@ from sources import FILES, calls, nodes
 
 from afmcalc.errors import Problem, SpecError
 from afmcalc.findings import FINDINGS
-from afmcalc.messages import SCALES, say
+from afmcalc.messages import say
+from afmcalc.units import per_si
 
 ALWAYS = {"value", "limit", "path", None}
 """What a finding carries whether or not its sentence shows it; None: a dictionary of further values."""
@@ -74,7 +75,7 @@ def test_units_of_a_sentence_are_known():
     for sentence in FINDINGS.values():
         for _, _, wanted, _ in string.Formatter().parse(sentence):
             _, _, unit = (wanted or "").partition(" ")
-            assert not unit or unit.removesuffix("…") in SCALES, sentence
+            assert not unit or per_si(unit.removesuffix("…")), sentence
 
 
 def test_an_error_is_said_in_a_template():

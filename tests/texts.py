@@ -234,14 +234,17 @@ def _choices(annotation: object) -> Iterator[str]:
 
 
 def _units() -> Iterator[Key]:
-    from afmcalc.messages import SCALES
-    from afmcalc.render.units import ENGINEER, display_unit
+    from afmcalc.render.units import display_unit
     from afmcalc.spec.quantity import EXAMPLES
+    from afmcalc.units import ENGINEER, typeset
 
-    yield from (("unit", unit) for unit in SCALES)
-    yield from (("unit", shown) for shown, *_ in ENGINEER.values() if re.search("[A-Za-z]", shown))
+    for _, text in (*_literals(), *_findings()):
+        for *_, wanted, _ in string.Formatter().parse(text):
+            if unit := (wanted or "").partition(" ")[2].removesuffix("…"):
+                yield ("unit", unit)
+    yield from (("unit", typeset(unit)) for unit in ENGINEER.values())
     written = {*ENGINEER, *EXAMPLES}
-    si = {unit.replace("*", "·").replace("^2", "²").replace("^3", "³").removesuffix(" abs") for unit in written}
+    si = {typeset(unit) for unit in written}
     yield from (("unit", unit) for unit in sorted(si | written) if re.search("[A-Za-z]", unit) and "abs" not in unit)
     for model in models():
         for info in model.model_fields.values():  # type: ignore[attr-defined]

@@ -28,7 +28,7 @@ from ..messages import say
 from ..progress import counted
 from ..result import OpenTriple, Triple
 from ..spec.drive import Heat, missing_of
-from .heat_findings import FREEZING, Limit, limit_of, limits_of, remarks, slack_before_worn
+from .heat_findings import Limit, limit_of, limits_of, remarks, slack_before_worn
 from .registry import ANALYSES
 
 if TYPE_CHECKING:
@@ -56,9 +56,9 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
     for each in limits_of(clutch):
         if own.ambient is not None and own.ambient >= each.low:
             raise CalculationError(
-                "heat: heat.ambient, {ambient:.4g} °C, is no cooler than the {limit:.4g} °C that {path} allows",
-                ambient=own.ambient - FREEZING,
-                limit=each.low - FREEZING,
+                "heat: heat.ambient, {ambient:.4g °C}, is no cooler than the {limit:.4g °C} that {path} allows",
+                ambient=own.ambient,
+                limit=each.low,
                 path=each.path,
             )
     found, faces = _shared(clutch, own, slips.at, area)

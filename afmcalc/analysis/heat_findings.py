@@ -11,6 +11,7 @@ from ..findings import Finding, finding
 from ..result import OpenTriple
 from ..spec.catalogues import Material, friction_materials
 from ..spec.drive import Heat
+from ..units import ZEROS
 
 _NAMES = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
 
@@ -54,11 +55,11 @@ def _temperature_findings(clutch: Clutch, result: HeatResult) -> list[Finding]:
     if hottest <= limit.low:
         return said
     beyond = hottest > limit.high
-    values = {"celsius": hottest - FREEZING, "low": limit.low - FREEZING, "high": limit.high - FREEZING}
     return [
         finding(
             "temperature-exceeded" if beyond else "temperature-in-range", "error" if beyond else "warning",
-            value=hottest, limit=limit.high if beyond else limit.low, path=limit.path, name=limit.name, **values,
+            value=hottest, limit=limit.high if beyond else limit.low, path=limit.path, name=limit.name, low=limit.low,
+            high=limit.high,
         ),
         *said,
     ]  # fmt: skip
@@ -69,8 +70,7 @@ def _melting(own: Heat, result: HeatResult) -> list[Finding]:
     hottest = (own.ambient or 0.0) + max(_most(result.temperature_rise), _most(result.surface_temperature_rise))
     if hottest < IRON_MELTS:
         return []
-    said = {"celsius": hottest - FREEZING, "melts": IRON_MELTS - FREEZING}
-    return [finding("discs-melt", "error", value=hottest, limit=IRON_MELTS, path="heat.disc_mass", **said)]
+    return [finding("discs-melt", "error", value=hottest, limit=IRON_MELTS, path="heat.disc_mass")]
 
 
 def _most(each: OpenTriple | None) -> float:
@@ -82,9 +82,8 @@ def _unjudged(result: HeatResult) -> Finding:
     hottest, (limit, name) = _most(result.face_temperature or result.temperature), hottest_allowed()
     if not limit < hottest < IRON_MELTS:
         return finding("heat-not-judged", "info", path="friction.material")
-    said = {"celsius": hottest - FREEZING, "allowed": limit - FREEZING}
     path = "friction.material"
-    return finding("temperature-beyond-catalogue", "warning", value=hottest, limit=limit, path=path, name=name, **said)
+    return finding("temperature-beyond-catalogue", "warning", value=hottest, limit=limit, path=path, name=name)
 
 
 def _surface_findings(own: Heat, result: HeatResult) -> list[Finding]:
@@ -132,8 +131,7 @@ def _missing_findings(clutch: Clutch, own: Heat) -> list[Finding]:
     return [finding("heat-not-told", "info", listed=", ".join(missing))] if missing else []
 
 
-FREEZING = 273.15
-"""0 °C, K."""
+_FREEZING = float(ZEROS["degC"])
 IRON_MELTS = 1811.0
 """Melting point of iron, K (CRC Handbook of Chemistry and Physics); steel and cast iron melt below it."""
 
@@ -164,9 +162,8 @@ def material_limit(clutch: Clutch) -> Limit | None:
     allowing = [(path, material) for path, material in listed if material.temperature_min is not None]
     if not allowing:
         return None
-    path, material = min(allowing, key=lambda each: _celsius(each[1])[0])
-    low, high = (each + FREEZING for each in _celsius(material))
-    return Limit(low, high, path, material.name)
+    path, material = min(allowing, key=lambda each: _allowed(each[1])[0])
+    return Limit(*_allowed(material), path, material.name)
 
 
 def limits_of(clutch: Clutch) -> list[Limit]:
@@ -203,11 +200,12 @@ def share_of_rise(clutch: Clutch, temperature: float, limit: float) -> float:
 def hottest_allowed() -> tuple[float, str]:
     """Highest temperature that a material of the catalogue allows, K, and its name."""
     listed = [material for material in friction_materials().values() if material.temperature_max is not None]
-    return max((_celsius(material)[1] + FREEZING, material.name) for material in listed)
+    return max((_allowed(material)[1], material.name) for material in listed)
 
 
-def _celsius(material: Material) -> tuple[float, float]:
+def _allowed(material: Material) -> tuple[float, float]:
+    """Range of temperatures that a material allows, K."""
     low, high = material.temperature_min, material.temperature_max
     assert low is not None
     assert high is not None
-    return low, high
+    return low + _FREEZING, high + _FREEZING

@@ -9,8 +9,9 @@ from ..findings import Finding, finding
 from ..messages import measured, term, translate
 from ..result import OpenTriple, Result, Sentence, Triple, described, quantity
 from ..spec.keys import keys
+from ..units import ENGINEER
 from .answers import Answers
-from .heat_findings import FREEZING, share_of_rise
+from .heat_findings import share_of_rise
 from .life import UNLIMITED
 from .limits import ring_pressures
 from .registry import ANALYSES
@@ -121,9 +122,6 @@ JUDGED: dict[str, Judged] = {
 }
 """Key of [requirements] → how it is judged; its unit is that of the key."""
 
-_SHOWN_IN = {"1": "", "N*m": "N·m", "m": "mm", "J/m^2": "J/mm²", "Pa": "MPa", "K": "°C"}
-"""SI unit → unit in which a sentence shows it, 0 K being −273.15 °C."""
-
 
 def simulates(name: str, clutch: Clutch) -> bool:
     """Whether an analysis simulates the event of a clutch, or samples it: that takes long."""
@@ -155,10 +153,8 @@ def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[
                 finding("requirement-not-judged", "warning", limit=limit, path=path, name=term(row.name), needs=needs)
             )
         elif not row.passed:
-            reached, wanted = (
-                measured((number or 0.0) - (FREEZING if row.unit == "K" else 0.0), _SHOWN_IN[row.unit], 5)
-                for number in (row.value, limit)
-            )
+            unit = ENGINEER.get(_unit(name), _unit(name))
+            reached, wanted = (measured(number or 0.0, unit, 5) for number in (row.value, limit))
             missed = finding(
                 "requirement-missed", "error", value=row.value, limit=limit, path=path, name=term(row.name),
                 bound=term(row.bound), shown=reached, required=wanted,

@@ -5,42 +5,12 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from typing import NamedTuple
 
 from ..messages import Text, localized, printable, spoken, translate, with_unit
+from ..units import ENGINEER, in_unit, per_si, typeset
 
-
-class Unit(NamedTuple):
-    """A unit as it is shown."""
-
-    name: str
-    factor: float = 1.0
-    """What a value in SI is multiplied by."""
-    zero: float = 0.0
-    """Where its scale begins, in SI."""
-
-
-ENGINEER = {
-    "N": Unit("kN", 1e-3),
-    "m": Unit("mm", 1e3),
-    "m^3": Unit("cm³", 1e6),
-    "N/m": Unit("N/mm", 1e-3),
-    "N^2/m^2": Unit("N²/mm²", 1e-6),
-    "rad": Unit("deg", 180 / math.pi),
-    "Pa": Unit("MPa", 1e-6),
-    "J": Unit("kJ", 1e-3),
-    "J/m^2": Unit("J/mm²", 1e-6),
-    "W/m^2": Unit("W/mm²", 1e-6),
-    "1/m": Unit("1/mm", 1e-3),
-    "K abs": Unit("°C", zero=273.15),
-    "degC": Unit("°C"),
-    "1": Unit("–"),
-    "": Unit(""),
-}
-"""SI unit → the one people in the trade read."""
-SI = {unit: ENGINEER[unit] for unit in ("", "1", "degC")} | {"K abs": Unit("K")}
-"""The same where SI is shown; of both, what is in neither is set as it is."""
-CHOICES = {"engineer": ENGINEER, "si": SI}
+CHOICES: dict[str, dict[str, str]] = {"engineer": ENGINEER, "si": {}}
+"""Which units people choose → SI unit to the one shown, where it is another."""
 _chosen = ContextVar("units", default=ENGINEER)
 
 
@@ -54,17 +24,13 @@ def shown_in(name: str) -> Iterator[None]:
         _chosen.reset(before)
 
 
-def _unit(unit: str) -> Unit:
-    return _chosen.get().get(unit) or Unit(unit.replace("*", "·").replace("^2", "²").replace("^3", "³"))
-
-
 def display_unit(unit: str) -> str:
     """Unit shown to people for an SI unit.
 
     >>> display_unit("N"), display_unit("kg*m^2")
     ('kN', 'kg·m²')
     """
-    return translate(_unit(unit).name, "unit")
+    return "–" if unit == "1" else translate(typeset(_chosen.get().get(unit, unit)), "unit")
 
 
 def factor(unit: str) -> float:
@@ -73,7 +39,8 @@ def factor(unit: str) -> float:
     >>> factor("N"), factor("N*m")
     (0.001, 1.0)
     """
-    return _unit(unit).factor
+    shown = _chosen.get().get(unit)
+    return per_si(shown) if shown else 1.0
 
 
 def display(value: object, unit: str) -> str:
@@ -97,7 +64,8 @@ def display(value: object, unit: str) -> str:
         return translate("yes" if value else "no", "value")
     if not isinstance(value, int | float):
         return printable(worded(str(value)))
-    return significant((value - _unit(unit).zero) * factor(unit))
+    shown = _chosen.get().get(unit)
+    return significant(in_unit(value, shown) if shown else value)
 
 
 def measured(value: object, unit: str) -> str:

@@ -6,13 +6,14 @@ from decimal import Decimal
 from typing import Any
 
 from ..messages import named, translate
+from ..units import ENGINEER, product
 from .keys import keys, unit_at
 from .models import Spec
 from .parse import example_text
-from .quantity import factor, parse_quantity
+from .quantity import parse_quantity
 
-WRITTEN = {"N": "kN", "m": "mm", "N*m": "N*m", "N/m": "N/mm", "rad": "deg", "Pa": "MPa", "m^3": "cm^3"}
-"""SI unit → the one that a written spec has."""
+WRITTEN = ("N", "m", "N*m", "N/m", "rad", "Pa", "m^3")
+"""SI units of what a written spec has with the engineer's unit; other numbers stand alone."""
 
 _DIGITS = 12
 """More of a calculated number are rounding error and noise to a reader."""
@@ -95,8 +96,8 @@ def _value(value: Any, unit: str | None) -> Any:
 
 def _quantity(value: float, unit: str) -> str:
     """Write a number in SI with the engineer's unit, or with its own where only that reads back to the same."""
-    written = WRITTEN[unit]
-    text = f"{float(Decimal(value) / factor(written, unit)):.{_DIGITS}g}"
+    written = ENGINEER.get(unit, unit)
+    text = f"{float(Decimal(value) / product(written).factor):.{_DIGITS}g}"
     plain = f"{value:.{_DIGITS}g}"
     if float(plain) == value and parse_quantity(f"{text} {written}", unit) != value:
         return f"{plain} {unit}"

@@ -10,20 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import CHARACTERS
+from texts import texts
 
 from afmcalc.messages import language, speaking
-from afmcalc.spec.quantity import (
-    _PLAIN,
-    _PREFIXED,
-    _PREFIXES,
-    _RUSSIAN,
-    _RUSSIAN_PREFIXES,
-    EXAMPLES,
-    SCALES,
-    factor,
-    parse_quantity,
-    unread_number,
-)
+from afmcalc.spec.quantity import EXAMPLES, factor, parse_quantity, unread_number
+from afmcalc.units import ENGINEER, PLAIN, PREFIXED, PREFIXES, RUSSIAN, RUSSIAN_PREFIXES, ZEROS, in_unit, product
 
 
 @pytest.mark.parametrize(
@@ -158,12 +149,12 @@ def by_pint(text, unit):
 
 
 WORDS = [
-    *(prefix + name for prefix in ("", *_PREFIXES) for name in _PREFIXED),
-    *_PLAIN,
-    *(prefix + name for prefix in ("", *_RUSSIAN_PREFIXES) for name, latin in _RUSSIAN.items() if latin in _PREFIXED),
-    *_RUSSIAN,
+    *(prefix + name for prefix in ("", *PREFIXES) for name in PREFIXED),
+    *PLAIN,
+    *(prefix + name for prefix in ("", *RUSSIAN_PREFIXES) for name, latin in RUSSIAN.items() if latin in PREFIXED),
+    *RUSSIAN,
 ]
-FIELDS = sorted(EXAMPLES.keys() - SCALES.keys() - {"1"})
+FIELDS = sorted(EXAMPLES.keys() - {"1", "K abs"})
 
 
 @pytest.mark.parametrize("word", sorted(set(WORDS)))
@@ -171,6 +162,26 @@ def test_every_unit_is_what_pint_says(word):
     dimension = REFEREE.parse_units(word).dimensionality
     unit = next(each for each in (*FIELDS, "J", "J/s", "K") if REFEREE.parse_units(each).dimensionality == dimension)
     assert float(factor(word, unit)) == pytest.approx(float(by_pint(word, unit)), rel=1e-15)
+
+
+@pytest.mark.parametrize(("unit", "shown"), sorted(ENGINEER.items()))
+def test_every_unit_shown_is_what_pint_says(unit, shown):
+    si = REFEREE.Quantity(Decimal(300), REFEREE.parse_units(unit.removesuffix(" abs")))
+    assert in_unit(300.0, shown) == pytest.approx(float(si.to(REFEREE.parse_units(shown)).magnitude), rel=1e-15)
+
+
+def test_every_scale_of_temperature_is_what_pint_says():
+    for name, zero in ZEROS.items():
+        scale = name.translate(str.maketrans("КС", "KC")).replace("°", "deg")
+        assert zero == REFEREE.Quantity(Decimal(0), scale).to("K").magnitude
+        assert parse_quantity(f"0 {name}", "K abs") == float(zero)
+
+
+def test_every_unit_of_a_catalogue_is_the_same_unit():
+    """What a Russian table shows is read as what the English one shows."""
+    for context, text in texts():
+        if context == "unit" and text not in (*ZEROS, ""):
+            assert product(language("ru").translated(text, "unit"))[:2] == product(text)[:2], text
 
 
 @given(

@@ -12,6 +12,7 @@ from ...findings import Finding, finding
 from ...messages import did_you_mean, joined, measured, say, term
 from ...progress import tell
 from ...spec.requirements import Requirements
+from ...units import ENGINEER
 from ...variants import VARIANTS, Variant
 from .candidates import candidates
 from .limits import OBJECTIVES, Constraint, constraints
@@ -224,7 +225,7 @@ def _findings(result: DesignResult) -> list[Finding]:
 
 def _instead(row: Attainable) -> str:
     """Say a requirement to give up, and what there is of it instead."""
-    limit, best = (measured(value, _UNITS[row.unit], 5) for value in (row.limit, row.best))
+    limit, best = (measured(value, ENGINEER.get(row.unit, row.unit), 5) for value in (row.limit, row.best))
     return say(
         "{name} ({sense} {limit}; there is {best})",
         name=row.requirement,
@@ -232,7 +233,3 @@ def _instead(row: Attainable) -> str:
         limit=limit,
         best=best,
     )
-
-
-_UNITS = {"N": "kN", "m": "mm", "Pa": "MPa", "N*m": "N·m", "1": ""}
-"""SI unit of what is bounded → the engineer's."""

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ...units import typeset
+
 
 def _reflected(
     operation: "Callable[[Expression, Expression], Expression]",
@@ -250,8 +252,7 @@ def _number(value: Any, unit: str, *, latex: bool) -> str:
         mantissa, _, exponent = text.partition("e")
         text = f"{mantissa}\\cdot 10^{{{int(exponent)}}}" if latex else f"({mantissa}·10^{int(exponent)})"
     if unit != "1":
-        shown = unit.replace("*", "·").replace("^3", "³").replace("^2", "²")
-        text = f"{text}\\,\\text{{{shown}}}" if latex else f"{text} {shown}"
+        text = f"{text}\\,\\text{{{typeset(unit)}}}" if latex else f"{text} {typeset(unit)}"
     return f"({text})" if value < 0 else text
 
 

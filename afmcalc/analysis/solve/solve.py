@@ -210,9 +210,7 @@ def solve(
     )
     remarks = [finding("solve-replaces", "info", path=other, by=path) for other in replaced(clutch.spec, [path])]
     if others := chosen[1:]:
-        listed = joined(
-            say("{name} = {value}", name=name, value=_with_unit(value, PARAMETERS[name])) for value in others
-        )
+        listed = joined(say("{name} = {value}", name=name, value=measured(value, PARAMETERS[name])) for value in others)
         given = problem.shown(wanted)
         remarks.append(
             finding(
@@ -245,7 +243,7 @@ class _Problem:
 
     def shown(self, value: float) -> str:
         """A value of the target with its unit."""
-        return _with_unit(value, TARGETS[self.target].unit)
+        return measured(value, TARGETS[self.target].unit)
 
     def closed(self, curve: Curve) -> float | None:
         """Value that the closed inverse gives; None where there is none, or it lies off the curve."""
@@ -350,11 +348,7 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
         "the best is {best}, reached at {name} = {place}{why}",
         best=problem.shown(nearest),
         name=name,
-        place=_with_unit(place, PARAMETERS[name]),
+        place=measured(place, PARAMETERS[name]),
         why=say(" ({why})", why=domain.why) if place == domain.high and domain.why else "",
     )
     return NotAttainableError(refusal(where), nearest, place)
-
-
-def _with_unit(value: float, unit: str) -> str:
-    return measured(value, "" if unit == "1" else unit.replace("*", "·"))

@@ -9,6 +9,7 @@ from latex2mathml.converter import convert
 
 from ...analysis.explain.derivation import CaseRow, Derivation, Meaning
 from ...messages import localized, spoken, term, translate
+from ...units import typeset
 from ..symbols import value_latex
 from ..units import in_numbers, measured
 from .words import told
@@ -102,7 +103,7 @@ def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
 
 
 def _explained(meaning: Meaning) -> Explained:
-    unit = "" if meaning.unit == "1" else translate(meaning.unit.replace("*", "·").replace("^3", "³"), "unit")
+    unit = translate(typeset(meaning.unit), "unit")
     text = ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
     if meaning.number is None:
         return Explained(meaning.symbol, text, "", None)

@@ -1,0 +1,154 @@
+"""The one table of units and the grammar of their products; whoever reads or shows a quantity only names its unit."""
+
+import re
+from collections.abc import Mapping
+from decimal import Decimal
+from functools import cache
+from typing import NamedTuple
+
+# An angle and an energy are dimensions of their own, so that 0.1 rad is no coefficient and 200 J is no torque.
+BASES = ("m", "N", "rad", "J", "s", "kg", "K")
+
+PREFIXED = {
+    "m": "1 m", "meter": "1 m", "metre": "1 m", "N": "1 N", "newton": "1 N", "rad": "1 rad", "radian": "1 rad",
+    "J": "1 J", "joule": "1 J", "s": "1 s", "second": "1 s", "g": "1e-3 kg", "gram": "1e-3 kg", "K": "1 K",
+    "kelvin": "1 K", "Pa": "1 N/m^2", "pascal": "1 N/m^2", "bar": "1e5 N/m^2", "W": "1 J/s", "watt": "1 J/s",
+}  # fmt: skip
+PLAIN = {
+    "in": "25.4e-3 m", "inch": "25.4e-3 m", "ft": "0.3048 m", "foot": "0.3048 m", "lbf": "4.4482216152605 N",
+    "kgf": "9.80665 N", "kp": "9.80665 N", "psi": "6894.757293168361336722673445 N/m^2",
+    "ksi": "6894757.293168361336722673445 N/m^2", "rpm": "0.1047197551196597746154214461 rad/s",
+    **dict.fromkeys(("deg", "degree", "°"), "0.01745329251994329576923690768489 rad"),
+    **dict.fromkeys(("rev", "revolution", "U"), "6.283185307179586476925286766559 rad"),
+    "min": "60 s", "minute": "60 s", "h": "3600 s", "hour": "3600 s",
+}  # fmt: skip
+"""Unit → what it is in SI; those above take a prefix."""
+PREFIXES = {
+    "k": "1e3", "kilo": "1e3", "M": "1e6", "mega": "1e6", "G": "1e9", "giga": "1e9", "d": "0.1", "deci": "0.1",
+    "c": "0.01", "centi": "0.01", "m": "1e-3", "milli": "1e-3", "u": "1e-6", "µ": "1e-6", "μ": "1e-6", "micro": "1e-6",
+}  # fmt: skip
+
+RUSSIAN = {
+    "м": "m", "Н": "N", "рад": "rad", "Дж": "J", "с": "s", "г": "g", "К": "K", "Па": "Pa", "бар": "bar", "Вт": "W",
+    "град": "deg", "кгс": "kgf", "об": "rev", "мин": "min", "ч": "h",
+}  # fmt: skip
+RUSSIAN_PREFIXES = {"к": "k", "М": "M", "Г": "G", "д": "d", "с": "c", "м": "m", "мк": "u"}
+
+ZEROS = {"K": Decimal(0), "К": Decimal(0)} | dict.fromkeys(("degC", "°C", "°С"), Decimal("273.15"))
+"""Scale of a temperature, in Latin or Cyrillic letters → its zero, K."""
+
+ENGINEER = {
+    "N": "kN", "m": "mm", "m^3": "cm^3", "N/m": "N/mm", "1/m": "1/mm", "rad": "deg", "Pa": "MPa", "J": "kJ",
+    "J/m^2": "J/mm^2", "W/m^2": "W/mm^2", "N^2/m^2": "N^2/mm^2", "K abs": "degC",
+}  # fmt: skip
+"""SI unit → the one people in the trade read, where it is another."""
+
+
+class UnitProduct(NamedTuple):
+    """A unit, or a product of units."""
+
+    factor: Decimal
+    """How many SI units it is."""
+    exponents: tuple[int, ...]
+    """Powers of ``BASES``."""
+    latin: str
+    """How it is written in Latin letters."""
+
+
+class UnknownUnitError(ValueError):
+    """A word that is no unit; ``args`` hold it."""
+
+
+@cache
+def words() -> dict[str, UnitProduct]:
+    """Every word that is a unit."""
+    known = {name: UnitProduct(Decimal(1), tuple(int(name == base) for base in BASES), name) for name in BASES}
+    table = {
+        prefix + name: (by, *si.split(), prefix + name)
+        for prefix, by in {"": "1", **PREFIXES}.items()
+        for name, si in PREFIXED.items()
+    }
+    table |= {name: ("1", *si.split(), name) for name, si in PLAIN.items()}
+    for prefix, latin_prefix in {"": "", **RUSSIAN_PREFIXES}.items():
+        for name, latin in RUSSIAN.items():
+            if not prefix or latin in PREFIXED:
+                table.setdefault(prefix + name, table[latin_prefix + latin])
+    powers = {si: _product(si, known).exponents for si in {si for _, _, si, _ in table.values()}}
+    for word, (by, number, si, latin) in table.items():
+        known[word] = UnitProduct(Decimal(by) * Decimal(number), powers[si], latin)
+    return known
+
+
+_SIGNS = str.maketrans({"·": "*", "⋅": "*", "×": "*", "⁻": "-", "−": "-", "¹": "1", "²": "2", "³": "3", "⁴": "4"})
+_FACTOR = re.compile(r"(\s*[*/]\s*|\s+|)([^\W\d_]+|°)(?:\^?(-?[1-4])(?!\d))?")
+_DIVISOR = re.compile(r"/\s*\(([^()/]*)\)")
+
+
+@cache
+def product(text: str) -> UnitProduct:
+    """Read a product such as ``kN*m/rad``, ``1/min``, ``min^-1``, ``J/(kg*K)`` or ``kgm2``.
+
+    Raises:
+        UnknownUnitError: a word of it is no unit.
+        ValueError: it is no product.
+    """
+    return _product(text, words())
+
+
+def _product(text: str, words: Mapping[str, UnitProduct]) -> UnitProduct:
+    plain = text.translate(_SIGNS).replace("**", "^").strip()
+    plain = _DIVISOR.sub(lambda match: "/" + re.sub(r"\s*\*\s*|\s+", "/", match[1].strip()), plain)
+    plain = re.sub(r"^1\s*(?=/)", "", plain)
+    factor, exponents, latin, at = Decimal(1), [0] * len(BASES), "", 0
+    while at < len(plain) or not at:
+        match = _FACTOR.match(plain, at)
+        if match is None or (match[1] == "" if at else "*" in match[1]):
+            raise ValueError(text)
+        sign = -1 if "/" in match[1] else 1
+        for unit, power in _factors(match[2], sign * int(match[3] or 1), sign, words):
+            factor *= unit.factor**power
+            exponents = [total + power * more for total, more in zip(exponents, unit.exponents, strict=True)]
+        latin += match[1] + "*".join(unit.latin for unit, _ in _factors(match[2], 1, 1, words)) + (match[3] or "")
+        at = match.end()
+    return UnitProduct(factor, tuple(exponents), latin)
+
+
+def _factors(word: str, power: int, sign: int, words: Mapping[str, UnitProduct]) -> list[tuple[UnitProduct, int]]:
+    """Units that a word is made of, with their powers: one, or a force or mass with a length (Nm, kgm2)."""
+    for name in (word, word.removesuffix("s") if len(word) > len("hour") else word):
+        if name in words:
+            return [(words[name], power)]
+    for at in range(1, len(word)):
+        head, tail = words.get(word[:at]), words.get(word[at:])
+        if head and tail and head.latin[-1] in "Ng" and tail.latin in ("m", "cm", "mm"):
+            return [(head, sign), (tail, power)]
+    raise UnknownUnitError(word)
+
+
+@cache
+def per_si(name: str) -> float:
+    """How many of a unit one SI unit is; a scale of temperature has degrees as large as a kelvin.
+
+    >>> per_si("kN"), per_si("J/mm²"), per_si("degC")
+    (0.001, 1e-06, 1.0)
+    """
+    return 1.0 if name in ZEROS else float(1 / product(name).factor)
+
+
+def in_unit(value: float, name: str) -> float:
+    """Return a value, given in SI, in the unit or on the scale of that name.
+
+    >>> in_unit(0.1, "mm"), in_unit(300.15, "°C")
+    (100.0, 27.0)
+    """
+    return (value - float(ZEROS.get(name, 0))) * per_si(name)
+
+
+def typeset(unit: str) -> str:
+    """Return the name of a unit as people write it; a pure number has none.
+
+    >>> typeset("kg*m^2"), typeset("degC"), typeset("1")
+    ('kg·m²', '°C', '')
+    """
+    name = unit.removesuffix(" abs").replace("degC", "°C").replace("*", "·").replace("^2", "²").replace("^3", "³")
+    return "" if name == "1" else name
