@@ -72,7 +72,7 @@ def quiet_division(value: Values) -> AbstractContextManager[object]:
 
 
 def square_root(value: Values) -> Values:
-    """Square root, the same to the last bit for floats and arrays."""
+    """Square root, the same to the last bit for floats and arrays: a power of 0.5 may differ in the last."""
     if is_array(value):
         import numpy as np
 
@@ -104,11 +104,6 @@ def finite(value: Values) -> Values:
     if not within:
         raise OverflowError
     return value
-
-
-def all_nonzero(value: Values) -> bool:
-    """Whether a number, or every one of an array, is other than 0."""
-    return bool(value.all() if is_array(value) else value)
 
 
 def checked_friction(value: Any) -> Any:

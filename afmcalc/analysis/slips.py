@@ -9,7 +9,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from ..arrays import Values, all_nonzero, finite, is_array, larger, smaller
+from ..arrays import Values, finite, is_array, larger, smaller
 from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
@@ -138,7 +138,7 @@ def cycles(part: Fatigue, rule: StressRule, load: Load) -> Values:
         number = _slips(part, lambda share: _stress(part, chosen, low, load.torque(share)), load.kinks)
     else:
         number = _line(part, damaging_stress(part, rule, load))
-    if not all_nonzero(number):
+    if not (number.all() if is_array(number) else number):
         raise OverflowError
     if is_array(broken):
         import numpy as np
