@@ -219,10 +219,9 @@ def test_a_catalogue_is_compiled(path):
         target.write_bytes(compiled.getvalue())
     compiled.seek(0)
     with target.open("rb") as file:
-        read, wanted = GNUTranslations(file), GNUTranslations(compiled)
-    assert vars(read)["_catalog"] == vars(wanted)["_catalog"], (
-        "AFMCALC_UPDATE=1 pytest tests/test_russian.py compiles it"
-    )
+        read, wanted = (vars(GNUTranslations(each))["_catalog"] for each in (file, compiled))
+    # what its head says of the version of Babel is not compared
+    assert read | {"": ""} == wanted | {"": ""}, "AFMCALC_UPDATE=1 pytest tests/test_russian.py compiles it"
 
 
 @pytest.mark.parametrize("name", ["en", "ru"])

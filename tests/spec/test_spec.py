@@ -8,11 +8,12 @@ import pytest
 import tomli_w
 from conftest import CONFIGS, S21
 from hypothesis import given
+from pydantic import TypeAdapter, ValidationError
 from strategies import direct_specs
 
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError, FileError, SpecError
-from afmcalc.spec import make_spec, read_spec, resolved, to_toml
+from afmcalc.spec import fields, make_spec, read_spec, resolved, to_toml
 from afmcalc.spec.catalogues import friction_materials
 from afmcalc.spec.edit import put
 from afmcalc.spec.parse import parse
@@ -319,3 +320,24 @@ def test_overrides():
             read_spec(None, [bad])
     with pytest.raises(AfmcalcError, match="did you mean 'gain'"):
         read_spec(None, ["control_unit.gian=1"])
+
+
+@pytest.mark.parametrize(
+    ("kinds", "within", "beyond"),
+    [
+        ((fields.Coefficient, fields.Force, fields.Length, fields.Torque, fields.Stiffness, fields.Stress, fields.Time),
+         [1e-12, 0.5, 1e12], [0, -1e-12]),
+        ((fields.Ratio, fields.Gap, fields.TorqueOrNone, fields.StiffnessOrNone, fields.TimeOrNone), [0, 0.5], [-1e-12]),
+        ((fields.AtLeastOne,), [1, 1.5], [0.999]),
+        ((fields.Count,), [1, 2], [0, -1, 1.5]),
+        ((fields.WallAngle,), [0, 0.5, 1.5707], [-1e-12, 1.5708]),
+        ((fields.Temperature,), [173.15, 293.15], [173.1]),
+    ],
+)  # fmt: skip
+def test_a_number_is_within_the_bounds_of_its_kind(kinds, within, beyond):
+    for kind in kinds:
+        read = TypeAdapter(kind).validate_python
+        assert [read(value) for value in within] == within
+        for value in beyond:
+            with pytest.raises(ValidationError):
+                read(value)

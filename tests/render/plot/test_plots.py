@@ -95,7 +95,7 @@ def difference(first, second):
     return float(np.sqrt(np.mean((first - second) ** 2)))
 
 
-@pytest.mark.every(3)
+@pytest.mark.every(2)
 @pytest.mark.parametrize("name", PICTURES)
 def test_picture(name):
     path = BASELINE / f"{name}.png"
