@@ -4,6 +4,7 @@ import functools
 import sys
 from collections import Counter
 from importlib import import_module
+from inspect import unwrap
 
 import pytest
 from conftest import CONFIGS
@@ -25,7 +26,7 @@ SPECS = ["default", "conventional", "unlike-materials", "all-driving", "indirect
 
 def calls_of(functions, work):
     """How often ``work`` calls each of the functions, in whatever module their names were imported."""
-    names = {function.__code__: function.__name__ for function in functions}
+    names = {unwrap(function).__code__: function.__name__ for function in functions}
     counted = Counter()
 
     def note(frame, event, _):
