@@ -290,8 +290,8 @@ FINDINGS: Mapping[str, str] = {
         "{peak:.5g N·m} before the balls take over, the sustained torque is {sustained:.5g N·m}"
     ),
     "hysteresis": (
-        "the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction has "
-        "fallen {value:.4g} times, and the torque then stays below the rising branch; full unloading reseats it"
+        "the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction has fallen "
+        "by a factor of {value:.4g}, and the torque then stays below the rising branch; full unloading reseats it"
     ),
     "torque-falls-with-travel": (
         "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold the torque: a load that "

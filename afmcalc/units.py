@@ -22,7 +22,7 @@ PLAIN = {
     **dict.fromkeys(("rev", "revolution", "U"), "6.283185307179586476925286766559 rad"),
     "min": "60 s", "minute": "60 s", "h": "3600 s", "hour": "3600 s",
 }  # fmt: skip
-"""Unit → what it is in SI; those above take a prefix."""
+"""Unit → its value in SI; the units of ``PREFIXED`` also take a prefix."""
 PREFIXES = {
     "k": "1e3", "kilo": "1e3", "M": "1e6", "mega": "1e6", "G": "1e9", "giga": "1e9", "d": "0.1", "deci": "0.1",
     "c": "0.01", "centi": "0.01", "m": "1e-3", "milli": "1e-3", "u": "1e-6", "µ": "1e-6", "μ": "1e-6", "micro": "1e-6",
@@ -41,22 +41,22 @@ ENGINEER = {
     "N": "kN", "m": "mm", "m^3": "cm^3", "N/m": "N/mm", "1/m": "1/mm", "rad": "deg", "Pa": "MPa", "J": "kJ",
     "J/m^2": "J/mm^2", "W/m^2": "W/mm^2", "N^2/m^2": "N^2/mm^2", "K abs": "degC",
 }  # fmt: skip
-"""SI unit → the one people in the trade read, where it is another."""
+"""SI unit → the unit in which engineers read the quantity, where it differs."""
 
 
 class UnitProduct(NamedTuple):
     """A unit, or a product of units."""
 
     factor: Decimal
-    """How many SI units it is."""
+    """Value in SI."""
     exponents: tuple[int, ...]
     """Powers of ``BASES``."""
     latin: str
-    """How it is written in Latin letters."""
+    """Spelling in Latin letters."""
 
 
 class UnknownUnitError(ValueError):
-    """A word that is no unit; ``args`` hold it."""
+    """A word that is no unit; ``args[0]`` is the word."""
 
 
 @cache

@@ -21,7 +21,7 @@ Takes = Literal["clutch", "clutches", "names", "requirements"]
 
 
 class Plot(NamedTuple):
-    """What is drawn of an analysis: ``figures.NAME`` gathers it, ``render.plot.kinds.NAME`` lays it out."""
+    """What is drawn of an analysis: ``figures.NAME`` gathers it, ``render.plot`` lays it out."""
 
     name: str
     about: str

@@ -1,8 +1,8 @@
-"""What the load of a clutch does to a part: one cycle over the whole band, or a slip at a time.
+"""Stress and life of a part under the load of a clutch, by one cycle over the whole torque band or slip by slip.
 
-The papers' rule takes T_min … T_max as one cycle. That is how slips differ from one another; a slip itself swings the
-load from T_low to T(f) and back. Rules that weigh the amplitude take that swing; friction differs from slip to slip,
-every one of its range as likely as another, and the life is that of the mean damage (Miner; theory, section 4).
+The papers' rule takes T_min … T_max as one cycle, although a single slip loads the part from T_low to T(f) and back.
+The rules by amplitude take this cycle for each slip. They assume that friction is uniformly distributed over its range,
+and give the life at the mean damage (Miner; theory, section 4).
 """
 
 import math
@@ -28,9 +28,9 @@ class Rule(NamedTuple):
     stress: Callable[[Fatigue, Values, Values], Values]
     """Damaging stress of a swing from the smaller to the larger stress, Pa."""
     needs: str | None = None
-    """Key of [fatigue] it cannot do without."""
+    """Key of [fatigue] that the rule needs."""
     each_slip: bool = True
-    """Whether it judges slips one by one; else the whole band is one cycle, and the S–N line goes on below its end."""
+    """Whether each slip is a cycle; else the whole band is one, and the S–N line is extrapolated below its end."""
 
 
 RULES: dict[StressRule, Rule] = {
@@ -50,29 +50,29 @@ class Load(NamedTuple):
     """Torque of a clutch along its friction range."""
 
     torque: Callable[[Values], Values]
-    """Share (0…1) of the way along the range → slip torque, N·m; monotone between its kinks."""
+    """Share (0…1) of the friction range → slip torque, N·m; monotone between the kinks."""
     least: Values
     """Smallest torque, N·m."""
     most: Values
     """Largest torque, N·m."""
     kinks: tuple[Values, ...] = ()
-    """Shares of the way at which it is not smooth or turns: where a sleeve leaves its stop, where the path bends."""
+    """Shares at which the torque has a kink or an extreme: where a sleeve leaves its stop, where the path bends."""
     factor: Values | None = None
-    """What the drive multiplies torques by on the unprotected side; it is in the torques, and goes to T_low too."""
+    """Dynamic factor of the unprotected side, which the torques include; None on the protected side."""
 
     def low(self, torque: Values) -> Values:
-        """Torque T_low from which a slip swings the load, on this side, N·m."""
+        """Torque T_low on this side, from which a slip raises the load, N·m; the factor multiplies it too."""
         return torque if self.factor is None else law.torque_unprotected(self.factor, torque)
 
     def times(self, factor: Values | None) -> "Load":
-        """The load on the unprotected side; without a factor the side is protected."""
+        """Return the load on the unprotected side; without a factor the load itself."""
         if factor is None:
             return self
         least, most = (law.torque_unprotected(factor, end) for end in (self.least, self.most))
         return Load(lambda share: law.torque_unprotected(factor, self.torque(share)), least, most, self.kinks, factor)
 
     def stretched(self, least: Values, from_band: Values, band: Values) -> "Load":
-        """The same course over another scatter band above ``least``; straight where there was none."""
+        """Return the curve scaled to another scatter band above ``least``; a straight line where the band was 0."""
         if not from_band:
             return Load(lambda share: least + share * band, least, least + band)
 
@@ -89,8 +89,8 @@ def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
 
     def torque(share: Values) -> Values:
         at = clutch.path(start + share * (1 - start))
-        if not is_array(share) and share in (0, 1):  # the ends as they are: no rounding of theirs
-            one, two = (own.max if share else own.mean if from_mean else own.min for own in clutch.friction)
+        if not is_array(share) and share in (0, 1):  # the exact ends, without rounding
+            one, two = (part.max if share else part.mean if from_mean else part.min for part in clutch.friction)
             at = one, two
         return clutch.torque(*at)
 
@@ -107,7 +107,7 @@ def dynamic_factor(clutch: Clutch, event: Callable[[], SimulateResult] | None = 
 
     Args:
         clutch: a clutch with float parameters.
-        event: gives what its event does, where that is simulated already.
+        event: returns the result of the event where it is simulated already; None: it is simulated here.
     """
     drive = clutch.spec.drive
     if drive.dynamic_factor is not None or drive.event is None:
@@ -128,7 +128,7 @@ def cycles(part: Fatigue, rule: StressRule, load: Load) -> Values:
     """Cycles, or slips, to failure: NaN where fatigue sets no limit, 0 where the largest load breaks the part.
 
     Raises:
-        OverflowError: they are too few, or the stress too large, for the range of numbers: no 0 but that of a break.
+        OverflowError: the cycles are too few, or the stress too large, for a float; 0 cycles mean a break only.
     """
     chosen, broken = RULES[rule], is_static(part, load)
     if not is_array(broken) and broken:
@@ -175,7 +175,7 @@ def _line(part: Fatigue, stress: Values) -> Values:
 def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Values, ...]) -> Values:
     """Slips to failure, 1/E[1/N] over the friction range; NaN where no slip comes above the endurance limit.
 
-    Between its kinks the stress is monotone, and crosses the endurance limit once: what lies above is integrated.
+    Between two kinks the stress is monotone and crosses the endurance limit once; only the part above it is integrated.
     """
     import numpy as np
 
@@ -193,7 +193,8 @@ def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Value
         return number
     if np.isnan(number):
         return math.nan
-    mean = derived(float(damage), stress(0.0), stress(1.0))  # over the whole range
+    # `explain` names the stresses at both ends of the range as the origin of the mean damage
+    mean = derived(float(damage), stress(0.0), stress(1.0))
     return float(law.cycles_of_mean_damage(mean))
 
 
@@ -220,5 +221,5 @@ def _piece(
 
 
 def _within(kink: Values) -> Values:
-    """A kink as a share of the way, moved to the end it lies beyond."""
+    """Limit the share of a kink to 0…1."""
     return larger(smaller(kink, 1.0), 0.0)

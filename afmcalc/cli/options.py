@@ -38,11 +38,11 @@ SpecArgument = Annotated[
 ForceOption = Annotated[bool, typer.Option("--force", "-f", help="Replace a file that exists.")]
 QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
 Writes = Literal["result", "spec", "document"]
-"""What a file gets; the name of a document is judged by its command."""
+"""What the command writes into a file; the command of a document checks the file name itself."""
 
 
 def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
-    """Judge overrides before the arguments: of ``--set gain 0.7`` the parser takes the value for a SPEC."""
+    """Check that overrides have a ``=`` before SPEC is read: of ``--set gain 0.7`` the parser takes 0.7 as SPEC."""
     from ..spec.edit import key_of
 
     for override in overrides or ():
@@ -52,7 +52,7 @@ def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
 
 @dataclass(frozen=True)
 class Common:
-    """Options of every command, and which command it is."""
+    """The name of the command, and the options that all commands share."""
 
     command: str
     set: Annotated[
@@ -102,7 +102,7 @@ class Common:
         return shown_in(self.units)
 
     def keep(self, *sources: str | None, beside: str | None = None, writes: Writes = "result") -> None:
-        """Refuse a file that is one of ``sources``, exists or has a wrong name, or a second one ``beside`` it."""
+        """Refuse to overwrite ``sources`` or other files, and wrong file names; ``beside``: a second file to write."""
         if writes == "result":
             self.chosen_format  # noqa: B018
         elif writes == "spec" and self.output:
@@ -110,17 +110,17 @@ class Common:
         refuse(self.output, beside, force=self.force, inputs=sources)
 
     def takes_no_clutch(self) -> None:
-        """Refuse overrides where there is no spec to override, and what ``keep`` refuses."""
+        """Refuse overrides, as the command reads no spec, and what ``keep`` refuses."""
         self.keep()
         if self.set:
             raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=self.command)
 
     def bar(self) -> Bar:
-        """Progress of what is calculated in the block; what takes longer than a minute is refused without ``--yes``."""
+        """Show progress while the block calculates; refuse a calculation of more than a minute without ``--yes``."""
         return Bar(quiet=self.quiet, agreed=self.yes)
 
     def note(self, text: str) -> None:
-        """Say something beside the result."""
+        """Print a note on standard error, unless ``--quiet``."""
         if not self.quiet:
             tell(told("note: {text}", text=text))
 
@@ -130,7 +130,7 @@ class Common:
         unreported.clear()
 
     def read(self, source: str | None, of: str | None = None) -> "Spec":
-        """Read the spec a command was given, or the one that ships; ``of``: what a plot or explanation is of."""
+        """Read the given spec, or the built-in one; ``of``: the analysis that is plotted or explained."""
         from ..spec import read_spec
 
         if source is None:
@@ -140,7 +140,7 @@ class Common:
         return read_spec(source, self.set or ())
 
     def given_instead(self, of: str) -> str | None:
-        """Return the example that ships for an analysis, None for the base clutch, and name it in a note."""
+        """Return the built-in example for an analysis, None for the base clutch, and name it in a note."""
         if of not in ANALYSES or (kind := ANALYSES[of].example) is None:
             self.note(say("no SPEC given: the built-in base clutch is used (afmcalc init writes a spec to start from)"))
             return None
@@ -159,14 +159,14 @@ class Common:
         return self.build(source)
 
     def calculate(self, clutch: "Clutch", curve: "SweepDrawing | None" = None, **options: object) -> "Output":
-        """Run the analysis of the command on a clutch and print it; ``curve`` draws under a table's sweep."""
+        """Run the analysis of the command on a clutch and print its result; ``curve`` draws the plot below a sweep."""
         from ..spec import resolved
 
         result, findings = self.ask(clutch, **options)
         return self.emit(result, findings, resolved(clutch.spec), curve)
 
     def ask(self, *arguments: object, **options: object) -> Any:
-        """Return what the analysis of the command gives: its result and findings."""
+        """Run the analysis of the command; return its result and findings."""
         with self.bar():
             return ANALYSES[self.command].function(*arguments, **options)
 
@@ -219,8 +219,8 @@ class Common:
 
         Args:
             data: the spec.
-            about: what it is, for its first line.
-            wrote: what is reported.
+            about: text for the first line of the file.
+            wrote: the note to print.
         """
         assert self.output is not None
         if is_json_spec(self.output):
@@ -239,8 +239,8 @@ def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]],
     """Give a command the common options; it receives them as ``common``.
 
     Args:
-        names: which of them; all where none is named.
-        helps: name → help, where that of a command is another.
+        names: names of the options to give; all where none is named.
+        helps: name → help text, where the command needs another one.
     """
     options = [option for option in fields(Common)[1:] if not names or option.name in names]
 
@@ -283,7 +283,7 @@ def _with_help(annotation: Any, text: str | None) -> Any:
 
 
 def need_drawing(extra: str) -> None:
-    """Make sure that the modules of an extra that draws are installed; what they log is not for our readers."""
+    """Require the modules of an extra that draws, and silence what matplotlib logs below an error."""
     import logging
 
     need(extra)

@@ -1,7 +1,8 @@
 """Many drives at once: the same law in fixed time steps, stick and slip by projection (Moreau–Jean).
 
-Every step takes the speeds that the clutch would leave alone and asks which torque brings the slip to rest; what is
-beyond the capacity slips. The shaft is stepped by the implicit midpoint rule: accuracy alone bounds the step.
+Every step first calculates the speeds without the torque of the clutch, then the torque that brings the slip to rest.
+Where this torque exceeds the capacity, the clutch slips. The shaft is stepped by the implicit midpoint rule, so that
+the step is limited by accuracy, not by stability.
 """
 
 from collections.abc import Callable
@@ -20,17 +21,15 @@ from .rest import Slipping, Stuck, settled, slips_below
 from .train import Train
 
 _LANES = 8192
-"""Drives stepped at a time: their states stay in the processor's cache."""
-
-
+"""Drives stepped at a time; the states of so many stay in the processor's cache."""
 _LOOKED = 200
-"""Steps after which it is seen again whether the peaks have passed."""
+"""Steps between two checks whether the peaks have passed."""
 _STANDING = 1e-9
-"""Speed of a tool that stands, relative to that before the event."""
-_TOLD = 100
-"""Steps after which it is told how far it is."""
+"""Speed, relative to that before the event, below which the tool counts as standing."""
+_REPORT = 100
+"""Steps between two reports of progress."""
 _SWING_OVER = 0.01
-"""Time of a swing of the balls between their walls, in steps, below which it is over."""
+"""Duration of a swing of the balls between their walls, in steps, below which the balls count as at rest."""
 
 
 class DirectLanes:
@@ -39,7 +38,7 @@ class DirectLanes:
     rate: Values = 0.0
 
     def __init__(self, train: Train, pack: DirectPack, h: Floats, per_torque: Floats) -> None:
-        """Begin stuck, the release force that of the load; ``per_torque`` is what it adds to the driven half."""
+        """Begin stuck under the load; ``per_torque``: speed that 1 N·m adds to the driven half in a step."""
         self.pack, self._each = pack, h / train.motor_inertia + per_torque
         self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
         self.slip, self.travel, self._trend = (np.zeros(h.size) for _ in range(3))
@@ -47,7 +46,7 @@ class DirectLanes:
         self.normal = np.broadcast_to(pack.pressed_at_stop(train.load, pack.stop_gains[0]), h.shape).astype(float)
         lag = np.broadcast_to(np.asarray(pack.lag, float), h.shape)
         self._half = np.exp(-h / (2 * np.where(lag > 0, lag, np.inf))) * (lag > 0) if np.any(lag > 0) else None
-        """What is left of a deviation after half a step; None without lag."""
+        """Factor by which a deviation of the normal force decays in half a step; None without lag."""
 
     @property
     def passed(self) -> Floats:
@@ -60,12 +59,12 @@ class DirectLanes:
         return self.pack.torque(self.pack.static_ratio)
 
     def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
-        """Find the torque of the pack, from the speeds of both halves without it."""
+        """Calculate the torque of the pack from the speeds that both halves have without this torque."""
         pack = self.pack
         needed = (motor - free) / self._each
         slip, self.top = self.slip + self._trend, np.zeros(needed.shape)
         for _ in range(2 if self._static else 1):
-            # static friction is that of the middle of the step: foretold, then mended
+            # friction is that at the slip in the middle of the step: first of a predicted slip, then of the result
             capacity = self._capacity(pack.ratio((self.slip + slip) / 2) if self._static else 1.0)
             self.torque = np.maximum(np.minimum(needed, capacity), -capacity)
             self.top = np.maximum(self.top, np.abs(self.torque))
@@ -79,7 +78,7 @@ class DirectLanes:
             self.normal = balance + (self.normal - balance) * self._half**2
 
     def _capacity(self, ratio: Values) -> Values:
-        """Largest torque of the pack; a late normal force is that of the middle of the step, its pack torque in it."""
+        """Largest torque of the pack; with lag at the normal force that this torque gives in the middle of the step."""
         pack = self.pack
         if self._half is None:
             return pack.torque(ratio)
@@ -93,14 +92,14 @@ class SleeveLanes:
     """Packs, hubs and balls of indirect clutches."""
 
     def __init__(self, train: Train, pack: Sleeve, h: Floats, per_torque: Floats) -> None:
-        """Begin stuck, the key as after a torque that has risen to the load; beyond T_н off the stop."""
+        """Begin stuck, in the state after the torque has risen to the load; with a load beyond T_н off the stop."""
         self.pack, self.h = pack, h
         self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
         self._mass_at_stop: Values = pack.inertia(0.0, pack.net_gain) / h
         self._mass_back: Values = pack.inertia(0.0, pack.net_gain_returning) / h
         self._share = pack.net_gain / pack.net_gain_returning
         self._across = h / train.hub_inertia
-        """What a torque adds to the speed of the hub in a step."""
+        """Speed that a torque of 1 N·m adds to the hub in a step."""
         self._pack, self._balls = h / train.motor_inertia + self._across, self._across + per_torque
         self.slip, self.rate, self._trend, self._gained = (np.zeros(h.size) for _ in range(4))
         self.torque = np.broadcast_to(train.load, h.shape).astype(float)
@@ -116,11 +115,11 @@ class SleeveLanes:
 
     @property
     def sticks_up_to(self) -> Values:
-        """Torque up to which nothing of it slips or moves, N·m."""
+        """Torque up to which neither pack slips nor sleeve moves, N·m."""
         return self.pack.sticks_up_to(self.turn, self.held)
 
     def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
-        """Find the torques of pack and balls, from the speeds of both halves without them."""
+        """Calculate the torques of pack and balls from the speeds that both halves have without these torques."""
         hub = driven + self.rate
         joint = _Joint(motor - hub, hub - free, self._pack, self._across, self._balls)
         slip, self.top = self.slip + self._trend, np.zeros(self.slip.shape)
@@ -156,7 +155,7 @@ class SleeveLanes:
         return found, np.where(stays, 0.0, np.where(at_stop, h / 2 * (self.rate + found.rate), after))
 
     def _mass(self, travel: Floats, out: NDArray[np.bool_]) -> Values:
-        """Torque that the sleeve's mass takes for a speed of the balls gained in a step."""
+        """Torque that accelerates the sleeve's mass, per speed that the balls gain in a step."""
         pack = self.pack
         net = pack.steeper(np.where(out, pack.net_gain, pack.net_gain_returning), travel)
         return pack.inertia(travel, net) / self.h
@@ -164,7 +163,7 @@ class SleeveLanes:
     def _bounced(
         self, joint: "_Joint", ratio: Values, near: NDArray[np.intp]
     ) -> "tuple[NDArray[np.bool_], NDArray[np.bool_], Floats, _Found]":
-        """Through the stop to the other wall and back, as often as a step has it: with constant torques in closed form.
+        """Follow the balls through the stop to the other wall and back in one step, in closed form at constant torques.
 
         Returns:
             Whether the balls come to the stop, whether they come to rest there, their turn, torques and speeds.
@@ -186,7 +185,7 @@ class SleeveLanes:
         gained = joint.rate + joint.across * np.where(sticks, joint.slip / joint.pack, resting.clutch) - before
 
         def slowed(side: Floats) -> tuple[Floats, Floats]:
-            """Speed that a wall takes in a step from balls that move out, and gives them on their way back."""
+            """Speed that balls lose per step while they move out along a wall, and gain while they move back."""
             return (
                 (yields * lift - side * gained) / (1 + yields * mass),
                 (yields * lift * share - side * gained) / (1 + yields * back),
@@ -206,7 +205,7 @@ class SleeveLanes:
             keeps = [np.sqrt(b / a) for a, b in walls]
             takes = [1 / a + 1 / np.sqrt(a * b) for a, b in walls]
             swing, kept = speed * (takes[0] + keeps[0] * takes[1]), keeps[0] * keeps[1]
-            # only where both walls send the balls back is there such a swing
+            # the balls swing so only where both walls push them back
             swings = (np.minimum(out, home) > 0) & (np.minimum(*walls[0]) > 0)
             seated = swings & ((swing < (1 - kept) * left) | (swing < _SWING_OVER))
             count = np.where(kept < 1, np.log1p(-(1 - kept) * left / swing) / np.log(kept), left / swing)
@@ -228,13 +227,13 @@ class SleeveLanes:
         return crosses, seated, turn, joint.pushed(capacity, (before + gained - rate) / yields, pressed)
 
     def _moving(self, joint: "_Joint", ratio: Values) -> "_Found":
-        """Off the stop: the key holds between S/κ₊ and S/κ."""
+        """Torques and speeds with the balls off the stop; the key sticks at ball torques between S/κ₊ and S/κ."""
         pack = self.pack
         side, ahead = np.where(self.turn < 0, -1.0, 1.0), self.h / 2 * self.rate
         travel = pack.travel(self.turn + ahead)
         mass = self._mass(travel, self.turn * self.rate >= 0)
         joint = joint.heavier(mass, self.rate)
-        # implicit midpoint: half of the way on is that of the speed before, the other half that of the speed to come
+        # implicit midpoint: the speed before the step gives half of the turn, the speed after it the other half
         halfway = pack.travel(self.turn + ahead / 2)
         moment = pack.driving_moment(halfway, self.rate + self._gained / 2)
         nets = [pack.steeper(net, halfway) for net in (pack.net_gain, pack.net_gain_returning)]
@@ -244,24 +243,24 @@ class SleeveLanes:
         found = joint.boxed(capacity, np.minimum(least, most), np.maximum(least, most), normal)
         outwards = found.balls == most
         stiff = self.h / 4 * pack.torsional(halfway, np.where(outwards, *nets), np.abs(found.balls))
-        # a wall may yield the more the further it gives way, but never faster than what is on it can follow
+        # a negative stiffness is limited: the divisor 1 + balls · stiff in `yielding` stays at least 1/2
         found = joint.yielding(found, np.where(found.rate == 0, 0.0, np.maximum(stiff, -0.5 / joint.balls)), capacity)
         return found._replace(balls=found.balls + mass * (found.rate - self.rate))
 
     def _still(self, joint: "_Joint", ratio: Values) -> "_Found":
-        """At the stop: N falls along κ, rises along κ₊, is held between; beyond S(0)/κ the sleeve lifts off."""
+        """Torques and speeds at the stop: N falls along κ and rises along κ₊; beyond S(0)/κ the sleeve lifts off."""
         pack = self.pack
         alone, share = joint.rate / joint.balls, joint.across / joint.balls
         stuck = (joint.slip + joint.across * alone) / (joint.pack - joint.across * share)
-        # the impulse that stops balls coming to their stop is no torque that pushes the sleeve
+        # without the impulse by which the balls come to rest at the stop, as it does not act on the sleeve
         steady = alone - self.rate / joint.balls
         normal = np.clip(self.held, *pack.play(steady + share * stuck))
         way = np.where(stuck < 0, -1.0, 1.0)
         before = pack.carried(self.held, ratio)
-        held = steady + share * way * before
-        side = way * np.where(held < 0, -1.0, 1.0)
+        sticking = steady + share * way * before
+        side = way * np.where(sticking < 0, -1.0, 1.0)
         rising, falling = (pack.slipping_at_stop(ratio, side * net, way * steady, share) for net in pack.stop_gains)
-        low, high = pack.play(held)
+        low, high = pack.play(sticking)
         slipping = np.where(self.held > high, rising, np.where(self.held < low, falling, before))
         sticks = np.abs(stuck) <= pack.carried(normal, ratio)
         clutch = np.where(sticks, stuck, way * slipping)
@@ -283,7 +282,7 @@ class SleeveLanes:
 
 
 class _Found(NamedTuple):
-    """Torques of pack and balls, the speeds they leave, the normal force."""
+    """Torques of pack and balls, the speeds after the step, and the normal force."""
 
     clutch: Floats
     balls: Floats
@@ -297,17 +296,17 @@ def _picked(which: NDArray[np.bool_], first: _Found, second: _Found) -> _Found:
 
 
 class _Joint(NamedTuple):
-    """Slip of the pack and of the balls after a step without their torques, and what a torque takes from each."""
+    """Slip of pack and balls after a step without their torques, and the slip that a torque of 1 N·m takes away."""
 
     slip: Floats
     rate: Floats
     pack: Values
     across: Values
-    """What a torque of one adds to the slip of the other."""
+    """Slip that a torque of 1 N·m on one of them adds to the other."""
     balls: Values
 
     def heavier(self, mass: Values, before: Values) -> "_Joint":
-        """The same with the sleeve's mass, which takes a torque for a speed of the balls gained over ``before``."""
+        """Return the joint with the sleeve's inertia, a torque of ``mass`` times the speed gained over ``before``."""
         whole = 1 + self.balls * mass
         slowed = (self.rate + self.balls * mass * before) / whole
         return _Joint(
@@ -319,7 +318,7 @@ class _Joint(NamedTuple):
         )
 
     def pushed(self, capacity: Values, balls: Floats, normal: Values) -> _Found:
-        """Under a torque of the balls."""
+        """Torques and speeds with a given torque of the balls."""
         slip = self.slip + self.across * balls
         needed = slip / self.pack
         clutch = np.clip(needed, -capacity, capacity)
@@ -327,7 +326,7 @@ class _Joint(NamedTuple):
         return _Found(clutch, balls, np.where(clutch == needed, 0.0, slip - self.pack * clutch), rate, normal)
 
     def boxed(self, capacity: Values, low: Values, high: Values, normal: Values) -> _Found:
-        """Torques within their limits that bring to rest what they can: a convex problem of two, solved exactly."""
+        """Torques within limits that bring pack and balls to rest where they can: the solution of a convex problem."""
         both = self.pack - self.across * self.across / self.balls
         first = np.clip((self.slip + self.across * self.rate / self.balls) / both, -capacity, capacity)
         wanted = (self.rate + self.across * first) / self.balls
@@ -336,7 +335,7 @@ class _Joint(NamedTuple):
         return found._replace(rate=np.where(balls == wanted, 0.0, found.rate))
 
     def yielding(self, found: _Found, stiff: Floats, capacity: Values) -> _Found:
-        """The same with a torque of the balls that grows with their speed, where they move."""
+        """Return ``found`` with a torque of the balls that grows with their speed, where ``stiff`` is not 0."""
         whole = 1 + self.balls * stiff
         slip = self.slip + self.across * (found.balls + stiff * (self.rate - self.balls * found.balls) / whole)
         pack = self.pack - self.across * self.across * stiff / whole
@@ -354,7 +353,7 @@ class _Joint(NamedTuple):
 
 
 class Marched(NamedTuple):
-    """What many events did, an array each."""
+    """Results of many events, an array for each quantity."""
 
     peak: Floats
     peak_clutch: Floats
@@ -363,7 +362,7 @@ class Marched(NamedTuple):
     slip: Floats
     """Slip of the pack at the end, rad/s."""
     passed: NDArray[np.bool_]
-    """Whether it was seen that no torque passes the peak any more."""
+    """Whether a check showed that no later torque exceeds the peak."""
 
 
 def march(
@@ -380,7 +379,7 @@ def march(
         pack: clutches, likewise.
         step: time step of each, s.
         steps: how many.
-        look: steps from which on it is seen whether all peaks have passed, and the rest left out; None: never.
+        look: step of the first check whether all peaks have passed, which ends the stepping; None: no check.
 
     Returns:
         Peaks, heat and travel, in the shape of ``step``.
@@ -388,11 +387,11 @@ def march(
     parts: list[Marched] = []
     blocks, least = -(-step.size // _LANES), look or steps
 
-    def behind(number: int) -> None:
-        if number % _TOLD == 0:
-            # up to the first look it may be that none needs more
-            each = least if number < least else steps
-            tell(say("stepping the drives"), len(parts) * each + number, blocks * each)
+    def report(number: int) -> None:
+        if number % _REPORT == 0:
+            # before the first check, that many steps are expected
+            expected = least if number < least else steps
+            tell(say("stepping the drives"), len(parts) * expected + number, blocks * expected)
 
     for start in range(0, step.size, _LANES):
         lanes = slice(start, start + _LANES)
@@ -402,7 +401,7 @@ def march(
             clutch: DirectLanes | SleeveLanes = DirectLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
         else:
             clutch = SleeveLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
-        parts.append(_march(own, shaft, clutch, h, steps, behind, least))
+        parts.append(_march(own, shaft, clutch, h, steps, report, least))
     return Marched(*(np.concatenate(each).reshape(step.shape) for each in zip(*parts, strict=True)))
 
 
@@ -410,7 +409,7 @@ D = TypeVar("D")
 
 
 def _cut(whole: D, lanes: slice, shape: tuple[int, ...]) -> D:
-    """Take some lanes of every array, in a record of records too."""
+    """Return a record with only some lanes of every array in it, also of arrays in nested records."""
     if isinstance(whole, np.ndarray):
         return cast(D, np.broadcast_to(whole, shape).reshape(-1)[lanes])
     if not is_dataclass(whole) or isinstance(whole, type):
@@ -425,7 +424,7 @@ def _march(
     clutch: DirectLanes | SleeveLanes,
     h: Floats,
     steps: int,
-    behind: Callable[[int], None],
+    report: Callable[[int], None],
     look: int,
 ) -> Marched:
     motor = earlier = shaft.driven
@@ -433,11 +432,11 @@ def _march(
     peak, peak_clutch, heat = (np.zeros(h.size) for _ in range(3))
     off = np.full(h.size, np.inf)
     passed = over = np.zeros(h.size, bool)
-    # friction that rises as a slip slows down may still raise the torque: such a drive is over only with all others
+    # with static friction the torque may rise again as the slip slows down: such a drive is stepped to the end of all
     steady = np.asarray(clutch.pack.static_ratio) == 1
     for number in range(steps):
-        behind(number)
-        # the torque at the speed in the middle of the step, as the last step foretells it
+        report(number)
+        # motor torque at the speed in the middle of the step, extrapolated from the last step
         driving = train.engine.at(1.5 * motor - 0.5 * earlier)
         if train.cut_off is not None:
             driving = driving * np.clip(off / h - number, 0.0, 1.0)
@@ -468,7 +467,7 @@ def _passed(
     off: Floats,
     peak: Floats,
 ) -> NDArray[np.bool_]:
-    """Whether no torque passes the peak any more."""
+    """Whether no later torque exceeds the peak."""
     standing = np.abs(shaft.tool) <= _STANDING * train.speed
     powered, pending = time < off, (time < off) & np.isfinite(off)
     stuck = Stuck(motor, shaft.tool, shaft.elastic, standing, powered, pending)
@@ -500,10 +499,10 @@ class Shaft:
         other = train.tool_inertia + self._coupling
         self._joint = own, other, own * other - self._coupling * self._coupling
         self.per_torque = self._lost if train.kind == "stop" else h * other / self._joint[2]
-        """What a torque on the driven half adds to its speed in a step."""
+        """Speed that a torque of 1 N·m adds to the driven half in a step."""
 
     def free(self, number: int, passed: Floats) -> Floats:
-        """Speed of the driven half without the clutch; moves the tool on, under the torque ``passed`` before."""
+        """Return the speed of the driven half without the clutch; step the tool under the last torque ``passed``."""
         if self.train.kind == "load":
             self._rate = self.driven - self.tool
             return self._loaded((number + 0.5) * self.h, passed)
@@ -514,20 +513,20 @@ class Shaft:
         return speed
 
     def _loaded(self, middle: Floats, passed: Floats) -> Floats:
-        """Tool with an inertia of its own, held by its load where that can hold it."""
+        """Step a tool that its load may stop and keep at rest; return the speed of the driven half."""
         train, h, coupling = self.train, self.h, self._coupling
         impulse = h * self.elastic + coupling * self._rate
         own, other, det = self._joint
         first, second = train.driven_inertia * self.driven - impulse, train.tool_inertia * self.tool + impulse
         load = train.load_at(middle)
-        # what the clutch adds to the tool is that of its torque before: a part of the second order
+        # the tool sees the clutch torque of the last step, which is an error of second order
         alone = coupling * (first + h * passed) + own * second
-        held = np.clip(alone / (h * own), -load, load)
-        self._after = (alone - own * h * held) / det
-        return (other * first + coupling * (second - h * held)) / det
+        resisting = np.clip(alone / (h * own), -load, load)
+        self._after = (alone - own * h * resisting) / det
+        return (other * first + coupling * (second - h * resisting)) / det
 
     def take(self, driven: Floats) -> None:
-        """Move on with the speed the driven half has come to."""
+        """Set the speed of the driven half after the step, and step the shaft with it."""
         rate = driven - self._after
         self.elastic = self.elastic + self._stretch * (self._rate + rate)
         self.driven, self.tool, self._rate = driven, self._after, rate

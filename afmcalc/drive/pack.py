@@ -1,4 +1,4 @@
-"""A clutch at one friction as its drive meets it: discs, and for an indirect clutch the sleeve behind them.
+"""Clutch at one friction, as the simulation of the drive uses it: the pack and, in an indirect clutch, the sleeve.
 
 The law of what sticks and slips, written once for numbers (one event) and arrays (many drives). At its stop an indirect
 clutch is a direct one of gain κ while the torque rises, κ₊ while it falls; a direct clutch never leaves its stop.
@@ -24,10 +24,10 @@ from ..errors import CalculationError
 
 _direct, _drive, _pocket, _sleeve = plain(direct), plain(drive), plain(pocket), plain(sleeve)
 _IDLE = 1e-9
-"""κ in an array that stands for none: the law's own limit, an ordinary clutch."""
+"""Replaces κ = 0 in an array, so that nothing is divided by 0; the clutch still acts as an ordinary one."""
 _ROUNDING = 1e-12
 _FAR = 1e6
-"""Friction from which a sleeve returns that has been as far off as it can be."""
+"""Friction so large that the sleeve has its largest travel."""
 
 
 class Pack:
@@ -50,7 +50,7 @@ class Pack:
     lift: Number
     """Torque of the balls at which they leave the stop, N·m."""
     farthest_turn: Number
-    """Turn of the balls at which the closing spring has been left, rad."""
+    """Turn of the balls at which the closing spring is slack, rad."""
 
     def ratio(self, slip: Number) -> Number:
         """Friction at a slip over sliding friction."""
@@ -70,18 +70,18 @@ class Pack:
         )
 
     def play(self, torque: Number) -> tuple[Number, Number]:
-        """Normal forces at the stop between which the key sticks, N: beyond them N follows the torque of the balls."""
+        """Smallest and largest normal force at the stop while the key sticks, N; beyond them N follows the balls."""
         rising, falling = self.stop_gains
         return self.pressed_at_stop(torque, falling), self.pressed_at_stop(torque, rising)
 
     def slipping_at_stop(self, ratio: Number, net_gain: Number, alone: Number, share: Number) -> Number:
-        """Torque of the slipping pack at the stop, N following along κ or κ₊, N·m; along the slip.
+        """Slip torque with the balls at the stop, where N follows their torque by κ or κ₊, N·m; positive along slip.
 
         Args:
             ratio: friction at the slip over sliding friction.
             net_gain: κ or κ₊, negative where the balls pass their torque against the slip.
-            alone: torque of the balls without that of the pack, N·m.
-            share: share of the pack's torque that they pass.
+            alone: torque that the balls would pass without friction of the pack, N·m.
+            share: share of the pack's torque that the balls pass.
         """
         pairs = self.friction_pairs * ratio
         torque = _sleeve.slip_torque_at_stop(pairs, self.mean_radius, self.resting_force, net_gain, alone, share)
@@ -93,16 +93,16 @@ class Pack:
 
     @property
     def least(self) -> Values:
-        """Slip torque at least: that of a sleeve which its key holds back, N·m."""
+        """Smallest slip torque, N·m; of an indirect clutch that of a sleeve that moves back to its stop."""
         return self.torque(1.0)
 
     @property
     def growth(self) -> float:
-        """Growth of the torque with the share of friction, ∂T/∂(f(v)/f), as slip begins, N·m."""
+        """Derivative ∂T/∂(f(v)/f) of the slip torque by the friction ratio where slip begins, N·m."""
         raise NotImplementedError
 
     def turn_under(self, torque: float) -> Values:
-        """Turn of the balls, at rest under a torque that has risen to it; 0 at the stop."""
+        """Turn of the balls at rest after the torque has risen to ``torque``, rad; 0 at the stop."""
         return 0.0
 
     def sticks_up_to(self, turn: Values, normal: Values) -> Values:
@@ -110,7 +110,7 @@ class Pack:
         raise NotImplementedError
 
     def leaning(self, turn: float) -> float:
-        """Torque that the walls of the balls bear over that of the clutch, 1/cos α and all."""
+        """Normal force of the pocket walls times the radius of the ball circle, over the torque of the clutch."""
         raise NotImplementedError
 
 
@@ -157,33 +157,33 @@ class DirectPack(Pack):
 
     @cached_property
     def stop_gains(self) -> tuple[Number, Number]:
-        """C for the share of the torque that passes the balls; no key resists."""
+        """C times the share of the torque that passes the balls, twice: no key makes rise and fall differ."""
         return (self.gain * self.ball_share,) * 2
 
     def torque(self, ratio: Number) -> Number:
-        """Slip torque with friction times ``ratio``, no lag."""
+        """Slip torque with friction times ``ratio`` and without lag, N·m."""
         pairs = self.bypass_pairs, self.controlled_pairs
         frictions = ratio * self.driving, ratio * self.driven
         return _direct.torque(self.closing_force, self.mean_radius, *pairs, self.gain, *frictions)
 
     def potential(self, torque: float, ratio: float) -> float:
-        """T_п: torque at which it slips with the release force of ``torque``, friction times ``ratio``."""
+        """T_п: torque at which the pack slips under the release force of ``torque``, friction times ``ratio``."""
         return self.carried(self.pressed_at_stop(torque, self.stop_gains[0]), ratio)
 
     @property
     def growth(self) -> float:
-        """∂T/∂(f(v)/f), release force following."""
+        """∂T/∂(f(v)/f) where the release force follows the torque, N·m."""
         ratio, pairs = self.static_ratio, (self.bypass_pairs, self.controlled_pairs)
         frictions = ratio * self.driving, ratio * self.driven
         return _drive.torque_growth(self.closing_force, self.mean_radius, *pairs, self.gain, *frictions) / ratio
 
     def sticks_up_to(self, turn: Values, normal: Values) -> Values:
-        """T(r_s f), or less while the normal force lags."""
+        """T(r_s f); with lag no more than the present normal force carries, N·m."""
         breakaway = self.torque(self.static_ratio)
         return smaller(breakaway, self.carried(normal, self.static_ratio)) if np.any(self.lag) else breakaway
 
     def leaning(self, turn: float) -> float:
-        """Share of the balls over cos α, tan α = C r/R."""
+        """Share of the torque that passes the balls, divided by cos α, where tan α = C r/R."""
         return self.ball_share * math.hypot(1.0, self.gain * self.lever)
 
 
@@ -258,12 +258,12 @@ class Sleeve(Pack):
 
     @cached_property
     def _discs(self) -> tuple[Number, Number]:
-        """Disc springs, closing and control; None of a straight one."""
+        """The closing and the control spring; None for a spring with a straight characteristic."""
         return self.law.closing_disc, self.law.control_disc
 
     @cached_property
     def _pressed_in(self) -> tuple[Number, Number]:
-        """Deflections of disc springs at the stop; 0 of a straight one."""
+        """Deflections of both disc springs at the stop, m; 0 for a spring with a straight characteristic."""
         forces = self.closing_force, self.resting_force
         closing, control = (
             0.0 if disc is None else disc.deflection(force) for disc, force in zip(self._discs, forces, strict=True)
@@ -271,11 +271,11 @@ class Sleeve(Pack):
         return closing, control
 
     def _deflections(self, travel: Number) -> tuple[Number, Number]:
-        """Of disc springs, closing and control; a spring that has been left presses no more."""
+        """Deflections of the closing and control disc springs at a travel, m; a slack closing spring has 0."""
         return larger(self._pressed_in[0] - travel, 0.0), self._pressed_in[1] + travel
 
     def _stiffnesses(self, travel: Number) -> tuple[Number, Number]:
-        """c_1 and c_2 where the sleeve is."""
+        """c_1 and c_2 at a travel, N/m."""
         (closing, control), (slackened, pressed) = self._discs, self._deflections(travel)
         return (
             self._springs[2] if closing is None else closing.stiffness(slackened),
@@ -284,12 +284,12 @@ class Sleeve(Pack):
 
     @property
     def farthest(self) -> float:
-        """Travel at which the closing spring has been left, m."""
+        """Travel at which the closing spring is slack, m."""
         return self.closing_force / self._springs[2] if self._discs[0] is None else self._pressed_in[0]
 
     @property
     def farthest_turn(self) -> float:
-        """The same as a turn of the balls, rad."""
+        """Turn of the balls at the travel ``farthest``, rad."""
         return _sleeve.turn(self.farthest, self.mean_radius, self.law.gain, self.law.gain_slope)
 
     def torque(self, ratio: Number) -> Number:
@@ -298,30 +298,33 @@ class Sleeve(Pack):
 
     @property
     def least(self) -> Values:
-        """Slip torque of a sleeve that returns from far off, N·m."""
+        """Slip torque while the sleeve moves back from its largest travel, N·m."""
         return self.law.torque_returning(self.friction, _FAR)
 
     @property
     def growth(self) -> float:
-        """∂T/∂(f(v)/f) with the sleeve where its key holds it."""
+        """∂T/∂(f(v)/f) while the key keeps the sleeve in its place, N·m."""
         return self.torque(self.static_ratio) / self.static_ratio
 
     def sticks_up_to(self, turn: Values, normal: Values) -> Values:
-        """T(r_s f), or less where the sleeve is still farther off: below it its swings only lose energy to the key."""
+        """T(r_s f); off the stop no more than the present normal force carries, N·m.
+
+        Below this torque a swing of the sleeve only loses energy to the key.
+        """
         breakaway = self.torque(self.static_ratio)
-        held = self.carried(self.pressed(self.travel(turn)), self.static_ratio)
-        return np.where(np.asarray(turn) == 0, breakaway, smaller(breakaway, held))
+        off_stop = self.carried(self.pressed(self.travel(turn)), self.static_ratio)
+        return np.where(np.asarray(turn) == 0, breakaway, smaller(breakaway, off_stop))
 
     def leaning(self, turn: float) -> float:
-        """1/cos α where the sleeve is, tan α = C r/R."""
+        """1/cos α at a turn of the balls, where tan α = C r/R."""
         return math.hypot(1.0, self.gain(self.travel(turn)) * self.lever)
 
     def steeper(self, net_gain: Number, travel: Number) -> Number:
-        """A gain at the stop, where the sleeve has travelled to."""
+        """C, κ or κ₊ at a travel, from its value at the stop."""
         return _pocket.gain_at(net_gain, self.law.gain_slope, travel)
 
     def gain(self, travel: Number) -> Number:
-        """C where the sleeve is."""
+        """C at a travel."""
         return self.steeper(self.law.gain, travel)
 
     def moment(self, travel: Number) -> Number:
@@ -343,7 +346,7 @@ class Sleeve(Pack):
         return mean / self.mean_radius * travel
 
     def pressed(self, travel: Number) -> Number:
-        """N off the stop, N: that of the closing spring; a pack that it leaves has none."""
+        """Normal force off the stop, N: that of the closing spring, 0 once the spring is slack."""
         return larger(self._slackened(travel), 0.0)
 
     def _slackened(self, travel: Number) -> Number:
@@ -353,16 +356,16 @@ class Sleeve(Pack):
         return _sleeve.slackened_force(self.closing_force, self._springs[2], travel)
 
     def travel(self, turn: Number) -> Number:
-        """Travel for a turn either way, m."""
+        """Travel of the sleeve for a turn of the balls in either direction, m."""
         return _sleeve.travel(abs(turn), self.mean_radius, self.law.gain, self.law.gain_slope)
 
     def turn_under(self, torque: float) -> Values:
-        """Turn of the balls, at rest under a torque that has risen to it; 0 up to T_н."""
+        """Turn of the balls at rest after the torque has risen to ``torque``, rad; 0 up to T_н."""
         if not self.law.curved:
             lifted = torque * self.net_gain / self.mean_radius - (self.resting_force - self.closing_force)
             off = lifted > _ROUNDING * self.resting_force
             stiffness = self._springs[2] + self._springs[3] - torque * self.law.gain_slope / self.mean_radius
-            # a constant-torque pocket has no stiffness at T_н, where nothing is lifted
+            # at the stop the 1 prevents 0/0: there a constant-torque pocket has no stiffness
             travel = off * lifted / (stiffness + (1 - 1 * off))
         else:
             travel = root(
@@ -373,7 +376,7 @@ class Sleeve(Pack):
         return _sleeve.turn(travel, self.mean_radius, self.law.gain, self.law.gain_slope)
 
     def inertia(self, travel: Number, net_gain: Number) -> Number:
-        """Inertia of the sleeve's mass in the turn, kg·m²."""
+        """Moment of inertia that the sleeve's mass adds to the turn of the balls, kg·m²."""
         return _sleeve.sleeve_inertia(self.mass, self.mean_radius, self.gain(travel), net_gain)
 
     def speed(self, travel: Number, rate: Number) -> Number:
@@ -381,7 +384,7 @@ class Sleeve(Pack):
         return _sleeve.travel_rate(rate, self.mean_radius, self.gain(travel))
 
     def driving_moment(self, travel: Number, rate: Number) -> Number:
-        """Moment of both springs, less what a steepening wall takes from a moving sleeve, N·m."""
+        """Moment of both springs minus the inertia moment of a sleeve that moves along a curved wall, N·m."""
         moment = self.moment(travel)
         if not is_array(self.mass) and not self.mass:
             return moment
@@ -389,7 +392,7 @@ class Sleeve(Pack):
         return moment - _sleeve.centrifugal_moment(self.mass, self.mean_radius, self.gain(travel), slope, speed)
 
     def key_limits(self, travel: Number) -> tuple[Number, Number]:
-        """Torques between which the key holds the sleeve off its stop, S/κ₊ and S/κ, N·m."""
+        """Smallest and largest ball torque at which the key keeps a sleeve off its stop at rest, S/κ₊ and S/κ, N·m."""
         moment = self.moment(travel)
         return (
             moment / self.steeper(self.net_gain_returning, travel),
@@ -410,14 +413,16 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
     Raises:
         CalculationError: a sleeve that would be off its stop without load.
     """
-    own = clutch.sleeve
-    if own is None:
+    indirect = clutch.sleeve
+    if indirect is None:
         return _discs(clutch, driving, driven)
-    if not is_array(own.net_gain) and not own.net_gain:
-        # feedback that the key just holds: an ordinary clutch
-        ordinary = DirectClutch(own.closing_force, own.mean_radius, own.pairs, 0.0, 0.0, spec=own.spec)
+    if not is_array(indirect.net_gain) and not indirect.net_gain:
+        # κ = 0: the key's friction equals the feedback, and the clutch acts as an ordinary one
+        ordinary = DirectClutch(
+            indirect.closing_force, indirect.mean_radius, indirect.pairs, 0.0, 0.0, spec=indirect.spec
+        )
         return _discs(ordinary, driving, driven)
-    unit, control = clutch.spec.control_unit, own.control_force
+    unit, control = clutch.spec.control_unit, indirect.control_force
     below = np.asarray(control < clutch.closing_force)
     if below.any():
         raise CalculationError(
@@ -427,16 +432,16 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
             closing=np.broadcast_to(clutch.closing_force, below.shape)[below].flat[0],
         )
     mass = 0.0 if unit is None or unit.sleeve_mass is None else unit.sleeve_mass
-    return Sleeve(own, driving, mass, *_static(clutch), _lever(clutch))
+    return Sleeve(indirect, driving, mass, *_static(clutch), _lever(clutch))
 
 
 def ordinary_pack(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:
     """Return the same discs without control unit, set for the same nominal torque."""
     bypass = clutch.bypass_pairs
     pack = clutch.mean_radius, bypass, clutch.spec.friction_group.pairs - bypass, 0.0
-    own = DirectClutch(1.0, *pack, friction=clutch.friction, spec=clutch.spec)
-    force = adjustment.closing_force(clutch.nominal_torque, parameters.margin(clutch.spec), own.torque_per_force())
-    return replace(_discs(replace(own, closing_force=force), driving, driven), lag=0.0)
+    ordinary = DirectClutch(1.0, *pack, friction=clutch.friction, spec=clutch.spec)
+    force = adjustment.closing_force(clutch.nominal_torque, parameters.margin(clutch.spec), ordinary.torque_per_force())
+    return replace(_discs(replace(ordinary, closing_force=force), driving, driven), lag=0.0)
 
 
 def _discs(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:

@@ -1,9 +1,10 @@
-"""A drive as one event goes through it: states, what sticks and slips, and what ends that.
+"""One clutch in its drive during an event: states and their rates, what sticks or slips, and when that changes.
 
 Between two switches every element either sticks or slips, and the equations are smooth. A *mode* says which; a *guard*
-is positive while the mode lasts. Pack and balls share the hub, so that one cannot be decided without the other: of the
-modes that the states allow the one follows in which nothing contradicts – no torque beyond what sticks, no acceleration
-against the slip. After the state machine of Otter, Elmqvist and Mattsson (1999).
+is positive while the mode lasts. Pack and balls share the hub, so that both are decided together: of the modes
+that the states allow, the next one is the mode without a contradiction. A contradiction is a torque too large for an
+element that sticks, or an acceleration against the slip. After the state machine of Otter, Elmqvist and
+Mattsson (1999).
 """
 
 import math
@@ -24,23 +25,23 @@ from .train import Train
 _drive, _sleeve = plain(drive), plain(sleeve)
 State = list[float]
 V, DRIVEN, TWIST, TOOL, RATE, TURN, NORMAL = range(7)
-"""Slip v of the pack, ω_2, twist of the shaft, ω_3, w = ω_h − ω_2, turn φ of the balls, and the normal force that the
-key holds at the stop or that follows late."""
+"""Places in the state: slip v of the pack, ω_2, twist of the shaft, ω_3, w = ω_h − ω_2, turn φ of the balls, and the
+normal force, which is a state while the key sticks at the stop, or with lag."""
 SIZE = 7
 WORKS = 5
-"""Energies that are summed after the states: of motor, pack, shaft, tool, key."""
+"""Number of works that are integrated after the states: of motor, pack, shaft, tool, key."""
 FAST = 20.0
-"""Decays in a radian of the shaft's swing beyond which an implicit method is taken."""
+"""Decays per radian of the shaft's swing above which an implicit method is used."""
 _ROUNDING = 1e-9
-"""Relative contradiction that is none."""
+"""Relative contradiction up to which rounding is the cause."""
 _NOTHING = 1e-8
-"""Share of the energy in the drive that a last swing of the balls at their stop may lose unseen: 0.005 % of a peak."""
+"""Share of the drive's energy below which a swing of the balls at their stop is ended: 0.005 % of a peak."""
 _CLOSE = 1e-9
 """Relative tolerance within which an element at its limit still sticks."""
 
 
 class Mode(NamedTuple):
-    """Which elements stick, which slip, and how far the event is."""
+    """Which elements stick, which slip, and the stage of the event."""
 
     pack: int = 0
     """Sign of the slip of the friction pack; 0 where it sticks."""
@@ -50,11 +51,11 @@ class Mode(NamedTuple):
     """Whether the tool has been stopped, or the load has risen."""
     powered: bool = True
     balls: Literal["seat", "lock", "out", "back"] = "seat"
-    """At their stop, or off it held by the key, moving out or back; of a direct clutch always at their stop."""
+    """At the stop, or off the stop: at rest by the key, moving out, or moving back; in a direct clutch "seat"."""
     side: int = 1
     """Wall on which the balls are, or the sign of their torque at the stop."""
     hold: int = 1
-    """At the stop: 1 while the torque rises (κ), −1 while it falls (κ₊), 0 where N is a state: held, or late."""
+    """At the stop: 1 while the torque rises (κ), −1 while it falls (κ₊), 0 where N is a state (key sticks, N lags)."""
 
     @property
     def moving(self) -> bool:
@@ -63,7 +64,7 @@ class Mode(NamedTuple):
 
     @property
     def still(self) -> bool:
-        """Whether the drive before the shaft turns as one."""
+        """Whether motor side, hub and driven half turn at one speed."""
         return not self.pack and not self.moving
 
 
@@ -117,17 +118,17 @@ class Plant:
 
     @cached_property
     def least(self) -> float:
-        """Sliding torque at least: that of a sleeve that its key holds back."""
+        """Smallest sliding torque; of an indirect clutch that of a sleeve that moves back to its stop."""
         return float(self.pack.least)
 
     @cached_property
     def natural(self) -> float:
-        """Swings of the driven half alone on the shaft, rad/s."""
+        """Natural frequency of the driven half alone on the shaft, rad/s."""
         return math.sqrt(float(self.train.stiffness / self.train.driven_inertia))
 
     @cached_property
     def moment(self) -> float:
-        """Time over which a growth is taken, s."""
+        """Time step by which ``_key_guard`` sees whether a torque rises, s."""
         return 1e-6 / self.natural
 
     @property
@@ -150,7 +151,7 @@ class Plant:
         return [speed, speed, twist, speed, speed, turn, self.pack.resting_force, *[self.stored(self.start())] * WORKS]
 
     def swing(self, mode: Mode) -> float:
-        """Time of a swing of the stuck drive on its shaft, s."""
+        """Period of the oscillation on the shaft while pack and balls stick, s."""
         inertia, tool = self.train.front, self.train.tool_inertia
         if self.train.kind == "load" and mode.tool:
             inertia = inertia * tool / (inertia + tool)
@@ -169,7 +170,7 @@ class Plant:
         return self.pack.travel(y[TURN]) if y[TURN] else 0.0
 
     def _along(self, y: Sequence[float], mode: Mode) -> float:
-        """Travel along the wall of a mode, m: going on smoothly beyond the stop, which a step may look past."""
+        """Travel along the wall of a mode, m; it goes on smoothly past the stop, as a step of the integration may."""
         turn = mode.side * y[TURN]
         return self.pack.travel(turn) if turn > 0 else self.pack.speed(0.0, turn)
 
@@ -187,7 +188,7 @@ class Plant:
         return math.inf if self.train.kind == "stop" else self.train.overload
 
     def net_gain(self, mode: Mode) -> float:
-        """κ or κ₊ at the stop, as the key resists."""
+        """κ or κ₊ at the stop, by the direction in which the key resists."""
         if mode.balls == "seat":
             return self.pack.stop_gains[mode.hold < 0]
         return self.pack.net_gain if mode.balls == "out" else self.pack.net_gain_returning
@@ -203,7 +204,7 @@ class Plant:
         return self.pack.carried(self.normal(y, mode, balls), self.pack.static_ratio)
 
     def torques(self, t: float, y: Sequence[float], mode: Mode) -> Torques:
-        """Torques that follow from states and mode."""
+        """Torques in a mode at given states."""
         train, pack, side = self.train, self.pack, mode.side
         shaft, motor = self.shaft(y), self.motor(self.motor_speed(y), mode)
         first, hub, last = train.motor_inertia, train.hub_inertia, train.driven_inertia
@@ -240,7 +241,7 @@ class Plant:
         return (balls, train.hub_inertia) if train.hub_inertia else (shaft, train.driven_inertia)
 
     def rates(self, t: float, y: Sequence[float], mode: Mode) -> State:
-        """Newton, a late normal force, and the work of motor, pack, shaft, tool and key."""
+        """Time derivatives of the states, then the powers of motor, pack, shaft, tool and key."""
         train, pack = self.train, self.pack
         motor, clutch, balls, shaft = self.torques(t, y, mode)
         slip, driven, _, tool, rate, _, normal = y[:SIZE]
@@ -295,7 +296,7 @@ class Plant:
         return _GUARDS[mode.balls][: None if self.pack.travels else 2]
 
     def guard(self, which: Guard, t: float, y: Sequence[float], mode: Mode, torques: Torques) -> float:
-        """Positive while the mode lasts; ``torques`` those of states and mode."""
+        """Value of a guard, positive while the mode lasts; ``torques``: those of states and mode."""
         pack, along = self.pack, mode.side * torques.balls
         if which == Guard.PACK:
             stuck = not mode.pack
@@ -318,7 +319,7 @@ class Plant:
         return mode.side * y[RATE] * (1 if mode.balls == "out" else -1)
 
     def _key_guard(self, t: float, y: Sequence[float], mode: Mode, along: float) -> float:
-        """At the stop: while the torque goes on as it does, or within what the key holds."""
+        """At the stop: positive while the torque keeps its direction, or while the key sticks."""
         pack = self.pack
         if pack.stop_gains[0] == pack.stop_gains[1]:
             return 1.0
@@ -330,14 +331,14 @@ class Plant:
         return min(high - y[NORMAL], y[NORMAL] - low) + 1e-10 * pack.resting_force
 
     def switched(self, t: float, y: State, mode: Mode, hit: Guard | None) -> tuple[State, Mode]:
-        """Bring to rest what has come to rest, then find the mode that follows: ``hit`` fell, or a stage ended."""
+        """Return states and mode after the guard ``hit`` fell below 0; None: after a stage of the event ended."""
         y, torques = list(y), self.torques(t, y, mode)
         normal = self.normal(y, mode, torques.balls)
         self._come_to_rest(y, mode, hit)
         tool = self._tool(t, y, mode, torn=hit == Guard.TOOL and not mode.tool)
         if not self.pack.lag:
             y[NORMAL] = normal
-        # what a guard has ended does not go on: where nearly nothing moves, rounding would re-enter the mode for ever
+        # the mode that a guard has ended is left out: else rounding could re-enter the same mode for ever
         modes = [
             new._replace(tool=tool)
             for new in self._allowed(y, mode, hit, torques, normal)
@@ -360,12 +361,12 @@ class Plant:
         elif hit == Guard.BALLS and mode.moving:
             y[RATE] = 0.0
         elif hit == Guard.STOP:
-            # the balls roll through to the other wall, unless what is left of the swing is nothing
+            # the balls roll on to the other wall, unless the energy of their swing is negligible
             y[TURN] = 0.0
             self._seat(y, mode)
 
     def _seat(self, y: State, mode: Mode) -> None:
-        """Join hub and driven half where the energy of their swing is nothing; the key takes it."""
+        """Give hub and driven half one speed if the energy of their swing is negligible; the key takes this energy."""
         train, stored = self.train, self.stored(y)
         hub = train.hub_inertia if mode.pack else train.motor_inertia + train.hub_inertia
         both = hub + train.driven_inertia
@@ -378,7 +379,7 @@ class Plant:
         y[-1] += stored - self.stored(y)
 
     def _tool(self, t: float, y: State, mode: Mode, *, torn: bool) -> int:
-        """Sign of the tool's motion that follows; ``torn`` off its rest it moves."""
+        """Sign of the tool's next motion; ``torn``: the shaft has just torn the tool loose."""
         shaft = self.shaft(y)
         if y[TOOL]:
             return 1 if y[TOOL] > 0 else -1
@@ -387,7 +388,7 @@ class Plant:
         return _sign(shaft)
 
     def _allowed(self, y: State, mode: Mode, hit: Guard | None, torques: Torques, normal: float) -> Iterator[Mode]:
-        """Modes that the states allow, those first in which more sticks; what was torn loose does not stick."""
+        """Modes that the states allow, first those with more elements that stick; an element torn loose does not."""
         if y[V]:
             packs = [_sign(y[V])]
         elif hit == Guard.PACK and not mode.pack:
@@ -401,7 +402,7 @@ class Plant:
     def _balls(
         self, y: State, mode: Mode, hit: Guard | None, torques: Torques, normal: float
     ) -> list[tuple[Any, int, int]]:
-        """What the balls may do, on which side, and how the key holds."""
+        """Possible motions of the balls, each with its side and ``Mode.hold``."""
         rate, turn = y[RATE], y[TURN]
         torn = hit == Guard.BALLS and not mode.moving
         if turn:
@@ -424,7 +425,7 @@ class Plant:
         return [*at_stop, *(("out", side, 1) for side in sides)]
 
     def _contradiction(self, t: float, y: State, mode: Mode) -> float:
-        """By how much a mode contradicts itself, relative to what sticks."""
+        """Largest contradiction of a mode, relative to the sliding torque; 0 where there is none."""
         train, pack = self.train, self.pack
         torques = self.torques(t, y, mode)
         motor, clutch, balls, shaft = torques
@@ -436,7 +437,7 @@ class Plant:
             rate = _drive.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
             wrong.append(-mode.pack * rate * inertia)
         if mode.balls == "seat" and pack.travels:
-            wrong += [along - pack.lift, -along, self._held_wrongly(y, mode, along)]
+            wrong += [along - pack.lift, -along, self._hold_contradiction(y, mode, along)]
         elif mode.balls == "lock":
             low, high = pack.key_limits(self.travel(y))
             wrong += [along - high, low - along]
@@ -447,19 +448,19 @@ class Plant:
         worst = max(wrong) / self.sliding
         return worst if worst > _ROUNDING else 0.0
 
-    def _held_wrongly(self, y: State, mode: Mode, along: float) -> float:
-        """Contradiction at the stop, as a torque: N falls along κ, rises along κ₊, and is held between the two."""
-        pack, held = self.pack, y[NORMAL]
+    def _hold_contradiction(self, y: State, mode: Mode, along: float) -> float:
+        """Contradiction of ``mode.hold`` and the normal force at the stop, as a torque."""
+        pack, normal = self.pack, y[NORMAL]
         if pack.stop_gains[0] == pack.stop_gains[1]:
             return 0.0 if mode.hold > 0 else self.sliding
         low, high = pack.play(along)
-        off = {1: high - held, -1: held - low, 0: max(held - high, low - held)}[mode.hold]
+        off = {1: high - normal, -1: normal - low, 0: max(normal - high, low - normal)}[mode.hold]
         return off * pack.mean_radius
 
     def swings_out(self, y: Sequence[float], mode: Mode, peak: float) -> bool:
-        """Whether balls that swing on a standing tool have no energy for a slip, nor for a torque above the peak.
+        """Whether balls that swing on a standing tool have too little energy for slip and for a new peak torque.
 
-        Of a motor that does not feed them: off, or of constant torque.
+        This is right while the motor is off or has a constant torque.
         """
         train, pack = self.train, self.pack
         if not pack.travels:

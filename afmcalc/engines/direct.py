@@ -8,7 +8,7 @@ from ..equations import accuracy, direct
 from ..findings import Finding, finding
 from ..spec.models import Method, Spec
 from . import parameters
-from .protocol import ByGain, Clutch, Slip, both_frictions, extremes
+from .protocol import ByGain, Clutch, TorqueAt, both_frictions, extremes
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class DirectClutch(Clutch):
         bypass = direct.group_torque(self.closing_force, self.mean_radius, self.bypass_pairs, driving)
         return larger(bypass, self.torque(friction, friction_driven)) if self.spec.kind.controlled else bypass
 
-    def extreme_slips(self, start: Literal["min", "mean"] = "min") -> tuple[Slip, Slip]:
+    def extreme_torques(self, start: Literal["min", "mean"] = "min") -> tuple[TorqueAt, TorqueAt]:
         """At the ends: with one material the torque rises with f; with unlike ones it may also turn at the mean."""
         first, second = self.friction
         names = (start, "mean", "max") if self.spec.friction.unlike else (start, "max")
@@ -72,7 +72,7 @@ class DirectClutch(Clutch):
     @property
     def accuracy_factor(self) -> Values:
         """K_т, largest over smallest torque along the common path of f_1 and f_2."""
-        (_, *low), (_, *high) = self.extreme_slips()
+        (_, *low), (_, *high) = self.extreme_torques()
         return accuracy.accuracy_factor(self.bypass_pairs, self.controlled_pairs, self.gain, *low, *high)
 
     @property

@@ -12,7 +12,7 @@ from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec
 from . import parameters
-from .protocol import ByGain, Clutch, Slip, extremes, one_friction
+from .protocol import ByGain, Clutch, TorqueAt, extremes, one_friction
 from .springs import DiscCharacteristic, SetSpring
 
 if TYPE_CHECKING:
@@ -40,9 +40,9 @@ class IndirectClutch(Clutch):
     closing_disc: DiscCharacteristic | None = None
     """The closing spring where its force is not proportional to its deflection; None where it is straight."""
     control_disc: DiscCharacteristic | None = None
-    """The same of the control spring."""
+    """The control spring where its force is not proportional to its deflection; None where it is straight."""
     gain_slope: Values = 0.0
-    """C_1, 1/m: how the gain grows with the travel of the sleeve; 0 for a straight wall (theory, section 12)."""
+    """C_1, 1/m: growth of the gain per travel of the sleeve; 0 for a straight wall (theory, section 12)."""
 
     @classmethod
     def from_spec(cls, spec: Spec) -> "IndirectClutch":
@@ -83,7 +83,7 @@ class IndirectClutch(Clutch):
         return replace(clutch, gain_slope=clutch._slope_that_holds_the_torque())
 
     def _refuse_negative_net_gain(self) -> None:
-        """Below the threshold the sleeve leaves its stop at zero torque: no clutch at all."""
+        """Refuse a gain below the threshold, at which the sleeve would leave its stop at zero torque."""
         net = self.net_gain
         if not _where_least(net, net) < 0:
             return
@@ -109,7 +109,7 @@ class IndirectClutch(Clutch):
 
     @property
     def sleeve(self) -> "IndirectClutch":
-        """Itself: it has a sleeve."""
+        """The clutch itself, as it has a sleeve."""
         return self
 
     @property
@@ -126,7 +126,7 @@ class IndirectClutch(Clutch):
 
     @property
     def straight(self) -> bool:
-        """Whether the walls are straight: the gain is the same wherever the sleeve is."""
+        """Whether the walls are straight, so that the gain does not depend on the travel."""
         return not is_array(self.gain_slope) and bool(self.gain_slope == 0)
 
     @property
@@ -140,26 +140,26 @@ class IndirectClutch(Clutch):
         return self.gain_threshold
 
     def gain_at(self, travel: Values) -> Values:
-        """C where the sleeve has travelled to."""
+        """C at a travel of the sleeve."""
         return self.gain if self.straight else pocket.gain_at(self.gain, self.gain_slope, travel)
 
     @property
     def net_gain(self) -> Values:
-        """κ at the stop, moving off it."""
+        """κ at the stop, for a sleeve that moves off the stop."""
         return indirect.net_gain(self.gain, self.mean_radius, self.key_friction, self.hub_diameter)
 
     @property
     def net_gain_returning(self) -> Values:
-        """κ₊ at the stop, moving back."""
+        """κ₊ at the stop, for a sleeve that moves back."""
         return indirect.net_gain_returning(self.gain, self.mean_radius, self.key_friction, self.hub_diameter)
 
     def steepened(self, travel: Values) -> "IndirectClutch":
-        """The clutch with the gain of the place where the sleeve has travelled to."""
+        """The same clutch with the gain that it has at a travel of the sleeve."""
         return self if self.straight else replace(self, gain=self.gain_at(travel))
 
     @property
     def equivalent_gain(self) -> Values | None:
-        """Gain of the all-driving clutch with the same torque curve; curved springs or pockets have no such twin."""
+        """Gain of the all-driving clutch with the same torque curve; None with curved springs or pockets."""
         if self.curved or not self.straight:
             return None
         return indirect.equivalent_gain(self.net_gain, self.closing_stiffness, self.control_stiffness)
@@ -183,7 +183,10 @@ class IndirectClutch(Clutch):
 
     @property
     def following_spring(self) -> SetSpring:
-        """The control spring: the stop is the pressure disc's, which takes sleeve and closing spring along."""
+        """The control spring: as the pack wears, sleeve and closing spring move along with the pressure disc.
+
+        The stop is a part of the pressure disc, so that only the control spring extends.
+        """
         return SetSpring(self.pack_force_at_rest, self.control_stiffness, self.control_disc)
 
     @property
@@ -195,11 +198,11 @@ class IndirectClutch(Clutch):
 
     @property
     def pack_force_at_rest(self) -> Values:
-        """Force on the pack of the clutch at rest, N: what the control spring presses through sleeve and stop."""
+        """Force on the pack of the clutch at rest, N: the control spring's, which acts through sleeve and stop."""
         return self.normal_force(0.0)
 
     def torque_per_force(self, method: Method | None = None) -> Values:
-        """T/F_п1 at the setting, m: there the pack is pressed by the closing spring alone."""
+        """T/F_п1 at the setting, m, where the closing spring alone presses the pack."""
         friction = self.friction_set if method is None else self.friction_at_setting(method)[0]
         return indirect.torque_per_force(self.pairs, self.mean_radius, friction)
 
@@ -207,39 +210,39 @@ class IndirectClutch(Clutch):
 
     @property
     def leaving_friction(self) -> Values:
-        """Friction at which the sleeve leaves its stop: the law bends there."""
+        """Friction at which the sleeve leaves its stop; the torque curve has a kink there."""
         made = self.made_control_force
         if made is None:
             return self.friction_set
         net = self.net_gain
         if not is_array(net) and net == 0:
-            # the balls move nothing: it rests for ever, or never
+            # the balls do not move the sleeve: it stays at its stop at every friction, or at none
             return chosen(made >= self.closing_force, lambda: math.inf, lambda: -math.inf)
-        with quiet_division(net):  # arrays come to the same
+        with quiet_division(net):  # in arrays the division by κ = 0 gives ±inf as well
             return pocket.leaving_friction(self.closing_force, made, self.pairs, net)
 
     def is_seated(self, friction: Values) -> Any:
-        """Whether, friction rising, the stop carries: the control spring has more than closing spring and balls."""
-        # just where it leaves both branches meet, unless a steep wall lets the sleeve jump off
+        """Whether the sleeve is at its stop, friction rising: the control spring exceeds closing spring and balls."""
+        # at the leaving friction both laws give the same force, unless the sleeve jumps off a steep curved wall
         return friction < self.leaving_friction if self.straight else friction <= self.leaving_friction
 
     def _holds(self, friction: Values, net_gain: Values) -> Any:
-        """Whether the control spring holds a sleeve that is at its stop."""
+        """Whether the control spring keeps a sleeve at its stop."""
         return self.control_force > self.closing_force * (1 + self.pairs * net_gain * friction)
 
     def _is_reseated(self, friction: Values, locked: Values) -> Any:
-        """Whether, friction falling, the sleeve is back at its stop; ``locked``: the normal force it returns from.
+        """Whether the sleeve is back at its stop, friction falling; ``locked``: normal force before the return.
 
-        A wall so steep that the sleeve jumps off its stop also holds it off until it jumps back.
+        On a wall so steep that the sleeve jumps off its stop, the sleeve also stays off until it jumps back.
         """
         net = self.net_gain_returning
-        home = self._holds(friction, net)
+        can_seat = self._holds(friction, net)
         if self.straight:
-            return home
+            return can_seat
         weight = pocket.slope_feedback(self.pairs, friction, self.gain_slope) * self.closing_force
-        off = (self._straight_stiffness(friction, net) < weight) & (locked < self.closing_force)
-        # True > False: home, and not held off
-        return home > (off & (self._squared(friction, net) >= 0))
+        jumped = (self._straight_stiffness(friction, net) < weight) & (locked < self.closing_force)
+        stays_off = jumped & (self._squared(friction, net) >= 0)
+        return chosen(stays_off, lambda: False, lambda: can_seat)
 
     # pockets
 
@@ -251,14 +254,14 @@ class IndirectClutch(Clutch):
     def slope_that_holds(self, friction_max: Values) -> Values:
         """C_1* at which torque does not depend on friction once the sleeve is off its stop, 1/m.
 
-        With disc springs no C_1 does: that at which it is the same at ``friction_max`` as where the sleeve leaves.
+        With disc springs no C_1 does so exactly: this one gives equal torques at ``friction_max`` and leaving friction.
         """
         leaving = self.leaving_friction
         stiffness = self.closing_stiffness, self.control_stiffness
         if self.curved:
-            # a little beyond where it leaves at least, so that there is a way to go
-            left = self.closing_force * leaving / larger(friction_max, leaving * (1 + 1e-6))
-            travel = self.closing_spring.slackens(left)
+            # a friction a little above the leaving friction at least, so that the travel is not 0
+            slackened = self.closing_force * leaving / larger(friction_max, leaving * (1 + 1e-6))
+            travel = self.closing_spring.slackens(slackened)
             stiffness = self.closing_spring.secant(-travel), self.control_spring.secant(travel)
         return pocket.constant_torque_slope(*stiffness, self.pairs, leaving, self.closing_force)
 
@@ -278,7 +281,7 @@ class IndirectClutch(Clutch):
         return indirect.sleeve_stiffness(*springs, self.pairs, friction, net_gain)
 
     def _squared(self, friction: Values, net_gain: Values) -> Values:
-        """k_t², N²/m²: negative where the sleeve has no place but its stop."""
+        """k_t², N²/m²; negative where no travel off the stop is in balance."""
         return pocket.tangent_stiffness_squared(
             self.closing_force,
             self.closing_stiffness,
@@ -289,10 +292,10 @@ class IndirectClutch(Clutch):
         )
 
     def tangent_stiffness(self, friction: Values, net_gain: Values) -> Values:
-        """k_t, N/m: how stiff the balance is where the sleeve, off its stop, is; D(f) of a straight pocket."""
+        """k_t, N/m: stiffness of the balance at the travel of a sleeve off its stop; D(f) for a straight pocket."""
         if self.straight:
             return self._straight_stiffness(friction, net_gain)
-        # at the verge of a jump rounding may take the square below 0
+        # where the sleeve is about to jump, rounding may make the square negative
         return square_root(larger(self._squared(friction, net_gain), 0.0))
 
     def _stiffness(self, friction: Values, net_gain: Values) -> Values:
@@ -309,7 +312,7 @@ class IndirectClutch(Clutch):
         return indirect.normal_force_seated(self.control_force, self.pairs, net_gain, friction)
 
     def _pressed_off_stop(self, friction: Values, net_gain: Values) -> Values:
-        """Normal force with the sleeve where its springs hold it, N (S21 (9))."""
+        """Normal force with the sleeve in balance off its stop, N (S21 (9))."""
         if self.curved:
             balance = self.balance(net_gain)
             return balance.normal_force(friction, balance.travel(friction))
@@ -318,12 +321,12 @@ class IndirectClutch(Clutch):
         return smaller(self.closing_force, force)
 
     def balance(self, net_gain: Values) -> "Balance":
-        """What holds the sleeve off its stop, springs and walls as they are."""
+        """Balance of the forces on a sleeve off its stop, with these springs and walls."""
         from .balance import Balance
 
         for spring in (self.closing_spring, self.control_spring):
             if spring.disc is not None:
-                _ = spring.deflection  # a step of the calculation, unlike the search for the balance
+                _ = spring.deflection  # here `explain` lists it; in the search for the balance it does not
         return Balance(self.closing_spring, self.control_spring, self.pairs, net_gain, self.gain_slope, self.straight)
 
     # friction rising
@@ -374,9 +377,9 @@ class IndirectClutch(Clutch):
     # friction falling
 
     def torque_returning(self, friction: Values, friction_max: Values | None = None) -> Values:
-        """Torque when friction falls again from f_max, or as told, under load, N·m (theory, section 5).
+        """Torque when friction falls from ``friction_max``, by default f_max, under load, N·m (theory, section 5).
 
-        The key's friction holds the sleeve where f_max put it until f has fallen by κ₊/κ; then it moves back.
+        The key keeps the sleeve in its place until f has fallen by a factor of κ₊/κ; then the sleeve moves back.
         """
         friction, most = one_friction(friction, None), self.friction[0].max if friction_max is None else friction_max
         locked = self.normal_force(most)
@@ -385,7 +388,7 @@ class IndirectClutch(Clutch):
         return indirect.torque(pressed, self.mean_radius, self.pairs, friction)
 
     def _is_locked(self, friction: Values, friction_max: Values, locked: Values) -> Any:
-        """Whether the key still holds the sleeve where ``friction_max`` put it, pressing with ``locked``."""
+        """Whether the key still keeps the sleeve where it was at ``friction_max`` and normal force ``locked``."""
         steeper: Values = 0.0
         if not self.straight:
             travel = self.travel(friction_max) if self.curved else larger(self.closing_spring.slackens(locked), 0.0)
@@ -394,7 +397,7 @@ class IndirectClutch(Clutch):
         return friction * (self.net_gain_returning + steeper) >= lifting * (1 - _ROUNDING)
 
     def _pressed_returning(self, friction: Values, friction_max: Values, locked: Values) -> Values:
-        """Normal force of a sleeve that moves back, or is back at its stop, N."""
+        """Normal force when the sleeve moves back, or is back at its stop, N."""
         net = self.net_gain_returning
         if self.curved and not self.straight:
             travel = self.travel_returning(friction, friction_max)
@@ -410,7 +413,7 @@ class IndirectClutch(Clutch):
         )
 
     def travel_returning(self, friction: Values, friction_max: Values | None = None) -> Values:
-        """Travel of a sleeve when friction falls again from f_max, or as told, m; of curved springs or walls."""
+        """Travel when friction falls from ``friction_max``, by default f_max, m; for curved springs or walls."""
         most = self.friction[0].max if friction_max is None else friction_max
         return self.balance(self.net_gain_returning).travel_returning(friction, self.travel(most))
 
@@ -418,21 +421,21 @@ class IndirectClutch(Clutch):
     def torque_returning_min(self) -> Values:
         """Smallest torque as friction falls from f_max to f_min under load, N·m.
 
-        At f_min, unless a curved pocket lets the torque rise from where the sleeve begins to return.
+        It occurs at f_min, unless a curved pocket lets the torque rise while the sleeve returns.
         """
-        own = self.friction[0]
-        least = self.torque_returning(own.min)
+        friction = self.friction[0]
+        least = self.torque_returning(friction.min)
         if self.straight:
             return least
-        least = smaller(least, self.torque_returning(larger(own.max / self.hysteresis_ratio, own.min)))
+        least = smaller(least, self.torque_returning(larger(friction.max / self.hysteresis_ratio, friction.min)))
         if not self.curved:
             return least
-        ends = self.travel_max, self.travel_returning(own.min)
-        return smaller(least, self._turns(ends, self.net_gain_returning, own.min)[0][0])
+        ends = self.travel_max, self.travel_returning(friction.min)
+        return smaller(least, self._turns(ends, self.net_gain_returning, friction.min)[0][0])
 
     @property
     def hysteresis_ratio(self) -> Values:
-        """How many times friction must fall from f_max before the sleeve returns, κ₊/κ where it is."""
+        """Factor by which friction must fall from f_max before the sleeve returns: κ₊/κ at the travel of the sleeve."""
         there = self if self.straight else self.steepened(self.travel_max)
         return indirect.hysteresis_ratio(there.net_gain, there.net_gain_returning)
 
@@ -449,27 +452,27 @@ class IndirectClutch(Clutch):
 
     @property
     def accuracy_factor_hysteresis(self) -> Values:
-        """K_т under a load that lasts: friction falls from f_max to f_min, the key holding the sleeve back."""
+        """K_т under a lasting load: friction falls from f_max to f_min, and the key delays the return of the sleeve."""
         return indirect.accuracy_factor_hysteresis(self.torque_max, self.torque_returning_min)
 
-    def extreme_slips(self, start: Literal["min", "mean"] = "min") -> tuple[Slip, Slip]:
-        """At the ends: the torque rises with friction; a curved pocket may let it fall, or the sleeve jump."""
+    def extreme_torques(self, start: Literal["min", "mean"] = "min") -> tuple[TorqueAt, TorqueAt]:
+        """Points of smallest and largest torque: the ends of the range; with a curved pocket perhaps points between."""
         low, high = getattr(self.friction[0], start), self.friction[0].max
         first, last = (self.torque(low), low), (self.torque(high), high)
         if self.straight:
             return first, last
         leaving = smaller(larger(self.leaving_friction, low), high)
-        between: list[Slip] = []
-        if self.curved:  # and so are the walls: the torque may have its extremes anywhere
+        between: list[TorqueAt] = []
+        if self.curved:  # with curved springs and walls the torque may be extreme at any friction
             between = self._turns((self.travel(low), self.travel(high)), self.net_gain, low)
         return extremes([first, (self.torque(leaving), leaving), *between, last])
 
-    def _turns(self, ends: tuple[Values, Values], net_gain: Values, low: Values) -> list[Slip]:
-        """Least and largest torque on the way of the sleeve from one travel to another, from friction ``low`` on."""
+    def _turns(self, ends: tuple[Values, Values], net_gain: Values, low: Values) -> list[TorqueAt]:
+        """Points of smallest and largest torque between two travels of the sleeve, at frictions from ``low`` on."""
         import numpy as np
 
         balance, high = self.balance(net_gain), self.friction[0].max
-        # of every clutch, where they differ only in what does not move the sleeve of any
+        # zeros in the common shape of all clutches, as the travels may have a smaller shape
         shape = 0.0 * (self.closing_force * self.control_force * net_gain * self.gain_slope)
         way = balance.way(*(end + shape for end in ends))
         friction = np.asarray(balance.friction(way))
@@ -504,7 +507,7 @@ class IndirectClutch(Clutch):
     # findings
 
     def _law_findings(self) -> list[Finding]:
-        """Springs that are curved, idle feedback, the key's hysteresis, a pocket that lets the torque fall."""
+        """Findings on curved springs, idle feedback, the key's hysteresis, and a pocket in which the torque falls."""
         found = []
         if self.curved:
             path = "control_spring.disc" if self.closing_disc is None else "closing_spring.disc"
@@ -515,7 +518,7 @@ class IndirectClutch(Clutch):
         return [*found, *self._slope_findings(), *(self._key_findings() if self.key_friction else [])]
 
     def _slope_findings(self) -> list[Finding]:
-        """Beyond C_1* the sleeve runs off under a load that reaches T_н, and the torque falls."""
+        """Finding where C_1 exceeds C_1*: a load that reaches T_н makes the sleeve run off, and the torque falls."""
         slope, most = float(self.gain_slope), self.friction[0].max
         if slope == 0 or not 0 < self.leaving_friction < most:
             return []
@@ -528,7 +531,7 @@ class IndirectClutch(Clutch):
         return [finding(code, "warning", value=slope, limit=best, path=path, most=most, falls=falls, jumping=jumping)]
 
     def _key_findings(self) -> list[Finding]:
-        """How the key holds the sleeve back; a warning where the machine's torque is then no longer transmitted."""
+        """Findings on the hysteresis by the key; a warning where the torque may fall below that of the machine."""
         returning, nominal, machine = map(float, (self.torque_returning_min, self.nominal_torque, self.machine_torque))
         key = "control_unit.key_friction"
         found = [finding("hysteresis", "info", value=float(self.hysteresis_ratio), limit=1.0, path=key)]
@@ -542,7 +545,7 @@ class IndirectClutch(Clutch):
 
 
 def _where_least(value: Values, other: Values) -> float:
-    """Where the first is least, the other, so that numbers named together belong together."""
+    """Return ``other`` where ``value`` is smallest, so that both numbers of a message belong to the same clutch."""
     if not is_array(value):
         return float(other)
     import numpy as np

@@ -15,7 +15,7 @@ from ..spec.models import Method, Range, Spec
 from . import parameters
 
 if TYPE_CHECKING:
-    # what only some clutches have is no part of every start
+    # not imported at run time: a direct clutch needs neither module
     from .indirect import IndirectClutch
     from .springs import SetSpring, SpringDemand
 
@@ -42,14 +42,14 @@ class TorqueRange(NamedTuple):
     at_high: Any
 
 
-Slip = tuple[Values, ...]
-"""A torque, then the frictions that it is for."""
+TorqueAt = tuple[Values, ...]
+"""A torque, N·m, followed by the friction f_1 at which it occurs, and f_2 where the clutch has two."""
 _ALIKE = 1e-12
-"""Relative difference of torques that is rounding."""
+"""Relative difference up to which two torques count as equal."""
 
 
-def extremes(slips: Sequence[Slip]) -> tuple[Slip, Slip]:
-    """Slips of the smallest and of the largest torque; of those alike but for rounding the first and the last."""
+def extremes(slips: Sequence[TorqueAt]) -> tuple[TorqueAt, TorqueAt]:
+    """Return the points of smallest and of largest torque; of equal ones the first smallest and the last largest."""
     low, high = slips[0], slips[-1]
     for slip, back in zip(slips[1:], slips[-2::-1], strict=True):
         low = smaller(low[0], slip[0]), *_chosen(slip[0] < low[0] * (1 - _ALIKE), slip, low)
@@ -57,14 +57,14 @@ def extremes(slips: Sequence[Slip]) -> tuple[Slip, Slip]:
     return low, high
 
 
-def _chosen(condition: Any, yes: Slip, no: Slip) -> Slip:
-    """Frictions of one slip, or of another."""
+def _chosen(condition: Any, yes: TorqueAt, no: TorqueAt) -> TorqueAt:
+    """Return the frictions of ``yes`` where the condition holds, else those of ``no``."""
     places = range(1, len(yes))
     return tuple(chosen(condition, partial(yes.__getitem__, at), partial(no.__getitem__, at)) for at in places)
 
 
 class ByGain(NamedTuple):
-    """Ball torque at f_max and fixed spring force over the gain C: ∝ (a_0 + a_1 C)/(b_0 + b_1 C)."""
+    """Ball torque at f_max and fixed spring force as a function of C: proportional to (a_0 + a_1 C)/(b_0 + b_1 C)."""
 
     numerator: tuple[float, float]
     denominator: tuple[float, float]
@@ -74,7 +74,7 @@ class ByGain(NamedTuple):
 
 @dataclass(frozen=True)
 class Clutch(ABC):
-    """A clutch that can be asked; its numbers are floats or, in a sweep or a search, arrays."""
+    """A clutch and its law; its numbers are floats or, in a sweep or a search, arrays."""
 
     closing_force: Values
     """F_п as set, N."""
@@ -86,11 +86,11 @@ class Clutch(ABC):
     """z_2, pairs whose torque passes it."""
     gain: Values
     """C."""
-    # candidates of a search are asked for torque and forces alone, and have neither
+    # the candidates of a search need neither: only their torque and forces are calculated
     friction: tuple[Range, Range] = field(kw_only=True, default=())  # type: ignore[assignment]
     """Ranges of f_1 and f_2 (twice the same with one material)."""
     spec: Spec = field(kw_only=True, default=None)  # type: ignore[assignment]
-    """The spec it was built from."""
+    """The spec from which the clutch was built."""
 
     @classmethod
     @abstractmethod
@@ -99,7 +99,7 @@ class Clutch(ABC):
 
     @property
     def sleeve(self) -> "IndirectClutch | None":
-        """The clutch as one whose thrust sleeve slackens its spring; None where the release force acts on the pack."""
+        """The clutch itself if it is an indirect one, which has a thrust sleeve; None for a direct clutch."""
         return None
 
     # springs and setting
@@ -111,7 +111,7 @@ class Clutch(ABC):
 
     @property
     def following_spring(self) -> "SetSpring":
-        """The spring that follows the pack as it wears."""
+        """The spring that extends as the pack wears, as it is set."""
         from .springs import DiscCharacteristic, SetSpring
 
         given = self.spec.closing_spring
@@ -121,19 +121,19 @@ class Clutch(ABC):
 
     @property
     def following_stiffness(self) -> Values | None:
-        """Stiffness of the spring that follows a pack as it wears, N/m; None where the spec does not give it."""
+        """Stiffness of ``following_spring``, N/m; None where the spec does not give it."""
         spring = self.following_spring
         return spring.straight_stiffness if spring.disc is None else spring.stiffness(0.0)
 
     def lost_by_wear(self, wear: Values) -> Values:
-        """Force that the pack loses as each pair wears by so much, N; needs the stiffness of the spring."""
+        """Force that the pack loses when every pair wears by ``wear``, N; needs the stiffness of the spring."""
         pairs, spring = self.spec.friction_group.pairs, self.following_spring
         if spring.disc is None:
             return effects.force_lost_by_wear(spring.straight_stiffness, pairs, wear)
         return spring.set_force - spring.force(-smaller(pairs * wear, spring.deflection))
 
     def friction_at_setting(self, method: Method | None = None) -> tuple[Values, Values]:
-        """f_1 and f_2 at which the spring is set, by the spec's own method or another: the smallest, or the mean."""
+        """f_1 and f_2 at which the spring is set, by ``method`` or that of the spec: the smallest, or the mean."""
         return parameters.at_setting(self.friction, self.spec, method)
 
     @property
@@ -143,12 +143,12 @@ class Clutch(ABC):
 
     @property
     def machine_torque(self) -> Values:
-        """T_н.маш of the machine, N·m: T_н over the margin, unless that is in the spring already (mean-friction)."""
+        """T_н.маш of the machine, N·m: T_н over the margin; T_н itself if set at mean friction, margin included."""
         return overload.machine_torque(self.nominal_torque, parameters.margin_over_machine(self.spec))
 
     @abstractmethod
     def torque_per_force(self, method: Method | None = None) -> Any:
-        """T/F_п at the friction of a setting, m; by default the spec's own."""
+        """T/F_п at the friction of a setting, m; by default at the setting of the spec."""
 
     # limits of the gain
 
@@ -218,14 +218,16 @@ class Clutch(ABC):
     # over the friction range
 
     def path(self, share: Values) -> tuple[Values, Values]:
-        """f_1 and f_2 at a share (0…1) of the common path, on which both rise from their minima by their means."""
+        """f_1 and f_2 at a share (0…1) of the common path, on which both rise from minimum through mean to maximum."""
         first, second = self.friction
         if not self.spec.friction.unlike:
             alike = first.min + share * (first.max - first.min)
             return alike, alike
         bend = larger(smaller(self.path_bend, 1 - _ALIKE), _ALIKE)
         below, above = smaller(share / bend, 1.0), larger((share - bend) / (1 - bend), 0.0)
-        one, two = (own.min + below * (own.mean - own.min) + above * (own.max - own.mean) for own in (first, second))
+        one, two = (
+            part.min + below * (part.mean - part.min) + above * (part.max - part.mean) for part in (first, second)
+        )
         return one, two
 
     @property
@@ -242,12 +244,12 @@ class Clutch(ABC):
 
     def torque_range_from(self, start: Literal["min", "mean"]) -> TorqueRange:
         """Extremes of the sustained torque along the common path, from its start or from the mean on."""
-        low, high = self.extreme_slips(start)
+        low, high = self.extreme_torques(start)
         return TorqueRange(low[0], high[0], low[1], high[1])
 
     @abstractmethod
-    def extreme_slips(self, start: Literal["min", "mean"] = "min") -> tuple[Slip, Slip]:
-        """Slips of the smallest and of the largest torque along the common path."""
+    def extreme_torques(self, start: Literal["min", "mean"] = "min") -> tuple[TorqueAt, TorqueAt]:
+        """Points of the smallest and of the largest torque along the common path."""
 
     @property
     def torque_max(self) -> Values:
@@ -288,8 +290,8 @@ class Clutch(ABC):
     # findings
 
     def findings(self) -> list[Finding]:
-        """What a designer should know: what the law says of it, the setting, and the springs that are parts."""
-        with unnoted():  # no steps of a calculation
+        """Findings on the limits of the law, on the setting, and on springs given as parts."""
+        with unnoted():  # `explain` does not list these equations
             found = [*self.spec.label.findings, *self._law_findings()]
             found += parameters.setting_findings(self.spec, float(self.nominal_torque), float(self.torque_min))
             if self.spec.spring_parts:
@@ -300,10 +302,10 @@ class Clutch(ABC):
 
     @abstractmethod
     def _law_findings(self) -> list[Finding]:
-        """What the law says of its limits."""
+        """Findings on the limits of the law."""
 
     def spring_demands(self, travel: float = 0.0) -> "list[SpringDemand]":
-        """What each spring is to give, and what happens to it where the sleeve travels by the law, or farther."""
+        """Demand on each spring: force as set and stroke; ``travel`` counts where it exceeds that of the law."""
         from .springs import spring_demands
 
         sleeve = self.sleeve

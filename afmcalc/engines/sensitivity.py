@@ -33,7 +33,7 @@ def sensitivity(clutch: "Clutch") -> Elasticities:
 
 
 def _of_direct(clutch: "Clutch") -> Elasticities:
-    (_, *low), (_, *high) = clutch.extreme_slips()
+    (_, *low), (_, *high) = clutch.extreme_torques()
     z1, z2, friction = float(clutch.bypass_pairs), float(clutch.controlled_pairs), clutch.spec.friction
     paths = ("friction.driving", "friction.driven") if friction.unlike else ("friction", "friction")
     found = {f"{path}.{end}": 0.0 for end in ("min", "max") for path in paths}

@@ -21,7 +21,7 @@ class Term(NamedTuple):
     unit: str
     """SI unit, ``1`` for a pure number."""
     meaning: str = ""
-    """Empty of a result that no other equation takes: its function's summary says what it is."""
+    """Meaning; empty for a result that no other equation takes, where the summary of the function explains it."""
 
 
 # The clutch and its pairs

@@ -9,7 +9,7 @@ from ..messages import translate
 from ..result import OpenTriple, Result, Series, Shown, Triple, shown_as
 
 ENDS = ("min", "mean", "max")
-"""Of a triple: at f_min, at the mean friction, at f_max."""
+"""Fields of a triple: at f_min, at the mean friction, at f_max."""
 
 
 class Column(NamedTuple):
@@ -24,11 +24,11 @@ class Column(NamedTuple):
     units: list[str] | None = None
     """SI units of the values, where they are not all in ``unit``."""
     words: Sequence[str | None] = ()
-    """What people are told instead of each value; None: the value."""
+    """Word that formats for people show instead of each value; None: the value."""
     error_of: str = ""
     """Path of the column whose standard errors these are."""
     hidden: bool = False
-    """Whether people see it in another column only."""
+    """Whether formats for people leave the column out, because another column shows it."""
 
 
 class Table(NamedTuple):
@@ -60,7 +60,7 @@ def document(result: Result) -> Document:
 
 
 def indexed(symbol: str, index: str) -> str:
-    """Symbol of a quantity that is given more than once, with the index that tells it from the others.
+    """Symbol with an index, for a quantity that a result has more than once.
 
     >>> indexed("ΔT", "1"), indexed("K_т", "1"), indexed("N", "'"), indexed("N'_1", "cp"), indexed("T", "")
     ('ΔT_1', 'K_т,1', "N'", "N'_1,cp", 'T')
@@ -99,7 +99,7 @@ def _walk(
 
 
 def _column(records: Sequence[Result], name: str, info: FieldInfo, prefix: str = "") -> Column:
-    """One field of records."""
+    """Return the column of one field of records."""
     shown = shown_as(info)
     return Column(
         prefix + name,
@@ -115,7 +115,7 @@ def _column(records: Sequence[Result], name: str, info: FieldInfo, prefix: str =
 
 
 def _mapping(column: Column, value: dict[str, Any]) -> Table:
-    """Lay out a dictionary: its keys, its values."""
+    """Lay out a dictionary as a table: a column of keys, a column of values."""
     ranked = column.shown.ranked
     names = sorted(value, key=lambda name: -abs(value[name])) if ranked else list(value)
     keys = Column(f"{column.path}.key", "", translate(column.shown.keys_are), "", names)
@@ -123,7 +123,7 @@ def _mapping(column: Column, value: dict[str, Any]) -> Table:
 
 
 def fields_of(records: Sequence[Result]) -> list[Column]:
-    """Every field of records of one type, triples whole."""
+    """Return a column for every field of records of one type; a triple stays in one column."""
     return [_column(records, name, info) for name, info in type(records[0]).model_fields.items()]
 
 
@@ -147,7 +147,7 @@ def _records(records: Sequence[Result]) -> Table:
 
 
 def _sweep(sweeps: Sequence[Series]) -> Table:
-    """Lay out series that share a grid: the coordinate of each, then the answers, which all have in common."""
+    """Lay out series over one grid: the coordinate of each series, then the answers, which are the same in all."""
     axes = [Column(sweep.path, sweep.parameter, sweep.path, sweep.unit, sweep.values) for sweep in sweeps]
     first, *_ = sweeps
     answers = [

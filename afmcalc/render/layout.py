@@ -19,7 +19,7 @@ class TextTable(NamedTuple):
     header: list[str]
     rows: list[list[str]]
     numeric: list[bool]
-    """Which columns are set flush right."""
+    """Whether each column is set flush right."""
     source: Table | None = None
     legend: str = ""
     """What the symbols in the header mean."""
@@ -51,7 +51,7 @@ def blocks(laid_out: Document) -> list[TextTable]:
 
 
 def errors_in(columns: Sequence[Column]) -> dict[str, list[float]]:
-    """Standard errors by the path of the column that they are of."""
+    """Path of a column → its standard errors."""
     return {column.error_of: column.values for column in columns if column.error_of}
 
 
@@ -83,7 +83,7 @@ def cells(column: Column, errors: Sequence[float] | None = None) -> list[str]:
 
 
 def _parts(table: Table) -> list[Table]:
-    """Tables that a table is for people: one for every value of the column that it is divided by."""
+    """Split a table by the column ``by``: one table for each value in it; without ``by`` the table itself."""
     keys = next((column.values for column in table.columns if column.path == table.shown.by), None)
     if keys is None:
         return [table]
@@ -143,21 +143,21 @@ def _pointed(column: Sequence[str]) -> list[str]:
 
 
 def unfolded(tables: list[TextTable]) -> list[TextTable]:
-    """Tables for a page of any width: records side by side where they always stand so."""
+    """Return tables for a page of any width: with records as columns where ``is_across``, else as rows."""
     return [part for block in tables for part in (turned(block) if is_across(block) else [block])]
 
 
 _SHORT = 24
-"""Cells up to this width may stand side by side for many records."""
+"""Largest width of a cell in a table whose records may become its columns."""
 
 
 def is_across(block: TextTable) -> bool:
-    """Whether the records of a table always stand side by side."""
+    """Whether the records of a table are always its columns."""
     return block.source is not None and block.source.shown.across
 
 
 def may_turn(block: TextTable) -> bool:
-    """Whether the records of a table may stand side by side where its columns do not fit."""
+    """Whether the records of a table may become its columns where the table is too wide."""
     short = all(len(cell) <= _SHORT for row in block.rows for cell in row)
     return is_across(block) or (block.source is not None and not block.source.axes and short)
 
@@ -165,7 +165,7 @@ def may_turn(block: TextTable) -> bool:
 def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[TextTable]:
     """Set the records of a table side by side, quantities as rows, in as many tables as a width asks for.
 
-    Text that all records share is said in the title, and the first that they do not share heads the columns.
+    Text that is the same in all records goes into the title; the first column whose text differs gives the new header.
 
     Args:
         block: a table of records.
@@ -204,7 +204,7 @@ def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[Tex
 
 
 def step_lines(laid_out: Document) -> list[str]:
-    """Steps of an explanation as lines: what, formula, numbers, value with source, what the print has instead."""
+    """Lines of an explanation, for each step: name, formula, numbers, value with source, and how the print differs."""
     lines = []
     for step in laid_out.steps:
         at = told(" at {place}", place=in_numbers(translate(step.at))) if step.at else ""

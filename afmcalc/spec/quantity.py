@@ -35,7 +35,7 @@ EXAMPLES = {
     "m^3/J": ("a wear per energy", "2e-5 mm^3/J"),
     "1": ("a plain number", "0.3"),
 }
-"""SI unit of a field → what it is, and how one may be written."""
+"""SI unit of a field → the quantity, and an example of a value."""
 
 _FOREIGN = {
     "J": say("an energy"),
@@ -43,7 +43,7 @@ _FOREIGN = {
     "K": say("a temperature difference"),
     "W": say("a power"),
 }
-"""Dimensions that no field has, by a unit of theirs."""
+"""SI unit of a dimension that no field has → name of the quantity."""
 
 _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН", "мм", "см", "МПа", "мс", "кг")
 """Units to suggest before others."""
@@ -51,7 +51,7 @@ _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН"
 
 @cache
 def factor(text: str, unit: str) -> Decimal:
-    """How many SI units of the field one ``text`` is; decimal, so that 15 cm^3 is exactly 15e-6 m^3.
+    """Return the value of one ``text`` in the SI unit of a field, as a decimal: 15 cm^3 is exactly 15e-6 m^3.
 
     Raises:
         ValueError: no unit, or one of another dimension than the field's ``unit``.
@@ -118,14 +118,14 @@ def allowed(unit: str) -> str:
 
 
 _LONGEST = 100
-"""Characters of a quantity that is worth reading."""
+"""Largest number of characters of a text that is read as a quantity."""
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)
 _GROUPED = re.compile(r"\s*([+-]?\d(?:[\d ,.]*?\d)??)(?:\s+(1\s*/.*)|\s*([^\d\s,.].*)?)", re.DOTALL)
 """A number that may have groups and a comma, and its unit, which may be ``1/m``."""
 
 _DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+\s*[^\d\s,.].*)", re.DOTALL)
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}(?!\d)")
-"""A comma that may be that of groups."""
+"""A number whose comma may separate thousands."""
 
 RARELY_SI: dict[str, tuple[Callable[[float], bool], str]] = {
     "N": (lambda force: 0 < force < 20, "kN"),
@@ -134,14 +134,14 @@ RARELY_SI: dict[str, tuple[Callable[[float], bool], str]] = {
 }
 """SI unit → whether a number is rarely meant in it, and the unit that may be meant."""
 _LARGEST = {"m": 10.0}
-"""SI unit → number above which it cannot be meant."""
+"""SI unit → largest number that is meant in it."""
 
 
 def asked_unit(value: object, unit: str | None, path: str = "") -> Finding | None:
-    """Ask after a number without a unit that is rarely meant in SI; None for any other value.
+    """Return a finding for a number without a unit that is rarely meant in SI; None for any other value.
 
     Raises:
-        ValueError: it is never meant in SI.
+        ValueError: the number is so large that it is never meant in SI.
 
     >>> asked_unit(2, "N", "force").message, asked_unit("2 N", "N")
     ('force: a number without a unit is in SI, 2 N; 2 kN? Write "2 kN" or "2 N"', None)
@@ -208,7 +208,7 @@ def _parse_text(text: str, unit: str) -> float:
         raise ValueError(message)
     try:
         return float(Decimal(number) * times + zero)
-    except ArithmeticError:  # an exponent beyond those of Decimal; that of 0 counts too
+    except ArithmeticError:  # the exponent is outside the range of Decimal, perhaps in a number that is 0
         return float(number)
 
 

@@ -14,19 +14,19 @@ from .limits import Constraint, constraints, curved, never_worse, objectives, un
 from .space import SAME, Axes, Mask, Numbers, Places, Tile, balls, forces, grids, joined, tiles
 
 TILE = 524288
-"""Candidates of a tile: with fewer, setting a tile up weighs more than what the cache saves."""
+"""Candidates in a tile; in smaller tiles the set-up takes more time than the cache saves."""
 _ROWS = 32768
-"""Rows of radii in a block."""
+"""Rows that are searched at once; a row has the candidates that differ in the mean radius only."""
 _MANY = 48
-"""Mean radii from which looking them up is quicker than trying them."""
+"""Number of mean radii from which ``by_radius`` is faster than ``by_tile``."""
 _WAITING = 65536
-"""Candidates gathered before the front is taken again: it costs little more for many than for few."""
+"""Candidates that are gathered before the front is calculated again; many take little more time than few."""
 _SAMPLE = 64
-"""Candidates on the front that the others are held against first."""
+"""Candidates on the front with which all others are compared first."""
 TOLERANCE = 1e-12
-"""Rounding makes equal K_т differ by a few units in the last place; no two designs are that near by intent."""
+"""Relative difference up to which two values of an objective count as equal, as rounding may make them differ."""
 _LEVELS = 2000
-"""Levels of the further objectives beyond which rows are compared with each other instead."""
+"""Number of levels of the third and further objectives above which rows are compared one by one instead."""
 
 
 class Members(NamedTuple):
@@ -39,7 +39,7 @@ class Members(NamedTuple):
 
 @dataclass
 class Survey:
-    """What a search found: counts, and the front among all it was shown, once settled one entry per variant."""
+    """Result of a search: counts, and the front of all candidates added; after ``settle`` one entry per variant."""
 
     candidates: int = 0
     feasible: int = 0
@@ -48,7 +48,7 @@ class Survey:
     _room: int = _WAITING
 
     def add(self, need: Requirements, variant: Variant, at: Axes) -> None:
-        """Take in feasible candidates of a block."""
+        """Add feasible candidates of a variant."""
         if not at.pairs.size:
             return
         self.members.append(Members(variant, at, objectives(candidates(need, variant, at))))
@@ -79,7 +79,7 @@ class Survey:
 
 
 def search(need: Requirements, progress: Callable[[int], None] = lambda done: None) -> Survey:
-    """Go through the whole space; ``progress`` is told how many candidates are behind."""
+    """Search the whole space; ``progress`` receives the number of candidates searched so far."""
     survey = Survey()
     for variant in (VARIANTS[name] for name in dict.fromkeys(need.variants)):
         looked_up = separable(need, variant) and need.search.radii.size >= _MANY
@@ -91,19 +91,19 @@ def search(need: Requirements, progress: Callable[[int], None] = lambda done: No
 @np.errstate(all="ignore")
 def by_tile(need: Requirements, variant: Variant, survey: Survey, progress: Callable[[int], None]) -> None:
     """Evaluate every candidate of a variant, a tile of the grid at a time."""
-    listed = forces(need)
+    spring_forces = forces(need)
     for tile in (tile for laid in grids(need, variant) for tile in tiles(laid, TILE)):
         good, excluded = _judged(need, variant, tile)
-        survey.candidates += listed * tile.size
+        survey.candidates += spring_forces * tile.size
         survey.feasible += int(np.count_nonzero(good))
         for name, count in excluded.items():
-            survey.excluded[name] += listed * count
+            survey.excluded[name] += spring_forces * count
         survey.add(need, variant, tile.points(np.flatnonzero(_best(need, variant, good, tile))))
         progress(survey.candidates)
 
 
 def _judged(need: Requirements, variant: Variant, tile: Tile) -> tuple[Mask, Counter[str]]:
-    """Which candidates are feasible, and how many each constraint excludes."""
+    """Return which candidates are feasible, and how many each constraint excludes."""
     at_points = candidates(need, variant, tile.axes)
     built = good = at_points.is_clutch
     masks: dict[str, Mask] = {}
@@ -113,7 +113,7 @@ def _judged(need: Requirements, variant: Variant, tile: Tile) -> tuple[Mask, Cou
         good = good & mask
 
     def count(mask: Mask) -> int:
-        """How many of the tile a mask over some of its axes means."""
+        """Number of candidates of the tile that a mask over some of its axes selects."""
         return int(np.count_nonzero(mask)) * (tile.size // mask.size)
 
     excluded = Counter({name: count(built) - count(mask) for name, mask in masks.items()})
@@ -122,7 +122,7 @@ def _judged(need: Requirements, variant: Variant, tile: Tile) -> tuple[Mask, Cou
 
 
 def _best(need: Requirements, variant: Variant, good: Mask, tile: Tile) -> Mask:
-    """Leave out feasible candidates whose neighbour is feasible and no worse in anything."""
+    """Return the feasible candidates without those whose neighbour is feasible and no worse in any objective."""
     kept = good.copy()
     for name, way in never_worse(need, variant).items():
         place = tile.dimension(name)
@@ -133,7 +133,7 @@ def _best(need: Requirements, variant: Variant, good: Mask, tile: Tile) -> Mask:
 
 
 def separable(need: Requirements, variant: Variant) -> bool:
-    """Whether the bounds of a variant are one-sided along the radius; springs that exist are not."""
+    """Whether every bound holds up to one radius, or from one radius on; not so for springs of a catalogue."""
     if need.search.closing_force is None or need.springs or curved(need, variant):
         return False
     if need.search.gain is None:
@@ -143,11 +143,11 @@ def separable(need: Requirements, variant: Variant) -> bool:
 
 @np.errstate(all="ignore")
 def by_radius(need: Requirements, variant: Variant, survey: Survey, progress: Callable[[int], None]) -> None:
-    """Go through every combination but the mean radius, and look up the radii it allows.
+    """Evaluate a variant: for every combination of the other parameters, find the range of mean radii by bisection.
 
     Where the spring force is a range, at a given gain or at a given wall angle the largest feasible radius is best in
-    everything but the ball; so a row of radii is a search by halves for each bound, and few candidates. Of 10⁸
-    candidates: 0.13 s, with the ball an objective 0.6 s; tile by tile 0.8 and 5.6 s.
+    every objective but the ball. So a row takes one bisection per bound, and leaves few candidates. A search of 10⁸
+    candidates takes 0.13 s, with the ball an objective 0.6 s; tile by tile 0.8 and 5.6 s.
     """
     for laid in grids(need, variant):
         for tile in tiles(laid._replace(mean_radius=laid.mean_radius[-1:]), _ROWS):
@@ -164,7 +164,7 @@ class _Rows:
         self.by_gain = need.search.gain is not None or not variant.controlled
 
     def into(self, survey: Survey) -> None:
-        """Count, and hand on the best of every row."""
+        """Count the candidates, and add the best of every row to a survey."""
         size, at_largest = self.radii.size, candidates(self.need, self.variant, self.tile.axes)
         built = np.broadcast_to(at_largest.is_clutch, self.tile.shape)
         rows = int(np.count_nonzero(built))
@@ -183,7 +183,7 @@ class _Rows:
             survey.add(self.need, self.variant, self.tile.points(row)._replace(mean_radius=self.radii[place]))
 
     def _span(self, group: list[Constraint], at_largest: Candidates) -> tuple[Places, Places, Mask]:
-        """First place, place after the last, and which rows hold what does not depend on the radius."""
+        """Return first place, place after the last, and which rows meet the bounds that do not depend on the radius."""
         first, last, holds = np.zeros(1, np.int64), np.full(1, self.radii.size), np.ones(1, bool)
         for bound in group:
             way = bound.along_radius[0 if self.by_gain else 1]
@@ -196,12 +196,12 @@ class _Rows:
         return first, last, holds
 
     def _turn(self, holds: Callable[[Candidates], Mask], *, before: bool) -> Places:
-        """Number of radii, from the smallest on, at which a bound holds (``before``) or does not: by halves."""
+        """Number of radii, from the smallest on, at which a bound holds (``before``) or does not."""
         size = self.radii.size
         severest = self._at(self.radii[-1:] if before else self.radii[:1])
         if (there := holds(severest)).all():
             return np.full(1, size if before else 0)
-        # what lies beyond the last radius turns out as the largest place there is
+        # bisection; the infinite radii fill up a power of two, and never count
         reach = 1 << (size.bit_length() - 1)
         radii = np.append(self.radii, np.full(2 * reach - size, np.inf))
         place = np.zeros(there.shape, np.int64)
@@ -216,14 +216,14 @@ class _Rows:
         return candidates(self.need, self.variant, self.tile.axes._replace(mean_radius=radius))
 
     def _best(self, begin: Places, end: Places) -> list[tuple[Places, Places]]:
-        """Rows and places of the largest radius; at a given gain one for every ball size that counts."""
+        """Rows and places of the largest radius; at a given gain for every ball size that changes an objective."""
         if not self.by_gain or not self.variant.controlled:
             row = np.flatnonzero(end > begin)
             return [(row, end.ravel()[row] - 1)]
         best, along, rows = [], self.tile.dimension("ball_circle_radius"), self.tile.size
         numbers = np.arange(1, rows + 1).reshape(self.tile.shape)
         for last in self._ends_by_ball(end):
-            # a gain knows no ball circle: of a group the one that allows the largest radius, then of the largest circle
+            # a given gain does not depend on the ball circle: take the largest radius, then the largest ball circle
             both = np.where(last > begin, last * rows + numbers - 1, -1).max(axis=along)
             place, row = np.divmod(both[both >= 0], rows)
             best.append((row, place - 1))
@@ -231,7 +231,7 @@ class _Rows:
         return best
 
     def _ends_by_ball(self, end: Places) -> list[Places]:
-        """Place after the last radius that takes a ball, for every size: tan α = C r/R wants sin α ≥ (s + 2 y)/d."""
+        """Place after the last radius that fits a ball, for every size: sin α ≥ (s + 2 y)/d with tan α = C r/R."""
         if "ball_diameter" not in self.need.objectives:
             return [end]
         fixed, axes = self.need.fixed, self.tile.axes
@@ -246,7 +246,7 @@ class _Rows:
 
 
 def _unbeaten(values: Numbers) -> Places:
-    """Candidates that no sample of the front beats clearly: few, and found much quicker than the front itself.
+    """Return the candidates that no sample of the front clearly beats: few, so that the front of them is soon found.
 
     A search of 2·10⁶ indirect candidates by three objectives takes 0.6 s, without 5.2 s.
     """
@@ -277,15 +277,15 @@ def ranks(column: Numbers, tolerance: float = TOLERANCE) -> Places:
 
 
 def front(objectives: Numbers, tolerance: float = TOLERANCE) -> Places:
-    """Indices of the rows of objectives, all to be small, that none dominates, ascending; of rows that tie the first.
+    """Indices, ascending, of the rows that no other row dominates (small is good); of equal rows only the first.
 
     Values within the relative tolerance are the same. A search with a front of 6,800 rows by four objectives takes
-    0.6 s; where each row culls the others 17 s.
+    0.6 s; with rows compared one by one 17 s.
     """
     if len(objectives) == 0:
         return np.empty(0, np.int64)
     ranked = np.stack([ranks(column, tolerance) for column in objectives.T], axis=1)
-    # the two columns with most values are swept, the levels of the others gone through
+    # sweep over the two columns with most values; equal values in the other columns make a level
     ranked = ranked[:, np.argsort(-ranked.max(axis=0), kind="stable")]
     if ranked.shape[1] == 1:
         return np.array([int(np.argmin(ranked[:, 0]))])
@@ -301,7 +301,7 @@ def front(objectives: Numbers, tolerance: float = TOLERANCE) -> Places:
     members = np.split(order, starts[1:])
     levels = ranked[order[starts], 2:]
     kept: list[Places] = []
-    # in lexicographic order a level comes after all that are lower; what they kept decides for what they lost
+    # in lexicographic order all lower levels come first; a level is compared with the rows that these kept
     for highest, level in zip(levels, members, strict=True):
         below = [kept[k] for k in np.flatnonzero((levels[: len(kept)] <= highest).all(axis=1))]
         rows = np.concatenate([*below, level])
@@ -318,7 +318,7 @@ def _number(ranked: Places, heights: Places) -> Places:
 
 
 def _swept(both: Places, second: Places, rows: Places, others: int) -> Places:
-    """Rows of a level, behind so many others, that neither those nor its own dominate: a sweep over one column."""
+    """Rows of a level that no row dominates, by one sweep; the first ``others`` rows belong to lower levels."""
     order = np.argsort(both, kind="stable")
     ordered = second[order]
     before = np.concatenate([[np.iinfo(np.int64).max], np.minimum.accumulate(ordered)[:-1]])

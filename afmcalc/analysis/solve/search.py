@@ -1,7 +1,8 @@
-"""Where a quantity takes a wanted value: the domain of a parameter, every root and extreme over it, closed inverses.
+"""Search for a wanted value of a quantity: domain of the parameter, roots and extremes, closed-form inverses.
 
-The engines answer for arrays, so a curve is sampled at once, and a bracket is narrowed by sampling it again: kinks and
-smooth extremes alike, to the last bit. (Importing SciPy's root finders takes 0.4 s, a whole ``afmcalc solve`` 0.3 s.)
+The engines take arrays, so that a curve is sampled at once, and a bracket is narrowed by sampling it again. This finds
+kinks and smooth extremes alike, to the last bit. (Importing SciPy's root finders takes 0.4 s, a whole
+``afmcalc solve`` 0.3 s.)
 """
 
 import math
@@ -30,13 +31,13 @@ Function: TypeAlias = Callable[[Floats], Floats]
 Truths: TypeAlias = NDArray[np.bool_]
 
 _STEP = 0.05
-"""Between samples, in the logarithm of the distance from an end."""
+"""Step between two samples, in the logarithm of the distance from an end."""
 _ROUNDING = 1e-13
 """Relative difference that rounding can make."""
 _RUN = 20
-"""Samples in a row that rounding does not leave steady by chance."""
+"""Number of steady samples in a row that cannot be a chance of rounding."""
 _ZOOM = 65
-"""Samples of a bracket."""
+"""Number of samples in a bracket."""
 
 
 class Domain(NamedTuple):
@@ -44,15 +45,15 @@ class Domain(NamedTuple):
 
     low: float
     low_taken: bool
-    """Whether the low end is itself a value, or one only approached."""
+    """Whether the low end belongs to the domain."""
     high: float
-    """Itself a value, unless infinite."""
+    """The high end, which belongs to the domain unless it is infinite."""
     why: str
-    """What ends it above."""
+    """Text: what limits the domain at the high end."""
 
 
 def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
-    """Return where the clutch can be built with another value of a parameter, its gain within the limit unless told.
+    """Return the values of a parameter that give a clutch and, unless ``beyond_limit``, keep the gain within its limit.
 
     Raises:
         CalculationError: no value keeps the gain within its limit.
@@ -88,7 +89,7 @@ def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
 
 
 def _gain_limit(clutch: Clutch, limit: GainLimit, name: str) -> float:
-    """Largest value of a parameter at which the gain is within its limit; infinite where it plays no part."""
+    """Largest value of a parameter at which the gain is within its limit; infinite without such a value."""
     most, gain = float(clutch.gain_limit or math.inf), float(clutch.gain)
     if name == "C":
         return most
@@ -105,7 +106,7 @@ def _gain_limit(clutch: Clutch, limit: GainLimit, name: str) -> float:
 
 
 def _threshold_radius(clutch: Clutch) -> float:
-    """Largest R that leaves a feedback: 2 R f_1/d grows with it to the gain; with a wall angle the gain grows too."""
+    """Largest R with 2 R f_1/d up to C; infinite with a given wall angle, where C grows with R as well."""
     if not clutch.least_gain or angle_given(clutch.spec):
         return math.inf
     end = float(clutch.mean_radius * clutch.gain / clutch.least_gain)
@@ -119,21 +120,21 @@ def _threshold_radius(clutch: Clutch) -> float:
 
 
 class Curve(NamedTuple):
-    """The quantity over its domain: samples and every extreme that faces the wanted value."""
+    """Samples of the quantity over its domain, with every extreme that is nearest to the wanted value from one side."""
 
     at: Floats
     """Values of the parameter, rising."""
     value: Floats
     limit_low: float | None
-    """What is approached, not reached, towards the low end; None where the end is a value."""
+    """Limit of the quantity towards a low end that is not in the domain; None where it is, or without a limit."""
     limit_high: float | None
-    """What is approached, not reached, without end."""
+    """Limit of the quantity as the parameter grows for ever; None where there is no limit."""
 
 
 def explore(function: Function, wanted: float, domain: Domain) -> Curve:
     """Sample a quantity over a domain and refine its extremes on the wanted value's side.
 
-    The curve is without the values at which rounding alone would reach a limit.
+    The curve leaves out samples that equal a limit by rounding only.
     """
     at = _samples(domain)
     value = function(at)
@@ -162,7 +163,7 @@ def roots(function: Function, wanted: float, curve: Curve) -> list[float]:
     places = [root for i in crossed if (root := _crossing(function, wanted, at[i], at[i + 1])) is not None]
     on = side == 0
     for i in np.flatnonzero(on & ~np.concatenate([[False], on[:-1]])):
-        # a stretch on the wanted value counts once, where it begins
+        # where the curve stays on the wanted value, the root is the begin of that stretch
         stretch = 0 < i < len(on) - 1 and on[i + 1]
         places.append(
             _edge(lambda x: np.abs(function(x) - wanted) <= _ROUNDING * wanted, at[i - 1], at[i])[1]
@@ -171,7 +172,7 @@ def roots(function: Function, wanted: float, curve: Curve) -> list[float]:
         )
     near = ~on & (np.abs(gap) <= SAME * abs(wanted)) & _lowest(np.abs(gap))
     near[crossed] = near[crossed + 1] = False
-    # beside what is only approached there is no end to touch
+    # an end that is not in the domain cannot be a root
     near[0] &= curve.limit_low is None
     near[-1] &= curve.limit_high is None
     near[:-1] &= ~on[1:]
@@ -191,22 +192,22 @@ def _samples(domain: Domain) -> Floats:
 
 
 def _approached(value: Floats) -> int:
-    """How many leading samples only approach the first: no clutch reaches a limit, numbers do by rounding."""
+    """Number of first samples that equal the limit by rounding only, as no clutch reaches a limit."""
     away = np.abs(value - value[0]) > SAME * abs(value[0])
     count = int(np.argmax(away))
-    # a stretch that is level from where it begins is reached
+    # samples that are level to the last digit do reach their value
     return count if abs(value[count - 1] - value[0]) > _ROUNDING * abs(value[0]) else 0
 
 
 def _noisy(function: Function, at: Floats, value: Floats) -> int:
-    """How many last samples are only rounding: a step of its size moves them by more than counts as reached."""
+    """Number of last samples that rounding rules: they change by more than ``SAME`` in a step of ``_ROUNDING``."""
     steady = np.abs(function(at * (1 + _ROUNDING)) - value) < SAME * np.abs(value)
     runs = np.convolve(steady, np.ones(_RUN), "valid") == _RUN
     return int(np.argmax(runs[::-1]))
 
 
 def _limit(at: Floats, value: Floats) -> float:
-    """What a curve tends to as its last decade does, by L + a/x."""
+    """Limit L of a curve without end, extrapolated from its last decade by L + a/x."""
     near, far = len(at) - 1, max(len(at) - 1 - round(math.log(10) / _STEP), 0)
     limit = (value[near] * at[near] - value[far] * at[far]) / (at[near] - at[far])
     return float(limit) if abs(limit) > 1e-3 * abs(value[near]) else 0.0
@@ -267,13 +268,13 @@ Inverse: TypeAlias = Callable[[float], Values]
 _PROPORTIONAL = ("nominal_torque", "torque_min", "torque_max", "scatter", "travel_max", "closing_force")
 """Targets proportional to the spring force."""
 _AT_SETTING = ("nominal_torque", "closing_force")
-"""Those that are so with any pocket: the sleeve is at its stop."""
+"""Targets proportional to the spring force with any pocket, as the sleeve is at its stop."""
 
 
 def closed_inverse(clutch: Clutch, name: str, target: str, now: float) -> Inverse | None:
     """Return the closed inverse for a parameter and a target that is ``now``; None where only a root search answers."""
     unit, straight = clutch.spec.control_unit, clutch.sleeve is None or not clutch.sleeve.gain_slope
-    # pockets that hold the torque: the slope of the gain goes with the force as the travel does
+    # a constant-torque pocket: its C_1 falls with the force as the travel grows, so that C_1 x does not change
     follows = unit is not None and unit.pocket is not None
     if name == "F" and target in (_PROPORTIONAL if straight or follows else _AT_SETTING):
         per_force = now / float(clutch.closing_force)
@@ -313,7 +314,7 @@ def _of_torque(clutch: DirectClutch, target: str) -> dict[str, Inverse]:
         return {}
     force, radius, gain = clutch.closing_force, clutch.mean_radius, clutch.gain
     z1, z2 = clutch.bypass_pairs, clutch.controlled_pairs
-    # pairs that are added are controlled ones; without a control unit they carry like bypass pairs
+    # added pairs are controlled ones; without a control unit the gain is 0, and these carry like bypass pairs
     kept = z1 if z2 else 0
 
     def pairs(wanted: float) -> Values:

@@ -1,4 +1,4 @@
-"""Samples of what scatters, cell by cell in threads: torques, their Sobol indices, peak torques.
+"""Monte Carlo samples of torques, of their Sobol indices and of peak torques, drawn cell by cell in threads.
 
 A sample is cut into a fixed number of replicates, each with its own stream and its own statistics: they run in any
 number of threads and still give the same digits, and the spread between them is the standard error.
@@ -28,13 +28,13 @@ from .statistics import Grid, Ranked, Tally, deviation, estimate, mean, merged, 
 
 REPLICATES = 32
 CELL = 16384
-"""Numbers drawn at once: what stays in the cache."""
+"""Numbers drawn at once; so many stay in the processor's cache."""
 POPULATION = 200_000
-"""Clutches whose life is calculated, at most: each is asked at every node of its service."""
+"""Largest number of clutches whose life is calculated: a life takes a calculation at every node of the service."""
 DRIVES = 4096
-"""Drives that are simulated: each takes thousands of steps."""
+"""Number of drives that are simulated; each takes thousands of steps."""
 _LEAST_CLUTCHES = 2
-"""In each replicate: one has no spread."""
+"""Smallest number of clutches in a replicate: a single value has no spread."""
 R = TypeVar("R")
 
 
@@ -56,7 +56,7 @@ class Plan:
         return [whole + (index < rest) for index in range(REPLICATES)]
 
     def run(self, work: str, replicate: Callable[[int, Iterator[int]], R]) -> list[R]:
-        """Results of all replicates in order, each by its number and the widths of its cells."""
+        """Return the results of all replicates in order; ``replicate`` gets its number and the widths of its cells."""
         sizes = self.sizes
         count = Count(work, sum(sizes))
 
@@ -70,10 +70,10 @@ class Plan:
 
 
 class Stream:
-    """Random or quasi-random columns, one per number that scatters, cell by cell."""
+    """Random or quasi-random values of the scattering inputs, a column for each, drawn cell by cell."""
 
     def __init__(self, model: Model, seed: int, number: int, *, quasi: bool = False, copies: int = 1) -> None:
-        """Open the stream of a number; with ``copies`` it has every column more than once, independently."""
+        """Open stream ``number``; every input has ``copies`` independent columns."""
         self._inputs, self._period = [*model.inputs] * copies, len(model.inputs)
         self._pair, self._correlation = model.pair, model.correlation
         self._generator = np.random.Generator(np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(number,))))
@@ -118,7 +118,7 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
     Raises:
         CalculationError: hardly any sample is a clutch.
     """
-    # bins and shift are chosen from the first cell of the first replicate
+    # all replicates use the bins and the shift that fit the first cell of the first replicate
     pilot = model.clutches_of(Stream(model, plan.seed, 0, quasi=plan.quasi).draw(min(CELL, plan.sizes[0])))
     _refuse_few(pilot[0].size)
     torques = np.broadcast_to(model.torque(pilot), pilot[0].shape)
@@ -190,7 +190,7 @@ def sampled_figures(model: Model, tallies: Sequence[Tally], torques: Ranked, giv
 
 
 def _mean_life(parts: Sequence[Array]) -> Estimate:
-    """Life of the mean damage of all clutches."""
+    """Life at the mean damage of all clutches, 1/E[1/N], with its standard error."""
     damage = float((1 / np.concatenate(parts)).mean())
     # the error of 1/x is that of x over x²
     return Estimate(1 / damage, spread([float((1 / lives).mean()) for lives in parts]) / damage**2)
@@ -209,7 +209,7 @@ def sobol_indices(model: Model, plan: Plan) -> list[IndexRow]:
         return np.broadcast_to(model.torque(values) - center, values[0].shape)
 
     def replicate(number: int, cells: Iterator[int]) -> Array:
-        # streams of their own, apart from those of the sample
+        # other streams than those of the torque sample
         stream = Stream(model, plan.seed, REPLICATES + number, quasi=plan.quasi, copies=2)
         sums = np.zeros(3 + 2 * len(groups))
         for width in cells:
@@ -231,7 +231,7 @@ def sobol_indices(model: Model, plan: Plan) -> list[IndexRow]:
 
 
 def _groups(model: Model) -> dict[str, tuple[int, ...]]:
-    """Name and places of what varies apart: each input alone, the correlated frictions together."""
+    """Name → column numbers of every group that varies independently: one input, or both correlated frictions."""
     groups: dict[str, tuple[int, ...]] = {}
     for number, scattering in enumerate(model.inputs):
         if model.pair is None or number not in model.pair:
@@ -242,7 +242,7 @@ def _groups(model: Model) -> dict[str, tuple[int, ...]]:
 
 
 def _sums(torques: Sequence[Array]) -> Array:
-    """Sums of one cell: size, values, squares, then both numerators of each group."""
+    """Sums over one cell: rows, torques, squares; then for each group the numerators of first-order and total index."""
     one, other, *mixed = torques
     sums = [float(one.size), float(one.sum() + other.sum()), float((one**2).sum() + (other**2).sum())]
     for torque in mixed:
@@ -275,12 +275,12 @@ def _indices(rows: Array, names: Sequence[str]) -> list[IndexRow]:
 def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> dict[str, object]:
     """Fields of the result that are figures of the peak torque in the shaft, of the event of the [drive] block.
 
-    The drives are a sample of their own, each simulated once; none where the clutch has no event to simulate.
+    The drives are a separate sample, each simulated once; without an event to simulate there are no fields.
 
     Args:
-        model: the clutch and what of it scatters.
+        model: the clutch and its scattering inputs.
         given: its [tolerance] block.
-        clutch: the nominal clutch, whose machine's torque is the load of all unless the spec gives one.
+        clutch: the nominal clutch; its machine's torque is the load in every drive unless the spec gives a load.
 
     Raises:
         CalculationError: hardly any sample is a clutch.
@@ -290,7 +290,7 @@ def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> dict[str, ob
     load = clutch.spec.drive.load_torque
     spec = with_values(model.spec, {"drive.load_torque": float(clutch.machine_torque) if load is None else load})
     model = replace(model, spec=spec)
-    # streams apart from those of the torque and of its indices
+    # other streams than those of the torque and of its indices
     parts = [
         model.clutches_of(Stream(model, given.seed, 2 * REPLICATES + number).draw(DRIVES // REPLICATES))
         for number in range(REPLICATES)

@@ -12,7 +12,7 @@ INK, GRID, SHADE = "#111111", "#d4d4d4", "#9a9a9a"
 """Colours a page may replace by its own (dark mode): text and axes, grid, shaded regions."""
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#aa4499", "#111111", "#e69f00", "#56b4e9")
-"""Okabe and Ito's, the reddish purple darkened to stand out on white; black among them is the ink."""
+"""The colours of Okabe and Ito, with a darker reddish purple, to stand out on white, and the ink for black."""
 DASHES: tuple[Any, ...] = (
     "solid",
     (0, (6, 2)),
@@ -59,7 +59,7 @@ PARAMETERS = {
     "savefig.dpi": 150,
     "figure.dpi": 150,
 }
-"""Set over matplotlib's own defaults, so that a user's matplotlibrc changes nothing."""
+"""Settings that replace matplotlib's defaults, so that a user's matplotlibrc changes nothing."""
 
 
 def paint(axes: Any, chart: Chart) -> None:
@@ -97,11 +97,11 @@ def paint(axes: Any, chart: Chart) -> None:
 
 
 _HIGHEST = 40
-"""Letters of a label beside the axes that are as high as these."""
+"""Largest number of letters in a line of the y-axis label; so many are as long as the axis."""
 
 
 def _ticks(axes: Any) -> None:
-    """Write the numbers on the axes as people of the user's language do."""
+    """Write the numbers on the axes in the user's language."""
     if spoken() == "en":
         return
     from matplotlib.ticker import ScalarFormatter
@@ -154,9 +154,9 @@ def _whole(chart: Chart) -> bool:
 
 
 _AXES_WIDTH, _AXES_HEIGHT = 440, 190
-"""Points that the axes of a chart have, about, for what must be known before they are laid out."""
+"""Approximate size of the axes, points; texts are placed by it before the real size is known."""
 _NAME = (19, 10)
-"""Room of a name, points."""
+"""Width and height that the name of a point takes, points."""
 
 
 def _note(axes: Any, text: str, at: tuple[float, float], offset: tuple[float, float], **how: Any) -> None:
@@ -183,7 +183,7 @@ def _tags(axes: Any, chart: Chart) -> None:
 
 
 def _names(axes: Any, chart: Chart) -> None:
-    """Name points where there is room: those that stand out, then the ends of every line, then what lies between."""
+    """Name points where there is room: first filled points, then the ends of every line, then the points between."""
     (left, right), (low, top) = axes.get_xlim(), axes.get_ylim()
     ranked = [
         (not line.filled, 0 < place < len(line.names) - 1, x, y, name)
@@ -215,7 +215,7 @@ def _guide_tags(axes: Any, chart: Chart) -> None:
 
 
 def _span(axes: Any, x: float, span: Dimension, low: float, high: float) -> None:
-    """Set a dimension line beside the axes, its text along it, with hairlines to the curve's ends."""
+    """Draw a dimension line beside the axes, with its text, and thin lines to both ends of the curve."""
     colour, over = COLOURS[span.style], axes.get_yaxis_transform()
     arrow = {"arrowstyle": "<|-|>", "color": colour, "shrinkA": 0, "shrinkB": 0, "linewidth": 1.0, "mutation_scale": 8}
     axes.annotate("", (x, high), (x, low), xycoords=over, textcoords=over, arrowprops=arrow, annotation_clip=False)
