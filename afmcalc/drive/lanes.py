@@ -105,7 +105,7 @@ class SleeveLanes:
         self.torque = np.broadcast_to(train.load, h.shape).astype(float)
         self.balls = self.torque.copy()
         self.turn = np.broadcast_to(pack.turn_under(train.load), h.shape).astype(float)
-        self.held = np.broadcast_to(pack.pressed_at_stop(train.load, pack.stop_gains[0]), h.shape).astype(float)
+        self.normal = np.broadcast_to(pack.pressed_at_stop(train.load, pack.stop_gains[0]), h.shape).astype(float)
         self.travel = pack.travel(self.turn)
 
     @property
@@ -116,7 +116,7 @@ class SleeveLanes:
     @property
     def sticks_up_to(self) -> Values:
         """Torque up to which neither pack slips nor sleeve moves, N·m."""
-        return self.pack.sticks_up_to(self.turn, self.held)
+        return self.pack.sticks_up_to(self.turn, self.normal)
 
     def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
         """Calculate the torques of pack and balls from the speeds that both halves have without these torques."""
@@ -125,34 +125,34 @@ class SleeveLanes:
         slip, self.top = self.slip + self._trend, np.zeros(self.slip.shape)
         for _ in range(2 if self._static else 1):
             ratio = self.pack.ratio((self.slip + slip) / 2) if self._static else 1.0
-            found, turn = self._found(joint, ratio)
-            self.top, slip = np.maximum(self.top, np.abs(found.clutch)), found.slip
+            result, turn = self._stepped(joint, ratio)
+            self.top, slip = np.maximum(self.top, np.abs(result.clutch)), result.slip
         self._trend = np.where(slip == 0, 0.0, slip - self.slip)
-        self._gained = found.rate - self.rate
-        self.torque, self.balls, self.slip, self.rate, _ = found
-        self.held, self.turn = np.asarray(found.normal), turn
+        self._gained = result.rate - self.rate
+        self.torque, self.balls, self.slip, self.rate, _ = result
+        self.normal, self.turn = np.asarray(result.normal), turn
         self.travel = np.maximum(self.travel, self.pack.travel(turn))
 
-    def _found(self, joint: "_Joint", ratio: Values) -> "tuple[_Found, Floats]":
+    def _stepped(self, joint: "_Joint", ratio: Values) -> "tuple[_StepResult, Floats]":
         """Torques and speeds after a step, and the turn of the balls."""
         pack, h = self.pack, self.h
         at_stop = self.turn == 0
         moving = self._moving(joint, ratio)
-        still = self._still(joint, ratio)
+        resting = self._at_stop(joint, ratio)
         after = self.turn + h / 2 * (self.rate + moving.rate)
-        stays = at_stop & (still.rate == 0)
+        stays = at_stop & (resting.rate == 0)
         turns = (np.abs(self.turn) < h * np.abs(self.rate)) & (self.turn * moving.rate <= 0)
         near = np.flatnonzero(~at_stop & (turns | (self.turn * after < 0)))
         if near.size:
             crosses, seated, ahead, bounced = self._bounced(joint, ratio, near)
-            stays[near] |= crosses & seated & (still.rate[near] == 0)
+            stays[near] |= crosses & seated & (resting.rate[near] == 0)
             after[near] = np.where(crosses, ahead, after[near])
             parts = [np.array(value) for value in moving[:4]]
             for whole, part in zip(parts, bounced[:4], strict=True):
                 whole[near] = np.where(crosses, part, whole[near])
-            moving = _Found(parts[0], parts[1], parts[2], parts[3], pack.closing_force)
-        found = _picked(at_stop | stays, still, moving._replace(normal=pack.closing_force))
-        return found, np.where(stays, 0.0, np.where(at_stop, h / 2 * (self.rate + found.rate), after))
+            moving = _StepResult(parts[0], parts[1], parts[2], parts[3], pack.closing_force)
+        result = _picked(at_stop | stays, resting, moving._replace(normal=pack.closing_force))
+        return result, np.where(stays, 0.0, np.where(at_stop, h / 2 * (self.rate + result.rate), after))
 
     def _mass(self, travel: Floats, out: NDArray[np.bool_]) -> Values:
         """Torque that accelerates the sleeve's mass, per speed that the balls gain in a step."""
@@ -162,7 +162,7 @@ class SleeveLanes:
 
     def _bounced(
         self, joint: "_Joint", ratio: Values, near: NDArray[np.intp]
-    ) -> "tuple[NDArray[np.bool_], NDArray[np.bool_], Floats, _Found]":
+    ) -> "tuple[NDArray[np.bool_], NDArray[np.bool_], Floats, _StepResult]":
         """Follow the balls through the stop to the other wall and back in one step, in closed form at constant torques.
 
         Returns:
@@ -197,8 +197,9 @@ class SleeveLanes:
             top = away + np.where(speed > 0, speed * speed / (2 * out), 0.0)
             nearing = np.maximum(-speed, 0.0)
             arriving = np.sqrt(nearing * nearing + 2 * home * top)
-            left = 1 - np.where(speed > 0, speed / out, 0.0) - 2 * top / (nearing + arriving)
-            crosses = (left > 0) & ((speed <= 0) | (out > 0))
+            # share of the step that is left once the balls are at the stop
+            time_left = 1 - np.where(speed > 0, speed / out, 0.0) - 2 * top / (nearing + arriving)
+            crosses = (time_left > 0) & ((speed <= 0) | (out > 0))
             speed, side = np.where(crosses, arriving, 0.0), -first
             walls = slowed(side), (out, home)
             # a swing over both walls takes a time, and leaves a share of the speed
@@ -207,26 +208,28 @@ class SleeveLanes:
             swing, kept = speed * (takes[0] + keeps[0] * takes[1]), keeps[0] * keeps[1]
             # the balls swing so only where both walls push them back
             swings = (np.minimum(out, home) > 0) & (np.minimum(*walls[0]) > 0)
-            seated = swings & ((swing < (1 - kept) * left) | (swing < _SWING_OVER))
-            count = np.where(kept < 1, np.log1p(-(1 - kept) * left / swing) / np.log(kept), left / swing)
+            seated = swings & ((swing < (1 - kept) * time_left) | (swing < _SWING_OVER))
+            count = np.where(kept < 1, np.log1p(-(1 - kept) * time_left / swing) / np.log(kept), time_left / swing)
             count = swings * np.floor(np.nan_to_num(count, nan=0.0, posinf=0.0, neginf=0.0))
             passed = np.where(kept < 1, swing * (1 - kept**count) / (1 - kept), swing * count)
-            left = left - np.where(count > 0, passed, 0.0)
+            time_left = time_left - np.where(count > 0, passed, 0.0)
             speed = speed * np.where(count > 0, kept**count, 1.0)
             turn, rate, going = np.zeros(near.size), np.zeros(near.size), crosses & ~seated
             for place, (out, home) in zip((side, -side), walls, strict=True):
                 up = np.where(out > 0, speed / out, np.inf)
                 high, down = speed * up / 2, np.where(home > 0, speed / np.sqrt(out * home), np.inf)
-                falls = np.clip(left - up, 0.0, np.inf) * (home > 0)
-                turns = np.where(left < up, speed * left - out * left * left / 2, high - home * falls * falls / 2)
-                moves = np.where(left < up, speed - out * left, -home * falls)
-                ends = going & (left < up + down)
+                falls = np.clip(time_left - up, 0.0, np.inf) * (home > 0)
+                turns = np.where(
+                    time_left < up, speed * time_left - out * time_left * time_left / 2, high - home * falls * falls / 2
+                )
+                moves = np.where(time_left < up, speed - out * time_left, -home * falls)
+                ends = going & (time_left < up + down)
                 turn, rate = np.where(ends, place * h * turns, turn), np.where(ends, place * moves, rate)
-                going, left = going & ~ends, left - up - down
+                going, time_left = going & ~ends, time_left - up - down
                 speed = speed * np.sqrt(home / out)
         return crosses, seated, turn, joint.pushed(capacity, (before + gained - rate) / yields, pressed)
 
-    def _moving(self, joint: "_Joint", ratio: Values) -> "_Found":
+    def _moving(self, joint: "_Joint", ratio: Values) -> "_StepResult":
         """Torques and speeds with the balls off the stop; the key sticks at ball torques between S/κ₊ and S/κ."""
         pack = self.pack
         side, ahead = np.where(self.turn < 0, -1.0, 1.0), self.h / 2 * self.rate
@@ -240,28 +243,30 @@ class SleeveLanes:
         most, least = (side * (moment / net) for net in nets)
         normal = pack.pressed(travel)
         capacity = pack.carried(normal, ratio)
-        found = joint.boxed(capacity, np.minimum(least, most), np.maximum(least, most), normal)
-        outwards = found.balls == most
-        stiff = self.h / 4 * pack.torsional(halfway, np.where(outwards, *nets), np.abs(found.balls))
+        result = joint.boxed(capacity, np.minimum(least, most), np.maximum(least, most), normal)
+        outwards = result.balls == most
+        stiff = self.h / 4 * pack.torsional(halfway, np.where(outwards, *nets), np.abs(result.balls))
         # a negative stiffness is limited: the divisor 1 + balls · stiff in `yielding` stays at least 1/2
-        found = joint.yielding(found, np.where(found.rate == 0, 0.0, np.maximum(stiff, -0.5 / joint.balls)), capacity)
-        return found._replace(balls=found.balls + mass * (found.rate - self.rate))
+        result = joint.yielding(
+            result, np.where(result.rate == 0, 0.0, np.maximum(stiff, -0.5 / joint.balls)), capacity
+        )
+        return result._replace(balls=result.balls + mass * (result.rate - self.rate))
 
-    def _still(self, joint: "_Joint", ratio: Values) -> "_Found":
+    def _at_stop(self, joint: "_Joint", ratio: Values) -> "_StepResult":
         """Torques and speeds at the stop: N falls along κ and rises along κ₊; beyond S(0)/κ the sleeve lifts off."""
         pack = self.pack
         alone, share = joint.rate / joint.balls, joint.across / joint.balls
         stuck = (joint.slip + joint.across * alone) / (joint.pack - joint.across * share)
         # without the impulse by which the balls come to rest at the stop, as it does not act on the sleeve
         steady = alone - self.rate / joint.balls
-        normal = np.clip(self.held, *pack.play(steady + share * stuck))
+        normal = np.clip(self.normal, *pack.play(steady + share * stuck))
         way = np.where(stuck < 0, -1.0, 1.0)
-        before = pack.carried(self.held, ratio)
+        before = pack.carried(self.normal, ratio)
         sticking = steady + share * way * before
         side = way * np.where(sticking < 0, -1.0, 1.0)
         rising, falling = (pack.slipping_at_stop(ratio, side * net, way * steady, share) for net in pack.stop_gains)
         low, high = pack.play(sticking)
-        slipping = np.where(self.held > high, rising, np.where(self.held < low, falling, before))
+        slipping = np.where(self.normal > high, rising, np.where(self.normal < low, falling, before))
         sticks = np.abs(stuck) <= pack.carried(normal, ratio)
         clutch = np.where(sticks, stuck, way * slipping)
         balls = alone + share * clutch
@@ -272,7 +277,7 @@ class SleeveLanes:
         )
         slip = np.where(sticks, 0.0, joint.slip - joint.pack * clutch + joint.across * balls)
         pressed = np.where(sticks, normal, slipping / pack.carried(1.0, ratio))
-        return _Found(
+        return _StepResult(
             np.where(lifted, off.clutch, clutch),
             np.where(lifted, off.balls + mass * off.rate, balls),
             np.where(lifted, off.slip, slip),
@@ -281,7 +286,7 @@ class SleeveLanes:
         )
 
 
-class _Found(NamedTuple):
+class _StepResult(NamedTuple):
     """Torques of pack and balls, the speeds after the step, and the normal force."""
 
     clutch: Floats
@@ -291,8 +296,8 @@ class _Found(NamedTuple):
     normal: Values
 
 
-def _picked(which: NDArray[np.bool_], first: _Found, second: _Found) -> _Found:
-    return _Found(*(np.where(which, one, other) for one, other in zip(first, second, strict=True)))
+def _picked(which: NDArray[np.bool_], first: _StepResult, second: _StepResult) -> _StepResult:
+    return _StepResult(*(np.where(which, one, other) for one, other in zip(first, second, strict=True)))
 
 
 class _Joint(NamedTuple):
@@ -317,38 +322,38 @@ class _Joint(NamedTuple):
             self.balls / whole,
         )
 
-    def pushed(self, capacity: Values, balls: Floats, normal: Values) -> _Found:
+    def pushed(self, capacity: Values, balls: Floats, normal: Values) -> _StepResult:
         """Torques and speeds with a given torque of the balls."""
         slip = self.slip + self.across * balls
         needed = slip / self.pack
         clutch = np.clip(needed, -capacity, capacity)
         rate = self.rate + self.across * clutch - self.balls * balls
-        return _Found(clutch, balls, np.where(clutch == needed, 0.0, slip - self.pack * clutch), rate, normal)
+        return _StepResult(clutch, balls, np.where(clutch == needed, 0.0, slip - self.pack * clutch), rate, normal)
 
-    def boxed(self, capacity: Values, low: Values, high: Values, normal: Values) -> _Found:
+    def boxed(self, capacity: Values, low: Values, high: Values, normal: Values) -> _StepResult:
         """Torques within limits that bring pack and balls to rest where they can: the solution of a convex problem."""
         both = self.pack - self.across * self.across / self.balls
         first = np.clip((self.slip + self.across * self.rate / self.balls) / both, -capacity, capacity)
         wanted = (self.rate + self.across * first) / self.balls
         balls = np.clip(wanted, low, high)
-        found = self.pushed(capacity, balls, normal)
-        return found._replace(rate=np.where(balls == wanted, 0.0, found.rate))
+        result = self.pushed(capacity, balls, normal)
+        return result._replace(rate=np.where(balls == wanted, 0.0, result.rate))
 
-    def yielding(self, found: _Found, stiff: Floats, capacity: Values) -> _Found:
-        """Return ``found`` with a torque of the balls that grows with their speed, where ``stiff`` is not 0."""
+    def yielding(self, result: _StepResult, stiff: Floats, capacity: Values) -> _StepResult:
+        """Return ``result`` with a torque of the balls that grows with their speed, where ``stiff`` is not 0."""
         whole = 1 + self.balls * stiff
-        slip = self.slip + self.across * (found.balls + stiff * (self.rate - self.balls * found.balls) / whole)
+        slip = self.slip + self.across * (result.balls + stiff * (self.rate - self.balls * result.balls) / whole)
         pack = self.pack - self.across * self.across * stiff / whole
         needed = slip / pack
         clutch = np.clip(needed, -capacity, capacity)
-        rate = (self.rate + self.across * clutch - self.balls * found.balls) / whole
+        rate = (self.rate + self.across * clutch - self.balls * result.balls) / whole
         moves = stiff != 0
-        return _Found(
-            np.where(moves, clutch, found.clutch),
-            np.where(moves, found.balls + stiff * rate, found.balls),
-            np.where(moves, np.where(clutch == needed, 0.0, slip - pack * clutch), found.slip),
-            np.where(moves, rate, found.rate),
-            found.normal,
+        return _StepResult(
+            np.where(moves, clutch, result.clutch),
+            np.where(moves, result.balls + stiff * rate, result.balls),
+            np.where(moves, np.where(clutch == needed, 0.0, slip - pack * clutch), result.slip),
+            np.where(moves, rate, result.rate),
+            result.normal,
         )
 
 
@@ -395,13 +400,13 @@ def march(
 
     for start in range(0, step.size, _LANES):
         lanes = slice(start, start + _LANES)
-        own, h = _cut(train, lanes, step.shape), step.ravel()[lanes]
-        shaft = Shaft(own, h)
+        drives, h = _cut(train, lanes, step.shape), step.ravel()[lanes]
+        shaft = Shaft(drives, h)
         if isinstance(pack, DirectPack):
-            clutch: DirectLanes | SleeveLanes = DirectLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
+            clutch: DirectLanes | SleeveLanes = DirectLanes(drives, _cut(pack, lanes, step.shape), h, shaft.per_torque)
         else:
-            clutch = SleeveLanes(own, _cut(pack, lanes, step.shape), h, shaft.per_torque)
-        parts.append(_march(own, shaft, clutch, h, steps, report, least))
+            clutch = SleeveLanes(drives, _cut(pack, lanes, step.shape), h, shaft.per_torque)
+        parts.append(_march(drives, shaft, clutch, h, steps, report, least))
     return Marched(*(np.concatenate(each).reshape(step.shape) for each in zip(*parts, strict=True)))
 
 
@@ -414,7 +419,7 @@ def _cut(whole: D, lanes: slice, shape: tuple[int, ...]) -> D:
         return cast(D, np.broadcast_to(whole, shape).reshape(-1)[lanes])
     if not is_dataclass(whole) or isinstance(whole, type):
         return whole
-    cut: Any = replace(whole, **{own.name: _cut(getattr(whole, own.name), lanes, shape) for own in fields(whole)})
+    cut: Any = replace(whole, **{part.name: _cut(getattr(whole, part.name), lanes, shape) for part in fields(whole)})
     return cast(D, cut)
 
 
@@ -493,12 +498,12 @@ class Shaft:
         # torque at the middle of the step: elastic torque + link·(u + u⁺), u the rate of twist
         self._coupling = h * (h * train.stiffness / 4 + train.damping / 2)
         self._stretch = h / 2 * train.stiffness
-        own = train.driven_inertia + self._coupling
-        self._kept, self._lost = (train.driven_inertia - self._coupling) / own, h / own
-        self._drawn = self._coupling / own
-        other = train.tool_inertia + self._coupling
-        self._joint = own, other, own * other - self._coupling * self._coupling
-        self.per_torque = self._lost if train.kind == "stop" else h * other / self._joint[2]
+        front = train.driven_inertia + self._coupling
+        self._kept, self._lost = (train.driven_inertia - self._coupling) / front, h / front
+        self._drawn = self._coupling / front
+        rear = train.tool_inertia + self._coupling
+        self._joint = front, rear, front * rear - self._coupling * self._coupling
+        self.per_torque = self._lost if train.kind == "stop" else h * rear / self._joint[2]
         """Speed that a torque of 1 N·m adds to the driven half in a step."""
 
     def free(self, number: int, passed: Floats) -> Floats:
@@ -516,14 +521,14 @@ class Shaft:
         """Step a tool that its load may stop and keep at rest; return the speed of the driven half."""
         train, h, coupling = self.train, self.h, self._coupling
         impulse = h * self.elastic + coupling * self._rate
-        own, other, det = self._joint
+        front, rear, det = self._joint
         first, second = train.driven_inertia * self.driven - impulse, train.tool_inertia * self.tool + impulse
         load = train.load_at(middle)
         # the tool sees the clutch torque of the last step, which is an error of second order
-        alone = coupling * (first + h * passed) + own * second
-        resisting = np.clip(alone / (h * own), -load, load)
-        self._after = (alone - own * h * resisting) / det
-        return (other * first + coupling * (second - h * resisting)) / det
+        alone = coupling * (first + h * passed) + front * second
+        resisting = np.clip(alone / (h * front), -load, load)
+        self._after = (alone - front * h * resisting) / det
+        return (rear * first + coupling * (second - h * resisting)) / det
 
     def take(self, driven: Floats) -> None:
         """Set the speed of the driven half after the step, and step the shaft with it."""

@@ -471,8 +471,8 @@ class Plant:
             turn = pack.turn_under(np.float64(self.breakaway))
             slipping = pack.work(pack.travel(turn)) - rest * turn
             higher = (most - rest) ** 2 / (2 * train.stiffness)
-            left = self.stored(y) - rest * (y[TWIST] + y[TURN]) + rest * rest / (2 * train.stiffness)
-            return bool(rest < most and left <= slipping and left <= higher)
+            energy = self.stored(y) - rest * (y[TWIST] + y[TURN]) + rest * rest / (2 * train.stiffness)
+            return bool(rest < most and energy <= slipping and energy <= higher)
 
 
 def _sign(value: float) -> int:

@@ -97,7 +97,7 @@ def _only(column: Column, mask: list[bool]) -> Column:
 
 
 _LONG = 3
-"""Rows above which details are left out of a table."""
+"""Number of rows above which a table leaves out the columns of details."""
 
 
 def _table(table: Table) -> TextTable:

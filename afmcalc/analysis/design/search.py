@@ -61,9 +61,9 @@ class Survey:
         if not self.members:
             return
         values = np.concatenate([member.values.T for member in self.members], axis=1).T
-        left = _unbeaten(values)
+        remaining = _unbeaten(values)
         keep = np.zeros(len(values), bool)
-        keep[left[front(values[left])]] = True
+        keep[remaining[front(values[remaining])]] = True
         parts: dict[str, list[Members]] = defaultdict(list)
         masks = np.split(keep, np.cumsum([len(member.values) for member in self.members])[:-1])
         for (variant, at, rows), mask in zip(self.members, masks, strict=True):
@@ -252,14 +252,14 @@ def _unbeaten(values: Numbers) -> Places:
     """
     known = values[:: -(-len(values) // (4 * _SAMPLE))]
     known = known[front(known)]
-    left, rest = np.arange(len(values)), np.ascontiguousarray(values.T)
+    remaining, rest = np.arange(len(values)), np.ascontiguousarray(values.T)
     for best in known[:: -(-len(known) // _SAMPLE)]:
         no_better = np.logical_and.reduce([column >= one for column, one in zip(rest, best, strict=True)])
-        if np.count_nonzero(no_better) > len(left) // 16:
+        if np.count_nonzero(no_better) > len(remaining) // 16:
             worse = [column > one * (1 + 1e-9) for column, one in zip(rest, best, strict=True)]
             kept = np.flatnonzero(~(no_better & np.logical_or.reduce(worse)))
-            left, rest = left[kept], rest[:, kept]
-    return left
+            remaining, rest = remaining[kept], rest[:, kept]
+    return remaining
 
 
 def ranks(column: Numbers, tolerance: float = TOLERANCE) -> Places:
@@ -328,9 +328,9 @@ def _swept(both: Places, second: Places, rows: Places, others: int) -> Places:
 def _culled(ranked: Places) -> Places:
     """Rows that survive when each survivor in turn removes what it dominates or ties."""
     order = np.lexsort(ranked.T[::-1])
-    left, kept = order, []
-    while left.size:
-        best = left[0]
+    remaining, kept = order, []
+    while remaining.size:
+        best = remaining[0]
         kept.append(best)
-        left = left[(ranked[left] < ranked[best]).any(axis=1)]
+        remaining = remaining[(ranked[remaining] < ranked[best]).any(axis=1)]
     return np.sort(np.array(kept))
