@@ -45,7 +45,7 @@ def test_every_value_shown_is_the_value_calculated(command, name):
 
 WANTED = st.fixed_dictionaries(
     {"nominal_torque": st.floats(1, 1e5)},
-    optional={"accuracy_factor": st.floats(1, 20), "torque_max": st.floats(1, 1e6), "reduced_gain": st.floats(0, 9)},
+    optional={"accuracy_factor": st.floats(1, 20), "torque_max": st.floats(1, 1e6), "reduced_gain": st.floats(0.01, 9)},
 )
 
 
