@@ -5,6 +5,7 @@ clutch is a direct one of gain κ while the torque rises, κ₊ while it falls; 
 """
 
 import math
+from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import ClassVar
@@ -30,7 +31,7 @@ _FAR = 1e6
 """Friction so large that the sleeve has its largest travel."""
 
 
-class Pack:
+class Pack(ABC):
     """Discs with their balls at the stop."""
 
     travels: ClassVar[bool]
@@ -87,9 +88,9 @@ class Pack:
         torque = _sleeve.slip_torque_at_stop(pairs, self.mean_radius, self.resting_force, net_gain, alone, share)
         return larger(torque, pairs * self.mean_radius * self.least_force)
 
+    @abstractmethod
     def torque(self, ratio: Number) -> Number:
         """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
-        raise NotImplementedError
 
     @property
     def least(self) -> Values:
@@ -97,21 +98,21 @@ class Pack:
         return self.torque(1.0)
 
     @property
+    @abstractmethod
     def growth(self) -> float:
         """Derivative ∂T/∂(f(v)/f) of the slip torque by the friction ratio where slip begins, N·m."""
-        raise NotImplementedError
 
     def turn_under(self, torque: float) -> Values:
         """Turn of the balls at rest after the torque has risen to ``torque``, rad; 0 at the stop."""
         return 0.0
 
+    @abstractmethod
     def sticks_up_to(self, turn: Values, normal: Values) -> Values:
         """Torque up to which nothing of a stuck clutch slips or moves, N·m."""
-        raise NotImplementedError
 
+    @abstractmethod
     def leaning(self, turn: float) -> float:
         """Normal force of the pocket walls times the radius of the ball circle, over the torque of the clutch."""
-        raise NotImplementedError
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,7 @@
 """Field types of the spec: SI numbers that also take a string with a unit; and the keys that its models have."""
 
 import math
+from abc import abstractmethod
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cache, partial
@@ -47,9 +48,9 @@ class Block(BaseModel):
 class RuledBlock(Block):
     """A table with rules between its keys."""
 
+    @abstractmethod
     def broken_rules(self) -> Iterable[Broken]:
         """Rules that it breaks."""
-        raise NotImplementedError
 
     @model_validator(mode="after")
     def _hold_to_rules(self) -> Self:
