@@ -61,18 +61,29 @@ class DirectClutch(Clutch):
         bypass = direct.group_torque(self.closing_force, self.mean_radius, self.bypass_pairs, driving)
         return larger(bypass, self.torque(friction, friction_driven)) if self.spec.kind.controlled else bypass
 
-    def extreme_torques(self, start: Literal["min", "mean"] = "min") -> tuple[TorqueAt, TorqueAt]:
-        """At the ends: with one material the torque rises with f; with unlike ones it may also turn at the mean."""
+    def _turning_points(self, start: Literal["min", "mean"] = "min") -> list[tuple[Values, Values]]:
+        """Ends of the path, between which the torque rises with one material; with unlike ones also the mean."""
         first, second = self.friction
         names = (start, "mean", "max") if self.spec.friction.unlike else (start, "max")
-        points = ((getattr(first, name), getattr(second, name)) for name in names)
-        slips = [(self.torque(*point), *point) for point in points]
+        return [(getattr(first, name), getattr(second, name)) for name in names]
+
+    def extreme_torques(self, start: Literal["min", "mean"] = "min") -> tuple[TorqueAt, TorqueAt]:
+        """At the ends: with one material the torque rises with f; with unlike ones it may also turn at the mean."""
+        slips = [(self.torque(*point), *point) for point in self._turning_points(start)]
         return extremes(slips) if self.spec.friction.unlike else (slips[0], slips[1])
+
+    @property
+    def torque_max(self) -> Values:
+        """Largest sustained torque along the common path, N·m; with one material that at f_max."""
+        return super().torque_max if self.spec.friction.unlike else self.torque(*self._turning_points()[1])
 
     @property
     def accuracy_factor(self) -> Values:
         """K_т, largest over smallest torque along the common path of f_1 and f_2."""
-        (_, *low), (_, *high) = self.extreme_torques()
+        if self.spec.friction.unlike:
+            (_, *low), (_, *high) = self.extreme_torques()
+        else:
+            low, high = map(list, self._turning_points())
         return accuracy.accuracy_factor(self.bypass_pairs, self.controlled_pairs, self.gain, *low, *high)
 
     @property
