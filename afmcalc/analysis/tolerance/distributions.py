@@ -109,30 +109,25 @@ class Input:
             values = np.where(u < (self.center - low) / (high - low), rising, falling)
         return np.clip(values, *self.limits)
 
-    def draw(self, stream: np.random.Generator, into: Array) -> None:
-        """Fill an array from a stream of random numbers; of a normal one, what falls outside the limits again."""
+    def draw(self, stream: np.random.Generator, size: int) -> Array:
+        """Draw values from a stream of random numbers; of a normal one, what falls outside the limits again."""
         if self.spread == 0:
-            into[...] = self.center
-            return
+            return np.full(size, self.center)
         if self.has_ends:
-            stream.random(out=into)
-            into[...] = self.quantiles(into)
-            return
-        self._draw_untruncated(stream, into)
+            return self.quantiles(stream.random(size))
+        values = self._draw_untruncated(stream, size)
         low, high = self.limits
-        while (self.mass[0] > _NEVER and into.min() < low) or (high < math.inf and into.max() > high):
-            outside = np.flatnonzero((into < low) | (into > high))
-            again = np.empty(outside.size)
-            self._draw_untruncated(stream, again)
-            into[outside] = again
+        while (self.mass[0] > _NEVER and values.min() < low) or (high < math.inf and values.max() > high):
+            outside = np.flatnonzero((values < low) | (values > high))
+            values[outside] = self._draw_untruncated(stream, outside.size)
+        return values
 
-    def _draw_untruncated(self, stream: np.random.Generator, into: Array) -> None:
+    def _draw_untruncated(self, stream: np.random.Generator, size: int) -> Array:
         a, b = self.scores
-        stream.standard_normal(out=into)
-        into *= b
-        into += a
-        if self.kind == "lognormal":
-            np.exp(into, out=into)
+        values = stream.standard_normal(size)
+        values *= b
+        values += a
+        return np.exp(values) if self.kind == "lognormal" else values
 
 
 def inputs_of(spec: Spec) -> list[Input]:

@@ -42,12 +42,12 @@ class Model:
     """Of the normal scores of f_1 and f_2."""
 
     @property
-    def pair(self) -> tuple[int, int] | None:
-        """Places of the two correlated frictions."""
+    def pair(self) -> tuple[int, ...]:
+        """Places of the two correlated frictions; empty where they are independent."""
         paths = [scattering.path for scattering in self.inputs]
         if self.correlation and "friction.driving" in paths and "friction.driven" in paths:
             return paths.index("friction.driving"), paths.index("friction.driven")
-        return None
+        return ()
 
     @cached_property
     def centers(self) -> list[float]:
@@ -88,8 +88,8 @@ class Model:
         return build(self._spec(values))
 
     def _spec(self, values: Sequence[Values]) -> Spec:
-        given = self.by_path(values)
-        return with_values(self.spec, {path: given[path] for path in given if path not in FRICTION})
+        keys = {path: value for path, value in self.by_path(values).items() if path not in FRICTION}
+        return with_values(self.spec, keys)
 
     def by_path(self, values: Sequence[Values]) -> dict[str, Values]:
         """Values by the path of what scatters."""
@@ -97,19 +97,18 @@ class Model:
 
     def torque(self, values: Sequence[Values]) -> Values:
         """Slip torque, N·m."""
-        return self.torque_of(self.clutch(values), self.by_path(values))
+        return self.clutch(values).torque(*self.frictions(self.by_path(values)))
 
-    def torque_of(self, clutch: Clutch, frictions: Mapping[str, Values]) -> Values:
-        """Slip torque of a clutch, N·m, at the frictions named; at the mean where none is."""
-        first, second = self.frictions(frictions)
-        return clutch.torque(first, second) if self.spec.friction.unlike else clutch.torque(first)
+    def torque_along(self, u: Array) -> Array:
+        """Slip torque with every number that scatters at each probability of an array, N·m."""
+        return np.broadcast_to(self.torque([scattering.quantiles(u) for scattering in self.inputs]), u.shape)
 
     def frictions(self, named: Mapping[str, Values]) -> tuple[Values, Values]:
         """f_1 and f_2 as named, twice the same with one material; the mean where none is."""
-        first, second = (friction.mean for friction in self.spec.friction.groups)
+        driving, driven = self.spec.friction.groups
         if self.spec.friction.unlike:
-            return named.get("friction.driving", first), named.get("friction.driven", second)
-        alike = named.get("friction", first)
+            return named.get("friction.driving", driving.mean), named.get("friction.driven", driven.mean)
+        alike = named.get("friction", driving.mean)
         return alike, alike
 
 

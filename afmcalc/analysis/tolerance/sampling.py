@@ -24,7 +24,7 @@ from .distributions import Array, normal_probability, normal_score
 from .model import Model
 from .result import LIFE_PROBABILITIES, ROBUST, Estimate, IndexRow, LifeRow, PeakRow, QuantileRow
 from .service import life_of, service_of, unprotected
-from .statistics import Grid, Ranked, Tally, deviation, estimate, mean, merged, ranked_values, share, spread
+from .statistics import Grid, Ranked, Tally, deviation, estimate, mean, merged, ranked_values, share
 
 REPLICATES = 32
 CELL = 16384
@@ -85,31 +85,26 @@ class Stream:
 
     def draw(self, width: int) -> list[Array]:
         """Return the next cell: an array per column."""
-        columns = [np.empty(width) for _ in self._inputs]
-        self.fill(columns)
-        return columns
-
-    def fill(self, columns: Sequence[Array]) -> None:
-        """Fill one cell: an array per column, all of one length."""
-        points = None if self._sequence is None else self._sequence.random(len(columns[0]))
-        for number, (scattering, column) in enumerate(zip(self._inputs, columns, strict=True)):
+        points = None if self._sequence is None else self._sequence.random(width)
+        columns = []
+        for number, scattering in enumerate(self._inputs):
             if points is not None:
-                column[...] = scattering.quantiles(points[:, number])
-            elif self._pair is None or number % self._period not in self._pair:
-                scattering.draw(self._generator, column)
-        if self._pair is not None:
-            for start in range(0, len(columns), self._period):
-                self._correlate(columns, points, start + self._pair[0], start + self._pair[1])
-
-    def _correlate(self, columns: Sequence[Array], points: Array | None, first: int, second: int) -> None:
-        """Fill the two frictions by a Gaussian copula."""
-        if points is None:
-            one, two = (self._generator.standard_normal(len(columns[first])) for _ in range(2))
-        else:
-            one, two = normal_score(points[:, first]), normal_score(points[:, second])
-        two = self._correlation * one + (1 - self._correlation**2) ** 0.5 * two
-        columns[first][...] = self._inputs[first].quantiles(normal_probability(one))
-        columns[second][...] = self._inputs[second].quantiles(normal_probability(two))
+                columns.append(scattering.quantiles(points[:, number]))
+            elif number % self._period in self._pair:
+                columns.append(np.empty(0))
+            else:
+                columns.append(scattering.draw(self._generator, width))
+        # the two frictions by a Gaussian copula
+        for start in range(0, len(columns), self._period) if self._pair else ():
+            first, second = (start + place for place in self._pair)
+            if points is None:
+                one, two = self._generator.standard_normal(width), self._generator.standard_normal(width)
+            else:
+                one, two = normal_score(points[:, first]), normal_score(points[:, second])
+            two = self._correlation * one + (1 - self._correlation**2) ** 0.5 * two
+            columns[first] = self._inputs[first].quantiles(normal_probability(one))
+            columns[second] = self._inputs[second].quantiles(normal_probability(two))
+        return columns
 
 
 def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> list[Tally]:
@@ -127,21 +122,17 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
 
     def replicate(number: int, cells: Iterator[int]) -> Tally:
         stream, tally = Stream(model, plan.seed, number, quasi=plan.quasi), Tally(grid, shift)
-        room = min(CELL, plan.sizes[number])
-        columns, work, index = [np.empty(room) for _ in model.inputs], np.empty(room), np.empty(room, np.uint64)
         for width in cells:
-            drawn = [column[:width] for column in columns]
-            stream.fill(drawn)
-            values = model.clutches_of(drawn)
+            values = model.clutches_of(stream.draw(width))
             size = values[0].size
             tally.impossible += width - size
             if not size:
                 continue
             torque = np.broadcast_to(model.torque(values), size)
-            tally.add(torque, work[:size], index[:size])
+            tally.add(torque)
             tally.above += 0 if upper is None else int(np.count_nonzero(torque > upper))
             tally.below += int(np.count_nonzero(torque < lower))
-            few = min(size, POPULATION // REPLICATES - tally.clutches)
+            few = min(size, POPULATION // REPLICATES - sum(lives.shape[1] for lives in tally.lives))
             if slips is not None and few > 0:
                 clutch = model.clutch([column[:few] for column in values])
                 life = life_of(model, clutch, slips)
@@ -181,19 +172,15 @@ def sampled_figures(model: Model, tallies: Sequence[Tally], torques: Ranked, giv
     if whole.lives:
         sides = [np.concatenate(tally.lives, axis=1) for tally in tallies]
         protected, unprotected = (ranked_values(np.concatenate(lives)) for lives in zip(*sides, strict=True))
-        fields["life_protected"], fields["life_unprotected"] = (_mean_life(lives) for lives in zip(*sides, strict=True))
+        for name, parts in zip(("life_protected", "life_unprotected"), zip(*sides, strict=True), strict=True):
+            # life at the mean damage of all clutches, 1/E[1/N]; the error of 1/x is that of x over x²
+            damage = estimate(lambda lives: (1 / lives).mean(), parts, np.concatenate(parts))
+            fields[name] = Estimate(1 / damage.value, damage.standard_error / damage.value**2)
         fields["life_quantiles"] = [
             LifeRow.of(probability=p, protected=protected.estimate(p), unprotected=unprotected.estimate(p))
             for p in LIFE_PROBABILITIES
         ]
     return fields
-
-
-def _mean_life(parts: Sequence[Array]) -> Estimate:
-    """Life at the mean damage of all clutches, 1/E[1/N], with its standard error."""
-    damage = float((1 / np.concatenate(parts)).mean())
-    # the error of 1/x is that of x over x²
-    return Estimate(1 / damage, spread([float((1 / lives).mean()) for lives in parts]) / damage**2)
 
 
 def sobol_indices(model: Model, plan: Plan) -> list[IndexRow]:
@@ -202,13 +189,20 @@ def sobol_indices(model: Model, plan: Plan) -> list[IndexRow]:
     Raises:
         CalculationError: no row of the base sample is a clutch throughout.
     """
-    groups = _groups(model)
+    groups: dict[str, tuple[int, ...]] = {}
+    """Name → column numbers of what varies independently: one input, or both correlated frictions."""
+    for number, scattering in enumerate(model.inputs):
+        if number not in model.pair:
+            groups[scattering.path] = (number,)
+        elif number == model.pair[0]:
+            groups["friction.driving + friction.driven"] = model.pair
     count, center = len(model.inputs), model.torque(model.centers)
 
     def torque(values: Sequence[Array]) -> Array:
         return np.broadcast_to(model.torque(values) - center, values[0].shape)
 
     def replicate(number: int, cells: Iterator[int]) -> Array:
+        """Sums of rows, torques, squares; then for each group the numerators of first-order and total index."""
         # other streams than those of the torque sample
         stream = Stream(model, plan.seed, REPLICATES + number, quasi=plan.quasi, copies=2)
         sums = np.zeros(3 + 2 * len(groups))
@@ -220,39 +214,18 @@ def sobol_indices(model: Model, plan: Plan) -> list[IndexRow]:
             if model.may_fail:
                 kept = np.logical_and.reduce([model.possible(values) for values in samples])
                 samples = [[column[kept] for column in values] for values in samples]
-            if samples[0][0].size:
-                sums += _sums([torque(values) for values in samples])
+            if not samples[0][0].size:
+                continue
+            first, second, *others = (torque(values) for values in samples)
+            sums[:3] += first.size, first.sum() + second.sum(), (first**2).sum() + (second**2).sum()
+            for k, torques in enumerate(others):
+                difference = torques - first
+                sums[3 + 2 * k : 5 + 2 * k] += (second * difference).sum(), (difference**2).sum() / 2
         return sums
 
     rows = np.array(plan.run(say("indices"), replicate))
     if not rows[:, 0].any():
         raise CalculationError("tolerance.sobol_base: too few of the samples are a clutch; give a larger one")
-    return _indices(rows, list(groups))
-
-
-def _groups(model: Model) -> dict[str, tuple[int, ...]]:
-    """Name → column numbers of every group that varies independently: one input, or both correlated frictions."""
-    groups: dict[str, tuple[int, ...]] = {}
-    for number, scattering in enumerate(model.inputs):
-        if model.pair is None or number not in model.pair:
-            groups[scattering.path] = (number,)
-        elif number == model.pair[0]:
-            groups["friction.driving + friction.driven"] = model.pair
-    return groups
-
-
-def _sums(torques: Sequence[Array]) -> Array:
-    """Sums over one cell: rows, torques, squares; then for each group the numerators of first-order and total index."""
-    one, other, *mixed = torques
-    sums = [float(one.size), float(one.sum() + other.sum()), float((one**2).sum() + (other**2).sum())]
-    for torque in mixed:
-        difference = torque - one
-        sums += [float((other * difference).sum()), float((difference**2).sum()) / 2]
-    return np.array(sums)
-
-
-def _indices(rows: Array, names: Sequence[str]) -> list[IndexRow]:
-    """Indices as ratios of sums; their errors from the spread of the replicates about the ratio."""
     whole = rows.sum(axis=0)
     mean = whole[1] / (2 * whole[0])
     variance = whole[2] / (2 * whole[0]) - mean**2
@@ -260,6 +233,7 @@ def _indices(rows: Array, names: Sequence[str]) -> list[IndexRow]:
     parts = rows[:, 2] / 2 - mean * rows[:, 1] + mean**2 * rows[:, 0]
 
     def index(column: int) -> Estimate:
+        """A ratio of sums; its error from the spread of the replicates about the ratio."""
         if not variance > 0:
             return Estimate(0.0)
         ratio = whole[column] / whole[0] / variance
@@ -268,7 +242,7 @@ def _indices(rows: Array, names: Sequence[str]) -> list[IndexRow]:
         return Estimate(float(ratio), float(error / variance))
 
     return [
-        IndexRow.of(path=name, first_order=index(3 + 2 * k), total=index(4 + 2 * k)) for k, name in enumerate(names)
+        IndexRow.of(path=name, first_order=index(3 + 2 * k), total=index(4 + 2 * k)) for k, name in enumerate(groups)
     ]
 
 
@@ -306,10 +280,8 @@ def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> dict[str, ob
     order = ranked_values(peaks)
     fields: dict[str, object] = {
         "peak_samples": peaks.size,
-        "peak_torque_mean": Estimate(float(peaks.mean()), spread([float(piece.mean()) for piece in pieces])),
-        "peak_torque_deviation": Estimate(
-            float(peaks.std(ddof=1)), spread([float(piece.std(ddof=1)) for piece in pieces])
-        ),
+        "peak_torque_mean": estimate(np.mean, pieces, peaks),
+        "peak_torque_deviation": estimate(lambda torques: torques.std(ddof=1), pieces, peaks),
         "peak_quantiles": [PeakRow.of(probability=p, peak_torque=order.estimate(p)) for p in given.quantiles],
     }
     required = model.spec.requirements

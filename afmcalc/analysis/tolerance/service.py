@@ -3,7 +3,9 @@
 Friction varies from slip to slip, the rest from clutch to clutch.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -93,61 +95,45 @@ class Slip(NamedTuple):
 def service_of(model: Model) -> list[Slip]:
     """Slips that stand for the service of a clutch, as many as the clutch as drawn needs."""
     frictions = [scattering for scattering in model.inputs if scattering.path in FRICTION]
-    clutch = model.clutch(model.centers)
-    most, count = _MOST if len(frictions) < 2 else _MOST_OF_TWO, _LEAST
+    clutch, life, count = model.clutch(model.centers), math.inf, _LEAST
+    # where the sleeve leaves its stop, the torque bends
     bend = None if clutch.sleeve is None else float(clutch.sleeve.leaving_friction)
-    slips = _slips(frictions, model.correlation, count, bend)
-    life = float(life_of(model, clutch, slips))
-    while count < most and len(slips) > 1:
-        last, count = life, 2 * count
+    while True:
         slips = _slips(frictions, model.correlation, count, bend)
-        life = float(life_of(model, clutch, slips))
-        if abs(life / last - 1) < _ENOUGH:
-            break
-    return slips
+        last, life = life, float(life_of(model, clutch, slips))
+        most = _MOST if len(frictions) < 2 else _MOST_OF_TWO
+        if count >= most or len(slips) == 1 or abs(life / last - 1) < _ENOUGH:
+            return slips
+        count *= 2
 
 
 def _slips(frictions: list[Input], correlation: float, count: int, bend: float | None) -> list[Slip]:
-    """Gauss nodes of the friction in service, ``count`` for each; a single slip where none scatters.
-
-    Where the sleeve leaves its stop, at ``bend``, the torque bends.
-    """
+    """Gauss nodes of the friction in service, ``count`` for each; a single slip where none scatters."""
     slips = [Slip(1.0, {})]
-    for number, friction in enumerate(frictions):
-        before = frictions[0] if number and correlation else None
+    for friction in frictions:
         finer = []
         for slip in slips:
-            nodes = (
-                gauss(friction, count, bend)
-                if before is None
-                else _gauss_given(friction, count, before.share_below(slip.frictions[before.path]), correlation)
-            )
+            if slip.frictions and correlation:
+                # nodes where the friction before has its value
+                before = normal_score(np.array([frictions[0].share_below(slip.frictions[frictions[0].path])]))
+                z, shares = np.polynomial.hermite_e.hermegauss(count if abs(correlation) < 1 else 1)
+                scores = correlation * before + (1 - correlation**2) ** 0.5 * z
+                values, shares = friction.quantiles(normal_probability(scores)), shares / shares.sum()
+            else:
+                values, shares = gauss(friction, count, bend)
             finer += [
                 Slip(slip.share * float(share), {**slip.frictions, friction.path: float(value)})
-                for value, share in zip(*nodes, strict=True)
+                for value, share in zip(values, shares, strict=True)
             ]
         slips = finer
     return slips
 
 
-def _gauss_given(friction: Input, count: int, other_share: float, correlation: float) -> tuple[Array, Array]:
-    """Nodes of a friction where the one it is correlated with has a value; ``other_share``: the share below that."""
-    z, weights = np.polynomial.hermite_e.hermegauss(count if abs(correlation) < 1 else 1)
-    scores = correlation * normal_score(np.array([other_share])) + (1 - correlation**2) ** 0.5 * z
-    return friction.quantiles(normal_probability(scores)), weights / weights.sum()
-
-
 def life_of(model: Model, clutch: Clutch, slips: list[Slip]) -> Values:
-    """Slips to failure of the protected side (Miner): each slip does the damage 1/N of its torque.
-
-    Args:
-        model: what scatters.
-        clutch: one clutch or, its values being arrays, many.
-        slips: its service.
-    """
+    """Slips to failure of the protected side (Miner), of one clutch or many: each does the damage 1/N of its torque."""
     damage: Values = 0.0
     for slip in slips:
-        damage = damage + slip.share * damage_of(clutch, model.torque_of(clutch, slip.frictions))
+        damage = damage + slip.share * damage_of(clutch, clutch.torque(*model.frictions(slip.frictions)))
     return law.cycles_of_mean_damage(damage)
 
 
@@ -167,64 +153,57 @@ def unprotected(clutch: Clutch, life: Values) -> Values:
     return life / factor**part.exponent
 
 
+@dataclass(frozen=True)
 class Exact:
     """Figures of the torque where only friction varies: torque is monotone in it, so quantiles map to quantiles."""
 
-    def __init__(self, model: Model, *, rising: bool) -> None:
-        """Keep the model; ``rising`` says whether torque rises with the probability of the friction."""
-        self.model, self._rising = model, rising
-        clutch = model.clutch(model.centers)
-        kinks = [kink for friction in model.inputs for kink in friction.kinks]
-        if clutch.sleeve is not None:
-            kinks += [friction.share_below(float(clutch.sleeve.leaving_friction)) for friction in model.inputs]
-        u, self._weights = panels(kinks)
-        self._torque = _torque_at(model, u)
+    model: Model
+    rising: bool
+    """Whether torque rises with the probability of the friction."""
 
-    def _at(self, p: Array) -> Array:
+    def quantiles(self, p: Array) -> Array:
         """Torque not exceeded with each probability of an array."""
-        return _torque_at(self.model, p if self._rising else 1 - p)
+        return self.model.torque_along(p if self.rising else 1 - p)
 
     def quantile(self, p: float) -> float:
         """Torque not exceeded with probability p."""
-        return float(self._at(np.array([p]))[0])
-
-    def mean_of(self, function: Callable[[Array], Values]) -> float:
-        """Expectation of a function of the torque."""
-        return float((self._weights * function(self._torque)).sum())
+        return float(self.quantiles(np.array([p]))[0])
 
     def below(self, torques: Array) -> Array:
         """Probability of a smaller torque, for each of an array, by bisection on the probability."""
         low, high = np.zeros(torques.shape), np.ones(torques.shape)
         while bool(((low < (middle := (low + high) / 2)) & (middle < high)).any()):
-            smaller = self._at(middle) < torques
+            smaller = self.quantiles(middle) < torques
             low, high = np.where(smaller, middle, low), np.where(smaller, high, middle)
         return np.where(high < 1, low, 1.0)
 
     def figures(self, given: Tolerance, machine: float) -> dict[str, object]:
         """Fields of the result that are figures of the torque: all without error."""
-        average = self.mean_of(lambda torque: torque)
+        model, clutch = self.model, self.model.clutch(self.model.centers)
+        kinks = [kink for friction in model.inputs for kink in friction.kinks]
+        if clutch.sleeve is not None:
+            kinks += [friction.share_below(float(clutch.sleeve.leaving_friction)) for friction in model.inputs]
+        u, weights = panels(kinks)
+        torque = model.torque_along(u)
+        mean = float((weights * torque).sum())
         low, high = (self.quantile(p) for p in ROBUST)
+        one = Estimate(1.0)
         fields: dict[str, object] = {
             "method": "exact",
-            "mean": Estimate(average),
-            "standard_deviation": Estimate(self.mean_of(lambda torque: (torque - average) ** 2) ** 0.5),
+            "mean": Estimate(mean),
+            "standard_deviation": Estimate(float((weights * (torque - mean) ** 2).sum()) ** 0.5),
             "accuracy_factor_robust": Estimate(high / low),
             "probability_below_machine": Estimate(float(self.below(np.array(machine)))),
             "sobol": [
-                IndexRow.of(
-                    path=" + ".join(friction.path for friction in self.model.inputs),
-                    first_order=Estimate(1.0),
-                    total=Estimate(1.0),
-                )
+                IndexRow.of(path=" + ".join(friction.path for friction in model.inputs), first_order=one, total=one)
             ],
             "quantiles": [QuantileRow.of(probability=p, torque=Estimate(self.quantile(p))) for p in given.quantiles],
         }
         if given.torque_limit is not None:
             fields["probability_above_limit"] = Estimate(1 - float(self.below(np.array(given.torque_limit))))
-        if self.model.spec.fatigue is not None:
+        if model.spec.fatigue is not None:
             # all clutches are alike, and each sees the whole range of friction
-            clutch = self.model.clutch(self.model.centers)
-            life = float(law.cycles_of_mean_damage(self.mean_of(lambda torque: damage_of(clutch, torque))))
+            life = float(law.cycles_of_mean_damage(float((weights * damage_of(clutch, torque)).sum())))
             sides = {"protected": Estimate(life), "unprotected": Estimate(float(unprotected(clutch, life)))}
             fields |= {f"life_{side}": cycles for side, cycles in sides.items()}
             fields["life_quantiles"] = [LifeRow.of(probability=p, **sides) for p in LIFE_PROBABILITIES]
@@ -233,18 +212,12 @@ class Exact:
 
 def exact_of(model: Model) -> Exact | None:
     """Return the exact answer, or None where more than friction varies or torque is not monotone along it."""
-    if not {friction.path for friction in model.inputs} <= set(FRICTION):
+    only_friction = {friction.path for friction in model.inputs} <= set(FRICTION)
+    if not only_friction or (len(model.inputs) > 1 and model.correlation != 1):
         return None
-    if len(model.inputs) > 1 and model.correlation != 1:
-        return None
-    along = _torque_at(model, np.linspace(0, 1, 2001)[1:-1])
+    along = model.torque_along(np.linspace(0, 1, 2001)[1:-1])
     # pockets that hold the torque leave it to rounding
     steps = np.where(np.abs(np.diff(along)) > 1e-12 * along[:-1], np.diff(along), 0.0)
     if bool((steps >= 0).all()) or bool((steps <= 0).all()):
-        return Exact(model, rising=bool(steps.sum() >= 0))
+        return Exact(model, bool(steps.sum() >= 0))
     return None
-
-
-def _torque_at(model: Model, u: Array) -> Array:
-    """Torque with every friction at a probability."""
-    return np.broadcast_to(model.torque([friction.quantiles(u) for friction in model.inputs]), u.shape)

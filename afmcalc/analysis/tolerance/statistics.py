@@ -8,6 +8,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from statistics import stdev
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +26,7 @@ _SCORE = 1.959963984540054
 CENTRAL = (0.0005, 0.9995)
 """Probabilities between whose quantiles the bars of a histogram lie: a long tail would leave them no width."""
 BARS = 60
+S = TypeVar("S")
 
 
 @dataclass(frozen=True)
@@ -49,11 +51,12 @@ class Grid:
             shift += 1
         return cls(start >> shift, shift)
 
-    def number(self, values: Array, into: NDArray[np.uint64]) -> None:
-        """Write the number of the bin of each value; whatever has no bin, negative values too, gets BINS or more."""
-        np.right_shift(values.view(np.uint64), np.uint64(self.shift), out=into)
+    def bins_of(self, values: Array) -> NDArray[np.uint64]:
+        """Number of the bin of each value; whatever has no bin, negative values too, gets BINS or more."""
         # below the first bin it wraps round to a number beyond the last
-        np.subtract(into, np.uint64(self.first), out=into)
+        leading = values.view(np.uint64) >> np.uint64(self.shift)
+        leading -= np.uint64(self.first)
+        return leading
 
     @property
     def edges(self) -> Array:
@@ -82,19 +85,14 @@ class Tally:
     lives: list[Array] = field(default_factory=list)
     """Slips to failure of the first clutches, a row for each side."""
 
-    @property
-    def clutches(self) -> int:
-        """How many lives there are."""
-        return sum(lives.shape[1] for lives in self.lives)
-
-    def add(self, values: Array, work: Array, index: NDArray[np.uint64]) -> None:
-        """Take in one cell; ``work`` and ``index`` are buffers of its length."""
+    def add(self, values: Array) -> None:
+        """Take in one cell."""
         self.count += values.size
-        np.subtract(values, self.shift, out=work)
-        self.total += float(work.sum())
-        np.multiply(work, work, out=work)
-        self.squares += float(work.sum())
-        self.grid.number(values, index)
+        shifted = values - self.shift
+        self.total += float(shifted.sum())
+        shifted *= shifted
+        self.squares += float(shifted.sum())
+        index = self.grid.bins_of(values)
         if values.size and index.max() >= BINS:
             beyond = index >= BINS
             self.outside.append(values[beyond])
@@ -116,9 +114,14 @@ def merged(tallies: Sequence[Tally]) -> Tally:
     return whole
 
 
-def estimate(figure: Callable[[Tally], float], tallies: Sequence[Tally], whole: Tally) -> Estimate:
-    """A figure of the whole sample, its error from its spread between the replicates."""
-    return Estimate(figure(whole), spread([figure(tally) for tally in tallies]))
+def estimate(figure: Callable[[S], float], parts: Sequence[S], whole: S) -> Estimate:
+    """A figure of the whole sample, its error from its spread between the replicates.
+
+    Raises:
+        OverflowError: a figure is not finite.
+    """
+    error = stdev([float(finite(figure(part))) for part in parts]) / len(parts) ** 0.5
+    return Estimate(float(figure(whole)), error)
 
 
 def share(figure: Callable[[Tally], float], tallies: Sequence[Tally], whole: Tally) -> Estimate:
@@ -154,27 +157,24 @@ class Ranked:
 
     def quantile(self, p: float) -> float:
         """Value not exceeded with probability p."""
-        return self._at(p * self.size)
+        return float(np.interp(p * self.size, self.counts, self.values))
 
     def estimate(self, p: float) -> Estimate:
         """Quantile; its error from the replicates if they are large enough to have it, else from the rank."""
         value, error = self._by_rank(p)
-        return Estimate(value, self._spread(lambda sample: sample.quantile(p), p) or error)
+        return Estimate(value, self._error(lambda sample: sample.quantile(p), p) or error)
 
     def ratio(self, low: float, high: float) -> Estimate:
         """Quotient of a high and a low quantile; far apart in probability, they err independently."""
         over, under = self._by_rank(high), self._by_rank(low)
         value = over.value / under.value
         relative = np.hypot(over.standard_error / over.value, under.standard_error / under.value)
-        error = self._spread(lambda sample: sample.quantile(high) / sample.quantile(low), low, high)
+        error = self._error(lambda sample: sample.quantile(high) / sample.quantile(low), low, high)
         return Estimate(value, error or float(value * relative))
 
     def below(self, values: Array) -> Array:
         """Share of the sample below each value."""
         return np.interp(values, self.values, self.counts) / self.size
-
-    def _at(self, rank: float) -> float:
-        return float(np.interp(rank, self.counts, self.values))
 
     def _by_rank(self, p: float) -> Estimate:
         """Quantile, its error from the order statistics that hold it in 95 of 100 samples, and from the resolution.
@@ -183,14 +183,15 @@ class Ranked:
         before them (``needed``) the error is too small.
         """
         value, reach = self.quantile(p), _SCORE * (self.size * p * (1 - p)) ** 0.5
-        interval = self._at(p * self.size + reach) - self._at(p * self.size - reach)
+        low, high = np.interp([p * self.size - reach, p * self.size + reach], self.counts, self.values)
         resolution = self.ulps * float(np.spacing(value)) / 12**0.5
-        return Estimate(value, float(np.hypot(interval / (2 * _SCORE), resolution)))
+        return Estimate(value, float(np.hypot((high - low) / (2 * _SCORE), resolution)))
 
-    def _spread(self, figure: Callable[["Ranked"], float], *probabilities: float) -> float | None:
+    def _error(self, figure: Callable[["Ranked"], float], *probabilities: float) -> float:
+        """Standard error by the replicates; 0 where they are too small to have it."""
         if not self.replicates or min(sample.size for sample in self.replicates) < max(map(needed, probabilities)):
-            return None
-        return spread([figure(sample) for sample in self.replicates])
+            return 0.0
+        return estimate(figure, self.replicates, self).standard_error
 
 
 def needed(p: float) -> int:
@@ -218,24 +219,12 @@ def ranked_values(values: Array) -> Ranked:
     return Ranked(np.sort(values), np.arange(values.size, dtype=np.float64) + 0.5, values.size)
 
 
-def spread(values: Sequence[float]) -> float:
-    """Standard error of a figure of the whole sample, from its values in the replicates.
-
-    Raises:
-        OverflowError: one is not finite.
-    """
-    return stdev([float(finite(value)) for value in values]) / len(values) ** 0.5
-
-
-def histogram(quantile: Callable[[float], float], below: Callable[[Array], Array], bars: int = BARS) -> Histogram:
-    """Histogram of the torque: bars of equal width, their probabilities by the share below their ends."""
+def histogram(
+    quantile: Callable[[float], float], below: Callable[[Array], Array], size: int | None = None
+) -> Histogram:
+    """Histogram of the torque: bars of equal width, the fewer the smaller the sample (2·∛n, at most 60)."""
     low, high = (quantile(p) for p in CENTRAL)
     if high - low <= 1e-9 * abs(high):
         return Histogram(edges=[], probabilities=[])
-    edges = np.linspace(low, high, bars + 1)
+    edges = np.linspace(low, high, (BARS if size is None else min(BARS, round(2 * size ** (1 / 3)))) + 1)
     return Histogram(edges=edges.tolist(), probabilities=np.diff(below(edges)).tolist())
-
-
-def histogram_of_sample(torques: Ranked) -> Histogram:
-    """Histogram of a sample, the fewer bars the smaller it is (2·∛n, at most 60)."""
-    return histogram(torques.quantile, torques.below, min(BARS, round(2 * torques.size ** (1 / 3))))

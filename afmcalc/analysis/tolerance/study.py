@@ -14,7 +14,7 @@ from .model import Model, with_setting
 from .result import InputRow, Study, ToleranceResult
 from .sampling import Plan, peak_figures, sampled_figures, simulate, sobol_indices
 from .service import exact_of
-from .statistics import histogram, histogram_of_sample, merged, needed, ranked
+from .statistics import histogram, merged, needed, ranked
 
 __all__ = ["Study", "ToleranceResult", "study", "tolerance"]
 
@@ -56,7 +56,7 @@ def study(clutch: Clutch, *, threads: int | None = None) -> Study:
         sobol = sobol_indices(model, Plan(given.sobol_base, given.seed, quasi, threads))
         torques = ranked(merged(tallies), [ranked(tally) for tally in tallies] if quasi else ())
         figures = {**sampled_figures(model, tallies, torques, given), "sobol": sobol}
-        bars = histogram_of_sample(torques)
+        bars = histogram(torques.quantile, torques.below, torques.size)
     inputs = [
         InputRow(
             path=scattering.path,

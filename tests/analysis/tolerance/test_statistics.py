@@ -17,7 +17,7 @@ from afmcalc.analysis.tolerance.statistics import (
     Grid,
     Ranked,
     Tally,
-    histogram_of_sample,
+    histogram,
     merged,
     needed,
     ranked,
@@ -35,7 +35,7 @@ def tally_of(values, pilot=5000, parts=1):
     grid = Grid.of(values[:pilot])
     tallies = [Tally(grid, float(np.median(values[:pilot]))) for _ in range(parts)]
     for tally, part in zip(tallies, np.array_split(values, parts), strict=True):
-        tally.add(part, np.empty(part.size), np.empty(part.size, np.uint64))
+        tally.add(part)
     return merged(tallies)
 
 
@@ -83,8 +83,7 @@ def test_bins_hold_what_they_number(low, ratio):
     """Each value lies between the edges of its bin, and the bins are as fine as their number allows."""
     values = np.geomspace(low, min(low * ratio, 1e307), 500)
     grid = Grid.of(values)
-    index = np.empty(values.size, np.uint64)
-    grid.number(values, index)
+    index = grid.bins_of(values)
     assert index.max() < BINS
     edges = grid.edges
     place = index.astype(int)
@@ -141,7 +140,8 @@ def test_sizes(samples, quasi):
 def test_the_histogram_is_that_of_the_samples():
     rng = np.random.Generator(np.random.SFC64(1))
     values = rng.normal(100, 5, 50_000)
-    found = histogram_of_sample(ranked(tally_of(values)))
+    whole = ranked(tally_of(values))
+    found = histogram(whole.quantile, whole.below, whole.size)
     counted, _ = np.histogram(values, found.edges)
     # the ends of a bar lie within bins of up to some dozen samples
     assert np.array(found.probabilities) == pytest.approx(counted / values.size, abs=30 / values.size)
