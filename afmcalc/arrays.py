@@ -5,8 +5,6 @@ from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeGuard, TypeVar
 
-from .messages import say
-
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -103,26 +101,4 @@ def finite(value: Values) -> Values:
         within = math.isfinite(value)
     if not within:
         raise OverflowError
-    return value
-
-
-def checked_friction(value: Any) -> Any:
-    """Return a coefficient of friction as float or array.
-
-    Raises:
-        ValueError: negative or not a number.
-    """
-    if isinstance(value, list | tuple):
-        import numpy as np
-
-        value = np.asarray(value, float)
-    if is_array(value):
-        if value.dtype.kind not in "fiu":
-            raise ValueError(say("friction must be numbers, not an array of {dtype}", dtype=value.dtype))
-        if value.size and not value.min() >= 0:
-            raise ValueError(say("friction must be at least 0 everywhere"))
-    elif isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value < math.inf:
-        raise ValueError(
-            say("friction must be a finite number, at least 0, or an array of such; got {value!r}", value=value)
-        )
     return value

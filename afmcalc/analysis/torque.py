@@ -69,9 +69,9 @@ Pair = tuple[float, float | None]
 def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult, list[Finding]]:
     """Calculate torque and forces over the friction range, and at pairs (f, None) or (f_1, f_2) asked for."""
     points = pairs_asked(clutch, friction)
-    ends = list(zip(*clutch.friction, strict=True))
-    states = [clutch.point(*end) for end in ends]
     sleeve = clutch.sleeve
+    # before all else: a report numbers the formulas in the order in which they run
+    states = [_state(clutch, *frictions) for frictions in zip(*clutch.friction, strict=True)]
     result = TorqueResult(
         nominal_torque=clutch.nominal_torque,
         machine_torque=clutch.machine_torque,
@@ -80,17 +80,14 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         gain_slope=None if sleeve is None else sleeve.gain_slope or None,
         reduced_gain=clutch.reduced_gain,
         **_friction_triples(clutch),
-        torque=Triple.of(state.torque for state in states),
-        normal_force=Triple.of(state.normal_force for state in states),
-        release_force=Triple.of(state.release_force for state in states),
+        **{name: Triple.of([state[name] for state in states]) for name in states[0]},
         control_force=sleeve and sleeve.control_force,
         pack_force_at_rest=sleeve and sleeve.pack_force_at_rest,
-        travel=sleeve and triple(clutch, sleeve.travel),
         torque_returning=sleeve and triple(clutch, lambda friction, _: sleeve.torque_returning(friction)),
         torque_range=TorqueExtremes(**clutch.torque_range._asdict()),
         scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
-        points=[_point(clutch, *pair) for pair in points] or None,
+        points=[FrictionPoint(**friction_fields(clutch, *pair), **_state(clutch, *pair)) for pair in points] or None,
     )
     return result, [*clutch.findings(), *(remark for pair in points for remark in outside_range(clutch, *pair))]
 
@@ -111,7 +108,7 @@ def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
 
 def _friction_triples(clutch: Clutch) -> dict[str, Triple]:
     """Return the ranges of friction as result fields: ``friction``, or one per group with unlike materials."""
-    first, second = (Triple.of(friction) for friction in clutch.friction)
+    first, second = map(Triple.of, clutch.friction)
     return (
         {"friction_driving": first, "friction_driven": second} if clutch.spec.friction.unlike else {"friction": first}
     )
@@ -119,12 +116,13 @@ def _friction_triples(clutch: Clutch) -> dict[str, Triple]:
 
 def triple(clutch: Clutch, function: Callable[..., Any]) -> Triple:
     """Evaluate ``function(f_1, f_2)`` at the smallest, mean and largest friction."""
-    return Triple.of(function(*frictions) for frictions in zip(*clutch.friction, strict=True))
+    return Triple.of([function(*frictions) for frictions in zip(*clutch.friction, strict=True)])
 
 
-def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> FrictionPoint:
-    state = clutch.point(friction, friction_driven)
-    return FrictionPoint(**friction_fields(clutch, friction, friction_driven), **state._asdict())
+def _state(clutch: Clutch, friction: float, friction_driven: float | None) -> dict[str, Any]:
+    """Torque and forces at one friction, and the travel where there is a sleeve."""
+    asked = ("torque", "normal_force", "release_force", *(("travel",) if clutch.sleeve else ()))
+    return {name: getattr(clutch, name)(friction, friction_driven) for name in asked}
 
 
 def friction_fields(clutch: Clutch, friction: float, friction_driven: float | None) -> dict[str, float]:

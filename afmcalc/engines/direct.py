@@ -109,7 +109,7 @@ class DirectClutch(Clutch):
 
     def _law_findings(self) -> list[Finding]:
         """Gain limits, idle feedback, a torque that falls with friction."""
-        return [*self._gain_findings(), *self._path_findings()]
+        return [*self._gain_findings(), *(self._path_findings() if self.spec.friction.unlike else ())]
 
     def _gain_findings(self) -> list[Finding]:
         path = parameters.gain_path(self.spec)
@@ -119,13 +119,13 @@ class DirectClutch(Clutch):
         if rule is None or limit is None or self.gain <= limit * (1 + 1e-9):
             return []
         value, bound = map(float, rule.stated(self.gain, self.reduced_gain, limit))
-        most = [own.max for own in self.friction]
+        most = [group.max for group in self.friction]
         peak, sustained = self.breakaway_torque(*most), self.torque(*most)
         return [finding(rule.code, "warning", value=value, limit=bound, path=path, peak=peak, sustained=sustained)]
 
     def _path_findings(self) -> list[Finding]:
         most, at = float(self.torque_range.high), float(self.torque_range.at_high)
-        factor = float(self.torque(*(own.max for own in self.friction))) / most
+        factor = float(self.torque(*(group.max for group in self.friction))) / most
         if factor >= 1:
             return []
         return [finding("torque-falls", "info", value=factor, limit=1.0, most=most, at=at)]

@@ -1,14 +1,15 @@
 """What every clutch can be asked, whatever its torque law."""
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-from ..arrays import Values, checked_friction, chosen, is_array, larger, smaller
+from ..arrays import Values, chosen, is_array, larger, smaller
 from ..equations import accuracy, adjustment, direct, effects, overload
-from ..equations.calls import unnoted
+from ..equations.calls import once, unnoted
 from ..findings import Finding
 from ..messages import say
 from ..spec.models import Method, Range, Spec
@@ -18,16 +19,6 @@ if TYPE_CHECKING:
     # not imported at run time: a direct clutch needs neither module
     from .indirect import IndirectClutch
     from .springs import SetSpring, SpringDemand
-
-
-class Point(NamedTuple):
-    """State of the slipping clutch at one friction, SI."""
-
-    torque: Any
-    normal_force: Any
-    release_force: Any
-    travel: Any | None
-    """Axial travel of the thrust sleeve, m; None where there is no sleeve."""
 
 
 class TorqueRange(NamedTuple):
@@ -136,7 +127,7 @@ class Clutch(ABC):
         """f_1 and f_2 at which the spring is set, by ``method`` or that of the spec: the smallest, or the mean."""
         return parameters.at_setting(self.friction, self.spec, method)
 
-    @property
+    @once
     def nominal_torque(self) -> Values:
         """T_н of the clutch that the setting gives, N·m."""
         return adjustment.nominal_torque(self.torque(*self.friction_at_setting()), parameters.margin(self.spec))
@@ -202,15 +193,6 @@ class Clutch(ABC):
         """Upper bound P of the breakaway torque, N·m; arguments as ``torque``."""
         return self.torque(friction, friction_driven)
 
-    def point(self, friction: Values, friction_driven: Values | None = None) -> Point:
-        """Torque, forces and travel at one friction."""
-        return Point(
-            torque=self.torque(friction, friction_driven),
-            normal_force=self.normal_force(friction, friction_driven),
-            release_force=self.release_force(friction, friction_driven),
-            travel=None if self.sleeve is None else self.sleeve.travel(friction, friction_driven),
-        )
-
     @abstractmethod
     def ball_torque_by_gain(self) -> ByGain | None:
         """How the torque on the balls at f_max depends on the gain; None where not by a ratio of linear functions."""
@@ -264,7 +246,7 @@ class Clutch(ABC):
     @property
     def scatter(self) -> Values:
         """Width of the torque scatter band ΔT, N·m."""
-        return accuracy.scatter_band(self.torque_max, self.torque_min)
+        return accuracy.scatter_band(self.torque_range.high, self.torque_range.low)
 
     @property
     @abstractmethod
@@ -321,9 +303,27 @@ def both_frictions(friction: Values, friction_driven: Values | None) -> tuple[Va
     Raises:
         ValueError: negative or no number.
     """
-    first = checked_friction(friction)
-    alike = friction_driven is None or friction_driven is friction
-    return first, first if alike else checked_friction(friction_driven)
+    first = _checked(friction)
+    return first, first if friction_driven is None or friction_driven is friction else _checked(friction_driven)
+
+
+def _checked(friction: Any) -> Any:
+    if isinstance(friction, list | tuple):
+        import numpy as np
+
+        friction = np.asarray(friction, float)
+    if isinstance(friction, int | float) and not isinstance(friction, bool):
+        if 0 <= friction < math.inf:
+            return friction
+    elif is_array(friction):
+        if friction.dtype.kind not in "fiu":
+            raise ValueError(say("friction must be numbers, not an array of {dtype}", dtype=friction.dtype))
+        if friction.size and not friction.min() >= 0:
+            raise ValueError(say("friction must be at least 0 everywhere"))
+        return friction
+    raise ValueError(
+        say("friction must be a finite number, at least 0, or an array of such; got {value!r}", value=friction)
+    )
 
 
 def one_friction(friction: Values, friction_driven: Values | None) -> Values:

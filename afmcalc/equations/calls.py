@@ -6,7 +6,7 @@ A value is known again by its identity: the object that one equation returned an
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import wraps
+from functools import cached_property, wraps
 from types import ModuleType, SimpleNamespace
 from typing import Any, NamedTuple, ParamSpec, TypeVar
 
@@ -25,6 +25,8 @@ class Note(NamedTuple):
 
 
 _NOTES: ContextVar[list[Note] | None] = ContextVar("notes", default=None)
+_UNNOTED: list[Note] = []
+"""In place of the notes within ``unnoted``; stays empty."""
 
 
 def equation(function: Callable[P, R]) -> Callable[P, R]:
@@ -33,7 +35,7 @@ def equation(function: Callable[P, R]) -> Callable[P, R]:
     @wraps(function)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:
         notes = _NOTES.get()
-        if notes is None:
+        if notes is None or notes is _UNNOTED:
             return function(*args, **kwargs)
         with unnoted():
             value = function(*args, **kwargs)
@@ -60,7 +62,7 @@ def derived(value: Any, *of: object, role: str = "", steps: Callable[[Any], obje
         steps: runs the equations that hold of it, the number put in; called only where calls are noted.
     """
     notes = _NOTES.get()
-    if notes is None or getattr(value, "ndim", False):
+    if notes is None or notes is _UNNOTED or getattr(value, "ndim", False):
         return value
     own = float(value) * 1.0  # an object of its own: a number may stand for two things
     notes.append(Note(None, of, {}, own, role))
@@ -83,8 +85,16 @@ def noted() -> Iterator[list[Note]]:
 @contextmanager
 def unnoted() -> Iterator[None]:
     """Note nothing within the block: what a search tries is no step of a calculation."""
-    token = _NOTES.set(None)
+    token = _NOTES.set(None if _NOTES.get() is None else _UNNOTED)
     try:
         yield
     finally:
         _NOTES.reset(token)
+
+
+class once(cached_property[R]):  # noqa: N801
+    """A property that is calculated once; not kept within ``unnoted``, as an explanation would miss its equations."""
+
+    def __get__(self, instance: object, owner: Any = None) -> Any:
+        """Return the value kept, or calculate it."""
+        return self.func(instance) if _NOTES.get() is _UNNOTED else super().__get__(instance, owner)
