@@ -149,7 +149,10 @@ def explore(function: Function, wanted: float, domain: Domain) -> Curve:
     kept = slice(low, len(value) - max(high, lost))
     at, value = at[kept], value[kept]
     if lost > high:
-        limit_high = _limit(at, value)
+        # by L + a/x from its last decade
+        near, far = len(at) - 1, max(len(at) - 1 - round(math.log(10) / _STEP), 0)
+        limit = (value[near] * at[near] - value[far] * at[far]) / (at[near] - at[far])
+        limit_high = float(limit) if abs(limit) > 1e-3 * abs(value[near]) else 0.0
     return Curve(*_with_extremes(function, wanted, at, value), limit_low, limit_high)
 
 
@@ -206,13 +209,6 @@ def _noisy(function: Function, at: Floats, value: Floats) -> int:
     return int(np.argmax(runs[::-1]))
 
 
-def _limit(at: Floats, value: Floats) -> float:
-    """Limit L of a curve without end, extrapolated from its last decade by L + a/x."""
-    near, far = len(at) - 1, max(len(at) - 1 - round(math.log(10) / _STEP), 0)
-    limit = (value[near] * at[near] - value[far] * at[far]) / (at[near] - at[far])
-    return float(limit) if abs(limit) > 1e-3 * abs(value[near]) else 0.0
-
-
 def _lowest(gap: Floats) -> Truths:
     """Where neither neighbour is lower."""
     padded = np.concatenate([[np.inf], gap, [np.inf]])
@@ -227,22 +223,18 @@ def _with_extremes(function: Function, wanted: float, at: Floats, value: Floats)
     extremes = []
     for i in np.flatnonzero(bracketed):
         level = max(gap[i - 1], gap[i + 1]) - gap[i] <= SAME * (abs(value[i]) + abs(wanted))
-        if not level and side[i - 1] == side[i] == side[i + 1]:
-            extremes.append(_extreme(function, side[i], at[i - 1], at[i + 1]))
+        if level or not side[i - 1] == side[i] == side[i + 1]:
+            continue
+        low, high = at[i - 1], at[i + 1]
+        for _ in range(12):
+            inside = np.linspace(low, high, _ZOOM)
+            k = int(np.argmin(side[i] * function(inside)))
+            low, high = inside[max(k - 1, 0)], inside[min(k + 1, _ZOOM - 1)]
+        extremes.append(inside[k])
     if not extremes:
         return at, value
-    joined = np.concatenate([at, extremes])
-    joined, first = np.unique(joined, return_index=True)
+    joined, first = np.unique(np.concatenate([at, extremes]), return_index=True)
     return joined, np.concatenate([value, function(np.array(extremes))])[first]
-
-
-def _extreme(function: Function, side: float, low: float, high: float) -> float:
-    """Where the quantity is smallest (side 1) or largest (side −1) in a bracket."""
-    for _ in range(12):
-        at = np.linspace(low, high, _ZOOM)
-        i = int(np.argmin(side * function(at)))
-        best, low, high = at[i], at[max(i - 1, 0)], at[min(i + 1, _ZOOM - 1)]
-    return float(best)
 
 
 def _crossing(function: Function, wanted: float, low: float, high: float) -> float | None:
@@ -263,83 +255,70 @@ def _edge(holds: Callable[[Floats], Truths], low: float, high: float) -> tuple[f
         low, high = at[i - 1], at[i]
 
 
-Inverse: TypeAlias = Callable[[float], Values]
-"""Value wanted → value of the parameter."""
 _PROPORTIONAL = ("nominal_torque", "torque_min", "torque_max", "scatter", "travel_max", "closing_force")
 """Targets proportional to the spring force."""
 _AT_SETTING = ("nominal_torque", "closing_force")
 """Targets proportional to the spring force with any pocket, as the sleeve is at its stop."""
 
 
-def closed_inverse(clutch: Clutch, name: str, target: str, now: float) -> Inverse | None:
-    """Return the closed inverse for a parameter and a target that is ``now``; None where only a root search answers."""
+def closed_inverse(clutch: Clutch, name: str, target: str, now: float, wanted: float) -> Values | None:
+    """Value of a parameter that gives what is wanted of a target that is ``now``; None without a closed formula."""
     unit, straight = clutch.spec.control_unit, clutch.sleeve is None or not clutch.sleeve.gain_slope
     # a constant-torque pocket: its C_1 falls with the force as the travel grows, so that C_1 x does not change
     follows = unit is not None and unit.pocket is not None
     if name == "F" and target in (_PROPORTIONAL if straight or follows else _AT_SETTING):
-        per_force = now / float(clutch.closing_force)
-        return lambda wanted: adjustment.closing_force(wanted, 1.0, per_force)
-    inverses: dict[str, Inverse] = {}
+        return adjustment.closing_force(wanted, 1.0, now / float(clutch.closing_force))
     if isinstance(clutch, DirectClutch):
-        inverses = _of_accuracy(clutch) if target == "accuracy_factor" else _of_torque(clutch, target)
+        if target == "accuracy_factor":
+            return _for_accuracy(clutch, name, wanted)
+        # with the spring set for a nominal torque, the torques no longer follow the law at fixed force
+        if clutch.spec.closing_spring.force is not None:
+            return _for_torque(clutch, name, target, wanted)
     elif isinstance(clutch, IndirectClutch) and straight and target == "accuracy_factor":
-        inverses = _of_indirect_accuracy(clutch)
-    return inverses.get(name)
+        return _for_indirect_accuracy(clutch, name, wanted)
+    return None
 
 
-def _of_accuracy(clutch: DirectClutch) -> dict[str, Inverse]:
+def _for_accuracy(clutch: DirectClutch, name: str, wanted: float) -> Values | None:
     first, second = clutch.friction
     z1, z2 = clutch.bypass_pairs, clutch.controlled_pairs
-    ends = first.min, second.min, first.max, second.max
-
-    def controlled(wanted: float) -> Values:
-        return synthesis.controlled_pairs_for_accuracy_factor(clutch.gain, wanted, first.min, first.max)
-
-    gain: dict[str, Inverse] = {"C": lambda wanted: synthesis.gain_for_accuracy_factor(z1, z2, wanted, *ends)}
-    if clutch.spec.friction.unlike:
-        return gain
-    return gain | {"z": lambda wanted: z1 + controlled(wanted), "z1": lambda wanted: z1 + z2 - controlled(wanted)}
+    if name == "C":
+        return synthesis.gain_for_accuracy_factor(z1, z2, wanted, first.min, second.min, first.max, second.max)
+    if name not in ("z", "z1") or clutch.spec.friction.unlike:
+        return None
+    controlled = synthesis.controlled_pairs_for_accuracy_factor(clutch.gain, wanted, first.min, first.max)
+    return z1 + controlled if name == "z" else z1 + z2 - controlled
 
 
-def _of_torque(clutch: DirectClutch, target: str) -> dict[str, Inverse]:
-    spec = clutch.spec
-    # with the spring set for a nominal torque, the torques no longer follow the law at fixed force
-    if spec.closing_spring.force is None:
-        return {}
+def _for_torque(clutch: DirectClutch, name: str, target: str, wanted: float) -> Values | None:
     if target == "nominal_torque":
-        friction, factor = clutch.friction_at_setting(), margin(spec)
-    elif target == "torque_max" and not spec.friction.unlike:
-        friction, factor = (clutch.friction[0].max, clutch.friction[0].max), 1.0
+        friction, torque = clutch.friction_at_setting(), margin(clutch.spec) * wanted
+    elif target == "torque_max" and not clutch.spec.friction.unlike:
+        friction, torque = (clutch.friction[0].max, clutch.friction[0].max), wanted
     else:
-        return {}
+        return None
     force, radius, gain = clutch.closing_force, clutch.mean_radius, clutch.gain
     z1, z2 = clutch.bypass_pairs, clutch.controlled_pairs
-    # added pairs are controlled ones; without a control unit the gain is 0, and these carry like bypass pairs
-    kept = z1 if z2 else 0
-
-    def pairs(wanted: float) -> Values:
-        return kept + synthesis.controlled_pairs_for_torque(factor * wanted, force, radius, kept, gain, *friction)
-
-    inverses: dict[str, Inverse] = {
-        "C": lambda wanted: synthesis.gain_for_torque(factor * wanted, force, radius, z1, z2, *friction),
-        "z": pairs,
-    }
-    if not angle_given(spec):
-        inverses["R"] = lambda wanted: synthesis.mean_radius_for_torque(factor * wanted, force, z1, z2, gain, *friction)
-    return inverses
+    if name == "C":
+        return synthesis.gain_for_torque(torque, force, radius, z1, z2, *friction)
+    if name == "z":
+        # added pairs are controlled ones; without a control unit the gain is 0, and these carry like bypass pairs
+        kept = z1 if z2 else 0
+        return kept + synthesis.controlled_pairs_for_torque(torque, force, radius, kept, gain, *friction)
+    if name == "R" and not angle_given(clutch.spec):
+        return synthesis.mean_radius_for_torque(torque, force, z1, z2, gain, *friction)
+    return None
 
 
-def _of_indirect_accuracy(clutch: IndirectClutch) -> dict[str, Inverse]:
-    at_set = clutch.friction[0].min, clutch.friction_set, clutch.friction[0].max
+def _for_indirect_accuracy(clutch: IndirectClutch, name: str, wanted: float) -> Values | None:
+    frictions = clutch.friction[0].min, clutch.friction_set, clutch.friction[0].max
     c1, c2, pairs, net = clutch.closing_stiffness, clutch.control_stiffness, clutch.pairs, clutch.net_gain
-    threshold = clutch.gain_threshold
-
-    def ratio(wanted: float) -> Values:
-        return synthesis.stiffness_ratio_for_accuracy_factor(*at_set, pairs, net, wanted)
-
-    return {
-        "C": lambda wanted: synthesis.net_gain_for_accuracy_factor(*at_set, c1, c2, pairs, wanted) + threshold,
-        "z": lambda wanted: synthesis.pairs_for_accuracy_factor_indirect(*at_set, c1, c2, net, wanted),
-        "c1": lambda wanted: c2 / ratio(wanted),
-        "c2": lambda wanted: c1 * ratio(wanted),
-    }
+    if name == "C":
+        net = synthesis.net_gain_for_accuracy_factor(*frictions, c1, c2, pairs, wanted)
+        return net + clutch.gain_threshold
+    if name == "z":
+        return synthesis.pairs_for_accuracy_factor_indirect(*frictions, c1, c2, net, wanted)
+    if name not in ("c1", "c2"):
+        return None
+    ratio = synthesis.stiffness_ratio_for_accuracy_factor(*frictions, pairs, net, wanted)
+    return c2 / ratio if name == "c1" else c1 * ratio

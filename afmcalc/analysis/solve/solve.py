@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Literal, NamedTuple, TypeGuard
 
@@ -100,10 +101,9 @@ def parse_target(text: str) -> tuple[str, float, list[Finding]]:
         )
     if not separator or not value:
         raise AfmcalcError("{text:.80}: write {name}=VALUE", text=text, name=given)
-    try:
-        number: float | str = float(value)
-    except ValueError:
-        number = value
+    number: float | str = value
+    with suppress(ValueError):
+        number = float(value)
     try:
         wanted = parse_quantity(number, TARGETS[name].unit)
         question = asked_unit(number, TARGETS[name].unit, name)
@@ -144,6 +144,10 @@ class SolveResult(Answer):
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
 
 
+_OF_THE_CLUTCH = ("gain", "closing_force", "nominal_torque", "torque_max", "scatter", "accuracy_factor")
+"""Fields of the result that are quantities of the clutch with the value in it."""
+
+
 def solve(
     clutch: Clutch, name: str, target: str, wanted: float, *, beyond_limit: bool = False
 ) -> tuple[SolveResult, Clutch, list[Finding]]:
@@ -181,7 +185,9 @@ def solve(
     chosen = problem.whole(solutions) if whole else solutions
     if not chosen:
         raise _not_attainable(problem, curve)
-    if not whole and _is_level(curve, wanted, chosen[0]):
+    beyond = curve.value[curve.at > chosen[0]][:2]
+    # as far as numbers tell, the target keeps the wanted value from there on
+    if not whole and len(beyond) == 2 and bool(np.all(np.abs(beyond - wanted) <= 1e-13 * abs(wanted))):
         raise CalculationError(
             "{target} = {wanted} is given by a whole range of {name}, not by one value: choose one, or solve for "
             "another parameter",
@@ -201,12 +207,7 @@ def solve(
         wanted=wanted,
         reached=TARGETS[target].value(solved),
         method="closed-form" if solutions and solutions[0] == exact else "bracketed-root",
-        gain=solved.gain,
-        closing_force=solved.closing_force,
-        nominal_torque=solved.nominal_torque,
-        torque_max=solved.torque_max,
-        scatter=solved.scatter,
-        accuracy_factor=solved.accuracy_factor,
+        **{name: getattr(solved, name) for name in _OF_THE_CLUTCH},
     )
     remarks = [finding("solve-replaces", "info", path=other, by=path) for other in replaced(clutch.spec, [path])]
     if others := chosen[1:]:
@@ -248,43 +249,36 @@ class _Problem:
     def closed(self, curve: Curve) -> float | None:
         """Value that the closed inverse gives; None where there is none, or it lies off the curve."""
         now = float(TARGETS[self.target].value(self.clutch))
-        inverse = closed_inverse(self.clutch, self.name, self.target, now)
-        if inverse is None or not len(curve.at):
-            return None
         # a number of NumPy: what has no answer is NaN, not an exception of a kind of its own for each equation
         with np.errstate(all="ignore"):
-            exact = float(inverse(np.float64(self.wanted)))
-        low, high = float(curve.at[0]), float(curve.at[-1])
-        if not low * (1 - SAME) <= exact <= high * (1 + SAME):
+            inverse = closed_inverse(self.clutch, self.name, self.target, now, np.float64(self.wanted))
+        if inverse is None or not len(curve.at):
             return None
-        exact = min(max(exact, low), high)
+        low, high = float(curve.at[0]), float(curve.at[-1])
+        if not low * (1 - SAME) <= inverse <= high * (1 + SAME):
+            return None
+        exact = min(max(float(inverse), low), high)
         reached = float(self.values(np.array([exact]))[0])
         return exact if abs(reached - self.wanted) <= SAME * self.wanted else None
 
     def whole(self, solutions: list[float]) -> list[float]:
         """Whole numbers that meet the wanted value: next to each solution, else the end of the domain that does."""
-        ends = np.array([end for end in (self.domain.low, self.domain.high) if math.isfinite(end)])
-        nearer = ends[np.argsort(np.abs(self.values(ends) - self.wanted), kind="stable")].tolist()
-        meeting = [[x for x in near if self._meets(x)][:1] for near in (*map(self._beside, solutions), nearer)]
-        numbers = list(dict.fromkeys(x for near in meeting[:-1] for x in near))
-        return numbers or meeting[-1]
+        low, high = self.domain.low, self.domain.high
+        numbers = []
+        for root in solutions:
+            near = self._meeting(np.clip([math.floor(root * (1 + 1e-12)), math.ceil(root * (1 - 1e-12))], low, high))
+            numbers += near[np.argsort(np.abs(near - root))].tolist()[:1]
+        if numbers:
+            return list(dict.fromkeys(numbers))
+        ends = self._meeting(np.array([end for end in (low, high) if math.isfinite(end)]))
+        return ends[np.argsort(np.abs(self.values(ends) - self.wanted), kind="stable")].tolist()[:1]
 
-    def _beside(self, root: float) -> list[float]:
-        """Whole numbers beside a real one, the nearer first."""
-        beside = {float(math.floor(root * (1 + 1e-12))), float(math.ceil(root * (1 - 1e-12)))}
-        return sorted((x for x in beside if self.domain.low <= x <= self.domain.high), key=lambda x: abs(x - root))
-
-    def _meets(self, at: float) -> bool:
-        value = float(self.values(np.array([at]))[0])
+    def _meeting(self, at: Floats) -> Floats:
+        """Those values of the parameter at which the target is as wanted or better."""
+        value = self.values(at)
         if TARGETS[self.target].better == "low":
-            return value <= self.wanted * (1 + SAME)
-        return value >= self.wanted * (1 - SAME)
-
-
-def _is_level(curve: Curve, wanted: float, at: float) -> bool:
-    """Whether the quantity keeps the wanted value beyond a place, as far as numbers tell."""
-    beyond = curve.value[curve.at > at][:2]
-    return len(beyond) == 2 and bool(np.all(np.abs(beyond - wanted) <= 1e-13 * abs(wanted)))
+            return at[value <= self.wanted * (1 + SAME)]
+        return at[value >= self.wanted * (1 - SAME)]
 
 
 def _symbol(name: str, spec: Spec) -> str:

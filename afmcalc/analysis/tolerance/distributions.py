@@ -141,11 +141,29 @@ def inputs_of(spec: Spec) -> list[Input]:
 
 
 def _input(spec: Spec, path: str, given: Distribution) -> Input:
+    """Center, spread and ends as given, else by the spec: the range of friction, or the value of the key."""
     unit, limits = unit_at(path), physical_limits(path)
     assert unit is not None
-    center, low, high = _center_and_ends(spec, path, given)
-    share = percentage(given.spread)
-    spread = abs(center) * share if share is not None else _float(given.spread)
+    center, spread, low, high = (
+        None if number is None or percentage(number) is not None else float(number)
+        for number in (given.center, given.spread, given.min, given.max)
+    )
+    if path in FRICTION:
+        friction = value_at(spec, path).range
+        if given.distribution in ("uniform", "triangular") and given.spread is None:
+            low = friction.min if low is None else low
+            high = friction.max if high is None else high
+        center = friction.mean if center is None else center
+    elif value_at(spec, path.rpartition(".")[0]) is None:
+        raise CalculationError("tolerance.fields.{path}: the spec has no such table to scatter in", path=path)
+    elif center is None:
+        center = value_at(spec, path)
+        if center is None and low is not None and high is not None:
+            center = (low + high) / 2
+        if center is None:
+            raise CalculationError("tolerance.fields.{path}: the spec has no {path} to scatter; give center", path=path)
+    if (share := percentage(given.spread)) is not None:
+        spread = abs(center) * share
     if spread is None:
         assert low is not None
         assert high is not None
@@ -183,30 +201,6 @@ def _input(spec: Spec, path: str, given: Distribution) -> Input:
             high=limits[1],
         )
     return scattering
-
-
-def _center_and_ends(spec: Spec, path: str, given: Distribution) -> tuple[float, float | None, float | None]:
-    """Center, lower and upper end as given, else by the spec: the range of friction, or the value of the key."""
-    center, low, high = (_float(number) for number in (given.center, given.min, given.max))
-    if path in FRICTION:
-        friction = spec.friction if path == "friction" else getattr(spec.friction, path.rpartition(".")[2])
-        if given.distribution in ("uniform", "triangular") and given.spread is None:
-            low = friction.range.min if low is None else low
-            high = friction.range.max if high is None else high
-        return friction.range.mean if center is None else center, low, high
-    if value_at(spec, path.rpartition(".")[0]) is None:
-        raise CalculationError("tolerance.fields.{path}: the spec has no such table to scatter in", path=path)
-    if center is None:
-        center = value_at(spec, path)
-    if center is None and low is not None and high is not None:
-        center = (low + high) / 2
-    if center is None:
-        raise CalculationError("tolerance.fields.{path}: the spec has no {path} to scatter; give center", path=path)
-    return float(center), low, high
-
-
-def _float(value: float | str | None) -> float | None:
-    return None if value is None else float(value)
 
 
 def normal_score(u: Array) -> Array:

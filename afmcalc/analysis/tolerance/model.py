@@ -113,11 +113,7 @@ class Model:
 
 
 def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
-    """Return the spec of the samples, whose springs are set in one of the two ways.
-
-    Args:
-        clutch: the nominal clutch.
-        given: its [tolerance] block; as-made: the springs of the nominal clutch, each-adjusted: those a sample needs.
+    """Return the spec of the samples: as-made the springs of the nominal clutch, each-adjusted those a sample needs.
 
     Raises:
         SpecError: a field scatters that could have no effect.

@@ -4,7 +4,7 @@ from functools import cache
 from typing import Any, ClassVar, Literal, NamedTuple, Self
 
 from ...findings import Finding
-from ...result import Answer, Result, quantity, shown_as
+from ...result import Answer, Result, described, quantity, shown_as
 from ...spec.tolerance import Setting
 
 ROBUST = (0.005, 0.995)
@@ -52,13 +52,13 @@ def error(of: str, unit: str, symbol: str, description: str, *, optional: bool =
 class InputRow(Result):
     """One number that scatters."""
 
-    path: str = quantity("", None, "field")
-    distribution: str = quantity("", None, "distribution")
-    min: float | None = quantity("", None, "min", optional=True, unit_in="unit")
-    center: float = quantity("", None, "mean or peak", unit_in="unit")
-    max: float | None = quantity("", None, "max", optional=True, unit_in="unit")
-    spread: float = quantity("", None, "deviation or half-width", unit_in="unit")
-    unit: str = quantity("", None, "unit", is_unit=True)
+    path: str = described("field")
+    distribution: str = described("distribution")
+    min: float | None = described("min", optional=True, unit_in="unit")
+    center: float = described("mean or peak", unit_in="unit")
+    max: float | None = described("max", optional=True, unit_in="unit")
+    spread: float = described("deviation or half-width", unit_in="unit")
+    unit: str = described("unit", is_unit=True)
 
 
 class QuantileRow(Estimated):
@@ -90,7 +90,7 @@ class PeakRow(Estimated):
 class IndexRow(Estimated):
     """Sobol indices of one input."""
 
-    path: str = quantity("", None, "field")
+    path: str = described("field")
     first_order: float = quantity("1", "S_1", "first-order Sobol index")
     first_order_standard_error: float = error("first_order", "1", "± S_1", "standard error of S_1")
     total: float = quantity("1", "S_T", "total Sobol index")
@@ -102,9 +102,9 @@ class ToleranceResult(Estimated, Answer):
 
     many_lists: ClassVar[bool] = True
 
-    method: Literal["exact", "monte-carlo", "quasi-monte-carlo"] = quantity("", None, "how it was calculated")
-    setting: Setting = quantity("", None, "how the springs are set")
-    samples: int | None = quantity("", None, "sample size", optional=True)
+    method: Literal["exact", "monte-carlo", "quasi-monte-carlo"] = described("how it was calculated")
+    setting: Setting = described("how the springs are set")
+    samples: int | None = described("sample size", optional=True)
     probability_no_clutch: float | None = quantity(
         "1", "P(–)", "probability of no clutch; the rest is told of the others", optional=True
     )
@@ -149,7 +149,7 @@ class ToleranceResult(Estimated, Answer):
     life_quantiles: list[LifeRow] | None = quantity(
         "", None, "life over the clutches, each in the whole friction of its service", optional=True
     )
-    peak_samples: int | None = quantity("", None, "drives simulated", optional=True)
+    peak_samples: int | None = described("drives simulated", optional=True)
     peak_torque_mean: float | None = quantity("N*m", "T_peak,m", "mean peak torque in the shaft", optional=True)
     peak_torque_mean_standard_error: float | None = error(
         "peak_torque_mean", "N*m", "± T_peak,m", "standard error of it", optional=True
@@ -166,10 +166,10 @@ class ToleranceResult(Estimated, Answer):
     probability_peak_above_standard_error: float | None = error(
         "probability_peak_above", "1", "± P(T_peak)", "standard error of it", optional=True
     )
-    peak_quantiles: list[PeakRow] | None = quantity("", None, "quantiles of the peak torque", optional=True)
-    inputs: list[InputRow] = quantity("", None, "what scatters")
-    sobol: list[IndexRow] = quantity("", None, "share in the variance of the torque")
-    quantiles: list[QuantileRow] = quantity("", None, "quantiles of the torque")
+    peak_quantiles: list[PeakRow] | None = described("quantiles of the peak torque", optional=True)
+    inputs: list[InputRow] = described("what scatters")
+    sobol: list[IndexRow] = described("share in the variance of the torque")
+    quantiles: list[QuantileRow] = described("quantiles of the torque")
 
 
 class Histogram(Result):

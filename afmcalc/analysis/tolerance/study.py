@@ -42,11 +42,15 @@ def study(clutch: Clutch, *, threads: int | None = None) -> Study:
     Raises:
         SpecError: no [tolerance] block, or a field that the clutch does not have.
     """
+    if threads is None:
+        processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        threads = min(processors, 8)
+    elif threads < 1:
+        raise AfmcalcError("threads must be at least 1")
     given = _block(clutch.spec)
     spec = with_setting(clutch, given)
     model = Model(spec, inputs_of(spec), given.friction_correlation or 0.0)
     machine = float(clutch.machine_torque)
-    threads = _threads(threads)
     exact = exact_of(model) if given.method == "auto" else None
     if exact is not None:
         figures, bars = exact.figures(given, machine), histogram(exact.quantile, exact.below)
@@ -80,16 +84,8 @@ def study(clutch: Clutch, *, threads: int | None = None) -> Study:
     return Study(result, bars, [*clutch.findings(), *_findings(given, result)])
 
 
-def _threads(given: int | None) -> int:
-    if given is None:
-        return min(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1, 8)
-    if given < 1:
-        raise AfmcalcError("threads must be at least 1")
-    return given
-
-
 def _block(spec: Spec) -> Tolerance:
-    """Return the [tolerance] block; refuse fields that this clutch does not have."""
+    """The [tolerance] block; refuse fields that this clutch does not have."""
     given = spec.tolerance
     if given is None:
         message = say(
@@ -125,23 +121,16 @@ def _findings(given: Tolerance, result: ToleranceResult) -> Iterator[Finding]:
         yield finding("no-clutch", "warning", value=result.probability_no_clutch, limit=0.0, path="tolerance.fields")
     if result.samples is None:
         return
-    yield from _of_the_tails(given, result, result.samples)
+    if result.standard_deviation:
+        limit, error = _UNSURE[result.method], result.standard_deviation_standard_error / result.standard_deviation
+        kurtosis = 1 + 4 * result.samples * error**2
+        # two samples stand behind each index
+        of_indices = ((kurtosis - 1) / (8 * given.sobol_base)) ** 0.5
+        code, path = "heavy-tails/indices", "tolerance.sobol_base"
+        if error > limit:
+            code, path = "heavy-tails", "tolerance.samples"
+        if kurtosis > _HEAVY and max(error, of_indices) > limit:
+            yield finding(code, "warning", value=max(error, of_indices), limit=limit, path=path)
     least = max(needed(p) for p in given.quantiles)
     if result.samples < least:
         yield finding("few-samples", "warning", value=result.samples, limit=least, path="tolerance.samples")
-
-
-def _of_the_tails(given: Tolerance, result: ToleranceResult, samples: int) -> Iterator[Finding]:
-    """Say where so few samples carry the variance that its error cannot be known from them."""
-    if not result.standard_deviation:
-        return
-    limit, error = _UNSURE[result.method], result.standard_deviation_standard_error / result.standard_deviation
-    kurtosis = 1 + 4 * samples * error**2
-    # two samples stand behind each index
-    of_indices = ((kurtosis - 1) / (8 * given.sobol_base)) ** 0.5
-    if kurtosis <= _HEAVY or max(error, of_indices) <= limit:
-        return
-    code, path = "heavy-tails/indices", "tolerance.sobol_base"
-    if error > limit:
-        code, path = "heavy-tails", "tolerance.samples"
-    yield finding(code, "warning", value=max(error, of_indices), limit=limit, path=path)
