@@ -328,7 +328,7 @@ _LONGEST_WORD = 60
 """Letters of a word that is worth comparing."""
 
 _LATIN = str.maketrans(
-    dict(zip("АВЕКМНОРСТХавекмнорстхпдш", "ABEKMHOPCTXabekmnopctxpds", strict=True))
+    dict(zip("АВЕКМНОРСТУХавекмнорстухпдш", "ABEKMHOPCTYXabekmnopctyxpds", strict=True))
     | {"α": "alpha", "β": "beta", "ν": "nu", "τ": "tau", "Δ": "d"}
 )
 """Letters that are taken for Latin ones, or stand for them in the symbols of the papers → these."""
@@ -346,8 +346,8 @@ def plain(name: str) -> str:
 def in_latin(word: str) -> str:
     """Return ``"; did you mean 'x'?"`` for a word that looks as if it were Latin, or nothing.
 
-    >>> in_latin("gаin")
-    "; did you mean 'gain' (all Latin)?"
+    >>> in_latin("densitу")
+    "; did you mean 'density' (all Latin)?"
     """
     latin = plain(word)
     return say("; did you mean {latin!r} (all Latin)?", latin=latin) if latin.isascii() and latin != word else ""

@@ -63,19 +63,15 @@ class UnknownUnitError(ValueError):
 def words() -> dict[str, UnitProduct]:
     """Every word that is a unit."""
     known = {name: UnitProduct(Decimal(1), tuple(int(name == base) for base in BASES), name) for name in BASES}
-    table = {
-        prefix + name: (by, *si.split(), prefix + name)
-        for prefix, by in {"": "1", **PREFIXES}.items()
-        for name, si in PREFIXED.items()
-    }
-    table |= {name: ("1", *si.split(), name) for name, si in PLAIN.items()}
+    for name, value in (PREFIXED | PLAIN).items():
+        number, si = value.split()
+        exponents = _product(si, known).exponents
+        for prefix, by in {"": "1", **(PREFIXES if name in PREFIXED else {})}.items():
+            known[prefix + name] = UnitProduct(Decimal(by) * Decimal(number), exponents, prefix + name)
     for prefix, latin_prefix in {"": "", **RUSSIAN_PREFIXES}.items():
         for name, latin in RUSSIAN.items():
             if not prefix or latin in PREFIXED:
-                table.setdefault(prefix + name, table[latin_prefix + latin])
-    powers = {si: _product(si, known).exponents for si in {si for _, _, si, _ in table.values()}}
-    for word, (by, number, si, latin) in table.items():
-        known[word] = UnitProduct(Decimal(by) * Decimal(number), powers[si], latin)
+                known.setdefault(prefix + name, known[latin_prefix + latin])
     return known
 
 
@@ -104,24 +100,25 @@ def _product(text: str, words: Mapping[str, UnitProduct]) -> UnitProduct:
         match = _FACTOR.match(plain, at)
         if match is None or (match[1] == "" if at else "*" in match[1]):
             raise ValueError(text)
+        *head, last = _units(match[2], words)
         sign = -1 if "/" in match[1] else 1
-        for unit, power in _factors(match[2], sign * int(match[3] or 1), sign, words):
+        for unit, power in [*((unit, sign) for unit in head), (last, sign * int(match[3] or 1))]:
             factor *= unit.factor**power
             exponents = [total + power * more for total, more in zip(exponents, unit.exponents, strict=True)]
-        latin += match[1] + "*".join(unit.latin for unit, _ in _factors(match[2], 1, 1, words)) + (match[3] or "")
+        latin += match[1] + "*".join(unit.latin for unit in (*head, last)) + (match[3] or "")
         at = match.end()
     return UnitProduct(factor, tuple(exponents), latin)
 
 
-def _factors(word: str, power: int, sign: int, words: Mapping[str, UnitProduct]) -> list[tuple[UnitProduct, int]]:
-    """Units that a word is made of, with their powers: one, or a force or mass with a length (Nm, kgm2)."""
+def _units(word: str, words: Mapping[str, UnitProduct]) -> list[UnitProduct]:
+    """Units that a word is made of: one, or a force or mass with a length (Nm, kgm2)."""
     for name in (word, word.removesuffix("s") if len(word) > len("hour") else word):
         if name in words:
-            return [(words[name], power)]
+            return [words[name]]
     for at in range(1, len(word)):
         head, tail = words.get(word[:at]), words.get(word[at:])
         if head and tail and head.latin[-1] in "Ng" and tail.latin in ("m", "cm", "mm"):
-            return [(head, sign), (tail, power)]
+            return [head, tail]
     raise UnknownUnitError(word)
 
 

@@ -42,6 +42,10 @@ def test_every_template_is_a_literal_filled_with_what_it_names():
         assert template is not None, f"{where}:{call.lineno}: a catalogue cannot find this template"
         given, named = {each.arg for each in call.keywords}, fields(template)
         assert given - {None} <= named if None in given else given == named, f"{where}:{call.lineno}"
+    for where, call in calls("wrong"):
+        named = fields(literal(call.args[0]) or "")
+        assert named - {"kind", "allowed"} == {each.arg for each in call.keywords}, f"{where}:{call.lineno}"
+        assert "allowed" in named
 
 
 def fits(code: str, call: ast.Call) -> bool:

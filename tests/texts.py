@@ -29,7 +29,10 @@ FAILURES = (
 )  # fmt: skip
 """Why files cannot be read or written, as the system says it."""
 
-SAYING = ("say", "told", "message", "translate", "term", "heard", "AfmcalcError", "FileError", "CalculationError")
+SAYING = (
+    *("say", "told", "message", "translate", "term", "heard", "wrong"),
+    *("AfmcalcError", "FileError", "CalculationError"),
+)
 
 
 @cache

@@ -8,7 +8,7 @@ from decimal import Decimal
 from functools import cache
 
 from ..findings import Finding, finding
-from ..messages import did_you_mean, localized, say, term
+from ..messages import Text, did_you_mean, localized, say, term
 from ..units import BASES, ZEROS, UnknownUnitError, product, words
 
 EXAMPLES = {
@@ -49,6 +49,17 @@ _COMMON = ("kN", "MN", "mm", "cm", "MPa", "kPa", "GPa", "ms", "kg", "Nm", "кН"
 """Units to suggest before others."""
 
 
+NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+"""A number as it is read."""
+
+_CYRILLIC = str.maketrans("ABEKMHOPCTXacekmop", "АВЕКМНОРСТХасекмор")
+
+
+def wrong(template: str, unit: str, **values: object) -> ValueError:
+    """Return an error about a field of the SI unit ``unit``; it fills ``kind`` and ``allowed`` of the template."""
+    return ValueError(Text(template, {"kind": term(EXAMPLES[unit][0]), "allowed": allowed(unit), **values}))
+
+
 @cache
 def factor(text: str, unit: str) -> Decimal:
     """Return the value of one ``text`` in the SI unit of a field, as a decimal: 15 cm^3 is exactly 15e-6 m^3.
@@ -59,24 +70,27 @@ def factor(text: str, unit: str) -> Decimal:
     try:
         given = product(text)
     except UnknownUnitError as error:
-        if hint := _in_one_alphabet(text, unit):
+        meant = text.translate(_CYRILLIC)  # of letters of two alphabets, or of the wrong one
+        if _fits(meant, unit):
+            latin = product(meant).latin
+            hint = say("; write {latin!r}, or {meant!r} in Cyrillic letters alone", latin=latin, meant=meant)
             raise ValueError(say("unknown unit {text!r}{hint}", text=text, hint=hint)) from None
         (word,) = error.args
         near = did_you_mean(word, [name for name in (*_COMMON, *words()) if _fits(text.replace(word, name), unit)])
-        message = say("unknown unit {names!r}{hint}; {allowed}", names=word, hint=near, allowed=allowed(unit))
-        raise ValueError(message) from None
+        raise wrong("unknown unit {names!r}{hint}; {allowed}", unit, names=word, hint=near) from None
     except ValueError:
-        raise ValueError(say("{text!r} is not a unit; {allowed}", text=text, allowed=allowed(unit))) from None
+        raise wrong("{text!r} is not a unit; {allowed}", unit, text=text) from None
     if given.exponents == product(unit).exponents:
         return given.factor
     if unit == "rad/s" and given == product("1/min")._replace(latin=given.latin):
         return product("rpm").factor  # a speed of rotation in 1/min is one of revolutions; in 1/s it could be either
     kinds = {si: kind for si, (kind, _) in EXAMPLES.items() if si not in ("1", "K abs")} | _FOREIGN
-    others = (term(kind) for si, kind in kinds.items() if product(si).exponents == given.exponents)
-    other = next(others, say("of dimension {dimension}", dimension=_dimension(given.exponents)))
-    raise ValueError(
-        say("{text} is {other}, not {kind}; {allowed}", text=text, other=other, kind=_kind(unit), allowed=allowed(unit))
-    )
+    other = next((term(kind) for si, kind in kinds.items() if product(si).exponents == given.exponents), None)
+    if other is None:
+        powers = [(base, power) for base, power in zip(BASES, given.exponents, strict=True) if power]
+        dimension = "*".join(base if power == 1 else f"{base}^{power}" for base, power in powers) or "1"
+        other = say("of dimension {dimension}", dimension=dimension)
+    raise wrong("{text} is {other}, not {kind}; {allowed}", unit, text=text, other=other)
 
 
 def _fits(text: str, unit: str) -> bool:
@@ -85,23 +99,6 @@ def _fits(text: str, unit: str) -> bool:
         return product(text).exponents == product(unit).exponents
     except ValueError:
         return False
-
-
-def _dimension(exponents: tuple[int, ...]) -> str:
-    powers = zip(BASES, exponents, strict=True)
-    return "*".join(base if power == 1 else f"{base}^{power}" for base, power in powers if power) or "1"
-
-
-_CYRILLIC = str.maketrans("ABEKMHOPCTXacekmop", "АВЕКМНОРСТХасекмор")
-
-
-def _in_one_alphabet(text: str, unit: str) -> str:
-    """Hint for a unit of the field that is typed with letters of two alphabets, or of the wrong one; else nothing."""
-    meant = text.translate(_CYRILLIC)
-    if not _fits(meant, unit):
-        return ""
-    latin = product(meant).latin
-    return say("; write {latin!r}, or {meant!r} in Cyrillic letters alone", latin=latin, meant=meant)
 
 
 def allowed(unit: str) -> str:
@@ -119,7 +116,7 @@ def allowed(unit: str) -> str:
 
 _LONGEST = 100
 """Largest number of characters of a text that is read as a quantity."""
-_QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)(.*)", re.DOTALL)
+_QUANTITY = re.compile(rf"\s*({NUMBER})(.*)", re.DOTALL)
 _GROUPED = re.compile(r"\s*([+-]?\d(?:[\d ,.]*?\d)??)(?:\s+(1\s*/.*)|\s*([^\d\s,.].*)?)", re.DOTALL)
 """A number that may have groups and a comma, and its unit, which may be ``1/m``."""
 
@@ -127,14 +124,12 @@ _DECIMAL_COMMA = re.compile(r"\s*([+-]?\d+),(\d+\s*[^\d\s,.].*)", re.DOTALL)
 _THOUSANDS = re.compile(r"[+-]?[1-9]\d{0,2},\d{3}(?!\d)")
 """A number whose comma may separate thousands."""
 
-RARELY_SI: dict[str, tuple[Callable[[float], bool], str]] = {
-    "N": (lambda force: 0 < force < 20, "kN"),
-    "m": (lambda length: length >= 0.5, "mm"),
-    "rad/s": (lambda speed: speed > 1000, "rpm"),
+_RARELY_SI: dict[str, tuple[Callable[[float], bool], str, float]] = {
+    "N": (lambda force: 0 < force < 20, "kN", math.inf),
+    "m": (lambda length: length >= 0.5, "mm", 10.0),
+    "rad/s": (lambda speed: speed > 1000, "rpm", math.inf),
 }
-"""SI unit → whether a number is rarely meant in it, and the unit that may be meant."""
-_LARGEST = {"m": 10.0}
-"""SI unit → largest number that is meant in it."""
+"""SI unit → whether a number is rarely meant in it, the unit that may be meant, the largest number meant in SI."""
 
 
 def asked_unit(value: object, unit: str | None, path: str = "") -> Finding | None:
@@ -146,13 +141,13 @@ def asked_unit(value: object, unit: str | None, path: str = "") -> Finding | Non
     >>> asked_unit(2, "N", "force").message, asked_unit("2 N", "N")
     ('force: a number without a unit is in SI, 2 N; 2 kN? Write "2 kN" or "2 N"', None)
     """
-    if unit not in RARELY_SI or isinstance(value, bool | str) or not isinstance(value, int | float):
+    if unit not in _RARELY_SI or isinstance(value, bool) or not isinstance(value, int | float):
         return None
-    rare, other = RARELY_SI[unit]
+    rare, other, largest = _RARELY_SI[unit]
     if not rare(value) or not value <= sys.float_info.max:
         return None
     given, meant = f"{value:g} {unit}", f"{value:g} {other}"
-    if value > _LARGEST.get(unit, math.inf):
+    if value > largest:
         message = say(
             'a number without a unit is in SI, and {given} is too large: write "{meant}"', given=given, meant=meant
         )
@@ -170,20 +165,16 @@ def parse_quantity(value: object, unit: str) -> float:
     20000.0
     """
     if isinstance(value, bool):
-        raise ValueError(say("a boolean is not {kind}; {allowed}", kind=_kind(unit), allowed=allowed(unit)))
+        raise wrong("a boolean is not {kind}; {allowed}", unit)
     if isinstance(value, str):
         number = _parse_text(value, unit)
     elif isinstance(value, int | float):
         number = float(value) if abs(value) <= sys.float_info.max else math.inf
     else:
-        raise ValueError(say("{kind} is wanted; {allowed}", kind=_kind(unit), allowed=allowed(unit)))
+        raise wrong("{kind} is wanted; {allowed}", unit)
     if not math.isfinite(number):
-        raise ValueError(say("must be finite; {allowed}", allowed=allowed(unit)))
+        raise wrong("must be finite; {allowed}", unit)
     return number
-
-
-def _kind(unit: str) -> str:
-    return term(EXAMPLES[unit][0])
 
 
 def _parse_text(text: str, unit: str) -> float:
@@ -191,21 +182,20 @@ def _parse_text(text: str, unit: str) -> float:
         text = f"{comma[1]}.{comma[2]}"
     match = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
     if match is None:
-        raise ValueError(say("cannot be read as a number with a unit; {allowed}", allowed=allowed(unit)))
+        raise wrong("cannot be read as a number with a unit; {allowed}", unit)
     number, written = match[1], match[2].strip()
     if unread := unread_number(text):
         raise ValueError(unread)
     if not written:
-        raise ValueError(say("has no unit; {allowed}", allowed=allowed(unit)))
+        raise wrong("has no unit; {allowed}", unit)
     if unit == "1":
-        raise ValueError(say("is dimensionless and takes no unit; {allowed}", allowed=allowed(unit)))
+        raise wrong("is dimensionless and takes no unit; {allowed}", unit)
     if unit != "K abs":
         zero, times = Decimal(0), factor(written, unit)
     elif written in ZEROS:
         zero, times = ZEROS[written], Decimal(1)
     else:
-        message = say("{text!r} is no unit of {kind}; {allowed}", text=written, kind=_kind(unit), allowed=allowed(unit))
-        raise ValueError(message)
+        raise wrong("{text!r} is no unit of {kind}; {allowed}", unit, text=written)
     try:
         return float(Decimal(number) * times + zero)
     except ArithmeticError:  # the exponent is outside the range of Decimal, perhaps in a number that is 0

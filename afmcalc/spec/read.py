@@ -3,7 +3,7 @@
 import math
 import re
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from copy import deepcopy
 from importlib.resources import files
 from os import PathLike
@@ -16,7 +16,7 @@ from .fields import Broken, keys_below
 from .models import Spec
 from .parse import BUILT_IN, check_size, is_json, parse, text_of, toml_of
 from .problems import make_spec
-from .quantity import RARELY_SI, asked_unit, parse_quantity
+from .quantity import asked_unit, parse_quantity
 from .rules import given_in
 from .source import Source
 
@@ -63,31 +63,17 @@ def data_of(
     questions, broken = [], []
     for path, value in given_in(data).items():
         # center and ends of what scatters are in the unit of its key
-        scatters = (
-            path.removeprefix("tolerance.fields.").removesuffix(".center").removesuffix(".min").removesuffix(".max")
-        )
-        key = keys.get(path) or keys.get(scatters)
-        if key and (unit := key.unit) in RARELY_SI and (path in changed or not in_si):
+        key = keys.get(path) or keys.get(re.sub(r"^tolerance\.fields\.|\.(center|min|max)$", "", path))
+        if key and (path in changed or not in_si):
+            numbers = value if isinstance(value, list) else [value]
+            if isinstance(value, dict):
+                numbers = [number for name, number in value.items() if name in ("start", "stop", "step")]
             try:
-                questions += [asked_unit(number, unit, path) for number in _numbers(value)]
+                questions += [asked_unit(number, key.unit, path) for number in numbers]
             except ValueError as error:
                 broken.append((path, str(error)))
     by = "--set" if source.name is BUILT_IN else ""
     return data, Source(source, source.text, dict.fromkeys(changed, by), filter(None, questions)), broken
-
-
-def _numbers(value: object) -> Iterator[object]:
-    """What stands in a list or a range, or a value itself."""
-    if isinstance(value, dict):
-        yield from (number for name, number in value.items() if name in ("start", "stop", "step"))
-    elif isinstance(value, list):
-        yield from value
-    else:
-        yield value
-
-
-HEADING = "diameter_mm"
-"""First line of a list in CSV."""
 
 
 def diameters(source: str | PathLike[str] | None = None) -> list[float]:
@@ -107,31 +93,28 @@ def diameters(source: str | PathLike[str] | None = None) -> list[float]:
         label = Source("balls.csv", files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8"))
     else:
         label = text_of(source)
-    listed = (_of_csv if label.lower().endswith(".csv") else _of_toml)(label)
-    return sorted(_diameter(item, label) for item in listed)
-
-
-def _of_toml(source: Source) -> Sequence[object]:
-    data = toml_of(source)
-    check_size(data, source)
+    if label.lower().endswith(".csv"):
+        return sorted(_of_csv(label))
+    data = toml_of(label)
+    check_size(data, label)
     listed = data.get("diameters")
     if not isinstance(listed, list) or not listed:
         raise AfmcalcError(
-            "{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]", label=source
+            "{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]", label=label
         )
-    return listed
+    return sorted(_diameter(item, label) for item in listed)
 
 
-def _of_csv(source: Source) -> Sequence[object]:
+def _of_csv(source: Source) -> list[float]:
     lines = [line.strip() for line in source.text.splitlines()]
-    cells = [line for line in lines if line and not line.startswith("#")]
-    if cells[:1] != [HEADING] or not cells[1:]:
+    heading, *cells = [line for line in lines if line and not line.startswith("#")] or [""]
+    if heading != "diameter_mm" or not cells:
         raise AfmcalcError(
             "{label}: must begin with the heading {heading}, then one ball diameter in mm a line",
             label=source,
-            heading=HEADING,
+            heading="diameter_mm",
         )
-    for cell in cells[1:]:
+    for cell in cells:
         if not re.fullmatch(r"\d{1,300}(\.\d+)?", cell, re.ASCII):
             raise AfmcalcError(
                 "{label}: line {line}: {cell!r} is no diameter in mm, such as 6.35",
@@ -139,7 +122,7 @@ def _of_csv(source: Source) -> Sequence[object]:
                 line=lines.index(cell) + 1,
                 cell=cell,
             )
-    return [float(cell) for cell in cells[1:]]
+    return [_diameter(float(cell), source) for cell in cells]
 
 
 def _diameter(item: object, label: str) -> float:

@@ -8,11 +8,10 @@ from typing import NamedTuple
 from ..errors import Place, Problem
 from ..messages import in_latin, plain, say
 from .keys import elsewhere
-from .quantity import unread_number
+from .quantity import NUMBER, unread_number
 from .source import place_at
 
 _POSITION = re.compile(r" \(at (?:line (\d+), column (\d+)|end of document)\)$")
-_NUMBER = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _UNIT = r"""[ \t]*(?:(?:1?[ \t]*/[ \t]*)?[^\W\d_](?:[^],}#"'\n]*[^],}#"'\s])?|[°%])"""
 _END = r"""(?=[ \t]*(?:[],}#]|$))"""
 _KEY = re.compile(r"""[ \t]*(\[*[ \t]*)([^]=:\s#"']+)""")
@@ -115,7 +114,7 @@ def _word(match: re.Match[str]) -> str:
 
 _VALUES: tuple[tuple[str, Callable[[re.Match[str]], str | None]], ...] = (
     (rf"[+-]?\d[\d ,.]*\d(?:{_UNIT})?", _unread),
-    (rf"{_NUMBER}{_UNIT}", lambda match: say('a number with a unit stands in quotes: "{value}"', value=match[0])),
+    (rf"{NUMBER}{_UNIT}", lambda match: say('a number with a unit stands in quotes: "{value}"', value=match[0])),
     (r"0+([1-9]\d*)", lambda match: say("write {number}", number=match[1])),
     (r"(\d*)\.(\d*)", _decimals),
     (

@@ -9,7 +9,7 @@ from pydantic import BaseModel, BeforeValidator, FailFast, field_validator
 
 from ..messages import did_you_mean, say
 from .fields import Block, Broken, Quantity, Torque, key, keys_below, required, rule_error
-from .quantity import parse_quantity
+from .quantity import NUMBER, parse_quantity
 
 Kind = Literal["normal", "uniform", "triangular", "lognormal"]
 Setting = Literal["as-made", "each-adjusted"]
@@ -20,7 +20,7 @@ FRICTION = ("friction", "friction.driving", "friction.driven")
 
 _NOT_OF_THE_CLUTCH = ("tolerance.", "requirements.")
 
-_PERCENT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*%\s*")
+_PERCENT = re.compile(rf"\s*({NUMBER})\s*%\s*")
 
 
 def _number_or_text(value: object) -> object:
