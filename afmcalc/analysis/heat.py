@@ -27,7 +27,7 @@ from ..findings import Finding
 from ..messages import say
 from ..progress import counted
 from ..result import OpenTriple, Triple
-from ..spec.drive import Heat, missing_of
+from ..spec.models import Heat, missing_of
 from .heat_findings import Limit, limit_of, limits_of, remarks, slack_before_worn
 from .registry import ANALYSES
 

@@ -10,7 +10,7 @@ from ..equations.calls import unnoted
 from ..findings import Finding, finding
 from ..result import OpenTriple
 from ..spec.catalogues import Material, friction_materials
-from ..spec.drive import Heat
+from ..spec.models import Heat
 from ..units import ZEROS
 
 _NAMES = {"min": "f_min", "mean": "f_cp", "max": "f_max"}

@@ -96,7 +96,7 @@ def _can_be_synthesized(clutch: "Clutch") -> bool:
 
 
 def _heat_is_known(clutch: "Clutch") -> bool:
-    from ..spec.drive import missing_of
+    from ..spec.models import missing_of
 
     return _can_be_simulated(clutch) or not missing_of(clutch.spec.drive)
 

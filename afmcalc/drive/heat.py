@@ -11,7 +11,7 @@ from ..engines.protocol import Clutch
 from ..equations import heat as law
 from ..equations.calls import unnoted
 from ..findings import Finding
-from ..spec.drive import Drive
+from ..spec.models import Drive
 from .result import EnergySource
 
 _BETWEEN = np.linspace(0.0, 1.0, 9)

@@ -15,7 +15,7 @@ from ..equations.calls import unnoted
 from ..equations.terms import Number
 from ..errors import Problem, SpecError
 from ..messages import say
-from ..spec.drive import Drive, EventKind
+from ..spec.models import Drive, EventKind
 
 
 @dataclass(frozen=True)

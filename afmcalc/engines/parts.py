@@ -7,8 +7,7 @@ from typing import NamedTuple
 from ..equations import springs as law
 from ..findings import Finding, Level, finding
 from ..messages import term
-from ..spec.models import Spec
-from ..spec.springs import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack
+from ..spec.models import ROUNDED, SHEAR_MODULUS, CoilSprings, DiscStack, Spec
 from .springs import (
     LEAST_USED,
     MODULUS,

@@ -9,8 +9,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 from ..arrays import Values, chosen, greatest, larger, smaller
 from ..equations import springs as law
 from ..equations.calls import derived, unnoted
-from ..spec.models import Spec
-from ..spec.springs import ClosingSpring, CoilSprings, ControlSpring, DiscStack, Room
+from ..spec.models import ClosingSpring, CoilSprings, ControlSpring, DiscStack, Room, Spec
 
 MODULUS = 206e9
 """Young's modulus of disc springs (DIN EN 16984), Pa."""

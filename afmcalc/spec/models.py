@@ -1,4 +1,4 @@
-"""What a clutch is: the pydantic models of a spec (contract, Spec). SI inside."""
+"""What a clutch is, and what stands around it: the pydantic models of a spec (contract, Spec). SI inside."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -17,10 +17,10 @@ from pydantic import (
 )
 from pydantic_core import PydanticKnownError, core_schema
 
+from ..equations import springs
 from ..messages import say
 from ..variants import VARIANTS, Variant
 from . import rules
-from .drive import Drive, Heat
 from .fields import (
     AtLeastOne,
     Block,
@@ -34,8 +34,11 @@ from .fields import (
     Quantity,
     Ratio,
     RuledBlock,
+    Stiffness,
+    StiffnessOrNone,
     Stress,
     Temperature,
+    Time,
     TimeOrNone,
     Torque,
     TorqueOrNone,
@@ -45,7 +48,6 @@ from .fields import (
     rule_error,
 )
 from .source import Source
-from .springs import ClosingSpring, CoilSprings, ControlSpring, DiscStack
 from .tolerance import Tolerance, in_si
 
 SectionModulus = Annotated[float, Quantity("m^3", gt=0)]
@@ -55,6 +57,18 @@ SpecificWork = Annotated[float, Quantity("J/m^2", gt=0)]
 Slope = Annotated[float, Quantity("1/m", ge=0)]
 SlidingSpeed = Annotated[float, Quantity("m/s", gt=0)]
 Mass = Annotated[float, Quantity("kg", ge=0)]
+Turns = Annotated[float, Quantity("1", ge=2)]
+Inertia = Annotated[float, Quantity("kg*m^2", gt=0)]
+Speed = Annotated[float, Quantity("rad/s", gt=0)]
+TorsionalStiffness = Annotated[float, Quantity("N*m/rad", gt=0)]
+Slip = Annotated[float, Quantity("1", gt=0, le=1)]
+DiscMass = Annotated[float, Quantity("kg", gt=0)]
+Density = Annotated[float, Quantity("kg/m^3", gt=0)]
+SpecificHeat = Annotated[float, Quantity("J/kg/K", gt=0)]
+Conductivity = Annotated[float, Quantity("W/m/K", gt=0)]
+Cooling = Annotated[float, Quantity("W/K", gt=0)]
+Wear = Annotated[float, Quantity("m^3/J", gt=0)]
+EventKind = Literal["stop", "load"]
 
 
 def _registered(value: object) -> object:
@@ -169,6 +183,121 @@ class FrictionGroup(RuledBlock):
             yield "outer_radius", say("must be greater than friction_group.inner_radius ({inner:g} m)", inner=inner)
 
 
+SNAPS = 1.4
+"""Cone height over thickness up to which the force of a disc only grows (√2)."""
+SHEAR_MODULUS = 81.5e9
+"""Of patented drawn wire (EN 13906-1), Pa."""
+ROUNDED = 0.005
+"""How far a stiffness written to three figures may be off, relative."""
+
+
+def _bigger(name: str, value: float | None, other: str, least: float | None) -> Iterable[Broken]:
+    if value is not None and least is not None and value <= least:
+        yield name, say("must be greater than {other} ({least:g} m)", other=other, least=least)
+
+
+class Room(RuledBlock):
+    """Room for a spring around the shaft."""
+
+    inner_diameter: Gap | None = key("diameter of what the spring stands around", "D_1")
+    outer_diameter: Length | None = key("diameter of what is around the spring", "D_2")
+    length: Length | None = key("length there is for the spring as set, and as worn", "L")
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """The outer diameter is the greater one."""
+        return _bigger("outer_diameter", self.outer_diameter, "inner_diameter", self.inner_diameter)
+
+
+class DiscStack(RuledBlock):
+    """A stack of disc springs, DIN EN 16983."""
+
+    outer_diameter: Length = required("outer diameter of a disc", "D_e")
+    inner_diameter: Length = required("inner diameter of a disc", "D_i")
+    thickness: Length = required("thickness of a disc", "t")
+    reduced_thickness: Length | None = key("thickness of a disc with flats", "t'")
+    free_height: Length = required("height of a disc without load", "l_0")
+    parallel: Count = key("discs laid into each other", "n", default=1)
+    series: Count = key("such packs against each other", "i", default=1)
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """A disc is a cone that does not snap through."""
+        broken = [
+            *_bigger("outer_diameter", self.outer_diameter, "inner_diameter", self.inner_diameter),
+            *_bigger("free_height", self.free_height, "thickness", self.thickness),
+            *_bigger("thickness", self.thickness, "reduced_thickness", self.reduced_thickness),
+        ]
+        yield from broken
+        if not broken and self.free_height - self.thickness > SNAPS * self.thickness:
+            most = (1 + SNAPS) * self.thickness
+            yield "free_height", say("must be at most {most:.5g} m: a higher disc snaps through", most=most)
+
+
+class CoilSprings(RuledBlock):
+    """Coil springs side by side, ends closed and ground."""
+
+    wire_diameter: Length = required("diameter of the wire", "d")
+    coil_diameter: Length = required("mean diameter of the coil", "D")
+    turns: Turns = required("active turns", "n")
+    free_length: Length = required("length without load", "L_0")
+    count: Count = key("springs around the shaft", "j", default=1)
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """A coil is wider than its wire, and longer than it is when its turns touch."""
+        wire, coil, turns = self.wire_diameter, self.coil_diameter, self.turns
+        yield from _bigger("coil_diameter", coil, "wire_diameter", wire)
+        least = float(springs.coil_solid_length(wire, turns) + springs.coil_least_gap(wire, coil, turns))
+        if self.free_length <= least:
+            message = say("must be greater than {least:.5g} m: pressed so far its turns all but touch", least=least)
+            yield "free_length", message
+
+    @property
+    def rate(self) -> float:
+        """Stiffness of all together, N/m."""
+        one = springs.coil_stiffness(SHEAR_MODULUS, self.wire_diameter, self.coil_diameter, self.turns)
+        return self.count * float(one)
+
+
+class _Spring(RuledBlock):
+    """What both springs may say of the part."""
+
+    room: Room | None = None
+    disc: DiscStack | None = None
+    coil: CoilSprings | None = None
+    surface_friction: Ratio | None = key("friction of the cones of a disc stack on each other", "w_M")
+    edge_friction: Ratio | None = key("friction of the edges of a disc stack", "w_R")
+    thread_pitch: Length | None = key("pitch of the nut that sets the spring", "P_h")
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """It is of one part, whose stiffness it has."""
+        given = getattr(self, "stiffness", None)
+        if self.disc is not None and self.coil is not None:
+            yield "coil", say("excludes disc: a spring is one or the other")
+        elif self.coil is not None and given is not None and abs(given / self.coil.rate - 1) > ROUNDED:
+            message = say(
+                "is not the stiffness of the coil named, {own:.5g} N/m: leave it out, or the coil", own=self.coil.rate
+            )
+            yield "stiffness", message
+
+    @property
+    def part(self) -> DiscStack | CoilSprings | None:
+        """What it is made of, if that is known."""
+        return self.disc or self.coil
+
+
+class ClosingSpring(_Spring):
+    """The spring that presses the pack (13 in S21)."""
+
+    force: Force | None = key("closing-spring force as set", "F_п")
+    stiffness: Stiffness | None = key("stiffness of the closing spring; needed by an indirect clutch", "c_1")
+
+
+class ControlSpring(_Spring):
+    """The spring that holds the thrust sleeve at its stop (11 in S21)."""
+
+    stiffness: StiffnessOrNone = required("stiffness of the control spring", "c_2")
+    force: Force | None = key("control-spring force as made; default so that the sleeve just rests at T_н", "F_п2")
+
+
 class Contact(Block):
     """Elastic data of ball and pocket wall, for a Hertz check beside or instead of an allowable force."""
 
@@ -224,6 +353,89 @@ class Adjustment(Block):
     method: Method = key("friction at which the nominal torque is set", default="min-friction")
     margin: AtLeastOne = key("torque margin", "β_н", default=1.0)
     nominal_torque: Torque | None = key("nominal torque of the clutch; gives the spring force where absent", "T_н")
+
+
+class Motor(Block):
+    """An induction motor by Kloss, M_1 = 2 M_b/(s/s_b + s_b/s)."""
+
+    breakdown_torque: Torque = required("breakdown torque of the motor", "M_b")
+    breakdown_slip: Slip = required("slip at breakdown", "s_b")
+    synchronous_speed: Speed = required("synchronous speed, reduced to the clutch", "ω_s")
+
+
+class Event(Block):
+    """What makes the clutch slip, at t = 0."""
+
+    kind: EventKind = required(
+        "stop: the tool is stopped in stop_time; load: its load rises to torque within rise_time"
+    )
+    stop_time: TimeOrNone | None = key("time in which the tool is stopped; 0 is a sudden lock", "t_b")
+    torque: Torque | None = key(
+        "load to which that of the tool rises; it resists as friction does: it holds a stopped tool, and does not turn "
+        "it back as that of a hoist would",
+        "M_L",
+    )
+    rise_time: TimeOrNone | None = key("time in which the load rises", "t_r")
+    duration: Time | None = key("time that is simulated; default until nothing more can come", "t_max")
+
+
+class Drive(Block):
+    """The drive around the clutch."""
+
+    dynamic_factor: Coefficient | None = key(
+        "dynamic factor of the unprotected side; default that of the event, 1 without one", "k_д"
+    )
+    speed: Speed | None = key("speed before the event; default that of motor under load_torque", "ω_0")
+    motor_inertia: Inertia | None = key("inertia of the motor side, driving half of the clutch included", "J_1")
+    hub_inertia: Inertia | None = key("inertia between the discs and the balls (indirect only)", "J_h")
+    driven_inertia: Inertia | None = key("inertia of the driven half of the clutch", "J_2")
+    tool_inertia: Inertia | None = key("inertia of the tool (event of kind load)", "J_3")
+    shaft_stiffness: TorsionalStiffness | None = key("torsional stiffness of the shaft between clutch and tool", "k")
+    damping_ratio: Ratio | None = key("damping ratio of the driven half on the shaft; default 0", "ζ")
+    load_torque: TorqueOrNone | None = key("load before the event; default T_н.маш", "T_0")
+    motor_torque: TorqueOrNone | None = key("torque of the motor, constant; default load_torque", "M_1")
+    motor: Motor | None = None
+    cut_off: Time | None = key(
+        "time from the first slip until the motor is switched off, the clutch slipping or stuck again; default never",
+        "t_off",
+    )
+    event: Event | None = None
+
+
+_LINING = ("lining_conductivity", "lining_density", "lining_specific_heat")
+
+
+class Heat(RuledBlock):
+    """Discs that take the heat, air that takes it from them, lining that is worn."""
+
+    disc_mass: DiscMass | None = key("mass of all discs that take the heat", "m")
+    specific_heat: SpecificHeat | None = key("specific heat of the discs", "c_p")
+    conductivity: Conductivity | None = key("thermal conductivity of the discs", "k_t")
+    density: Density | None = key("density of the discs", "ρ")
+    lining_conductivity: Conductivity | None = key(
+        "thermal conductivity of the lining; absent: the discs take all the heat", "k_l"
+    )
+    lining_density: Density | None = key("density of the lining", "ρ_l")
+    lining_specific_heat: SpecificHeat | None = key("specific heat of the lining", "c_l")
+    ambient: Temperature | None = key("temperature around the clutch, and of the discs before a trip", "Θ_0")
+    cooling: Cooling | None = key("heat given off per kelvin above the surroundings, α A_c", "α A_c")
+    wear: Wear | None = key("volume of lining worn per energy", "w")
+    lining: Length | None = key("thickness that a pair may lose", "s_w")
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """A lining has all its data or none."""
+        given = [name for name in _LINING if getattr(self, name) is not None]
+        for name in _LINING if given else ():
+            if name not in given:
+                yield name, say("required beside heat.{given}", given=given[0])
+
+
+def missing_of(drive: Drive) -> list[str]:
+    """Keys of the [drive] block that are missing, without which neither a simulation nor V1 can be asked."""
+    if drive.motor is not None:
+        return ["event"]
+    ends = drive.motor_inertia is not None or drive.cut_off is not None
+    return [*(["speed"] if drive.speed is None else []), *([] if ends else ["motor_inertia"])]
 
 
 class Fatigue(Block):
@@ -299,7 +511,23 @@ class Origin:
     label: Source = field(compare=False)
 
 
-class Spec(Block):
+class FileBlock(Block):
+    """What a whole file holds."""
+
+    _origin: Origin = PrivateAttr()
+
+    def model_post_init(self, context: object) -> None:
+        """Keep where it was read from, as far as that is known."""
+        label = context if isinstance(context, str) else type(self).__name__.lower()
+        self._origin = Origin(label if isinstance(label, Source) else Source(label))
+
+    @property
+    def label(self) -> Source:
+        """What errors call it: the file it was read from, and the like."""
+        return self._origin.label
+
+
+class Spec(FileBlock):
     """A clutch, as a spec file describes it."""
 
     name: Name | None = key("what the clutch is called")
@@ -317,8 +545,6 @@ class Spec(Block):
     tolerance: Tolerance | None = None
     requirements: Required | None = None
     report: TitleBlock | None = None
-
-    _origin: Origin = PrivateAttr(Origin(Source("spec")))
 
     @field_validator("tolerance")
     @classmethod
@@ -338,16 +564,6 @@ class Spec(Block):
             raise rule_error(broken)
         return spec
 
-    def model_post_init(self, context: object) -> None:
-        """Keep where the spec was read from, if that is known."""
-        if isinstance(context, str):
-            self._origin = Origin(context if isinstance(context, Source) else Source(context))
-
-    @property
-    def label(self) -> Source:
-        """What errors call the spec: the file it was read from, and the like."""
-        return self._origin.label
-
     @property
     def kind(self) -> Variant:
         """The record of its variant."""
@@ -366,5 +582,5 @@ class Spec(Block):
     @property
     def spring_parts(self) -> dict[str, DiscStack | CoilSprings]:
         """The parts that the springs are, where they are named: closing, control."""
-        springs = {"closing": self.closing_spring, "control": self.control_spring}
-        return {name: spring.part for name, spring in springs.items() if spring and spring.part}
+        both = {"closing": self.closing_spring, "control": self.control_spring}
+        return {name: spring.part for name, spring in both.items() if spring and spring.part}

@@ -10,7 +10,6 @@ from pydantic import (
     Field,
     GetCoreSchemaHandler,
     GetJsonSchemaHandler,
-    PrivateAttr,
     StrictBool,
     TypeAdapter,
 )
@@ -40,13 +39,11 @@ from .fields import (
     key,
     required,
 )
-from .models import HARDENED_STEEL, Contact, Friction, Method, Origin, PocketShape, Profiled, VariantName
+from .models import HARDENED_STEEL, Contact, FileBlock, Friction, Method, PocketShape, Profiled, Room, VariantName
 from .parse import text_of
 from .problems import validated
 from .read import data_of
 from .rules import Table
-from .source import Source
-from .springs import Room
 
 if TYPE_CHECKING:
     import numpy as np
@@ -292,7 +289,7 @@ class Limits(Block):
     gain_limit: StrictBool = key(f"hold the gain limit of the variant ({_GAIN_LIMITS})", default=True)
 
 
-class Requirements(RuledBlock):
+class Requirements(FileBlock, RuledBlock):
     """What is wanted, among what to choose, and what counts."""
 
     name: Name | None = key("what the design is called")
@@ -309,18 +306,6 @@ class Requirements(RuledBlock):
     search: Search
     fixed: Fixed = Field(default_factory=Fixed)
     limits: Limits = Field(default_factory=Limits)
-
-    _origin: Origin = PrivateAttr(Origin(Source("requirements")))
-
-    def model_post_init(self, context: object) -> None:
-        """Keep where they were read from, if that is known."""
-        if isinstance(context, Source):
-            self._origin = Origin(context)
-
-    @property
-    def label(self) -> Source:
-        """The file they were read from."""
-        return self._origin.label
 
     @property
     def contact(self) -> Contact | None:

@@ -19,7 +19,7 @@ from afmcalc.engines import build
 from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.equations import drive as law
 from afmcalc.spec import make_spec, read_spec, resolved
-from afmcalc.spec.springs import DiscStack
+from afmcalc.spec.models import DiscStack
 
 FATIGUE = {"endurance_limit": 4e8, "polar_section_modulus": 15e-6, "exponent": 6, "base_cycles": 1e7}
 INDIRECT = {

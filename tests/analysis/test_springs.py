@@ -14,7 +14,7 @@ from afmcalc.engines.springs import SpringDemand
 from afmcalc.render.report.chapters import chapters
 from afmcalc.spec import make_spec, read_spec, resolved
 from afmcalc.spec.catalogues import discs
-from afmcalc.spec.springs import Room
+from afmcalc.spec.models import Room
 
 ROOM = (60e-3, 160e-3, 80e-3)
 DEFAULT, INDIRECT = CONFIGS / "default.toml", CONFIGS / "indirect.toml"

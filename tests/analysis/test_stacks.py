@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from afmcalc.analysis.springs.candidates import NONE, forces_held, holds_force, travel_held
 from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.spec.catalogues import discs
-from afmcalc.spec.springs import DiscStack, Room
+from afmcalc.spec.models import DiscStack, Room
 
 SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
 

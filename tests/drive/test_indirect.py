@@ -11,7 +11,7 @@ from afmcalc.drive.plant import SIZE, TURN
 from afmcalc.drive.train import Engine
 from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.equations import sleeve as law
-from afmcalc.spec.springs import DiscStack
+from afmcalc.spec.models import DiscStack
 
 FREE = {"time": 0.0, "stiffness": 1e-6, "load": 0.0, "engine": Engine(0.0, None, 0.0)}
 """Behind a shaft as soft as air, without motor."""

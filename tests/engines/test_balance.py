@@ -11,7 +11,7 @@ from afmcalc.analysis.synthesize import synthesize
 from afmcalc.engines import build
 from afmcalc.engines.springs import DiscCharacteristic, SetSpring
 from afmcalc.spec.catalogues import discs
-from afmcalc.spec.springs import DiscStack
+from afmcalc.spec.models import DiscStack
 
 SIZES = {size.name: size for size in discs()}
 SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")

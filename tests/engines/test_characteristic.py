@@ -16,7 +16,7 @@ from afmcalc.equations import springs
 from afmcalc.equations import springs as law
 from afmcalc.spec import read_spec
 from afmcalc.spec.catalogues import discs
-from afmcalc.spec.springs import CoilSprings, DiscStack
+from afmcalc.spec.models import CoilSprings, DiscStack
 
 SIZES = {each.name: each for each in discs()}
 

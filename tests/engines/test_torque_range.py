@@ -13,7 +13,7 @@ from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, resolved
 from afmcalc.spec.catalogues import discs
-from afmcalc.spec.springs import DiscStack
+from afmcalc.spec.models import DiscStack
 
 SIZES = {size.name: size for size in discs()}
 SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")

@@ -8,8 +8,8 @@ from typing import NamedTuple, TypeAlias
 
 import numpy as np
 
+from ...spec.models import Room
 from ...spec.requirements import Requirements
-from ...spec.springs import Room
 from ...variants import Variant
 from ..limits import allowable
 from ..springs.candidates import holds_force, travel_held

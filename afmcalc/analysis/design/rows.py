@@ -9,8 +9,8 @@ from ...messages import say
 from ...result import Answer, Result, Sentence, described, quantity
 from ...spec import Spec, make_spec
 from ...spec.edit import as_written
+from ...spec.models import Room
 from ...spec.requirements import Requirements
-from ...spec.springs import Room
 from .candidates import Candidates
 from .limits import curved
 

@@ -13,7 +13,7 @@ from ...engines.springs import DiscCharacteristic, SpringDemand, characteristic
 from ...equations import springs as law
 from ...messages import say
 from ...spec.catalogues import Disc, discs
-from ...spec.springs import SHEAR_MODULUS, CoilSprings, DiscStack, Room
+from ...spec.models import SHEAR_MODULUS, CoilSprings, DiscStack, Room
 
 Numbers = NDArray[np.float64]
 

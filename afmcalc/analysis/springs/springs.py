@@ -17,7 +17,7 @@ from ...messages import joined, say, term
 from ...result import Answer, Result, Sentence, described, quantity
 from ...spec import resolved
 from ...spec.catalogues import discs
-from ...spec.springs import CoilSprings, DiscStack
+from ...spec.models import CoilSprings, DiscStack
 from ..registry import SpringKind, SpringOrder
 from .candidates import TOLERANCE, Candidate, coil_candidates, disc_candidates, label_of, stack_of
 

@@ -17,9 +17,9 @@ from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.errors import SpecError
 from afmcalc.spec.catalogues import discs
 from afmcalc.spec.edit import with_values
+from afmcalc.spec.models import DiscStack
 from afmcalc.spec.read import diameters
 from afmcalc.spec.requirements import make_requirements
-from afmcalc.spec.springs import DiscStack
 
 FRICTION = {"min": 0.1, "mean": 0.3, "max": 0.8}
 CLOSING = {"inner_diameter": 0.02, "outer_diameter": 0.08, "length": 0.08}
