@@ -126,7 +126,7 @@ def gap(spec: SpecArgument = None, *, common: Common) -> None:
     "gap-told": "the friction range is {value:.3g} wide",
 """,
     "equations/terms.py": """
-FrictionWidth = Annotated[Number, Term("Δf", "1", "width of the friction range")]
+FrictionWidth = Annotated[Number, "Δf", "1", "width of the friction range"]
 """,
     "equations/direct.py": '''
 

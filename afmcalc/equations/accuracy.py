@@ -25,14 +25,10 @@ def accuracy_factor(
     >>> accuracy_factor(1, 7, 0.0, 0.125, 0.125, 0.75, 0.75)
     6.0
     """
-    return (
-        (bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max)
-        * (1 + controlled_pairs * gain * friction_driven_min)
-        / (
-            (bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min)
-            * (1 + controlled_pairs * gain * friction_driven_max)
-        )
-    )
+    largest = bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max
+    least = bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min
+    feedback = controlled_pairs * gain
+    return largest * (1 + feedback * friction_driven_min) / (least * (1 + feedback * friction_driven_max))
 
 
 @equation
@@ -43,7 +39,7 @@ def conventional_accuracy_factor(
     friction_driven_min: FrictionDrivenMin,
     friction_driving_max: FrictionDrivingMax,
     friction_driven_max: FrictionDrivenMax,
-) -> Annotated[Number, Term("K_т,0", "1")]:
+) -> Annotated[Number, "K_т,0", "1"]:
     """Accuracy factor of an ordinary clutch in its place, K_т at C = 0; with one material f_max/f_min.
 
     Source: F11 (14) at C = 0.
@@ -77,7 +73,7 @@ def accuracy_factor_of_torques(torque_max: TorqueMax, torque_min: TorqueMin) -> 
 
 
 @equation
-def accuracy_factor_worst_case(torque_max: TorqueMax, torque_min: TorqueMin) -> Annotated[Number, Term("K_т,w", "1")]:
+def accuracy_factor_worst_case(torque_max: TorqueMax, torque_min: TorqueMin) -> Annotated[Number, "K_т,w", "1"]:
     """Accuracy factor with f_1 and f_2 independent: largest over smallest torque of the four corners of their ranges.
 
     Source: Theory, section 3 (beyond F11).
@@ -87,7 +83,7 @@ def accuracy_factor_worst_case(torque_max: TorqueMax, torque_min: TorqueMin) -> 
 
 
 @equation
-def accuracy_factor_peak(peak_max: PeakMax, peak_min: PeakMin) -> Annotated[Number, Term("K_т,p", "1")]:
+def accuracy_factor_peak(peak_max: PeakMax, peak_min: PeakMin) -> Annotated[Number, "K_т,p", "1"]:
     """Accuracy factor by breakaway peaks, P(f_max)/P(f_min).
 
     Source: Theory, section 3 (beyond F11).
@@ -112,15 +108,10 @@ def accuracy_factor_by_ratios(
     Validity: As ``accuracy_factor``; n and p are free as long as f_2min ≤ f_2max.
     """
     spread = friction_driving_max / friction_driving_min
-    return (
-        spread
-        * (bypass_pairs + controlled_pairs * ratio_max)
-        * (1 + controlled_pairs * gain * ratio_min * friction_driving_min)
-        / (
-            (bypass_pairs + controlled_pairs * ratio_min)
-            * (1 + controlled_pairs * gain * ratio_max * friction_driving_max)
-        )
-    )
+    largest, least = bypass_pairs + controlled_pairs * ratio_max, bypass_pairs + controlled_pairs * ratio_min
+    at_min = 1 + controlled_pairs * gain * ratio_min * friction_driving_min
+    at_max = 1 + controlled_pairs * gain * ratio_max * friction_driving_max
+    return spread * largest * at_min / (least * at_max)
 
 
 @equation
@@ -132,23 +123,17 @@ def slope_in_ratio_max(
     ratio_min: FrictionRatioMin,
     friction_driving_min: FrictionDrivingMin,
     friction_driving_max: FrictionDrivingMax,
-) -> Annotated[Number, Term("∂K_т/∂n", "1")]:
+) -> Annotated[Number, "∂K_т/∂n", "1"]:
     """Slope ∂K_т/∂n; its sign is that of 1 − z_1 C f_1max for every n.
 
     Source: F11 (18), mended (M2: printed with the factor z_1 − C f_1max).
     Validity: As ``accuracy_factor_by_ratios``.
     """
     spread = friction_driving_max / friction_driving_min
-    return (
-        controlled_pairs
-        * spread
-        * (1 + controlled_pairs * gain * ratio_min * friction_driving_min)
-        * (1 - bypass_pairs * gain * friction_driving_max)
-        / (
-            (bypass_pairs + controlled_pairs * ratio_min)
-            * (1 + controlled_pairs * gain * ratio_max * friction_driving_max) ** 2
-        )
-    )
+    at_min = 1 + controlled_pairs * gain * ratio_min * friction_driving_min
+    at_max = 1 + controlled_pairs * gain * ratio_max * friction_driving_max
+    sign = 1 - bypass_pairs * gain * friction_driving_max
+    return controlled_pairs * spread * at_min * sign / ((bypass_pairs + controlled_pairs * ratio_min) * at_max**2)
 
 
 @equation
@@ -160,23 +145,17 @@ def slope_in_ratio_min(
     ratio_min: FrictionRatioMin,
     friction_driving_min: FrictionDrivingMin,
     friction_driving_max: FrictionDrivingMax,
-) -> Annotated[Number, Term("∂K_т/∂p", "1")]:
+) -> Annotated[Number, "∂K_т/∂p", "1"]:
     """Slope ∂K_т/∂p; its sign is that of z_1 C f_1min − 1 for every p.
 
     Source: F11 (22), mended (M3: printed with the factor C f_1min − z_1).
     Validity: As ``accuracy_factor_by_ratios``.
     """
     spread = friction_driving_max / friction_driving_min
-    return (
-        controlled_pairs
-        * spread
-        * (bypass_pairs + controlled_pairs * ratio_max)
-        * (bypass_pairs * gain * friction_driving_min - 1)
-        / (
-            (bypass_pairs + controlled_pairs * ratio_min) ** 2
-            * (1 + controlled_pairs * gain * ratio_max * friction_driving_max)
-        )
-    )
+    largest, least = bypass_pairs + controlled_pairs * ratio_max, bypass_pairs + controlled_pairs * ratio_min
+    at_max = 1 + controlled_pairs * gain * ratio_max * friction_driving_max
+    sign = bypass_pairs * gain * friction_driving_min - 1
+    return controlled_pairs * spread * largest * sign / (least**2 * at_max)
 
 
 @equation
@@ -186,18 +165,14 @@ def accuracy_factor_peak_above_limit(
     gain: Gain,
     friction_min: FrictionMin,
     friction_max: FrictionMax,
-) -> Annotated[Number, Term("K_peak", "1")]:
+) -> Annotated[Number, "K_peak", "1"]:
     """Accuracy by breakaway peaks between the limits, z_1 f_max (1 + z_2 C f_min)/(z f_min).
 
     Source: theory, section 3 (beyond the papers).
     Validity: 1/(z_1 f_max) ≤ C ≤ 1/(z_1 f_min). Below it K_т itself holds, above it f_max/f_min.
     """
-    return (
-        bypass_pairs
-        * friction_max
-        * (1 + controlled_pairs * gain * friction_min)
-        / ((bypass_pairs + controlled_pairs) * friction_min)
-    )
+    feedback_at_min = 1 + controlled_pairs * gain * friction_min
+    return bypass_pairs * friction_max * feedback_at_min / ((bypass_pairs + controlled_pairs) * friction_min)
 
 
 @equation
@@ -217,7 +192,7 @@ def best_accuracy_factor_peak(
 @equation
 def torque_elasticity_in_gain(
     controlled_pairs: ControlledPairs, gain: Gain, friction_driven: FrictionDriven
-) -> Annotated[Number, Term("∂ln T/∂ln C", "1")]:
+) -> Annotated[Number, "∂ln T/∂ln C", "1"]:
     """Elasticity ∂ln T/∂ln C of the direct law, −C z_2 f_2/(1 + C z_2 f_2).
 
     Source: derivative of F11 (12).
@@ -233,7 +208,7 @@ def torque_elasticity_in_friction_driving(
     controlled_pairs: ControlledPairs,
     friction_driving: FrictionDriving,
     friction_driven: FrictionDriven,
-) -> Annotated[Number, Term("∂ln T/∂ln f_1", "1")]:
+) -> Annotated[Number, "∂ln T/∂ln f_1", "1"]:
     """Elasticity ∂ln T/∂ln f_1 of the direct law, z_1 f_1/(z_1 f_1 + z_2 f_2).
 
     Source: derivative of F11 (12).
@@ -249,15 +224,12 @@ def torque_elasticity_in_friction_driven(
     gain: Gain,
     friction_driving: FrictionDriving,
     friction_driven: FrictionDriven,
-) -> Annotated[Number, Term("∂ln T/∂ln f_2", "1")]:
+) -> Annotated[Number, "∂ln T/∂ln f_2", "1"]:
     """Elasticity ∂ln T/∂ln f_2 of the direct law; negative where z_1 C f_1 > 1.
 
     Source: derivative of F11 (12).
     Validity: As ``direct.torque``. Equally ∂ln T/∂ln z_2 at fixed z_1.
     """
     carried = controlled_pairs * friction_driven
-    return (
-        carried
-        * (1 - bypass_pairs * gain * friction_driving)
-        / ((bypass_pairs * friction_driving + carried) * (1 + gain * carried))
-    )
+    sign = 1 - bypass_pairs * gain * friction_driving
+    return carried * sign / ((bypass_pairs * friction_driving + carried) * (1 + gain * carried))

@@ -29,7 +29,7 @@ def nominal_torque(torque_at_setting: TorqueAtSetting, margin: Margin) -> Nomina
 @equation
 def force_ratio(
     torque_per_force_mean: TorquePerForceMean, torque_per_force_min: TorquePerForceMin
-) -> Annotated[Number, Term("F_п1/F_п2", "1")]:
+) -> Annotated[Number, "F_п1/F_п2", "1"]:
     """Spring forces of the two methods for one nominal torque without margin, F_п1/F_п2 = g(f_cp)/g(f_min).
 
     Source: S19 (7), from (5) and (6) without the β_н that (6) prints beside T_н.
@@ -53,19 +53,14 @@ def scatter(
     Source: S19 (10); (11) mended (M6) with F_п = β_н F_п2.
     Validity: Direct clutch, one material; F_п includes the margin.
     """
-    return (
-        pairs
-        * closing_force
-        * mean_radius
-        * (friction_max - friction_min)
-        / ((1 + controlled_pairs * gain * friction_min) * (1 + controlled_pairs * gain * friction_max))
-    )
+    at_min, at_max = (1 + controlled_pairs * gain * friction for friction in (friction_min, friction_max))
+    return pairs * closing_force * mean_radius * (friction_max - friction_min) / (at_min * at_max)
 
 
 @equation
 def scatter_ratio(
     margin: Margin, torque_per_force_min: TorquePerForceMin, torque_per_force_mean: TorquePerForceMean
-) -> Annotated[Number, Term("ΔT_2/ΔT_1", "1")]:
+) -> Annotated[Number, "ΔT_2/ΔT_1", "1"]:
     """Bands of the two methods on a direct clutch, ΔT_2/ΔT_1 = β_н g(f_min)/g(f_cp), which is T_min2/T_н.
 
     Source: S19 (10), (11) mended (M6); theory, section 4.
@@ -77,7 +72,7 @@ def scatter_ratio(
 @equation
 def pairs_threshold(
     bypass_pairs: BypassPairs, gain: Gain, friction_min: FrictionMin, friction_mean: FrictionMean, margin: Margin
-) -> Annotated[Number, Term("z_lim", "1")]:
+) -> Annotated[Number, "z_lim", "1"]:
     """Number of pairs above which min-friction is narrower, (1/f_min − β_н/f_cp)/((β_н − 1) C) + z_1.
 
     Source: S19 (12) for z_1 = 1; (13) with C = 1/f_max.

@@ -43,6 +43,6 @@ def equations() -> dict[str, Equation]:
 def _equation(name: str, function: Callable[..., Any]) -> Equation:
     summary, _, rest = (inspect.getdoc(function) or "").partition("\n")
     source = rest.partition("Source:")[2].partition("Validity:")[0].partition("\n\n")[0]
-    terms = {key: hint.__metadata__[0] for key, hint in get_type_hints(function, include_extras=True).items()}
+    terms = {key: Term(*hint.__metadata__) for key, hint in get_type_hints(function, include_extras=True).items()}
     result = terms.pop("return")
     return Equation(name, function, summary, " ".join(source.split()), terms, result)

@@ -40,7 +40,7 @@ def mean_radius_uniform_pressure(inner_radius: InnerRadius, outer_radius: OuterR
 @equation
 def mean_pressure(
     force: AxialForce, inner_radius: InnerRadius, outer_radius: OuterRadius, pi: Pi
-) -> Annotated[Number, Term("p", "Pa")]:
+) -> Annotated[Number, "p", "Pa"]:
     """Mean surface pressure of a ring, F/(π (r_o² − r_i²)).
 
     Source: Juvinall & Marshek, Fundamentals of Machine Component Design, ch. 18.
@@ -52,7 +52,7 @@ def mean_pressure(
 @equation
 def peak_pressure_uniform_wear(
     force: AxialForce, inner_radius: InnerRadius, outer_radius: OuterRadius, pi: Pi
-) -> Annotated[Number, Term("p_i", "Pa")]:
+) -> Annotated[Number, "p_i", "Pa"]:
     """Surface pressure at the inner edge with uniform wear, F/(2 π r_i (r_o − r_i)).
 
     Source: Juvinall & Marshek, Fundamentals of Machine Component Design, ch. 18.
@@ -85,7 +85,7 @@ def controlled_pairs(pairs: Pairs, bypass_pairs: BypassPairs) -> ControlledPairs
 
 
 @equation
-def reduced_gain(controlled_pairs: ControlledPairs, gain: Gain) -> Annotated[Number, Term("z_2 C", "1")]:
+def reduced_gain(controlled_pairs: ControlledPairs, gain: Gain) -> Annotated[Number, "z_2 C", "1"]:
     """Reduced gain, z_2 C: the gain of the whole feedback loop per unit of friction.
 
     Source: S22 (zC of the all-driving clutch); S19 ((z − 1)C).
@@ -127,7 +127,7 @@ def torque_per_force(
     gain: Gain,
     friction_driving: FrictionDriving,
     friction_driven: FrictionDriven,
-) -> Annotated[Number, Term("T/F_п", "m")]:
+) -> Annotated[Number, "T/F_п", "m"]:
     """Slip torque per spring force, T/F_п = R (z_1 f_1 + z_2 f_2)/(1 + C z_2 f_2).
 
     Source: F11 (12); R g(f) of S19 (1)–(4).
@@ -170,7 +170,7 @@ def torque(
 @equation
 def group_torque(
     normal_force: NormalForce, mean_radius: MeanRadius, pairs: GroupPairs, friction: GroupFriction
-) -> Annotated[Number, Term("T_i", "N*m")]:
+) -> Annotated[Number, "T_i", "N*m"]:
     """Torque of one group of pairs under a normal force, T_i = R z_i f_i N.
 
     Source: F11 (2), (6); S21 (9) for all pairs.

@@ -25,7 +25,7 @@ def shaft_damping(
 @equation
 def shaft_torque(
     stiffness: ShaftStiffness, twist: Twist, damping: ShaftDamping, twist_rate: TwistRate
-) -> Annotated[Number, Term("T_s", "N*m")]:
+) -> Annotated[Number, "T_s", "N*m"]:
     """Torque in the shaft, T_s = k φ + d φ'.
 
     Source: Theory, section 9: Kelvin–Voigt shaft.
@@ -37,7 +37,7 @@ def shaft_torque(
 @equation
 def inertia_torque(
     speed: SpeedBeforeLock, stiffness: ShaftStiffness, driven_inertia: DrivenInertia
-) -> Annotated[Number, Term("T_J", "N*m")]:
+) -> Annotated[Number, "T_J", "N*m"]:
     """Torque with which the driven half alone twists the shaft of a locked tool, T_J = ω_0 √(k J_2).
 
     Source: Theory, section 9 (V2): energy, ½ J_2 ω_0² = ½ T_J²/k; while the clutch slips it adds to the sliding torque.
@@ -49,7 +49,7 @@ def inertia_torque(
 @equation
 def stop_torque(
     driven_inertia: DrivenInertia, deceleration: Deceleration, torque: SlipTorque, load_torque: LoadBefore
-) -> Annotated[Number, Term("T_a", "N*m")]:
+) -> Annotated[Number, "T_a", "N*m"]:
     """Peak beyond the sliding torque while the tool slows down, T_a = J_2 a + √(J_2 a [J_2 a + 2 (T − T_0)]).
 
     Source: Theory of the drive, section 9 (V4): its swing about T + J_2 a, with the slip that begins at t_1.
@@ -61,7 +61,7 @@ def stop_torque(
 
 
 @equation
-def stribeck_ratio(static_ratio: StaticRatio, decay: StribeckDecay) -> Annotated[Number, Term("f(v)/f", "1")]:
+def stribeck_ratio(static_ratio: StaticRatio, decay: StribeckDecay) -> Annotated[Number, "f(v)/f", "1"]:
     """Friction at a sliding speed over sliding friction, f(v)/f = 1 + (r_s − 1) e, e = exp(−R|v|/v_s).
 
     Source: Theory, section 9: Stribeck friction, exponential.
@@ -104,7 +104,7 @@ def kloss_slip(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSlip,
 @equation
 def sticking_torque(
     drive_torque: DriveTorque, drive_inertia: DriveInertia, load_torque: LoadTorque, load_inertia: LoadInertia
-) -> Annotated[Number, Term("T*", "N*m")]:
+) -> Annotated[Number, "T*", "N*m"]:
     """Torque between two inertias that turn as one, T = (M J_2 + L J_1)/(J_1 + J_2).
 
     Source: Theory, section 9: Newton: (M − T)/J_1 = (T − L)/J_2. It is also T* of two inertias that slip on each other.
@@ -120,7 +120,7 @@ def slip_acceleration(
     torque: TorqueBetween,
     load_torque: LoadTorque,
     load_inertia: LoadInertia,
-) -> Annotated[Number, Term("v'", "rad/s^2")]:
+) -> Annotated[Number, "v'", "rad/s^2"]:
     """Acceleration of one inertia against the other, v' = (M − T)/J_1 − (T − L)/J_2.
 
     Source: Theory, section 9: Newton.
@@ -144,7 +144,7 @@ def normal_force_under_load(
 @equation
 def normal_force_rate(
     normal_force: NormalForce, balance: BalancedNormalForce, lag: ForceLag
-) -> Annotated[Number, Term("N'", "N/s")]:
+) -> Annotated[Number, "N'", "N/s"]:
     """Rate of a normal force that follows its balance late, N' = (N_eq − N)/τ.
 
     Source: Theory, section 9: release force of the first order, S22's open question.
@@ -176,7 +176,7 @@ def torque_growth(
 @equation
 def judder_damping(
     torque_growth: TorqueGrowth, mean_radius: MeanRadius, static_ratio: StaticRatio, stribeck_speed: StribeckSpeed
-) -> Annotated[Number, Term("d_min", "N*m*s/rad")]:
+) -> Annotated[Number, "d_min", "N*m*s/rad"]:
     """Damping that keeps a slow slip steady, d > f T'(f) R (r_s − 1)/v_s.
 
     Source: Theory, section 9: derived (V6): T falls with the sliding speed, −∂T/∂ω = R T'(f) f (r_s − 1)/v_s as v → 0.

@@ -45,7 +45,7 @@ def next_force_opening(
 @equation
 def tan_wall_angle_loading(
     tan_wall_angle: TanWallAngle, wall_friction: WallFriction
-) -> Annotated[Number, Term("tan(α − ρ)", "1")]:
+) -> Annotated[Number, "tan(α − ρ)", "1"]:
     """Tangent that a sliding cam's wall acts with while it is driven up, tan(α − ρ), tan ρ = μ.
 
     Source: Theory of the drive, section 13: wedge with friction.
@@ -57,7 +57,7 @@ def tan_wall_angle_loading(
 @equation
 def tan_wall_angle_unloading(
     tan_wall_angle: TanWallAngle, wall_friction: WallFriction
-) -> Annotated[Number, Term("tan(α + ρ)", "1")]:
+) -> Annotated[Number, "tan(α + ρ)", "1"]:
     """Tangent that a sliding cam's wall acts with while it is driven back, tan(α + ρ), tan ρ = μ.
 
     Source: Theory of the drive, section 13: wedge with friction.
@@ -82,7 +82,7 @@ def centrifugal_thrust(
     speed: RotationSpeed,
     ball_circle_radius: BallCircleRadius,
     tan_wall_angle: TanWallAngle,
-) -> Annotated[Number, Term("ΔN", "N")]:
+) -> Annotated[Number, "ΔN", "N"]:
     """Axial force of the balls that are thrown against conical pockets, ½ n m_ш ω² r tan α.
 
     Source: Theory of the drive, section 13.
@@ -92,9 +92,7 @@ def centrifugal_thrust(
 
 
 @equation
-def force_lost_by_wear(
-    stiffness: FollowingStiffness, pairs: Pairs, wear: PairWear
-) -> Annotated[Number, Term("ΔF", "N")]:
+def force_lost_by_wear(stiffness: FollowingStiffness, pairs: Pairs, wear: PairWear) -> Annotated[Number, "ΔF", "N"]:
     """Spring force lost when every pair has worn, c_п z δ.
 
     Source: Theory of the drive, section 10.

@@ -63,7 +63,7 @@ def friction_area(inner_radius: InnerRadius, outer_radius: OuterRadius, pi: Pi) 
 
 
 @equation
-def specific_work(energy: TripHeat, pairs: Pairs, area: PairArea) -> Annotated[Number, Term("q_A", "J/m^2")]:
+def specific_work(energy: TripHeat, pairs: Pairs, area: PairArea) -> Annotated[Number, "q_A", "J/m^2"]:
     """Specific work of a trip, Q/(z A).
 
     Source: Theory of the drive, section 10.
@@ -82,7 +82,7 @@ def slip_power(torque: SlipTorque, speed: SlipSpeed) -> SlipPower:
 
 
 @equation
-def power_density(power: SlipPower, pairs: Pairs, area: PairArea) -> Annotated[Number, Term("q", "W/m^2")]:
+def power_density(power: SlipPower, pairs: Pairs, area: PairArea) -> Annotated[Number, "q", "W/m^2"]:
     """Power per area of a pair, P/(z A).
 
     Source: Theory of the drive, section 10.
@@ -114,7 +114,7 @@ def effusivity(conductivity: Conductivity, density: Density, specific_heat: Spec
 @equation
 def face_admittance(
     effusivity: Effusivity, root: TransformRoot, through: HeatThrough
-) -> Annotated[Number, Term("Y", "W/m^2/K")]:
+) -> Annotated[Number, "Y", "W/m^2/K"]:
     """Flux into a face per rise of it, both as Laplace transforms: b √p tanh(l √(p/a)).
 
     Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 2.9 and 3.8, transformed; theory of the drive, 10.
@@ -137,7 +137,7 @@ def heated_depth(mass: DiscsMass, density: Density, pairs: Pairs, area: PairArea
 @equation
 def fourier_number(
     conductivity: Conductivity, density: Density, specific_heat: SpecificHeat, time: Time, depth: DiscDepth
-) -> Annotated[Number, Term("Fo", "1")]:
+) -> Annotated[Number, "Fo", "1"]:
     """How far the heat has come in a time, k t/(ρ c l²).
 
     Source: Carslaw & Jaeger, Conduction of Heat in Solids (1959), 3.3; theory of the drive, section 10.
@@ -148,7 +148,7 @@ def fourier_number(
 @equation
 def share_of_rise(
     temperature: ReachedTemperature, ambient: StartTemperature, temperature_limit: TemperatureLimit
-) -> Annotated[Number, Term("η", "1")]:
+) -> Annotated[Number, "η", "1"]:
     """Share that a temperature uses of the rise that a limit allows, (Θ − Θ_0)/(Θ_max − Θ_0).
 
     Source: Theory of the drive, section 10; a ratio of absolute temperatures would be no share.
@@ -160,7 +160,7 @@ def share_of_rise(
 @equation
 def trips_without_cooling(
     temperature_limit: TemperatureLimit, ambient: StartTemperature, rise: TripRise
-) -> Annotated[Number, Term("n", "1")]:
+) -> Annotated[Number, "n", "1"]:
     """Trips one upon the other until the discs reach a limit, (Θ_max − Θ_0)/ΔΘ.
 
     Source: Theory of the drive, section 10.
@@ -172,7 +172,7 @@ def trips_without_cooling(
 @equation
 def trips_per_time(
     cooling: Cooling, temperature_limit: TemperatureLimit, ambient: SurroundingTemperature, energy: TripHeat
-) -> Annotated[Number, Term("ν", "1/s")]:
+) -> Annotated[Number, "ν", "1/s"]:
     """Trips per time whose heat is given off at the limit, α A_c (Θ_max − Θ_0)/Q.
 
     Source: Theory of the drive, section 10.
@@ -184,7 +184,7 @@ def trips_per_time(
 @equation
 def trips_to_wear_out(
     pairs: Pairs, area: PairArea, lining: LiningThickness, wear: SpecificWear, energy: TripHeat
-) -> Annotated[Number, Term("n_w", "1")]:
+) -> Annotated[Number, "n_w", "1"]:
     """Trips until the lining is gone, z A s_w/(w Q).
 
     Source: Theory of the drive, section 10.
@@ -196,7 +196,7 @@ def trips_to_wear_out(
 @equation
 def setting_loss_per_wear(
     stiffness: FollowingStiffness, pairs: Pairs, force: PackForce
-) -> Annotated[Number, Term("ΔF/(F δ)", "1/m")]:
+) -> Annotated[Number, "ΔF/(F δ)", "1/m"]:
     """Share of the force on the pack lost per wear of a pair, c_п z/F.
 
     Source: Theory of the drive, section 10.
@@ -208,7 +208,7 @@ def setting_loss_per_wear(
 @equation
 def time_between_trips(
     mass: DiscsMass, specific_heat: SpecificHeat, cooling: Cooling, logarithm: CoolingLogarithm
-) -> Annotated[Number, Term("t_p", "s")]:
+) -> Annotated[Number, "t_p", "s"]:
     """Time between trips after each of which the discs just reach a limit, m c λ/(α A_c).
 
     Source: Theory of the drive, section 10: one body that cools between trips, when every trip is as the last.

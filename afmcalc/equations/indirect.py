@@ -13,7 +13,7 @@ from .terms import *
 @equation
 def gain_threshold(
     mean_radius: MeanRadius, key_friction: KeyFriction, hub_diameter: HubDiameter
-) -> Annotated[Number, Term("C_0", "1")]:
+) -> Annotated[Number, "C_0", "1"]:
     """Gain the key's friction eats up, 2 R f_1/d: below it no torque moves the sleeve.
 
     Source: S21, condition of (15), (16) for feedback to act; theory, section 5.
@@ -47,7 +47,7 @@ def net_gain_returning(
 @equation
 def torque_per_force(
     pairs: Pairs, mean_radius: MeanRadius, friction_set: FrictionSet
-) -> Annotated[Number, Term("T_н/F_п1", "m")]:
+) -> Annotated[Number, "T_н/F_п1", "m"]:
     """Slip torque per closing force at the setting, T_н/F_п1 = z R f_set.
 
     Source: S21, before (14): at the setting the sleeve rests and N = F_п1.
@@ -204,7 +204,7 @@ def accuracy_factor(
 @equation
 def accuracy_factor_hysteresis(
     torque_max: RisingTorqueMax, torque_returning: ReturningTorqueMin
-) -> Annotated[Number, Term("K_т,h", "1")]:
+) -> Annotated[Number, "K_т,h", "1"]:
     """Accuracy factor under a load that lasts, K_т,h = T_max/T_ret,min.
 
     Source: Theory, section 5 (beyond S21).
@@ -216,7 +216,7 @@ def accuracy_factor_hysteresis(
 @equation
 def equivalent_gain(
     net_gain: NetGain, closing_stiffness: ClosingStiffness, control_stiffness: ControlStiffness
-) -> Annotated[Number, Term("C_eff", "1")]:
+) -> Annotated[Number, "C_eff", "1"]:
     """Gain of the all-driving clutch with the same torque curve, κ c_1/(c_1 + c_2).
 
     Source: Identity of S21 (11) with S22 (4): T = [F_п1 (1 + z C_eff f_set)] z R f/(1 + z C_eff f).
@@ -248,7 +248,7 @@ def nominal_torque_ratio_as_made(
 
 
 @equation
-def hysteresis_ratio(net_gain: NetGain, net_gain_returning: NetGainReturning) -> Annotated[Number, Term("κ₊/κ", "1")]:
+def hysteresis_ratio(net_gain: NetGain, net_gain_returning: NetGainReturning) -> Annotated[Number, "κ₊/κ", "1"]:
     """By how much friction must fall before the sleeve moves back, κ₊/κ.
 
     Source: Theory, section 5 (beyond S21).
@@ -260,7 +260,7 @@ def hysteresis_ratio(net_gain: NetGain, net_gain_returning: NetGainReturning) ->
 @equation
 def seated_elasticity_in_feedback(
     pairs: Pairs, friction: Friction, feedback_part: FeedbackPart, net_gain: NetGain
-) -> Annotated[Number, Term("∂ln(1 + zκf)/∂ln p", "1")]:
+) -> Annotated[Number, "∂ln(1 + zκf)/∂ln p", "1"]:
     """Elasticity of 1 + z κ f in a parameter to which a part of κ is proportional, z f κ_part/(1 + z κ f).
 
     Source: Derivative of 1 + z κ f (theory, section 5, the seated sleeve).

@@ -17,7 +17,7 @@ def shear_stress(torque: SideTorque, polar_section_modulus: PolarSectionModulus)
 
 
 @equation
-def torque_unprotected(dynamic_factor: DynamicFactor, torque: SlipTorque) -> Annotated[Number, Term("T'", "N*m")]:
+def torque_unprotected(dynamic_factor: DynamicFactor, torque: SlipTorque) -> Annotated[Number, "T'", "N*m"]:
     """Torque on the unprotected side, between clutch and tool, T' = k_д T.
 
     Source: S19, before (14): the drive's dynamics multiply what the clutch passes.
@@ -27,7 +27,7 @@ def torque_unprotected(dynamic_factor: DynamicFactor, torque: SlipTorque) -> Ann
 
 
 @equation
-def mean_stress(stress_low: StressLow, stress_high: StressHigh) -> Annotated[Number, Term("τ_m", "Pa")]:
+def mean_stress(stress_low: StressLow, stress_high: StressHigh) -> Annotated[Number, "τ_m", "Pa"]:
     """Mean stress of the cycle, (τ_max + τ_min)/2: what the papers take as damaging.
 
     Source: S19 (16), (17).
@@ -37,7 +37,7 @@ def mean_stress(stress_low: StressLow, stress_high: StressHigh) -> Annotated[Num
 
 
 @equation
-def stress_amplitude(stress_low: StressLow, stress_high: StressHigh) -> Annotated[Number, Term("τ_a", "Pa")]:
+def stress_amplitude(stress_low: StressLow, stress_high: StressHigh) -> Annotated[Number, "τ_a", "Pa"]:
     """Amplitude of the cycle, (τ_max − τ_min)/2.
 
     Source: Definition.
@@ -87,7 +87,7 @@ def cycles(
 @equation
 def damage(
     endurance_limit: EnduranceLimit, stress: DamagingStress, exponent: FatigueExponent, base_cycles: BaseCycles
-) -> Annotated[Number, Term("1/N_ц", "1")]:
+) -> Annotated[Number, "1/N_ц", "1"]:
     """Damage of one cycle, 1/N_ц = (τ/τ_limb)^m_τ/N_0; a part fails when its cycles add up to 1.
 
     Source: Miner, Cumulative damage in fatigue, J. Appl. Mech. 12 (1945), with the S-N line of S19 (14).

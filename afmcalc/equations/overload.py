@@ -55,14 +55,8 @@ def potential_torque(
     Source: S22 (5), (8), (20) mended (M16) with β_н = 1, (22).
     Validity: Below slip the load is shared z_1 : z_2 between bypass and controlled pairs.
     """
-    return (
-        pairs
-        * closing_force
-        * mean_radius
-        * friction
-        * (margin + (margin - 1) * loop_gain_min)
-        / (margin * (1 + loop_gain_min))
-    )
+    share = margin + (margin - 1) * loop_gain_min
+    return pairs * closing_force * mean_radius * friction * share / (margin * (1 + loop_gain_min))
 
 
 @equation
@@ -83,7 +77,7 @@ def load_rise_at_min(
     friction_min: FrictionMin,
     margin: Margin,
     loop_gain_min: LoopGainMin,
-) -> Annotated[Number, Term("ΔT_max", "N*m")]:
+) -> Annotated[Number, "ΔT_max", "N*m"]:
     """Load rise until slip at f_min, z F_п R f_min (β_н − 1)/[β_н (1 + u)].
 
     Source: S22 (7).
@@ -95,21 +89,20 @@ def load_rise_at_min(
 @equation
 def actuation_factor(
     loop_gain: LoopGain, loop_gain_min: LoopGainMin, friction: Friction, friction_min: FrictionMin, margin: Margin
-) -> Annotated[Number, Term("A", "1")]:
+) -> Annotated[Number, "A", "1"]:
     """Published over expected actuation torque, A = [β_н v (1 + u) + (1 − v²) f_min/f]/[β_н (1 + u)].
 
     Source: S22 (14), (15) mended (M11), (21) with β_н = 1, (23).
     Validity: As published: rests on T_ср = T_п − ΔT', which the paper's own (12) contradicts (M12).
     """
-    return (margin * loop_gain * (1 + loop_gain_min) + (1 - loop_gain * loop_gain) * friction_min / friction) / (
-        margin * (1 + loop_gain_min)
-    )
+    at_min = margin * (1 + loop_gain_min)
+    return (loop_gain * at_min + (1 - loop_gain * loop_gain) * friction_min / friction) / at_min
 
 
 @equation
 def actuation_torque_published(
     potential_torque: PotentialTorque, load_rise: LoadRise
-) -> Annotated[Number, Term("T_ср", "N*m")]:
+) -> Annotated[Number, "T_ср", "N*m"]:
     """Actuation torque as published, T_ср = T_п − ΔT'.
 
     Source: S22 (14).
@@ -121,7 +114,7 @@ def actuation_torque_published(
 @equation
 def actuation_torque_equilibrium(
     machine_torque: MachineTorque, load_rise: LoadRise
-) -> Annotated[Number, Term("T_eq", "N*m")]:
+) -> Annotated[Number, "T_eq", "N*m"]:
     """Load at slip, T_н.маш + ΔT': equal to T_муф(f) for every margin.
 
     Source: Theory, section 6 (M12).
@@ -133,7 +126,7 @@ def actuation_torque_equilibrium(
 @equation
 def interval_low(
     friction_min: FrictionMin, margin: Margin, loop_gain_min: LoopGainMin
-) -> Annotated[Number, Term("f_low", "1")]:
+) -> Annotated[Number, "f_low", "1"]:
     """Friction at which T_п = T_н.маш, f_min/(β_н + (β_н − 1) u): one end of the interval where T_ср < T_муф.
 
     Source: S22 (17).
@@ -143,7 +136,7 @@ def interval_low(
 
 
 @equation
-def interval_high(reduced_gain: ReducedGain) -> Annotated[Number, Term("f_high", "1")]:
+def interval_high(reduced_gain: ReducedGain) -> Annotated[Number, "f_high", "1"]:
     """Friction at which v = 1, 1/((z − z_1) C): the other end of the interval where T_ср < T_муф.
 
     Source: S22 (17).
@@ -153,7 +146,7 @@ def interval_high(reduced_gain: ReducedGain) -> Annotated[Number, Term("f_high",
 
 
 @equation
-def discriminant(margin: Margin, loop_gain_min: LoopGainMin) -> Annotated[Number, Term("D", "1")]:
+def discriminant(margin: Margin, loop_gain_min: LoopGainMin) -> Annotated[Number, "D", "1"]:
     """Discriminant of (17), D = (β_н + (β_н − 2) u)²: a perfect square, never negative.
 
     Source: S22 (17).
@@ -166,7 +159,7 @@ def discriminant(margin: Margin, loop_gain_min: LoopGainMin) -> Annotated[Number
 @equation
 def accuracy_factor_expected(
     expected_torque: ExpectedTorque, nominal_torque: ClutchNominalTorque
-) -> Annotated[Number, Term("K_т,exp", "1")]:
+) -> Annotated[Number, "K_т,exp", "1"]:
     """Expected accuracy factor, T_муф(f_max)/T_н.муф.
 
     Source: S22 (18).
@@ -178,7 +171,7 @@ def accuracy_factor_expected(
 @equation
 def accuracy_factor_actual(
     actuation_torque: ActuationTorque, nominal_torque: ClutchNominalTorque
-) -> Annotated[Number, Term("K_т,act", "1")]:
+) -> Annotated[Number, "K_т,act", "1"]:
     """Actual accuracy factor, the larger of published and expected torque at f_max over T_н.муф.
 
     Source: S22 (19).
@@ -190,7 +183,7 @@ def accuracy_factor_actual(
 @equation
 def accuracy_factor_equilibrium(
     torque_max: EquilibriumTorqueMax, torque_min: EquilibriumTorqueMin
-) -> Annotated[Number, Term("K_т,eq", "1")]:
+) -> Annotated[Number, "K_т,eq", "1"]:
     """Accuracy factor with the torque at equilibrium, T_eq(f_max)/T_eq(f_min).
 
     Source: Theory, section 6 (M12).
@@ -200,7 +193,7 @@ def accuracy_factor_equilibrium(
 
 
 @equation
-def optimal_reduced_gain(friction_max: FrictionMax) -> Annotated[Number, Term("(zC)_opt", "1")]:
+def optimal_reduced_gain(friction_max: FrictionMax) -> Annotated[Number, "(zC)_opt", "1"]:
     """Reduced gain at which the actual accuracy is best, 1/f_max.
 
     Source: S22, text on the optimum, mended (M13); A = 1 there.
@@ -229,7 +222,7 @@ def potential_torque_gain_of_differentiated(
     friction_min: FrictionMin,
     gain: Gain,
     margin: Margin,
-) -> Annotated[Number, Term("T'_п − T_п", "N*m")]:
+) -> Annotated[Number, "T'_п − T_п", "N*m"]:
     """By how much T_п of the differentiated clutch exceeds that of the all-driving one.
 
     z F_п R f z_1 C f_min/{β_н (1 + zC f_min)[1 + (z − z_1) C f_min]}
@@ -239,16 +232,8 @@ def potential_torque_gain_of_differentiated(
     """
     all_driving = 1 + pairs * gain * friction_min
     differentiated = 1 + (pairs - bypass_pairs) * gain * friction_min
-    return (
-        pairs
-        * closing_force
-        * mean_radius
-        * friction
-        * bypass_pairs
-        * gain
-        * friction_min
-        / (margin * all_driving * differentiated)
-    )
+    bypass = bypass_pairs * gain * friction_min
+    return pairs * closing_force * mean_radius * friction * bypass / (margin * all_driving * differentiated)
 
 
 @equation

@@ -11,7 +11,7 @@ from .terms import *
 
 
 @equation
-def gain_at(gain: InitialGain, gain_slope: GainSlope, travel: Travel) -> Annotated[Number, Term("C(x)", "1")]:
+def gain_at(gain: InitialGain, gain_slope: GainSlope, travel: Travel) -> Annotated[Number, "C(x)", "1"]:
     """Gain where the sleeve has travelled to, C(x) = C_0 + C_1 x.
 
     Source: Theory, section 12: tan α(x) = tan α_0 + (r/R) C_1 x.
@@ -38,7 +38,7 @@ def tangent_stiffness_squared(
     control_stiffness: ControlStiffness,
     sleeve_stiffness: StraightStiffness,
     slope_feedback: SlopeFeedback,
-) -> Annotated[Number, Term("k_t²", "N^2/m^2")]:
+) -> Annotated[Number, "k_t²", "N^2/m^2"]:
     """Square of the stiffness of the balance where the sleeve is, k_t² = (D + w F_п1)² − 4 w (F_п1 c_2 + F_п2 c_1).
 
     Source: Theory, section 12 (there b² + 4 a g).
@@ -55,7 +55,7 @@ def sleeve_stiffness(
     closing_force: IndirectClosingForce,
     slope_feedback: SlopeFeedback,
     tangent_stiffness: TangentStiffness,
-) -> Annotated[Number, Term("D'", "N/m")]:
+) -> Annotated[Number, "D'", "N/m"]:
     """Stiffness that takes the place of D(f) in N = (F_п1 c_2 + F_п2 c_1)/D, D' = (D + w F_п1 + k_t)/2.
 
     Source: Theory, section 12; D itself with w = 0, where k_t = D.
@@ -95,7 +95,7 @@ def constant_torque_slope(
     pairs: Pairs,
     leaving_friction: LeavingFriction,
     closing_force: IndirectClosingForce,
-) -> Annotated[Number, Term("C_1*", "1/m")]:
+) -> Annotated[Number, "C_1*", "1/m"]:
     """Slope that holds the torque once the sleeve is off its stop, C_1* = (c_1 + c_2)/(z f_L F_п1).
 
     Source: Theory, section 12.
@@ -110,7 +110,7 @@ def jumping_slope(
     pairs: Pairs,
     leaving_friction: LeavingFriction,
     closing_force: IndirectClosingForce,
-) -> Annotated[Number, Term("C_1,j", "1/m")]:
+) -> Annotated[Number, "C_1,j", "1/m"]:
     """Slope above which the sleeve jumps off its stop as friction rises in slip, D(f_L)/(z f_L F_п1).
 
     Source: Theory, section 12: there b = 0 at the stop.
@@ -142,7 +142,7 @@ def force_elasticity_in_control_stiffness(
     travel: Travel,
     tangent_stiffness: TangentStiffness,
     normal_force: NormalForce,
-) -> Annotated[Number, Term("∂ln N/∂ln c_2", "1")]:
+) -> Annotated[Number, "∂ln N/∂ln c_2", "1"]:
     """Elasticity of N in the stiffness of the control spring, c_1 c_2 x/(k_t N).
 
     Source: Derivative of the balance (theory, sections 5 and 12).
@@ -157,7 +157,7 @@ def force_elasticity_in_control_force(
     control_force: ControlForce,
     tangent_stiffness: TangentStiffness,
     normal_force: NormalForce,
-) -> Annotated[Number, Term("∂ln N/∂ln F_п2", "1")]:
+) -> Annotated[Number, "∂ln N/∂ln F_п2", "1"]:
     """Elasticity of N in the force of the control spring, c_1 F_п2/(k_t N).
 
     Source: Derivative of the balance (theory, sections 5 and 12).

@@ -102,7 +102,7 @@ def spring_work(
 @equation
 def loop_energy(
     spring_work: SpringWork, gain: Gain, net_gain: NetGain, net_gain_returning: NetGainReturning
-) -> Annotated[Number, Term("E", "J")]:
+) -> Annotated[Number, "E", "J"]:
     """Energy that one swing out and back loses at the key, (C/κ − C/κ₊) W.
 
     Source: Theory, section 9: derived (V7): T dφ = (C/κ) dW outwards, (C/κ₊) dW back.
@@ -112,7 +112,7 @@ def loop_energy(
 
 
 @equation
-def damped_share(net_gain: NetGain, net_gain_returning: NetGainReturning) -> Annotated[Number, Term("ψ", "1")]:
+def damped_share(net_gain: NetGain, net_gain_returning: NetGainReturning) -> Annotated[Number, "ψ", "1"]:
     """Share of a swing that the key damps, ψ = 1 − κ/κ₊.
 
     Source: Theory, section 9: derived: loop energy over the work of the way out.
@@ -130,7 +130,7 @@ def torsional_stiffness(
     gain: GainAtSleeve,
     gain_slope: GainSlope,
     ball_torque: SpringBallTorque,
-) -> Annotated[Number, Term("k_T", "N*m/rad")]:
+) -> Annotated[Number, "k_T", "N*m/rad"]:
     """Stiffness of the control unit as a torsion spring, k_T = R [(c_1 + c_2) R − C_1 T_b]/(κ C).
 
     Source: Theory, section 9: d(S/κ)/dφ; of a wall that holds the torque (section 12) it is 0.
@@ -191,7 +191,7 @@ def slip_torque_at_stop(
     net_gain: NetGainOrReturning,
     torque_alone: TorqueAlone,
     torque_share: TorqueShare,
-) -> Annotated[Number, Term("T_f", "N*m")]:
+) -> Annotated[Number, "T_f", "N*m"]:
     """Torque of the slipping pack with the sleeve at its stop, T_f = zf R N, N of T_b = T_b0 + j T_f.
 
     Source: Theory, section 9: derived from ``normal_force_at_stop`` and ``drive.sticking_torque``; solved for T_f.
@@ -204,7 +204,7 @@ def slip_torque_at_stop(
 @equation
 def centrifugal_moment(
     mass: SleeveMass, mean_radius: MeanRadius, gain: GainAtSleeve, gain_slope: GainSlope, travel_rate: TravelRate
-) -> Annotated[Number, Term("M_m", "N*m")]:
+) -> Annotated[Number, "M_m", "N*m"]:
     """Moment that a steepening wall takes from a moving sleeve, M_m = m R C_1 x'²/C, beside S.
 
     Source: Theory, section 9: x'' = (R φ'' − C_1 x'²)/C, from C x' = R φ' with C = C_0 + C_1 x.

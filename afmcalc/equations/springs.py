@@ -20,7 +20,7 @@ def disc_factor_load(diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, 
 @equation
 def disc_factor_membrane(
     diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, pi: Pi
-) -> Annotated[Number, Term("K_2", "1")]:
+) -> Annotated[Number, "K_2", "1"]:
     """Factor of the stress by turning inside out, K_2 = (6/π)[(δ − 1)/ln δ − 1]/ln δ.
 
     Source: DIN EN 16984 (Almen & László 1936); theory of the drive, section 11.
@@ -32,7 +32,7 @@ def disc_factor_membrane(
 @equation
 def disc_factor_bending(
     diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, pi: Pi
-) -> Annotated[Number, Term("K_3", "1")]:
+) -> Annotated[Number, "K_3", "1"]:
     """Factor of the stress by bending, K_3 = (3/π)(δ − 1)/ln δ.
 
     Source: DIN EN 16984 (Almen & László 1936); theory of the drive, section 11.
@@ -87,7 +87,7 @@ def disc_stiffness(
     thickness: DiscThickness,
     cone_height: ConeHeight,
     deflection: DiscDeflection,
-) -> Annotated[Number, Term("k", "N/m")]:
+) -> Annotated[Number, "k", "N/m"]:
     """Stiffness of a disc spring, 4E/(1 − ν²) t K_4²/(K_1 D_e²) [K_4² (h_0² − 3 h_0 s + 3 s²/2) + t²].
 
     Source: DIN EN 16984 (Almen & László 1936), derivative of the force; theory of the drive, section 11.
@@ -110,7 +110,7 @@ def disc_stress(
     deflection: DiscDeflection,
     membrane: MembraneFactor,
     bending: BendingFactor,
-) -> Annotated[Number, Term("σ", "Pa", "tension positive")]:
+) -> Annotated[Number, "σ", "Pa", "tension positive"]:
     """Stress of a disc spring at an edge, −4E/(1 − ν²) s K_4/(K_1 D_e²) [K_4 K_m (h_0 − s/2) + K_b t].
 
     Source: DIN EN 16984 (Almen & László 1936); theory of the drive, section 11.
@@ -134,7 +134,7 @@ def stack_length(
 @equation
 def stack_force_with_friction(
     force: StackForce, parallel: ParallelDiscs, surface_friction: SurfaceFriction, edge_friction: EdgeFriction
-) -> Annotated[Number, Term("F_R", "N")]:
+) -> Annotated[Number, "F_R", "N"]:
     """Force of a stack that friction holds, n F/[1 − w_M (n − 1) − w_R]; on the way back both signs are the other.
 
     Source: DIN EN 16984; theory of the drive, section 11.
@@ -158,7 +158,7 @@ def ring_mass(
 @equation
 def coil_stiffness(
     shear_modulus: ShearModulus, wire_diameter: WireDiameter, coil_diameter: CoilDiameter, turns: CoilTurns
-) -> Annotated[Number, Term("R", "N/m")]:
+) -> Annotated[Number, "R", "N/m"]:
     """Stiffness of a coil spring, G d⁴/(8 D³ n).
 
     Source: EN 13906-1; theory of the drive, section 11.
@@ -191,7 +191,7 @@ def coil_stress(
 
 
 @equation
-def coil_solid_length(wire_diameter: LargestWireDiameter, turns: CoilTurns) -> Annotated[Number, Term("L_c", "m")]:
+def coil_solid_length(wire_diameter: LargestWireDiameter, turns: CoilTurns) -> Annotated[Number, "L_c", "m"]:
     """Length of a coil spring pressed solid, (n + 2) d.
 
     Source: EN 13906-1, ends closed and ground; theory of the drive, section 11.
@@ -203,7 +203,7 @@ def coil_solid_length(wire_diameter: LargestWireDiameter, turns: CoilTurns) -> A
 @equation
 def coil_least_gap(
     wire_diameter: WireDiameter, coil_diameter: CoilDiameter, turns: CoilTurns
-) -> Annotated[Number, Term("S_a", "m")]:
+) -> Annotated[Number, "S_a", "m"]:
     """Gaps that must stay between the turns, together, S_a = n (0.0015 D²/d + 0.1 d).
 
     Source: EN 13906-1, cold coiled, static; theory of the drive, section 11.
@@ -237,7 +237,7 @@ def coil_endurance(amplitude: EnduredAmplitude, mean: EnduredMean, ultimate: She
 @equation
 def coil_upper_stress(
     lower_stress: LowerStress, endurance: EnduredStress, ultimate: ShearStrength
-) -> Annotated[Number, Term("τ_O", "Pa")]:
+) -> Annotated[Number, "τ_O", "Pa"]:
     """Upper shear stress a wire bears for ever, τ_O = [2 S_se S_su + τ_U (S_su − S_se)]/(S_su + S_se).
 
     Source: Shigley, sec. 10-9 (Goodman: τ_a/S_se + τ_m/S_su = 1); stresses with k_τ, as EN 13906-1 has them.
@@ -262,7 +262,7 @@ def coil_buckling_root(
 @equation
 def coil_buckling_deflection(
     free_length: FreeLength, modulus_ratio: ModulusRatio, root: BucklingRoot
-) -> Annotated[Number, Term("s_K", "m")]:
+) -> Annotated[Number, "s_K", "m"]:
     """Deflection at which a coil spring without guide buckles, s_K = L_0 (1 − √q)/[2 (1 − G/E)].
 
     Source: EN 13906-1 (Haringx 1948); theory of the drive, section 11.

@@ -60,7 +60,7 @@ def pocket_depth_from_travel(
     cos_wall_angle: CosWallAngle,
     travel: Travel,
     edge_clearance: EdgeClearance,
-) -> Annotated[Number, Term("h_2", "m")]:
+) -> Annotated[Number, "h_2", "m"]:
     """Pocket depth from the travel, h_2 = r_ш cos α cot α + x_max/2 + y; equal to h_1.
 
     Source: S21 (22), (21).
@@ -70,7 +70,7 @@ def pocket_depth_from_travel(
 
 
 @equation
-def pocket_depth_cut(ball_radius: BallRadius, face_gap: FaceGap) -> Annotated[Number, Term("h_c", "m")]:
+def pocket_depth_cut(ball_radius: BallRadius, face_gap: FaceGap) -> Annotated[Number, "h_c", "m"]:
     """Depth to cut a pocket to, h_c = r_ш − s/2: the lowest point of the ball below the face.
 
     Source: Geometry of S21 (20): the ball's centre lies s/2 above the face.
@@ -100,7 +100,7 @@ def ball_pitch(ball_circle_radius: BallCircleRadius, sin_half_pitch: SinHalfPitc
 
 
 @equation
-def web(ball_pitch: BallPitch, pocket_width: PocketWidth) -> Annotated[Number, Term("e", "m")]:
+def web(ball_pitch: BallPitch, pocket_width: PocketWidth) -> Annotated[Number, "e", "m"]:
     """Web that is left between neighbouring pockets at the face, e = t_ш − b.
 
     Source: Geometry: chord of the ball circle.
@@ -128,7 +128,7 @@ def least_contact_force_cubic(
     denominator_constant: DenominatorConstant,
     denominator_slope: DenominatorSlope,
     radius_ratio: RadiusRatio,
-) -> Annotated[Number, Term("k", "1", "coefficients of q²C(a + bC)(a' + b'C) − (a b' − a' b)(1 + q²C²)")]:
+) -> Annotated[Number, "k", "1", "coefficients of q²C(a + bC)(a' + b'C) − (a b' − a' b)(1 + q²C²)"]:
     """Coefficients, highest power first, of the cubic in C whose root makes the contact force least.
 
     Source: Derivative of F_n ∝ (a + b C)·√(1 + q²C²)/(a' + b' C), q = r/R (theory, section 5).
@@ -171,7 +171,7 @@ def hertz_allowable_force(
 @equation
 def hertz_pressure(
     allowable_pressure: AllowablePressure, force: ContactForce, allowable_force: AllowableForce
-) -> Annotated[Number, Term("p_0", "Pa")]:
+) -> Annotated[Number, "p_0", "Pa"]:
     """Largest contact pressure under a force, p_0 = p_0,allow (F_n/F_n,allow)^{1/3}.
 
     Source: Johnson, Contact Mechanics (1985), (4.24), (4.30): p_0³ grows as the force, whatever the curvatures.
@@ -198,12 +198,10 @@ def gain_for_accuracy_factor(
     >>> gain_for_accuracy_factor(0, 8, 2.0, 0.125, 0.125, 0.5, 0.5)
     0.5
     """
-    ordinary = (bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max) / (
-        bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min
-    )
-    return (ordinary - accuracy_factor) / (
-        controlled_pairs * (accuracy_factor * friction_driven_max - ordinary * friction_driven_min)
-    )
+    largest = bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_max
+    ordinary = largest / (bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min)
+    fall = accuracy_factor * friction_driven_max - ordinary * friction_driven_min
+    return (ordinary - accuracy_factor) / (controlled_pairs * fall)
 
 
 @equation
@@ -272,11 +270,8 @@ def mean_radius_for_torque(
     Source: F11 (12) solved for R.
     Validity: C given as such, not by a wall angle (C would follow R).
     """
-    return (
-        torque
-        * (1 + gain * controlled_pairs * friction_driven)
-        / (closing_force * (bypass_pairs * friction_driving + controlled_pairs * friction_driven))
-    )
+    carried = bypass_pairs * friction_driving + controlled_pairs * friction_driven
+    return torque * (1 + gain * controlled_pairs * friction_driven) / (closing_force * carried)
 
 
 @equation
@@ -323,7 +318,7 @@ def net_loop_gain_for_accuracy_factor(
     closing_stiffness: ClosingStiffness,
     control_stiffness: ControlStiffness,
     accuracy_factor: WantedAccuracyFactor,
-) -> Annotated[Number, Term("zκ", "1")]:
+) -> Annotated[Number, "zκ", "1"]:
     """Net loop gain of the indirect clutch for a wanted K_т, zκ = a, the positive root of a quadratic.
 
     With s = c_1 + c_2: f_max (s + c_1 f_set a)(1 + f_min a) = K_т f_min (1 + f_set a)(s + c_1 f_max a).
@@ -393,7 +388,7 @@ def stiffness_ratio_for_accuracy_factor(
     pairs: Pairs,
     net_gain: NetGain,
     accuracy_factor: WantedAccuracyFactor,
-) -> Annotated[Number, Term("c_2/c_1", "1")]:
+) -> Annotated[Number, "c_2/c_1", "1"]:
     """Stiffness ratio of the indirect clutch for a wanted K_т, by which either spring follows from the other.
 
     With a = zκ, w = K_т f_min (1 + f_set a), v = 1 + f_min a: 1 + c_2/c_1 = f_max a (w − f_set v)/(f_max v − w).

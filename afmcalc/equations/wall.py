@@ -48,7 +48,7 @@ def path(tan_wall_angle: TanAngleAtStop, path_steepening: PathSteepening, path_d
 @equation
 def wall_axial(
     path_depth: PathDepth, ball_radius: BallRadius, sin_wall_angle: SinAngleAtBall
-) -> Annotated[Number, Term("ξ_w", "m")]:
+) -> Annotated[Number, "ξ_w", "m"]:
     """Place of the contact along the axis, ξ − r_ш sin α.
 
     Source: Theory, section 12: the wall is r_ш off the path of the ball's centre.
@@ -60,7 +60,7 @@ def wall_axial(
 @equation
 def wall_around(
     path: PathPlace, ball_radius: BallRadius, cos_wall_angle: CosAngleAtBall
-) -> Annotated[Number, Term("Y_w", "m")]:
+) -> Annotated[Number, "Y_w", "m"]:
     """Place of the contact around the circle, Y + r_ш cos α.
 
     Source: Theory, section 12: the wall is r_ш off the path of the ball's centre.
@@ -72,7 +72,7 @@ def wall_around(
 @equation
 def contact_depth(
     ball_radius: BallRadius, sin_wall_angle: SinAngleAtBall, path_depth: PathDepth, face_gap: FaceGap
-) -> Annotated[Number, Term("h_w", "m")]:
+) -> Annotated[Number, "h_w", "m"]:
     """Depth of the contact below the face, r_ш sin α − ξ − s/2.
 
     Source: S21 (23) with the angle where the ball is (theory, section 12); at the stop its centre is s/2 off the face.
@@ -97,7 +97,7 @@ def seat_force(
     sin_sum_of_angles: SinSumOfAngles,
     sin_wall_angle: SinSeatAngle,
     cos_wall_angle: CosSeatAngle,
-) -> Annotated[Number, Term("F_s", "N")]:
+) -> Annotated[Number, "F_s", "N"]:
     """Force of the wall that seats the ball in the other sleeve, F_s = F_n sin(α + α_0)/sin 2α_0.
 
     Source: Theory, section 12, with the balance of the ball: pushed at the angle α, borne by the seat's walls at α_0.
@@ -117,9 +117,7 @@ def hertz_curvature_ratio(path_radius: PathRadius, ball_radius: BallRadius) -> C
 
 
 @equation
-def hertz_relative_radius(
-    ball_radius: BallRadius, curvature_ratio: CurvatureRatio
-) -> Annotated[Number, Term("R_e", "m")]:
+def hertz_relative_radius(ball_radius: BallRadius, curvature_ratio: CurvatureRatio) -> Annotated[Number, "R_e", "m"]:
     """Relative radius of curvature of the contact, R_e = 1/(2√(A B)) = r_ш/√(A/B).
 
     Source: Johnson, Contact Mechanics (1985), (4.5).
@@ -141,7 +139,7 @@ def hertz_axes(axis_ratio: AxisRatio, integral_b: IntegralB, integral_d: Integra
 @equation
 def hertz_ellipse_factor(
     axis_ratio: AxisRatio, integral_b: IntegralB, integral_d: IntegralD, pi: Pi
-) -> Annotated[Number, Term("φ", "1")]:
+) -> Annotated[Number, "φ", "1"]:
     """How much an elliptic contact is larger than a circular one of equal R_e, φ = (4/π) √(k 𝐁 𝐃).
 
     Source: Johnson, Contact Mechanics (1985), (4.27): (a b)^{3/2} = 3 F R_e φ/(4 E_c).

@@ -6,7 +6,7 @@ from typing import get_type_hints
 from afmcalc.equations import terms
 from afmcalc.equations.catalogue import equations
 
-TERMS = {name: hint.__metadata__[0] for name, hint in vars(terms).items() if hasattr(hint, "__metadata__")}
+TERMS = {name: hint.__metadata__ for name, hint in vars(terms).items() if hasattr(hint, "__metadata__")}
 
 
 def test_no_quantity_has_two_names():
@@ -15,7 +15,7 @@ def test_no_quantity_has_two_names():
 
 def test_every_term_is_named_in_a_signature():
     named = {
-        hint.__metadata__[0]
+        hint.__metadata__
         for equation in equations().values()
         for hint in get_type_hints(equation.function, include_extras=True).values()
     }
