@@ -269,7 +269,7 @@ def _cams(clutch: Clutch) -> Bracket:
         return Bracket((), (stay,))
     loading = law.tan_wall_angle_loading(tangent, unit.wall_friction) / over
     unloading = law.tan_wall_angle_unloading(tangent, unit.wall_friction) / over
-    least = float(clutch.least_gain)
+    least = float(clutch.gain_threshold)
     locks = finding("cams-lock", "warning", value=loading, limit=least, path=path)
     curves = _with_gain(clutch, loading).torque, _with_gain(clutch, unloading).torque
     return Bracket(curves, (locks,) if loading <= least else ())
@@ -313,7 +313,7 @@ def _springs_held(clutch: Clutch) -> Clutch:
 
 def _with_gain(clutch: Clutch, gain: float) -> Clutch:
     """The clutch with another gain; where the key takes all of it, with as much as the key takes."""
-    return replace(_springs_held(clutch), gain=max(gain, float(clutch.least_gain)))
+    return replace(_springs_held(clutch), gain=max(gain, float(clutch.gain_threshold)))
 
 
 def with_pairs(clutch: Clutch, bypass: Values, controlled: Values) -> Clutch:

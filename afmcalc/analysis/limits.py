@@ -94,7 +94,7 @@ def _of_clutch(clutch: Clutch) -> Iterator[_Limit]:
     if rule is not None and limit is not None:
         value, bound = rule.stated(gain, clutch.reduced_gain, limit)
         yield _Limit(rule.code, rule.quantity, rule.symbol, "1", float(value), float(bound))
-    if least := float(clutch.least_gain):
+    if least := float(clutch.gain_threshold):
         name = term("gain against key friction")
         yield _Limit("feedback-idle", name, "C ≥ 2R f_1/d", "1", gain, least, least=True)
     lowest, nominal = float(clutch.torque_min), float(clutch.nominal_torque)

@@ -84,7 +84,7 @@ class Load(NamedTuple):
 
 def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
     """Return the load of a clutch from f_min, or from the mean, to f_max; f_1 and f_2 move together."""
-    extremes = clutch.torque_range_from("mean") if from_mean else clutch.torque_range
+    (least, *at_least), (most, *at_most) = clutch.extreme_torques("mean" if from_mean else "min")
     first, start = clutch.friction[0], clutch.path_bend if from_mean else 0.0
 
     def torque(share: Values) -> Values:
@@ -95,11 +95,11 @@ def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
         return clutch.torque(*at)
 
     if clutch.sleeve is None:
-        return Load(torque, extremes.low, extremes.high, (clutch.path_bend,))
+        return Load(torque, least, most, (clutch.path_bend,))
     low = first.mean if from_mean else first.min
-    places = clutch.sleeve.leaving_friction, extremes.at_low, extremes.at_high
+    places = clutch.sleeve.leaving_friction, at_least[0], at_most[0]
     kinks = tuple((at - low) / larger(first.max - low, 1e-300) for at in places)
-    return Load(torque, extremes.low, extremes.high, kinks)
+    return Load(torque, least, most, kinks)
 
 
 def dynamic_factor(clutch: Clutch, event: Callable[[], SimulateResult] | None = None) -> float:

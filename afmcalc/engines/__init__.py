@@ -4,7 +4,6 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..spec import Spec, make_spec
-from ..variants import Law
 from .protocol import Clutch
 
 __all__ = ["Clutch", "build"]
@@ -18,15 +17,11 @@ def build(spec: Spec | Mapping[str, Any]) -> Clutch:
     """
     if not isinstance(spec, Spec):
         spec = make_spec(spec)
-    return _engine(spec.kind.law).from_spec(spec)
-
-
-def _engine(law: Law) -> type[Clutch]:
-    """Return the engine of a law, and spare the start-up the other's."""
-    if law == "direct":
+    # each spares the start-up the other
+    if spec.kind.law == "direct":
         from .direct import DirectClutch
 
-        return DirectClutch
+        return DirectClutch.from_spec(spec)
     from .indirect import IndirectClutch
 
-    return IndirectClutch
+    return IndirectClutch.from_spec(spec)

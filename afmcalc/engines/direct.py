@@ -1,5 +1,6 @@
 """Engine of direct regulation: one law, the variants are pair counts."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal
 
@@ -107,25 +108,17 @@ class DirectClutch(Clutch):
         """T_2 ∝ 1/(1 + z_2 f_2 C)."""
         return ByGain((1.0, 0.0), (1.0, float(self.reduced_gain / self.gain) * self.friction[1].max), 0.0)
 
-    def _law_findings(self) -> list[Finding]:
+    def _law_findings(self) -> Iterator[Finding]:
         """Gain limits, idle feedback, a torque that falls with friction."""
-        return [*self._gain_findings(), *(self._path_findings() if self.spec.friction.unlike else ())]
-
-    def _gain_findings(self) -> list[Finding]:
-        path = parameters.gain_path(self.spec)
-        if self.spec.kind.controlled and self.gain == 0:
-            return [finding("feedback-idle", "warning", value=0.0, limit=0.0, path=path)]
+        path, largest = parameters.gain_path(self.spec), [group.max for group in self.friction]
         rule, limit = self.spec.kind.gain_limit, self.gain_limit
-        if rule is None or limit is None or self.gain <= limit * (1 + 1e-9):
-            return []
-        value, bound = map(float, rule.stated(self.gain, self.reduced_gain, limit))
-        most = [group.max for group in self.friction]
-        peak, sustained = self.breakaway_torque(*most), self.torque(*most)
-        return [finding(rule.code, "warning", value=value, limit=bound, path=path, peak=peak, sustained=sustained)]
-
-    def _path_findings(self) -> list[Finding]:
-        most, at = float(self.torque_range.high), float(self.torque_range.at_high)
-        factor = float(self.torque(*(group.max for group in self.friction))) / most
-        if factor >= 1:
-            return []
-        return [finding("torque-falls", "info", value=factor, limit=1.0, most=most, at=at)]
+        if self.spec.kind.controlled and self.gain == 0:
+            yield finding("feedback-idle", "warning", value=0.0, limit=0.0, path=path)
+        elif rule is not None and limit is not None and self.gain > limit * (1 + 1e-9):
+            value, bound = map(float, rule.stated(self.gain, self.reduced_gain, limit))
+            torques = {"peak": self.breakaway_torque(*largest), "sustained": self.torque(*largest)}
+            yield finding(rule.code, "warning", value=value, limit=bound, path=path, **torques)
+        if self.spec.friction.unlike:
+            most, at = float(self.torque_range.high), float(self.torque_range.at_high)
+            if (factor := float(self.torque(*largest)) / most) < 1:
+                yield finding("torque-falls", "info", value=factor, limit=1.0, most=most, at=at)

@@ -1,6 +1,7 @@
 """Engine of indirect regulation: a thrust sleeve between two springs, friction at its key (S21)."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Literal
@@ -133,11 +134,6 @@ class IndirectClutch(Clutch):
     def gain_threshold(self) -> Values:
         """2 R f_1/d: the gain at which feedback begins."""
         return indirect.gain_threshold(self.mean_radius, self.key_friction, self.hub_diameter)
-
-    @property
-    def least_gain(self) -> Values:
-        """Gain at which feedback begins."""
-        return self.gain_threshold
 
     def gain_at(self, travel: Values) -> Values:
         """C at a travel of the sleeve."""
@@ -506,42 +502,40 @@ class IndirectClutch(Clutch):
 
     # findings
 
-    def _law_findings(self) -> list[Finding]:
+    def _law_findings(self) -> Iterator[Finding]:
         """Findings on curved springs, idle feedback, the key's hysteresis, and a pocket in which the torque falls."""
-        found = []
         if self.curved:
             path = "control_spring.disc" if self.closing_disc is None else "closing_spring.disc"
-            found.append(finding("curved-springs", "info", path=path))
+            yield finding("curved-springs", "info", path=path)
         if self.net_gain == 0:
             path, gain, threshold = parameters.gain_path(self.spec), float(self.gain), float(self.gain_threshold)
-            return [*found, finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)]
-        return [*found, *self._slope_findings(), *(self._key_findings() if self.key_friction else [])]
+            yield finding("feedback-idle/key", "warning", value=gain, limit=threshold, path=path)
+            return
+        yield from self._slope_findings()
+        if self.key_friction:
+            yield from self._key_findings()
 
-    def _slope_findings(self) -> list[Finding]:
+    def _slope_findings(self) -> Iterator[Finding]:
         """Finding where C_1 exceeds C_1*: a load that reaches T_н makes the sleeve run off, and the torque falls."""
-        slope, most = float(self.gain_slope), self.friction[0].max
-        if slope == 0 or not 0 < self.leaving_friction < most:
-            return []
+        slope, friction = float(self.gain_slope), self.friction[0].max
+        if slope == 0 or not 0 < self.leaving_friction < friction:
+            return
         best, jumping = float(self.constant_torque_slope), float(self.jumping_slope)
-        if slope <= best * (1 + 1e-9):
-            return []
-        code = "torque-jumps" if slope > jumping else "torque-falls-with-travel"
-        path, falls = "control_unit.gain_slope", float(self.torque(most))
-        most = float(self.torque(float(self.leaving_friction)))
-        return [finding(code, "warning", value=slope, limit=best, path=path, most=most, falls=falls, jumping=jumping)]
+        if slope > best * (1 + 1e-9):
+            code = "torque-jumps" if slope > jumping else "torque-falls-with-travel"
+            torques = {"most": float(self.torque(float(self.leaving_friction))), "falls": float(self.torque(friction))}
+            path = "control_unit.gain_slope"
+            yield finding(code, "warning", value=slope, limit=best, path=path, jumping=jumping, **torques)
 
-    def _key_findings(self) -> list[Finding]:
+    def _key_findings(self) -> Iterator[Finding]:
         """Findings on the hysteresis by the key; a warning where the torque may fall below that of the machine."""
         returning, nominal, machine = map(float, (self.torque_returning_min, self.nominal_torque, self.machine_torque))
         key = "control_unit.key_friction"
-        found = [finding("hysteresis", "info", value=float(self.hysteresis_ratio), limit=1.0, path=key)]
+        yield finding("hysteresis", "info", value=float(self.hysteresis_ratio), limit=1.0, path=key)
         if returning < machine * (1 - 1e-12):
-            found.append(finding("returning-below-nominal", "warning", value=returning, limit=nominal, path=key))
+            yield finding("returning-below-nominal", "warning", value=returning, limit=nominal, path=key)
         elif returning < nominal * (1 - 1e-12):
-            found.append(
-                finding("returning-covered", "info", value=returning, limit=nominal, path=key, machine=machine)
-            )
-        return found
+            yield finding("returning-covered", "info", value=returning, limit=nominal, path=key, machine=machine)
 
 
 def _where_least(value: Values, other: Values) -> float:

@@ -1,6 +1,6 @@
 """Parameters of a torque law from the keys of a spec: mean radius, feedback gain, friction and force as set."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from ..arrays import Values, tangent
@@ -86,7 +86,7 @@ def closing_force(spec: Spec, torque_per_force: Callable[[], Any]) -> Any:
     return adjustment.closing_force(spec.adjustment.nominal_torque, margin(spec), torque_per_force())
 
 
-def setting_findings(spec: Spec, nominal: float, lowest: float) -> list[Finding]:
+def setting_findings(spec: Spec, nominal: float, lowest: float) -> Iterator[Finding]:
     """Materials echoed with their source; the wished nominal torque missed, or not reached at an end of the range.
 
     Args:
@@ -94,17 +94,16 @@ def setting_findings(spec: Spec, nominal: float, lowest: float) -> list[Finding]
         nominal: T_н that the spring as set gives, N·m.
         lowest: smaller of the torques at f_min and f_max, N·m.
     """
-    found, wished = [], spec.adjustment.nominal_torque
+    wished = spec.adjustment.nominal_torque
     for path, name in spec.friction.materials.items():
         from ..spec.catalogues import friction_materials
 
         entry = friction_materials()[name]
         ends = {"low": entry.friction_min, "high": entry.friction_max}
-        found.append(finding("material", "info", path=path, name=name, source=entry.source, **ends))
+        yield finding("material", "info", path=path, name=name, source=entry.source, **ends)
     if wished is not None and abs(nominal - wished) > 1e-4 * wished:
         path = "adjustment.nominal_torque"
-        found.append(finding("nominal-torque-missed", "warning", value=nominal, limit=wished, path=path))
+        yield finding("nominal-torque-missed", "warning", value=nominal, limit=wished, path=path)
     if lowest < nominal * (1 - 1e-12):
         path = "adjustment.method"
-        found.append(finding("below-nominal-torque", "warning", value=lowest, limit=nominal, path=path))
-    return found
+        yield finding("below-nominal-torque", "warning", value=lowest, limit=nominal, path=path)

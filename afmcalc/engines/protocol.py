@@ -2,7 +2,7 @@
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
@@ -149,7 +149,7 @@ class Clutch(ABC):
         return direct.reduced_gain(self.controlled_pairs, self.gain)
 
     @property
-    def least_gain(self) -> Values:
+    def gain_threshold(self) -> Values:
         """Gain at which feedback begins."""
         return 0.0
 
@@ -222,16 +222,12 @@ class Clutch(ABC):
     @cached_property
     def torque_range(self) -> TorqueRange:
         """Extremes of the sustained torque along the common path."""
-        return self.torque_range_from("min")
-
-    def torque_range_from(self, start: Literal["min", "mean"]) -> TorqueRange:
-        """Extremes of the sustained torque along the common path, from its start or from the mean on."""
-        low, high = self.extreme_torques(start)
+        low, high = self.extreme_torques()
         return TorqueRange(low[0], high[0], low[1], high[1])
 
     @abstractmethod
     def extreme_torques(self, start: Literal["min", "mean"] = "min") -> tuple[TorqueAt, TorqueAt]:
-        """Points of the smallest and of the largest torque along the common path."""
+        """Points of the smallest and of the largest torque along the common path, from its start or its mean on."""
 
     @property
     def torque_max(self) -> Values:
@@ -283,7 +279,7 @@ class Clutch(ABC):
             return found
 
     @abstractmethod
-    def _law_findings(self) -> list[Finding]:
+    def _law_findings(self) -> Iterable[Finding]:
         """Findings on the limits of the law."""
 
     def spring_demands(self, travel: float = 0.0) -> "list[SpringDemand]":

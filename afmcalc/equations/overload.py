@@ -95,8 +95,8 @@ def actuation_factor(
     Source: S22 (14), (15) mended (M11), (21) with β_н = 1, (23).
     Validity: As published: rests on T_ср = T_п − ΔT', which the paper's own (12) contradicts (M12).
     """
-    at_min = margin * (1 + loop_gain_min)
-    return (loop_gain * at_min + (1 - loop_gain * loop_gain) * friction_min / friction) / at_min
+    risen = margin * loop_gain * (1 + loop_gain_min) + (1 - loop_gain * loop_gain) * friction_min / friction
+    return risen / (margin * (1 + loop_gain_min))
 
 
 @equation

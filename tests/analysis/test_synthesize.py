@@ -74,7 +74,7 @@ def test_gain_of_least_contact_force(name, overrides):
         unit = spec.control_unit.model_copy(update={"gain": float(gain)})
         return synthesize(build(spec.model_copy(update={"control_unit": unit})))[0].contact_force
 
-    start = build(spec).least_gain
+    start = build(spec).gain_threshold
     scan = np.linspace(start + 1e-3, 3 * least, 200)
     forces = [force(gain) for gain in scan]
     assert scan[int(np.argmin(forces))] == pytest.approx(least, abs=2 * (scan[1] - scan[0]))
@@ -91,7 +91,7 @@ def test_gain_of_least_contact_force_is_stationary(spec):
         unit = spec.control_unit.model_copy(update={"gain": gain})
         return synthesize(build(spec.model_copy(update={"control_unit": unit})))[0].contact_force
 
-    assume(least * (1 - 1e-3) > clutch.least_gain)
+    assume(least * (1 - 1e-3) > clutch.gain_threshold)
     assert force(least) <= min(force(least * 0.999), force(least * 1.001)) * (1 + 1e-9)
 
 

@@ -64,7 +64,7 @@ def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
     low, low_taken = max(about.limits[0], 0.0), about.gt is None
     ends = [(math.inf, "")]
     if name == "C":
-        low = float(clutch.least_gain)
+        low = float(clutch.gain_threshold)
     if name == "z":
         low = float(spec.least_pairs)
     if name == "z1":
@@ -107,9 +107,9 @@ def _gain_limit(clutch: Clutch, limit: GainLimit, name: str) -> float:
 
 def _threshold_radius(clutch: Clutch) -> float:
     """Largest R with 2 R f_1/d up to C; infinite with a given wall angle, where C grows with R as well."""
-    if not clutch.least_gain or angle_given(clutch.spec):
+    if not clutch.gain_threshold or angle_given(clutch.spec):
         return math.inf
-    end = float(clutch.mean_radius * clutch.gain / clutch.least_gain)
+    end = float(clutch.mean_radius * clutch.gain / clutch.gain_threshold)
     while True:
         try:
             build(with_key(clutch.spec, "friction_group.mean_radius", end))

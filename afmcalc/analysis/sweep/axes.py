@@ -126,7 +126,7 @@ def default_range(key: Key, spec: Spec) -> Floats:
     current, pairs = current_value(spec, key.path), spec.friction_group.pairs
     if key.path == "control_unit.gain":
         clutch = build(spec)
-        limit, start = clutch.gain_limit, float(clutch.least_gain)
+        limit, start = clutch.gain_limit, float(clutch.gain_threshold)
         return np.linspace(start, limit if limit is not None else max(2 * float(clutch.gain), start + 5.0), 26)
     if key.path == "control_unit.gain_slope":
         sleeve = build(spec).sleeve
