@@ -3,10 +3,8 @@
 import io
 import re
 from collections.abc import Callable, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
-from matplotlib.axes import Axes
-from matplotlib.backend_bases import FigureCanvasBase
 from matplotlib.backends.backend_svg import RendererSVG
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
@@ -58,43 +56,17 @@ def _raised(tick: re.Match[str]) -> str:
     return power(10.0 ** int(tick[1]))
 
 
-class _Canvas(FigureCanvasBase):
-    """Lays a figure out with the renderer that draws it."""
-
-    def __init__(self, figure: Figure, renderer: RendererSVG) -> None:
-        super().__init__(figure)
-        self._renderer = renderer
-
-    def get_renderer(self) -> RendererSVG:
-        return self._renderer
-
-
 def svg_of(figure: Figure, shares: Sequence[float]) -> str:
     """Draw a figure whose axes share its height so; without date or version: the text depends on the figure only."""
     figure.dpi = _POINTS
     width, height = figure.get_size_inches() * _POINTS
     text = io.StringIO()
     renderer = _Renderer(width, height, text, image_dpi=_POINTS, metadata={"Date": None, "Creator": None})  # type: ignore[no-untyped-call]
-    _Canvas(figure, renderer)
+    figure.canvas.get_renderer = lambda: renderer  # type: ignore[attr-defined]
     _lay_out(figure, shares, renderer)
     figure.draw(renderer)
     renderer.finalize()  # type: ignore[no-untyped-call]
     return _MARKED.sub(_SPANS, text.getvalue())
-
-
-class _Room(NamedTuple):
-    """What stands round axes on each side, in dots."""
-
-    left: float
-    right: float
-    above: float
-    below: float
-
-
-def _room(axes: Axes, renderer: RendererSVG) -> _Room:
-    inner, around = axes.bbox, axes.get_tightbbox(renderer)
-    assert around is not None
-    return _Room(inner.x0 - around.x0, around.x1 - inner.x1, around.y1 - inner.y1, inner.y0 - around.y0)
 
 
 def _lay_out(figure: Figure, shares: Sequence[float], renderer: RendererSVG) -> None:
@@ -102,13 +74,16 @@ def _lay_out(figure: Figure, shares: Sequence[float], renderer: RendererSVG) -> 
     # measured at their widest: what is placed by a share of the width then stands no further out
     figure.subplots_adjust(left=0, right=1)
     width, height = figure.bbox.size
-    rooms = [_room(axes, renderer) for axes in figure.axes]
-    left = _BESIDE + max(room.left for room in rooms)
-    right = width - _BESIDE - max(room.right for room in rooms)
-    free = height - sum(room.above + room.below + 2 * _BETWEEN for room in rooms)
+    boxes = [(axes.bbox, axes.get_tightbbox(renderer) or axes.bbox) for axes in figure.axes]
+    left = _BESIDE + max(inner.x0 - around.x0 for inner, around in boxes)
+    right = width - _BESIDE - max(around.x1 - inner.x1 for inner, around in boxes)
+    free = height - sum(around.height - inner.height + 2 * _BETWEEN for inner, around in boxes)
+    places = []
     top = height
-    for axes, room, share in zip(figure.axes, rooms, shares, strict=True):
+    for (inner, around), share in zip(boxes, shares, strict=True):
         high = free * share / sum(shares)
-        top -= _BETWEEN + room.above + high
-        axes.set_position((left / width, top / height, (right - left) / width, high / height))
-        top -= room.below + _BETWEEN
+        top -= _BETWEEN + around.y1 - inner.y1 + high
+        places.append((left / width, top / height, (right - left) / width, high / height))
+        top -= inner.y0 - around.y0 + _BETWEEN
+    for axes, place in zip(figure.axes, places, strict=True):
+        axes.set_position(place)

@@ -1,51 +1,13 @@
-"""What may stand in the page as markup: checked MathML, our own drawings, subscripts."""
+"""What may stand in the page as markup: our own drawings, subscripts."""
 
 import re
 from typing import Any
-from xml.etree import ElementTree
 
 from markupsafe import Markup, escape
 
 from ...spec.keys import keys
 from ..plot.paint import COLOURS, GRID, INK, SHADE
 from ..symbols import split
-
-_NAMESPACE = "http://www.w3.org/1998/Math/MathML"
-_ELEMENTS = frozenset(
-    (
-        *("math", "mrow", "mi", "mn", "mo", "ms", "mtext", "mspace", "msup", "msub", "msubsup", "mfrac", "msqrt"),
-        *("mroot", "mover", "munder", "munderover", "mfenced", "mtable", "mtr", "mtd", "mpadded", "mphantom", "mstyle"),
-    )
-)
-_ATTRIBUTES = frozenset(
-    (
-        *("display", "mathvariant", "stretchy", "fence", "separator", "form", "lspace", "rspace", "width", "height"),
-        *("depth", "columnalign", "displaystyle", "scriptlevel", "open", "close", "separators", "linethickness"),
-    )
-)
-
-
-def mathml(text: str) -> Markup:
-    """Take MathML into the page: presentation elements only, nothing that acts or links.
-
-    Raises:
-        ValueError: it is not well formed, or more than presentation MathML.
-    """
-    try:
-        root = ElementTree.fromstring(text)
-    except ElementTree.ParseError as error:
-        raise ValueError(f"no well-formed MathML: {error}") from None
-    for element in root.iter():
-        element.tag = str(element.tag).removeprefix(f"{{{_NAMESPACE}}}")
-        if element.tag not in _ELEMENTS:
-            raise ValueError(f"no presentation MathML: <{element.tag}>")
-        if foreign := set(element.attrib) - _ATTRIBUTES:
-            raise ValueError(f"no presentation MathML: {', '.join(sorted(foreign))} of <{element.tag}>")
-    if root.tag != "math":
-        root_element = ElementTree.Element("math")
-        root_element.append(root)
-        root = root_element
-    return Markup(ElementTree.tostring(root, encoding="unicode"))  # noqa: S704
 
 
 def symbol(text: str) -> Markup:
@@ -82,7 +44,7 @@ def css_string(text: str) -> Markup:
     return Markup(f'"{plain}"')  # noqa: S704
 
 
-_POWER = re.compile(r"(-?[\d.]+)e([+-]\d+)")
+_POWER = re.compile(r"(-?[\d.]+|\(.*\))e([+-]\d+)")
 
 
 def drawing(svg: str, name: str, number: int) -> Markup:

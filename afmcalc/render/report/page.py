@@ -1,6 +1,7 @@
 """From what was calculated of a clutch to the page of its report."""
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from datetime import date
 from functools import cache
@@ -17,12 +18,11 @@ from ...spec import resolved
 from ...spec.keys import keys, unit_at
 from ...spec.models import TitleBlock
 from ..layout import ranked
-from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..units import display, display_unit, worded
 from .chapters import Chapter, chapters
-from .markup import cell, css_string, drawing, mathml, symbol
-from .words import form_spoken, told
+from .markup import cell, css_string, drawing, symbol
+from .words import Form, form_spoken, told
 
 
 @dataclass(frozen=True)
@@ -54,16 +54,6 @@ class _SpecLine(NamedTuple):
     numeric: bool
 
 
-class _Figure(NamedTuple):
-    """A drawing of a chapter."""
-
-    number: int
-    chapter: str
-    """Key of the chapter it belongs to."""
-    sheet: Sheet
-    svg: str
-
-
 @cache
 def _template() -> Template:
     """The page to be filled, in any language: nothing of it is worked out beforehand."""
@@ -80,10 +70,10 @@ def _template() -> Template:
     environment.filters |= {
         "symbol": symbol,
         "cell": cell,
-        "mathml": mathml,
         "display": display,
         "display_unit": display_unit,
         "css": css_string,
+        "term": term,
         "translate": translate,
         "told": worded,
         "three": lambda value: localized(f"{value:.3g}"),
@@ -93,26 +83,32 @@ def _template() -> Template:
 
 def render(subject: Subject) -> str:
     """Write the page; the same subject gives the same text."""
-    dossier = subject.dossier
+    dossier, form = subject.dossier, form_spoken()
     parts = chapters(dossier)
-    figures = _figures(parts)
+    sheets = [(chapter.key, sheet) for chapter in parts for sheet in chapter.sheets]
+    figures = [
+        {"number": number, "chapter": key, "sheet": sheet, "svg": drawing(inline_svg(sheet), sheet.title, number)}
+        for number, (key, sheet) in enumerate(sheets, 1)
+    ]
     name = named(dossier.spec.name) or told("unnamed")
+    empty = {"requirements": not dossier.requirements, "plots": not figures}
+    cited = {source for chapter in parts for source in chapter.sources}
     return _template().render(
         subject=subject,
         told=told,
         name=name,
         running=" · ".join(part for part in (name, subject.title.drawing, subject.title.revision) if part),
-        entries=_entries(subject),
+        entries=_entries(subject, form),
         verdict=verdict(dossier),
         keys=list(_spec_lines(resolved(dossier.spec))),
         chapters=parts,
         figures=figures,
-        sections=_sections(dossier, figures),
+        sections=[name for name in form.sections if name in form.always or not empty.get(name)],
         symbols=_symbols(parts),
-        form=form_spoken(),
+        form=form,
         language=spoken(),
         findings=ranked(dossier.findings),
-        references=_references(parts),
+        references=[(key, text) for key, text in REFERENCES.items() if key in cited],
     )
 
 
@@ -146,39 +142,28 @@ def verdict(dossier: Dossier) -> Verdict:
     return Verdict(grade, told(f"verdict/{required}/{checked}"), limit)
 
 
-def _entries(subject: Subject) -> list[tuple[str, str]]:
-    """Title block: what is given of it, and what every report has."""
-    variant, program = translate(subject.dossier.spec.variant, "value"), f"afmcalc {subject.version}"
-    title = dict(subject.title) | {"date": _dated(subject.title.date), "variant": variant, "program": program}
-    form = form_spoken()
+def _entries(subject: Subject, form: Form) -> list[tuple[str, str]]:
+    """Title block: what is given of it, and what every report has; a date of ISO 8601 as the language writes it."""
+    title = dict(subject.title) | {
+        "variant": translate(subject.dossier.spec.variant, "value"),
+        "program": f"afmcalc {subject.version}",
+    }
+    with suppress(ValueError):
+        title["date"] = date.fromisoformat(title["date"] or "").strftime(translate("%Y-%m-%d", "date"))
     return [(name, title[name]) for name in form.entries if title[name] or name in form.signed]
-
-
-def _dated(given: str | None) -> str | None:
-    """A date of ISO 8601 as the language writes it; any other as it is."""
-    try:
-        return date.fromisoformat(given or "").strftime(translate("%Y-%m-%d", "date"))
-    except ValueError:
-        return given
-
-
-def _sections(dossier: Dossier, figures: list["_Figure"]) -> list[str]:
-    """Sections of the report, in their order."""
-    form = form_spoken()
-    empty = {"requirements": not dossier.requirements, "plots": not figures}
-    return [name for name in form.sections if name in form.always or not empty.get(name)]
 
 
 def _symbols(parts: list[Chapter]) -> list[tuple[str, str]]:
     """Symbols of the formulas, each with what it stands for where it is first told."""
     meanings: dict[str, str] = {}
-    for block in (block for chapter in parts for block in chapter.blocks):
-        for part in block.where:
+    for step in (block.step for chapter in parts for block in chapter.blocks):
+        for part in step.where:
             if part.text:
                 meanings.setdefault(part.symbol, part.text)
         # the heading of its step begins with a capital
-        first = block.name[:1].lower() if block.name[1:2].islower() else block.name[:1]
-        meanings.setdefault(block.symbol, first + block.name[1:])
+        name = translate(step.name)
+        first = name[:1].lower() if name[1:2].islower() else name[:1]
+        meanings.setdefault(step.symbol, first + name[1:])
     return sorted(meanings.items(), key=lambda item: item[0].casefold())
 
 
@@ -213,17 +198,3 @@ def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
         about = message("scatter: {about}", about=translate(key.description).partition(";")[0])
     value = (", " if spoken() == "en" else "; ").join([worded(given["distribution"]), *numbers])
     return _SpecLine(f'{path}."{name}"', symbol, about, value, shown_unit, False)
-
-
-def _figures(parts: list[Chapter]) -> list[_Figure]:
-    """The drawings of all chapters, numbered through."""
-    sheets = [(chapter.key, sheet) for chapter in parts for sheet in chapter.sheets]
-    return [
-        _Figure(number, key, sheet, drawing(inline_svg(sheet), sheet.title, number))
-        for number, (key, sheet) in enumerate(sheets, 1)
-    ]
-
-
-def _references(parts: list[Chapter]) -> list[tuple[str, str]]:
-    cited = {source for chapter in parts for source in chapter.sources}
-    return [(key, text) for key, text in REFERENCES.items() if key in cited]

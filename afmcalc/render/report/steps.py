@@ -4,54 +4,30 @@ import re
 from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
+from xml.etree import ElementTree
 
 from latex2mathml.converter import convert
+from markupsafe import Markup
 
 from ...analysis.explain.derivation import CaseRow, Derivation, Meaning
-from ...messages import localized, spoken, term, translate
+from ...messages import localized, spoken, translate
 from ...units import typeset
 from ..symbols import value_latex
 from ..units import in_numbers, measured
 from .words import told
 
 
-class Explained(NamedTuple):
-    """What a symbol stands for, as a reader is told."""
-
-    symbol: str
-    text: str
-    """In words, with its unit."""
-    by: str
-    """Where it comes from; empty where it is given."""
-    number: int | None
-
-
-class CaseLine(NamedTuple):
-    """One case of a quantity."""
-
-    labels: Sequence[str]
-    numbers: str
-    """MathML."""
-    value: str
-
-
 class Derived(NamedTuple):
     """One quantity as an engineer writes it."""
 
-    number: int
-    first: bool
-    """Whether the formula is shown here; links lead here."""
-    symbol: str
-    name: str
-    source: str
+    step: Derivation
+    """Whose symbols are explained in the language of the user."""
     formula: str
     """MathML, with the numbers where there is but one short line of them; empty where an earlier block has it."""
-    where: Sequence[Explained]
     header: Sequence[str]
     """Of the labels, where a line has several."""
-    lines: Sequence[CaseLine]
-    note: str
-    """What the print has instead."""
+    lines: Sequence[tuple[Sequence[str], str, str]]
+    """Of each case: its labels, the numbers put in as MathML, the value."""
 
 
 _SHORT = 64
@@ -69,20 +45,14 @@ def block_of(step: Derivation, method: str) -> Derived:
     if joined:
         parts += dict.fromkeys((first.numbers, value_latex(measured(first.value, step.unit))))
     lines = [
-        CaseLine(labels, _math(f"{symbol} = {_broken(row.numbers)}"), measured(row.value, step.unit))
+        (labels, _math(f"{symbol} = {_broken(row.numbers)}"), measured(row.value, step.unit))
         for row, *labels in zip(step.rows, *(labels for _, labels in columns), strict=True)
     ]
     return Derived(
-        number=step.number,
-        first=bool(step.formula),
-        symbol=step.symbol,
-        name=translate(step.name),
-        source=translate(step.source).rstrip("."),
+        step=step._replace(where=[meaning._replace(text=_explained(meaning)) for meaning in step.where]),
         formula=_math(" = ".join(parts)) if len(parts) > 1 else "",
-        where=[_explained(meaning) for meaning in step.where],
         header=[told(name) for name, _ in columns] if len(columns) > 1 else [],
         lines=[] if joined else lines,
-        note=told("differs", printed=term(step.differs)) if step.differs else "",
     )
 
 
@@ -102,13 +72,9 @@ def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
     return [""] * len(rows) if set(labels) == {usual} else labels
 
 
-def _explained(meaning: Meaning) -> Explained:
+def _explained(meaning: Meaning) -> str:
     unit = translate(typeset(meaning.unit), "unit")
-    text = ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
-    if meaning.number is None:
-        return Explained(meaning.symbol, text, "", None)
-    by = told("is" if meaning.source else "by", source=meaning.source, number=meaning.number)
-    return Explained(meaning.symbol, text, by, meaning.number)
+    return ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
 
 
 def _size(latex: str) -> int:
@@ -135,24 +101,25 @@ _TIMES = r" \cdot "
 _PARTS = re.compile(r"([{}()\[\]]| [+-] | \\cdot )")
 
 
-def _math(latex: str) -> str:
-    """Set LaTeX in the numbers and units of the user's language."""
-    text = _mathml(latex.replace("{,}", "."))
-    if spoken() == "en":
-        return text
-    text = _NUMERAL.sub(lambda match: f"<mn>{localized(match[1])}</mn>", text)
-    return _UNIT.sub(lambda match: f"{match[1]}<mtext>{translate(match[2], 'unit')}</mtext>", text)
-
-
-_NUMERAL, _UNIT = re.compile("<mn>([^<]*)</mn>"), re.compile("(<mspace [^>]*>)<mtext>([^<]*)</mtext>")
-
-
 @cache
 def _mathml(latex: str) -> str:
     # a prime is raised already, and MathML leaves no room round the name of a function
     latex = _PRIME.sub(r"\\text{′}", _FUNCTION.sub(r"\\,\\\1\\,", latex))
-    return str(convert(latex, display="block"))
+    # read and written anew, for the converter writes entities and leaves < as it is
+    return ElementTree.tostring(ElementTree.fromstring(convert(latex, xmlns="", display="block")), encoding="unicode")
 
 
 _FUNCTION = re.compile(r"\\(sin|cos|tan|ln) ")
 _PRIME = re.compile(r"\^\{\\prime\}(?!_)")
+
+
+def _math(latex: str) -> Markup:
+    """Set LaTeX in the numbers and units of the user's language."""
+    text = _mathml(latex.replace("{,}", "."))
+    if spoken() != "en":
+        text = _NUMERAL.sub(lambda match: f"<mn>{localized(match[1])}</mn>", text)
+        text = _UNIT.sub(lambda match: f"{match[1]}<mtext>{translate(match[2], 'unit')}</mtext>", text)
+    return Markup(text)  # noqa: S704 formulas of ours with numbers put in
+
+
+_NUMERAL, _UNIT = re.compile("<mn>([^<]*)</mn>"), re.compile("(<mspace [^>]*>)<mtext>([^<]*)</mtext>")
