@@ -155,7 +155,7 @@ def _help() -> Iterator[Key]:
     sections = {*help.SECTIONS.values(), *help.APART.values(), help.FILES}
     yield from (("", text) for text in (*help.LABELS, help.OF_HELP, *help.SAID, *help.OURS.values(), *sections))
     yield from (("", target.description) for target in TARGETS.values())
-    yield from (("", about) for _, about in help.plots())
+    yield from (("", about) for _, about in help.names_of("plot"))
 
 
 def _registry() -> Iterator[Key]:

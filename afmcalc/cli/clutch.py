@@ -7,7 +7,7 @@ import typer
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .help import completing, swept
+from .help import completing
 from .options import Common, SpecArgument, with_common
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ SweepOption = Annotated[
     typer.Option(
         "--sweep",
         metavar="NAME[=RANGE]",
-        autocompletion=completing(swept),
+        autocompletion=completing("swept"),
         help="Sweep a spec path or symbol (C, zC, z, z1, R, F, f_min, f_max, c1, c2, beta) over start:stop:count or "
         "v1,v2,...; repeatable: several make a grid.",
     ),

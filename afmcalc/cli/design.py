@@ -6,7 +6,7 @@ import typer
 
 from ..errors import AfmcalcError
 from ..messages import say
-from .help import completing, parameters, targets
+from .help import completing
 from .options import Common, SpecArgument, with_common
 
 
@@ -17,7 +17,7 @@ def solve(
         typer.Argument(
             metavar="TARGET=VALUE",
             help="What is wanted, e.g. accuracy_factor=2 or torque_max='300 Nm'.",
-            autocompletion=completing(targets, "="),
+            autocompletion=completing("target", "="),
         ),
     ],
     spec: SpecArgument = None,
@@ -27,7 +27,7 @@ def solve(
             "--for",
             metavar="NAME",
             help="Parameter to solve for: C, F, z, z1, R, c1, c2, or its key.",
-            autocompletion=completing(parameters),
+            autocompletion=completing("parameter"),
         ),
     ] = "C",
     beyond_limit: Annotated[

@@ -8,6 +8,7 @@ import re
 import string
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from itertools import chain
 from typing import Any, TypeAlias
 
 from typer.core import TyperCommand, TyperGroup
@@ -17,7 +18,7 @@ from ..messages import Text, fitting, told, translate
 Context: TypeAlias = Any
 HelpFormatter: TypeAlias = Any
 """Classes of the parser behind typer; typer has no public name for them."""
-Named: TypeAlias = Iterator[tuple[str, str]]
+Named: TypeAlias = list[tuple[str, str]]
 """Names that can be given, and what each is."""
 
 SECTIONS = {"clutch": "Calculate", "design": "Design", "drive": "Drive and parts", "papers": "Papers"}
@@ -30,103 +31,78 @@ _WIDEST, _LONGEST = 24, 42
 """Columns left of the explanations; of what may stand there in a line of its own."""
 
 
-def parameters() -> Named:
-    """What can be solved for."""
+def names_of(kind: str) -> Named:
+    """Return the names that can be given where a command asks for one of a kind, and what each is."""
+    from ..analysis.registry import ANALYSES, EXPLAINED, PLOTS
+
+    match kind:
+        case "plot":
+            return [(name, translate(plot.about)) for name, plot in PLOTS.items()]
+        case "explained":
+            sections = {name: ANALYSES[name].section for name in EXPLAINED}
+            return [(name, translate(section.title if section else "Checks")) for name, section in sections.items()]
+        case "described":
+            return [(name, "") for name in (*ANALYSES, "requirements")]
+        case "figure":
+            from ..papers.figures import FIGURES
+
+            return [(name, "") for name in FIGURES]
+        case "target":
+            from ..analysis.solve.solve import TARGETS
+
+            return [(name, f"{target.symbols[0]}, {translate(target.description)}") for name, target in TARGETS.items()]
+    from ..spec.keys import ALIASES, keys
+
+    if kind == "path":
+        return [(path, translate(key.description)) for path, key in keys().items()]
+    symbols = {
+        symbol: f"{path}, {translate(keys()[path].description).partition(';')[0]}" for symbol, path in ALIASES.items()
+    }
+    if kind == "swept":
+        return [("zC", translate("reduced gain")), *symbols.items()]
     from ..analysis.solve.solve import PARAMETERS
-    from ..spec.keys import ALIASES
 
-    return ((symbol, _about(ALIASES[symbol])) for symbol in PARAMETERS)
-
-
-def targets() -> Named:
-    """What can be wanted of a solution."""
-    from ..analysis.solve.solve import TARGETS
-
-    return ((name, f"{target.symbols[0]}, {translate(target.description)}") for name, target in TARGETS.items())
+    return [(symbol, symbols[symbol]) for symbol in PARAMETERS]
 
 
-def swept() -> Named:
-    """Symbols of what can be swept."""
-    from ..spec.keys import ALIASES
-
-    yield "zC", translate("reduced gain")
-    yield from ((symbol, _about(path)) for symbol, path in ALIASES.items())
+def completing(kind: str, end: str = "") -> Callable[[str], Named]:
+    """Return what a shell asks for the names of a kind that begin as what is typed; ``end`` is put behind each."""
+    return lambda incomplete: [(name + end, about) for name, about in names_of(kind) if name.startswith(incomplete)]
 
 
-def paths() -> Named:
-    """Keys of a spec."""
-    from ..spec.keys import keys
-
-    return ((path, translate(key.description)) for path, key in keys().items())
-
-
-def plots() -> Named:
-    """Kinds of plots."""
-    from ..analysis.registry import PLOTS
-
-    return ((name, translate(plot.about)) for name, plot in PLOTS.items())
-
-
-def explained() -> Named:
-    """Commands whose calculation can be explained."""
-    from ..analysis.registry import ANALYSES, EXPLAINED
-
-    sections = {name: ANALYSES[name].section for name in EXPLAINED}
-    return ((name, translate(section.title if section else "Checks")) for name, section in sections.items())
-
-
-def described() -> Named:
-    """What there is a schema of."""
-    from ..analysis.registry import ANALYSES
-
-    return ((name, "") for name in (*ANALYSES, "requirements"))
-
-
-def figures() -> Named:
-    """Figures of the papers."""
-    from ..papers.figures import FIGURES
-
-    return ((name, "") for name in FIGURES)
-
-
-def _about(path: str) -> str:
-    from ..spec.keys import keys
-
-    return f"{path}, {translate(keys()[path].description).partition(';')[0]}"
-
-
-def completing(names: Callable[[], Named], end: str = "") -> Callable[[str], list[tuple[str, str]]]:
-    """Return what a shell asks for the names that begin as what is typed does; ``end`` is put behind each."""
-
-    def begun(incomplete: str) -> list[tuple[str, str]]:
-        return [(name + end, about) for name, about in names() if name.startswith(incomplete)]
-
-    return begun
-
-
-_NAMES: dict[str, list[tuple[str, Callable[[], Named]]]] = {
-    "solve": [("NAME", parameters), ("TARGET", targets)],
-    "plot": [("WHAT", plots)],
-    "explain": [("COMMAND", explained)],
+_LISTED = {
+    "solve": {"NAME": "parameter", "TARGET": "target"},
+    "plot": {"WHAT": "plot"},
+    "explain": {"COMMAND": "explained"},
 }
-"""Command → what its help lists beside what can be swept."""
+"""Command → heading in its help → kind of names listed there, beside what can be swept."""
 
 
-class Command(TyperCommand):
-    """A command whose help keeps its examples whole and lists the names that can be given."""
+class _Help:
+    """What the help of a command and that of the program have in common; a base before the class of typer."""
 
     def get_help(self, ctx: Context) -> str:
-        """Return the help as standard output shows it."""
-        return _fitting(super().get_help(ctx))
+        """Return the help in letters of standard output: typer would write those that its encoding lacks."""
+        shown: str = super().get_help(ctx)  # type: ignore[misc]
+        return fitting(shown, getattr(sys.stdout, "encoding", None) or "utf-8")
 
     def format_usage(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write the usage: options, then every argument once."""
-        arguments = (_usage(argument) for argument in self.params if argument.param_type_name == "argument")
-        _write_usage(["[OPTIONS]", *arguments], ctx, formatter)
+        pieces = [piece.strip("{}") for piece in self.collect_usage_pieces(ctx)]  # type: ignore[attr-defined]
+        formatter.write_usage(ctx.command_path, _labelled(" ".join(pieces)), told("Usage: "))
 
     def format_help_text(self, ctx: Context, formatter: HelpFormatter) -> None:
-        """Write what the command does, and its examples."""
-        _write_help(self.help, formatter)
+        """Write what it does, and its examples, broken such that they can be copied."""
+        for paragraph in map(translate, paragraphs(ctx.command.help)):
+            mark, *lines = paragraph.split("\n")
+            broken = chain(*(example_lines(line, formatter.width - 2) for line in lines))
+            formatter.write_paragraph()
+            with formatter.indentation():
+                formatter.write_text("\n".join([mark, *broken]))
+
+
+class Command(_Help, TyperCommand):
+    """A command whose help lists the names that can be given."""
 
     def format_options(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write arguments and options."""
@@ -139,33 +115,21 @@ class Command(TyperCommand):
 
     def format_epilog(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write the names that can be given."""
-        lists = _NAMES.get(self.name or "", [])
+        lists = dict(_LISTED.get(self.name or "", {}))
         if any(parameter.name == "sweep" for parameter in self.params):
-            lists = [*lists, (told("NAME of --sweep (or any number of the spec, by its path)"), swept)]
-        for title, names in lists:
+            lists[told("NAME of --sweep (or any number of the spec, by its path)")] = "swept"
+        for title, kind in lists.items():
             with formatter.section(title):
-                formatter.write_dl(list(names()), col_max=_WIDEST)
+                formatter.write_dl(names_of(kind), col_max=_WIDEST)
 
 
-class Program(TyperGroup):
+class Program(_Help, TyperGroup):
     """The commands, in groups."""
-
-    def get_help(self, ctx: Context) -> str:
-        """Return the help as standard output shows it."""
-        return _fitting(super().get_help(ctx))
-
-    def format_usage(self, ctx: Context, formatter: HelpFormatter) -> None:
-        """Write how a command is called."""
-        _write_usage(["[OPTIONS]", "COMMAND [ARGS]..."], ctx, formatter)
-
-    def format_help_text(self, ctx: Context, formatter: HelpFormatter) -> None:
-        """Write what the program does, and examples."""
-        _write_help(self.help, formatter)
 
     def format_options(self, ctx: Context, formatter: HelpFormatter) -> None:
         """Write the options, then the commands group by group, what each does in full."""
         _write_options(self.get_params(ctx), ctx, formatter)
-        groups: dict[str, list[tuple[str, str]]] = {title: [] for title in (*SECTIONS.values(), FILES)}
+        groups: dict[str, Named] = {title: [] for title in (*SECTIONS.values(), FILES)}
         for name, command in self.commands.items():
             home = str(getattr(command.callback, "__module__", "")).rpartition(".")[2]
             title = APART.get(name) or SECTIONS.get(home, FILES)
@@ -189,20 +153,6 @@ def _labelled(text: str) -> str:
     return text
 
 
-def _fitting(text: str) -> str:
-    """Return a help as standard output shows it: where that lacks letters, the parser would write them all the same."""
-    return fitting(text, getattr(sys.stdout, "encoding", None) or "utf-8")
-
-
-def _usage(argument: Any) -> str:
-    many = "..." if argument.nargs != 1 else ""
-    return f"{argument.metavar}{many}" if argument.required else f"[{argument.metavar}]{many}"
-
-
-def _write_usage(pieces: list[str], ctx: Context, formatter: HelpFormatter) -> None:
-    formatter.write_usage(ctx.command_path, _labelled(" ".join(pieces)), told("Usage: "))
-
-
 def _write_options(options: Sequence[Any], ctx: Context, formatter: HelpFormatter) -> None:
     """Write options; choices that are many go where they can be folded."""
     rows = []
@@ -220,20 +170,6 @@ def paragraphs(text: str | None) -> list[str]:
     r"""Return the paragraphs of a help; one that begins with ``\b`` keeps its lines."""
     parts = inspect.cleandoc(text or "").split("\n\n")
     return [part if part.startswith("\b") else " ".join(part.split()) for part in parts]
-
-
-def _write_help(text: str | None, formatter: HelpFormatter) -> None:
-    """Write paragraphs, those that begin with ``\\b`` line by line."""
-    for paragraph in map(translate, paragraphs(text)):
-        formatter.write_paragraph()
-        with formatter.indentation():
-            if not paragraph.startswith("\b"):
-                formatter.write_text(paragraph)
-                continue
-            indent = " " * formatter.current_indent
-            for line in paragraph.split("\n")[1:]:
-                for part in example_lines(line, formatter.width - len(indent)):
-                    formatter.write(f"{indent}{part}\n")
 
 
 _WORDS = re.compile(r"""(?:[^\s"']|"[^"]*"|'[^']*')+""")

@@ -18,7 +18,7 @@ from ..errors import AfmcalcError, need
 from ..messages import say, told
 from ..progress import Bar
 from .files import format_of, is_json_spec, refuse, write, write_file
-from .help import completing, paths
+from .help import completing
 from .signals import unreported
 from .streams import is_unicode, tell
 
@@ -61,7 +61,7 @@ class Common:
             "--set",
             metavar="PATH=VALUE",
             help="Override a spec key; repeatable. Empty VALUE removes it.",
-            autocompletion=completing(paths, "="),
+            autocompletion=completing("path", "="),
             callback=_with_equals_sign,
         ),
     ] = None

@@ -6,7 +6,7 @@ import typer
 
 from ..analysis.registry import EXPLAINED, StressRule
 from ..errors import AfmcalcError
-from .help import completing, explained, figures
+from .help import completing
 from .options import Common, SpecArgument, with_common
 
 PaperOption = Annotated[
@@ -20,7 +20,7 @@ def explain(
         str,
         typer.Argument(
             metavar="COMMAND",
-            autocompletion=completing(explained),
+            autocompletion=completing("explained"),
             help=f"{', '.join(EXPLAINED[:-1])} or {EXPLAINED[-1]}.",
         ),
     ],
@@ -78,7 +78,7 @@ def reproduce(
         typer.Option(
             "--figure",
             metavar="NAME",
-            autocompletion=completing(figures),
+            autocompletion=completing("figure"),
             help="The points of a figure's curves, e.g. S22-3; repeatable.",
         ),
     ] = None,

@@ -8,7 +8,7 @@ from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError, need
 from ..messages import say
 from .files import picture_of, write
-from .help import completing, plots, swept
+from .help import completing
 from .options import Common, common_options, need_drawing
 
 if TYPE_CHECKING:
@@ -36,7 +36,7 @@ def plot(
     what: Annotated[
         str,
         typer.Argument(
-            metavar="WHAT", autocompletion=completing(plots), help=f"{', '.join(_KINDS)}, or paper with a figure."
+            metavar="WHAT", autocompletion=completing("plot"), help=f"{', '.join(_KINDS)}, or paper with a figure."
         ),
     ],
     subjects: Annotated[
@@ -51,7 +51,7 @@ def plot(
         typer.Option(
             "--sweep",
             metavar="NAME[=RANGE]",
-            autocompletion=completing(swept),
+            autocompletion=completing("swept"),
             help="accuracy: the axis (C); life: dT=RANGE.",
         ),
     ] = None,

@@ -9,7 +9,7 @@ from ..errors import AfmcalcError, SpecError
 from ..messages import say
 from ..variants import VARIANTS
 from .files import refuse, write
-from .help import completing, described
+from .help import completing
 from .options import Common, ForceOption, QuietOption, SpecArgument, with_common
 
 _EXAMPLES = {name: variant.example for name, variant in VARIANTS.items() if variant.example} | {
@@ -157,7 +157,7 @@ def schema(
         str | None,
         typer.Argument(
             metavar="COMMAND",
-            autocompletion=completing(described),
+            autocompletion=completing("described"),
             help="Command whose JSON is described; without it the spec.",
         ),
     ] = None,

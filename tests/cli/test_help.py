@@ -11,8 +11,7 @@ import sys
 import pytest
 from conftest import ROOT
 
-from afmcalc.cli import help as names
-from afmcalc.cli.help import FILES, SECTIONS, example_lines
+from afmcalc.cli.help import FILES, SECTIONS, example_lines, names_of
 from afmcalc.cli.main import COMMANDS
 
 
@@ -71,17 +70,17 @@ def test_words_in_quotes_stay_together():
 @pytest.mark.parametrize(
     ("command", "listed"),
     [
-        ("solve", [names.parameters, names.targets]),
-        ("accuracy", [names.swept]),
-        ("life", [names.swept]),
-        ("plot", [names.plots, names.swept]),
-        ("explain", [names.explained]),
+        ("solve", ["parameter", "target"]),
+        ("accuracy", ["swept"]),
+        ("life", ["swept"]),
+        ("plot", ["plot", "swept"]),
+        ("explain", ["explained"]),
     ],
 )
 def test_the_help_lists_the_names_that_can_be_given(command, listed, afmcalc):
     shown = afmcalc(command, "--help").out
-    for each in listed:
-        for name, _ in each():
+    for kind in listed:
+        for name, _ in names_of(kind):
             assert re.search(rf"^  {re.escape(name)}(?: |$)", shown, re.MULTILINE), name
 
 
