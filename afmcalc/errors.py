@@ -155,24 +155,20 @@ class SpecError(AfmcalcError, ValueError):
 
     def __init__(self, source: str, problems: list[Problem], more: int = 0) -> None:
         """Collect ``problems`` of the spec read from ``source``; ``more`` are there that nobody looked into."""
-        self.source, self.more = source, more
-        self.problems = [problem._replace(place=_place(problem, source)) for problem in problems]
+        self.source, self.more = source if isinstance(source, Label) else Label(source), more
+        self.problems = [
+            problem._replace(place=problem.place or self.source.place(problem.path, key=problem.at_key))
+            for problem in problems
+        ]
         lines: list[str] = []
         for problem in self.problems[:MOST_SHOWN]:
             lines.append(say("{where}: {problem}", where=self.where(problem), problem=term(str(problem))))
             lines += problem.place.shown() if problem.place else ()
         if hidden := len(self.problems[MOST_SHOWN:]) + more:
-            lines.append(say("{source}: and {hidden:,} more", source=getattr(source, "name", source), hidden=hidden))
+            lines.append(say("{source}: and {hidden:,} more", source=self.source.name, hidden=hidden))
         super().__init__(joined(lines, "\n"))
 
     def where(self, problem: Problem) -> str:
         """What gave the value, with line and column, as far as they are known."""
-        origin = self.source.origin(problem.path) if isinstance(self.source, Label) else self.source
+        origin = self.source.origin(problem.path)
         return joined([origin, str(problem.place)], ":") if problem.place else origin
-
-
-def _place(problem: Problem, source: str) -> Place | None:
-    """Where a problem stands in a source whose text is known; nowhere in any other."""
-    if not isinstance(source, Label):
-        return None
-    return problem.place or source.place(problem.path, key=problem.at_key)

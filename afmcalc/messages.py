@@ -17,7 +17,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache
-from typing import TYPE_CHECKING, SupportsFloat
+from typing import TYPE_CHECKING, Any, SupportsFloat
 
 if TYPE_CHECKING:
     from gettext import GNUTranslations
@@ -71,7 +71,8 @@ class Language(string.Formatter):
             shown = format(text, number_format)
             return shown if len(shown) >= len(text) else f"{shown}…"
         if not unit:
-            return self.number(format(value, number_format)) if _is_number(value) else format(value, number_format)
+            is_number = isinstance(value, SupportsFloat) and not isinstance(value, bool)
+            return self.number(format(value, number_format)) if is_number else format(value, number_format)
         assert isinstance(value, SupportsFloat)
         from .units import in_unit
 
@@ -88,11 +89,8 @@ class Language(string.Formatter):
         return f"{'' if mantissa == '1' else f'{mantissa}·'}10{str(int(exponent)).translate(RAISED)}"
 
 
-def _is_number(value: object) -> bool:
-    return isinstance(value, SupportsFloat) and not isinstance(value, bool)
-
-
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_LOWERED = {raised: digit for digit, raised in RAISED.items()}
 
 ENGLISH = Language("en")
 """The language that everything is written in."""
@@ -256,15 +254,13 @@ def printable(text: str, *, lines: bool = False) -> str:
     >>> print(printable("a\x1b[31m \u202eb\n"))
     a\u001b[31m \u202eb\n
     """
-    return _HIDDEN.sub(lambda sign: sign[0] if lines and sign[0] == "\n" else escaped(sign[0]), text)
 
+    def escaped(hidden: re.Match[str]) -> str:
+        import json
 
-def escaped(sign: str) -> str:
-    """Return a character as JSON escapes it."""
-    if sign in "\n\r\t":
-        return repr(sign)[1:-1]
-    words = sign.encode("utf-16-be", "surrogatepass").hex()
-    return "".join(f"\\u{words[at : at + 4]}" for at in range(0, len(words), 4))
+        return hidden[0] if lines and hidden[0] == "\n" else json.dumps(hidden[0])[1:-1]
+
+    return _HIDDEN.sub(escaped, text)
 
 
 SPELLED = "afmcalc.spelled"
@@ -291,7 +287,6 @@ _LETTERS = _CYRILLIC | _GREEK
 _SPELLED = _LETTERS | {letter.upper(): spelled.capitalize() for letter, spelled in _LETTERS.items()} | _SIGNS
 # a difference, not a letter: ΔT is dT, as --sweep calls it
 _SPELLED["Δ"] = "d"
-_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _POWER = re.compile("[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+")
 _OF_A_SPRING = re.compile(r"(?<=[_,])п(?![^\W\d_])")
 """The index of a spring: F_п is F_sp, for F_p is the release force."""
@@ -303,7 +298,7 @@ def _spelled(error: UnicodeError) -> tuple[str, int]:
     lacking = "".join(
         "sp" if _OF_A_SPRING.match(error.object, at) else error.object[at] for at in range(error.start, error.end)
     )
-    lacking = _POWER.sub(lambda power: f"^{power[0].translate(_RAISED)}", lacking)
+    lacking = _POWER.sub(lambda power: f"^{power[0].translate(_LOWERED)}", lacking)
     return "".join(
         sign if sign.isascii() else _SPELLED.get(sign) or sign.encode("ascii", "backslashreplace").decode()
         for sign in lacking
@@ -322,6 +317,11 @@ def fitting(text: str, encoding: str) -> str:
     'F_sp1, K_t,sp, F_p, T_pr'
     """
     return text.encode(encoding, SPELLED).decode(encoding)
+
+
+def is_unicode(stream: Any) -> bool:
+    """Whether a stream takes any text."""
+    return (getattr(stream, "encoding", "") or "").lower().replace("-", "").startswith("utf")
 
 
 _LONGEST_WORD = 60

@@ -89,7 +89,7 @@ class Bar:
             # the pace is taken from here on: what came first also had to be imported and laid out
             self._work, self._begun, self._before = work, now, done
         self._last = done, total
-        self._note(now, done, total, done)
+        self._note(now, done)
 
     def pulse(self) -> None:
         """Note that the part under way goes on; the others are taken to last as long as it does at least.
@@ -99,36 +99,32 @@ class Bar:
         """
         done, total = self._last
         if done < total:
-            self._note(time.monotonic(), done, total, done + 1)
+            self._note(time.monotonic(), done + 1)
 
-    def _note(self, now: float, done: int, total: int, paced: int) -> None:
-        """Refuse, or show; ``paced`` is how much the time until now was for."""
-        if now - self.started < PATIENCE:
+    def _note(self, now: float, paced: int) -> None:
+        """Refuse by the pace so far, or show; ``paced`` is how much the time until now was for."""
+        done, total = self._last
+        spent, behind, gone = now - self._begun, paced - self._before, now - self.started
+        if gone < PATIENCE:
             return
-        self._refuse(now, paced, total)
-        if self._wanted and (now - self._shown > _EACH or done >= total):
-            self._shown = now
-            self._show(self._work, done, total)
-
-    def _refuse(self, now: float, done: int, total: int) -> None:
-        """Refuse by the pace so far; not any more when less is left than is behind."""
-        spent, behind, gone = now - self._begun, done - self._before, now - self.started
-        if self._agreed or not behind or spent < PATIENCE / 2:
+        if not self._agreed and behind and spent >= PATIENCE / 2:
+            left = spent * (total - paced) / behind
+            if gone + left > LONG and left > gone:  # else it is too late to refuse
+                raise AfmcalcError(
+                    "this takes about {time}: --yes goes on with it, or ask for less", time=_in_words(left)
+                )
+        if not self._wanted or (now - self._shown <= _EACH and done < total):
             return
-        left = spent * (total - done) / behind
-        if gone + left > LONG and left > gone:
-            raise AfmcalcError("this takes about {time}: --yes goes on with it, or ask for less", time=_in_words(left))
-
-    def _show(self, work: str, done: int, total: int) -> None:
+        self._shown = now
         if self._bar is None:
             from rich.console import Console
             from rich.progress import Progress
 
             self._bar = Progress(console=Console(stderr=True), transient=True, auto_refresh=False)
             self._bar.start()
-        if work not in self._tasks:
-            self._tasks[work] = self._bar.add_task(work)
-        self._bar.update(self._tasks[work], completed=done, total=total)
+        if self._work not in self._tasks:
+            self._tasks[self._work] = self._bar.add_task(self._work)
+        self._bar.update(self._tasks[self._work], completed=done, total=total)
         self._bar.refresh()
 
     def __enter__(self) -> "Bar":

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Annotated
 
-import typer
+from typer import Argument, Option
 
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 SweepOption = Annotated[
     list[str] | None,
-    typer.Option(
+    Option(
         "--sweep",
         metavar="NAME[=RANGE]",
         autocompletion=completing("swept"),
@@ -26,14 +26,12 @@ SweepOption = Annotated[
     ),
 ]
 
-PlotOption = Annotated[
-    bool, typer.Option("--plot", help="Draw the sweep large below the table (for files: afmcalc plot).")
-]
+PlotOption = Annotated[bool, Option("--plot", help="Draw the sweep large below the table (for files: afmcalc plot).")]
 
 
 FrictionOption = Annotated[
     list[str] | None,
-    typer.Option("--friction", metavar="F", help="Also at this friction (unlike materials: F1,F2); repeatable."),
+    Option("--friction", metavar="F", help="Also at this friction (unlike materials: F1,F2); repeatable."),
 ]
 
 
@@ -94,9 +92,7 @@ def synthesize(
     spec: SpecArgument = None,
     balls: Annotated[
         str | None,
-        typer.Option(
-            "--balls", metavar="FILE", help="Your own list: TOML, diameters = [...] in mm, or CSV, headed diameter_mm."
-        ),
+        Option(metavar="FILE", help="Your own list: TOML, diameters = [...] in mm, or CSV, headed diameter_mm."),
     ] = None,
     *,
     common: Common,
@@ -129,8 +125,7 @@ def synthesize(
 def life(
     spec: SpecArgument = None,
     model: Annotated[
-        StressRule,
-        typer.Option("--model", help="Rule for the damaging stress: the paper's, Serensen-Kinasoshvili, Goodman."),
+        StressRule, Option(help="Rule for the damaging stress: the paper's, Serensen-Kinasoshvili, Goodman.")
     ] = "mean-stress",
     sweep: SweepOption = None,
     plot: PlotOption = False,
@@ -154,8 +149,8 @@ def life(
 
 @with_common
 def compare(
-    specs: Annotated[list[str] | None, typer.Argument(metavar="SPEC", help="Specs to set side by side.")] = None,
-    variants: Annotated[bool, typer.Option("--variants", help="One spec as every variant it can be built as.")] = False,
+    specs: Annotated[list[str] | None, Argument(metavar="SPEC", help="Specs to set side by side.")] = None,
+    variants: Annotated[bool, Option("--variants", help="One spec as every variant it can be built as.")] = False,
     *,
     common: Common,
 ) -> None:

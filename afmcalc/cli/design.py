@@ -2,7 +2,7 @@
 
 from typing import Annotated
 
-import typer
+from typer import Argument, Option
 
 from ..errors import AfmcalcError
 from ..messages import say
@@ -14,7 +14,7 @@ from .options import Common, SpecArgument, with_common
 def solve(
     target: Annotated[
         str,
-        typer.Argument(
+        Argument(
             metavar="TARGET=VALUE",
             help="What is wanted, e.g. accuracy_factor=2 or torque_max='300 Nm'.",
             autocompletion=completing("target", "="),
@@ -23,16 +23,14 @@ def solve(
     spec: SpecArgument = None,
     parameter: Annotated[
         str,
-        typer.Option(
+        Option(
             "--for",
             metavar="NAME",
             help="Parameter to solve for: C, F, z, z1, R, c1, c2, or its key.",
             autocompletion=completing("parameter"),
         ),
     ] = "C",
-    beyond_limit: Annotated[
-        bool, typer.Option("--beyond-limit", help="Go past the gain limit of the variant.")
-    ] = False,
+    beyond_limit: Annotated[bool, Option("--beyond-limit", help="Go past the gain limit of the variant.")] = False,
     *,
     common: Common,
 ) -> None:
@@ -58,7 +56,7 @@ def solve(
 def tolerance(
     spec: SpecArgument = None,
     threads: Annotated[
-        int | None, typer.Option("--threads", min=1, help="How many threads; the digits stay the same.  [default: all]")
+        int | None, Option(min=1, help="How many threads; the digits stay the same.  [default: all]")
     ] = None,
     *,
     common: Common,
@@ -78,19 +76,15 @@ def tolerance(
 @with_common
 def design(
     requirements: Annotated[
-        str, typer.Argument(metavar="REQUIREMENTS", help="TOML or JSON file of what is wanted, - for standard input.")
+        str, Argument(metavar="REQUIREMENTS", help="TOML or JSON file of what is wanted, - for standard input.")
     ],
     pick: Annotated[
-        int | None,
-        typer.Option("--pick", metavar="N", help="Take number N of the front as a spec; --output writes it."),
+        int | None, Option(metavar="N", help="Take number N of the front as a spec; --output writes it.")
     ] = None,
     top: Annotated[
-        int | None,
-        typer.Option("--top", metavar="N", min=1, help="Show so many of the front.  [default: 30 in tables]"),
+        int | None, Option(metavar="N", min=1, help="Show so many of the front.  [default: 30 in tables]")
     ] = None,
-    sort: Annotated[
-        str | None, typer.Option("--sort", metavar="OBJECTIVE", help="Show the front by this, least first.")
-    ] = None,
+    sort: Annotated[str | None, Option(metavar="OBJECTIVE", help="Show the front by this, least first.")] = None,
     *,
     common: Common,
 ) -> None:

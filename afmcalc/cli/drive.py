@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Annotated
 
-import typer
+from typer import Option
 
 from ..analysis.registry import SpringKind, SpringOrder
 from ..errors import AfmcalcError
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 HistoryOption = Annotated[
     str | None,
-    typer.Option("--history", metavar="FILE", help="Write torques, speeds and travel over time to FILE (CSV, SI)."),
+    Option("--history", metavar="FILE", help="Write torques, speeds and travel over time to FILE (CSV, SI)."),
 ]
 
-PlotOption = Annotated[bool, typer.Option("--plot", help="Draw the event, or the sweep, below the table.")]
+PlotOption = Annotated[bool, Option("--plot", help="Draw the event, or the sweep, below the table.")]
 
 
 @with_common
@@ -61,26 +61,19 @@ def simulate(
     clutch = printed.clutch(spec)
     result = printed.calculate(clutch, curve, friction=points, sweeps=axes_of(sweep, clutch)).result
     if plot and not sweep:
-        _draw(clutch, common)
+        from ..analysis.answers import Answers
+        from ..analysis.figures import Request, gathered
+        from ..render.plot import sheet_of
+
+        with common.bar():
+            sheet = sheet_of("simulate", gathered("simulate", Request([Answers(clutch)])))
+        common.draw(sheet, "\n")
     if history:
         _write_history(clutch, points, history, common)
     if common.output:
         about = say("Its dynamic factor is that of afmcalc simulate.")
         wrote = say("wrote the spec with the dynamic factor to {output}", output=common.output)
         common.write_spec(with_dynamic_factor(clutch.spec, result), about, wrote)
-
-
-def _draw(clutch: "Clutch", common: Common) -> None:
-    """Draw the event in the terminal."""
-    from ..analysis.answers import Answers
-    from ..analysis.figures import Request, gathered
-    from ..render.formats.table import columns, is_unicode
-    from ..render.plot import sheet_of
-    from ..render.plot.text import draw_sheet
-
-    with common.bar():
-        sheet = sheet_of("simulate", gathered("simulate", Request([Answers(clutch)])))
-    write("\n" + draw_sheet(sheet, unicode=is_unicode(), width=columns()), None)
 
 
 def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Common) -> None:
@@ -124,16 +117,13 @@ def springs(
     spec: SpecArgument = None,
     sort: Annotated[
         SpringOrder | None,
-        typer.Option("--sort", help="What is to be small.  [default: length where a stiffness is wanted, else wear]"),
+        Option(help="What is to be small.  [default: length where a stiffness is wanted, else wear]"),
     ] = None,
-    top: Annotated[int, typer.Option("--top", min=1, max=1000, help="How many to tell of each spring.")] = 10,
-    kind: Annotated[SpringKind, typer.Option("--kind", help="Disc springs, coil springs, or both.")] = "any",
-    tolerance: Annotated[
-        float, typer.Option("--tolerance", min=0, max=10, help="How far the stiffness may be off, relative.")
-    ] = 0.1,
+    top: Annotated[int, Option(min=1, max=1000, help="How many to tell of each spring.")] = 10,
+    kind: Annotated[SpringKind, Option(help="Disc springs, coil springs, or both.")] = "any",
+    tolerance: Annotated[float, Option(min=0, max=10, help="How far the stiffness may be off, relative.")] = 0.1,
     pick: Annotated[
-        list[int] | None,
-        typer.Option("--pick", metavar="N", help="Write the spec with this one to --output; one for each spring."),
+        list[int] | None, Option(metavar="N", help="Write the spec with this one to --output; one for each spring.")
     ] = None,
     *,
     common: Common,

@@ -7,8 +7,8 @@ from contextlib import suppress
 from itertools import combinations
 
 from ..errors import AfmcalcError, FileError, reason
+from ..messages import is_unicode
 from .signals import put_off, unreported
-from .streams import is_unicode
 
 _FORMATS = {".json": "json", ".csv": "csv", ".md": "markdown", ".markdown": "markdown", ".txt": "table"}
 _OTHERS = (".toml", ".html", ".htm", ".pdf", ".png", ".svg", ".docx", ".xlsx")

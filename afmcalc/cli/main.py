@@ -9,6 +9,7 @@ from importlib import import_module
 from typing import Annotated, Any, NoReturn
 
 import typer
+from typer import Option
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
@@ -95,10 +96,8 @@ def _version(asked: bool) -> None:
 
 
 def _afmcalc(
-    version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version.")
-    ] = False,
-    lang: Annotated[str | None, typer.Option("--lang", metavar="NAME", help=LANG)] = None,
+    version: Annotated[bool, Option("--version", callback=_version, is_eager=True, help="Show the version.")] = False,
+    lang: Annotated[str | None, Option(metavar="NAME", help=LANG)] = None,
 ) -> None:
     """Design calculator for adaptive friction clutches (torque limiters with feedback).
 
@@ -166,8 +165,14 @@ def _misused(error: Any, given: list[str]) -> int:
 
 
 def _unexpected(error: Exception) -> int:
-    """Say that a calculation left the range of numbers, or that afmcalc is at fault."""
-    if _is_beyond_numbers(error):
+    """Say that a calculation or its result left the range of numbers, or that afmcalc is at fault."""
+    from pydantic import ValidationError
+
+    if isinstance(error, ValidationError):
+        beyond = all(detail["type"] == "finite_number" for detail in error.errors())
+    else:
+        beyond = isinstance(error, ArithmeticError | RuntimeWarning)
+    if beyond:
         _complain(told("a result is not finite (beyond the range of numbers): check the magnitudes in the spec"))
         return 2
     import traceback
@@ -192,12 +197,3 @@ def _unexpected(error: Exception) -> int:
         )
     )
     return FAULT
-
-
-def _is_beyond_numbers(error: Exception) -> bool:
-    """Whether a calculation left the range of numbers, in its arithmetic or with its result."""
-    from pydantic import ValidationError
-
-    if isinstance(error, ValidationError):
-        return all(detail["type"] == "finite_number" for detail in error.errors())
-    return isinstance(error, ArithmeticError | RuntimeWarning)

@@ -5,38 +5,44 @@ import os
 import sys
 from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
-from copy import copy
 from dataclasses import dataclass, fields, replace
 from functools import wraps
-from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-import typer
+from typer import Argument, Option
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..errors import AfmcalcError, need
-from ..messages import say, told
+from ..messages import is_unicode, say, told
 from ..progress import Bar
 from .files import format_of, is_json_spec, refuse, write, write_file
 from .help import completing
 from .signals import unreported
-from .streams import is_unicode, tell
+from .streams import tell
 
 if TYPE_CHECKING:
     from ..engines import Clutch
     from ..findings import Finding
     from ..render.layout import SweepDrawing
+    from ..render.plot.chart import Sheet
     from ..result import Output
     from ..spec import Spec
 
 LANG = "Language: en or ru; else by AFMCALC_LANG or the locale."
 
 SpecArgument = Annotated[
-    str | None,
-    typer.Argument(metavar="SPEC", help="TOML or JSON file, - for standard input; without it one that ships."),
+    str | None, Argument(metavar="SPEC", help="TOML or JSON file, - for standard input; without it one that ships.")
 ]
-ForceOption = Annotated[bool, typer.Option("--force", "-f", help="Replace a file that exists.")]
-QuietOption = Annotated[bool, typer.Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
+
+
+def output_option(help: str) -> Any:
+    """Declare ``--output`` with its help."""
+    return Option("--output", "-o", metavar="FILE", help=help)
+
+
+ForceOption = Annotated[bool, Option("--force", "-f", help="Replace a file that exists.")]
+QuietOption = Annotated[bool, Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
 Writes = Literal["result", "spec", "document"]
 """What the command writes into a file; the command of a document checks the file name itself."""
 
@@ -57,8 +63,7 @@ class Common:
     command: str
     set: Annotated[
         list[str] | None,
-        typer.Option(
-            "--set",
+        Option(
             metavar="PATH=VALUE",
             help="Override a spec key; repeatable. Empty VALUE removes it.",
             autocompletion=completing("path", "="),
@@ -67,20 +72,17 @@ class Common:
     ] = None
     format: Annotated[
         Literal["table", "json", "csv", "markdown"] | None,
-        typer.Option("--format", help="How to print. JSON and CSV are SI in full precision.  [default: table]"),
+        Option(help="How to print. JSON and CSV are SI in full precision.  [default: table]"),
     ] = None
-    json: Annotated[bool, typer.Option("--json", help="The same as --format json.")] = False
+    json: Annotated[bool, Option("--json", help="The same as --format json.")] = False
     units: Annotated[
-        Literal["engineer", "si"],
-        typer.Option("--units", help="Units of tables and Markdown: mm, kN, MPa, deg, or SI."),
+        Literal["engineer", "si"], Option(help="Units of tables and Markdown: mm, kN, MPa, deg, or SI.")
     ] = "engineer"
-    output: Annotated[
-        str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
-    ] = None
+    output: Annotated[str | None, output_option("Write to FILE instead of standard output.")] = None
     force: ForceOption = False
-    yes: Annotated[bool, typer.Option("--yes", help="Go on with what takes longer than a minute.")] = False
+    yes: Annotated[bool, Option("--yes", help="Go on with what takes longer than a minute.")] = False
     quiet: QuietOption = False
-    lang: Annotated[str | None, typer.Option("--lang", metavar="NAME", help=LANG)] = None
+    lang: Annotated[str | None, Option(metavar="NAME", help=LANG)] = None
 
     @property
     def chosen_format(self) -> str:
@@ -108,12 +110,6 @@ class Common:
         elif writes == "spec" and self.output:
             is_json_spec(self.output)
         refuse(self.output, beside, force=self.force, inputs=sources)
-
-    def takes_no_clutch(self) -> None:
-        """Refuse overrides, as the command reads no spec, and what ``keep`` refuses."""
-        self.keep()
-        if self.set:
-            raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=self.command)
 
     def bar(self) -> Bar:
         """Show progress while the block calculates; refuse a calculation of more than a minute without ``--yes``."""
@@ -165,6 +161,13 @@ class Common:
         result, findings = self.ask(clutch, **options)
         return self.emit(result, findings, resolved(clutch.spec), curve)
 
+    def without_clutch(self, *arguments: object, **options: object) -> None:
+        """Run the analysis of a command that reads no spec, and print its result; refuses overrides."""
+        self.keep()
+        if self.set:
+            raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=self.command)
+        self.emit(*self.ask(*arguments, **options))
+
     def ask(self, *arguments: object, **options: object) -> Any:
         """Run the analysis of the command; return its result and findings."""
         with self.bar():
@@ -209,19 +212,20 @@ class Common:
         """Write to the file, or to standard output."""
         write(text, self.output, force=self.force, utf8=utf8)
 
+    def draw(self, sheet: "Sheet", before: str = "") -> None:
+        """Draw a sheet on standard output, below a text."""
+        from ..render.formats.table import columns
+        from ..render.plot.text import draw_sheet
+
+        write(before + draw_sheet(sheet, unicode=is_unicode(sys.stdout), width=columns()), None)
+
     def save(self, content: bytes, path: str) -> None:
         """Write a file, and report it."""
         write_file(path, content, force=self.force)
         self.wrote(say("wrote {output}", output=path))
 
     def write_spec(self, data: dict[str, Any], about: str, wrote: str) -> None:
-        """Write a spec to the file of a command that gives one beside its result, and report it.
-
-        Args:
-            data: the spec.
-            about: text for the first line of the file.
-            wrote: the note to print.
-        """
+        """Write a spec, with ``about`` as its first line, to the file beside the result; report it with ``wrote``."""
         assert self.output is not None
         if is_json_spec(self.output):
             import json
@@ -235,29 +239,26 @@ class Common:
         self.wrote(wrote)
 
 
-def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
-    """Give a command the common options; it receives them as ``common``.
+def common_options(output_help: str = "") -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """Give a command the common options, which it receives as ``common``.
 
-    Args:
-        names: names of the options to give; all where none is named.
-        helps: name → help text, where the command needs another one.
+    A command that writes a document says with ``output_help`` what ``--output`` gets; it has no format and no units.
     """
-    options = [option for option in fields(Common)[1:] if not names or option.name in names]
+    options = {option.name: (option.type, option.default) for option in fields(Common)[1:]}
+    if output_help:
+        options = {name: options[name] for name in ("set", "output", "force", "yes", "quiet")}
+        options["output"] = (Annotated[str | None, output_option(output_help)], None)
 
     def decorate(function: Callable[..., None]) -> Callable[..., None]:
         parameters = [p for p in inspect.signature(function, eval_str=True).parameters.values() if p.name != "common"]
-        for option in options:
-            annotation = _with_help(option.type, helps.get(option.name))
-            parameters.append(
-                inspect.Parameter(
-                    option.name, inspect.Parameter.KEYWORD_ONLY, default=option.default, annotation=annotation
-                )
-            )
+        parameters += [
+            inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
+            for name, (annotation, default) in options.items()
+        ]
 
         @wraps(function)
         def command(**arguments: Any) -> None:
-            given = {option.name: arguments.pop(option.name) for option in options}
-            common = Common(function.__name__, **given)
+            common = Common(function.__name__, **{name: arguments.pop(name) for name in options})
             with common.shown():
                 function(**arguments, common=common)
 
@@ -270,16 +271,6 @@ def common_options(*names: str, **helps: str) -> Callable[[Callable[..., None]],
 
 
 with_common = common_options()
-
-
-def _with_help(annotation: Any, text: str | None) -> Any:
-    """Return an annotated option with another help."""
-    if text is None:
-        return annotation
-    kind, option = get_args(annotation)
-    option = copy(option)
-    option.help = text
-    return Annotated[kind, option]
 
 
 def need_drawing(extra: str) -> None:

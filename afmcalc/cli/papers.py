@@ -2,33 +2,28 @@
 
 from typing import Annotated
 
-import typer
+from typer import Argument, Option
 
 from ..analysis.registry import EXPLAINED, StressRule
 from ..errors import AfmcalcError
 from .help import completing
 from .options import Common, SpecArgument, with_common
 
-PaperOption = Annotated[
-    list[str] | None, typer.Option("--paper", metavar="KEY", help="F11, S19, S21 or S22; repeatable.")
-]
+PaperOption = Annotated[list[str] | None, Option("--paper", metavar="KEY", help="F11, S19, S21 or S22; repeatable.")]
 
 
 @with_common
 def explain(
     command: Annotated[
         str,
-        typer.Argument(
+        Argument(
             metavar="COMMAND",
             autocompletion=completing("explained"),
             help=f"{', '.join(EXPLAINED[:-1])} or {EXPLAINED[-1]}.",
         ),
     ],
     spec: SpecArgument = None,
-    model: Annotated[
-        StressRule | None,
-        typer.Option("--model", help="For life: the rule for the damaging stress."),
-    ] = None,
+    model: Annotated[StressRule | None, Option(help="For life: the rule for the damaging stress.")] = None,
     *,
     common: Common,
 ) -> None:
@@ -52,10 +47,10 @@ def explain(
 def equations(
     paper: PaperOption = None,
     id_: Annotated[
-        list[str] | None, typer.Option("--id", metavar="ID", help='A formula, e.g. "S21 (15)"; repeatable.')
+        list[str] | None, Option("--id", metavar="ID", help='A formula, e.g. "S21 (15)"; repeatable.')
     ] = None,
-    misprints: Annotated[bool, typer.Option("--misprints", help="The papers' misprints and contradictions.")] = False,
-    prove: Annotated[bool, typer.Option("--prove", help="Run the proofs of what is listed (needs SymPy).")] = False,
+    misprints: Annotated[bool, Option("--misprints", help="The papers' misprints and contradictions.")] = False,
+    prove: Annotated[bool, Option("--prove", help="Run the proofs of what is listed (needs SymPy).")] = False,
     *,
     common: Common,
 ) -> None:
@@ -66,8 +61,7 @@ def equations(
     afmcalc equations --id "S21 (15)" --prove
     afmcalc equations --misprints
     """  # noqa: D301
-    common.takes_no_clutch()
-    common.emit(*common.ask(paper or [], id_ or [], show_misprints=misprints, prove=prove))
+    common.without_clutch(paper or [], id_ or [], show_misprints=misprints, prove=prove)
 
 
 @with_common
@@ -75,8 +69,7 @@ def reproduce(
     paper: PaperOption = None,
     figure: Annotated[
         list[str] | None,
-        typer.Option(
-            "--figure",
+        Option(
             metavar="NAME",
             autocompletion=completing("figure"),
             help="The points of a figure's curves, e.g. S22-3; repeatable.",
@@ -92,5 +85,4 @@ def reproduce(
     afmcalc reproduce --figure S22-3 --format csv
     afmcalc reproduce --paper S22 --format csv
     """  # noqa: D301
-    common.takes_no_clutch()
-    common.emit(*common.ask(paper or [], figure))
+    common.without_clutch(paper or [], figure)

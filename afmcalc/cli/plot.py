@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING, Annotated
 
-import typer
+from typer import Argument, Option
 
 from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError, need
@@ -14,8 +14,6 @@ from .options import Common, common_options, need_drawing
 if TYPE_CHECKING:
     from ..analysis.answers import Answers
     from ..analysis.figures import Request
-    from ..render.plot.chart import Sheet
-    from ..spec.requirements import Requirements
 
 _SHOP = ("dxf", "svg")
 """Drawings of the pocket for the shop."""
@@ -24,46 +22,32 @@ _SHOP = ("dxf", "svg")
 _KINDS = [name for name in PLOTS if name != "paper"]
 
 
-@common_options(
-    "set",
-    "output",
-    "force",
-    "yes",
-    "quiet",
-    output="File, .png, .svg, .pdf (pocket: .dxf); without it drawn as text.",
-)
+@common_options("File, .png, .svg, .pdf (pocket: .dxf); without it drawn as text.")
 def plot(
     what: Annotated[
         str,
-        typer.Argument(
+        Argument(
             metavar="WHAT", autocompletion=completing("plot"), help=f"{', '.join(_KINDS)}, or paper with a figure."
         ),
     ],
     subjects: Annotated[
         list[str] | None,
-        typer.Argument(
+        Argument(
             metavar="SPEC",
             help="Specs; several give several curves. After paper: F11-2, S22-3, ...; after pareto: REQUIREMENTS.",
         ),
     ] = None,
     sweep: Annotated[
         str | None,
-        typer.Option(
-            "--sweep",
-            metavar="NAME[=RANGE]",
-            autocompletion=completing("swept"),
-            help="accuracy: the axis (C); life: dT=RANGE.",
+        Option(
+            metavar="NAME[=RANGE]", autocompletion=completing("swept"), help="accuracy: the axis (C); life: dT=RANGE."
         ),
     ] = None,
-    model: Annotated[StressRule | None, typer.Option("--model", help="life: rule for the damaging stress.")] = None,
-    profile: Annotated[
-        str | None, typer.Option("--profile", metavar="FILE.csv", help="pocket: path, wall and cutter path, mm.")
-    ] = None,
-    cutter: Annotated[
-        str | None, typer.Option("--cutter", metavar="DIAMETER", help="pocket: cutter, such as 10mm (the ball's).")
-    ] = None,
+    model: Annotated[StressRule | None, Option(help="life: rule for the damaging stress.")] = None,
+    profile: Annotated[str | None, Option(metavar="FILE.csv", help="pocket: path, wall and cutter path, mm.")] = None,
+    cutter: Annotated[str | None, Option(metavar="DIAMETER", help="pocket: cutter, such as 10mm (the ball's).")] = None,
     chord: Annotated[
-        str | None, typer.Option("--chord", metavar="LENGTH", help="pocket: chords within this of the wall (0.001mm).")
+        str | None, Option(metavar="LENGTH", help="pocket: chords within this of the wall (0.001mm).")
     ] = None,
     *,
     common: Common,
@@ -79,14 +63,19 @@ def plot(
     afmcalc plot pareto requirements.toml -o front.svg
     afmcalc plot paper S22-3 -o figure.png
     """  # noqa: D301
-    from ..analysis.figures import Request, gathered, plot_of
+    from ..analysis.figures import Request, check_request, gathered, plot_of
     from ..render.plot import sheet_of
 
     chosen = plot_of(what)
-    what, takes = chosen.name, chosen.takes
+    what = chosen.name
     ending = picture_of(common.output)
-    common.keep(*subjects or (), beside=profile, writes="document")
-    request = Request(subjects or (), sweep, model, profile, _length("cutter", cutter), _length("chord", chord))
+    of_clutches = chosen.takes not in ("names", "requirements")
+    sources: list[str | None] = [*(subjects or ())] or ([None] if of_clutches else [])
+    common.keep(*sources, beside=profile, writes="document")
+    if sources.count("-") > 1:
+        raise AfmcalcError("standard input (-) can be read once only")
+    request = Request(sources, sweep, model, profile, _length("cutter", cutter), _length("chord", chord))
+    check_request(what, request)
     if (what == "pocket" and ending in _SHOP) or profile is not None:
         _for_the_shop(what, request, ending, common)
         return
@@ -94,40 +83,26 @@ def plot(
         raise AfmcalcError("--output {output}: only plot pocket is drawn as .dxf", output=common.output)
     if ending:
         need_drawing("plot")
-    if takes == "names":
-        figure = gathered(what, request)
-    else:
-        read = _requirements if takes == "requirements" else _answers
-        request = request._replace(subjects=read(what, request, common))
-        with common.bar():
-            figure = gathered(what, request)
-    _write(sheet_of(what, figure), ending, common)
+    if of_clutches:
+        request = request._replace(subjects=_answers(what, request, common))
+    elif chosen.takes == "requirements":
+        from ..spec.requirements import read_requirements
 
+        request = request._replace(
+            subjects=[read_requirements(source, common.set or ()) for source in request.subjects]
+        )
+    with common.bar():
+        sheet = sheet_of(what, gathered(what, request))
+    if ending and common.output:
+        from ..render.plot.figure import save
 
-def _requirements(what: str, request: "Request", common: Common) -> "list[Requirements]":
-    """Read the requirements whose front is drawn."""
-    from ..analysis.figures import check_request
-    from ..spec.requirements import read_requirements
-
-    check_request(what, request)
-    (source,) = request.subjects
-    return [read_requirements(source, common.set or ())]
-
-
-def _write(sheet: "Sheet", ending: str | None, common: Common) -> None:
-    if ending is None:
-        from ..render.formats.table import columns, is_unicode
-        from ..render.plot.chart import Chart
-        from ..render.plot.text import draw_sheet
-
-        if not any(isinstance(panel, Chart) for panel in sheet.panels):
-            raise AfmcalcError("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)")
-        write(draw_sheet(sheet, unicode=is_unicode(), width=columns()), None)
+        common.save(save(sheet, ending), common.output)  # type: ignore[arg-type]
         return
-    from ..render.plot.figure import save
+    from ..render.plot.chart import Chart
 
-    assert common.output is not None
-    common.save(save(sheet, ending), common.output)  # type: ignore[arg-type]
+    if not any(isinstance(panel, Chart) for panel in sheet.panels):
+        raise AfmcalcError("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)")
+    common.draw(sheet)
 
 
 def _for_the_shop(what: str, request: "Request", ending: str | None, common: Common) -> None:
@@ -142,8 +117,7 @@ def _for_the_shop(what: str, request: "Request", ending: str | None, common: Com
     subjects = _answers(what, request, common)
     with common.bar():
         drawing = shop_drawing_of(what, request._replace(subjects=subjects))
-    if ending is not None:
-        assert common.output is not None
+    if ending and common.output:
         common.save(shop.dxf(drawing) if ending == "dxf" else shop.svg(drawing), common.output)
     if request.profile is not None:
         write(shop.profile(drawing), request.profile, force=common.force)
@@ -170,10 +144,7 @@ def _answers(what: str, request: "Request", common: Common) -> "list[Answers]":
     """Read and build the clutches that are drawn."""
     from ..analysis.answers import Answers
 
-    if request.subjects.count("-") > 1:
-        raise AfmcalcError("standard input (-) can be read once only")
-    sources = list(request.subjects) or [None]
-    clutches = [common.build(source, what) for source in sources]
+    clutches = [common.build(source, what) for source in request.subjects]
     for clutch in clutches:
         for question in clutch.spec.label.findings:
             common.note(question.message)  # a plot has no findings

@@ -3,7 +3,7 @@
 import os
 from typing import TYPE_CHECKING, Annotated, Any
 
-import typer
+from typer import Option
 
 from .. import __version__
 from ..analysis.registry import StressRule
@@ -18,18 +18,16 @@ if TYPE_CHECKING:
 
 
 def _entry(text: str) -> Any:
-    return typer.Option(metavar="TEXT", help=text)
+    return Option(metavar="TEXT", help=text)
 
 
-@common_options("set", "output", "force", "yes", "quiet", output="HTML file; without it standard output.")
+@common_options("HTML file; without it standard output.")
 def report(
     spec: SpecArgument = None,
     pdf: Annotated[
-        bool, typer.Option("--pdf", help="Print it to PDF too, beside FILE, with a headless browser found here.")
+        bool, Option("--pdf", help="Print it to PDF too, beside FILE, with a headless browser found here.")
     ] = False,
-    model: Annotated[
-        StressRule, typer.Option("--model", help="Rule for the damaging stress of the life.")
-    ] = "mean-stress",
+    model: Annotated[StressRule, Option(help="Rule for the damaging stress of the life.")] = "mean-stress",
     organisation: Annotated[str | None, _entry("Title block: who answers for the calculation.")] = None,
     project: Annotated[str | None, _entry("Title block: project the clutch belongs to.")] = None,
     drawing: Annotated[str | None, _entry("Title block: number of the drawing.")] = None,

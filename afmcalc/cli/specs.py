@@ -4,13 +4,14 @@ import os
 from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
 import typer
+from typer import Argument, Option
 
 from ..errors import AfmcalcError, SpecError
 from ..messages import say
 from ..variants import VARIANTS
 from .files import refuse, write
 from .help import completing
-from .options import Common, ForceOption, QuietOption, SpecArgument, with_common
+from .options import Common, ForceOption, QuietOption, SpecArgument, output_option, with_common
 
 _EXAMPLES = {name: variant.example for name, variant in VARIANTS.items() if variant.example} | {
     "unlike-materials": None
@@ -30,17 +31,16 @@ else:
 
 def init(
     file: Annotated[
-        str | None, typer.Argument(metavar="FILE", help="File to write (clutch.toml); - for standard output.")
+        str | None, Argument(metavar="FILE", help="File to write (clutch.toml); - for standard output.")
     ] = None,
     kind: Annotated[
-        Kind,
-        typer.Option("--kind", help="A clutch, one with a drive or with tolerances, or requirements for a design."),
+        Kind, Option(help="A clutch, one with a drive or with tolerances, or requirements for a design.")
     ] = "clutch",
-    variant: Annotated[Example | None, typer.Option("--variant", help="Clutch to start from.")] = None,
+    variant: Annotated[Example | None, Option(help="Clutch to start from.")] = None,
     schema: Annotated[
-        bool, typer.Option("--schema", help="Write the JSON Schema beside FILE too, for completion in an editor.")
+        bool, Option("--schema", help="Write the JSON Schema beside FILE too, for completion in an editor.")
     ] = False,
-    output: Annotated[str | None, typer.Option("--output", "-o", metavar="FILE", help="The same as FILE.")] = None,
+    output: Annotated[str | None, output_option("The same as FILE.")] = None,
     force: ForceOption = False,
     quiet: QuietOption = False,
 ) -> None:
@@ -58,14 +58,16 @@ def init(
         raise AfmcalcError("give FILE or --output, not both")
     if variant and kind not in ("clutch", "drive"):
         raise AfmcalcError("--variant belongs to --kind clutch or drive")
-    target = output or file or ("requirements.toml" if kind == "requirements" else "clutch.toml")
+    of = "requirements" if kind == "requirements" else None
+    target = output or file or f"{of or 'clutch'}.toml"
     if schema and target == "-":
         raise AfmcalcError("--schema writes a file beside FILE: name one")
     text = annotated(_text(kind, variant))
     written = [(target, text)]
     if schema:
-        beside, described = _schema_beside(target, kind)
-        written = [(target, f"#:schema ./{os.path.basename(beside)}\n{text}"), (beside, described)]
+        name = f"afmcalc.{of}.schema.json" if of else "afmcalc.schema.json"
+        beside = os.path.join(os.path.dirname(target), name)
+        written = [(target, f"#:schema ./{name}\n{text}"), (beside, _schema_of(of))]
     refuse(*(path for path, _ in written), force=force)
     for path, content in written:
         write(content, path, force=force, utf8=True)
@@ -88,13 +90,6 @@ def _text(kind: str, variant: str | None) -> str:
     return in_a_drive(text, hub=name in VARIANTS and VARIANTS[name].travels) if kind == "drive" else text
 
 
-def _schema_beside(target: str, kind: str) -> tuple[str, str]:
-    """Path and text of the schema of a kind of file."""
-    of = "requirements" if kind == "requirements" else None
-    name = f"afmcalc.{of}.schema.json" if of else "afmcalc.schema.json"
-    return os.path.join(os.path.dirname(target), name), _schema_of(of)
-
-
 def _schema_of(kind: str | None) -> str:
     import json
 
@@ -111,14 +106,13 @@ def examples(*, common: Common) -> None:
     afmcalc examples
     afmcalc torque example:indirect
     """  # noqa: D301
-    common.takes_no_clutch()
-    common.emit(*common.ask())
+    common.without_clutch()
 
 
 @with_common
 def check(
     spec: SpecArgument = None,
-    strict: Annotated[bool, typer.Option("--strict", help="Warnings fail the check too.")] = False,
+    strict: Annotated[bool, Option("--strict", help="Warnings fail the check too.")] = False,
     *,
     common: Common,
 ) -> None:
@@ -148,22 +142,19 @@ def materials(*, common: Common) -> None:
     afmcalc materials
     afmcalc torque --set friction.min= --set friction.mean= --set friction.max= --set friction.material=woven-dry
     """  # noqa: D301
-    common.takes_no_clutch()
-    common.emit(*common.ask())
+    common.without_clutch()
 
 
 def schema(
     command: Annotated[
         str | None,
-        typer.Argument(
+        Argument(
             metavar="COMMAND",
             autocompletion=completing("described"),
             help="Command whose JSON is described; without it the spec.",
         ),
     ] = None,
-    output: Annotated[
-        str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to FILE instead of standard output.")
-    ] = None,
+    output: Annotated[str | None, output_option("Write to FILE instead of standard output.")] = None,
     force: ForceOption = False,
 ) -> None:
     """JSON Schema of the spec, or of a command's JSON output.

@@ -7,29 +7,26 @@ import sys
 from typing import Any
 
 from ..errors import LONGEST_LINE
-from ..messages import SPELLED, printable, say
+from ..messages import SPELLED, is_unicode, printable, say
 
 
 class _Pipe(io.FileIO):
     """A pipe whose reader may leave: what it does not want is dropped, and the work goes on to its exit code."""
 
+    dropped: type[OSError] = BrokenPipeError
+
     def write(self, data: Any) -> int:
         """Write, or drop."""
         try:
             return super().write(data)
-        except BrokenPipeError:
+        except self.dropped:
             return memoryview(data).nbytes
 
 
 class _Remarks(_Pipe):
     """Standard error: where a remark cannot be written there is nobody to tell."""
 
-    def write(self, data: Any) -> int:
-        """Write, or drop."""
-        try:
-            return super().write(data)
-        except OSError:
-            return memoryview(data).nbytes
+    dropped = OSError
 
 
 class _Closed(io.TextIOBase):
@@ -69,11 +66,6 @@ def _guarded(stream: Any, raw: type[io.FileIO]) -> Any:
     if reconfigure := getattr(stream, "reconfigure", None):
         reconfigure(errors="backslashreplace" if is_unicode(stream) else SPELLED)
     return stream
-
-
-def is_unicode(stream: Any) -> bool:
-    """Whether a stream takes any text."""
-    return (getattr(stream, "encoding", "") or "").lower().replace("-", "").startswith("utf")
 
 
 def drop_output() -> None:

@@ -125,5 +125,6 @@ def _validated(spec: Spec, corner: dict[str, float]) -> Spec:
         build(valid)
     except SpecError as error:
         where = joined(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
-        raise SpecError(say("sweep at {where}", where=where), error.problems) from None
+        problems = [problem._replace(place=None) for problem in error.problems]
+        raise SpecError(say("sweep at {where}", where=where), problems) from None
     return valid

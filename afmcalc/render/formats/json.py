@@ -4,7 +4,7 @@ import json
 import re
 from dataclasses import asdict
 
-from ...messages import escaped, printable
+from ...messages import printable
 from ...result import Output
 
 
@@ -22,4 +22,4 @@ def render(output: Output, terminal: bool) -> str:
 
 def in_ascii(text: str) -> str:
     """Return the same JSON in ASCII, for a stream that has not all letters."""
-    return re.sub("[^\x00-\x7f]", lambda sign: escaped(sign[0]), text)
+    return re.sub("[^\x00-\x7f]", lambda sign: json.dumps(sign[0])[1:-1], text)

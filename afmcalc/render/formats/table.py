@@ -5,7 +5,7 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
-from ...messages import fitting, translate
+from ...messages import fitting, is_unicode, translate
 from ...result import Output
 from ..document import document
 from ..layout import (
@@ -45,7 +45,7 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
     curve = curve or _small_curve
     laid_out = document(output.result)
     tables, steps = blocks(laid_out), step_lines(laid_out)
-    if not is_unicode():
+    if not is_unicode(sys.stdout):
         tables = [_spelled(block) for block in tables]
     if terminal or _width():
         text = _rich(output, tables, steps, curve, terminal=terminal)
@@ -90,16 +90,16 @@ def _terminal_width() -> int:
     return shutil.get_terminal_size().columns
 
 
-def is_unicode() -> bool:
-    """Whether standard output shows more than ASCII."""
-    return (getattr(sys.stdout, "encoding", "") or "").lower().replace("-", "").startswith("utf")
-
-
 def _plain(output: Output, tables: list[TextTable], steps: list[str], curve: SweepDrawing) -> str:
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
     lines = [title(output)]
     for block in unfolded(tables):
-        lines += ["", *filter(None, (block.title, block.legend)), *_aligned(block), *curve(block, is_unicode(), None)]
+        lines += [
+            "",
+            *filter(None, (block.title, block.legend)),
+            *_aligned(block),
+            *curve(block, is_unicode(sys.stdout), None),
+        ]
     lines += steps
     if output.findings:
         lines += ["", *findings_lines(output.findings)]
@@ -140,10 +140,10 @@ def _rich(output: Output, tables: list[TextTable], steps: list[str], curve: Swee
         if block.legend:
             console.print(Text(block.legend, style="dim"))
         if _least_width(block) <= width:
-            console.print(_rich_table(padded(block), ruled=terminal and is_unicode()))
+            console.print(_rich_table(padded(block), ruled=terminal and is_unicode(sys.stdout)))
         else:
             _print_stacked(console, block)
-        for line in curve(block, is_unicode(), width):
+        for line in curve(block, is_unicode(sys.stdout), width):
             console.print(Text(line), no_wrap=True, crop=True)
     for line in steps:
         console.print(Text(line, style="" if line.startswith(" ") else "bold"))
