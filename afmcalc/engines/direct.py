@@ -116,8 +116,8 @@ class DirectClutch(Clutch):
             yield finding("feedback-idle", "warning", value=0.0, limit=0.0, path=path)
         elif rule is not None and limit is not None and self.gain > limit * (1 + 1e-9):
             value, bound = map(float, rule.stated(self.gain, self.reduced_gain, limit))
-            torques = {"peak": self.breakaway_torque(*largest), "sustained": self.torque(*largest)}
-            yield finding(rule.code, "warning", value=value, limit=bound, path=path, **torques)
+            peak, sustained = self.breakaway_torque(*largest), self.torque(*largest)
+            yield finding(rule.code, "warning", value=value, limit=bound, path=path, peak=peak, sustained=sustained)
         if self.spec.friction.unlike:
             most, at = float(self.torque_range.high), float(self.torque_range.at_high)
             if (factor := float(self.torque(*largest)) / most) < 1:

@@ -523,9 +523,9 @@ class IndirectClutch(Clutch):
         best, jumping = float(self.constant_torque_slope), float(self.jumping_slope)
         if slope > best * (1 + 1e-9):
             code = "torque-jumps" if slope > jumping else "torque-falls-with-travel"
-            torques = {"most": float(self.torque(float(self.leaving_friction))), "falls": float(self.torque(friction))}
+            most, falls = float(self.torque(float(self.leaving_friction))), float(self.torque(friction))
             path = "control_unit.gain_slope"
-            yield finding(code, "warning", value=slope, limit=best, path=path, jumping=jumping, **torques)
+            yield finding(code, "warning", value=slope, limit=best, path=path, jumping=jumping, most=most, falls=falls)
 
     def _key_findings(self) -> Iterator[Finding]:
         """Findings on the hysteresis by the key; a warning where the torque may fall below that of the machine."""
