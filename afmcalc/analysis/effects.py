@@ -1,7 +1,7 @@
 """What the torque law neglects, for one clutch, in numbers (theory of the drive, section 13)."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Literal, NamedTuple
 
@@ -68,7 +68,7 @@ class EffectsCurve(Result):
 class Bracket(NamedTuple):
     """Two curves that the torque lies between, none where no clutch is left, and what is to be said of them."""
 
-    curves: tuple[()] | tuple[Torque, Torque]
+    curves: Sequence[Torque]
     remarks: tuple[Finding, ...] = ()
 
 
@@ -76,7 +76,8 @@ class EffectSource(NamedTuple):
     """Where an effect comes from: the keys it needs, the first of them its own, its bracket, and words for it."""
 
     needs: tuple[str, ...]
-    bracket: Callable[[Clutch], Bracket]
+    bracket: Callable[..., Bracket]
+    """Of a clutch and the values of these keys."""
     words: str
 
     def missing(self, clutch: Clutch) -> list[str]:
@@ -101,7 +102,7 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
         raise SpecError(clutch.spec.label, problems)
     result = EffectsResult(
         accuracy_factor=clutch.accuracy_factor,
-        torque=_triple(clutch, max, clutch.torque),
+        torque=Triple.of(float(clutch.torque(*frictions)) for frictions in zip(*clutch.friction, strict=True)),
         effects=[_effect(clutch, name, bracket) for name, bracket in brackets.items() if bracket.curves],
     )
     remarks = [remark for bracket in brackets.values() for remark in bracket.remarks]
@@ -114,7 +115,7 @@ def effects_curve(clutch: Clutch) -> EffectsCurve:
     Raises:
         CalculationError: it gives the data of none, or the friction does not wander.
     """
-    path, brackets = list(_path(clutch)), _brackets(clutch)
+    path, brackets = _path(clutch), _brackets(clutch)
     if not brackets:
         raise CalculationError("plot effects: the spec gives the data of no effect (afmcalc effects says which)")
     if path[0] == path[-1]:
@@ -133,30 +134,30 @@ def effects_curve(clutch: Clutch) -> EffectsCurve:
 
 
 def _brackets(clutch: Clutch) -> dict[EffectName, Bracket]:
-    return {name: source.bracket(clutch) for name, source in SOURCES.items() if not source.missing(clutch)}
+    return {
+        name: source.bracket(clutch, *(value_at(clutch.spec, path) for path in source.needs))
+        for name, source in SOURCES.items()
+        if not source.missing(clutch)
+    }
 
 
-def _path(clutch: Clutch) -> Iterator[tuple[float, float]]:
+def _path(clutch: Clutch) -> list[tuple[float, float]]:
     """The common path of f_1 and f_2."""
-    for number in range(POINTS):
-        first, second = clutch.path(number / (POINTS - 1))
-        yield float(first), float(second)
-
-
-def _triple(clutch: Clutch, choose: Callable[[Iterable[float]], float], *curves: Torque) -> Triple:
-    """The largest of some curves at the three frictions, or the smallest."""
-    at = {end: [getattr(friction, end) for friction in clutch.friction] for end in ENDS}
-    return Triple(**{end: float(choose([curve(*frictions) for curve in curves])) for end, frictions in at.items()})
+    path = (clutch.path(number / (POINTS - 1)) for number in range(POINTS))
+    return [(float(first), float(second)) for first, second in path]
 
 
 def _effect(clutch: Clutch, name: EffectName, bracket: Bracket) -> Effect:
     # largest over smallest torque along the common path of f_1 and f_2
     torques = ([curve(*frictions) for frictions in _path(clutch)] for curve in bracket.curves)
     low, high = sorted(float(max(course) / min(course)) for course in torques)
+    at_ends = [
+        sorted(float(curve(*frictions)) for curve in bracket.curves) for frictions in zip(*clutch.friction, strict=True)
+    ]
     return Effect(
         effect=name,
-        torque_low=_triple(clutch, min, *bracket.curves),
-        torque_high=_triple(clutch, max, *bracket.curves),
+        torque_low=Triple.of(least for least, _ in at_ends),
+        torque_high=Triple.of(most for _, most in at_ends),
         accuracy_factor_low=low,
         accuracy_factor_high=high,
     )
@@ -168,7 +169,12 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
         by_law, low, high = result.accuracy_factor, effect.accuracy_factor_low, effect.accuracy_factor_high
         path, words = SOURCES[effect.effect].needs[0], SOURCES[effect.effect].words
         farthest = max(low, high, key=lambda factor: abs(factor / by_law - 1))
-        change = max(_changes(effect, result.torque), key=abs)
+        changes = (
+            getattr(torque, end) / getattr(result.torque, end) - 1
+            for torque in (effect.torque_low, effect.torque_high)
+            for end in ENDS
+        )
+        change = max(changes, key=abs)
         if abs(farthest / by_law - 1) > NOTICEABLE:
             yield finding(
                 "effect-on-accuracy", "warning", value=farthest, limit=by_law, path=path, effect=words, low=low,
@@ -177,52 +183,38 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
         elif abs(change) > NOTICEABLE:
             yield finding("effect-on-torque", "warning", value=change, limit=NOTICEABLE, path=path, effect=words)
         if effect.effect == "wear":
-            yield from _worn(clutch, effect, path)
+            worn = min(getattr(effect.torque_low, end) for end in ENDS)
+            machine, nominal = float(clutch.machine_torque), float(clutch.nominal_torque)
+            if worn < machine * (1 - 1e-12):
+                yield finding("worn-below-machine", "warning", value=worn, limit=machine, path=path)
+            elif worn < nominal * (1 - 1e-12):
+                yield finding("worn-below-nominal", "info", value=worn, limit=nominal, path=path, machine=machine)
     for name, source in SOURCES.items():
         if gone := source.missing(clutch):
             yield finding("effect-not-told", "info", path=source.needs[0], name=name, listed=", ".join(gone))
 
 
-def _worn(clutch: Clutch, wear: Effect, path: str) -> Iterator[Finding]:
-    """Say where the clutch, worn, carries less than its own torque; a warning where that is less than the machine's."""
-    worn = min(getattr(wear.torque_low, end) for end in ENDS)
-    machine, nominal = float(clutch.machine_torque), float(clutch.nominal_torque)
-    if worn < machine * (1 - 1e-12):
-        yield finding("worn-below-machine", "warning", value=worn, limit=machine, path=path)
-    elif worn < nominal * (1 - 1e-12):
-        yield finding("worn-below-nominal", "info", value=worn, limit=nominal, path=path, machine=machine)
-
-
-def _changes(effect: Effect, by_law: Triple) -> Iterator[float]:
-    for torque in (effect.torque_low, effect.torque_high):
-        yield from (getattr(torque, end) / getattr(by_law, end) - 1 for end in ENDS)
-
-
-def _splines(clutch: Clutch) -> Bracket:
+def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:
     """Discs held in their splines as the pack closes under torque, or as the balls unload a pack closed at rest.
 
     The controlled pairs are next to the spring (F11 fig. 1), an inner disc behind the first pair.
     """
-    group = clutch.spec.friction_group
-    bypass, pairs = int(clutch.bypass_pairs), group.pairs
+    bypass, pairs = int(clutch.bypass_pairs), clutch.spec.friction_group.pairs
     most_force = float(clutch.pack_force_at_rest)
 
     def share(friction: float, disc: int) -> float:
         """Share of the normal force of a pair that the spline of a disc can hold."""
-        radius = (group.inner_spline_radius, group.outer_spline_radius)[disc % 2]
-        return float(law.spline_share(group.spline_friction, friction, float(clutch.mean_radius), radius))
+        return float(law.spline_share(spline_friction, friction, float(clutch.mean_radius), radii[disc % 2]))
 
     most = max(share(friction.max, disc) for friction in clutch.friction for disc in (0, 1))
     if most >= 1:
         locks = finding("splines-lock", "error", value=most, limit=1.0, path="friction_group.spline_friction")
         return Bracket((), (locks,))
+    if pairs > _MOST_PAIRS:
+        raise CalculationError("effects: splines are followed disc by disc, at most {most:,} pairs", most=_MOST_PAIRS)
 
     def forces(next_force: Callable[..., Values], driving: float, driven: float) -> list[float]:
         """Forces on the pairs over that of the first, from the spring on: the controlled pairs, then the others."""
-        if pairs > _MOST_PAIRS:
-            raise CalculationError(
-                "effects: splines are followed disc by disc, at most {most:,} pairs", most=_MOST_PAIRS
-            )
         frictions = [driven] * (pairs - bypass) + [driving] * bypass
         chain = [1.0]
         for disc, (near, far) in enumerate(zip(frictions, frictions[1:], strict=False)):
@@ -256,42 +248,32 @@ def _splines(clutch: Clutch) -> Bracket:
     return Bracket((closing, opening))
 
 
-def _cams(clutch: Clutch) -> Bracket:
+def _cams(clutch: Clutch, wall_friction: float, ball_circle_radius: float) -> Bracket:
     """Gain with the friction of the wall against the cam driven up, and driven back."""
-    unit = clutch.spec.control_unit
-    assert unit is not None
-    assert unit.ball_circle_radius is not None
-    assert unit.wall_friction is not None
-    over = synthesis.tan_wall_angle(1.0, unit.ball_circle_radius, float(clutch.mean_radius))
+    over = synthesis.tan_wall_angle(1.0, ball_circle_radius, float(clutch.mean_radius))
     tangent, path = float(clutch.gain) * over, "control_unit.wall_friction"
-    if tangent * unit.wall_friction >= 1:
-        stay = finding("cams-stay", "error", value=unit.wall_friction, limit=1 / tangent, path=path)
+    if tangent * wall_friction >= 1:
+        stay = finding("cams-stay", "error", value=wall_friction, limit=1 / tangent, path=path)
         return Bracket((), (stay,))
-    loading = law.tan_wall_angle_loading(tangent, unit.wall_friction) / over
-    unloading = law.tan_wall_angle_unloading(tangent, unit.wall_friction) / over
-    least = float(clutch.gain_threshold)
+    loading = law.tan_wall_angle_loading(tangent, wall_friction) / over
+    unloading = law.tan_wall_angle_unloading(tangent, wall_friction) / over
+    held, least = _springs_held(clutch), float(clutch.gain_threshold)
     locks = finding("cams-lock", "warning", value=loading, limit=least, path=path)
-    curves = _with_gain(clutch, loading).torque, _with_gain(clutch, unloading).torque
+    # where the key takes all of the gain, as much as the key takes
+    curves = replace(held, gain=max(loading, least)).torque, replace(held, gain=max(unloading, least)).torque
     return Bracket(curves, (locks,) if loading <= least else ())
 
 
-def _centrifugal(clutch: Clutch) -> Bracket:
+def _centrifugal(clutch: Clutch, speed: float, balls: int, diameter: float, circle: float) -> Bracket:
     """Conical pockets, as they are and with the force of balls thrown outward."""
-    unit, speed = clutch.spec.control_unit, clutch.spec.drive.speed
-    assert unit is not None
-    assert unit.ball_diameter is not None
-    tangent = synthesis.tan_wall_angle(clutch.gain, unit.ball_circle_radius, clutch.mean_radius)
-    mass = law.ball_mass(STEEL, unit.ball_diameter / 2, math.pi)
-    thrust = float(law.centrifugal_thrust(unit.balls, mass, speed, unit.ball_circle_radius, tangent))
-    return _weaker(clutch, thrust, "drive.speed")
+    tangent = synthesis.tan_wall_angle(clutch.gain, circle, clutch.mean_radius)
+    mass = law.ball_mass(STEEL, diameter / 2, math.pi)
+    return _weaker(clutch, float(law.centrifugal_thrust(balls, mass, speed, circle, tangent)), "drive.speed")
 
 
-def _wear(clutch: Clutch) -> Bracket:
+def _wear(clutch: Clutch, lining: float, *_: float) -> Bracket:
     """The pack new, and with its lining gone."""
-    heat = clutch.spec.heat
-    assert heat is not None
-    assert heat.lining is not None
-    return _weaker(clutch, float(clutch.lost_by_wear(heat.lining)), "heat.lining")
+    return _weaker(clutch, float(clutch.lost_by_wear(lining)), "heat.lining")
 
 
 def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
@@ -311,11 +293,6 @@ def _springs_held(clutch: Clutch) -> Clutch:
     return clutch if sleeve is None else replace(sleeve, made_control_force=sleeve.control_force)
 
 
-def _with_gain(clutch: Clutch, gain: float) -> Clutch:
-    """The clutch with another gain; where the key takes all of it, with as much as the key takes."""
-    return replace(_springs_held(clutch), gain=max(gain, float(clutch.gain_threshold)))
-
-
 def with_pairs(clutch: Clutch, bypass: Values, controlled: Values) -> Clutch:
     """The clutch with pairs that count in part, its springs as they are set."""
     if clutch.sleeve is not None:
@@ -325,16 +302,14 @@ def with_pairs(clutch: Clutch, bypass: Values, controlled: Values) -> Clutch:
 
 SOURCES: Mapping[EffectName, EffectSource] = {
     "spline-friction": EffectSource(
-        (
-            "friction_group.spline_friction",
-            "friction_group.inner_spline_radius",
-            "friction_group.outer_spline_radius",
-        ),
+        tuple(f"friction_group.{key}" for key in ("spline_friction", "inner_spline_radius", "outer_spline_radius")),
         _splines,
         term("discs held in their splines"),
     ),
     "sliding-cams": EffectSource(
-        ("control_unit.wall_friction", "control_unit.ball_circle_radius"), _cams, term("cams that slide on their walls")
+        ("control_unit.wall_friction", "control_unit.ball_circle_radius"),
+        _cams,
+        term("cams that slide on their walls"),
     ),
     "centrifugal": EffectSource(
         ("drive.speed", "control_unit.balls", "control_unit.ball_diameter", "control_unit.ball_circle_radius"),

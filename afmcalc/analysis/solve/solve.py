@@ -270,8 +270,9 @@ class _Problem:
             numbers += near[np.argsort(np.abs(near - root))].tolist()[:1]
         if numbers:
             return list(dict.fromkeys(numbers))
-        ends = self._meeting(np.array([end for end in (low, high) if math.isfinite(end)]))
-        return ends[np.argsort(np.abs(self.values(ends) - self.wanted), kind="stable")].tolist()[:1]
+        ends = np.array([end for end in (low, high) if math.isfinite(end)])
+        nearer = ends[np.argsort(np.abs(self.values(ends) - self.wanted), kind="stable")]
+        return self._meeting(nearer).tolist()[:1]
 
     def _meeting(self, at: Floats) -> Floats:
         """Those values of the parameter at which the target is as wanted or better."""
