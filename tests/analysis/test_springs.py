@@ -7,7 +7,7 @@ from conftest import CONFIGS
 
 from afmcalc.analysis.dossier import dossier
 from afmcalc.analysis.heat import heat
-from afmcalc.analysis.springs.candidates import _coils, coil_candidates
+from afmcalc.analysis.springs.candidates import _coils, coil_springs
 from afmcalc.analysis.springs.springs import springs
 from afmcalc.engines import build
 from afmcalc.engines.springs import SpringDemand
@@ -301,7 +301,7 @@ def test_coils_are_of_sizes_that_a_works_makes():
     wish = SpringDemand(
         force=2000.0, stiffness=20e3, compresses=1.23e-3, room=Room(inner_diameter=0.04, outer_diameter=0.07), **COIL
     )
-    found = [each.part for each in coil_candidates(wish, 0.1)]
+    found = list(coil_springs(wish))
     assert {part.count for part in found} >= {1, 3}
     sizes = {}
     for part in found:

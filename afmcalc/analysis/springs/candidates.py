@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 from functools import cache
+from itertools import chain, product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,6 +15,7 @@ from ...equations import springs as law
 from ...messages import say
 from ...spec.catalogues import Disc, discs
 from ...spec.models import SHEAR_MODULUS, CoilSprings, DiscStack, Room
+from ..registry import SpringKind
 
 Numbers = NDArray[np.float64]
 
@@ -28,15 +30,15 @@ NONE = -1.0
 COUNTS = (1, 3, 4, 6, 8, 9, 12, 16, 20, 24)
 """Coil springs around the shaft."""
 WIRES = tuple(
-    each * 1e-3
-    for each in (
+    diameter * 1e-3
+    for diameter in (
         1, 1.1, 1.25, 1.4, 1.6, 1.8, 2, 2.2, 2.5, 2.8, 3.2, 3.6, 4, 4.5, 5, 5.6, 6.3, 7.1, 8, 9, 10, 11, 12.5, 14, 16,
     )
 )  # fmt: skip
 """Wire diameters, R'20 of ISO 497, m."""
 TURNS = (2.0, 25.0)
 """Active turns."""
-_FREE_TURNS = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
+_FREE_TURNS: tuple[float, ...] = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
 """Active turns to choose from where any stiffness will do."""
 _STEPS = 24
 """Mean coil diameters that are tried of a wire."""
@@ -46,6 +48,8 @@ _SHAPE = (
     "modulus", "poisson", "factor_load", "factor_flats", "outer_diameter", "thickness", "cone_height",
 )  # fmt: skip
 """What the force of a disc depends on."""
+_SIZES = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
+"""What makes a disc one of a size."""
 _ROUNDING, _SLACK = 1e-12, 1e-9
 
 
@@ -53,7 +57,6 @@ class Candidate(NamedTuple):
     """A part, and what it misses."""
 
     part: DiscStack | CoilSprings
-    label: str
     misses: Mapping[str, float]
     """What is not as wished → by how much, relative; empty: it does."""
 
@@ -62,51 +65,52 @@ def label_of(part: DiscStack | CoilSprings) -> str:
     """What a part is called: a disc by its standard, if it is of one."""
     if isinstance(part, CoilSprings):
         return say("coil {wire:g} × {coil:g}", wire=part.wire_diameter * 1e3, coil=part.coil_diameter * 1e3)
-    for disc in discs():
-        if stack_of(disc, part.parallel, part.series) == part:
-            return f"DIN EN 16983 {disc.name}"
+    name = _names().get(tuple(getattr(part, size) for size in _SIZES))
+    if name is not None:
+        return f"DIN EN 16983 {name}"
     outer, inner, thickness = (size * 1e3 for size in (part.outer_diameter, part.inner_diameter, part.thickness))
     return say("disc {outer:g} × {inner:g} × {thickness:g}", outer=outer, inner=inner, thickness=thickness)
 
 
+@cache
+def _names() -> dict[tuple[float | None, ...], str]:
+    return {tuple(getattr(disc, size) for size in _SIZES): disc.name for disc in discs()}
+
+
 def stack_of(disc: Disc, parallel: int, series: int) -> DiscStack:
     """A stack of a size."""
-    return DiscStack.model_construct(
-        outer_diameter=disc.outer_diameter,
-        inner_diameter=disc.inner_diameter,
-        thickness=disc.thickness,
-        reduced_thickness=disc.reduced_thickness,
-        free_height=disc.free_height,
-        parallel=parallel,
-        series=series,
-    )
+    sizes = {size: getattr(disc, size) for size in _SIZES}
+    return DiscStack.model_construct(**sizes, parallel=parallel, series=series)
 
 
-def _judged(part: DiscStack | CoilSprings, label: str, wish: SpringDemand, tolerance: float) -> Candidate:
-    spring = characteristic(part)
-    misses = {"stiffness": 0.0}
-    for demand in checks_of_part(wish, part):
-        name = demand.rule.misses
-        misses[name] = max(demand.beyond, misses.get(name, 0.0))
-    if wish.stiffness is not None:
-        off = abs(float(spring.stiffness(spring.deflection(wish.force))) / wish.stiffness - 1)
-        misses["stiffness"] = off if off > tolerance else 0.0
-    return Candidate(part, label, {name: by for name, by in misses.items() if by > _SLACK})
+def candidates(
+    wish: SpringDemand, kind: SpringKind, tolerance: float = TOLERANCE, *, fitting: bool = False
+) -> Iterator[Candidate]:
+    """Parts of a kind, each with what it misses; with ``fitting`` no discs that cannot do by their size or force."""
+    parts: list[Iterator[DiscStack | CoilSprings]] = []
+    if kind != "coil":
+        parts.append(_stacks(wish, fitting=fitting))
+    if kind != "disc":
+        parts.append(coil_springs(wish))
+    for part in chain(*parts):
+        spring = characteristic(part)
+        misses = {"stiffness": 0.0}
+        for demand in checks_of_part(wish, part):
+            name = demand.rule.misses
+            misses[name] = max(demand.beyond, misses.get(name, 0.0))
+        if wish.stiffness is not None:
+            off = abs(float(spring.stiffness(spring.deflection(wish.force))) / wish.stiffness - 1)
+            misses["stiffness"] = off if off > tolerance else 0.0
+        yield Candidate(part, {name: by for name, by in misses.items() if by > _SLACK})
 
 
-def disc_candidates(wish: SpringDemand, tolerance: float, *, fitting: bool = False) -> Iterator[Candidate]:
-    """Stacks of every size, n laid into each other, and as many packs as stiffness, travel or room ask for.
-
-    With ``fitting`` not those that cannot do by their size or force.
-    """
+def _stacks(wish: SpringDemand, *, fitting: bool) -> Iterator[DiscStack]:
+    """Stacks of every size, n laid into each other, and as many packs as stiffness, travel or room ask for."""
     for disc, pack in packs(wish.room if fitting else Room()):
-        if fitting:
-            low, high = (float(pack.force(s)) for s in pack.range)
-            if not low * (1 - _SLACK) <= wish.force <= high * (1 + _SLACK):
-                continue
-        for series in _series(wish, pack, float(pack.deflection(wish.force))):
-            part = stack_of(disc, pack.part.parallel, series)
-            yield _judged(part, f"DIN EN 16983 {disc.name}", wish, tolerance)
+        low, high = pack.range
+        if not fitting or pack.force(low) * (1 - _SLACK) <= wish.force <= pack.force(high) * (1 + _SLACK):
+            for series in _series(wish, pack, float(pack.deflection(wish.force))):
+                yield stack_of(disc, pack.part.parallel, series)
 
 
 def _series(wish: SpringDemand, pack: DiscCharacteristic, deflection: float) -> set[int]:
@@ -133,14 +137,23 @@ def _series(wish: SpringDemand, pack: DiscCharacteristic, deflection: float) -> 
     return {min(series, MOST_SERIES) for series in counts}
 
 
-def coil_candidates(wish: SpringDemand, tolerance: float) -> Iterator[Candidate]:
-    """Coil springs around the shaft, or several on a circle, of every wire."""
-    for count in COUNTS:
-        for wire in WIRES:
-            for coil in _coils(wish, count, wire):
-                for turns in _turns(wish, count, wire, coil):
-                    part = _spring(wish, count, wire, coil, turns)
-                    yield _judged(part, label_of(part), wish, tolerance)
+def coil_springs(wish: SpringDemand) -> Iterator[CoilSprings]:
+    """Coil springs around the shaft, or several on a circle, of every wire, their turns in quarters."""
+    for count, wire in product(COUNTS, WIRES):
+        for coil in _coils(wish, count, wire):
+            choice = _FREE_TURNS
+            if wish.stiffness is not None:
+                wanted = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0)) / wish.stiffness
+                quarters = round(4 * wanted) / 4
+                choice = (quarters,) if TURNS[0] <= quarters <= TURNS[1] else ()
+            for turns in choice:
+                rate = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, turns))
+                # as short as the gaps between its turns allow when it is pressed most
+                shortest = float(law.coil_solid_length(wire, turns) + law.coil_least_gap(wire, coil, turns))
+                free = math.ceil((shortest + wish.force / rate + wish.compresses) * 1e4) / 1e4
+                yield CoilSprings.model_construct(
+                    wire_diameter=wire, coil_diameter=coil, turns=turns, free_length=free, count=count
+                )
 
 
 def _coils(wish: SpringDemand, count: int, wire: float) -> list[float]:
@@ -158,25 +171,6 @@ def _coils(wish: SpringDemand, count: int, wire: float) -> list[float]:
     step = max(1e-3, math.ceil((high - low) / _STEPS * 1e3) * 1e-3)
     first = math.ceil(round(low / 1e-3, 6))
     return [number * 1e-3 for number in range(first, math.floor(round(high / 1e-3, 6)) + 1, round(step / 1e-3))]
-
-
-def _turns(wish: SpringDemand, count: int, wire: float, coil: float) -> list[float]:
-    """Active turns, in quarters."""
-    if wish.stiffness is None:
-        return list(_FREE_TURNS)
-    wanted = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0)) / wish.stiffness
-    quarters = round(4 * wanted) / 4
-    return [quarters] if TURNS[0] <= quarters <= TURNS[1] else []
-
-
-def _spring(wish: SpringDemand, count: int, wire: float, coil: float, turns: float) -> CoilSprings:
-    """As short as the gaps between its turns allow when it is pressed most."""
-    rate = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, turns))
-    shortest = float(law.coil_solid_length(wire, turns) + law.coil_least_gap(wire, coil, turns))
-    free = shortest + wish.force / rate + wish.compresses
-    return CoilSprings.model_construct(
-        wire_diameter=wire, coil_diameter=coil, turns=turns, free_length=math.ceil(free * 1e4) / 1e4, count=count
-    )
 
 
 @cache

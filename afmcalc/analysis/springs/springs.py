@@ -1,7 +1,7 @@
 """Springs one can buy or wind: disc stacks and coil springs that give the forces of a clutch."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 from typing import Any, Literal
 
@@ -19,7 +19,7 @@ from ...spec import resolved
 from ...spec.catalogues import discs
 from ...spec.models import CoilSprings, DiscStack
 from ..registry import SpringKind, SpringOrder
-from .candidates import TOLERANCE, Candidate, coil_candidates, disc_candidates, label_of, stack_of
+from .candidates import TOLERANCE, Candidate, candidates, label_of, stack_of
 
 Kind = Literal["disc", "coil"]
 STEEL = 7850.0
@@ -157,20 +157,24 @@ def springs(
     number = 1
     wanted = clutch.spring_demands()
     for wish in wanted:
-        every = list(_candidates(wish, kind, tolerance))
-        order = sort or _order(wish)
-        options = sorted(_best_of_each(wish, [part for part in every if not part.misses], order), key=_BY[order])
+        tried = list(candidates(wish, kind, tolerance))
+        options = _best_of_each(wish, [part for part, misses in tried if not misses], sort)
         counts[wish.name] = len(options)
-        listed[wish.name] = [_with(option, number=place) for place, option in enumerate(options[:top], number)]
+        listed[wish.name] = [
+            option.model_copy(update={"number": place}) for place, option in enumerate(options[:top], number)
+        ]
         number += len(listed[wish.name])
-        if not options and every:
-            close = min(every, key=lambda candidate: max(candidate.misses.values()))
-            nearest.append(option_of(wish, close.part, close.label))
+        if not options and tried:
+            close = min(tried, key=lambda candidate: max(candidate.misses.values()))
+            nearest.append(option_of(wish, close.part))
             remarks.append(_none(wish, close))
-        remarks += _remarks(wish)
+        if None in (wish.room.inner_diameter, wish.room.outer_diameter, wish.room.length):
+            remarks.append(finding("room-not-given", "info", path=f"{wish.name}_spring.room"))
+        if wish.stiffness is None:
+            remarks.append(finding("any-stiffness", "info", path=f"{wish.name}_spring.stiffness"))
     parts = clutch.spec.spring_parts
     in_use = [
-        _with(option_of(wish, part, label_of(part)), spring=wish.name)
+        option_of(wish, part).model_copy(update={"spring": wish.name})
         for wish in wanted
         if (part := parts.get(wish.name)) is not None
     ]
@@ -187,41 +191,29 @@ def springs(
 
 def ranked(wish: SpringDemand, kind: SpringKind = "any") -> list[SpringOption]:
     """Every part that does, in the order they are told in."""
-    fitting = (each for each in _candidates(wish, kind, TOLERANCE, fitting=True) if not each.misses)
-    return sorted((option_of(wish, each.part, each.label) for each in fitting), key=_BY[_order(wish)])
+    fitting = (part for part, misses in candidates(wish, kind, fitting=True) if not misses)
+    return sorted((option_of(wish, part) for part in fitting), key=_by(wish))
 
 
-def _candidates(
-    wish: SpringDemand, kind: SpringKind, tolerance: float, *, fitting: bool = False
-) -> Iterable[Candidate]:
-    if kind != "coil":
-        yield from disc_candidates(wish, tolerance, fitting=fitting)
-    if kind != "disc":
-        yield from coil_candidates(wish, tolerance)
+def _by(wish: SpringDemand, sort: SpringOrder | None = None) -> Callable[[SpringOption], float]:
+    return _BY[sort or ("length" if wish.stiffness else "wear")]
 
 
-def _order(wish: SpringDemand) -> SpringOrder:
-    return "length" if wish.stiffness else "wear"
+def _best_of_each(
+    wish: SpringDemand, parts: list[DiscStack | CoilSprings], sort: SpringOrder | None
+) -> list[SpringOption]:
+    """The best of every size of disc, of every wire and count, sorted: its neighbours are much the same."""
 
-
-def _with(option: SpringOption, **values: object) -> SpringOption:
-    return option.model_copy(update=values)
-
-
-def _best_of_each(wish: SpringDemand, candidates: list[Candidate], sort: SpringOrder) -> list[SpringOption]:
-    """The best of every size of disc, of every wire and count: its neighbours are much the same."""
-
-    def family(candidate: Candidate) -> tuple[str, ...]:
-        part = candidate.part
+    def family(part: DiscStack | CoilSprings) -> tuple[str, ...]:
         if isinstance(part, DiscStack):
-            return ("disc", candidate.label, str(part.parallel))
+            return ("disc", label_of(part), str(part.parallel))
         return ("coil", str(part.wire_diameter), str(part.count))
 
-    groups = groupby(sorted(candidates, key=family), key=family)
-    return [min((option_of(wish, each.part, each.label) for each in group), key=_BY[sort]) for _, group in groups]
+    by, families = _by(wish, sort), groupby(sorted(parts, key=family), key=family)
+    return sorted((min((option_of(wish, part) for part in alike), key=by) for _, alike in families), key=by)
 
 
-def option_of(wish: SpringDemand, part: DiscStack | CoilSprings, label: str) -> SpringOption:
+def option_of(wish: SpringDemand, part: DiscStack | CoilSprings) -> SpringOption:
     """What a part gives as set and in service, and what it bears."""
     spring = characteristic(part)
     deflection = float(spring.deflection(wish.force))
@@ -235,7 +227,7 @@ def option_of(wish: SpringDemand, part: DiscStack | CoilSprings, label: str) -> 
     )
     return SpringOption(
         number=None,
-        part=label,
+        part=label_of(part),
         force=force,
         force_least=None if low < 0 else float(spring.force(low)),
         force_largest=float(spring.force(high)),
@@ -351,17 +343,7 @@ def _none(wish: SpringDemand, close: Candidate) -> Finding:
     part = close.part
     size = f"{part.parallel} × {part.series}" if isinstance(part, DiscStack) else f"{part.count} × {part.turns:g}"
     path = f"{wish.name}_spring"
-    return finding("no-spring", "warning", value=wish.force, path=path, part=close.label, size=size, misses=misses)
-
-
-def _remarks(wish: SpringDemand) -> list[Finding]:
-    room, path = wish.room, f"{wish.name}_spring.room"
-    remarks = []
-    if room.inner_diameter is None or room.outer_diameter is None or room.length is None:
-        remarks.append(finding("room-not-given", "info", path=path))
-    if wish.stiffness is None:
-        remarks.append(finding("any-stiffness", "info", path=f"{wish.name}_spring.stiffness"))
-    return remarks
+    return finding("no-spring", "warning", value=wish.force, path=path, part=label_of(part), size=size, misses=misses)
 
 
 def springs_curve(clutch: Clutch) -> SpringsCurve:
@@ -370,28 +352,27 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
     Raises:
         CalculationError: there is no part.
     """
-    return SpringsCurve(name=clutch.spec.name, springs=[_curve(clutch, wish) for wish in clutch.spring_demands()])
-
-
-def _curve(clutch: Clutch, wish: SpringDemand) -> SpringCurve:
-    part = clutch.spec.spring_parts.get(wish.name)
-    if part is None:
-        best = ranked(wish)
-        if not best:
-            raise CalculationError("plot springs: there is no part for the {name} spring", name=wish.name)
-        part = part_of(best[0])
-    spring = characteristic(part)
-    deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)
-    at = float(spring.deflection(wish.force))
-    slope = float(spring.stiffness(at))
-    return SpringCurve(
-        spring=wish.name,
-        part=label_of(part),
-        deflection=deflections.tolist(),
-        force=np.asarray(spring.force(deflections)).tolist(),
-        tangent=(wish.force + slope * (deflections - at)).tolist(),
-        set_deflection=at,
-        set_force=float(spring.force(at)),
-        service=(at - wish.relaxes, at + wish.compresses),
-        usable=spring.range,
-    )
+    curves = []
+    for wish in clutch.spring_demands():
+        part = clutch.spec.spring_parts.get(wish.name)
+        if part is None:
+            best = ranked(wish)
+            if not best:
+                raise CalculationError("plot springs: there is no part for the {name} spring", name=wish.name)
+            part = part_of(best[0])
+        spring = characteristic(part)
+        deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)
+        at = float(spring.deflection(wish.force))
+        curve = SpringCurve(
+            spring=wish.name,
+            part=label_of(part),
+            deflection=deflections.tolist(),
+            force=np.asarray(spring.force(deflections)).tolist(),
+            tangent=(wish.force + float(spring.stiffness(at)) * (deflections - at)).tolist(),
+            set_deflection=at,
+            set_force=float(spring.force(at)),
+            service=(at - wish.relaxes, at + wish.compresses),
+            usable=spring.range,
+        )
+        curves.append(curve)
+    return SpringsCurve(name=clutch.spec.name, springs=curves)
