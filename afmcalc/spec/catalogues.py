@@ -2,9 +2,10 @@
 
 import tomllib
 from collections.abc import Iterator, Mapping
-from csv import DictReader
+from csv import reader
 from functools import cache
 from importlib.resources import files
+from itertools import islice
 from typing import NamedTuple
 
 from ..messages import did_you_mean, say
@@ -40,24 +41,12 @@ class Disc(NamedTuple):
 def discs() -> tuple[Disc, ...]:
     """Every size, in the order of the data file."""
     text = files("afmcalc.spec").joinpath("disc-springs.csv").read_text(encoding="utf-8")
-    return tuple(_disc(row) for row in DictReader(text.splitlines()))
-
-
-def _disc(row: Mapping[str, str]) -> Disc:
-    def metres(column: str) -> float:
+    discs = []
+    for series, *lengths, force in islice(reader(text.splitlines()), 1, None):
         # millimetres to the last digit, so that 25.4 mm is 0.0254 m
-        return float(f"{row[column]}e-3")
-
-    reduced, force = row["reduced_thickness_mm"], row["force_at_0.75_h0_N"]
-    return Disc(
-        series=row["series"],
-        outer_diameter=metres("outer_diameter_mm"),
-        inner_diameter=metres("inner_diameter_mm"),
-        thickness=metres("thickness_mm"),
-        reduced_thickness=metres("reduced_thickness_mm") if reduced else None,
-        free_height=metres("free_height_mm"),
-        printed_force=float(force) if force else None,
-    )
+        outer, inner, thickness, reduced, height = (float(f"{mm or 0}e-3") for mm in lengths)
+        discs.append(Disc(series, outer, inner, thickness, reduced or None, height, float(force) if force else None))
+    return tuple(discs)
 
 
 class Material(NamedTuple):
@@ -86,24 +75,25 @@ class Material(NamedTuple):
 def friction_materials() -> dict[str, Material]:
     """Every material by name, in the order of the data file."""
     data = tomllib.loads(files("afmcalc.spec").joinpath("materials.toml").read_text(encoding="utf-8"))
-    sources = data["sources"]
-    entries: dict[str, Material] = {}
+    materials: dict[str, Material] = {}
     for name, row in data["materials"].items():
-        pressure, temperature = row.get("pressure_kPa"), row.get("temperature_C")
-        entries[name] = Material(
+        source = data["sources"][row["source"]]
+        pressure: list[float | None] = [kpa * 1e3 for kpa in row.get("pressure_kPa", ())] or [None]
+        temperature: list[float | None] = [float(celsius) for celsius in row.get("temperature_C", ())] or [None]
+        materials[name] = Material(
             name=name,
             description=row["description"],
             condition=row["condition"],
             friction_min=row["friction"][0],
             friction_max=row["friction"][1],
-            pressure_min=pressure[0] * 1e3 if pressure else None,
-            pressure_max=pressure[-1] * 1e3 if pressure else None,
-            temperature_min=float(temperature[0]) if temperature else None,
-            temperature_max=float(temperature[-1]) if temperature else None,
-            source=sources[row["source"]]["short"],
-            citation=sources[row["source"]]["full"],
+            pressure_min=pressure[0],
+            pressure_max=pressure[-1],
+            temperature_min=temperature[0],
+            temperature_max=temperature[-1],
+            source=source["short"],
+            citation=source["full"],
         )
-    return entries
+    return materials
 
 
 def broken_rules(name: str, beside: Mapping[str, float | None]) -> Iterator[Broken]:

@@ -1,13 +1,12 @@
 """What a key of a spec may be called: its path, its name, its symbol in the papers; and what stands at its path."""
 
-import math
 from collections import Counter
 from functools import cache
 
 from pydantic import BaseModel
 
 from ..messages import joined, plain, say
-from .fields import Key, keys_below
+from .fields import Key, Quantity, keys_below
 from .models import Spec
 from .tolerance import scattering
 
@@ -49,20 +48,9 @@ def is_whole(path: str) -> bool:
     return key is not None and key.about is not None and key.about.whole
 
 
-def unit_at(path: str) -> str | None:
-    """SI unit of what may scatter; None when the path is none of it."""
-    about = scattering(path, Spec)
-    return about.unit if about else None
-
-
-def physical_limits(path: str) -> tuple[float, float]:
-    """Bounds that the spec sets to what may scatter, which no scatter passes.
-
-    >>> physical_limits("closing_spring.force"), physical_limits("friction")
-    ((0.0, inf), (0.0, inf))
-    """
-    about = scattering(path, Spec)
-    return about.limits if about else (-math.inf, math.inf)
+def scatter_at(path: str) -> Quantity | None:
+    """What a number that scatters may be; None when the path is none of it."""
+    return scattering(path, Spec)
 
 
 def path_of(name: str, model: type[BaseModel] = Spec) -> str | None:
@@ -72,11 +60,11 @@ def path_of(name: str, model: type[BaseModel] = Spec) -> str | None:
     ('control_unit.gain', 'friction_group.driving_pairs', None)
     """
     name = name.strip()
-    return _paths_by_name(model).get(plain(name)) if len(name) <= 100 else None
+    return names(model).get(plain(name)) if len(name) <= 100 else None
 
 
 @cache
-def _paths_by_name(model: type[BaseModel]) -> dict[str, str]:
+def names(model: type[BaseModel] = Spec) -> dict[str, str]:
     """Every name and the path that it means; a name of several keys means none."""
     known = keys_below(model)
     of_clutch = [key for key in known.values() if not key.path.startswith(_APART)]
@@ -85,11 +73,6 @@ def _paths_by_name(model: type[BaseModel]) -> dict[str, str]:
         times = Counter(name for name, _ in pairs)
         paths |= {plain(name): path for name, path in pairs if name and times[name] == 1}
     return paths | (ALIASES if model is Spec else {}) | {path: path for path in known}
-
-
-def names(model: type[BaseModel] = Spec) -> list[str]:
-    """Every name that ``path_of`` takes."""
-    return list(_paths_by_name(model))
 
 
 def elsewhere(name: str, model: type[BaseModel] = Spec) -> str:

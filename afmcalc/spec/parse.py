@@ -28,11 +28,7 @@ def example_names() -> list[str]:
 
 
 def example_text(name: str) -> str:
-    """Text of an example.
-
-    Raises:
-        AfmcalcError: there is none of that name.
-    """
+    """Text of an example; an ``AfmcalcError`` where there is none of that name."""
     if name not in (known := example_names()):
         hint = did_you_mean(name, known) or say("; there are: {names}", names=", ".join(known))
         raise AfmcalcError("{prefix}{name}: no such example{hint}", prefix=PREFIX, name=name, hint=hint)
@@ -71,12 +67,7 @@ def text_of(source: str | PathLike[str] | None) -> Source:
 
 
 def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
-    """Return what is in the file of a spec, and what to call it in messages.
-
-    Raises:
-        FileError: it cannot be read.
-        SpecError: it is too long for a spec.
-    """
+    """Return what is in the file of a spec, and what to call it in messages; the errors are those of ``text_of``."""
     if source is None:
         return example_text("default").encode(), BUILT_IN
     label = _STANDARD_INPUT if source == "-" else str(source)
@@ -88,29 +79,22 @@ def bytes_of(source: str | PathLike[str] | None) -> tuple[bytes, str]:
         else:
             with open(source, "rb") as file:
                 raw = file.read(LONGEST + 1)
-    except OSError as error:
-        raise FileError("{label}: cannot be read: {why}", label=label, why=reason(error)) from None
-    except ValueError as error:
-        raise FileError("{label}: cannot be read: {why}", label=label, why=error) from None
+    except (OSError, ValueError) as error:
+        why = reason(error) if isinstance(error, OSError) else error
+        raise FileError("{label}: cannot be read: {why}", label=label, why=why) from None
     if len(raw) > LONGEST:
         raise _refused(label, say("is larger than {most} MiB, the most that is read", most=LONGEST >> 20))
     return raw, label
 
 
 def decoded(raw: bytes, label: str) -> Source:
-    """Return the text of a file: UTF-8, or UTF-16 with its mark, as PowerShell writes.
-
-    Raises:
-        SpecError: it is no text.
-    """
-    if raw.startswith((b"\xff\xfe", b"\xfe\xff")):
-        try:
-            return Source(label, raw.decode("utf-16"))
-        except UnicodeDecodeError as error:
-            raise _refused(label, say("is not UTF-16 text (byte {byte})", byte=error.start)) from None
+    """Return the text of a file: UTF-8, or UTF-16 with its mark, as PowerShell writes; else a ``SpecError``."""
+    wide = raw.startswith((b"\xff\xfe", b"\xfe\xff"))
     try:
-        return Source(label, raw.decode("utf-8-sig"))
+        return Source(label, raw.decode("utf-16" if wide else "utf-8-sig"))
     except UnicodeDecodeError as error:
+        if wide:
+            raise _refused(label, say("is not UTF-16 text (byte {byte})", byte=error.start)) from None
         line = raw.count(b"\n", 0, error.start) + 1
         message = say("is not UTF-8 text (line {line}, byte {byte}): save it as UTF-8", line=line, byte=error.start)
         raise _refused(label, message) from None
@@ -121,11 +105,7 @@ def _refused(label: str, message: str, path: str = "") -> SpecError:
 
 
 def parse(source: Source) -> dict[str, object]:
-    """Parse TOML or JSON text; JSON is what begins with a bracket or brace that TOML could not.
-
-    Raises:
-        SpecError: it is neither, or beyond a limit.
-    """
+    """Parse TOML or JSON text, what begins with a brace; a ``SpecError`` where it is neither, or beyond a limit."""
     if not source.text.strip():
         raise _refused(source, say("is empty; a clutch spec in TOML or JSON is wanted"))
     try:
@@ -142,11 +122,7 @@ def is_json(source: Source) -> bool:
 
 
 def toml_of(source: Source) -> dict[str, object]:
-    """Parse TOML text.
-
-    Raises:
-        SpecError: it is none, or beyond a limit.
-    """
+    """Parse TOML text; a ``SpecError`` where it is none, or too long."""
     if len(source.text) > LONGEST_TOML:
         raise _refused(source, say("is larger than {most} KiB, the most for TOML", most=LONGEST_TOML >> 10))
     # a dotted key of very many parts would take gigabytes to read
@@ -186,21 +162,16 @@ def _json_of(source: Source) -> dict[str, object]:
         raise _refused(source, say("is not valid JSON: a number has too many digits")) from None
     if not isinstance(data, dict):
         raise _refused(source, say("is not a spec: a JSON object is wanted"))
-    if "spec" in data:
-        if data["spec"] is None and "command" in data:
-            raise _refused(source, say("the output of {command!r} carries no clutch", command=data["command"]))
-        data = data["spec"]
-        if not isinstance(data, dict):
-            raise _refused(source, say("its spec block is no object"))
-    return data
+    spec = data.get("spec", data)
+    if spec is None and "command" in data:
+        raise _refused(source, say("the output of {command!r} carries no clutch", command=data["command"]))
+    if not isinstance(spec, dict):
+        raise _refused(source, say("its spec block is no object"))
+    return spec
 
 
 def check_size(data: object, label: str) -> None:
-    """Hold parsed data to every limit.
-
-    Raises:
-        SpecError: it is beyond one.
-    """
+    """Hold parsed data to every limit; a ``SpecError`` where it is beyond one."""
     keys = items = 0
     left: list[tuple[str, int, object]] = [("", 0, data)]
     while left:
@@ -208,15 +179,13 @@ def check_size(data: object, label: str) -> None:
         if depth > DEEPEST:
             raise _refused(label, too_deep())
         if isinstance(value, dict):
-            keys += len(value)
-            if keys > MOST_KEYS:
+            if (keys := keys + len(value)) > MOST_KEYS:
                 raise _refused(label, say("has more than {most:,} keys", most=MOST_KEYS))
             if any(len(key) > LONGEST_TEXT for key in value):
                 raise _refused(label, say("a key has more than {most:,} characters", most=LONGEST_TEXT), path)
             left += [(f"{path}.{key}" if path else key, depth + 1, inner) for key, inner in value.items()]
         elif isinstance(value, list):
-            items += len(value)
-            if items > MOST_ITEMS:
+            if (items := items + len(value)) > MOST_ITEMS:
                 raise _refused(label, say("has more than {most:,} items in its lists", most=MOST_ITEMS))
             left += [(path, depth + 1, inner) for inner in value]
         elif isinstance(value, str) and len(value) > LONGEST_TEXT:

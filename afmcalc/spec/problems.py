@@ -40,22 +40,16 @@ def validated(model: type[M], data: Table, label: str, broken: Iterable[Broken] 
         if not problems:
             return made
     except ValidationError as error:
-        if mistake := _of_another_kind(data, model):
-            raise SpecError(label, [mistake]) from None
+        if model is not Spec and "variant" in data and _REQUIRED.isdisjoint(data):
+            other = say("is a clutch spec, no requirements: afmcalc init --kind requirements writes such a file")
+            raise SpecError(label, [Problem("", None, other)]) from None
+        if model is Spec and "variant" not in data and len(_REQUIRED & set(data)) > 1:
+            other = say("is a requirements file, no clutch: afmcalc design finds the clutches for it")
+            raise SpecError(label, [Problem("", None, other)]) from None
         details = error.errors(include_url=False)
         problems += dict.fromkeys(_problem(detail, data, model) for detail in details[:_MOST_TOLD])
         more = len(details[_MOST_TOLD:])
     raise SpecError(label, problems, more)
-
-
-def _of_another_kind(data: Table, model: type[BaseModel]) -> Problem | None:
-    """Say that a file is of another kind than what is read, in one sentence; None when it is not."""
-    if _REQUIRED.isdisjoint(data) and "variant" in data:
-        wanted = say("is a clutch spec, no requirements: afmcalc init --kind requirements writes such a file")
-        return Problem("", None, wanted) if model is not Spec else None
-    if len(_REQUIRED & set(data)) > 1 and "variant" not in data and model is Spec:
-        return Problem("", None, say("is a requirements file, no clutch: afmcalc design finds the clutches for it"))
-    return None
 
 
 _REQUIRED = frozenset(("variants", "objectives", "wanted", "search"))
@@ -90,10 +84,14 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None,
             choices = ", ".join(choices_at(location, root))
             return say("required: one of {choices}", choices=choices) if choices else say("required")
         case "extra_forbidden":
-            return _unknown_key(location, root)
+            *block, name = location
+            names = names_in(tuple(block), root)
+            if hint := did_you_mean(name, names) or elsewhere(name, root):
+                return say("unknown key{hint}", hint=hint)
+            return say("unknown key; allowed here: {names}", names=", ".join(names))
         case "model_type" | "model_attributes_type" | "dict_type":
-            names = ", ".join(names_in(location, root))
-            return say("must be a table with the keys {names}", names=names) if names else say("must be a table")
+            keys = ", ".join(names_in(location, root))
+            return say("must be a table with the keys {names}", names=keys) if keys else say("must be a table")
         case "literal_error":
             expected = context["expected"].replace("'", "").replace(" or ", ", ")
             hint = did_you_mean(str(detail["input"]), expected.split(", "))
@@ -108,41 +106,24 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None,
             return say("must not be empty")
         case "greater_than":
             return say("must be greater than {bound:g}", bound=context["gt"])
-        case "greater_than_equal" if _is_temperature(location, root) and re.fullmatch(r"[-\d.]+", given or ""):
-            return say(
-                'a number without a unit is in K, and must be at least {bound:g}: "{number} degC"?',
-                bound=context["ge"],
-                number=given,
-            )
         case "greater_than_equal":
+            key = keys_below(root).get(".".join(location))
+            if key and key.unit == "K abs" and given and re.fullmatch(r"[-\d.]+", given):
+                return say(
+                    'a number without a unit is in K, and must be at least {bound:g}: "{number} degC"?',
+                    bound=context["ge"],
+                    number=given,
+                )
             return say("must be at least {bound:g}", bound=context["ge"])
         case "less_than_equal":
             return say("must be at most {bound:g}", bound=context["le"])
+        case "less_than" if location[-1:] == ("wall_angle",):
+            if given and re.fullmatch(r"[\d.]+", given) and math.pi < float(given) < 90:
+                return say('a plain number is in rad, and must be less than pi/2: write "{given} deg"', given=given)
+            return say("must be less than 90 deg (pi/2 rad)")
         case "less_than":
-            if location[-1:] == ("wall_angle",):
-                return _too_steep(given)
             return say("must be less than {bound:g}", bound=context["lt"])
         case "value_error":
             return str(context["error"])
         case _:
             return detail["msg"]
-
-
-def _is_temperature(location: tuple[str, ...], root: type[BaseModel]) -> bool:
-    key = keys_below(root).get(".".join(location))
-    return key is not None and key.unit == "K abs"
-
-
-def _too_steep(given: str | None) -> str:
-    """Refuse a wall angle; what is no angle in rad may be one in deg."""
-    if given and re.fullmatch(r"[\d.]+", given) and math.pi < float(given) < 90:
-        return say('a plain number is in rad, and must be less than pi/2: write "{given} deg"', given=given)
-    return say("must be less than 90 deg (pi/2 rad)")
-
-
-def _unknown_key(location: tuple[str, ...], root: type[BaseModel]) -> str:
-    *block, name = location
-    allowed = names_in(tuple(block), root)
-    if hint := did_you_mean(name, allowed) or elsewhere(name, root):
-        return say("unknown key{hint}", hint=hint)
-    return say("unknown key; allowed here: {names}", names=", ".join(allowed))

@@ -1,13 +1,13 @@
 """From spec to data and text."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from decimal import Decimal
 from typing import Any
 
 from ..messages import named, translate
 from ..units import ENGINEER, product
-from .keys import keys, unit_at
+from .keys import keys, scatter_at
 from .models import Spec
 from .parse import example_text
 from .quantity import parse_quantity
@@ -51,20 +51,16 @@ def to_toml(data: Mapping[str, object], about: str = "") -> str:
     """
     import tomli_w
 
-    heading = [f"# {line}\n" for line in (about, _HEADING) if line]
-    return "".join([*heading, "\n", *_commented(tomli_w.dumps(written(data)))])
-
-
-def _commented(text: str) -> Iterator[str]:
-    """Lines of a TOML text, each key with its symbol and what it is."""
+    lines = [f"# {line}" for line in (about, _HEADING) if line] + [""]
     table = ""
-    for line in text.splitlines():
+    for line in tomli_w.dumps(written(data)).splitlines():
         if line.startswith("["):
             table = line.strip("[]") + "."
         key = keys().get(table + line.partition(" = ")[0])
         words = [key.symbol, re.split(r"; | \(", key.description)[0]] if key else []
         text = ", ".join(filter(None, words))
-        yield f"{line:<{_COMMENT - 1}} # {text}\n" if text else f"{line}\n"
+        lines.append(f"{line:<{_COMMENT - 1}} # {text}" if text else line)
+    return "\n".join(lines) + "\n"
 
 
 def written(data: Mapping[str, Any], path: str = "") -> dict[str, Any]:
@@ -76,7 +72,8 @@ def written(data: Mapping[str, Any], path: str = "") -> dict[str, Any]:
             key = keys().get(inner)
             table[name] = _value(value, key.unit if key else None)
         elif path == "tolerance.fields":  # its keys are paths themselves
-            table[name] = {part: _value(number, unit_at(name)) for part, number in value.items()}
+            about = scatter_at(name)
+            table[name] = {part: _value(number, about.unit if about else None) for part, number in value.items()}
         elif value:
             table[name] = written(value, inner)
     return table

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...errors import CalculationError
 from ...spec import Spec
 from ...spec.edit import value_at
-from ...spec.keys import physical_limits, unit_at
+from ...spec.keys import scatter_at
 from ...spec.tolerance import FRICTION, Distribution, percentage
 
 Array: TypeAlias = NDArray[np.float64]
@@ -46,8 +46,9 @@ class Input:
         """Least and largest value there can be; None where there is none but what physics sets."""
         if self.has_ends:
             return max(self.ends[0], self.limits[0]), min(self.ends[1], self.limits[1])
-        physical = physical_limits(self.path)
-        low, high = (None if limit == free else limit for limit, free in zip(self.limits, physical, strict=True))
+        quantity = scatter_at(self.path)
+        assert quantity is not None
+        low, high = (None if limit == free else limit for limit, free in zip(self.limits, quantity.limits, strict=True))
         return low, high
 
     @cached_property
@@ -142,8 +143,9 @@ def inputs_of(spec: Spec) -> list[Input]:
 
 def _input(spec: Spec, path: str, given: Distribution) -> Input:
     """Center, spread and ends as given, else by the spec: the range of friction, or the value of the key."""
-    unit, limits = unit_at(path), physical_limits(path)
-    assert unit is not None
+    quantity = scatter_at(path)
+    assert quantity is not None
+    unit, limits = quantity.unit, quantity.limits
     center, spread, low, high = (
         None if number is None or percentage(number) is not None else float(number)
         for number in (given.center, given.spread, given.min, given.max)

@@ -15,7 +15,7 @@ from ...messages import localized, named, printable, spoken, term, translate
 from ...messages import told as message
 from ...papers import REFERENCES
 from ...spec import resolved
-from ...spec.keys import keys, unit_at
+from ...spec.keys import keys, scatter_at
 from ...spec.models import TitleBlock
 from ..layout import ranked
 from ..plot.figure import inline_svg
@@ -187,7 +187,8 @@ def _spec_lines(data: dict[str, Any], prefix: str = "") -> Iterator[_SpecLine]:
 
 def _scatter(path: str, name: str, given: dict[str, Any]) -> _SpecLine:
     """Show a distribution of [tolerance.fields]: its kind, then its numbers in the unit of what scatters."""
-    unit, key = unit_at(name) or "", keys().get(name)
+    quantity, key = scatter_at(name), keys().get(name)
+    unit = quantity.unit if quantity else ""
     parts = {part: value for part, value in given.items() if part != "distribution"}
     numbers = [f"{translate(part, 'value')} {display(value, unit)}" for part, value in parts.items()]
     # a spread in percent has no other unit
