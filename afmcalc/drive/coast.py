@@ -26,8 +26,8 @@ _DECAYED = 20.0
 """Exponent at which static friction is nothing, e^−20 = 2e-9."""
 _BALANCED = 1e-10
 """Change of a late normal force in its time of lag, relative to it, that is none."""
-_SWINGS, _SHOWN = 100, 12
-"""Swings of a stride whose heat is told one by one, moments in each and parts of what is left."""
+_SWINGS, _SHOWN, _PARTS = 100, 12, 48
+"""Swings of a stride whose heat is told one by one, moments in each and parts of what is left; parts without swings."""
 _CALM, _NEARLY = 1e-5, 1e-2
 """Swing about a slow slip, relative to the torque, that counts as none; and about rest, at which that is looked at."""
 _SLOW = 0.3
@@ -40,8 +40,6 @@ _CONVERGED = 1e-9
 """Speed of the driven half, relative to the slip, up to which that series is exact."""
 _UNGROWN = 1e-9
 """Growth of a swing, as an exponent, that is none."""
-_CREPT = 48
-"""Parts of slow slip of which the heat is told."""
 _CLOSE = 1e-9
 
 
@@ -69,14 +67,26 @@ class Stride(NamedTuple):
 
 
 class Creep(NamedTuple):
-    """A pack whose torque rises slowly as its slip falls."""
+    """A pack whose torque rises slowly as its slip falls, or not at all."""
 
     torque: Callable[[Values], Values]
     """Slip → torque, N·m, both without a sign."""
     inertia: float
     """Of what follows the shaft's twist, kg·m²."""
     least: float
-    """Slip down to which friction rises slowly against a swing of the shaft, rad/s."""
+    """Slip down to which it is so, rad/s."""
+
+
+class Glide(NamedTuple):
+    """A slip of which shaft and driven half follow the torque, but for a free swing; all along the slip."""
+
+    creep: Creep
+    path: Callable[[float], list[float]]
+    """Slip → its growth, speed of the driven half, twist of the shaft, slope of the torque."""
+    slip: float
+    """At the begin, rad/s."""
+    swing: Floats
+    """Of the shaft's torque, and of the driven half's speed times √(k J): in that measure a swing is a rotation."""
 
 
 def stride(
@@ -93,51 +103,96 @@ def stride(
         lasting: whether the motor is never switched off.
         largest: swing, relative to the torque, beyond which none is wanted.
     """
-    if (sliding := _sliding(plant, t, y, mode)) is None:
-        return None
-    pulled, most = sliding
-    train, way, torque = plant.train, mode.pack, mode.pack * pulled
-    inertia = train.hub_inertia + train.driven_inertia
+    for glide in (_steady(plant, t, y, mode, largest), _creeping(plant, y, mode)):
+        far = glide and _far(plant, t, y, mode, bound, glide, lasting=lasting)
+        if far:
+            return far
+    return None
+
+
+def _far(plant: Plant, t: float, y: State, mode: Mode, bound: float, glide: Glide, *, lasting: bool) -> Stride | None:
+    """Go on until the slip is slow, no longer slows down, or to the bound; None where that is not far."""
+    train, way, (drag, inertia, least) = plant.train, mode.pack, glide.creep
     natural, scale = math.sqrt(train.stiffness / inertia), math.sqrt(train.stiffness * inertia)
-    # in energy's own measure the swing is a rotation that shrinks
-    swing = np.array([train.stiffness * y[TWIST] - torque, scale * y[DRIVEN]])
-    size = math.hypot(*swing)
-    if size * (1 + train.damping * natural / train.stiffness) > min(most, plant.holds - pulled, largest * pulled):
-        return None
-    slowest = size / scale + (_DECAYED / plant.pack.decay_rate if plant.pack.static_ratio > 1 else 0.0)
-    begin, least = way * plant.motor_speed(y), _LEAST * 2 * math.pi / natural
-    if begin <= slowest or bound - t < least:
+    shortest = _LEAST * 2 * math.pi / natural
+    if glide.slip <= least or bound - t < shortest:
         return None
 
     def rates(at: float, states: Floats) -> list[float]:
-        speed = float(states[0])
-        driven = way * plant.motor(way * speed, mode)
-        return [(driven - pulled) / train.motor_inertia, speed, driven * speed, 0.0]
+        slip = float(states[0])
+        slowing, driven, _, steep = glide.path(slip)
+        speed = slip + driven
+        power, growth = way * plant.motor(way * speed, mode) * speed, (-steep - train.damping) / (2 * inertia)
+        return [slowing, power, float(drag(slip)) * slip, train.damping * driven * driven, growth]
 
-    run = _run_down(plant, t, [begin, 0.0, 0.0, 0.0], rates, lambda speed: pulled, slowest, bound, lasting=lasting)
-    if run.time - t < least and not run.endless:
+    def near(at: float, states: Floats) -> float:
+        return float(states[0]) - least
+
+    # a swing unseen grows back where friction falls with the slip: before it is as large as it was, it is integrated
+    def swings(at: float, states: Floats) -> float:
+        return _UNGROWN - float(states[-1])
+
+    def still(at: float, states: Floats) -> float:
+        return -rates(at, states)[0] - _STILL * float(drag(float(states[0]))) / train.motor_inertia
+
+    near.terminal = swings.terminal = still.terminal = True  # type: ignore[attr-defined]
+    start = np.array([glide.slip, 0.0, 0.0, 0.0, 0.0])
+    if lasting and still(t, start) <= 0:
+        return Stride(t, y, True, [])
+    run = solve_ivp(
+        rates, (t, bound), start, "DOP853", events=[near, swings, still][: 3 if lasting else 2],
+        rtol=_EXACT, atol=_EXACT, dense_output=True,
+    )  # fmt: skip
+    time, endless = float(run.t[-1]), lasting and bool(run.t_events[2].size)
+    if time - t < shortest and not endless:
         return None
     turning = np.array([[0.0, natural], [-natural, -train.damping / inertia]])
-    after = expm(turning * (run.time - t)) @ swing
-    (speed, angle, work, _), new = run.states, list(y)
-    new[TWIST], new[DRIVEN] = float(after[0] + torque) / train.stiffness, float(after[1]) / scale
-    new[V] = way * speed - new[DRIVEN]
-    heat, damped = torque * (way * angle - (new[TWIST] - y[TWIST])), (swing @ swing - after @ after) / 2
-    for place, energy in enumerate((work, heat, damped / train.stiffness), SIZE):
-        new[place] += float(energy)
+    swing = glide.swing
+    stretch, moved = (expm(turning * (time - t)) @ swing).tolist()
+    (slip, *works, _), new = run.y[:, -1].tolist(), list(y)
+    _, driven, twist, _ = glide.path(slip)
+    new[DRIVEN], new[TWIST] = way * (driven + moved / scale), way * (twist + stretch / train.stiffness)
+    new[V] = way * (slip + driven) - new[DRIVEN]
+    works[1] -= drag(slip) * (stretch - swing[0]) / train.stiffness
+    works[2] += (swing @ swing - stretch**2 - moved**2) / 2 / train.stiffness
+    for place, work in enumerate(works, SIZE):
+        new[place] += float(work)
     # what happens on the way, swing by swing; after many as if the driven half stood
-    part = 2 * math.pi / natural / _SHOWN
-    step, swings = expm(turning * part), [swing]
-    for _ in range(min(int((run.time - t) / part), _SWINGS * _SHOWN)):
-        swings.append(step @ swings[-1])
-    shown = part * np.arange(1, len(swings))
-    times = t + np.concatenate([shown, np.linspace(part * len(swings), max(part * len(swings), run.time - t), _SHOWN)])
-    stretch, moved = np.array([*swings[1:], *np.zeros((_SHOWN, 2))])[times < run.time].T
-    times = times[times < run.time]
-    speeds, angles = way * run.course(times)[:2]
-    heats = y[SIZE + 1] + torque * (angles - (stretch - swing[0]) / train.stiffness)
-    rows = zip(times.tolist(), (speeds - moved / scale).tolist(), heats.tolist(), strict=True)
-    return Stride(run.time, new, run.endless, [Heating(at, torque, slip, heat) for at, slip, heat in rows])
+    times = np.linspace(t, time, _PARTS + 1)[1:-1]
+    turns = np.zeros((times.size, 2))
+    if swing.any():
+        part, seen = 2 * math.pi / natural / _SHOWN, [swing]
+        step = expm(turning * part)
+        for _ in range(min(int((time - t) / part), _SWINGS * _SHOWN)):
+            seen.append(step @ seen[-1])
+        rest = np.linspace(part * len(seen), max(part * len(seen), time - t), _SHOWN)
+        times = t + np.concatenate([part * np.arange(1, len(seen)), rest])
+        turns, times = np.array([*seen[1:], *np.zeros((_SHOWN, 2))])[times < time], times[times < time]
+    slips, _, heats = run.sol(times)[:3]
+    heats = y[SIZE + 1] + heats - drag(slips) * (turns[:, 0] - swing[0]) / train.stiffness
+    torques = way * drag(slips) + 0.0 * slips
+    course = np.stack([times, torques, way * (slips - turns[:, 1] / scale), heats], axis=1)
+    return Stride(time, new, endless, [Heating(*row) for row in course.tolist()])
+
+
+def _steady(plant: Plant, t: float, y: State, mode: Mode, largest: float) -> Glide | None:
+    """The slip at a constant torque; None where the torque changes, or the swing would change it."""
+    if (sliding := _sliding(plant, t, y, mode)) is None:
+        return None
+    (torque, most), train, way = sliding, plant.train, mode.pack
+    inertia = train.hub_inertia + train.driven_inertia
+    scale = math.sqrt(train.stiffness * inertia)
+    swing = np.array([way * train.stiffness * y[TWIST] - torque, way * scale * y[DRIVEN]])
+    size = math.hypot(*swing)
+    if size * (1 + train.damping / scale) > min(most, plant.holds - torque, largest * torque):
+        return None
+    decayed = _DECAYED / plant.pack.decay_rate if plant.pack.static_ratio > 1 else 0.0
+
+    def path(slip: float) -> list[float]:
+        slowing = (way * plant.motor(way * slip, mode) - torque) / train.motor_inertia
+        return [slowing, 0.0, torque / train.stiffness, 0.0]
+
+    return Glide(Creep(lambda slip: torque, inertia, size / scale + decayed), path, way * plant.motor_speed(y), swing)
 
 
 def _sliding(plant: Plant, t: float, y: State, mode: Mode) -> tuple[float, float] | None:
@@ -158,45 +213,23 @@ def _sliding(plant: Plant, t: float, y: State, mode: Mode) -> tuple[float, float
     return torque, min(high - torque, torque - low) * (train.hub_inertia + train.driven_inertia) / train.hub_inertia
 
 
-def creep(plant: Plant, t: float, y: State, mode: Mode, bound: float, *, lasting: bool) -> Stride | None:
-    """Go on while friction rises slowly as the slip slows down and nothing swings: the shaft has the pack's torque.
-
-    Args and result as ``stride``.
-    """
+def _creeping(plant: Plant, y: State, mode: Mode) -> Glide | None:
+    """The slip while friction rises slowly as it slows down and nothing swings: the shaft has the pack's torque."""
     slow, train, way = creeping(plant, mode), plant.train, mode.pack
-    if slow is None or way * y[V] <= slow.least or slow.torque(slow.least) >= plant.holds:
+    slip = way * y[V]
+    if slow is None or slip <= slow.least or slow.torque(slow.least) >= plant.holds:
         return None
-    natural = math.sqrt(train.stiffness / slow.inertia)
-    least, torque = _LEAST * 2 * math.pi / natural, float(slow.torque(way * y[V]))
-    swing = math.hypot(train.stiffness * y[TWIST] - way * torque, y[DRIVEN] * train.stiffness / natural)
-    if bound - t < least or swing > _NEARLY * torque or (path := _slow_path(plant, mode, slow, way * y[V])) is None:
-        return None
-    _, driven, twist, _ = path(way * y[V])
-    begin = way * plant.motor_speed(y) - driven
-    off = train.stiffness * (y[TWIST] - way * twist), (y[DRIVEN] - way * driven) * train.stiffness / natural
-    if math.hypot(*off) > _CALM * torque:
-        return None
+    scale, torque = math.sqrt(train.stiffness * slow.inertia), float(slow.torque(slip))
 
-    def rates(at: float, states: Floats) -> list[float]:
-        slip = float(states[0])
-        slowing, driven, _, steep = path(slip)
-        speed, torque = slip + driven, float(slow.torque(slip))
-        power, growth = way * plant.motor(way * speed, mode) * speed, (-steep - train.damping) / (2 * slow.inertia)
-        return [slowing, power, torque * slip, train.damping * driven * driven, growth]
+    def swing(driven: float, twist: float) -> float:
+        return math.hypot(train.stiffness * (y[TWIST] - way * twist), (y[DRIVEN] - way * driven) * scale)
 
-    # a swing unseen grows back where friction falls with the slip: before it is as large as it was, it is integrated
-    run = _run_down(plant, t, [begin, 0.0, 0.0, 0.0, 0.0], rates, slow.torque, slow.least, bound, lasting=lasting)
-    if run.time - t < least and not run.endless:
+    if swing(0.0, torque / train.stiffness) > _NEARLY * torque or (path := _slow_path(plant, mode, slow, slip)) is None:
         return None
-    (slip, *works, _), new = run.states, list(y)
     _, driven, twist, _ = path(slip)
-    new[V], new[DRIVEN], new[TWIST] = way * slip, way * driven, way * twist
-    for place, work in enumerate(works, SIZE):
-        new[place] += work
-    times = np.linspace(t, run.time, _CREPT + 1)[1:-1]
-    rows = zip(times.tolist(), *run.course(times)[[0, 2]].tolist(), strict=True)
-    shown = [Heating(at, way * float(slow.torque(slip)), way * slip, y[SIZE + 1] + heat) for at, slip, heat in rows]
-    return Stride(run.time, new, run.endless, shown)
+    if swing(driven, twist) > _CALM * torque:
+        return None
+    return Glide(slow, path, way * plant.motor_speed(y) - driven, np.zeros(2))
 
 
 def creeping(plant: Plant, mode: Mode) -> Creep | None:
@@ -268,47 +301,3 @@ def _slow_path(plant: Plant, mode: Mode, slow: Creep, begin: float) -> Callable[
         return (np.cos(orders * math.acos(inside)) @ series).tolist()
 
     return path
-
-
-class _RunDown(NamedTuple):
-    """A slip at the end of a stride."""
-
-    time: float
-    states: list[float]
-    endless: bool
-    course: Callable[[Floats], Floats]
-    """The states at times on the way."""
-
-
-def _run_down(
-    plant: Plant,
-    t: float,
-    start: list[float],
-    rates: Callable[[float, Floats], list[float]],
-    drag: Callable[[float], Values],
-    slowest: float,
-    bound: float,
-    *,
-    lasting: bool,
-) -> _RunDown:
-    """Integrate a slip, its speed first among the states, until it is slow, no longer slows down, or at the bound.
-
-    The last state is the growth of a swing that is left out: where it is above 0, it is no longer left out.
-    """
-
-    def near(at: float, states: Floats) -> float:
-        return float(states[0]) - slowest
-
-    def swings(at: float, states: Floats) -> float:
-        return _UNGROWN - float(states[-1])
-
-    def still(at: float, states: Floats) -> float:
-        return -rates(at, states)[0] - _STILL * float(drag(float(states[0]))) / plant.train.motor_inertia
-
-    near.terminal = swings.terminal = still.terminal = True  # type: ignore[attr-defined]
-    if lasting and still(t, np.array(start)) <= 0:
-        return _RunDown(t, start, True, lambda times: np.zeros((len(start), times.size)))
-    events = [near, swings, still] if lasting else [near, swings]
-    found = solve_ivp(rates, (t, bound), start, "DOP853", events=events, rtol=_EXACT, atol=_EXACT, dense_output=True)
-    endless = lasting and bool(found.t_events[2].size)
-    return _RunDown(float(found.t[-1]), found.y[:, -1].tolist(), endless, found.sol)

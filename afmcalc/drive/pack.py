@@ -8,7 +8,7 @@ import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -37,6 +37,8 @@ class Pack(ABC):
     travels: ClassVar[bool]
     """Whether the balls can leave their stop."""
     mean_radius: Number
+    closing_force: Number
+    """F_п, of an indirect clutch F_п1, N."""
     static_ratio: Number
     decay_rate: Number
     lag: Number
@@ -46,8 +48,13 @@ class Pack(ABC):
     """Normal force at the stop without load, N."""
     least_force: Number
     """Normal force at the stop at least, N."""
-    stop_gains: Number
+    stop_gains: tuple[Number, Number]
     """Net gains at the stop while the torque rises, and while it falls."""
+    net_gain: Number
+    """κ at the stop of an indirect clutch; κ₊ is ``net_gain_returning``."""
+    net_gain_returning: Number
+    ball_share: Number
+    """Share of the torque that passes the balls of a direct clutch, z_2 f_2/Σ z f."""
     lift: Number
     """Torque of the balls at which they leave the stop, N·m."""
     farthest_turn: Number
@@ -141,31 +148,27 @@ class DirectPack(Pack):
     lift = math.inf
     farthest_turn = 1.0
 
-    @cached_property
-    def friction_pairs(self) -> Number:
-        """Σ z f."""
-        return self.bypass_pairs * self.driving + self.controlled_pairs * self.driven
+    def __post_init__(self) -> None:
+        """Calculate what does not change; no key makes rise and fall of the torque differ."""
+        through_balls = self.controlled_pairs * self.driven
+        pairs = self.bypass_pairs * self.driving + through_balls
+        # of the torque, below slip too (S22 for one material)
+        share = through_balls / pairs
+        vars(self).update(
+            friction_pairs=pairs,
+            resting_force=self.closing_force,
+            ball_share=share,
+            stop_gains=(self.gain * share, self.gain * share),
+        )
 
-    @cached_property
-    def resting_force(self) -> Number:
-        """F_п."""
-        return self.closing_force
-
-    @cached_property
-    def ball_share(self) -> Number:
-        """Share of the torque that passes the balls, z_2 f_2/Σ z f; below slip too (S22 for one material)."""
-        return self.controlled_pairs * self.driven / self.friction_pairs
-
-    @cached_property
-    def stop_gains(self) -> tuple[Number, Number]:
-        """C times the share of the torque that passes the balls, twice: no key makes rise and fall differ."""
-        return (self.gain * self.ball_share,) * 2
+    def _law(self, ratio: Number) -> tuple[Number, ...]:
+        """Arguments of the direct law, friction times ``ratio``."""
+        pairs = self.bypass_pairs, self.controlled_pairs
+        return self.closing_force, self.mean_radius, *pairs, self.gain, ratio * self.driving, ratio * self.driven
 
     def torque(self, ratio: Number) -> Number:
         """Slip torque with friction times ``ratio`` and without lag, N·m."""
-        pairs = self.bypass_pairs, self.controlled_pairs
-        frictions = ratio * self.driving, ratio * self.driven
-        return _direct.torque(self.closing_force, self.mean_radius, *pairs, self.gain, *frictions)
+        return _direct.torque(*self._law(ratio))
 
     def potential(self, torque: float, ratio: float) -> float:
         """T_п: torque at which the pack slips under the release force of ``torque``, friction times ``ratio``."""
@@ -174,9 +177,7 @@ class DirectPack(Pack):
     @property
     def growth(self) -> float:
         """∂T/∂(f(v)/f) where the release force follows the torque, N·m."""
-        ratio, pairs = self.static_ratio, (self.bypass_pairs, self.controlled_pairs)
-        frictions = ratio * self.driving, ratio * self.driven
-        return _drive.torque_growth(self.closing_force, self.mean_radius, *pairs, self.gain, *frictions) / ratio
+        return _drive.torque_growth(*self._law(self.static_ratio)) / self.static_ratio
 
     def sticks_up_to(self, turn: Values, normal: Values) -> Values:
         """T(r_s f); with lag no more than the present normal force carries, N·m."""
@@ -206,47 +207,20 @@ class Sleeve(Pack):
     travels = True
     lag = 0.0
 
-    @cached_property
-    def closing_force(self) -> Number:
-        """F_п1."""
-        return self.law.closing_force
-
-    @cached_property
-    def friction_pairs(self) -> Number:
-        """z f."""
-        return self.law.pairs * self.friction
-
-    @cached_property
-    def mean_radius(self) -> Number:
-        """R_cp."""
-        return self.law.mean_radius
-
-    @cached_property
-    def net_gain(self) -> Number:
-        """κ at the stop."""
-        net = self.law.net_gain
-        return larger(net, _IDLE) if is_array(net) else net
-
-    @cached_property
-    def net_gain_returning(self) -> Number:
-        """κ₊ at the stop."""
-        return self.law.net_gain_returning
-
-    @cached_property
-    def stop_gains(self) -> tuple[Number, Number]:
-        """κ and κ₊, or one of them alone."""
-        gains = self.net_gain, self.net_gain_returning
-        return gains if not self.branch else (gains[self.branch < 0],) * 2
-
-    @cached_property
-    def resting_force(self) -> Number:
-        """F_п2."""
-        return self.law.control_force
-
-    @cached_property
-    def least_force(self) -> Number:
-        """F_п1."""
-        return self.closing_force
+    def __post_init__(self) -> None:
+        """Ask the law once for what does not change."""
+        law, returning = self.law, self.law.net_gain_returning
+        net = larger(law.net_gain, _IDLE) if is_array(law.net_gain) else law.net_gain
+        vars(self).update(
+            mean_radius=law.mean_radius,
+            friction_pairs=law.pairs * self.friction,
+            closing_force=law.closing_force,
+            least_force=law.closing_force,
+            resting_force=law.control_force,
+            net_gain=net,
+            net_gain_returning=returning,
+            stop_gains={0: (net, returning), 1: (net, net), -1: (returning, returning)}[self.branch],
+        )
 
     @cached_property
     def lift(self) -> Number:
@@ -254,42 +228,12 @@ class Sleeve(Pack):
         return self.moment(0.0) / self.net_gain
 
     @cached_property
-    def _springs(self) -> tuple[Number, Number, Number, Number]:
-        return self.closing_force, self.resting_force, self.law.closing_stiffness, self.law.control_stiffness
-
-    @cached_property
-    def _discs(self) -> tuple[Number, Number]:
-        """The closing and the control spring; None for a spring with a straight characteristic."""
-        return self.law.closing_disc, self.law.control_disc
-
-    @cached_property
-    def _pressed_in(self) -> tuple[Number, Number]:
-        """Deflections of both disc springs at the stop, m; 0 for a spring with a straight characteristic."""
-        forces = self.closing_force, self.resting_force
-        closing, control = (
-            0.0 if disc is None else disc.deflection(force) for disc, force in zip(self._discs, forces, strict=True)
-        )
-        return closing, control
-
-    def _deflections(self, travel: Number) -> tuple[Number, Number]:
-        """Deflections of the closing and control disc springs at a travel, m; a slack closing spring has 0."""
-        return larger(self._pressed_in[0] - travel, 0.0), self._pressed_in[1] + travel
-
-    def _stiffnesses(self, travel: Number) -> tuple[Number, Number]:
-        """c_1 and c_2 at a travel, N/m."""
-        (closing, control), (slackened, pressed) = self._discs, self._deflections(travel)
-        return (
-            self._springs[2] if closing is None else closing.stiffness(slackened),
-            self._springs[3] if control is None else control.stiffness(pressed),
-        )
-
-    @property
-    def farthest(self) -> float:
+    def farthest(self) -> Number:
         """Travel at which the closing spring is slack, m."""
-        return self.closing_force / self._springs[2] if self._discs[0] is None else self._pressed_in[0]
+        return self.law.closing_spring.deflection
 
     @property
-    def farthest_turn(self) -> float:
+    def farthest_turn(self) -> Number:
         """Turn of the balls at the travel ``farthest``, rad."""
         return _sleeve.turn(self.farthest, self.mean_radius, self.law.gain, self.law.gain_slope)
 
@@ -330,19 +274,11 @@ class Sleeve(Pack):
 
     def moment(self, travel: Number) -> Number:
         """S(x), N·m."""
-        control = self._discs[1]
-        if not self.law.curved:
-            return _sleeve.spring_moment(self.mean_radius, *self._springs, travel)
-        pressed = self._springs[1] + self._springs[3] * travel
-        if control is not None:
-            pressed = control.force(self._deflections(travel)[1])
-        return _sleeve.spring_moment(self.mean_radius, self._slackened(travel), pressed, 0.0, 0.0, 0.0)
+        control = self.law.control_spring.force(travel)
+        return _sleeve.spring_moment(self.mean_radius, self._slackened(travel), control, 0.0, 0.0, 0.0)
 
     def work(self, travel: Number) -> Number:
-        """Work stored in both springs, J."""
-        if not self.law.curved:
-            return _sleeve.spring_work(*self._springs, travel)
-        # Simpson's rule: exact, for the force of a disc spring is a cubic
+        """Work stored in both springs, J; Simpson's rule is exact, for the force of a disc spring is a cubic."""
         mean = (self.moment(0 * travel) + 4 * self.moment(travel / 2) + self.moment(travel)) / 6
         return mean / self.mean_radius * travel
 
@@ -351,10 +287,16 @@ class Sleeve(Pack):
         return larger(self._slackened(travel), 0.0)
 
     def _slackened(self, travel: Number) -> Number:
-        closing = self._discs[0]
-        if closing is not None:
-            return closing.force(self._deflections(travel)[0])
-        return _sleeve.slackened_force(self.closing_force, self._springs[2], travel)
+        return self.law.closing_spring.force(-self._slackening(travel))
+
+    def _slackening(self, travel: Number) -> Number:
+        """How far the closing spring has lengthened, m: a slack disc spring no more."""
+        return travel if self.law.closing_disc is None else smaller(travel, self.farthest)
+
+    def _stiffnesses(self, travel: Number) -> tuple[Number, Number]:
+        """c_1 and c_2 at a travel, N/m."""
+        closing, control = self.law.closing_spring, self.law.control_spring
+        return closing.stiffness(-self._slackening(travel)), control.stiffness(travel)
 
     def travel(self, turn: Number) -> Number:
         """Travel of the sleeve for a turn of the balls in either direction, m."""
@@ -362,18 +304,18 @@ class Sleeve(Pack):
 
     def turn_under(self, torque: float) -> Values:
         """Turn of the balls at rest after the torque has risen to ``torque``, rad; 0 up to T_н."""
-        if not self.law.curved:
-            lifted = torque * self.net_gain / self.mean_radius - (self.resting_force - self.closing_force)
-            off = lifted > _ROUNDING * self.resting_force
-            stiffness = self._springs[2] + self._springs[3] - torque * self.law.gain_slope / self.mean_radius
-            # at the stop the 1 prevents 0/0: there a constant-torque pocket has no stiffness
-            travel = off * lifted / (stiffness + (1 - 1 * off))
-        else:
+        if self.law.curved:
             travel = root(
                 lambda at: self.moment(at) - torque * self.net_gain,
                 lambda at: self.mean_radius * sum(self._stiffnesses(at)),
                 self.farthest + 0.0 * (torque * self.net_gain),
             )
+        else:
+            lifted = torque * self.net_gain / self.mean_radius - (self.resting_force - self.closing_force)
+            off = lifted > _ROUNDING * self.resting_force
+            stiffness = sum(self._stiffnesses(0.0)) - torque * self.law.gain_slope / self.mean_radius
+            # at the stop the 1 prevents 0/0: there a constant-torque pocket has no stiffness
+            travel = off * lifted / (stiffness + (1 - 1 * off))
         return _sleeve.turn(travel, self.mean_radius, self.law.gain, self.law.gain_slope)
 
     def inertia(self, travel: Number, net_gain: Number) -> Number:
@@ -423,7 +365,7 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
             indirect.closing_force, indirect.mean_radius, indirect.pairs, 0.0, 0.0, spec=indirect.spec
         )
         return _discs(ordinary, driving, driven)
-    unit, control = clutch.spec.control_unit, indirect.control_force
+    control = indirect.control_force
     below = np.asarray(control < clutch.closing_force)
     if below.any():
         raise CalculationError(
@@ -432,8 +374,7 @@ def pack_of(clutch: Clutch, driving: Values, driven: Values) -> "DirectPack | Sl
             control=np.broadcast_to(control, below.shape)[below].flat[0],
             closing=np.broadcast_to(clutch.closing_force, below.shape)[below].flat[0],
         )
-    mass = 0.0 if unit is None or unit.sleeve_mass is None else unit.sleeve_mass
-    return Sleeve(indirect, driving, mass, *_static(clutch), _lever(clutch))
+    return Sleeve(indirect, driving, _of_unit(clutch, "sleeve_mass"), *_static_and_lever(clutch))
 
 
 def ordinary_pack(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:
@@ -446,22 +387,20 @@ def ordinary_pack(clutch: Clutch, driving: Values, driven: Values) -> DirectPack
 
 
 def _discs(clutch: Clutch, driving: Values, driven: Values) -> DirectPack:
-    unit = clutch.spec.control_unit
-    lag = 0.0 if unit is None or unit.release_lag is None else unit.release_lag
-    pairs = clutch.bypass_pairs, clutch.controlled_pairs
-    friction = (driving, driven, *_static(clutch))
-    return DirectPack(clutch.closing_force, clutch.mean_radius, *pairs, clutch.gain, *friction, lag, _lever(clutch))
+    pack = clutch.closing_force, clutch.mean_radius, clutch.bypass_pairs, clutch.controlled_pairs, clutch.gain
+    ratio, decay, lever = _static_and_lever(clutch)
+    return DirectPack(*pack, driving, driven, ratio, decay, _of_unit(clutch, "release_lag"), lever)
 
 
-def _lever(clutch: Clutch) -> Number:
-    """r/R; 0 where the circle of the balls is not known."""
-    unit = clutch.spec.control_unit
-    circle = None if unit is None else unit.ball_circle_radius
-    return 0.0 if circle is None else circle / clutch.mean_radius
+def _of_unit(clutch: Clutch, key: str) -> Any:
+    """A value of the control unit; 0 where there is none."""
+    value = getattr(clutch.spec.control_unit, key, None)
+    return 0.0 if value is None else value
 
 
-def _static(clutch: Clutch) -> tuple[Number, Number]:
-    """Static over sliding friction, and R/v_s by which it decays with the slip."""
-    friction = clutch.spec.friction
+def _static_and_lever(clutch: Clutch) -> tuple[Number, Number, Number]:
+    """Static over sliding friction, R/v_s by which it decays with the slip, and r/R; 0 what is not known."""
+    friction, radius = clutch.spec.friction, clutch.mean_radius
     ratio = 1.0 if friction.static_ratio is None else friction.static_ratio
-    return ratio, 0.0 if friction.stribeck_speed is None else clutch.mean_radius / friction.stribeck_speed
+    decay = 0.0 if friction.stribeck_speed is None else radius / friction.stribeck_speed
+    return ratio, decay, _of_unit(clutch, "ball_circle_radius") / radius

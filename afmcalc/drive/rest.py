@@ -81,7 +81,7 @@ def slips_below(train: Train, stuck: Stuck, slipping: Slipping, peak: Values) ->
         slipping: how.
         peak: largest torque of the shaft so far, N·m.
     """
-    behind, front = train.hub_inertia + train.driven_inertia, _before(train)
+    behind, front = train.hub_inertia + train.driven_inertia, train.front
     swing = np.hypot(stuck.elastic - slipping.torque, slipping.speed * (train.stiffness * behind) ** 0.5)
     top = np.maximum(np.abs(slipping.torque) + _top(train, behind, swing), slipping.breakaway)
     # as the slip ends the stalled motor may swing the shaft up, until it slips again
@@ -106,13 +106,9 @@ def _top(train: Train, inertia: Values, swing: Values) -> Floats:
     return swing * (1 + train.damping / (train.stiffness * inertia) ** 0.5)
 
 
-def _before(train: Train) -> float:
-    return train.motor_inertia + train.hub_inertia + train.driven_inertia
-
-
 def _standing(train: Train, stuck: Stuck) -> tuple[Values, Values]:
     """Torques of motor and shaft at most, on a standing tool; a switched off motor leaves no more."""
-    front = _before(train)
+    front = train.front
     rest = np.where(stuck.powered, train.engine.at(0.0 * stuck.motor), 0.0)
     swing = np.hypot(stuck.elastic - rest, stuck.motor * (train.stiffness * front) ** 0.5)
     speed = swing / (train.stiffness * front) ** 0.5
@@ -127,7 +123,7 @@ def _moving(train: Train, stuck: Stuck) -> tuple[Values, Values]:
     """Torques of motor and shaft at most, of a tool that keeps turning against its load."""
     if train.kind == "stop":
         return np.inf, np.inf
-    front, tool, load = _before(train), train.tool_inertia, train.overload
+    front, tool, load = train.front, train.tool_inertia, train.overload
     if train.engine.slip is None:
         given = np.where(stuck.powered, train.engine.torque, 0.0)
         rest, inertia = law.sticking_torque(given, front, load, tool), front * tool / (front + tool)

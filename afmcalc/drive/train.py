@@ -4,7 +4,7 @@ Everything is typed as a number; in a sweep arrays stand in the place of numbers
 """
 
 from dataclasses import dataclass, replace
-from typing import TypeVar, cast
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from ..equations.calls import unnoted
 from ..equations.terms import Number
 from ..errors import Problem, SpecError
 from ..messages import say
-from ..spec.models import Drive, EventKind
+from ..spec.models import EventKind
 
 
 @dataclass(frozen=True)
@@ -94,58 +94,41 @@ def train_of(clutch: Clutch) -> Train:
     Raises:
         SpecError: the spec has no event, or a motor that cannot carry the load.
     """
-    given = clutch.spec.drive
+    # the rules of the spec require what is asked for here beside an event
+    given: Any = clutch.spec.drive
     if (event := given.event) is None:
         message = say(
             'required by simulate: what happens, for example event = {{ kind = "stop", stop_time = "10 ms" }}'
         )
         raise SpecError(clutch.spec.label, [Problem("drive.event", None, message)])
-    load = cast(float, clutch.machine_torque) if given.load_torque is None else given.load_torque
-    inertia, stiffness = _given(given.driven_inertia), _given(given.shaft_stiffness)
-    damping = given.damping_ratio
+    load: Number = clutch.machine_torque if given.load_torque is None else given.load_torque
+    motor, speed = given.motor, given.speed
+    if motor is None:
+        engine = Engine(load if given.motor_torque is None else given.motor_torque, None, 0.0)
+    else:
+        engine = Engine(motor.breakdown_torque, motor.breakdown_slip, motor.synchronous_speed)
+    if speed is None:
+        if not np.all(load <= engine.torque):
+            message = say(
+                "required: drive.motor cannot carry the load before the event, its breakdown torque is smaller"
+            )
+            raise SpecError(clutch.spec.label, [Problem("drive.speed", None, message)])
+        # the formula has no slip without load, where the motor runs at its synchronous speed
+        slip = law.kloss_slip(engine.torque, engine.slip, load) if np.all(load > 0) else 0.0
+        speed = engine.synchronous * (1 - slip)
+    inertia, stiffness, damping = given.driven_inertia, given.shaft_stiffness, given.damping_ratio
     return Train(
-        motor_inertia=_given(given.motor_inertia),
+        motor_inertia=given.motor_inertia,
         hub_inertia=0.0 if given.hub_inertia is None else given.hub_inertia,
         driven_inertia=inertia,
         tool_inertia=0.0 if given.tool_inertia is None else given.tool_inertia,
         stiffness=stiffness,
         damping=0.0 if damping is None else law.shaft_damping(damping, stiffness, inertia),
-        speed=_speed(clutch, load),
+        speed=speed,
         load=load,
-        engine=_engine(given, load),
+        engine=engine,
         kind=event.kind,
-        time=_given(event.stop_time if event.kind == "stop" else event.rise_time),
+        time=event.stop_time if event.kind == "stop" else event.rise_time,
         overload=load if event.torque is None else event.torque,
         cut_off=given.cut_off,
     )
-
-
-def _engine(given: Drive, load: float) -> Engine:
-    if given.motor is None:
-        return Engine(load if given.motor_torque is None else given.motor_torque, None, 0.0)
-    own = given.motor
-    return Engine(own.breakdown_torque, own.breakdown_slip, own.synchronous_speed)
-
-
-def _speed(clutch: Clutch, load: float) -> float:
-    """ω_0 as given, or that of the motor under the load."""
-    given = clutch.spec.drive
-    if given.speed is not None:
-        return given.speed
-    motor = _given(given.motor)
-    if not np.all(load <= motor.breakdown_torque):
-        message = say("required: drive.motor cannot carry the load before the event, its breakdown torque is smaller")
-        raise SpecError(clutch.spec.label, [Problem("drive.speed", None, message)])
-    # the formula has no slip without load, where the motor runs at its synchronous speed
-    loaded = np.all(load > 0)
-    slip = law.kloss_slip(motor.breakdown_torque, motor.breakdown_slip, load) if loaded else 0.0
-    return motor.synchronous_speed * (1 - slip)
-
-
-T = TypeVar("T")
-
-
-def _given(value: T | None) -> T:
-    """Return a value that the rules of the spec require beside an event."""
-    assert value is not None
-    return value
