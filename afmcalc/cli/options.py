@@ -197,7 +197,7 @@ class Common:
 
             text = renderer(chosen)(output, terminal)
         if chosen == "json" and self.output in (None, "-") and not is_unicode(sys.stdout):
-            from ..render.formats.json import in_ascii
+            from ..render.formats import in_ascii
 
             text = in_ascii(text)
         self.write(text)

@@ -1,8 +1,8 @@
 """What a clutch is: reading, checking and writing specs."""
 
-from .models import Spec
+from .models import Spec, resolved
 from .problems import make_spec
 from .read import read_spec
-from .write import resolved, to_toml
+from .write import to_toml
 
 __all__ = ["Spec", "make_spec", "read_spec", "resolved", "to_toml"]

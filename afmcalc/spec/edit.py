@@ -11,11 +11,11 @@ from ..errors import AfmcalcError
 from ..messages import did_you_mean, say
 from .fields import names_in
 from .keys import elsewhere, names, path_of
-from .models import Method, Spec
+from .models import Method, Spec, resolved
 from .parse import check_size, too_deep
 from .problems import make_spec
 from .rules import foreign_keys, given_in
-from .write import resolved, written
+from .write import written
 
 Overrides: TypeAlias = Collection[str] | Mapping[str, object]
 """Texts ``path=value``, an empty value removes the key; or path → value, None removes it."""

@@ -584,3 +584,19 @@ class Spec(FileBlock):
         """The parts that the springs are, where they are named: closing, control."""
         both = {"closing": self.closing_spring, "control": self.control_spring}
         return {name: spring.part for name, spring in both.items() if spring and spring.part}
+
+
+def resolved(spec: Spec) -> dict[str, Any]:
+    """Return the spec as plain data, SI, with defaults filled in.
+
+    Reading it again gives the same clutch, with the same keys free: what follows from other keys (the mean of the
+    friction range, the range of a material, the spring force from a nominal torque) is not filled in, so that it
+    still follows when one of them is overridden.
+    """
+    data = spec.model_dump(exclude_none=True)
+    group = data["friction_group"]
+    if spec.kind.chooses_bypass:
+        group.setdefault("driving_pairs", spec.bypass_pairs)
+    if "inner_radius" in group:
+        group.setdefault("radius_model", "uniform-wear")
+    return data

@@ -59,7 +59,8 @@ def data_of(
     what programs write, in SI: there only an override may be meant otherwise.
     """
     data = parse(source)
-    changed, in_si, keys = apply_overrides(data, overrides, model), is_json(source), keys_below(model)
+    changed = apply_overrides(data, overrides, model) if overrides else {}
+    in_si, keys = is_json(source), keys_below(model)
     questions, broken = [], []
     for path, value in given_in(data).items():
         # center and ends of what scatters are in the unit of its key
@@ -69,7 +70,7 @@ def data_of(
             if isinstance(value, dict):
                 numbers = [number for name, number in value.items() if name in ("start", "stop", "step")]
             try:
-                questions += [asked_unit(number, key.unit, path) for number in numbers]
+                questions += [asked_unit(number, key.unit, path) for number in numbers if not isinstance(number, str)]
             except ValueError as error:
                 broken.append((path, str(error)))
     by = "--set" if source.name is BUILT_IN else ""

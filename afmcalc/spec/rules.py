@@ -141,7 +141,7 @@ def variants_of(path: str) -> tuple[str, ...]:
 
 def foreign_keys(given: Table, variant: str) -> list[str]:
     """Paths that are given and that the variant does not have; a block stands for its keys."""
-    foreign = [path for path in _special_keys() if path in given and not VARIANTS[variant].has(path)]
+    foreign = [path for path, having in _special_keys().items() if path in given and variant not in having]
     return [path for path in foreign if "." not in path or path.partition(".")[0] not in foreign]
 
 

@@ -26,7 +26,8 @@ class Source(Label):
         cls, label: str, text: str = "", overridden: Mapping[str, str] | None = None, findings: Iterable[Finding] = ()
     ) -> "Source":
         """Name a text."""
-        source = super().__new__(cls, label)
+        source = str.__new__(cls, label)
+        source.name = label.name if isinstance(label, Source) else label
         source.text, source.overridden, source.findings = text, dict(overridden or {}), tuple(findings)
         return source
 

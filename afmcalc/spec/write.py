@@ -8,7 +8,6 @@ from typing import Any
 from ..messages import named, translate
 from ..units import ENGINEER, product
 from .keys import keys, scatter_at
-from .models import Spec
 from .parse import example_text
 from .quantity import parse_quantity
 
@@ -24,22 +23,6 @@ _COMMENT = 36
 _HEADING = (
     'A quantity is a number in SI or a string with a unit: "2 kN", "100 mm", "20 N/mm", "30 deg", "200 N*m", "400 MPa".'
 )
-
-
-def resolved(spec: Spec) -> dict[str, Any]:
-    """Return the spec as plain data, SI, with defaults filled in.
-
-    Reading it again gives the same clutch, with the same keys free: what follows from other keys (the mean of the
-    friction range, the range of a material, the spring force from a nominal torque) is not filled in, so that it
-    still follows when one of them is overridden.
-    """
-    data = spec.model_dump(exclude_none=True)
-    group = data["friction_group"]
-    if spec.kind.chooses_bypass:
-        group.setdefault("driving_pairs", spec.bypass_pairs)
-    if "inner_radius" in group:
-        group.setdefault("radius_model", "uniform-wear")
-    return data
 
 
 def to_toml(data: Mapping[str, object], about: str = "") -> str:
