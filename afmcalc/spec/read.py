@@ -65,7 +65,7 @@ def data_of(
     for path, value in given_in(data).items():
         # center and ends of what scatters are in the unit of its key
         key = keys.get(path) or keys.get(re.sub(r"^tolerance\.fields\.|\.(center|min|max)$", "", path))
-        if key and (path in changed or not in_si):
+        if key and key.unit not in (None, "1") and (path in changed or not in_si):
             numbers = value if isinstance(value, list) else [value]
             if isinstance(value, dict):
                 numbers = [number for name, number in value.items() if name in ("start", "stop", "step")]
