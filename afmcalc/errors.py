@@ -1,7 +1,7 @@
 """Errors meant for people: what is wrong, where, what was given, what is allowed."""
 
 from importlib.util import find_spec
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 from .messages import Text, joined, say, term, translate
 
@@ -112,6 +112,12 @@ class Label(str):
 
     name: str
     """The same as it was given, so that what is in no file can be translated."""
+
+    def __new__(cls, label: str) -> Self:
+        """Keep the name."""
+        made = super().__new__(cls, label)
+        made.name = label.name if isinstance(label, Label) else label
+        return made
 
     def origin(self, path: str) -> str:
         """What gave the value at a dotted path: the text, or an option of the command line."""
