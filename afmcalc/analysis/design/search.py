@@ -21,8 +21,6 @@ _MANY = 48
 """Number of mean radii from which ``by_radius`` is faster than ``by_tile``."""
 _WAITING = 65536
 """Candidates that are gathered before the front is calculated again; many take little more time than few."""
-_SAMPLE = 64
-"""Candidates on the front with which all others are compared first."""
 TOLERANCE = 1e-12
 """Relative difference up to which two values of an objective count as equal, as rounding may make them differ."""
 _LEVELS = 2000
@@ -61,9 +59,8 @@ class Survey:
         if not self.members:
             return
         values = np.concatenate([member.values.T for member in self.members], axis=1).T
-        remaining = _unbeaten(values)
         keep = np.zeros(len(values), bool)
-        keep[remaining[front(values[remaining])]] = True
+        keep[front(values)] = True
         parts: dict[str, list[Members]] = defaultdict(list)
         masks = np.split(keep, np.cumsum([len(member.values) for member in self.members])[:-1])
         for (variant, at, rows), mask in zip(self.members, masks, strict=True):
@@ -245,23 +242,6 @@ class _Rows:
         return ends
 
 
-def _unbeaten(values: Numbers) -> Places:
-    """Return the candidates that no sample of the front clearly beats: few, so that the front of them is soon found.
-
-    A search of 2·10⁶ indirect candidates by three objectives takes 0.6 s, without 5.2 s.
-    """
-    known = values[:: -(-len(values) // (4 * _SAMPLE))]
-    known = known[front(known)]
-    remaining, rest = np.arange(len(values)), np.ascontiguousarray(values.T)
-    for best in known[:: -(-len(known) // _SAMPLE)]:
-        no_better = np.logical_and.reduce([column >= one for column, one in zip(rest, best, strict=True)])
-        if np.count_nonzero(no_better) > len(remaining) // 16:
-            worse = [column > one * (1 + 1e-9) for column, one in zip(rest, best, strict=True)]
-            kept = np.flatnonzero(~(no_better & np.logical_or.reduce(worse)))
-            remaining, rest = remaining[kept], rest[:, kept]
-    return remaining
-
-
 def ranks(column: Numbers, tolerance: float = TOLERANCE) -> Places:
     """Rank of every value, equal for values that follow each other within the tolerance.
 
@@ -280,57 +260,37 @@ def front(objectives: Numbers, tolerance: float = TOLERANCE) -> Places:
     """Indices, ascending, of the rows that no other row dominates (small is good); of equal rows only the first.
 
     Values within the relative tolerance are the same. A search with a front of 6,800 rows by four objectives takes
-    0.6 s; with rows compared one by one 17 s.
+    0.6 s; with ``_culled`` alone 2 s.
     """
     if len(objectives) == 0:
         return np.empty(0, np.int64)
-    ranked = np.stack([ranks(column, tolerance) for column in objectives.T], axis=1)
-    # sweep over the two columns with most values; equal values in the other columns make a level
+    # sweep over the two columns with most values; equal values in the others, here at least one, make a level
+    columns = (*objectives.T, *np.zeros((2, len(objectives))))
+    ranked = np.stack([ranks(column, tolerance) for column in columns], axis=1)
     ranked = ranked[:, np.argsort(-ranked.max(axis=0), kind="stable")]
-    if ranked.shape[1] == 1:
-        return np.array([int(np.argmin(ranked[:, 0]))])
-    heights = ranked.max(axis=0) + 1
-    if float(np.prod(heights[2:].astype(float))) > 2.0**62:
-        return _culled(ranked)
-    # one whole number per level, in lexicographic order
-    order = np.argsort(key := _number(ranked[:, 2:], heights[2:]), kind="stable")
-    starts = np.flatnonzero(np.diff(key[order], prepend=-1))
+    order = np.lexsort(ranked.T[:1:-1])
+    first, second, *_ = ordered = np.ascontiguousarray(ranked[order].T)
+    both = first * order.size + second
+    starts = np.flatnonzero(np.append(True, np.diff(ordered[2:]).any(axis=0)))
     if starts.size > _LEVELS:
         return _culled(ranked)
-    swept, second = _number(ranked[:, :2], heights[:2]), np.ascontiguousarray(ranked[:, 1])
-    members = np.split(order, starts[1:])
-    levels = ranked[order[starts], 2:]
-    kept: list[Places] = []
-    # in lexicographic order all lower levels come first; a level is compared with the rows that these kept
-    for highest, level in zip(levels, members, strict=True):
-        below = [kept[k] for k in np.flatnonzero((levels[: len(kept)] <= highest).all(axis=1))]
-        rows = np.concatenate([*below, level])
-        kept.append(_swept(swept[rows], second[rows], rows, rows.size - level.size))
-    return np.sort(np.concatenate(kept))
-
-
-def _number(ranked: Places, heights: Places) -> Places:
-    """Several ranks as one whole number in the same order."""
-    key = np.zeros(len(ranked), np.int64)
-    for column, height in zip(ranked.T, heights, strict=True):
-        key = key * height + column
-    return key
-
-
-def _swept(both: Places, second: Places, rows: Places, others: int) -> Places:
-    """Rows of a level that no row dominates, by one sweep; the first ``others`` rows belong to lower levels."""
-    order = np.argsort(both, kind="stable")
-    ordered = second[order]
-    before = np.concatenate([[np.iinfo(np.int64).max], np.minimum.accumulate(ordered)[:-1]])
-    return rows[order[(ordered < before) & (order >= others)]]
+    levels, kept = ordered[2:, starts].T, list[Places]()
+    # all lower levels come first; a level is compared with the rows that these kept
+    for level, begin, end in zip(levels, starts, np.append(starts[1:], order.size), strict=True):
+        below = [kept[k] for k in np.flatnonzero((levels[: len(kept)] <= level).all(axis=1))]
+        rows = np.concatenate([*below, np.arange(begin, end)])
+        rows = rows[np.argsort(both[rows], kind="stable")]
+        least = np.minimum.accumulate(second[rows])
+        kept.append(rows[np.append(True, least[1:] < least[:-1]) & (rows >= begin)])
+    return np.sort(order[np.concatenate(kept)])
 
 
 def _culled(ranked: Places) -> Places:
-    """Rows that survive when each survivor in turn removes what it dominates or ties."""
-    order = np.lexsort(ranked.T[::-1])
-    remaining, kept = order, []
+    """Rows that survive when each survivor in turn removes what it dominates or ties, by the least sum of ranks."""
+    remaining, kept = np.argsort(ranked.sum(axis=1), kind="stable"), []
+    columns = list(ranked[remaining].T)
     while remaining.size:
-        best = remaining[0]
-        kept.append(best)
-        remaining = remaining[(ranked[remaining] < ranked[best]).any(axis=1)]
+        kept.append(remaining[0])
+        better = np.logical_or.reduce([column < column[0] for column in columns])
+        remaining, columns = remaining[better], [column[better] for column in columns]
     return np.sort(np.array(kept))
