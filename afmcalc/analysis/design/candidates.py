@@ -15,7 +15,7 @@ from ...spec.models import HARDENED_STEEL
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
-from .space import SAME, Axes, Mask, Numbers, Places, balls, given
+from .space import SAME, Axes, Mask, Numbers, balls, given
 
 _NEWTON_STEPS = 12
 """To the mouth of a pocket: each doubles the digits."""
@@ -74,11 +74,6 @@ class Candidates:
         torques = [self.torque_per_force if point == at_set else self.clutch.torque(*point) for point in points]
         return reduce(np.minimum, torques), reduce(np.maximum, torques)
 
-    @cached_property
-    def ball_torque_per_force(self) -> Numbers:
-        """Largest torque that passes the balls, m: it grows with f_2, whatever the gain; with a sleeve it is all."""
-        return self.torques_per_force[1] if self.variant.travels else self.clutch.ball_torque(*self.frictions[2])
-
     @property
     def no_clutch(self) -> str:
         """Name under which candidates count that are no clutch, and under no other."""
@@ -126,11 +121,6 @@ class Candidates:
         if limit is None:
             return np.full(1, np.inf)
         return np.asarray(limit.gain(self.bypass_pairs, self.controlled_pairs, friction))
-
-    @cached_property
-    def reduced_gain(self) -> Numbers:
-        """Controlled pairs times gain."""
-        return direct.reduced_gain(self.controlled_pairs, self.gain)
 
     @property
     def gain_slope(self) -> Numbers:
@@ -222,8 +212,12 @@ class Candidates:
 
     @cached_property
     def ball_torque(self) -> Numbers:
-        """Largest torque that passes the balls, N·m."""
-        return self.closing_force * self.ball_torque_per_force
+        """Largest torque that passes the balls, N·m: it grows with f_2, whatever the gain; with a sleeve it is all."""
+        return (
+            self.torque_max
+            if self.variant.travels
+            else self.closing_force * self.clutch.ball_torque(*self.frictions[2])
+        )
 
     @cached_property
     def contact_force(self) -> Numbers:
@@ -267,28 +261,25 @@ class Candidates:
     @cached_property
     def largest_ball(self) -> Numbers:
         """Largest standard ball that has room beside its neighbour, and so has its pocket, m; 0 where none has."""
-        return np.append(0.0, balls(self.need))[self._places(mouths=self.variant.travels or not never_meet(self.need))]
+        return self._largest(mouths=self.variant.travels or not never_meet(self.need))
 
     @cached_property
     def largest_bearing_ball(self) -> Numbers:
         """The same of a ball that is chosen for the force on it: its wall may be steeper than its travel asks for."""
-        return np.append(0.0, balls(self.need))[self._places(mouths=True)]
+        return self._largest(mouths=True)
 
-    def _places(self, *, mouths: bool) -> Places:
-        """How many standard balls have room beside each other, and beside the hub of the sleeve."""
-        pitch, room = self.ball_pitch, self.ball_room
+    def _largest(self, *, mouths: bool) -> Numbers:
+        room, listed = self.ball_room, balls(self.need)
         if mouths:
             # the mouth d/cos α − s tan α is to be narrower than the pitch
-            room = np.minimum(room, (pitch + self.need.fixed.face_gap * self.tangent) * self.cosine)
-        return np.searchsorted(balls(self.need), room * (1 - SAME))
+            room = np.minimum(room, (self.ball_pitch + self.need.fixed.face_gap * self.tangent) * self.cosine)
+        return np.append(0.0, listed)[np.searchsorted(listed, room * (1 - SAME))]
 
     @property
     def bears(self) -> Mask:
         """Whether there is room for a standard ball that bears its force."""
-        contact, listed = given(self.need.contact), np.append(0.0, balls(self.need))
-        borne = np.asarray(hertz.allowable_force(contact, listed / 2)) * (1 + SAME)
-        allowed = borne[self._places(mouths=True)] / self.most_per_ball
-        return self.ball_torque <= np.where(self.tangent > 0, allowed, np.inf)
+        borne = hertz.allowable_force(given(self.need.contact), self.largest_bearing_ball / 2) * (1 + SAME)
+        return self.ball_torque <= np.where(self.tangent > 0, borne / self.most_per_ball, np.inf)
 
     @cached_property
     def contact_pressure(self) -> Numbers:

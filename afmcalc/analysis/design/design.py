@@ -1,6 +1,6 @@
 """Which clutch is needed: the Pareto front of everything that meets the requirements."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import reduce
 from itertools import product
 from operator import and_
@@ -135,10 +135,6 @@ def shown(result: DesignResult, sort: str | None, top: int | None, pick: int | N
     return result.model_copy(update={"front": kept})
 
 
-_Best = dict[tuple[Constraint, ...], list[float]]
-"""Bounds missed together → the best found of each."""
-
-
 @np.errstate(all="ignore")
 def attainable(need: Requirements, progress: Callable[[int, int], None] = lambda done, of: None) -> list[Attainable]:
     """Return a row for each requirement missed, alone or together, by the candidates on the grid that miss the fewest.
@@ -146,67 +142,56 @@ def attainable(need: Requirements, progress: Callable[[int, int], None] = lambda
     ``progress`` is told how many candidates are behind, of how many.
     """
     count = total(need)
-    step, done = -(-count // MOST_AGAIN), 0
-    best: dict[tuple[str, ...], list[Attainable]] = {}
-    fewest = 1 << 30
+    step, done, fewest = -(-count // MOST_AGAIN), 0, 1 << 30
+    best: dict[tuple[str, ...], tuple[list[Constraint], list[float]]] = {}
     for variant in (VARIANTS[name] for name in dict.fromkeys(need.variants)):
         for laid in grids(need, variant):
             few = laid._replace(mean_radius=np.unique(np.append(laid.mean_radius[::step], laid.mean_radius[-1])))
             for tile in tiles(few, TILE):
-                for missed, values in _nearest(need, variant, tile, fewest).items():
+                for missed, values in _nearest(need, variant, tile, fewest):
                     if len(missed) < fewest:
                         fewest = len(missed)
                         best.clear()
-                    _keep(best, missed, values)
+                    if not np.isfinite(values).all():
+                        continue  # what has no number is nothing to bargain for
+                    names = tuple(f"{bound.name} {bound.sense}" for bound in missed)
+                    both = zip(values, best.get(names, (missed, values))[1], strict=True)
+                    best[names] = missed, [bound.best(pair) for bound, pair in zip(missed, both, strict=True)]
                 done += tile.size
                 progress(done * step, count)
-    return [row for together in best.values() for row in together]
-
-
-def _nearest(need: Requirements, variant: Variant, tile: Tile, most: int) -> _Best:
-    """What the candidates of a tile that miss the fewest bounds, at most so many, have of those."""
-    at_points, every = candidates(need, variant, tile.axes), constraints(need, variant)
-    bounds = [bound for bound in every if bound.value]
-    built = reduce(and_, (bound.holds(at_points) for bound in every if not bound.value), at_points.is_clutch)
-    misses = [np.broadcast_to(~bound.holds(at_points), tile.shape) for bound in bounds]
-    number = np.where(built, np.sum(misses, axis=0, dtype=np.int16), np.int16(len(bounds) + 1))
-    fewest = int(number.min())
-    if fewest > min(most, len(bounds)):
-        return {}
-    near = np.flatnonzero(number == fewest)
-    missed = np.stack([mask.ravel()[near] for mask in misses], axis=1)
-    best: _Best = {}
-    for row in np.unique(missed, axis=0):
-        alike = near[(missed == row).all(axis=1)]
-        chosen = tuple(bound for bound, out in zip(bounds, row, strict=True) if out)
-        values = (
-            np.broadcast_to(bound.value(at_points), tile.shape).ravel()[alike]
-            for bound in chosen
-            if bound.value is not None
-        )
-        best[chosen] = [
-            float(column.max() if bound.at_least else column.min())
-            for bound, column in zip(chosen, values, strict=True)
-        ]
-    return best
-
-
-def _keep(best: dict[tuple[str, ...], list[Attainable]], missed: tuple[Constraint, ...], values: list[float]) -> None:
-    """Take in what is better than what was found before; what has no number is nothing to bargain for."""
-    if not np.isfinite(values).all():
-        return
-    names = tuple(f"{bound.name} {bound.sense}" for bound in missed)
-    new_rows = [
+    return [
         Attainable(
             together=" + ".join(bound.name for bound in missed) if len(missed) > 1 else None,
             requirement=bound.name, sense=bound.sense, limit=bound.limit, best=value, unit=bound.unit,
         )
+        for missed, values in best.values()
         for bound, value in zip(missed, values, strict=True)
     ]  # fmt: skip
-    best[names] = [
-        new if (new.best > old.best) == bound.at_least else old
-        for bound, new, old in zip(missed, new_rows, best.get(names, new_rows), strict=True)
-    ]
+
+
+def _nearest(
+    need: Requirements, variant: Variant, tile: Tile, most: int
+) -> Iterator[tuple[list[Constraint], list[float]]]:
+    """Bounds missed by the candidates of a tile that miss the fewest, at most so many, and the best of each."""
+    at_points, every = candidates(need, variant, tile.axes), constraints(need, variant)
+    bounds = [(bound, bound.value) for bound in every if bound.value]
+    built = reduce(and_, (bound.holds(at_points) for bound in every if not bound.value), at_points.is_clutch)
+    misses = np.stack([np.broadcast_to(~bound.holds(at_points), tile.shape).ravel() for bound, _ in bounds])
+    number = np.where(np.broadcast_to(built, tile.shape).ravel(), misses.sum(axis=0), len(bounds) + 1)
+    fewest = int(number.min())
+    if fewest > min(most, len(bounds)):
+        return
+    near = np.flatnonzero(number == fewest)
+    for row in np.unique(misses[:, near], axis=1).T:
+        alike = near[(row == misses[:, near].T).all(axis=1)]
+        missed = [(bound, value) for (bound, value), out in zip(bounds, row, strict=True) if out]
+        yield (
+            [bound for bound, _ in missed],
+            [
+                float(bound.best(np.broadcast_to(value(at_points), tile.shape).ravel()[alike]))
+                for bound, value in missed
+            ],
+        )
 
 
 def _findings(result: DesignResult) -> list[Finding]:

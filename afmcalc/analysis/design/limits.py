@@ -7,7 +7,9 @@ from operator import and_
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from ...equations import direct
 from ...spec.models import Room
 from ...spec.requirements import Requirements
 from ...variants import Variant
@@ -41,6 +43,10 @@ class Constraint(NamedTuple):
     def sense(self) -> str:
         """How the limit bounds the value."""
         return "at least" if self.at_least else "at most"
+
+    def best(self, values: ArrayLike) -> float:
+        """Value that the limit would rather have."""
+        return float(np.max(values) if self.at_least else np.min(values))
 
 
 def constraints(need: Requirements, variant: Variant) -> list[Constraint]:
@@ -90,7 +96,7 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
         within: _Holds = lambda c: c.gain <= c.gain_limit * (1 + 1e-9)  # noqa: E731
         yield Constraint("gain_limit", within, (0, -1), lambda c: c.gain / c.gain_limit, 1.0, "1")
     if (reduced := limits.reduced_gain) is not None:
-        yield _bound("reduced_gain", lambda c: c.reduced_gain, reduced, "1", (0, -1))
+        yield _bound("reduced_gain", lambda c: direct.reduced_gain(c.controlled_pairs, c.gain), reduced, "1", (0, -1))
     if (force := limits.contact_force) is not None:
         yield Constraint(
             "contact_force", lambda c: c.ball_torque <= force * OVER / c.most_per_ball, (1, 1),

@@ -43,7 +43,7 @@ def refined(
     are behind. With ``ball_first`` the ball, which comes in sizes, is made smaller too, before all else.
     """
     count = at.pairs.size
-    between = any(choice.between for choice in _free(need, variant).values())
+    between = any(choice.between for name, choice in searched(need, variant).items() if name in _FREE)
     if need.search.closing_force is None or curved(need, variant) or not between:
         return at
     parts = []
@@ -51,10 +51,6 @@ def refined(
         parts.append(_Rows(need, variant, at.at(slice(start, start + ROWS))).best(ball_first))
         progress(min(start + ROWS, count))
     return joined(parts) if parts else at
-
-
-def _free(need: Requirements, variant: Variant) -> dict[str, Choice]:
-    return {name: choice for name, choice in searched(need, variant).items() if name in _FREE}
 
 
 class _Span(NamedTuple):
@@ -76,33 +72,26 @@ class _Rows:
     def __init__(self, need: Requirements, variant: Variant, at: Axes) -> None:
         self.need, self.variant = need, variant
         self.at = Axes(*(column[:, None] for column in at))
-        free = _free(need, variant)
-        self.spans = {name: self._span(name, free.get(name)) for name in _FREE}
+        choices = searched(need, variant)
+        self.spans = {name: self._span(name, choices.get(name)) for name in _FREE}
         self.limit = objectives(candidates(need, variant, self.at)) * (1 + 1e-12)
+        self.by_gain = need.search.gain is not None
 
     def _span(self, name: str, choice: Choice | None) -> _Span:
+        """Values that the search, and of the mean radii the outer diameter, allow."""
         column = getattr(self.at, name)
-        if name == "mean_radius":
-            return self._radii(choice)
         if choice is None or not choice.between:
             return _Span(column, column)
-        return _Span(np.full(column.shape, choice.start), np.full(column.shape, choice.stop))
-
-    def _radii(self, choice: Choice | None) -> _Span:
-        """Mean radii that the search and the outer diameter allow."""
-        mean, inner, limit = self.at.mean_radius, self.at.inner_radius, self.need.limits.outer_diameter
-        if choice is None or not choice.between:
-            return _Span(mean, mean)
-        width = self.need.fixed.face_width
-        if self.need.search.mean_radius is None:
-            radii = choice.array()
-            beyond = radii[np.minimum(np.searchsorted(radii, inner, "right"), radii.size - 1)]
-            low, high = (inner + beyond) / 2, (inner + choice.stop) / 2
-            most = np.inf if limit is None else (limit / 2 + inner) / 2
-        else:
-            low, high = np.full(mean.shape, choice.start), np.full(mean.shape, choice.stop)
-            most = np.inf if limit is None or width is None else (limit - width) / 2
-        return _Span(low, np.maximum(low, np.minimum(high, most)))
+        low, high = np.full(column.shape, choice.start), np.full(column.shape, choice.stop)
+        if name == "mean_radius":
+            inner, outermost = self.at.inner_radius, (self.need.limits.outer_diameter or np.inf) / 2
+            if self.need.search.mean_radius is None:
+                radii = choice.array()
+                low = (inner + radii[np.minimum(np.searchsorted(radii, inner, "right"), radii.size - 1)]) / 2
+                high = (inner + min(choice.stop, outermost)) / 2
+            else:
+                high = np.minimum(high, outermost - (self.need.fixed.face_width or 0.0) / 2)
+        return _Span(low, np.maximum(low, high))
 
     def best(self, ball_first: bool) -> Axes:
         """Make one objective after the other as small as it goes."""
@@ -114,9 +103,11 @@ class _Rows:
         return Axes(*(column[:, 0] for column in best))
 
     def _least(self, goal: str, best: Axes) -> Axes:
-        low, high = self._steeps()
+        steering, radius, circle = (self.spans[name] for name in ("steering", "mean_radius", "ball_circle_radius"))
+        low = self._steep(steering.low, radius.high, circle.high)
+        high = self._steep(steering.high, radius.low, circle.low)
         reached = self._score(goal, best)[:, 0]
-        steep = self._steep(best)
+        steep = self._steep(best.steering, best.mean_radius, best.ball_circle_radius)
         for turn in range(ROUNDS):
             parts = np.linspace(0.0, 1.0, FIRST if turn == 0 else LATER)
             tried = np.concatenate([low + (high - low) * parts, steep], axis=1)
@@ -146,38 +137,27 @@ class _Rows:
         aim = tried.ball_needed if goal == "ball_diameter" else values[..., self.need.objectives.index(goal)]
         return np.where(good, aim, np.inf)
 
-    def _steep(self, at: Axes) -> Numbers:
+    def _steep(self, steering: Numbers, radius: Numbers, circle: Numbers) -> Numbers:
         """u = tan α/r = C/R."""
         if not self.variant.controlled:
-            return np.zeros_like(at.mean_radius)
-        if self.need.search.gain is None:
-            return np.tan(at.steering) / at.ball_circle_radius
-        return at.steering / at.mean_radius
+            return np.zeros_like(radius)
+        return steering / radius if self.by_gain else np.tan(steering) / circle
 
-    def _steeps(self) -> tuple[Numbers, Numbers]:
-        """Smallest and largest u."""
-        steering, radius, circle = (self.spans[name] for name in ("steering", "mean_radius", "ball_circle_radius"))
-        if not self.variant.controlled:
-            none = np.zeros_like(radius.low)
-            return none, none
-        if self.need.search.gain is None:
-            return np.tan(steering.low) / circle.high, np.tan(steering.high) / circle.low
-        return steering.low / radius.high, steering.high / radius.low
+    def _steering(self, steep: Numbers, radius: Numbers, circle: Numbers) -> Numbers:
+        """Gain, or wall angle where the angle is searched."""
+        return steep * radius if self.by_gain else np.arctan(steep * circle)
 
     def _placed(self, goal: str, steep: Numbers) -> Axes:
         """The best candidate at every u, NaN where a range does not reach there."""
         spans = self.spans
         steering, circle_span = spans["steering"], spans["ball_circle_radius"]
-        by_gain = self.need.search.gain is not None
-        radius = spans["mean_radius"].high
-        circle = circle_span.high
+        radius, circle = spans["mean_radius"].high, circle_span.high
         if self.variant.controlled:
-            highest = self._largest_gain()
-            radius = np.minimum(radius, np.where(steep > 0, highest / steep, np.inf))
-            if not by_gain:
+            radius = np.minimum(radius, np.where(steep > 0, self._largest_gain() / steep, np.inf))
+            if not self.by_gain:
                 circle = np.minimum(circle, np.where(steep > 0, np.tan(steering.high) / steep, np.inf))
         radius = np.minimum(radius, self._radius_of_least_force(steep))
-        steer = steep * radius if by_gain else np.arctan(steep * circle)
+        steer = self._steering(steep, radius, circle)
         within = spans["mean_radius"].holds(radius)
         if self.variant.controlled:
             within = within & steering.holds(steer) & circle_span.holds(circle)
@@ -196,9 +176,7 @@ class _Rows:
     def _largest_gain(self) -> Numbers:
         """Largest C that its range, the limit of the variant and the one on z C allow."""
         rows, limits = candidates(self.need, self.variant, self.at), self.need.limits
-        highest = np.full(self.at.pairs.shape, np.inf)
-        if self.need.search.gain is not None:
-            highest = self.spans["steering"].high
+        highest = self.spans["steering"].high if self.by_gain else np.full(self.at.pairs.shape, np.inf)
         if limits.gain_limit:
             highest = np.minimum(highest, rows.gain_limit)
         if limits.reduced_gain is not None:
@@ -209,18 +187,15 @@ class _Rows:
         """Largest R at which the pack force is not below its range: at a given u it is a line in 1/R."""
         span = self.need.search.closing_force
         assert span is not None
-        at_one, at_two = (self._pack_force(steep, radius) for radius in (1.0, 2.0))
+        at_one, at_two = (
+            candidates(self.need, self.variant, self.at._replace(
+                steering=self._steering(steep, radius, one), ball_circle_radius=one, mean_radius=radius
+            )).pack_force
+            for one in (np.ones(1),)
+            for radius in (one, 2 * one)
+        )  # fmt: skip
         slope, rest = 2 * (at_one - at_two), 2 * at_two - at_one
         return np.where(rest < span.min, slope / (span.min - rest) * _INSIDE, np.inf)
-
-    def _pack_force(self, steep: Numbers, radius: float) -> Numbers:
-        by_gain = self.need.search.gain is not None
-        at = self.at._replace(
-            steering=steep * radius if by_gain else np.arctan(steep),
-            ball_circle_radius=np.ones(1),
-            mean_radius=np.full(1, radius),
-        )
-        return candidates(self.need, self.variant, at).pack_force
 
     def _sprung(self, goal: str, at: Axes) -> Axes:
         """Choose c_2: as small as travel, ball and deflection allow, or as large as torque, K_т and balls do."""
@@ -239,7 +214,9 @@ class _Rows:
             if goal == "ball_diameter":
                 chosen = np.minimum(chosen, self._of_least_ball(none, ordinary) / per)
         else:
-            least = (none.travel / self._travel_allowed(none) - 1) / per
+            ball = np.minimum(self._most("ball_diameter"), none.largest_ball)
+            most = np.minimum(self.need.limits.travel or np.inf, self._most("travel"))
+            least = (none.travel / (np.minimum(most, none.travel_room(ball)) * _INSIDE) - 1) / per
             chosen = np.maximum(least, none.control_force / self._most("control_deflection") / _INSIDE)
         return at._replace(control_stiffness=span.clip(np.nan_to_num(chosen, nan=0.0)))
 
@@ -260,17 +237,11 @@ class _Rows:
         aims = self.need.objectives
         return self.limit[..., aims.index(name)] if name in aims else np.full(self.at.pairs.shape, np.inf)
 
-    def _travel_allowed(self, tried: Candidates) -> Numbers:
-        need = self.need
-        limit = np.inf if need.limits.travel is None else need.limits.travel
-        ball = np.minimum(self._most("ball_diameter"), tried.largest_ball)
-        return np.minimum(np.minimum(limit, self._most("travel")), tried.travel_room(ball)) * _INSIDE
-
     def _torque_allowed(self, tried: Candidates) -> Numbers:
         wanted, limits = self.need.wanted, self.need.limits
         factor = np.minimum(self._most("accuracy_factor"), wanted.accuracy_factor or np.inf)
         allowed = np.minimum(factor * tried.closing_force * tried.torques_per_force[0], wanted.torque_max or np.inf)
-        contact = np.full(1, np.inf if limits.contact_force is None else limits.contact_force)
+        contact = np.full(1, limits.contact_force or np.inf)
         if self.need.contact is not None:
             ball = np.minimum(self._most("ball_diameter"), tried.largest_bearing_ball)
             contact = np.minimum(contact, hertz.allowable_force(self.need.contact, ball / 2))
