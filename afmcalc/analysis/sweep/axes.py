@@ -2,13 +2,13 @@
 
 import math
 import re
+from contextlib import suppress
 
 import numpy as np
 
 from ...arrays import Floats
 from ...engines import build
 from ...errors import AfmcalcError, SpecError
-from ...findings import Finding
 from ...messages import did_you_mean
 from ...spec import Spec
 from ...spec.edit import respecified, value_at
@@ -67,17 +67,20 @@ def parse_axis(text: str, spec: Spec) -> Axis:
     if not separator:
         return Axis(name, key, default_range(key, spec) / scale, scale)
     values = parse_values(text, given, key.unit or "1")
-    return Axis(name, key, values, scale, _question(text, given, key, values))
+    try:
+        asked = () if _has_unit(given) else [asked_unit(value, key.unit, key.path) for value in values.tolist()]
+    except ValueError as error:
+        raise AfmcalcError("--sweep {text:.80}: {why}", text=text, why=str(error)) from None
+    return Axis(name, key, values, scale, next(filter(None, asked), None))
 
 
 def parse_values(text: str, given: str, unit: str) -> Floats:
     """Read ``start:stop:count`` or ``v1,v2,…``; ``text`` is the whole option, for messages."""
 
     def number(part: str) -> float:
-        try:
-            value: float | str = float(part)
-        except ValueError:
-            value = part
+        value: float | str = part
+        with suppress(ValueError):
+            value = float(part)
         try:
             return parse_quantity(value, unit)
         except ValueError as error:
@@ -102,21 +105,6 @@ def parse_values(text: str, given: str, unit: str) -> Floats:
     return np.linspace(number(parts[0]), number(parts[1]), count)
 
 
-def _question(text: str, given: str, key: Key, values: Floats) -> Finding | None:
-    """Return the first of the values of a sweep that, given without a unit, may be meant in another than SI.
-
-    Raises:
-        AfmcalcError: one that cannot be meant in SI.
-    """
-    if _has_unit(given):
-        return None
-    try:
-        questions = [asked_unit(value, key.unit, key.path) for value in values.tolist()]
-    except ValueError as error:
-        raise AfmcalcError("--sweep {text:.80}: {why}", text=text, why=str(error)) from None
-    return next(filter(None, questions), None)
-
-
 def _has_unit(part: str) -> bool:
     return any(letter.isalpha() for letter in part.lower().replace("e", ""))
 
@@ -139,8 +127,7 @@ def default_range(key: Key, spec: Spec) -> Floats:
         return np.linspace(1.0, max(2.0, float(current or 1)), 21)
     if current is None:
         raise AfmcalcError("{path} is not in the spec: give a range, {path}=start:stop:count", path=key.path)
-    about = key.about
-    assert about is not None
+    assert key.about is not None
     low, high = 0.5 * current, 2 * current
     if (friction := _friction(key.path, spec)) is not None:
         # within min ≤ mean ≤ max of its group
@@ -152,9 +139,9 @@ def default_range(key: Key, spec: Spec) -> Floats:
             high = ends.mean if end == "min" and pinned else ends.max
     if key.path == "control_unit.wall_angle":
         high = min(high, 1.5)
-    least, most = about.limits
+    least, most = key.about.limits
     low, high = (_feasible(spec, key.path, current, end) for end in (max(low, least), min(high, most)))
-    return _whole(math.ceil(low), math.floor(high)) if about.whole else np.linspace(low, high, 26)
+    return _whole(math.ceil(low), math.floor(high)) if key.about.whole else np.linspace(low, high, 26)
 
 
 def _whole(low: int, high: int) -> Floats:
@@ -174,9 +161,9 @@ def _feasible(spec: Spec, path: str, current: float, end: float) -> float:
             return False
         return True
 
-    inside = current
     if builds(end):
         return end
+    inside = current
     for _ in range(60):
         middle = (inside + end) / 2
         inside, end = (middle, end) if builds(middle) else (inside, middle)

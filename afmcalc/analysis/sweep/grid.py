@@ -1,5 +1,6 @@
 """A sweep: its axes, and the answers over their grid in one array expression of the engines. Loads NumPy when asked."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 from typing import NamedTuple, TypeVar
@@ -49,9 +50,7 @@ def grid(axes: Sequence[Axis]) -> list[Floats]:
     """Coordinates of every point of the grid by axis, flat, the first axis slowest."""
     import numpy as np
 
-    count = 1
-    for axis in axes:
-        count *= axis.values.size
+    count = math.prod(axis.values.size for axis in axes)
     if count > MOST_POINTS:
         raise AfmcalcError(
             "the sweep asks for {count:,} points; at most {most:,} are swept", count=count, most=MOST_POINTS
@@ -104,8 +103,15 @@ def evaluate(spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Out
         if is_whole(path) and (wrong := array[array != np.floor(array)]).size:
             raise AfmcalcError("--sweep {path}: {wrong:g} is not a whole number", path=path, wrong=float(wrong[0]))
     ends = (dict.fromkeys((float(array.min()), float(array.max()))) for array in arrays.values())
-    for corner in product(*ends):
-        valid = _validated(spec, dict(zip(arrays, corner, strict=True)))
+    for values_at_corner in product(*ends):
+        corner = dict(zip(arrays, values_at_corner, strict=True))
+        try:
+            valid = edit.respecified(spec, corner)
+            build(valid)
+        except SpecError as error:
+            where = joined(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
+            problems = [problem._replace(place=None) for problem in error.problems]
+            raise SpecError(say("sweep at {where}", where=where), problems) from None
     shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     answers = {name: np.empty(shape) for name in outputs}
     # stretches of a flat sweep whose intermediate arrays stay in the processor's cache; else the whole
@@ -117,14 +123,3 @@ def evaluate(spec: Spec, values: Mapping[str, Floats], outputs: Mapping[str, Out
             for name, function in outputs.items():
                 answers[name][block] = function(clutch)
     return answers
-
-
-def _validated(spec: Spec, corner: dict[str, float]) -> Spec:
-    try:
-        valid = edit.respecified(spec, corner)
-        build(valid)
-    except SpecError as error:
-        where = joined(say("{path} = {value:g}", path=path, value=value) for path, value in corner.items())
-        problems = [problem._replace(place=None) for problem in error.problems]
-        raise SpecError(say("sweep at {where}", where=where), problems) from None
-    return valid
