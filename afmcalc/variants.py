@@ -5,15 +5,14 @@ A further variant of a law is one more record in ``VARIANTS``, and nothing else:
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, Literal, TypeAlias
 
 from .arrays import Values
 from .equations import direct
 
 Law = Literal["direct", "indirect"]
-Path: TypeAlias = tuple[str, ...]
-"""Keys of a spec, from the outermost table on."""
+Paths: TypeAlias = tuple[str, ...]
+"""Keys of a spec, each by its dotted path."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,11 +52,11 @@ class Variant:
     description: str
     bypass: Callable[[Values, Values | None], Values]
     """``(z, driving_pairs as given or None)`` → z_1, the pairs that bypass the control unit; numbers or arrays."""
-    needs: tuple[Path, ...] = ()
+    needs: Paths = ()
     """Keys it cannot do without, beside those that every clutch needs."""
-    requires: tuple[Path, ...] = ()
+    requires: Paths = ()
     """Keys that every variant has and this one cannot do without."""
-    takes: tuple[Path, ...] = ()
+    takes: Paths = ()
     """Further keys it may have and not every variant has."""
     gain_limit: GainLimit | None = None
     overload: bool = False
@@ -65,29 +64,25 @@ class Variant:
     example: str | None = None
     """The example spec to start from."""
 
-    @cached_property
-    def keys(self) -> tuple[Path, ...]:
+    @property
+    def keys(self) -> Paths:
         """Keys it has and not every variant has."""
         return self.takes + self.needs
-
-    def has(self, path: str) -> bool:
-        """Whether a key that not every variant has, at a dotted path, is one of its own."""
-        return tuple(path.split(".")) in self.keys
 
     @property
     def controlled(self) -> bool:
         """Whether it has a control unit."""
-        return self.has("control_unit")
+        return "control_unit" in self.keys
 
     @property
     def chooses_bypass(self) -> bool:
         """Whether the spec chooses the pairs that bypass the control unit."""
-        return self.has("friction_group.driving_pairs")
+        return "friction_group.driving_pairs" in self.keys
 
     @property
     def unlike(self) -> bool:
         """Whether its two groups of pairs may have materials of their own."""
-        return self.has("friction.driving")
+        return "friction.driving" in self.keys
 
     @property
     def travels(self) -> bool:
@@ -118,11 +113,9 @@ REDUCED_LIMIT = GainLimit(
 )
 """Recommended by S22."""
 
-_LAG = ("control_unit", "release_lag")
-
 VARIANTS: dict[str, Variant] = {
-    each.name: each
-    for each in (
+    variant.name: variant
+    for variant in (
         Variant(
             name="conventional",
             law="direct",
@@ -135,8 +128,8 @@ VARIANTS: dict[str, Variant] = {
             law="direct",
             description="Werner's clutch: some pairs bypass the control unit, the others pass it",
             bypass=lambda pairs, driving: 1 if driving is None else driving,
-            needs=(("control_unit",),),
-            takes=(("friction_group", "driving_pairs"), ("friction", "driving"), ("friction", "driven"), _LAG),
+            needs=("control_unit",),
+            takes=("friction_group.driving_pairs", "friction.driving", "friction.driven", "control_unit.release_lag"),
             gain_limit=BREAKAWAY_LIMIT,
             overload=True,
             example="default",
@@ -146,8 +139,8 @@ VARIANTS: dict[str, Variant] = {
             law="direct",
             description="all torque passes the control unit",
             bypass=lambda pairs, driving: 0,
-            needs=(("control_unit",),),
-            takes=(_LAG,),
+            needs=("control_unit",),
+            takes=("control_unit.release_lag",),
             gain_limit=REDUCED_LIMIT,
             overload=True,
             example="all-driving",
@@ -157,19 +150,14 @@ VARIANTS: dict[str, Variant] = {
             law="indirect",
             description="the release force moves a sleeve that slackens the closing spring (S21)",
             bypass=lambda pairs, driving: 0,
-            needs=(
-                ("control_unit",),
-                ("control_unit", "hub_diameter"),
-                ("control_unit", "key_friction"),
-                ("control_spring",),
-            ),
-            requires=(("closing_spring", "stiffness"),),
+            needs=("control_unit", "control_unit.hub_diameter", "control_unit.key_friction", "control_spring"),
+            requires=("closing_spring.stiffness",),
             takes=(
-                ("control_unit", "gain_slope"),
-                ("control_unit", "pocket"),
-                ("control_unit", "profiled"),
-                ("control_unit", "sleeve_mass"),
-                ("drive", "hub_inertia"),
+                "control_unit.gain_slope",
+                "control_unit.pocket",
+                "control_unit.profiled",
+                "control_unit.sleeve_mass",
+                "drive.hub_inertia",
             ),
             example="indirect",
         ),

@@ -30,7 +30,7 @@ def spec(monkeypatch, tmp_path):
         law="direct",
         description="two pairs bypass the control unit, whatever the spec says",
         bypass=lambda pairs, driving: 2,
-        needs=(("control_unit",),),
+        needs=("control_unit",),
         gain_limit=BREAKAWAY_LIMIT,
     )
     monkeypatch.setitem(VARIANTS, record.name, record)
@@ -127,4 +127,4 @@ def test_the_default_of_driving_pairs_is_named():
 def test_every_record_has_an_example_of_itself(record):
     assert record.example is not None
     assert f'variant = "{record.name}"' in example_text(record.example)
-    assert record.has("control_unit.hub_diameter") == record.travels
+    assert ("control_unit.hub_diameter" in record.keys) == record.travels

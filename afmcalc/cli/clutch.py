@@ -109,7 +109,7 @@ def synthesize(
     from ..analysis.synthesize import completed
     from ..spec.read import diameters
 
-    common.keep(spec, balls, writes="spec")
+    common.keep(spec, balls, spec=True)
     if common.output == "-":
         raise AfmcalcError("synthesize --output writes the completed spec beside the result: name a file")
     sizes = diameters(balls) if balls else None

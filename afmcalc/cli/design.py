@@ -106,7 +106,7 @@ def design(
     from ..spec import resolved
     from ..spec.requirements import read_requirements
 
-    common.keep(requirements, writes="result" if pick is None else "spec")
+    common.keep(requirements, spec=pick is not None)
     check_objective(sort)
     need = read_requirements(requirements, common.set or ())
     result, findings = common.ask(need)

@@ -52,7 +52,7 @@ def simulate(
 
     if "-" in (common.output, history):
         raise AfmcalcError("simulate --output and --history write files beside the result: name one for each")
-    common.keep(spec, beside=history, writes="spec")
+    common.keep(spec, beside=history, spec=True)
     printed = common.to_standard_output()
     curve = curve_of(plot, sweep, printed) if sweep else None
     if plot and printed.chosen_format != "table":
@@ -145,7 +145,7 @@ def springs(
         return
     from ..analysis.springs.springs import picked
 
-    common.keep(spec, writes="spec")
+    common.keep(spec, spec=True)
     clutch = common.build(spec)
     result, findings = common.ask(clutch, sort, top, kind, tolerance)
     data = picked(clutch, result, pick)

@@ -43,8 +43,6 @@ def output_option(help: str) -> Any:
 
 ForceOption = Annotated[bool, Option("--force", "-f", help="Replace a file that exists.")]
 QuietOption = Annotated[bool, Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
-Writes = Literal["result", "spec", "document"]
-"""What the command writes into a file; the command of a document checks the file name itself."""
 
 
 def _with_equals_sign(overrides: list[str] | None) -> list[str] | None:
@@ -103,11 +101,14 @@ class Common:
 
         return shown_in(self.units)
 
-    def keep(self, *sources: str | None, beside: str | None = None, writes: Writes = "result") -> None:
-        """Refuse to overwrite ``sources`` or other files, and wrong file names; ``beside``: a second file to write."""
-        if writes == "result":
+    def keep(self, *sources: str | None, beside: str | None = None, spec: bool = False) -> None:
+        """Refuse to overwrite ``sources`` or other files, and the name of another file than of a result, or a spec.
+
+        ``beside`` is a second file to write.
+        """
+        if not spec:
             self.chosen_format  # noqa: B018
-        elif writes == "spec" and self.output:
+        elif self.output:
             is_json_spec(self.output)
         refuse(self.output, beside, force=self.force, inputs=sources)
 

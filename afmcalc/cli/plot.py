@@ -7,7 +7,7 @@ from typer import Argument, Option
 from ..analysis.registry import PLOTS, StressRule
 from ..errors import AfmcalcError, need
 from ..messages import say
-from .files import picture_of, write
+from .files import picture_of, refuse, write
 from .help import completing
 from .options import Common, common_options, need_drawing
 
@@ -71,7 +71,7 @@ def plot(
     ending = picture_of(common.output)
     of_clutches = chosen.takes not in ("names", "requirements")
     sources: list[str | None] = [*(subjects or ())] or ([None] if of_clutches else [])
-    common.keep(*sources, beside=profile, writes="document")
+    refuse(common.output, profile, force=common.force, inputs=sources)
     if sources.count("-") > 1:
         raise AfmcalcError("standard input (-) can be read once only")
     request = Request(sources, sweep, model, profile, _length("cutter", cutter), _length("chord", chord))

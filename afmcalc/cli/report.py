@@ -9,7 +9,7 @@ from .. import __version__
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
 from ..messages import say
-from .files import html_only
+from .files import html_only, refuse
 from .options import Common, SpecArgument, common_options, need_drawing
 
 if TYPE_CHECKING:
@@ -58,9 +58,12 @@ def report(
 
     output = common.output
     html_only(output)
-    target = _pdf_beside(output) if pdf else None
-    browser = find_browser() if pdf else None
-    common.keep(spec, beside=target, writes="document")
+    target = browser = None
+    if pdf:
+        if output in (None, "-"):
+            raise AfmcalcError("--pdf prints beside the HTML file: give it with -o report.html")
+        target, browser = f"{os.path.splitext(output)[0]}.pdf", find_browser()
+    refuse(output, target, force=common.force, inputs=[spec])
     raw, given, read = _read(spec, common)
     options = {
         "organisation": organisation, "project": project, "drawing": drawing, "revision": revision,
@@ -81,13 +84,6 @@ def report(
         common.wrote(say("wrote {output}", output=output))
     if target:
         common.save(printed, target)
-
-
-def _pdf_beside(output: str | None) -> str:
-    if output in (None, "-"):
-        raise AfmcalcError("--pdf prints beside the HTML file: give it with -o report.html")
-    assert output is not None
-    return f"{os.path.splitext(output)[0]}.pdf"
 
 
 def _title_block(spec: "Spec", options: dict[str, str | None]) -> "TitleBlock":

@@ -6,6 +6,8 @@ parser of the command line turns ``KeyboardInterrupt`` into an error of its own,
 
 import signal
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 _SIGNALS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
 _AGAIN = 0.01
@@ -30,15 +32,13 @@ def ignore() -> None:
         signal.signal(number, signal.SIG_IGN)
 
 
-class put_off:  # noqa: N801
-    """Put signals off until the end of the block, which does not last."""
-
-    def __enter__(self) -> None:
-        """Begin."""
-        _blocks.append(True)
-
-    def __exit__(self, *error: object) -> None:
-        """End the program now if a signal has come."""
+@contextmanager
+def put_off() -> Iterator[None]:
+    """Put signals off until the end of the block, which does not last; end the program then if one has come."""
+    _blocks.append(True)
+    try:
+        yield
+    finally:
         _blocks.pop()
         if _waiting and not _blocks:
             _end(_waiting.pop())

@@ -126,11 +126,8 @@ def _static_friction(given: Table) -> Iterator[Broken]:
 def _special_keys() -> dict[str, tuple[str, ...]]:
     """Keys that only some variants have → those variants."""
     variants = VARIANTS.values()
-    return {
-        ".".join(key): tuple(variant.name for variant in variants if key in variant.keys)
-        for variant in variants
-        for key in variant.keys
-    }
+    keys = [key for variant in variants for key in variant.keys]
+    return {key: tuple(variant.name for variant in variants if key in variant.keys) for key in keys}
 
 
 def variants_of(path: str) -> tuple[str, ...]:
@@ -152,9 +149,9 @@ def _variant(given: Table) -> Iterator[Broken]:
     for path in foreign_keys(given, name):
         only = ", ".join(_special_keys()[path])
         yield path, say("not for variant {variant!r}; only for {only}", variant=name, only=only)
-    for key in VARIANTS[name].needs + VARIANTS[name].requires:
-        path = ".".join(key)
-        if path not in given and (len(key) == 1 or key[0] in given or key[0] == "closing_spring"):
+    for path in VARIANTS[name].needs + VARIANTS[name].requires:
+        table = path.partition(".")[0]
+        if path not in given and (table in (path, "closing_spring") or table in given):
             yield path, say("required for variant {variant!r}", variant=name)
 
 
