@@ -44,9 +44,12 @@ class Estimated(Result):
         return Estimate(getattr(self, name), getattr(self, self.error_fields()[name]))
 
 
-def error(of: str, unit: str, symbol: str, description: str, *, optional: bool = False) -> Any:
-    """Declare the field of a standard error."""
-    return quantity(unit, symbol, description, optional=optional, error_of=of)
+def error(of: str, figure: Any, description: str = "standard error of it", symbol: str | None = None) -> Any:
+    """Declare the field of the standard error of a figure, ``figure`` being the field above of the name ``of``."""
+    shown = shown_as(figure)
+    return quantity(
+        shown.unit, symbol or f"± {shown.symbol}", description, optional=not figure.is_required(), error_of=of
+    )
 
 
 class InputRow(Result):
@@ -66,7 +69,7 @@ class QuantileRow(Estimated):
 
     probability: float = quantity("1", None, "probability")
     torque: float = quantity("N*m", "T_p", "torque not exceeded with this probability")
-    standard_error: float = error("torque", "N*m", "±", "standard error")
+    standard_error: float = error("torque", torque, "standard error", symbol="±")
 
 
 class LifeRow(Estimated):
@@ -74,9 +77,9 @@ class LifeRow(Estimated):
 
     probability: float = quantity("1", None, "share of clutches failed")
     protected: float = quantity("1", "N_ц,p", "slips, protected side")
-    protected_standard_error: float = error("protected", "1", "± N_ц,p", "standard error of N_ц,p")
+    protected_standard_error: float = error("protected", protected, "standard error of N_ц,p")
     unprotected: float = quantity("1", "N'_ц,p", "slips, unprotected side")
-    unprotected_standard_error: float = error("unprotected", "1", "± N'_ц,p", "standard error of N'_ц,p")
+    unprotected_standard_error: float = error("unprotected", unprotected, "standard error of N'_ц,p")
 
 
 class PeakRow(Estimated):
@@ -84,7 +87,7 @@ class PeakRow(Estimated):
 
     probability: float = quantity("1", None, "probability")
     peak_torque: float = quantity("N*m", "T_peak,p", "peak torque not exceeded with this probability")
-    standard_error: float = error("peak_torque", "N*m", "±", "standard error")
+    standard_error: float = error("peak_torque", peak_torque, "standard error", symbol="±")
 
 
 class IndexRow(Estimated):
@@ -92,9 +95,9 @@ class IndexRow(Estimated):
 
     path: str = described("field")
     first_order: float = quantity("1", "S_1", "first-order Sobol index")
-    first_order_standard_error: float = error("first_order", "1", "± S_1", "standard error of S_1")
+    first_order_standard_error: float = error("first_order", first_order, "standard error of S_1")
     total: float = quantity("1", "S_T", "total Sobol index")
-    total_standard_error: float = error("total", "1", "± S_T", "standard error of S_T")
+    total_standard_error: float = error("total", total, "standard error of S_T")
 
 
 class ToleranceResult(Estimated, Answer):
@@ -108,64 +111,48 @@ class ToleranceResult(Estimated, Answer):
     probability_no_clutch: float | None = quantity(
         "1", "P(–)", "probability of no clutch; the rest is told of the others", optional=True
     )
-    probability_no_clutch_standard_error: float | None = error(
-        "probability_no_clutch", "1", "± P(–)", "standard error of it", optional=True
-    )
+    probability_no_clutch_standard_error: float | None = error("probability_no_clutch", probability_no_clutch)
     mean: float = quantity("N*m", "T_m", "mean torque")
-    mean_standard_error: float = error("mean", "N*m", "± T_m", "standard error of the mean")
+    mean_standard_error: float = error("mean", mean, "standard error of the mean")
     standard_deviation: float = quantity("N*m", "s_T", "standard deviation of the torque")
     standard_deviation_standard_error: float = error(
-        "standard_deviation", "N*m", "± s_T", "standard error of the standard deviation"
+        "standard_deviation", standard_deviation, "standard error of the standard deviation"
     )
     accuracy_factor_robust: float = quantity("1", "K_т,r", "robust accuracy factor q(99.5 %)/q(0.5 %)")
     accuracy_factor_robust_standard_error: float = error(
-        "accuracy_factor_robust", "1", "± K_т,r", "standard error of K_т,r"
+        "accuracy_factor_robust", accuracy_factor_robust, "standard error of K_т,r"
     )
     torque_limit: float | None = quantity("N*m", "T_lim", "torque whose exceedance is asked for", optional=True)
     probability_above_limit: float | None = quantity("1", "P(T>T_lim)", "probability above the limit", optional=True)
-    probability_above_limit_standard_error: float | None = error(
-        "probability_above_limit", "1", "± P(T>T_lim)", "standard error of it", optional=True
-    )
+    probability_above_limit_standard_error: float | None = error("probability_above_limit", probability_above_limit)
     machine_torque: float = quantity("N*m", "T_н.маш", "nominal torque of the machine")
     probability_below_machine: float = quantity("1", "P(T<T_н.маш)", "probability below the machine's nominal torque")
-    probability_below_machine_standard_error: float = error(
-        "probability_below_machine", "1", "± P(T<T_н.маш)", "standard error of it"
-    )
+    probability_below_machine_standard_error: float = error("probability_below_machine", probability_below_machine)
     life_protected: float | None = quantity(
         "1",
         "N_ц",
         "slips to failure at the clutches' mean damage, protected side (harmonic mean of lives)",
         optional=True,
     )
-    life_protected_standard_error: float | None = error(
-        "life_protected", "1", "± N_ц", "standard error of it", optional=True
-    )
+    life_protected_standard_error: float | None = error("life_protected", life_protected)
     life_unprotected: float | None = quantity(
         "1", "N'_ц", "slips to failure at the clutches' mean damage, unprotected side", optional=True
     )
-    life_unprotected_standard_error: float | None = error(
-        "life_unprotected", "1", "± N'_ц", "standard error of it", optional=True
-    )
+    life_unprotected_standard_error: float | None = error("life_unprotected", life_unprotected)
     life_quantiles: list[LifeRow] | None = quantity(
         "", None, "life over the clutches, each in the whole friction of its service", optional=True
     )
     peak_samples: int | None = described("drives simulated", optional=True)
     peak_torque_mean: float | None = quantity("N*m", "T_peak,m", "mean peak torque in the shaft", optional=True)
-    peak_torque_mean_standard_error: float | None = error(
-        "peak_torque_mean", "N*m", "± T_peak,m", "standard error of it", optional=True
-    )
+    peak_torque_mean_standard_error: float | None = error("peak_torque_mean", peak_torque_mean)
     peak_torque_deviation: float | None = quantity(
         "N*m", "s_peak", "standard deviation of the peak torque", optional=True
     )
-    peak_torque_deviation_standard_error: float | None = error(
-        "peak_torque_deviation", "N*m", "± s_peak", "standard error of it", optional=True
-    )
+    peak_torque_deviation_standard_error: float | None = error("peak_torque_deviation", peak_torque_deviation)
     probability_peak_above: float | None = quantity(
         "1", "P(T_peak)", "probability of a peak above requirements.peak_torque", optional=True
     )
-    probability_peak_above_standard_error: float | None = error(
-        "probability_peak_above", "1", "± P(T_peak)", "standard error of it", optional=True
-    )
+    probability_peak_above_standard_error: float | None = error("probability_peak_above", probability_peak_above)
     peak_quantiles: list[PeakRow] | None = described("quantiles of the peak torque", optional=True)
     inputs: list[InputRow] = described("what scatters")
     sobol: list[IndexRow] = described("share in the variance of the torque")

@@ -5,7 +5,7 @@ number of threads and still give the same digits, and the spread between them is
 """
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import TypeVar
@@ -69,42 +69,37 @@ class Plan:
             return list(pool.map(lambda number: replicate(number, cells(sizes[number])), range(REPLICATES)))
 
 
-class Stream:
-    """Random or quasi-random values of the scattering inputs, a column for each, drawn cell by cell."""
+def drawn(
+    model: Model, seed: int, stream: int, cells: Iterable[int], *, quasi: bool = False, copies: int = 1
+) -> Iterator[list[Array]]:
+    """Draw random or quasi-random values of what scatters from a stream, cell by cell: ``copies`` columns of each."""
+    inputs, period = [*model.inputs] * copies, len(model.inputs)
+    generator = np.random.Generator(np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(stream,))))
+    if quasi:
+        from scipy.stats import qmc
 
-    def __init__(self, model: Model, seed: int, number: int, *, quasi: bool = False, copies: int = 1) -> None:
-        """Open stream ``number``; every input has ``copies`` independent columns."""
-        self._inputs, self._period = [*model.inputs] * copies, len(model.inputs)
-        self._pair, self._correlation = model.pair, model.correlation
-        self._generator = np.random.Generator(np.random.SFC64(np.random.SeedSequence(seed, spawn_key=(number,))))
-        self._sequence = None
-        if quasi:
-            from scipy.stats import qmc
-
-            self._sequence = qmc.Sobol(len(self._inputs), scramble=True, seed=self._generator)
-
-    def draw(self, width: int) -> list[Array]:
-        """Return the next cell: an array per column."""
-        points = None if self._sequence is None else self._sequence.random(width)
+        sequence = qmc.Sobol(len(inputs), scramble=True, seed=generator)
+    for width in cells:
         columns = []
-        for number, scattering in enumerate(self._inputs):
+        points = sequence.random(width) if quasi else None
+        for number, scattering in enumerate(inputs):
             if points is not None:
                 columns.append(scattering.quantiles(points[:, number]))
-            elif number % self._period in self._pair:
+            elif number % period in model.pair:
                 columns.append(np.empty(0))
             else:
-                columns.append(scattering.draw(self._generator, width))
+                columns.append(scattering.draw(generator, width))
         # the two frictions by a Gaussian copula
-        for start in range(0, len(columns), self._period) if self._pair else ():
-            first, second = (start + place for place in self._pair)
+        for start in range(0, len(columns), period) if model.pair else ():
+            first, second = (start + place for place in model.pair)
             if points is None:
-                one, two = self._generator.standard_normal(width), self._generator.standard_normal(width)
+                one, two = generator.standard_normal(width), generator.standard_normal(width)
             else:
                 one, two = normal_score(points[:, first]), normal_score(points[:, second])
-            two = self._correlation * one + (1 - self._correlation**2) ** 0.5 * two
-            columns[first] = self._inputs[first].quantiles(normal_probability(one))
-            columns[second] = self._inputs[second].quantiles(normal_probability(two))
-        return columns
+            two = model.correlation * one + (1 - model.correlation**2) ** 0.5 * two
+            columns[first] = inputs[first].quantiles(normal_probability(one))
+            columns[second] = inputs[second].quantiles(normal_probability(two))
+        yield columns
 
 
 def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> list[Tally]:
@@ -114,18 +109,18 @@ def simulate(model: Model, plan: Plan, upper: float | None, lower: float) -> lis
         CalculationError: hardly any sample is a clutch.
     """
     # all replicates use the bins and the shift that fit the first cell of the first replicate
-    pilot = model.clutches_of(Stream(model, plan.seed, 0, quasi=plan.quasi).draw(min(CELL, plan.sizes[0])))
+    pilot = model.clutches_of(next(drawn(model, plan.seed, 0, [min(CELL, plan.sizes[0])], quasi=plan.quasi)))
     _refuse_few(pilot[0].size)
     torques = np.broadcast_to(model.torque(pilot), pilot[0].shape)
     grid, shift = Grid.of(torques), float(np.median(torques))
     slips = None if model.spec.fatigue is None else service_of(model)
 
     def replicate(number: int, cells: Iterator[int]) -> Tally:
-        stream, tally = Stream(model, plan.seed, number, quasi=plan.quasi), Tally(grid, shift)
-        for width in cells:
-            values = model.clutches_of(stream.draw(width))
+        tally = Tally(grid, shift)
+        for columns in drawn(model, plan.seed, number, cells, quasi=plan.quasi):
+            values = model.clutches_of(columns)
             size = values[0].size
-            tally.impossible += width - size
+            tally.impossible += columns[0].size - size
             if not size:
                 continue
             torque = np.broadcast_to(model.torque(values), size)
@@ -203,11 +198,9 @@ def sobol_indices(model: Model, plan: Plan) -> list[IndexRow]:
 
     def replicate(number: int, cells: Iterator[int]) -> Array:
         """Sums of rows, torques, squares; then for each group the numerators of first-order and total index."""
-        # other streams than those of the torque sample
-        stream = Stream(model, plan.seed, REPLICATES + number, quasi=plan.quasi, copies=2)
         sums = np.zeros(3 + 2 * len(groups))
-        for width in cells:
-            columns = stream.draw(width)
+        # other streams than those of the torque sample
+        for columns in drawn(model, plan.seed, REPLICATES + number, cells, quasi=plan.quasi, copies=2):
             one, other = columns[:count], columns[count:]
             mixed = ([other[k] if k in members else one[k] for k in range(count)] for members in groups.values())
             samples = [one, other, *mixed]
@@ -266,7 +259,7 @@ def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> dict[str, ob
     model = replace(model, spec=spec)
     # other streams than those of the torque and of its indices
     parts = [
-        model.clutches_of(Stream(model, given.seed, 2 * REPLICATES + number).draw(DRIVES // REPLICATES))
+        model.clutches_of(next(drawn(model, given.seed, 2 * REPLICATES + number, [DRIVES // REPLICATES])))
         for number in range(REPLICATES)
     ]
     sizes = [part[0].size for part in parts]
