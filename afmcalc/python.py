@@ -81,8 +81,7 @@ class Clutch:
 
     def explain(self, command: str, *, model: StressRule | None = None) -> "ExplainResult":
         """The calculation of a command step by step: formula, numbers, value, source."""
-        options = {"model": model} if model else {}
-        return _answered("explain", self.spec, *ANALYSES["explain"].function(command, self.spec, **options))
+        return _answered("explain", self.spec, *ANALYSES["explain"].function(command, self.spec, model))
 
     def heat(self) -> "HeatResult":
         """Work, temperature and wear of a trip, and how often it may be."""

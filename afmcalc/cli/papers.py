@@ -39,7 +39,7 @@ def explain(
         raise AfmcalcError("explain: --model belongs to life")
     common.keep(spec)
     given = common.read(spec, command)
-    result, findings = common.ask(command, given, **({"model": model} if model else {}))
+    result, findings = common.ask(command, given, model)
     common.emit(result, findings, resolved(given))
 
 

@@ -1,7 +1,5 @@
 """A calculation as an engineer writes it: formula, numbers put in, value, source, and where the print differs."""
 
-from typing import Any
-
 from ...engines import build
 from ...equations.calls import noted
 from ...errors import AfmcalcError
@@ -11,7 +9,7 @@ from ...papers.register import Formula, register
 from ...result import Answer, Result, Sentence, described
 from ...spec import Spec
 from ...spec.models import Method
-from ..registry import ANALYSES, EXPLAINED
+from ..registry import ANALYSES, EXPLAINED, StressRule
 from .formula import FormulaText, symbol_latex
 from .trace import Call, CallReader, distinct, in_order
 
@@ -44,13 +42,13 @@ class ExplainResult(Answer):
     steps: list[Step] = described("steps of the calculation", steps=True)
 
 
-def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, list[Finding]]:
+def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[ExplainResult, list[Finding]]:
     """Run a calculation and explain every equation it ran.
 
     Args:
         command: torque, accuracy, adjust, overload, synthesize, life or check.
         spec: the clutch.
-        options: options of the calculation, such as the ``model`` of life.
+        model: rule for the damaging stress, of life.
 
     Returns:
         The steps and the findings of the calculation itself.
@@ -68,7 +66,7 @@ def explain(command: str, spec: Spec, **options: Any) -> tuple[ExplainResult, li
         )
     calculation = ANALYSES[command].function
     with noted() as notes:
-        _, findings = calculation(build(spec), **options)
+        _, findings = calculation(build(spec), **({"model": model} if model else {}))
     return ExplainResult(explained=command, steps=steps_of(CallReader().calls(notes))), findings
 
 
