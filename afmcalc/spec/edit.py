@@ -1,7 +1,7 @@
 """Changes of a spec: overrides of its data, ``path=value`` or a mapping; other values of some keys of a whole one."""
 
 import tomllib
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any, TypeAlias, TypeVar
 
 from pydantic import BaseModel
@@ -62,8 +62,16 @@ def put(data: dict[str, Any], path: str, value: Any) -> None:
 
 def apply_overrides(data: dict[str, object], overrides: Overrides, model: type[BaseModel] = Spec) -> dict[str, object]:
     """Apply overrides to parsed data; return the dotted paths that they name, each with its value."""
+    pairs: Iterable[tuple[str, object]]
+    if isinstance(overrides, Mapping):
+        pairs = (  # of NumPy its own numbers
+            (f"{name}={value}", value.tolist() if hasattr(value, "tolist") else value)
+            for name, value in overrides.items()
+        )
+    else:
+        pairs = ((override, _value(override)) for override in overrides)
     changed: dict[str, object] = {}
-    for override, value in _values(overrides):
+    for override, value in pairs:
         path = _path(override, model)
         try:
             put(data, path, value)
@@ -72,17 +80,6 @@ def apply_overrides(data: dict[str, object], overrides: Overrides, model: type[B
             raise AfmcalcError("--set {override:.80}: {path} is no table", override=override, path=path) from None
         changed[path] = value
     return changed
-
-
-def _values(overrides: Overrides) -> Iterator[tuple[str, object]]:
-    """Overrides as texts, each with its value; None removes the key."""
-    if isinstance(overrides, Mapping):
-        for name, value in overrides.items():
-            yield f"{name}={value}", value.tolist() if hasattr(value, "tolist") else value  # of NumPy
-        return
-    for override in overrides:
-        text = override.partition("=")[2].strip()
-        yield override, _value(text, override) if text else None
 
 
 def key_of(override: str) -> str:
@@ -113,8 +110,11 @@ def _path(override: str, model: type[BaseModel]) -> str:
     return path
 
 
-def _value(text: str, override: str) -> object:
-    """Read a number, boolean, quoted string or inline table as TOML, anything else as plain text."""
+def _value(override: str) -> object:
+    """Read a number, boolean, quoted string or inline table as TOML, anything else as plain text; nothing is None."""
+    text = override.partition("=")[2].strip()
+    if not text:
+        return None
     try:
         read = tomllib.loads(f"value = {text}")
     except tomllib.TOMLDecodeError:

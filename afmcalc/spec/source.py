@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections import deque
 from collections.abc import Iterable, Mapping
 from functools import cached_property
 from typing import NamedTuple
@@ -95,85 +96,84 @@ def spans(text: str) -> dict[str, Span]:
 
 
 class _Reader:
-    """Walks the tokens of a text once. JSON is read as an inline table of TOML with colons."""
+    """Takes the tokens of a text one by one. JSON is read as an inline table of TOML with colons."""
 
     def __init__(self, text: str) -> None:
-        self.tokens = [token for token in re.finditer(_TOKEN, text) if token.lastgroup != "blank"]
-        self.at = 0
+        self.tokens = deque(token for token in re.finditer(_TOKEN, text) if token.lastgroup != "blank")
+        self.end = 0
+        """Of the token that was taken last."""
         self.spans: dict[str, Span] = {}
+
+    def next(self) -> str:
+        return self.tokens[0].group() if self.tokens else ""
+
+    def take(self) -> re.Match[str]:
+        token = self.tokens.popleft()
+        self.end = token.end()
+        return token
+
+    def skip(self, *signs: str) -> None:
+        while self.next() in signs:
+            self.take()
 
     def document(self) -> dict[str, Span]:
         table = ""
-        while self.at < len(self.tokens):
-            match self.tokens[self.at].group():
+        while self.tokens:
+            match self.next():
                 case "\n":
-                    self.at += 1
+                    self.take()
                 case "{":
                     self.value("")
                 case "[":
-                    table = self.header()
+                    start = self.tokens[0].start()
+                    self.skip("[")
+                    table = self.key("")
+                    self.skip("]")
+                    self.spans[table] = Span(start, self.end, start, self.end)
                 case _:
                     self.pair(table)
         return self.spans
 
-    def header(self) -> str:
-        start = self.tokens[self.at].start()
-        while self.is_at("["):
-            self.at += 1
-        path = self.key("")
-        while self.is_at("]"):
-            self.at += 1
-        end = self.tokens[self.at - 1].end()
-        self.spans[path] = Span(start, end, start, end)
-        return path
-
-    def is_at(self, *signs: str) -> bool:
-        return self.at < len(self.tokens) and self.tokens[self.at].group() in signs
-
     def key(self, table: str) -> str:
         parts = [table] if table else []
         while True:
-            token = self.tokens[self.at]
+            token = self.take()
             parts.append(_unquoted(token.group()) if token.lastgroup == "text" else token.group())
-            self.at += 1
-            if not self.is_at("."):
+            if self.next() != ".":
                 return ".".join(parts)
-            self.at += 1
+            self.take()
 
     def pair(self, table: str) -> None:
-        start = self.tokens[self.at].start()
+        start = self.tokens[0].start()
         path = self.key(table)
-        end = self.tokens[self.at - 1].end()
-        while self.is_at("\n", "=", ":"):
-            self.at += 1
+        end = self.end
+        self.skip("\n", "=", ":")
         self.spans[path] = Span(start, end, *self.value(path))
 
     def value(self, path: str) -> tuple[int, int]:
         """Step over a value; where it begins and ends."""
-        start = self.tokens[self.at].start()
-        if self.is_at("["):
-            self.at += 1
+        start = self.tokens[0].start()
+        if self.next() == "[":
+            self.take()
+            self.skip("\n", ",")
             number = 0
-            while not self.ends("]"):
+            while self.next() != "]":
                 item = self.value(f"{path}.{number}")
                 self.spans[f"{path}.{number}"] = Span(*item, *item)
+                self.skip("\n", ",")
                 number += 1
-        elif self.is_at("{"):
-            self.at += 1
-            while not self.ends("}"):
+            self.take()
+        elif self.next() == "{":
+            self.take()
+            self.skip("\n", ",")
+            while self.next() != "}":
                 self.pair(path)
+                self.skip("\n", ",")
+            self.take()
         else:
-            while self.at < len(self.tokens) and not self.is_at("\n", ",", "]", "}"):
-                self.at += 1
-        return start, self.tokens[self.at - 1].end()
-
-    def ends(self, sign: str) -> bool:
-        """Step over what stands between items, and over the closing sign if it is there."""
-        while self.is_at("\n", ","):
-            self.at += 1
-        over = self.is_at(sign)
-        self.at += over
-        return over
+            while self.next() not in ("", "\n", ",", "]", "}"):
+                self.take()
+        return start, self.end
 
 
 def _unquoted(text: str) -> str:

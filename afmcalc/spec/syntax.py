@@ -3,7 +3,7 @@
 import json
 import re
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import TypeAlias
 
 from ..errors import Place, Problem
 from ..messages import in_latin, plain, say
@@ -20,16 +20,12 @@ _LONG = 60
 _TRUTH = {"true": "true", "yes": "true", "on": "true", "false": "false", "no": "false", "off": "false"}
 
 
-class _Cure(NamedTuple):
-    """What is wrong with a stretch of a line."""
-
-    message: str
-    start: int
-    end: int
+_Cure: TypeAlias = tuple[str, int, int]
+"""What is wrong with a stretch of a line, where it begins and ends."""
 
 
 def toml_problem(text: str, error: ValueError) -> Problem:
-    """Tell what the TOML parser match."""
+    """Tell what the TOML parser met."""
     why = str(error)
     match = _POSITION.search(why)
     if match is None or match[1] is None:
@@ -37,33 +33,24 @@ def toml_problem(text: str, error: ValueError) -> Problem:
     else:
         before = text.split("\n", int(match[1]))[: int(match[1]) - 1]
         at = sum(len(line) + 1 for line in before) + int(match[2]) - 1
-    why = _POSITION.sub("", why)
-    begin, line = _line(text, at)
-    cure = _of_key(line, why) or _of_value(line, at - begin)
-    why = cure.message if cure else _lowered(why)
-    return Problem("", None, say("is not valid TOML: {why}", why=why), place=_place(text, at, begin, cure))
+    why, place = _cured(text, at, _POSITION.sub("", why), _of_key)
+    return Problem("", None, say("is not valid TOML: {why}", why=why), place=place)
 
 
 def json_problem(text: str, error: json.JSONDecodeError) -> Problem:
-    """Tell what the JSON parser match."""
-    begin, line = _line(text, error.pos)
-    cure = _of_value(line, error.pos - begin)
-    why = cure.message if cure else _lowered(error.msg)
-    return Problem("", None, say("is not valid JSON: {why}", why=why), place=_place(text, error.pos, begin, cure))
+    """Tell what the JSON parser met."""
+    why, place = _cured(text, error.pos, error.msg, lambda line, why: None)
+    return Problem("", None, say("is not valid JSON: {why}", why=why), place=place)
 
 
-def _lowered(why: str) -> str:
-    return why[:1].lower() + why[1:]
-
-
-def _line(text: str, at: int) -> tuple[int, str]:
-    """The line at a place, and where it begins."""
+def _cured(text: str, at: int, why: str, of_key: Callable[[str, str], _Cure | None]) -> tuple[str, Place]:
+    """What is wrong at a place, as people say it or, where its cure is not known, as the parser does; and the place."""
     begin = text.rfind("\n", 0, at) + 1
-    return begin, text[begin : begin + 1000].partition("\n")[0].rstrip("\r")
-
-
-def _place(text: str, at: int, begin: int, cure: _Cure | None) -> Place:
-    return place_at(text, begin + cure.start, begin + cure.end) if cure else place_at(text, at, at + 1)
+    line = text[begin : begin + 1000].partition("\n")[0].rstrip("\r")
+    if cure := of_key(line, why) or _of_value(line, at - begin):
+        message, start, end = cure
+        return message, place_at(text, begin + start, begin + end)
+    return why[:1].lower() + why[1:], place_at(text, at, at + 1)
 
 
 def _of_key(line: str, why: str) -> _Cure | None:
@@ -73,14 +60,14 @@ def _of_key(line: str, why: str) -> _Cure | None:
         return None
     key, start, end = match[2], match.start(2), match.end(2)
     if why == "Cannot overwrite a value":
-        return _Cure(say("the key {key} stands twice", key=key), start, end)
+        return say("the key {key} stands twice", key=key), start, end
     if why.endswith("twice"):
-        return _Cure(say("the table [{key}] stands twice", key=key), start, end)
+        return say("the table [{key}] stands twice", key=key), start, end
     if not key.isascii() and any(letter.isalpha() for letter in key):
         hint = elsewhere(plain(key)) or in_latin(key)
-        return _Cure(say("keys are written in Latin letters{hint}", hint=hint), start, end)
+        return say("keys are written in Latin letters{hint}", hint=hint), start, end
     if not match[1].strip() and line[end:].lstrip().startswith(":"):
-        return _Cure(say("write = between key and value, not a colon"), start, end + 1)
+        return say("write = between key and value, not a colon"), start, end + 1
     return None
 
 
@@ -92,9 +79,9 @@ def _of_value(line: str, column: int) -> _Cure | None:
     start = signs[-1]
     for pattern, cure in _VALUES:
         if (match := re.compile(pattern + _END).match(line, start)) and (message := cure(match)):
-            return _Cure(message, start, max(match.end(), start + 1))
+            return message, start, max(match.end(), start + 1)
     if line.count('"', start) % 2:
-        return _Cure(say("the closing quote is missing"), start, len(line))
+        return say("the closing quote is missing"), start, len(line)
     return None
 
 

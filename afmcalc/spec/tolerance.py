@@ -91,16 +91,24 @@ def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
         ValidationError: a field that does not scatter, or not so.
     """
     broken: list[Broken] = []
-    fields = dict(given.fields)
-    for path, distribution in fields.items():
+    fields: dict[str, Distribution] = {}
+    for path, distribution in given.fields.items():
         about = scattering(path, spec)
         if about is None:
             broken.append((f"fields.{path}", _unknown(path, spec)))
             continue
         in_field: list[Broken] = []
-        fields[path] = _read(distribution, about, in_field)
-        if not in_field:
-            in_field += _broken_rules(path, fields[path], about)
+        numbers: dict[str, float] = {}
+        for name in ("center", "spread", "min", "max"):
+            value = getattr(distribution, name)
+            if value is None or (name == "spread" and percentage(value) is not None):
+                continue  # a percentage stays, since it follows the spec
+            try:
+                numbers[name] = parse_quantity(value, about.unit)
+            except ValueError as error:
+                in_field.append((name, str(error)))
+        fields[path] = distribution.model_copy(update=numbers)
+        in_field = in_field or [*_broken_rules(path, fields[path], about)]
         broken += ((f"fields.{path}.{key}", message) for key, message in in_field)
     if broken:
         raise rule_error(broken)
@@ -122,20 +130,6 @@ def percentage(value: object) -> float | None:
     """
     matched = _PERCENT.fullmatch(value) if isinstance(value, str) else None
     return float(matched[1]) / 100 if matched else None
-
-
-def _read(given: Distribution, about: Quantity, broken: list[Broken]) -> Distribution:
-    """Turn quantities into SI; a percentage stays, since it follows the spec. Those that cannot be read are broken."""
-    read: dict[str, Any] = {}
-    for name in ("center", "spread", "min", "max"):
-        value = getattr(given, name)
-        if value is None or (name == "spread" and percentage(value) is not None):
-            continue
-        try:
-            read[name] = parse_quantity(value, about.unit)
-        except ValueError as error:
-            broken.append((name, str(error)))
-    return given.model_copy(update=read)
 
 
 def _broken_rules(path: str, given: Distribution, about: Quantity) -> Iterator[Broken]:
