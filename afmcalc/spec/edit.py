@@ -44,11 +44,7 @@ M = TypeVar("M", bound=BaseModel)
 
 
 def put(data: dict[str, Any], path: str, value: Any) -> None:
-    """Set a nested value; None removes it.
-
-    Raises:
-        ValueError: a block on the way is no table; it holds the path of the block.
-    """
+    """Set a nested value, None removes it; a ``ValueError`` has the path of a block on the way that is no table."""
     *blocks, name = path.split(".")
     for depth, block in enumerate(blocks, start=1):
         data = data.setdefault(block, {})
@@ -175,11 +171,7 @@ def with_key(spec: Spec, path: str, value: Values) -> Spec:
 
 
 def respecified(spec: Spec, values: Mapping[str, object]) -> Spec:
-    """Return the validated spec with other values of some keys, None for none, and without what they stand in for.
-
-    Raises:
-        SpecError: a value no spec may have.
-    """
+    """Return the validated spec with other values of some keys, None for none, and without what they stand in for."""
     given = [path for path, value in values.items() if value is not None]
     data = _without_replaced(spec, given).model_dump(exclude_none=True)
     for path, value in values.items():
@@ -193,11 +185,7 @@ def as_written(spec: Spec) -> Spec:
 
 
 def as_variant(spec: Spec, variant: str) -> Spec:
-    """Build the spec of the same pack as another variant: keys the variant does not have are left out.
-
-    Raises:
-        SpecError: the spec lacks what the variant needs.
-    """
+    """Build the spec of the same pack as another variant, without keys that it does not have, if nothing is lacking."""
     data = resolved(spec) | {"variant": variant}
     for path in foreign_keys(given_in(data), variant):
         put(data, path, None)
@@ -206,5 +194,5 @@ def as_variant(spec: Spec, variant: str) -> Spec:
 
 def with_nominal_torque(spec: Spec, nominal_torque: float, method: Method | None = None) -> Spec:
     """Return the spec with its spring set for a nominal torque, by its own method or by another."""
-    set_by = spec if method is None else with_values(spec, {"adjustment.method": method})
-    return with_key(set_by, "adjustment.nominal_torque", nominal_torque)
+    spec = with_values(spec, {"adjustment.method": method or spec.adjustment.method})
+    return with_key(spec, "adjustment.nominal_torque", nominal_torque)

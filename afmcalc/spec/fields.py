@@ -116,23 +116,7 @@ def _one_line(value: object) -> object:
     return value
 
 
-Coefficient = Annotated[float, Quantity("1", gt=0)]
-Ratio = Annotated[float, Quantity("1", ge=0)]
-AtLeastOne = Annotated[float, Quantity("1", ge=1)]
-Count = Annotated[int, Quantity("1", ge=1, whole=True)]
-Force = Annotated[float, Quantity("N", gt=0)]
-Length = Annotated[float, Quantity("m", gt=0)]
-Gap = Annotated[float, Quantity("m", ge=0)]
 Torque = Annotated[float, Quantity("N*m", gt=0)]
-TorqueOrNone = Annotated[float, Quantity("N*m", ge=0)]
-Stiffness = Annotated[float, Quantity("N/m", gt=0)]
-StiffnessOrNone = Annotated[float, Quantity("N/m", ge=0)]
-WallAngle = Annotated[float, Quantity("rad", ge=0, lt=1.5707963267948966)]
-Stress = Annotated[float, Quantity("Pa", gt=0)]
-Time = Annotated[float, Quantity("s", gt=0)]
-TimeOrNone = Annotated[float, Quantity("s", ge=0)]
-Temperature = Annotated[float, Quantity("K abs", ge=173.15)]
-"""A number without a unit is in kelvin; the bound tells 20 from 20 degC."""
 Name = Annotated[str, BeforeValidator(_one_line)]
 
 

@@ -21,35 +21,26 @@ from ..equations import springs
 from ..messages import say
 from ..variants import VARIANTS, Variant
 from . import rules
-from .fields import (
-    AtLeastOne,
-    Block,
-    Broken,
-    Coefficient,
-    Count,
-    Force,
-    Gap,
-    Length,
-    Name,
-    Quantity,
-    Ratio,
-    RuledBlock,
-    Stiffness,
-    StiffnessOrNone,
-    Stress,
-    Temperature,
-    Time,
-    TimeOrNone,
-    Torque,
-    TorqueOrNone,
-    WallAngle,
-    key,
-    required,
-    rule_error,
-)
+from .fields import Block, Broken, Name, Quantity, RuledBlock, Torque, key, required, rule_error
 from .source import Source
 from .tolerance import Tolerance, in_si
 
+Coefficient = Annotated[float, Quantity("1", gt=0)]
+Ratio = Annotated[float, Quantity("1", ge=0)]
+AtLeastOne = Annotated[float, Quantity("1", ge=1)]
+Count = Annotated[int, Quantity("1", ge=1, whole=True)]
+Force = Annotated[float, Quantity("N", gt=0)]
+Length = Annotated[float, Quantity("m", gt=0)]
+Gap = Annotated[float, Quantity("m", ge=0)]
+TorqueOrNone = Annotated[float, Quantity("N*m", ge=0)]
+Stiffness = Annotated[float, Quantity("N/m", gt=0)]
+StiffnessOrNone = Annotated[float, Quantity("N/m", ge=0)]
+WallAngle = Annotated[float, Quantity("rad", ge=0, lt=1.5707963267948966)]
+Stress = Annotated[float, Quantity("Pa", gt=0)]
+Time = Annotated[float, Quantity("s", gt=0)]
+TimeOrNone = Annotated[float, Quantity("s", ge=0)]
+Temperature = Annotated[float, Quantity("K abs", ge=173.15)]
+"""A number without a unit is in kelvin; the bound tells 20 from 20 degC."""
 SectionModulus = Annotated[float, Quantity("m^3", gt=0)]
 PoissonRatio = Annotated[float, Quantity("1", ge=0, le=0.5)]
 Probability = Annotated[float, Quantity("1", gt=0, lt=1)]

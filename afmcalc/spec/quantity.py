@@ -64,8 +64,7 @@ def wrong(template: str, unit: str, **values: object) -> ValueError:
 def factor(text: str, unit: str) -> Decimal:
     """Return the value of one ``text`` in the SI unit of a field, as a decimal: 15 cm^3 is exactly 15e-6 m^3.
 
-    Raises:
-        ValueError: no unit, or one of another dimension than the field's ``unit``.
+    A ``ValueError`` says that it is no unit, or one of another dimension than the field's ``unit``.
     """
     try:
         given = product(text)
@@ -190,12 +189,10 @@ def _parse_text(text: str, unit: str) -> float:
         raise wrong("has no unit; {allowed}", unit)
     if unit == "1":
         raise wrong("is dimensionless and takes no unit; {allowed}", unit)
-    if unit != "K abs":
-        zero, times = Decimal(0), factor(written, unit)
-    elif written in ZEROS:
-        zero, times = ZEROS[written], Decimal(1)
-    else:
+    absolute = unit == "K abs"
+    if absolute and written not in ZEROS:
         raise wrong("{text!r} is no unit of {kind}; {allowed}", unit, text=written)
+    zero, times = (ZEROS[written], Decimal(1)) if absolute else (Decimal(0), factor(written, unit))
     try:
         return float(Decimal(number) * times + zero)
     except ArithmeticError:  # the exponent is outside the range of Decimal, perhaps in a number that is 0
@@ -203,11 +200,7 @@ def _parse_text(text: str, unit: str) -> float:
 
 
 def whole_number(value: object) -> int:
-    """Read a number that counts something.
-
-    Raises:
-        ValueError: it is none.
-    """
+    """Read a number that counts something; a ``ValueError`` where it is none."""
     if isinstance(value, str) and value.strip().isdecimal():
         raise ValueError(say("must be a whole number, without quotes: {number}", number=value.strip()))
     if isinstance(value, bool) or not isinstance(value, int | float) or value != value // 1:

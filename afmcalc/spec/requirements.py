@@ -19,27 +19,28 @@ from pydantic_core import CoreSchema, core_schema
 from ..messages import say
 from ..variants import VARIANTS, Variant
 from .edit import Overrides
-from .fields import (
+from .fields import Block, Broken, Name, Quantity, RuledBlock, Torque, key, required
+from .models import (
+    HARDENED_STEEL,
     AtLeastOne,
-    Block,
-    Broken,
+    Contact,
     Count,
+    FileBlock,
     Force,
+    Friction,
     Gap,
     Length,
-    Name,
-    Quantity,
+    Method,
+    PocketShape,
+    Profiled,
     Ratio,
-    RuledBlock,
+    Room,
     Stiffness,
     StiffnessOrNone,
     Stress,
-    Torque,
+    VariantName,
     WallAngle,
-    key,
-    required,
 )
-from .models import HARDENED_STEEL, Contact, FileBlock, Friction, Method, PocketShape, Profiled, Room, VariantName
 from .parse import text_of
 from .problems import validated
 from .read import data_of

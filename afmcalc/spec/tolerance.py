@@ -85,11 +85,7 @@ class Tolerance(Block):
 
 
 def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
-    """Turn what the user wrote of each field into SI, by the unit of the key of ``spec`` that scatters.
-
-    Raises:
-        ValidationError: a field that does not scatter, or not so.
-    """
+    """Turn what the user wrote of each field into SI, by the unit of the key that scatters, and check it."""
     broken: list[Broken] = []
     fields: dict[str, Distribution] = {}
     for path, distribution in given.fields.items():
@@ -97,7 +93,7 @@ def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
         if about is None:
             broken.append((f"fields.{path}", _unknown(path, spec)))
             continue
-        in_field: list[Broken] = []
+        wrong: list[Broken] = []
         numbers: dict[str, float] = {}
         for name in ("center", "spread", "min", "max"):
             value = getattr(distribution, name)
@@ -106,10 +102,10 @@ def in_si(given: Tolerance, spec: type[BaseModel]) -> Tolerance:
             try:
                 numbers[name] = parse_quantity(value, about.unit)
             except ValueError as error:
-                in_field.append((name, str(error)))
+                wrong.append((name, str(error)))
         fields[path] = distribution.model_copy(update=numbers)
-        in_field = in_field or [*_broken_rules(path, fields[path], about)]
-        broken += ((f"fields.{path}.{key}", message) for key, message in in_field)
+        wrong = wrong or [*_broken_rules(path, fields[path], about)]
+        broken += ((f"fields.{path}.{key}", message) for key, message in wrong)
     if broken:
         raise rule_error(broken)
     return given.model_copy(update={"fields": fields})

@@ -17,7 +17,8 @@ from afmcalc.errors import SpecError
 from afmcalc.messages import did_you_mean
 from afmcalc.spec import Spec, make_spec, read_spec
 from afmcalc.spec.edit import put, replaced, respecified
-from afmcalc.spec.fields import Ratio, keys_below
+from afmcalc.spec.fields import keys_below
+from afmcalc.spec.models import Ratio
 from afmcalc.spec.read import spec_of
 from afmcalc.spec.requirements import Requirements, Searched, make_requirements
 from afmcalc.spec.source import Source

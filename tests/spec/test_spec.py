@@ -13,7 +13,7 @@ from strategies import direct_specs
 
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError, FileError, SpecError
-from afmcalc.spec import fields, make_spec, read_spec, resolved, to_toml
+from afmcalc.spec import make_spec, models, read_spec, resolved, to_toml
 from afmcalc.spec.catalogues import friction_materials
 from afmcalc.spec.edit import put
 from afmcalc.spec.parse import parse
@@ -325,13 +325,13 @@ def test_overrides():
 @pytest.mark.parametrize(
     ("kinds", "within", "beyond"),
     [
-        ((fields.Coefficient, fields.Force, fields.Length, fields.Torque, fields.Stiffness, fields.Stress, fields.Time),
+        ((models.Coefficient, models.Force, models.Length, models.Torque, models.Stiffness, models.Stress, models.Time),
          [1e-12, 0.5, 1e12], [0, -1e-12]),
-        ((fields.Ratio, fields.Gap, fields.TorqueOrNone, fields.StiffnessOrNone, fields.TimeOrNone), [0, 0.5], [-1e-12]),
-        ((fields.AtLeastOne,), [1, 1.5], [0.999]),
-        ((fields.Count,), [1, 2], [0, -1, 1.5]),
-        ((fields.WallAngle,), [0, 0.5, 1.5707], [-1e-12, 1.5708]),
-        ((fields.Temperature,), [173.15, 293.15], [173.1]),
+        ((models.Ratio, models.Gap, models.TorqueOrNone, models.StiffnessOrNone, models.TimeOrNone), [0, 0.5], [-1e-12]),
+        ((models.AtLeastOne,), [1, 1.5], [0.999]),
+        ((models.Count,), [1, 2], [0, -1, 1.5]),
+        ((models.WallAngle,), [0, 0.5, 1.5707], [-1e-12, 1.5708]),
+        ((models.Temperature,), [173.15, 293.15], [173.1]),
     ],
 )  # fmt: skip
 def test_a_number_is_within_the_bounds_of_its_kind(kinds, within, beyond):
