@@ -77,22 +77,6 @@ def _findings(answers: Answers, *, simulated: bool = True) -> list[Finding]:
     return list(dict.fromkeys(findings))
 
 
-_FRICTION = (0.02, 1.0)
-"""The papers have 0.1 to 0.8; dry rubber and clean metal in a vacuum are beyond, neither is a friction lining."""
-_MEAN_RADIUS = (0.01, 1.0)
-"""m."""
-_PAIRS = (1, 40)
-_MARGIN = (1.0, 3.0)
-_WALL_ANGLE = (math.radians(5), math.radians(60))
-"""Steeper the ball hardly bears along the axis, flatter it hardly bears around it."""
-_BALL_CIRCLE = (0.2, 2.0)
-"""Of the mean friction radius."""
-_PRESSURE = (1e3, 5e6)
-"""Pa, of the pack's force over a full disc of the mean radius; linings bear 0.05 to 2 MPa."""
-_DEFLECTION = (0.0, 2.0)
-"""Of the mean friction radius: a spring deflected by more is longer than the clutch is wide."""
-
-
 def _unusual(answers: Answers) -> Iterator[Finding]:
     """Say what can be made, yet is so unusual that a slip of the pen is likelier than a purpose.
 
@@ -100,7 +84,7 @@ def _unusual(answers: Answers) -> Iterator[Finding]:
     """
     linings = friction_materials().values()
     least, most = min(lining.friction_min for lining in linings), max(lining.friction_max for lining in linings)
-    for code, path, value, (low, high) in _figures(answers):
+    for code, path, value, low, high in _figures(answers):
         if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
             limit = low if value < low else high
             yield finding(
@@ -108,36 +92,32 @@ def _unusual(answers: Answers) -> Iterator[Finding]:
             )
 
 
-def _figures(answers: Answers) -> Iterator[tuple[str, str, float, tuple[float, float]]]:
+def _figures(answers: Answers) -> Iterator[tuple[str, str, float, float, float]]:
     """Figures of the design: code of its finding, key, value, and between what it usually lies."""
     clutch = answers.clutch
     spec, radius = clutch.spec, float(clutch.mean_radius)
     blocks = ("friction.driving", "friction.driven") if spec.friction.unlike else ("friction",)
     for path, friction in zip(blocks, clutch.friction, strict=False):
-        yield "unusual/friction", f"{path}.min", friction.min, _FRICTION
-        yield "unusual/friction", f"{path}.max", friction.max, _FRICTION
-    yield "unusual/mean-radius", "friction_group.mean_radius", radius, _MEAN_RADIUS
-    yield "unusual/pairs", "friction_group.pairs", spec.friction_group.pairs, _PAIRS
-    yield "unusual/margin", "adjustment.margin", spec.adjustment.margin, _MARGIN
-    yield (
-        "unusual/pressure",
-        "closing_spring.force",
-        float(clutch.pack_force_at_rest) / (math.pi * radius**2),
-        _PRESSURE,
-    )
+        # the papers have 0.1 to 0.8; dry rubber and clean metal in a vacuum are beyond, neither is a friction lining
+        yield "unusual/friction", f"{path}.min", friction.min, 0.02, 1.0
+        yield "unusual/friction", f"{path}.max", friction.max, 0.02, 1.0
+    yield "unusual/mean-radius", "friction_group.mean_radius", radius, 0.01, 1.0
+    yield "unusual/pairs", "friction_group.pairs", spec.friction_group.pairs, 1, 40
+    yield "unusual/margin", "adjustment.margin", spec.adjustment.margin, 1.0, 3.0
+    # over a full disc of the mean radius; linings bear 0.05 to 2 MPa
+    pressure = float(clutch.pack_force_at_rest) / (math.pi * radius**2)
+    yield "unusual/pressure", "closing_spring.force", pressure, 1e3, 5e6
     springs = {"closing_spring": clutch.closing_force}
     if clutch.sleeve is not None:
         springs["control_spring"] = clutch.sleeve.control_force
     for name, force in springs.items():
         if stiffness := value_at(spec, f"{name}.stiffness"):
-            yield "unusual/deflection", f"{name}.stiffness", float(force) / stiffness, _times(_DEFLECTION, radius)
+            # a spring deflected by more is longer than the clutch is wide
+            yield "unusual/deflection", f"{name}.stiffness", float(force) / stiffness, 0.0, 2 * radius
     if ANALYSES["synthesize"].applies(clutch):
         unit = answers.of(SynthesisResult)
-        key = "wall_angle" if value_at(spec, "control_unit.gain") is None else "gain"
-        yield "unusual/wall-angle", f"control_unit.{key}", unit.wall_angle, _WALL_ANGLE
-        circle = _times(_BALL_CIRCLE, radius)
-        yield "unusual/ball-circle", "control_unit.ball_circle_radius", unit.ball_circle_radius, circle
-
-
-def _times(ends: tuple[float, float], factor: float) -> tuple[float, float]:
-    return ends[0] * factor, ends[1] * factor
+        path = "control_unit.wall_angle" if value_at(spec, "control_unit.gain") is None else "control_unit.gain"
+        # steeper the ball hardly bears along the axis, flatter it hardly bears around it
+        yield "unusual/wall-angle", path, unit.wall_angle, math.radians(5), math.radians(60)
+        circle = unit.ball_circle_radius
+        yield "unusual/ball-circle", "control_unit.ball_circle_radius", circle, 0.2 * radius, 2 * radius

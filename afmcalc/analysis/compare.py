@@ -11,7 +11,6 @@ from ..errors import AfmcalcError, SpecError
 from ..findings import Finding, finding
 from ..messages import joined, say, term
 from ..result import Answer, Result, Sentence, Triple, described, quantity
-from ..spec import Spec
 from ..spec.edit import as_variant, with_key, with_nominal_torque
 from ..variants import VARIANTS
 from .check import found_unsimulated
@@ -55,12 +54,15 @@ def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[Comp
         if len(clutches) > 1:
             raise AfmcalcError("compare --variants takes one SPEC")
         return compare_variants(clutches[0])
-    names = _names([clutch.spec for clutch in clutches])
+    often = Counter(clutch.spec.name for clutch in clutches)
     rows, remarks = [], []
-    for clutch, name in zip(clutches, names, strict=True):
-        judged = found_unsimulated(clutch)
-        rows.append(_row(clutch, None, name, judged))
-        remarks += _remarks_of(clutch, name or clutch.spec.variant, judged)
+    for clutch in clutches:
+        name = clutch.spec.name
+        if len(clutches) > 1 and (name is None or often[name] > 1):
+            name = clutch.spec.label
+        row, named = _row(clutch, None, name, name or clutch.spec.variant)
+        rows.append(row)
+        remarks += named
     return CompareResult(clutches=rows), remarks
 
 
@@ -68,53 +70,30 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
     """Set all variants that a spec can be built as side by side, at equal spring force and at equal nominal torque."""
     rows, remarks, missing = [], [], []
     for variant in VARIANTS:
-        try:
-            by_force, by_torque = _as_variant(clutch, variant)
-        except SpecError as error:
-            missing.append(_missing(variant, error))
-            continue
-        by_name = term("spring force"), term("nominal torque")
-        for built, basis in zip((by_force, by_torque), by_name, strict=True):
-            judged = found_unsimulated(built)
-            rows.append(_row(built, basis, clutch.spec.name, judged))
-            remarks += _remarks_of(built, variant, judged)
+        by_force = by_torque = clutch
+        if variant != clutch.spec.variant:
+            try:
+                spec = as_variant(clutch.spec, variant)
+                by_torque = build(with_nominal_torque(spec, float(clutch.nominal_torque)))
+                by_force = build(with_key(spec, "closing_spring.force", float(clutch.closing_force)))
+            except SpecError as error:
+                lacks = joined(map(str, error.problems), "; ")
+                missing.append(finding("variant-not-possible", "info", variant=term(variant), lacks=lacks))
+                continue
+        for built, basis in ((by_force, term("spring force")), (by_torque, term("nominal torque"))):
+            row, named = _row(built, basis, clutch.spec.name, variant)
+            rows.append(row)
+            remarks += named
     rows.sort(key=lambda row: row.basis != "spring force")
     asked = list(clutch.spec.label.findings)
     return CompareResult(clutches=rows), [*asked, *dict.fromkeys(remarks), *missing]
 
 
-def _as_variant(clutch: Clutch, variant: str) -> tuple[Clutch, Clutch]:
-    """A clutch as another variant of equal spring force, and of equal nominal torque; itself as its own variant."""
-    if variant == clutch.spec.variant:
-        return clutch, clutch
-    spec = as_variant(clutch.spec, variant)
-    by_torque = build(with_nominal_torque(spec, float(clutch.nominal_torque)))
-    return build(with_key(spec, "closing_spring.force", float(clutch.closing_force))), by_torque
-
-
-def _names(specs: Sequence[Spec]) -> list[str | None]:
-    """Names of several clutches; of those without one, or with the same, where each was read from."""
-    often = Counter(spec.name for spec in specs)
-    return [
-        spec.name if len(specs) == 1 or (spec.name is not None and often[spec.name] == 1) else spec.label
-        for spec in specs
-    ]
-
-
-def _remarks_of(clutch: Clutch, name: str, judged: Sequence[Finding]) -> list[Finding]:
-    """What a clutch itself tells, and what else is counted, each with its name."""
-    counted = (each for each in judged if each.level != "info")
-    return [_named(each, name) for each in dict.fromkeys((*clutch.findings(), *counted))]
-
-
-def _named(remark: Finding, name: str) -> Finding:
-    """Say which clutch a finding is about."""
-    return replace(remark, message=say("{name}: {message}", name=term(name, "name"), message=remark.message))
-
-
-def _row(clutch: Clutch, basis: str | None, name: str | None, judged: Sequence[Finding]) -> ComparedClutch:
-    torque = triple(clutch, clutch.torque)
-    return ComparedClutch(
+def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tuple[ComparedClutch, list[Finding]]:
+    """Row of a clutch; and what it tells itself, and what else is counted, each with what the clutch is called."""
+    judged = found_unsimulated(clutch)
+    counted = (remark for remark in judged if remark.level != "info")
+    row = ComparedClutch(
         name=name and term(name, "name"),
         variant=clutch.spec.variant,
         basis=basis,
@@ -122,17 +101,16 @@ def _row(clutch: Clutch, basis: str | None, name: str | None, judged: Sequence[F
         nominal_torque=clutch.nominal_torque,
         gain=clutch.gain,
         reduced_gain=clutch.reduced_gain,
-        torque=torque,
+        torque=triple(clutch, clutch.torque),
         scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         gain_limit=clutch.gain_limit,
         travel_max=clutch.sleeve and clutch.sleeve.travel_max,
-        errors=sum(each.level == "error" for each in judged),
-        warnings=sum(each.level == "warning" for each in judged),
+        errors=sum(remark.level == "error" for remark in judged),
+        warnings=sum(remark.level == "warning" for remark in judged),
     )
-
-
-def _missing(variant: str, error: SpecError) -> Finding:
-    lacks = joined(map(str, error.problems), "; ")
-    return finding("variant-not-possible", "info", variant=term(variant), lacks=lacks)
+    return row, [
+        replace(remark, message=say("{name}: {message}", name=term(called, "name"), message=remark.message))
+        for remark in dict.fromkeys((*clutch.findings(), *counted))
+    ]

@@ -82,11 +82,22 @@ def _limits(answers: Answers) -> Iterator[_Limit]:
     if simulated:
         yield from _of_event(clutch, answers.of(SimulateResult))
     yield from _of_springs(clutch, _travel(answers.of(SimulateResult)) if simulated else 0.0)
-    yield from _of_pressure(clutch)
+    for remark in pressure_findings(clutch):
+        assert remark.value is not None
+        assert remark.limit is not None
+        inner, mean = term("surface pressure at the inner edge"), term("surface pressure in the mean")
+        name = inner if remark.code.startswith("peak") else mean
+        yield _Limit(remark.code, name, "p ≤ [p]", "Pa", remark.value, remark.limit, level=remark.level)
     if ANALYSES["heat"].applies(clutch):
         yield from _of_heat(clutch, answers.of(HeatResult))
     if ANALYSES["life"].applies(clutch):
-        yield from _of_life(answers.of(LifeResult))
+        life = answers.of(LifeResult)
+        protected = term("damaging stress, protected side (beyond: limited life)")
+        unprotected = term("damaging stress, unprotected side (beyond: limited life)")
+        sides = ((protected, "τ_eq", life.stress_protected), (unprotected, "τ'_eq", life.stress_unprotected))
+        for name, symbol, stress in sides:
+            if stress is not None:
+                yield _Limit("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, life.endurance_limit)
 
 
 def _of_clutch(clutch: Clutch) -> Iterator[_Limit]:
@@ -188,15 +199,6 @@ def _of_springs(clutch: Clutch, travel: float) -> Iterator[_Limit]:
             )
 
 
-def _of_pressure(clutch: Clutch) -> Iterator[_Limit]:
-    for remark in pressure_findings(clutch):
-        assert remark.value is not None
-        assert remark.limit is not None
-        inner, mean = term("surface pressure at the inner edge"), term("surface pressure in the mean")
-        name = inner if remark.code.startswith("peak") else mean
-        yield _Limit(remark.code, name, "p ≤ [p]", "Pa", remark.value, remark.limit, level=remark.level)
-
-
 def _of_heat(clutch: Clutch, heat: HeatResult) -> Iterator[_Limit]:
     """What the friction material has to bear of a trip."""
     judged = judged_temperature(clutch, heat)
@@ -210,15 +212,6 @@ def _of_heat(clutch: Clutch, heat: HeatResult) -> Iterator[_Limit]:
     yield _Limit(code, name, symbol, "K", value, low, used=share_of_rise(clutch, value, low))
 
 
-def _of_life(life: LifeResult) -> Iterator[_Limit]:
-    protected = term("damaging stress, protected side (beyond: limited life)")
-    unprotected = term("damaging stress, unprotected side (beyond: limited life)")
-    sides = ((protected, "τ_eq", life.stress_protected), (unprotected, "τ'_eq", life.stress_unprotected))
-    for name, symbol, stress in sides:
-        if stress is not None:
-            yield _Limit("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, life.endurance_limit)
-
-
 def pressure_findings(clutch: Clutch) -> list[Finding]:
     """Hold the pressure of the clutch at rest against the allowable range of each material named.
 
@@ -226,12 +219,11 @@ def pressure_findings(clutch: Clutch) -> list[Finding]:
     one, whose control spring presses through sleeve and stop. Needs the inner and outer radius; with uniform wear the
     peak at the inner edge is held against the allowable too.
     """
-    pressures = ring_pressures(clutch)
     return [
-        _pressure_finding(kind, pressure, friction_materials()[material], path)
-        for path, material in clutch.spec.friction.materials.items()
-        if friction_materials()[material].pressure_max is not None
-        for kind, pressure in pressures.items()
+        _pressure_finding(kind, pressure, material, path)
+        for path, name in clutch.spec.friction.materials.items()
+        if (material := friction_materials()[name]).pressure_max is not None
+        for kind, pressure in ring_pressures(clutch).items()
     ]
 
 
@@ -255,24 +247,20 @@ def allowable(material: str) -> float | None:
     return friction_materials()[material].pressure_min
 
 
+_PRESSURE_CODES = {
+    "mean": ("mean-pressure", "mean-pressure-in-range", "mean-pressure-exceeded"),
+    "peak": ("peak-pressure", "peak-pressure-in-range", "peak-pressure-exceeded"),
+}
+
+
 def _pressure_finding(kind: str, pressure: float, material: Material, path: str) -> Finding:
     """Below the printed range of the allowable: fine; within: the designer's to judge; above: an error."""
     low, high = material.pressure_min, material.pressure_max
     assert low is not None
     assert high is not None
-    level: Level = "error" if pressure > high else "warning" if pressure > low else "info"
+    grave = (pressure > low) + (pressure > high)
+    levels: tuple[Level, ...] = ("info", "warning", "error")
     return finding(
-        _PRESSURE_CODES[kind, level], level, value=pressure, limit=low, path=path, used=pressure / low, low=low,
-        high=high, name=material.name,
+        _PRESSURE_CODES[kind][grave], levels[grave], value=pressure, limit=low, path=path, used=pressure / low,
+        low=low, high=high, name=material.name,
     )  # fmt: skip
-
-
-_PRESSURE_CODES = {
-    ("mean", "info"): "mean-pressure",
-    ("mean", "warning"): "mean-pressure-in-range",
-    ("mean", "error"): "mean-pressure-exceeded",
-    ("peak", "info"): "peak-pressure",
-    ("peak", "warning"): "peak-pressure-in-range",
-    ("peak", "error"): "peak-pressure-exceeded",
-}
-"""Where it is pressed so, and how grave it is → code."""

@@ -36,7 +36,7 @@ class RequirementRow(Result):
     @property
     def shown_unit(self) -> str:
         """Unit of the key: a temperature is shown by another scale than a difference of two."""
-        return _unit(self.requirement)
+        return keys()[f"requirements.{self.requirement}"].unit or ""
 
     def words(self, name: str) -> str | None:
         """Say that a life has no limit: it passes, and has no number."""
@@ -65,11 +65,6 @@ def _exceedance(clutch: Clutch, result: Any) -> float | None:
     return result.probability_above_limit if result.torque_limit == required.torque_max else None
 
 
-def _outer_diameter(clutch: Clutch, result: Any) -> float | None:
-    outer = clutch.spec.friction_group.outer_radius
-    return None if outer is None else 2 * outer
-
-
 def _most(triple: Triple | OpenTriple | None) -> float | None:
     """The largest over the friction range that is known."""
     values = () if triple is None else vars(triple).values()
@@ -78,12 +73,12 @@ def _most(triple: Triple | OpenTriple | None) -> float | None:
 
 def _of_heat(name: str, needs: str) -> Judged:
     """Judge the largest of a trip; where a slip has not ended at some friction, it may be more."""
-    return Judged(
-        "heat",
-        lambda clutch, result: _most(getattr(result, name)),
-        needs=needs,
-        open=lambda result: getattr(result, name) is not None and None in vars(getattr(result, name)).values(),
-    )
+
+    def may_be_more(result: Any) -> bool:
+        triple = getattr(result, name)
+        return triple is not None and None in vars(triple).values()
+
+    return Judged("heat", lambda clutch, result: _most(getattr(result, name)), needs=needs, open=may_be_more)
 
 
 def _cycles(clutch: Clutch, result: Any) -> float:
@@ -100,7 +95,11 @@ JUDGED: dict[str, Judged] = {
         "accuracy", lambda clutch, result: result.accuracy_factor_hysteresis or result.accuracy_factor
     ),
     "torque_max": Judged("torque", lambda clutch, result: result.torque_range.high),
-    "outer_diameter": Judged("torque", _outer_diameter, needs="friction_group.outer_radius"),
+    "outer_diameter": Judged(
+        "torque",
+        lambda clutch, result: (outer := clutch.spec.friction_group.outer_radius) and 2 * outer,
+        needs="friction_group.outer_radius",
+    ),
     "surface_pressure": Judged(
         "torque",
         lambda clutch, result: ring_pressures(clutch).get("mean"),
@@ -135,15 +134,19 @@ def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[
 
     Without ``simulated`` those are left out that a simulation answers.
     """
-    required = answers.clutch.spec.requirements
+    clutch = answers.clutch
+    required = clutch.spec.requirements
     given = {} if required is None else required.model_dump(exclude_none=True)
     rows, findings = [], []
     for name, limit in given.items():
         judged, path = JUDGED[name], f"requirements.{name}"
-        if not simulated and simulates(judged.analysis, answers.clutch):
+        if not simulated and simulates(judged.analysis, clutch):
             continue
-        value, unknown = _outcome(judged, answers)
-        row = _row(answers.clutch, name, float(limit), value, unknown=unknown)
+        value, unknown = None, False
+        if ANALYSES[judged.analysis].applies(clutch):
+            result = answers.ask(judged.analysis)[0]
+            value, unknown = judged.outcome(clutch, result), judged.open(result)
+        row = _row(clutch, name, float(limit), value, unknown=unknown)
         rows.append(row)
         if row.passed is None:
             needs = term(judged.needs or f"`{judged.analysis}`")
@@ -153,7 +156,7 @@ def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[
                 finding("requirement-not-judged", "warning", limit=limit, path=path, name=term(row.name), needs=needs)
             )
         elif not row.passed:
-            unit = ENGINEER.get(_unit(name), _unit(name))
+            unit = ENGINEER.get(row.shown_unit, row.shown_unit)
             reached, wanted = (measured(number or 0.0, unit, 5) for number in (row.value, limit))
             missed = finding(
                 "requirement-missed", "error", value=row.value, limit=limit, path=path, name=term(row.name),
@@ -174,24 +177,12 @@ def _as_friction_falls(answers: Answers, given: Mapping[str, float]) -> Iterator
         yield finding("accuracy-not-lasting", "warning", value=float(returning), limit=limit, path=path, factor=factor)
 
 
-def _outcome(judged: Judged, answers: Answers) -> tuple[float | None, bool]:
-    """What the clutch has, None where that is not known, and whether it may be more."""
-    if not ANALYSES[judged.analysis].applies(answers.clutch):
-        return None, False
-    result = answers.ask(judged.analysis)[0]
-    return judged.outcome(answers.clutch, result), judged.open(result)
-
-
-def _unit(name: str) -> str:
-    return keys()[f"requirements.{name}"].unit or ""
-
-
 def _row(clutch: Clutch, name: str, limit: float, value: float | None, *, unknown: bool) -> RequirementRow:
     key, least = keys()[f"requirements.{name}"], JUDGED[name].least
     over, under = (limit, value) if least else (value, limit)
-    held = None if over is None or under is None else over <= under * _HELD
+    passed = None if over is None or under is None else over <= under * _HELD
     used = over / under if over is not None and under else None
-    if value is not None and _unit(name) == "K abs":
+    if value is not None and key.unit == "K abs":
         used = share_of_rise(clutch, value, limit)
     return RequirementRow(
         requirement=name,
@@ -200,7 +191,7 @@ def _row(clutch: Clutch, name: str, limit: float, value: float | None, *, unknow
         value=None if value is None or math.isinf(value) else value,
         bound="at least" if least else "at most",
         limit=limit,
-        unit=_unit(name).removesuffix(" abs"),
+        unit=(key.unit or "").removesuffix(" abs"),
         utilisation=used,
-        passed=None if held and unknown else held,
+        passed=None if passed and unknown else passed,
     )

@@ -17,8 +17,8 @@ from ..spec import Spec, resolved
 from ..spec.edit import with_key
 from ..spec.models import ControlUnit
 from ..spec.read import diameters, next_size
-from .contact import BallContact, Basis, contact_of, places_along
-from .wall import DEFAULT_CLEARANCE, Wall, WallPoint, clearances, wall_of
+from .contact import Basis, contact_of, places_along
+from .wall import DEFAULT_CLEARANCE, WallPoint, clearances, wall_of
 
 _STEPS = 120
 """Gains tried for one with which a curved wall can be cut: up to ten times as large."""
@@ -52,10 +52,7 @@ class SynthesisResult(Answer):
     web: float | None = quantity("m", "e", "web between neighbouring pockets at the face")
     contact_force: float | None = quantity("N", "F_n", "largest normal force on one ball")
     contact_force_critical: float | None = quantity(
-        "N",
-        "F_n,c",
-        "normal force on one ball where the contact pressure is largest",
-        optional=True,
+        "N", "F_n,c", "normal force on one ball where the contact pressure is largest", optional=True
     )
     contact_force_allowable: float | None = quantity("N", "[F_n]", "allowable normal force on one ball")
     seat_force: float | None = quantity(
@@ -108,13 +105,33 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
     smallest = bare.smallest_ball(travel, clearance)
     sizes = balls or diameters()
     chosen = unit.ball_diameter or next_size(sizes, 2 * smallest)
-    own = None if chosen is None else chosen / 2
-    wall = bare._replace(ball_radius=smallest if own is None else own)
+    wall = bare._replace(ball_radius=smallest if chosen is None else chosen / 2)
     depth = law.pocket_depth(wall.ball_radius, sine, gap)
     curved = bare.steepening > 0
     width = wall.width if curved else law.pocket_width(depth, bare.tangent)
-    pitch = _pitch(unit)
-    contact = _contact(clutch, unit, wall, own)
+    pitch = None
+    if unit.balls is not None and unit.balls > 1:
+        pitch = float(law.ball_pitch(unit.ball_circle_radius, math.sin(math.pi / unit.balls)))
+    # the largest F_n along the common path
+    if clutch.sleeve is not None and curved:
+        places = places_along(clutch.sleeve, wall)
+    else:
+        first, second = clutch.friction
+        torque = max(clutch.ball_torque(first.min, second.min), clutch.ball_torque(first.max, second.max))
+        places = [torque], [wall.angle]
+    contact = contact_of(unit, wall, *places, ball_known=chosen is not None)
+    of_the_curve: dict[str, Any] = {}
+    if curved:
+        of_the_curve = {
+            "wall_angle_max": wall.angle_at(travel / wall.sleeves),
+            "gain_slope": clutch.sleeve and clutch.sleeve.gain_slope,
+            "profiled": unit.profiled or "one",
+            "undercut_radius": wall.undercut_radius,
+            "contact_force_critical": contact.critical,
+            "seat_force": contact.seat,
+            "seat_utilisation": contact.seat_utilisation,
+            "wall": wall.points() if wall.can_be_cut else None,
+        }
     result = SynthesisResult(
         wall_angle=bare.angle,
         ball_circle_radius=unit.ball_circle_radius,
@@ -123,7 +140,7 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         edge_clearance=clearance,
         ball_radius=smallest,
         ball_diameter_standard=chosen,
-        edge_clearance_standard=None if own is None else wall.clearance(travel),
+        edge_clearance_standard=None if chosen is None else wall.clearance(travel),
         pocket_depth=depth,
         pocket_depth_cut=law.pocket_depth_cut(wall.ball_radius, gap),
         pocket_width=width,
@@ -136,7 +153,7 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         contact_force_hertz=contact.hertz,
         contact_pressure=contact.pressure,
         gain_at_least_contact_force=least_contact_force_gain(clutch),
-        **(_of_the_curve(clutch, wall, contact, travel) if curved else {}),
+        **of_the_curve,
     )
     return result, [
         *clutch.findings(),
@@ -145,22 +162,6 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         *_room_findings(unit, result),
         *_contact_findings(clutch, unit, result),
     ]
-
-
-def _of_the_curve(clutch: Clutch, wall: Wall, contact: BallContact, travel: float) -> dict[str, Any]:
-    """What a curved wall has and a straight one has not."""
-    unit = clutch.spec.control_unit
-    assert unit is not None
-    return {
-        "wall_angle_max": wall.angle_at(travel / wall.sleeves),
-        "gain_slope": clutch.sleeve and clutch.sleeve.gain_slope,
-        "profiled": unit.profiled or "one",
-        "undercut_radius": wall.undercut_radius,
-        "contact_force_critical": contact.critical,
-        "seat_force": contact.seat,
-        "seat_utilisation": contact.seat_utilisation,
-        "wall": wall.points() if wall.can_be_cut else None,
-    }
 
 
 def _unit(clutch: Clutch) -> ControlUnit:
@@ -175,24 +176,6 @@ def _unit(clutch: Clutch) -> ControlUnit:
     else:
         return unit
     raise SpecError(clutch.spec.label, [problem])
-
-
-def _pitch(unit: ControlUnit) -> float | None:
-    """Distance between neighbouring balls; None of a single one, or when their number is not given."""
-    if unit.balls is None or unit.balls < 2:
-        return None
-    return float(law.ball_pitch(unit.ball_circle_radius, math.sin(math.pi / unit.balls)))
-
-
-def _contact(clutch: Clutch, unit: ControlUnit, wall: Wall, ball_radius: float | None) -> BallContact:
-    """Largest F_n along the common path, and what it may be."""
-    if clutch.sleeve is not None and wall.steepening > 0:
-        places = places_along(clutch.sleeve, wall)
-    else:
-        first, second = clutch.friction
-        torque = max(clutch.ball_torque(first.min, second.min), clutch.ball_torque(first.max, second.max))
-        places = [torque], [wall.angle]
-    return contact_of(unit, wall, *places, ball_known=ball_radius is not None)
 
 
 def _travel(clutch: Clutch) -> float:
