@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import reduce
 from operator import and_
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,8 +19,6 @@ from .candidates import Candidates
 from .space import SAME, Mask, Numbers, given
 
 OVER, UNDER = 1 + SAME, 1 - SAME
-_Value: TypeAlias = "Callable[[Candidates], Numbers]"
-_Holds: TypeAlias = "Callable[[Candidates], Mask]"
 
 
 class Constraint(NamedTuple):
@@ -56,7 +54,13 @@ def constraints(need: Requirements, variant: Variant) -> list[Constraint]:
 
 
 def _bound(
-    name: str, value: _Value, limit: float, unit: str, along_radius: tuple[int, int], *, at_least: bool = False
+    name: str,
+    value: Callable[[Candidates], Numbers],
+    limit: float,
+    unit: str,
+    along_radius: tuple[int, int],
+    *,
+    at_least: bool = False,
 ) -> Constraint:
     def holds(c: Candidates) -> Mask:
         return value(c) >= limit * UNDER if at_least else value(c) <= limit * OVER
@@ -93,8 +97,10 @@ def _bounds(need: Requirements) -> Iterable[Constraint]:
 def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Constraint]:
     limits = need.limits
     if limits.gain_limit and variant.gain_limit is not None:
-        within: _Holds = lambda c: c.gain <= c.gain_limit * (1 + 1e-9)  # noqa: E731
-        yield Constraint("gain_limit", within, (0, -1), lambda c: c.gain / c.gain_limit, 1.0, "1")
+        yield Constraint(
+            "gain_limit", lambda c: c.gain <= c.gain_limit * (1 + 1e-9), (0, -1), lambda c: c.gain / c.gain_limit, 1.0,
+            "1",
+        )  # fmt: skip
     if (reduced := limits.reduced_gain) is not None:
         yield _bound("reduced_gain", lambda c: direct.reduced_gain(c.controlled_pairs, c.gain), reduced, "1", (0, -1))
     if (force := limits.contact_force) is not None:
@@ -113,8 +119,10 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
     )  # fmt: skip
     if variant.travels:
         hub = given(need.fixed.hub_diameter)
-        room: _Value = lambda c: 2 * c.at.mean_radius - np.nan_to_num(c.face_width)  # noqa: E731
-        yield _bound("hub_diameter", room, hub, "m", (1, 1), at_least=True)
+        yield _bound(
+            "hub_diameter", lambda c: 2 * c.at.mean_radius - np.nan_to_num(c.face_width), hub, "m", (1, 1),
+            at_least=True,
+        )  # fmt: skip
         if (travel := limits.travel) is not None:
             yield _bound("travel", lambda c: c.travel, travel, "m", (0, 1))
 
@@ -122,18 +130,18 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
 def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:
     """There are stacks of disc springs that give force and stiffness, and bear the travel."""
     closing, control = need.fixed.closing_room or Room(), need.fixed.control_room or Room()
-    if not variant.travels:
-        yield Constraint("closing_spring", lambda c: holds_force(c.closing_force, closing), (0, 0))
-        return
 
-    slackens: _Holds = lambda c: (  # noqa: E731
-        c.travel <= travel_held(c.closing_force, c.at.closing_stiffness, closing, relaxes=True)
-    )
-    presses: _Holds = lambda c: (  # noqa: E731
-        c.travel <= travel_held(c.control_force, c.at.control_stiffness, control, relaxes=False)
-    )
-    yield Constraint("closing_spring", slackens, (0, 0))
-    yield Constraint("control_spring", presses, (0, 0))
+    def slackens(c: Candidates) -> Mask:
+        return c.travel <= travel_held(c.closing_force, c.at.closing_stiffness, closing, relaxes=True)
+
+    def presses(c: Candidates) -> Mask:
+        return c.travel <= travel_held(c.control_force, c.at.control_stiffness, control, relaxes=False)
+
+    if variant.travels:
+        yield Constraint("closing_spring", slackens, (0, 0))
+        yield Constraint("control_spring", presses, (0, 0))
+    else:
+        yield Constraint("closing_spring", lambda c: holds_force(c.closing_force, closing), (0, 0))
 
 
 OBJECTIVES: dict[str, Callable[[Candidates], Numbers]] = {

@@ -19,7 +19,7 @@ from ..answers import Answers
 from ..check import found_unsimulated
 from ..limits import ring_pressures
 from ..registry import ANALYSES
-from ..springs.springs import SpringOption, part_of, ranked
+from ..springs.springs import part_of, ranked
 from ..synthesize import SynthesisResult
 from ..torque import TorqueResult
 from .candidates import candidates, rounded
@@ -84,7 +84,7 @@ def _rounded(need: Requirements, row: DesignRow, digits: int, given_up: float) -
     good = np.flatnonzero(feasible(every, np.asarray((values <= most).all(axis=1))))
     best = good[np.lexsort(values[good].T[::-1])][:_TRIED]
     chosen = rows(replace(every, at=at.at(best)))
-    return [each.model_copy(update={"number": row.number, "mark": row.mark}) for each in chosen]
+    return [round_row.model_copy(update={"number": row.number, "mark": row.mark}) for round_row in chosen]
 
 
 def _sides(value: float | None, choice: Choice | None, digits: int, *, in_degrees: bool = False) -> list[float]:
@@ -139,45 +139,30 @@ def made(need: Requirements, row: DesignRow) -> Made | None:
     plain = as_spec(need, row)
     if need.springs is None:
         return Made(plain, row) if passes(build(plain)) else None
-    lists: dict[str, list[SpringOption]] = {
-        wish.name: ranked(wish, "disc")[:_STACKS] for wish in build(plain).spring_demands()
-    }
+    lists = {demand.name: ranked(demand, "disc")[:_STACKS] for demand in build(plain).spring_demands()}
     strayed = None
-    for parts in product(*lists.values()):
-        options = dict(zip(lists, parts, strict=True))
-        clutch = build(as_written(_with_stacks(plain, options)))
-        if passes(clutch):
-            sprung = Made(clutch.spec, row.model_copy(update=_of_discs(clutch, options)))
-            if not any(remark.code == "spring-beyond-range" for remark in clutch.findings()):
-                return sprung
-            strayed = strayed or sprung
+    for stacks in product(*lists.values()):
+        springs, shown = {}, dict[str, str | float]()
+        for name, stack in zip(lists, stacks, strict=True):
+            # the forces stay
+            spring = {"disc": part_of(stack), "stiffness": stack.stiffness}
+            springs[f"{name}_spring"] = getattr(plain, f"{name}_spring").model_copy(update=spring)
+            shown[f"{name}_part"] = f"{stack.part}, {stack.parallel} × {stack.series}"
+        clutch = build(as_written(plain.model_copy(update=springs)))
+        if not passes(clutch):
+            continue
+        if clutch.spec.kind.travels:
+            # the force of disc springs is no straight line
+            shown["torque_max_sprung"] = float(clutch.torque_max)
+            shown["accuracy_factor_sprung"] = float(clutch.accuracy_factor)
+        sprung = Made(clutch.spec, row.model_copy(update=shown))
+        if not any(remark.code == "spring-beyond-range" for remark in clutch.findings()):
+            return sprung
+        strayed = strayed or sprung
     return strayed
 
 
 def passes(clutch: Clutch) -> bool:
     """Whether a clutch passes a check, its friction material below what it is allowed."""
     findings = found_unsimulated(clutch)
-    return not any(each.level == "error" or each.code.endswith("-pressure-in-range") for each in findings)
-
-
-def _of_discs(clutch: Clutch, options: dict[str, SpringOption]) -> dict[str, str | float]:
-    """Name the stacks, and the K_т that an indirect clutch has with them, whose force is no straight line."""
-    names = {f"{name}_part": f"{option.part}, {option.parallel} × {option.series}" for name, option in options.items()}
-    if not clutch.spec.kind.travels:
-        return {**names}
-    return {
-        **names,
-        "torque_max_sprung": float(clutch.torque_max),
-        "accuracy_factor_sprung": float(clutch.accuracy_factor),
-    }
-
-
-def _with_stacks(plain: Spec, options: dict[str, SpringOption]) -> Spec:
-    """With the stacks and their own stiffness; the forces stay."""
-    springs = {
-        f"{name}_spring": getattr(plain, f"{name}_spring").model_copy(
-            update={"disc": part_of(option), "stiffness": option.stiffness}
-        )
-        for name, option in options.items()
-    }
-    return plain.model_copy(update=springs)
+    return not any(remark.level == "error" or remark.code.endswith("-pressure-in-range") for remark in findings)

@@ -93,44 +93,32 @@ class DesignResult(Answer):
     )
 
 
-_SEARCHED = ("pairs", "driving_pairs", "mean_radius", "ball_circle_radius", "closing_stiffness", "control_stiffness")
-_OF_A_SLEEVE = ("control_force", "pack_force_at_rest", "closing_deflection", "control_deflection", "travel")
-
-
 @np.errstate(all="ignore")
 def rows(tried: Candidates) -> list[DesignRow]:
     """Turn columns to rows, numbered in their order; what does not apply, or is not finite, is None."""
-    need, at = tried.need, tried.at
-    columns = {name: getattr(at, name) for name in _SEARCHED} | {
-        "closing_force": tried.closing_force,
-        "nominal_torque": tried.nominal_torque,
-        "accuracy_factor": tried.accuracy_factor,
-        "torque_max": tried.torque_max,
-        "surface_pressure": tried.surface_pressure,
-        "inner_radius": at.mean_radius - tried.face_width / 2,
-        "outer_diameter": tried.outer_diameter,
-    }
-    if tried.variant.controlled:
-        columns |= {"gain": tried.gain, "ball_diameter": tried.ball_diameter, "contact_force": tried.contact_force}
-        if need.search.wall_angle is not None:
-            columns["wall_angle"] = at.steering
-    if curved(need, tried.variant):
-        columns["gain_slope"] = tried.gain_slope
-    if tried.variant.travels:
-        columns |= {name: getattr(tried, name) for name in _OF_A_SLEEVE if name != "pack_force_at_rest"}
+    need, at, variant = tried.need, tried.at, tried.variant
+    searched = ("pairs", "driving_pairs", "mean_radius", "ball_circle_radius", "closing_stiffness", "control_stiffness")
+    names = ["closing_force", "nominal_torque", "accuracy_factor", "torque_max", "surface_pressure", "outer_diameter"]
+    if variant.controlled:
+        names += ["gain", "ball_diameter", "contact_force"]
+    if curved(need, variant):
+        names.append("gain_slope")
+    if variant.travels:
+        names += ["control_force", "closing_deflection", "control_deflection", "travel"]
+    columns = {name: getattr(at, name) for name in searched} | {name: getattr(tried, name) for name in names}
+    columns["inner_radius"] = at.mean_radius - tried.face_width / 2
+    if variant.controlled and need.search.wall_angle is not None:
+        columns["wall_angle"] = at.steering
+    if variant.travels:
         columns["pack_force_at_rest"] = tried.pack_force
     if need.wanted.margin != 1:
         columns["machine_torque"] = tried.nominal_torque / need.wanted.over_machine
-    names = list(columns)
     lists = zip(*(np.broadcast_to(column, at.pairs.shape).tolist() for column in columns.values()), strict=True)
+    finite = ([value if math.isfinite(value) else None for value in values] for values in lists)
     return [
-        DesignRow(number=number, variant=tried.variant.name, **dict(zip(names, map(_defined, row), strict=True)))
-        for number, row in enumerate(lists, 1)
+        DesignRow(number=number, variant=variant.name, **dict(zip(columns, values, strict=True)))
+        for number, values in enumerate(finite, 1)
     ]
-
-
-def _defined(value: float) -> float | None:
-    return value if math.isfinite(value) else None
 
 
 def as_spec(need: Requirements, row: DesignRow) -> Spec:
@@ -144,6 +132,11 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
     else:
         group |= {"inner_radius": row.inner_radius, "outer_radius": row.outer_diameter / 2}
     spring: dict[str, object] = {"force": row.closing_force} | _room(fixed.closing_room)
+    # what the variant is held to; the limit of the force on a ball is a key of the control unit
+    limited = {"surface_pressure", "outer_diameter"}
+    limited |= {"reduced_gain"} if row.ball_circle_radius is not None else set()
+    limited |= {"travel"} if row.travel is not None else set()
+    required = need.wanted.model_dump(exclude_none=True, exclude={"method", "margin"})
     data: dict[str, object] = {
         "name": say("{name}, no. {number}", name=need.name or say("Design"), number=row.number),
         "variant": row.variant,
@@ -151,7 +144,7 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         "friction_group": group,
         "closing_spring": spring,
         "adjustment": {"method": need.wanted.method, "margin": need.wanted.margin},
-        "requirements": need.wanted.model_dump(exclude_none=True, exclude={"method", "margin"}) | _limits_of(need, row),
+        "requirements": required | limits.model_dump(exclude_none=True, include=limited),
     }
     if row.ball_circle_radius is not None:
         sleeve, curve = row.closing_stiffness is not None, row.gain_slope is not None
@@ -175,14 +168,6 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         spring["stiffness"] = row.closing_stiffness
         data["control_spring"] = {"stiffness": row.control_stiffness} | _room(fixed.control_room)
     return as_written(make_spec(data))
-
-
-def _limits_of(need: Requirements, row: DesignRow) -> dict[str, float]:
-    """Limits that the variant of a row is held to; that of the force on a ball is a key of the control unit."""
-    names = ["surface_pressure", "outer_diameter"]
-    names += ["reduced_gain"] if row.ball_circle_radius is not None else []
-    names += ["travel"] if row.travel is not None else []
-    return {name: limit for name in names if (limit := getattr(need.limits, name)) is not None}
 
 
 def _room(room: Room | None) -> dict[str, object]:
