@@ -10,7 +10,7 @@ from ..result import Result
 from .registry import ANALYSES, Analysis, StressRule
 
 if TYPE_CHECKING:
-    from .tolerance.study import Study
+    from .tolerance.result import Study
 
 R = TypeVar("R", bound=Result)
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from .simulate import MomentRow
     from .springs.springs import SpringsCurve
     from .synthesize import SynthesisResult
-    from .tolerance.study import Study
+    from .tolerance.result import Study
 
 _SINGLE = {"clutch": "SPEC", "names": "NAME", "requirements": "REQUIREMENTS"}
 """What stands alone, as the help calls it."""

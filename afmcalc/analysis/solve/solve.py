@@ -151,7 +151,7 @@ _OF_THE_CLUTCH = ("gain", "closing_force", "nominal_torque", "torque_max", "scat
 def solve(
     clutch: Clutch, name: str, target: str, wanted: float, *, beyond_limit: bool = False
 ) -> tuple[SolveResult, Clutch, list[Finding]]:
-    """Find the value of a parameter that gives a clutch a wanted quantity: the smallest, others in a finding.
+    """Find the value of a parameter that gives a wanted quantity, the smallest, and that clutch; others in a finding.
 
     Args:
         clutch: the clutch to start from.
@@ -159,9 +159,6 @@ def solve(
         target: a name of ``TARGETS``.
         wanted: its value, SI.
         beyond_limit: go past the gain limit of the variant.
-
-    Returns:
-        The result, the clutch with the value in it, and findings.
 
     Raises:
         NotAttainableError: the message gives the best and where it is reached.

@@ -222,12 +222,7 @@ def travel_held(
 ) -> Numbers:
     """How far a stack that gives a force and a stiffness as set may go from there, m; ``NONE`` where there is none.
 
-    Args:
-        force: as set, N.
-        stiffness: as set, N/m; broadcasts with the force.
-        room: for the stack, as set and as long as it gets.
-        tolerance: how far the stiffness may be off, relative.
-        relaxes: whether it lengthens or is pressed together.
+    The stack lengthens if it ``relaxes``, else it is pressed together; its stiffness may be off by the tolerance.
     """
     shape = np.broadcast_shapes(force.shape, stiffness.shape)
     travel = np.full(shape, NONE)

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from itertools import groupby
+from itertools import count, groupby
 from typing import Any, Literal
 
 import numpy as np
@@ -139,31 +139,29 @@ def springs(
 ) -> tuple[SpringsResult, list[Finding]]:
     """Find parts that give the force as set and the stiffness of every spring of a clutch, within the room given.
 
+    Where there is none, the nearest and what it misses; and the parts that the spec names.
+
     Args:
         clutch: the clutch.
-        sort: what is to be small: length in service, loss of force by wear, mass; by default the length where a
-            stiffness is wanted, else the loss.
+        sort: what is to be small; by default the length where a stiffness is wanted, else the loss of force by wear.
         top: how many to tell of each spring.
         kind: disc springs, coil springs, or both.
         tolerance: how far the stiffness may be off, relative.
-
-    Returns:
-        The parts and the findings; where there is none, the nearest and what it misses; the parts that the spec names.
     """
-    listed: dict[str, list[SpringOption]] = {}
+    fields: dict[str, Any] = {}
     nearest: list[SpringOption] = []
-    counts: dict[str, int] = {}
     remarks: list[Finding] = []
-    number = 1
-    wanted = clutch.spring_demands()
-    for wish in wanted:
+    number = count(1)
+    demands = clutch.spring_demands()
+    for wish in demands:
         tried = list(candidates(wish, kind, tolerance))
         options = _best_of_each(wish, [part for part, misses in tried if not misses], sort)
-        counts[wish.name] = len(options)
-        listed[wish.name] = [
-            option.model_copy(update={"number": place}) for place, option in enumerate(options[:top], number)
-        ]
-        number += len(listed[wish.name])
+        fields |= {
+            f"{wish.name}_force": wish.force,
+            f"{wish.name}_stiffness": wish.stiffness,
+            f"{wish.name}_found": len(options),
+            wish.name: [option.model_copy(update={"number": next(number)}) for option in options[:top]],
+        }
         if not options and tried:
             close = min(tried, key=lambda candidate: max(candidate.misses.values()))
             nearest.append(option_of(wish, close.part))
@@ -174,14 +172,12 @@ def springs(
             remarks.append(finding("any-stiffness", "info", path=f"{wish.name}_spring.stiffness"))
     parts = clutch.spec.spring_parts
     in_use = [
-        option_of(wish, part).model_copy(update={"spring": wish.name})
-        for wish in wanted
-        if (part := parts.get(wish.name)) is not None
+        option_of(wish, parts[wish.name]).model_copy(update={"spring": wish.name})
+        for wish in demands
+        if wish.name in parts
     ]
     result = SpringsResult(
-        **{f"{wish.name}_{key}": getattr(wish, key) for wish in wanted for key in ("force", "stiffness")},
-        **{f"{name}_found": count for name, count in counts.items()},
-        **listed,
+        **fields,
         nearest=nearest or None,
         named=in_use or None,
         utilisation=max((option.utilisation for option in in_use), default=None),

@@ -18,16 +18,7 @@ from ...spec.tolerance import FRICTION, Tolerance
 from ..slips import dynamic_factor
 from .distributions import Array, Input
 
-_IN_NET_GAIN = ("friction_group.", "control_unit.")
-_RADII = ("friction_group.inner_radius", "friction_group.outer_radius")
-_ONLY_SETTING = (
-    "adjustment.",
-    "friction.min",
-    "friction.mean",
-    "friction.max",
-    "friction.driving.",
-    "friction.driven.",
-)
+_ONLY_SETTING = ("adjustment.", *(f"friction.{end}" for end in ("min", "mean", "max", "driving.", "driven.")))
 """Keys that act on a clutch through its setting alone."""
 _CONTROL_FORCE = "control_spring.force"
 
@@ -57,7 +48,9 @@ class Model:
     @cached_property
     def may_fail(self) -> bool:
         """Whether there may be samples that are no clutch."""
-        causes = _IN_NET_GAIN if self.spec.kind.law == "indirect" else _RADII
+        causes: tuple[str, ...] = ("friction_group.inner_radius", "friction_group.outer_radius")
+        if self.spec.kind.law == "indirect":
+            causes = ("friction_group.", "control_unit.")  # whatever the net gain depends on
         return any(scattering.path.startswith(causes) for scattering in self.inputs)
 
     def possible(self, values: Sequence[Values]) -> NDArray[np.bool_]:

@@ -242,12 +242,8 @@ def sobol_indices(model: Model, plan: Plan) -> list[IndexRow]:
 def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> dict[str, object]:
     """Fields of the result that are figures of the peak torque in the shaft, of the event of the [drive] block.
 
-    The drives are a separate sample, each simulated once; without an event to simulate there are no fields.
-
-    Args:
-        model: the clutch and its scattering inputs.
-        given: its [tolerance] block.
-        clutch: the nominal clutch; its machine's torque is the load in every drive unless the spec gives a load.
+    The drives are a separate sample, each simulated once; without an event to simulate there are no fields. Unless the
+    spec gives a load, that of every drive is the machine's torque of the nominal clutch.
 
     Raises:
         CalculationError: hardly any sample is a clutch.
@@ -266,9 +262,8 @@ def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> dict[str, ob
     if min(sizes) < _LEAST_CLUTCHES:
         raise CalculationError("tolerance: hardly a sample is a clutch: there is no peak torque to tell")
     values = [np.concatenate(columns) for columns in zip(*parts, strict=True)]
-    peaks = np.broadcast_to(
-        peaks_of(model.clutch(values), *model.frictions(model.by_path(values))).shaft, values[0].shape
-    )
+    simulated = peaks_of(model.clutch(values), *model.frictions(model.by_path(values)))
+    peaks = np.broadcast_to(simulated.shaft, values[0].shape)
     pieces = np.split(peaks, np.cumsum(sizes)[:-1])
     order = ranked_values(peaks)
     fields: dict[str, object] = {

@@ -40,19 +40,12 @@ def panels(kinks: Sequence[float]) -> tuple[Array, Array]:
 def gauss(scattering: Input, count: int, bend: float | None = None) -> tuple[Array, Array]:
     """Gauss nodes and weights of a distribution as truncated, exact for polynomials in its value (lognormal: its log).
 
-    On both sides of a bend of what is integrated it is exact for polynomials of their own. Each node costs a torque of
-    200,000 clutches, and 8 or 16 of these do for what takes 500 of ``panels``.
+    The weights add up to 1. What is integrated may have a bend at one value; the nodes, ``count`` on either side, are
+    exact for polynomials of their own there. Each node costs a torque of 200,000 clutches, and 8 or 16 of these do for
+    what takes 500 of ``panels``.
 
     Source: Golub, Welsch, Calculation of Gauss quadrature rules, Math. Comp. 23 (1969); the polynomials by Lanczos'
         method on a fine rule (Gautschi, Orthogonal Polynomials, 2004, section 2.2).
-
-    Args:
-        scattering: the distribution.
-        count: number of nodes; as many on either side of a bend.
-        bend: value at which what is integrated bends; None where it is smooth.
-
-    Returns:
-        Values and weights, the weights adding up to 1; a single node where nothing scatters.
     """
     share = 0.0 if bend is None else scattering.share_below(bend)
     u, weights = panels([*scattering.kinks, share])

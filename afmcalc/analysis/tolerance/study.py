@@ -16,7 +16,7 @@ from .sampling import Plan, peak_figures, sampled_figures, simulate, sobol_indic
 from .service import exact_of
 from .statistics import histogram, merged, needed, ranked
 
-__all__ = ["Study", "ToleranceResult", "study", "tolerance"]
+__all__ = ["ToleranceResult", "study", "tolerance"]
 
 _UNSURE = {"monte-carlo": 0.025, "quasi-monte-carlo": 0.005}
 """Relative standard error of the standard deviation beyond which it is too small itself: two of them cover the true
@@ -35,9 +35,7 @@ def tolerance(clutch: Clutch, *, threads: int | None = None) -> tuple[ToleranceR
 def study(clutch: Clutch, *, threads: int | None = None) -> Study:
     """Calculate the distribution of the torque by the [tolerance] block of the spec.
 
-    Args:
-        clutch: the clutch.
-        threads: how many; None for as many as there are processors, up to 8. Changes no digit.
+    By default there are as many threads as processors, up to 8; their number changes no digit.
 
     Raises:
         SpecError: no [tolerance] block, or a field that the clutch does not have.
