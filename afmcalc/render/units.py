@@ -33,14 +33,14 @@ def display_unit(unit: str) -> str:
     return "–" if unit == "1" else translate(typeset(_chosen.get().get(unit, unit)), "unit")
 
 
-def factor(unit: str) -> float:
-    """What a value in an SI unit is multiplied by to be in the unit shown to people.
+def converted(value: float, unit: str) -> float:
+    """Return a value (SI) in the unit shown to people, a temperature on its scale.
 
-    >>> factor("N"), factor("N*m")
-    (0.001, 1.0)
+    >>> converted(2000.0, "N"), converted(300.15, "K abs")
+    (2.0, 27.0)
     """
     shown = _chosen.get().get(unit)
-    return per_si(shown) if shown else 1.0
+    return in_unit(value, shown) if shown else value
 
 
 def display(value: object, unit: str) -> str:
@@ -55,17 +55,12 @@ def display(value: object, unit: str) -> str:
     if value is None:
         return "–"
     if isinstance(value, list):
-        return (
-            " … ".join(display(item, unit) for item in value)
-            if unit
-            else "; ".join(display(item, "") for item in value)
-        )
+        return (" … " if unit else "; ").join(display(item, unit) for item in value)
     if isinstance(value, bool):
         return translate("yes" if value else "no", "value")
     if not isinstance(value, int | float):
         return printable(worded(str(value)))
-    shown = _chosen.get().get(unit)
-    return significant(in_unit(value, shown) if shown else value)
+    return significant(converted(value, unit))
 
 
 def measured(value: object, unit: str) -> str:
@@ -130,7 +125,8 @@ def estimate(value: float, error: float, unit: str) -> str:
     >>> estimate(123456.0, 2341.0, "1"), estimate(2.5, 0.0, "1")
     ('123500 ± 2300', '2.5')
     """
-    value, error = value * factor(unit), error * factor(unit)
+    shown = _chosen.get().get(unit)
+    value, error = converted(value, unit), error * (per_si(shown) if shown else 1.0)
     if not error > 0 or not math.isfinite(error):
         return significant(value)
     if value == 0:
@@ -139,5 +135,5 @@ def estimate(value: float, error: float, unit: str) -> str:
     power = largest if not -4 <= largest < 7 else 0
     value, error = value / 10.0**power, float(f"{error:.2g}") / 10.0**power
     places = 1 - math.floor(math.log10(error) + 1e-9)
-    shown = " ± ".join(f"{round(each, places):.{max(places, 0)}f}" for each in (value, error))
-    return localized(f"({shown})e{power:+03d}" if power else shown)
+    figures = " ± ".join(f"{round(figure, places):.{max(places, 0)}f}" for figure in (value, error))
+    return localized(f"({figures})e{power:+03d}" if power else figures)

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from ...messages import RAISED, localized, told, translate
 from ...result import Result, shown_as
-from ..units import factor, headed, measured
+from ..units import converted, headed, measured
 
 
 class ChartAxis(NamedTuple):
@@ -25,8 +25,7 @@ class ChartAxis(NamedTuple):
 
     def shown(self, values: Iterable[float | None]) -> list[float]:
         """Return values in the engineer's unit, NaN for those that are None."""
-        scale = factor(self.unit)
-        return [math.nan if value is None else value * scale for value in values]
+        return [math.nan if value is None else converted(value, self.unit) for value in values]
 
 
 class Line(NamedTuple):

@@ -14,8 +14,7 @@ if TYPE_CHECKING:  # what is drawn, named in signatures only: a plot loads no ot
     from ...analysis.figures import SimulateFigure
     from ...analysis.simulate import MomentRow
     from ...analysis.springs.springs import SpringCurve, SpringsCurve
-    from ...papers.figures import PaperAxis, PaperCurve, PaperFigure
-    from ...result import OpenTriple, Triple
+    from ...papers.figures import PaperFigure
 
 
 def _called(curve: "TorqueCurve | AccuracyCurve | LifeCurve") -> str:
@@ -36,7 +35,8 @@ def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
     methods = ("torque_min_friction", "torque_mean_friction")
     extra = [name for name in ("breakaway_torque", "torque_returning") if getattr(curve, name)]
     lines = [line_of(curve, name, curve.friction) for name in (*methods, *extra)]
-    spans = [_band(number, getattr(curve, name)) for number, name in enumerate(methods)]
+    bands = [sorted((line.y[0] or 0.0, line.y[-1] or 0.0)) for line in lines[:2]]
+    spans = [Dimension(stated(f"ΔT_{n + 1}", high - low, "N*m"), low, high, n) for n, (low, high) in enumerate(bands)]
     guide = guide_at(term("clutch's nominal torque {stated}"), "T_н", curve.nominal_torque, "N*m")
     caption = told(
         "Both settings for the same nominal torque; margin β_н = {margin:g} in the second. ΔT is the scatter band of "
@@ -49,14 +49,14 @@ def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
     return Sheet(title, [chart], caption, curve.name)
 
 
-def _band(number: int, torque: list[float]) -> Dimension:
-    low, high = sorted((torque[0], torque[-1]))
-    return Dimension(stated(f"ΔT_{number + 1}", high - low, "N*m"), low, high, number)
-
-
 def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
     """K_т over the gain, or over the key asked for; of one clutch also what it is and where its limit lies."""
-    x, y = _swept_axis(curves[0]), axis_of(curves[0].series, "accuracy_factor")
+    swept, y = curves[0].series, axis_of(curves[0].series, "accuracy_factor")
+    if swept.parameter == "zC":
+        x = ChartAxis(translate("reduced gain"), "zC")
+    else:
+        key = keys()[swept.path]
+        x = ChartAxis(translate(key.description).partition(";")[0], key.symbol or "", key.unit or "1")
     title = told("Accuracy factor K_т against {quantity} {symbol}", quantity=x.quantity, symbol=x.symbol).rstrip()
     if len(curves) > 1:
         lines = [
@@ -79,13 +79,6 @@ def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
     return Sheet(title, [Chart(x, y, lines, guides=guides)], name=curve.name)
 
 
-def _swept_axis(curve: "AccuracyCurve") -> ChartAxis:
-    if curve.series.parameter == "zC":
-        return ChartAxis(translate("reduced gain"), "zC")
-    key = keys()[curve.series.path]
-    return ChartAxis(translate(key.description).partition(";")[0], key.symbol or "", key.unit or "1")
-
-
 def overload(curve: "OverloadCurve") -> Sheet:
     """The trip over friction, and expected against actual accuracy over the reduced gain (S22 fig. 3)."""
     caption = translate(
@@ -93,33 +86,33 @@ def overload(curve: "OverloadCurve") -> Sheet:
         "(S22 (14)) swaps the weights of T_п and T_н.маш (misprint M12). Where the release force lags the load "
         "(impact), the trip lies in the shaded bracket. Curves of K_т as S22 fig. 3, its optimum at zC = 1/f_max (M13)."
     )
-    title = told("Overload with the margin {stated}", stated=stated("β_н", curve.margin, "1"))
-    return Sheet(title, [_trip(curve), _overload_accuracy(curve)], caption, curve.name)
-
-
-def _trip(curve: "OverloadCurve") -> Chart:
-    x, y = axis_of(curve, "friction"), axis_of(curve, "expected_torque", quantity=translate("torque"))
     lines = [line_of(curve, name, curve.friction) for name in ("expected_torque", "actuation_torque_published")]
-    equilibrium = line_of(curve, "actuation_torque_equilibrium", curve.friction, points=True)
-    lines.append(equilibrium._replace(x=equilibrium.x[::20], y=equilibrium.y[::20]))
+    lines.append(line_of(curve, "actuation_torque_equilibrium", curve.friction, points=True))
+    lines[-1] = lines[-1]._replace(x=curve.friction[::20], y=curve.actuation_torque_equilibrium[::20])
     label = translate("trip bracket, T_муф to T_п")
-    bracket = Area(label, curve.friction, curve.expected_torque, curve.potential_torque)
-    guide = guide_at(term("machine's nominal torque {stated}"), "T_н.маш", curve.machine_torque, "N*m")
-    title = translate("Torque at the trip")
-    return Chart(x, y._replace(symbol="T"), lines, title, guides=[guide], areas=[bracket], from_zero=True)
-
-
-def _overload_accuracy(curve: "OverloadCurve") -> Chart:
-    series, best = curve.accuracy, curve.optimal_reduced_gain
-    names = ("accuracy_factor_expected", "accuracy_factor_actual")
-    guides = [
-        guide_at(term("this clutch: {stated}"), "zC", curve.reduced_gain, "1", across=False),
-        guide_at(term("best by the published T_ср, {stated}"), "zC", best, "1", across=False),
-    ]
-    x = ChartAxis(translate("reduced gain"), "zC" if curve.bypass_pairs == 0 else "z_2 C")
-    y = ChartAxis(translate("accuracy factor"), "K_т")
-    lines = [line_of(series, name, series.values) for name in names]
-    return Chart(x, y, lines, translate("Accuracy over the reduced gain"), guides=guides)
+    trip = Chart(
+        axis_of(curve, "friction"),
+        axis_of(curve, "expected_torque", quantity=translate("torque"))._replace(symbol="T"),
+        lines,
+        translate("Torque at the trip"),
+        guides=[guide_at(term("machine's nominal torque {stated}"), "T_н.маш", curve.machine_torque, "N*m")],
+        areas=[Area(label, curve.friction, curve.expected_torque, curve.potential_torque)],
+        from_zero=True,
+    )
+    series = curve.accuracy
+    gains = {
+        term("this clutch: {stated}"): curve.reduced_gain,
+        term("best by the published T_ср, {stated}"): curve.optimal_reduced_gain,
+    }
+    accuracy = Chart(
+        ChartAxis(translate("reduced gain"), "zC" if curve.bypass_pairs == 0 else "z_2 C"),
+        ChartAxis(translate("accuracy factor"), "K_т"),
+        [line_of(series, f"accuracy_factor_{name}", series.values) for name in ("expected", "actual")],
+        translate("Accuracy over the reduced gain"),
+        guides=[guide_at(text, "zC", gain, "1", across=False) for text, gain in gains.items()],
+    )
+    title = told("Overload with the margin {stated}", stated=stated("β_н", curve.margin, "1"))
+    return Sheet(title, [trip, accuracy], caption, curve.name)
 
 
 _METHODS = {
@@ -137,9 +130,9 @@ def life(curves: "Sequence[LifeCurve]") -> Sheet:
         sides = ("protected", "unprotected", "protected_forecast")
         lines = [line_of(first.series, side, first.series.values) for side in sides]
         lines += [
-            Line(translate(_METHODS[each.method]), [each.scatter], [each.cycles], points=True)
-            for each in first.settings
-            if each.cycles
+            Line(translate(_METHODS[setting.method]), [setting.scatter], [setting.cycles], points=True)
+            for setting in first.settings
+            if setting.cycles
         ]
         title = translate("Life against the scatter band")
         guides = [Guide(told("base cycles N_0 = {cycles}", cycles=power(first.base_cycles)), first.base_cycles)]
@@ -233,17 +226,15 @@ def simulate(figure: "SimulateFigure") -> Sheet:
     if figure.result.travel_max is not None:
         travels = _at_frictions(figure, lambda row: row.travel)
         panels.append(Chart(time, axis_of(mean[0], "travel"), travels, translate("Travel of the sleeve")))
+    peak_torques = (figure.result.peak_torque, figure.result.peak_torque_conventional)
+    listed, ordinary = ("; ".join(display(end, "N*m") for _, end in ends) for ends in peak_torques)
     peaks = told(
         "Peaks in the shaft, N·m: {peaks}; with an ordinary clutch of equal T_н: {ordinary}. Shown until the peak has "
         "passed; the slip may last longer.",
-        peaks=_listed(figure.result.peak_torque), ordinary=_listed(figure.result.peak_torque_conventional),
+        peaks=listed, ordinary=ordinary,
     )  # fmt: skip
     caption = f"{translate(_EVENTS[figure.kind])} {peaks}"
     return Sheet(translate("When the clutch trips"), panels, caption, figure.name)
-
-
-def _listed(ends: "OpenTriple | Triple") -> str:
-    return "; ".join(display(end, "N*m") for end in (ends.min, ends.mean, ends.max))
 
 
 def _at_frictions(figure: "SimulateFigure", value: "Callable[[MomentRow], float | None]") -> list[Line]:
@@ -255,22 +246,13 @@ def _at_frictions(figure: "SimulateFigure", value: "Callable[[MomentRow], float 
 
 def paper(figure: "PaperFigure") -> Sheet:
     """One figure of the papers, redrawn from the formulas, its corrections named in the caption."""
-    x = _paper_axis(figure.x)
-    panels = [
-        Chart(x, _paper_axis(y), [_paper_line(curve) for curve in curves])
-        for y, curves in zip(figure.y, figure.panels, strict=True)
-    ]
+    x, *axes = (ChartAxis(translate(axis.name), axis.symbol, axis.unit, axis.log) for axis in (figure.x, *figure.y))
+    panels = []
+    for y, curves in zip(axes, figure.panels, strict=True):
+        labels = [": ".join(filter(None, (curve.number, translate(curve.label)))) for curve in curves]
+        lines = zip(labels, curves, strict=True)
+        panels.append(Chart(x, y, [Line(label, c.x, c.y, tag=c.number, points=c.points) for label, c in lines]))
     caption = [translate(figure.inputs), told("Mended: {mended}.", mended=joined(map(term, figure.corrections), "; "))]
     if figure.assumed:
         caption.append(told("Not printed, assumed here: {assumed}", assumed=term(figure.assumed)))
     return Sheet(f"{translate(figure.name)}: {translate(figure.title)}", panels, "\n".join(caption))
-
-
-def _paper_axis(axis: "PaperAxis") -> ChartAxis:
-    return ChartAxis(translate(axis.name), axis.symbol, axis.unit, axis.log)
-
-
-def _paper_line(curve: "PaperCurve") -> Line:
-    label = translate(curve.label)
-    label = f"{curve.number}: {label}" if curve.number else label
-    return Line(label, curve.x, curve.y, tag=curve.number, points=curve.points)

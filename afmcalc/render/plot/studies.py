@@ -29,7 +29,21 @@ def tolerance(figure: "ToleranceFigure") -> Sheet:
         Guide("" if number else label, row.torque, across=False, tag=_percent(row.probability), style=0)
         for number, row in enumerate(figure.study.result.quantiles)
     ]
-    guides += _torques(figure)
+    nominal, machine, limit = (
+        figure.nominal_torque,
+        figure.study.result.machine_torque,
+        figure.study.result.torque_limit,
+    )
+    torques = [
+        ("T_н", translate("clutch's nominal torque"), nominal),
+        ("T_н.маш", translate("machine's nominal torque"), None if math.isclose(machine, nominal) else machine),
+        ("T_lim", translate("torque limit"), limit),
+    ]
+    marked = [(symbol, about, value) for symbol, about, value in torques if value is not None]
+    guides += [
+        Guide(stated(f"{about} {symbol}", value, "N*m"), value, across=False, tag=symbol, style=style)
+        for style, (symbol, about, value) in enumerate(marked, 1)
+    ]
     ends = [*edges, *(guide.value for guide in guides)]
     room = 0.03 * (max(ends) - min(ends))
     chart = Chart(
@@ -43,41 +57,26 @@ def tolerance(figure: "ToleranceFigure") -> Sheet:
     return Sheet(translate("Slip torque over tolerances and scatter"), [chart], _study_caption(figure), figure.name)
 
 
-def _torques(figure: "ToleranceFigure") -> list[Guide]:
-    """The nominal torques and the limit, where each is one of its own."""
-    result, nominal = figure.study.result, figure.nominal_torque
-    torques = [("T_н", translate("clutch's nominal torque"), nominal)]
-    if not math.isclose(result.machine_torque, nominal, rel_tol=1e-9):
-        torques.append(("T_н.маш", translate("machine's nominal torque"), result.machine_torque))
-    if result.torque_limit is not None:
-        torques.append(("T_lim", translate("torque limit"), result.torque_limit))
-    return [
-        Guide(stated(f"{about} {symbol}", value, "N*m"), value, across=False, tag=symbol, style=style)
-        for style, (symbol, about, value) in enumerate(torques, 1)
-    ]
-
-
 def _study_caption(figure: "ToleranceFigure") -> str:
     result = figure.study.result
     method = term(_SAMPLING[result.method])
-    if result.samples:
-        how = told(
-            "{method}, {samples:,} samples, seed {seed}.", method=method, samples=result.samples, seed=figure.seed
-        )
-    else:
-        how = told("{method}: only friction scatters.", method=method)
+    how = told(
+        "{method}, {samples:,} samples, seed {seed}." if result.samples else "{method}: only friction scatters.",
+        method=method, samples=result.samples, seed=figure.seed,
+    )  # fmt: skip
     listed = "; ".join(f"{_percent(row.probability)}: {display(row.torque, 'N*m')}" for row in result.quantiles)
     risks = [_risk("T < T_н.маш", result.probability_below_machine, result.samples)]
     if result.probability_above_limit is not None:
         risks.append(_risk("T > T_lim", result.probability_above_limit, result.samples))
-    sentences = (
-        how,
-        told("The bars hold the middle {share}.", share=_percent(figure.share)),
-        told("Quantiles in N·m: {listed}.", listed=listed),
-        told("Robust accuracy factor K_т,r = {factor}.", factor=display(result.accuracy_factor_robust, "1")),
-        ", ".join(risks) + ".",
+    return " ".join(
+        (
+            how,
+            told("The bars hold the middle {share}.", share=_percent(figure.share)),
+            told("Quantiles in N·m: {listed}.", listed=listed),
+            told("Robust accuracy factor K_т,r = {factor}.", factor=display(result.accuracy_factor_robust, "1")),
+            ", ".join(risks) + ".",
+        )
     )
-    return " ".join(sentences)
 
 
 def _risk(event: str, probability: float, samples: int | None) -> str:
@@ -136,8 +135,11 @@ def _front(result: "DesignResult", x: str, y: str, by_pairs: bool) -> Chart:
         marker = variants.index(variant) if len(variants) > 1 else place
         points = _points(label, rows, x, y)
         lines.append(points._replace(style=_COLOURED[place % len(_COLOURED)], marker=marker))
-    if len(pairs) > 1:
-        _tag(lines, [z for _, z in sorted(groups)])
+    # each number of pairs is named once, at the end of the line that reaches furthest
+    for z in pairs if len(pairs) > 1 else ():
+        alike = [number for number, (_, other) in enumerate(sorted(groups)) if other == z]
+        furthest = max(alike, key=lambda number: lines[number].x[-1] or 0.0)
+        lines[furthest] = lines[furthest]._replace(tag=f"z = {z}")
     for row in result.front:
         if row.number == result.knee:
             knee = _points(told("knee: no. {number}", number=str(row.number)), [row], x, y)
@@ -149,14 +151,6 @@ def _front(result: "DesignResult", x: str, y: str, by_pairs: bool) -> Chart:
 def _points(label: str, rows: "list[DesignRow]", x: str, y: str) -> Line:
     along, up = ([row.objective(name) for row in rows] for name in (x, y))
     return Line(label, along, up, points=True, names=[str(row.number) for row in rows])
-
-
-def _tag(lines: list[Line], pairs: list[int]) -> None:
-    """Name each number of pairs once, at the end of the line that reaches furthest."""
-    for z in set(pairs):
-        alike = [number for number, other in enumerate(pairs) if other == z]
-        furthest = max(alike, key=lambda number: lines[number].x[-1] or 0.0)
-        lines[furthest] = lines[furthest]._replace(tag=f"z = {z}")
 
 
 def _objective(result: "DesignResult", name: str) -> ChartAxis:
