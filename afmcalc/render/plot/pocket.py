@@ -16,30 +16,20 @@ _HATCH = {-1: "///", 1: "\\\\\\"}
 
 def pocket(section: PocketSection) -> Sheet:
     """Draw the ball at the stop and, where the sleeve travels, at its largest travel."""
-    synthesis = section.synthesis
-    travel = synthesis.travel_max
-    if travel:
+    synthesis, panels = section.synthesis, [Position(section.synthesis, 0.0)]
+    if travel := synthesis.travel_max:
         moved = told("at f_max, {stated}", stated=stated("x_max", travel, "m"))
-        panels = [
-            Position(synthesis, 0.0, translate("at the stop, x = 0")),
-            Position(synthesis, travel, moved),
-        ]
-    else:
-        panels = [Position(synthesis, 0.0)]
+        panels = [Position(synthesis, 0.0, translate("at the stop, x = 0")), Position(synthesis, travel, moved)]
     return Sheet(translate("Ball and pockets, section A–A"), panels, _caption(section), section.name)
 
 
 def _caption(section: PocketSection) -> str:
     synthesis = section.synthesis
-    circle, smallest = (
-        stated(symbol, value, "m")
-        for symbol, value in (("r", synthesis.ball_circle_radius), ("r_ш", synthesis.ball_radius))
-    )
     sentences = [
         told(
             "To scale, dimensions in mm. Cylindrical section at the ball circle ({circle}), axis of clutch horizontal, "
             "dots: contact. S21 (20), (23), (24): smallest ball {smallest}.",
-            circle=circle, smallest=smallest,
+            circle=stated("r", synthesis.ball_circle_radius, "m"), smallest=stated("r_ш", synthesis.ball_radius, "m"),
         ),
         _ball(synthesis),
         translate("Cut to h_c, where the ball ends; h_1 is to the virtual apex of the walls."),
@@ -73,6 +63,8 @@ def _ball(synthesis: SynthesisResult) -> str:
 class _Side(NamedTuple):
     """One sleeve where it is."""
 
+    hand: int
+    """-1 of the left one, 1 of the right one."""
     face: float
     """Off the ball's centre."""
     middle: float
@@ -89,95 +81,78 @@ class Position:
     """One position of the sleeve, in metres."""
 
     def __init__(self, synthesis: SynthesisResult, travel: float, title: str = "") -> None:
-        """Lay out the section with the sleeve ``travel`` from its stop."""
+        """Lay out the section with the sleeve at its stop, or at its largest travel."""
         self.synthesis, self.travel, self.title = synthesis, travel, title
         self.radius, self.depth = synthesis.ball_diameter / 2, synthesis.pocket_depth
-        self.sleeves = 1 if synthesis.profiled == "one" else 2
-        """That the ball moves in: 1 where the other seats it."""
-        self.left, self.right = self._side(moves=self.sleeves == 2), self._side(moves=True)
-        self.sides = {-1: self.left, 1: self.right}
+        sleeves = 1 if synthesis.profiled == "one" else 2  # that the ball moves in: 1 where the other seats it
+        gap, cut, angle = synthesis.face_gap / 2, synthesis.pocket_depth_cut, synthesis.wall_angle
+        tangent, steepest = math.tan(angle), synthesis.wall_angle_max or angle
+        # a sleeve that the ball moves in turns until its walls bear on the ball again
+        turned = synthesis.travel_max / sleeves * (tangent + math.tan(steepest)) / 2
+        # from the face to where the ball touches at the stop
+        curved = [(-(place.wall_axial + gap), place.wall_around) for place in reversed(synthesis.wall or ())]
+
+        def side(hand: int, *, moves: bool) -> _Side:
+            wall = (*(moves and curved or [(0.0, self.depth * tangent)]), (cut, (self.depth - cut) * tangent))
+            if moves and travel:
+                return _Side(hand, gap + travel / sleeves, turned, wall, steepest, seats=False)
+            return _Side(hand, gap, 0.0, wall, angle, seats=True)
+
+        self.sides = self.left, self.right = side(-1, moves=sleeves == 2), side(1, moves=True)
         # the same frame for every position, so that they are drawn to one scale
-        reach = synthesis.face_gap / 2 + synthesis.travel_max / self.sleeves + self.depth
-        self.back = 1.18 * reach
-        self.top = 1.12 * (synthesis.pocket_width / 2 + self._turned(synthesis.travel_max)) + 0.12 * reach
-        self.step = 0.1 * reach
-
-    def _angle_at(self, travel: float) -> float:
-        curved = self.synthesis.wall_angle_max
-        return curved if travel and curved is not None else self.synthesis.wall_angle
-
-    def _turned(self, travel: float) -> float:
-        """How far a sleeve that the ball moves in has turned: its walls bear on the ball again."""
-        tangents = math.tan(self.synthesis.wall_angle) + math.tan(self._angle_at(travel))
-        return travel / self.sleeves * tangents / 2
-
-    def _side(self, *, moves: bool) -> _Side:
-        """One sleeve, which the ball moves in or which seats it."""
-        synthesis, tangent = self.synthesis, math.tan(self.synthesis.wall_angle)
-        gap, cut = synthesis.face_gap / 2, synthesis.pocket_depth_cut
-        wall = [(0.0, self.depth * tangent)]
-        if synthesis.wall and moves:  # from the face to where the ball touches at the stop
-            wall = [(-(place.wall_axial + gap), place.wall_around) for place in reversed(synthesis.wall)]
-        wall.append((cut, (self.depth - cut) * tangent))
-        moved = self.travel if moves else 0.0
-        return _Side(
-            gap + moved / self.sleeves, self._turned(moved), tuple(wall), self._angle_at(moved), seats=not moved
-        )
+        reach = gap + synthesis.travel_max / sleeves + self.depth
+        self.back, self.step = 1.18 * reach, 0.1 * reach
+        self.top = 1.12 * (synthesis.pocket_width / 2 + turned) + 0.12 * reach
+        self.extent = 2 * (self.back + 3.2 * self.step), 2 * self.top + 5.6 * self.step
 
     @property
     def height(self) -> float:
         """Inches that leave the drawing its scale over the width of the sheet."""
-        wide, high = self._extent()
+        wide, high = self.extent
         return min(5.0, (WIDTH - 0.3) * high / wide) + 0.25
-
-    def _extent(self) -> tuple[float, float]:
-        return 2 * (self.back + 3.2 * self.step), 2 * self.top + 5.6 * self.step
 
     def paint(self, axes: Any) -> None:
         """Draw into matplotlib's axes."""
-        from matplotlib.patches import Circle, Polygon
+        from matplotlib.patches import Circle
 
         axes.set_axis_off()
         axes.set_aspect("equal")
-        wide, high = self._extent()
+        (wide, high), top = self.extent, self.top + 3.6 * self.step
         axes.set_xlim(-wide / 2, wide / 2)
-        axes.set_ylim(self.top + 3.6 * self.step - high, self.top + 3.6 * self.step)
+        axes.set_ylim(top - high, top)
         if self.title:
             axes.set_title(mathtext(self.title), fontsize=9.5)
-        for hand, side in self.sides.items():
-            outline = self._half(hand, side)
-            axes.add_patch(
-                Polygon(outline, closed=True, facecolor="none", edgecolor=INK, hatch=_HATCH[hand], linewidth=1.2)
-            )
+        for side in self.sides:
+            self._sleeve(axes, side)
         axes.add_patch(Circle((0, 0), self.radius, facecolor="none", edgecolor=COLOURS[0], linewidth=2.0))
-        for hand, side in self.sides.items():
-            along, across = hand * self.radius * math.sin(side.angle), hand * self.radius * math.cos(side.angle)
-            # at rest and in a seat both walls of a pocket touch the ball, under way one
-            for y in (-across, across) if side.seats else (-across,):
-                axes.plot([along], [y], marker="o", markersize=5, color=COLOURS[1], zorder=4)
-        self._centre_lines(axes)
+        centre: dict[str, Any] = {"color": INK, "linewidth": 0.7, "linestyle": (0, (10, 3, 2, 3))}
+        axes.plot([side.hand * (side.face + self.depth) for side in self.sides], [0, 0], **centre)
+        axes.plot([0, 0], [-self.radius * 1.18, self.radius * 1.18], **centre)
         self._dimensions(axes)
 
-    def _half(self, hand: int, side: _Side) -> list[tuple[float, float]]:
-        """Outline of one half: the face with its pocket, the back cut off."""
+    def _sleeve(self, axes: Any, side: _Side) -> None:
+        """One half: the face with its pocket, the back cut off, the walls to their apex, where the ball touches."""
+        from matplotlib.patches import Polygon
+
+        hand, middle = side.hand, side.hand * side.middle
         face, back = hand * side.face, hand * self.back
         upper = [(face + hand * depth, half) for depth, half in side.wall]
-        lower = [(x, -half) for x, half in reversed(upper)]
-        wall = [(x, hand * side.middle + y) for x, y in (*upper, *lower)]
-        return [(back, self.top), (face, self.top), *wall, (face, -self.top), (back, -self.top)]
-
-    def _centre_lines(self, axes: Any) -> None:
-        style: dict[str, Any] = {"color": INK, "linewidth": 0.7, "linestyle": (0, (10, 3, 2, 3))}
-        reach = self.radius * 1.18
-        axes.plot([hand * (side.face + self.depth) for hand, side in self.sides.items()], [0, 0], **style)
-        axes.plot([0, 0], [-reach, reach], **style)
-        for hand, side in self.sides.items():
-            (cut, half), middle = side.wall[-1], hand * side.middle
-            floor, apex = hand * (side.face + cut), hand * (side.face + self.depth)
-            walls = [middle + half, middle, middle - half]
-            axes.plot([floor, apex, floor], walls, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+        wall = [(x, middle + y) for x, y in (*upper, *((x, -half) for x, half in reversed(upper)))]
+        outline = [(back, self.top), (face, self.top), *wall, (face, -self.top), (back, -self.top)]
+        axes.add_patch(
+            Polygon(outline, closed=True, facecolor="none", edgecolor=INK, hatch=_HATCH[hand], linewidth=1.2)
+        )
+        (floor, half), apex = upper[-1], face + hand * self.depth
+        walls = [middle + half, middle, middle - half]
+        axes.plot([floor, apex, floor], walls, color=INK, linewidth=0.9, linestyle=(0, (4, 3)))
+        along, across = hand * self.radius * math.sin(side.angle), hand * self.radius * math.cos(side.angle)
+        # at rest and in a seat both walls of a pocket touch the ball, under way one
+        for y in (-across, across) if side.seats else (-across,):
+            axes.plot([along], [y], marker="o", markersize=5, color=COLOURS[1], zorder=4)
 
     def _dimensions(self, axes: Any) -> None:
+        from matplotlib.patches import Arc
+
         left, right, cut = self.left, self.right, self.synthesis.pocket_depth_cut
         corner = right.middle + right.wall[-1][1]
         self._along(axes, right.face, right.face + cut, self.top + self.step, f"h_c = {_mm(cut)}", corner)
@@ -185,12 +160,24 @@ class Position:
         self._along(axes, right.face, apex, self.top + 2.6 * self.step, text, right.middle)
         text = f"{'s + x' if self.travel else 's'} = {_mm(left.face + right.face)}"
         self._along(axes, -left.face, right.face, -self.top - self.step, text, -self.top)
-        self._mouth(axes)
+        # width of the right pocket's mouth, beside the section
+        x, middle, half = self.back + self.step, right.middle, self.synthesis.pocket_width / 2
+        for y in (middle - half, middle + half):
+            axes.plot([right.face, x + 0.25 * self.step], [y, y], color=INK, linewidth=0.6)
+        _arrow(axes, (x, middle - half), (x, middle + half))
+        axes.text(x + 0.3 * self.step, middle, mathtext(f"b = {_mm(2 * half)}"), ha="left", va="center")
         reach = self.radius * math.sqrt(0.5)
         diameter = told("ball d_ш = {diameter}", diameter=_mm(2 * self.radius))
         at = -left.face - 0.35 * (left.face + self.depth), self.top + self.step
-        self._leader(axes, diameter, (-reach, reach), at, "-|>", 0.8)
-        self._angle(axes)
+        _leader(axes, diameter, (-reach, reach), at, "-|>", 0.8)
+        # the wall angle at the apex of the left pocket, between wall and axis
+        angle, size = self.synthesis.wall_angle, 0.9 * self.depth
+        x, y = -left.face - self.depth, -left.middle
+        axes.plot([x, x + size * 0.6], [y, y], color=INK, linewidth=0.7)
+        axes.add_patch(Arc((x, y), size, size, theta1=0, theta2=math.degrees(angle), color=INK, linewidth=0.9))
+        tip = x + size / 2 * math.cos(angle / 2), y + size / 2 * math.sin(angle / 2)
+        text = f"α = {localized(f'{math.degrees(angle):.4g}')}°"
+        _leader(axes, text, tip, (-self.back - 0.2 * self.step, tip[1]), "-", 0.6)
 
     def _along(self, axes: Any, left: float, right: float, y: float, text: str, start: float) -> None:
         """Dimension along the axis, with extension lines; arrows from outside where it is too narrow for them."""
@@ -210,32 +197,11 @@ class Position:
             va = "bottom" if y > 0 else "top"
             axes.text((left + right) / 2, y + beyond, mathtext(text), ha="center", va=va)
 
-    def _mouth(self, axes: Any) -> None:
-        """Width of the right pocket's mouth, beside the section."""
-        x, middle, half = self.back + self.step, self.right.middle, self.synthesis.pocket_width / 2
-        for y in (middle - half, middle + half):
-            axes.plot([self.right.face, x + 0.25 * self.step], [y, y], color=INK, linewidth=0.6)
-        _arrow(axes, (x, middle - half), (x, middle + half))
-        axes.text(x + 0.3 * self.step, middle, mathtext(f"b = {_mm(2 * half)}"), ha="left", va="center")
 
-    def _angle(self, axes: Any) -> None:
-        """The wall angle at the apex of the left pocket, between wall and axis."""
-        from matplotlib.patches import Arc
-
-        angle, size = self.synthesis.wall_angle, 0.9 * self.depth
-        x, y = -self.left.face - self.depth, -self.left.middle
-        axes.plot([x, x + size * 0.6], [y, y], color=INK, linewidth=0.7)
-        axes.add_patch(Arc((x, y), size, size, theta1=0, theta2=math.degrees(angle), color=INK, linewidth=0.9))
-        tip = x + size / 2 * math.cos(angle / 2), y + size / 2 * math.sin(angle / 2)
-        text = f"α = {localized(f'{math.degrees(angle):.4g}')}°"
-        self._leader(axes, text, tip, (-self.back - 0.2 * self.step, tip[1]), "-", 0.6)
-
-    def _leader(
-        self, axes: Any, text: str, tip: tuple[float, float], at: tuple[float, float], arrow: str, width: float
-    ) -> None:
-        """Line from a text to what it is of."""
-        style = {"arrowstyle": arrow, "color": INK, "linewidth": width, "shrinkA": 1, "shrinkB": 0}
-        axes.annotate(mathtext(text), tip, xytext=at, ha="right", va="center", arrowprops=style)
+def _leader(axes: Any, text: str, tip: tuple[float, float], at: tuple[float, float], arrow: str, width: float) -> None:
+    """Draw a line from a text to what it is of."""
+    style = {"arrowstyle": arrow, "color": INK, "linewidth": width, "shrinkA": 1, "shrinkB": 0}
+    axes.annotate(mathtext(text), tip, xytext=at, ha="right", va="center", arrowprops=style)
 
 
 def _arrow(axes: Any, tip: tuple[float, float], tail: tuple[float, float], style: str = "<|-|>") -> None:
