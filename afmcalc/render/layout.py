@@ -1,7 +1,7 @@
 """From document to tables of text cells and lines of text, shared by all formats for people and the report."""
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import compress
 from typing import Any, NamedTuple
 
@@ -82,18 +82,23 @@ def cells(column: Column, errors: Sequence[float] | None = None) -> list[str]:
     ]
 
 
-def _parts(table: Table) -> list[Table]:
+def _parts(table: Table) -> Iterator[Table]:
     """Split a table by the column ``by``: one table for each value in it; without ``by`` the table itself."""
     keys = next((column.values for column in table.columns if column.path == table.shown.by), None)
     if keys is None:
-        return [table]
-    masks = ([key == value for key in keys] for value in dict.fromkeys(keys))
-    return [table._replace(columns=[_only(column, mask) for column in table.columns]) for mask in masks]
-
-
-def _only(column: Column, mask: list[bool]) -> Column:
-    values, units, words = ([*compress(part or (), mask)] for part in (column.values, column.units, column.words))
-    return column._replace(values=values, units=units or None, words=words)
+        yield table
+    for key in dict.fromkeys(keys or ()):
+        mask = [other == key for other in keys]
+        yield table._replace(
+            columns=[
+                column._replace(
+                    values=[*compress(column.values, mask)],
+                    units=column.units and [*compress(column.units, mask)],
+                    words=[*compress(column.words, mask)],
+                )
+                for column in table.columns
+            ]
+        )
 
 
 _LONG = 3
@@ -163,17 +168,10 @@ def may_turn(block: TextTable) -> bool:
 
 
 def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[TextTable]:
-    """Set the records of a table side by side, quantities as rows, in as many tables as a width asks for.
+    """Set the records of a table side by side, quantities as rows, in as many tables as a width of characters asks for.
 
     Text that is the same in all records goes into the title; the first column whose text differs gives the new header.
-
-    Args:
-        block: a table of records.
-        width: columns of characters there are; None for as many as it takes.
-        gap: characters between two columns.
-
-    Returns:
-        The tables; none where not even one record has room.
+    No tables where not even one record has room.
     """
     assert block.source is not None
     shared: list[tuple[str, Column, list[str]]] = []

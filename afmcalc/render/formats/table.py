@@ -2,10 +2,11 @@
 
 import io
 import os
+import shutil
 import sys
 from typing import TYPE_CHECKING
 
-from ...messages import fitting, is_unicode, translate
+from ...messages import fitting, is_unicode, told, translate
 from ...result import Output
 from ..document import document
 from ..layout import (
@@ -55,12 +56,13 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
 
 
 def _small_curve(block: TextTable, unicode: bool, width: int | None) -> list[str]:
-    """Draw the first answer of a sweep along one axis; nothing for any other table."""
-    if block.source is None or block.source.axes != 1:
+    """Draw the first answer of a sweep along one axis; nothing of fewer points than three, or for any other table."""
+    if block.source is None or block.source.axes != 1 or len(block.rows) < 3:
         return []
-    from ..plot.text import curve_lines
+    from ..plot.text import curve
 
-    return curve_lines(block.source, unicode)
+    x, y = block.source.columns[:2]
+    return ["", *curve(x.values, y.values, told("{y} against {x}", y=y.symbol, x=x.symbol), unicode=unicode)]
 
 
 def _spelled(block: TextTable) -> TextTable:
@@ -81,41 +83,23 @@ def _width() -> int | None:
 def columns() -> int | None:
     """Columns that standard output has: those the user asked for, else the terminal's; None where nothing bounds it."""
     asked = _width()
-    return _terminal_width() if asked is None and sys.stdout.isatty() else asked
-
-
-def _terminal_width() -> int:
-    import shutil
-
-    return shutil.get_terminal_size().columns
+    return shutil.get_terminal_size().columns if asked is None and sys.stdout.isatty() else asked
 
 
 def _plain(output: Output, tables: list[TextTable], steps: list[str], curve: SweepDrawing) -> str:
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
     lines = [title(output)]
-    for block in unfolded(tables):
-        lines += [
-            "",
-            *filter(None, (block.title, block.legend)),
-            *_aligned(block),
-            *curve(block, is_unicode(sys.stdout), None),
-        ]
+    for block in map(padded, unfolded(tables)):
+        columns = [*zip(_widths(block), block.numeric, strict=True)]
+        lines += ["", *filter(None, (block.title, block.legend))]
+        for row in (block.header, *block.rows):
+            cells = zip(row, columns, strict=True)
+            lines.append("  ".join(cell.rjust(width) if right else cell.ljust(width) for cell, (width, right) in cells))
+        lines += curve(block, is_unicode(sys.stdout), None)
     lines += steps
     if output.findings:
         lines += ["", *findings_lines(output.findings)]
     return "\n".join(lines)
-
-
-def _aligned(block: TextTable) -> list[str]:
-    block = padded(block)
-    widths = _widths(block)
-    return [
-        "  ".join(
-            cell.rjust(width) if right else cell.ljust(width)
-            for cell, width, right in zip(line, widths, block.numeric, strict=True)
-        )
-        for line in (block.header, *block.rows)
-    ]
 
 
 def _widths(block: TextTable) -> list[int]:
@@ -127,7 +111,7 @@ def _rich(output: Output, tables: list[TextTable], steps: list[str], curve: Swee
     from rich.console import Console
     from rich.text import Text
 
-    width = _width() or (_terminal_width() if terminal else 80)
+    width = _width() or (shutil.get_terminal_size().columns if terminal else 80)
     text = io.StringIO()
     console = Console(
         file=text, force_terminal=terminal, no_color=None if terminal else True, width=width, highlight=False

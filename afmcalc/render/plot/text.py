@@ -7,7 +7,6 @@ from itertools import compress
 from typing import NamedTuple
 
 from ...messages import localized, named, printable, told
-from ..document import Table
 from ..layout import TextTable
 from ..units import significant
 from .chart import Chart, ChartAxis, Line, Sheet, power
@@ -73,32 +72,20 @@ def draw(chart: Chart, *, unicode: bool, wide: int = WIDTH) -> list[str]:
 
 def swept_lines(block: TextTable, unicode: bool, width: int | None = None) -> list[str]:
     """Draw the first answer of a sweep, a curve for each value of the outer key of a grid; nothing for other tables."""
-    chart = _swept(block.source) if block.source is not None and block.source.axes in (1, 2) else None
-    return ["", *draw(chart, unicode=unicode, wide=_within(width))] if chart else []
-
-
-def _swept(table: Table) -> Chart | None:
+    table = block.source
+    if table is None or table.axes not in (1, 2):
+        return []
     *outer, inner, answer = table.columns[: table.axes + 1]
     if not any(value is not None for value in answer.values):
-        return None
-    x, y = (ChartAxis(column.name, column.symbol, column.unit) for column in (inner, answer))
-    x = x._replace(quantity="") if inner.symbol else x
-    if not outer:
-        return Chart(x, y, [Line(y.symbol, inner.values, answer.values)])
-    lines = []
-    for value in dict.fromkeys(outer[0].values):
+        return []
+    x = ChartAxis("" if inner.symbol else inner.name, inner.symbol, inner.unit)
+    y = ChartAxis(answer.name, answer.symbol, answer.unit)
+    lines = [] if outer else [Line(y.symbol, inner.values, answer.values)]
+    for value in dict.fromkeys(outer[0].values if outer else ()):
         chosen = [other == value for other in outer[0].values]
         label = f"{outer[0].symbol} = {localized(f'{value:g}')}"
         lines.append(Line(label, [*compress(inner.values, chosen)], [*compress(answer.values, chosen)]))
-    return Chart(x, y, lines)
-
-
-def curve_lines(table: Table, unicode: bool) -> list[str]:
-    """Draw the first answer of a sweep along one axis, small; nothing of fewer points than three."""
-    x, y = table.columns[:2]
-    if len(x.values) < 3:
-        return []
-    return ["", *curve(x.values, y.values, told("{y} against {x}", y=y.symbol, x=x.symbol), unicode=unicode)]
+    return ["", *draw(Chart(x, y, lines), unicode=unicode, wide=_within(width))]
 
 
 def curve(x: Sequence[float], y: Sequence[float | None], title: str, *, unicode: bool) -> list[str]:
@@ -173,23 +160,19 @@ def _frame(
     unicode: bool,
     notch: bool = False,
 ) -> list[str]:
-    """Draw traces in a frame, a later one over an earlier.
+    """Draw traces in a frame of columns and rows, a later one over an earlier; ``notch`` marks where a text stands.
 
-    Args:
-        traces: the curves.
-        size: columns and rows.
-        beside: row → text left of it, rows counted from the top.
-        below: column → text below it.
-        unicode: False for a terminal that shows ASCII only.
-        notch: whether rows and columns with a text are marked in the frame.
+    ``beside`` are texts by row, from the top; ``below`` texts by column.
     """
     width, height = size
     x, y = _bounds(traces)
     cells = [[" "] * width for _ in range(height)]
     for trace in traces:
         spots = [(_place(a, x, width), height - 1 - _place(b, y, height)) for a, b in trace.points]
-        for column, row in _line(spots) if trace.joined else spots:
-            cells[row][column] = trace.mark
+        for (a, b), (c, d) in zip(spots, [*spots[1:], spots[-1]], strict=True):
+            steps = max(abs(c - a), abs(d - b)) if trace.joined else 0
+            for n in range(steps + 1):
+                cells[b + round((d - b) * n / max(steps, 1))][a + round((c - a) * n / max(steps, 1))] = trace.mark
     side, corner, floor, left, foot = "│└─┤┬" if unicode else "|+-++"
     margin = max(map(len, beside.values()))
     lines = [
@@ -198,15 +181,6 @@ def _frame(
     ]
     base = "".join(foot if notch and column in below else floor for column in range(width))
     return [*lines, f"{'':{margin}} {corner}{base}", f"{'':{margin}}  {_spread(below, width)}"]
-
-
-def _line(spots: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Return every cell on the way from spot to spot."""
-    cells = list(spots[:1])
-    for (a, b), (c, d) in zip(spots, spots[1:], strict=False):
-        steps = max(abs(c - a), abs(d - b))
-        cells += [(a + round((c - a) * n / steps), b + round((d - b) * n / steps)) for n in range(1, steps + 1)]
-    return cells
 
 
 def _spread(texts: Mapping[int, str], width: int) -> str:
