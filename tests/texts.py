@@ -12,6 +12,7 @@ import tomllib
 from collections.abc import Iterator
 from functools import cache
 from importlib import import_module
+from pathlib import Path
 from typing import Literal, get_args, get_origin
 
 from conftest import CONFIGS
@@ -100,9 +101,11 @@ def _findings() -> Iterator[Key]:
 
 
 def _report() -> Iterator[Key]:
-    from afmcalc.render.report.words import REPORT
+    from afmcalc.render.report import words
 
-    yield from (("", text) for text in REPORT.values())
+    yield from (("", text) for text in words.REPORT.values())
+    page = Path(words.__file__).with_name("page.html").read_text(encoding="utf-8")
+    yield from (("", text) for text in re.findall(r'\b_\("([^"]+)"', page))
 
 
 def modules() -> Iterator[object]:

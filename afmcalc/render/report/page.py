@@ -22,7 +22,7 @@ from ..plot.figure import inline_svg
 from ..units import display, display_unit, worded
 from .chapters import Chapter, chapters
 from .markup import cell, css_string, drawing, symbol
-from .words import Form, form_spoken, told
+from .words import FORMS, Form, told
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ def _template() -> Template:
         "css": css_string,
         "term": term,
         "translate": translate,
-        "told": worded,
+        "worded": worded,
         "three": lambda value: localized(f"{value:.3g}"),
     }
     return environment.get_template("page.html")
@@ -83,19 +83,20 @@ def _template() -> Template:
 
 def render(subject: Subject) -> str:
     """Write the page; the same subject gives the same text."""
-    dossier, form = subject.dossier, form_spoken()
+    dossier, form = subject.dossier, FORMS.get(spoken(), FORMS["en"])
     parts = chapters(dossier)
     sheets = [(chapter.key, sheet) for chapter in parts for sheet in chapter.sheets]
     figures = [
         {"number": number, "chapter": key, "sheet": sheet, "svg": drawing(inline_svg(sheet), sheet.title, number)}
         for number, (key, sheet) in enumerate(sheets, 1)
     ]
-    name = named(dossier.spec.name) or told("unnamed")
+    name = named(dossier.spec.name) or message("Adaptive friction clutch")
     empty = {"requirements": not dossier.requirements, "plots": not figures}
     cited = {source for chapter in parts for source in chapter.sources}
     return _template().render(
         subject=subject,
         told=told,
+        _=message,
         name=name,
         running=" · ".join(part for part in (name, subject.title.drawing, subject.title.revision) if part),
         entries=_entries(subject, form),
@@ -112,13 +113,10 @@ def render(subject: Subject) -> str:
     )
 
 
-Grade = Literal["pass", "warning", "fail"]
-
-
 class Verdict(NamedTuple):
     """What became of a clutch."""
 
-    grade: Grade
+    grade: Literal["pass", "warning", "fail"]
     sentence: str
     limit: str
     """What limits the clutch first; empty where nothing does."""
@@ -133,13 +131,17 @@ def verdict(dossier: Dossier) -> Verdict:
     checked = "exceeded" if exceeded else "warned" if "warning" in levels else "passed"
     checked = "failed" if "error" in levels else checked
     whole = required in ("none", "met") and checked == "passed"
-    grade: Grade = "fail" if required == "missed" or checked == "failed" else "pass" if whole else "warning"
+    failed = required == "missed" or checked == "failed"
     most = max(dossier.limits, key=lambda limit: limit.utilisation, default=None)
     limit = ""
     if most is not None:
-        key = "limited" if most.verdict == "pass" else "limited/exceeded"
-        limit = told(key, name=worded(most.name), symbol=most.symbol, utilisation=most.utilisation)
-    return Verdict(grade, told(f"verdict/{required}/{checked}"), limit)
+        limit = message(
+            "What limits the clutch first is “{name}” ({symbol}): it uses {utilisation:.3g} of that limit."
+            if most.verdict == "pass"
+            else "The clutch goes farthest beyond “{name}” ({symbol}): {utilisation:.3g} of that limit.",
+            name=worded(most.name), symbol=most.symbol, utilisation=most.utilisation,
+        )  # fmt: skip
+    return Verdict("fail" if failed else "pass" if whole else "warning", told(f"verdict/{required}/{checked}"), limit)
 
 
 def _entries(subject: Subject, form: Form) -> list[tuple[str, str]]:
