@@ -4,14 +4,13 @@ from ...engines import build
 from ...equations.calls import noted
 from ...errors import AfmcalcError
 from ...findings import Finding
-from ...messages import did_you_mean, joined, say, term
-from ...papers.register import Formula, register
+from ...messages import did_you_mean, joined, say
 from ...result import Answer, Result, Sentence, described
 from ...spec import Spec
 from ...spec.models import Method
 from ..registry import ANALYSES, EXPLAINED, StressRule
-from .formula import FormulaText, symbol_latex
-from .trace import Call, CallReader, distinct, in_order
+from .formula import symbol_latex
+from .trace import Call, CallReader, distinct, formula_text, in_order, misprints
 
 
 class Step(Result):
@@ -67,30 +66,13 @@ def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[
     calculation = ANALYSES[command].function
     with noted() as notes:
         _, findings = calculation(build(spec), **({"model": model} if model else {}))
-    return ExplainResult(explained=command, steps=steps_of(CallReader().calls(notes))), findings
-
-
-def steps_of(calls: list[Call]) -> list[Step]:
-    """Return the steps of what was noted, each quantity before it is used."""
-    return [_step(call) for part in in_order(distinct(calls)) for call in part]
-
-
-def _printed(mended: list[Formula]) -> str | None:
-    differing = [
-        say("{id} prints {printed} ({misprint})", id=term(each.id), printed=term(each.printed), misprint=each.misprint)
-        for each in mended
-        if each.printed
-    ]
-    return joined(differing, "; ") if differing else None
+    calls = in_order(distinct(CallReader().calls(notes)))
+    return ExplainResult(explained=command, steps=[_step(call) for part in calls for call in part]), findings
 
 
 def _step(call: Call) -> Step:
-    terms = call.equation.arguments
-    symbols = {name: call.symbol(name) for name in call.arguments}
-    units = {name: terms[name].unit for name in call.arguments}
-    formula = FormulaText(call.equation.function, symbols, call.arguments, units)
-    result = call.equation.result
-    mended = [entry for entry in register() if entry.function == call.equation.name and entry.status == "mended"]
+    formula = formula_text(call)
+    differing = [say("{id} prints {printed} ({misprint})", **printed) for printed in misprints(call.equation.name)]
     return Step(
         symbol=call.result,
         symbol_latex=symbol_latex(call.result),
@@ -101,9 +83,9 @@ def _step(call: Call) -> Step:
         formula=formula.text(),
         substituted=formula.text_with_numbers(),
         value=float(call.value),
-        unit=result.unit,
+        unit=call.equation.result.unit,
         source=call.equation.source,
-        print_differs=_printed(mended),
+        print_differs=joined(differing, "; ") if differing else None,
         function=call.equation.name,
         formula_latex=formula.latex(),
         substituted_latex=formula.latex_with_numbers(),

@@ -6,9 +6,11 @@ from typing import Any, Literal, NamedTuple, cast, get_args
 
 from ...equations.calls import Note
 from ...equations.catalogue import Equation, equations
-from ...messages import say
+from ...messages import say, term
+from ...papers.register import register
 from ...spec.models import Method
 from ...variants import Law
+from .formula import FormulaText
 
 _LAWS = (*get_args(Law), "drive", "heat")
 """Modules of equations whose results are for the friction that their arguments are for."""
@@ -99,69 +101,76 @@ class Call(NamedTuple):
     @property
     def case(self) -> Circumstance:
         """What the value is for: what its arguments are for, as far as they agree."""
-        return self._at._replace(setting=self._setting, side=self._side)
+        name, results = self.equation.name, [mark for mark in self.marks.values() if not mark.end]
+        at_setting = self.marks.get(_SET_BY.get(name, "friction_set"))
+        if at_setting is not None and (at_setting.end or at_setting.case.setting):
+            setting = _SETTINGS.get(at_setting.end, at_setting.case.setting)
+        else:
+            setting = _agreed(mark.case.setting for mark in results)
+        side: Side = "protected" if name.startswith("life.") else ""
+        if name == _UNPROTECTED or any(mark.case.side == "unprotected" for mark in results):
+            side = "unprotected"
+        return self._at(results)._replace(setting=setting, side=side)
 
-    @property
-    def _results(self) -> list[Mark]:
-        """Arguments that are no coefficients of friction."""
-        return [mark for mark in self.marks.values() if not mark.end]
-
-    @property
-    def _at(self) -> Circumstance:
-        """For which friction, and on which branch."""
-        own, module = self._own, self.equation.name.partition(".")[0]
+    def _at(self, results: list[Mark]) -> Circumstance:
+        """For which friction, and on which branch; ``results``: arguments that are no coefficients of friction."""
+        friction, module = self._friction, self.equation.name.partition(".")[0]
         if self.equation.name in _OF_THE_CLUTCH or ".accuracy_factor" in self.equation.name:
             return Circumstance()
         if "gain" in self.arguments and self.symbol("gain") == _AT_LIMIT:
             return Circumstance(_AT_LIMIT)
-        if module not in _LAWS:
-            return Circumstance(own) if own else self._shared(over_range=module == "life")
-        if own and any(mark.origin == _RETURNING for mark in self._results):
-            return Circumstance(own, "returning")
-        shared = self._shared()
-        if shared.friction is None or "friction_set" in self.arguments:
-            return Circumstance(own)
-        if own in (None, shared.friction):
-            return shared
-        return Circumstance(own, "held", shared.friction)
-
-    def _shared(self, *, over_range: bool = False) -> Circumstance:
-        """What the results among the arguments are for; the range between them where a cycle goes over one."""
-        cases = {mark.case._replace(setting=None, side=""): None for mark in self._results if mark.case.friction}
+        if module in _LAWS and friction and any(mark.origin == _RETURNING for mark in results):
+            return Circumstance(friction, "returning")
+        if module not in _LAWS and friction:
+            return Circumstance(friction)
+        cases = {mark.case._replace(setting=None, side=""): None for mark in results if mark.case.friction}
         # what is the same on both branches is on the one that another of them is on
         branches = [case for case in cases if case.branch] or list(cases)
+        shared = Circumstance()
         if len(branches) == 1 and len({case.friction for case in cases}) == 1:
-            return branches[0]
-        ends = [case.at or "" for case in cases]
-        return Circumstance(" … ".join(ends)) if over_range and cases else Circumstance()
+            shared = branches[0]
+        elif module == "life" and cases:  # a cycle goes over a range
+            shared = Circumstance(" … ".join(case.at or "" for case in cases))
+        if module not in _LAWS:
+            return shared
+        if shared.friction is None or "friction_set" in self.arguments:
+            return Circumstance(friction)
+        return shared if friction in (None, shared.friction) else Circumstance(friction, "held", shared.friction)
 
     @property
-    def _setting(self) -> Method | None:
-        """How the spring is set: by the friction at the setting, or as what it is calculated from."""
-        at_setting = self.marks.get(_SET_BY.get(self.equation.name, "friction_set"))
-        if at_setting is not None and (at_setting.end or at_setting.case.setting):
-            return _SETTINGS.get(at_setting.end, at_setting.case.setting)
-        settings = {mark.case.setting for mark in self._results if mark.case.setting}
-        return settings.pop() if len(settings) == 1 else None
-
-    @property
-    def _side(self) -> Side:
-        if self.equation.name == _UNPROTECTED or any(mark.case.side == "unprotected" for mark in self._results):
-            return "unprotected"
-        return "protected" if self.equation.name.startswith("life.") else ""
-
-    @property
-    def _own(self) -> str | None:
+    def _friction(self) -> str | None:
         """What the friction among the arguments says."""
         names = [name for name in _FRICTION if name in self.arguments]
-        if not names:
-            return None
         ends = {self.marks[name].end if name in self.marks else "" for name in names}
         if len(ends) > 1:
             return ", ".join(self.symbol(name) for name in reversed(names))
-        if ends != {""}:
-            return self.marks[names[0]].case.friction
+        if not names or ends != {""}:
+            return self.marks[names[0]].case.friction if names else None
         return f"{self.equation.arguments[names[0]].symbol} = {self.arguments[names[0]]:g}"
+
+
+def _agreed(settings: Iterable[Method | None]) -> Method | None:
+    """The one setting among several; None where they differ."""
+    known = {setting for setting in settings if setting}
+    return known.pop() if len(known) == 1 else None
+
+
+def formula_text(call: Call, *, special: bool = True) -> FormulaText:
+    """Return the formula of a call and its numbers; ``special``: with the symbols that this call's arguments have."""
+    terms = call.equation.arguments
+    symbols = {name: call.symbol(name) if special else terms[name].symbol for name in call.arguments}
+    return FormulaText(
+        call.equation.function, symbols, call.arguments, {name: terms[name].unit for name in call.arguments}
+    )
+
+
+def misprints(function: str) -> list[dict[str, object]]:
+    """What the papers print in the place of an equation: id, printed and misprint of each place."""
+    return [
+        {"id": term(entry.id), "printed": term(entry.printed), "misprint": entry.misprint}
+        for entry in register()
+        if entry.function == function and entry.status == "mended" and entry.printed
+    ]
 
 
 class CallReader:
@@ -197,15 +206,15 @@ class CallReader:
             return Mark(Circumstance(note.role), end=note.role[2:].lstrip("12"))
         marks = [self._marks[id(value)] for value in note.args if id(value) in self._marks]
         frictions = {mark.case.at: mark.case for mark in marks if mark.case.friction}
-        case = Circumstance(" … ".join(str(at) for at in frictions)) if len(frictions) > 1 else Circumstance()
-        case = case if len(frictions) != 1 else next(iter(frictions.values()))
+        case = Circumstance(" … ".join(map(str, frictions)) or None)
+        if len(frictions) == 1:
+            (case,) = frictions.values()
         if any(mark.origin == _RETURNING for mark in marks):
             case = case._replace(branch="returning")
-        settings = {mark.case.setting for mark in marks if mark.case.setting}
         side: Side = next((mark.case.side for mark in marks if mark.case.side), "")
         origins = {mark.origin for mark in marks} if len(marks) == len(note.args) else set()
         return Mark(
-            case._replace(setting=settings.pop() if len(settings) == 1 else None, side=side),
+            case._replace(setting=_agreed(mark.case.setting for mark in marks), side=side),
             origin=origins.pop() if len(origins) == 1 else "",
         )
 
@@ -252,10 +261,10 @@ def in_order(calls: Iterable[Call]) -> list[list[Call]]:
 
 def _values(groups: Mapping[str, list[Call]]) -> set[tuple[str, str]]:
     """Equations with their values, and without."""
-    return {(name, own) for name, calls in groups.items() for call in calls for own in ("", f"{call.value:.12g}")}
+    return {(name, value) for name, calls in groups.items() for call in calls for value in ("", f"{call.value:.12g}")}
 
 
 def _uses(call: Call, known: set[tuple[str, str]]) -> set[tuple[str, str]]:
     """Results of other equations that a call uses; of one that a search found, all of its equation."""
     used = {(mark.origin, f"{call.arguments[name]:.12g}") for name, mark in call.marks.items()}
-    return {each if each in known else (each[0], "") for each in used if each[0] != call.equation.name}
+    return {result if result in known else (result[0], "") for result in used if result[0] != call.equation.name}
