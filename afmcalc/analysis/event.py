@@ -32,18 +32,40 @@ _NEAR = 1e-3
 _ROUNDING = 1e-9
 
 
-def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result: SimulateResult) -> list[Finding]:
+def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result: SimulateResult) -> Iterator[Finding]:
     """Return the remarks on an event, ``outcomes`` at f_min, mean friction and f_max, and on its ``result``."""
-    return [
-        _inertia(train, outcomes),
-        *_ordinary(train, outcomes),
-        *_before(train, outcomes),
-        *_endless(train, outcomes),
-        *_unclosed(outcomes),
-        *_lag(clutch, outcomes),
-        *_dynamic_factor(clutch, result),
-        *_judder(clutch, train, outcomes),
-    ]
+    yield _inertia(train, outcomes)
+    # where the ordinary clutch of equal nominal torque is no like for like comparison
+    load, carried = train.load, min(one.ordinary.sliding for one in outcomes)
+    if train.hub_inertia:
+        inertia = train.driven_inertia + train.hub_inertia
+        yield finding("ordinary-carries-hub", "info", value=inertia, path="drive.hub_inertia")
+    if carried < load * (1 - _ROUNDING):
+        yield finding("ordinary-slips-before-event", "info", value=carried, limit=load, path="adjustment.method")
+    # does the clutch carry the load before the event, the motor drive it?
+    for end, one in zip(_ENDS, outcomes, strict=True):
+        if (carried := one.case.plant.breakaway) < load * (1 - _ROUNDING):
+            path = "drive.load_torque"
+            yield finding("slips-before-event", "error", value=carried, limit=load, path=path, at=end)
+    motor = float(train.engine.at(train.speed))
+    if abs(motor - load) > _NEAR * max(load, motor):
+        path = "drive.speed" if train.engine.slip is not None else "drive.motor_torque"
+        yield finding("drive-not-in-balance", "info", value=motor, limit=load, path=path)
+    yield from _endless(train, outcomes)
+    if result.energy_residual > _CLOSED:
+        yield finding("energy-not-closed", "error", value=result.energy_residual, limit=_CLOSED)
+    # S22's open question, as a number: where between T_муф and T_п does this drive trip?
+    last, unit = outcomes[-1], clutch.spec.control_unit
+    if unit is not None and unit.release_lag and last.trip_position is not None:
+        expected, path = last.case.plant.breakaway, "control_unit.release_lag"
+        at, share, held = last.trip.trip_torque, last.trip_position, last.potential
+        yield finding("release-lag", "info", value=at, limit=expected, path=path, share=share, held=held)
+    # the dynamic factor given, which the life takes, may be smaller than that of the event
+    assumed, computed = clutch.spec.drive.dynamic_factor, result.largest_dynamic_factor
+    if clutch.spec.fatigue is not None and assumed is not None and computed > assumed * (1 + _NEAR):
+        path = "drive.dynamic_factor"
+        yield finding("dynamic-factor-exceeded", "warning", value=computed, limit=float(assumed), path=path)
+    yield from _judder(clutch, train, outcomes)
 
 
 def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
@@ -59,56 +81,24 @@ def _inertia(train: Train, outcomes: Sequence[Outcome]) -> Finding:
     return finding("inertia-torque/slow", "info", value=float(beyond), limit=limit, path=path, swing=swing)
 
 
-def _ordinary(train: Train, outcomes: Sequence[Outcome]) -> list[Finding]:
-    """Where the ordinary clutch of equal nominal torque is no like for like comparison."""
-    said, load = [], train.load
-    if train.hub_inertia:
-        inertia = train.driven_inertia + train.hub_inertia
-        said.append(finding("ordinary-carries-hub", "info", value=inertia, path="drive.hub_inertia"))
-    carried = min(each.ordinary.sliding for each in outcomes)
-    if carried < load * (1 - _ROUNDING):
-        path = "adjustment.method"
-        said.append(finding("ordinary-slips-before-event", "info", value=carried, limit=load, path=path))
-    return said
-
-
-def _before(train: Train, outcomes: Sequence[Outcome]) -> list[Finding]:
-    """The drive before the event: does the clutch carry the load, the motor drive it?"""
-    said = []
-    load, motor = train.load, float(train.engine.at(train.speed))
-    for end, each in zip(_ENDS, outcomes, strict=True):
-        carried = each.case.plant.breakaway
-        if carried < load * (1 - _ROUNDING):
-            path = "drive.load_torque"
-            said.append(finding("slips-before-event", "error", value=carried, limit=load, path=path, at=end))
-    if abs(motor - load) > _NEAR * max(load, motor):
-        path = "drive.speed" if train.engine.slip is not None else "drive.motor_torque"
-        said.append(finding("drive-not-in-balance", "info", value=motor, limit=load, path=path))
-    return said
-
-
-def _endless(train: Train, outcomes: Sequence[Outcome]) -> list[Finding]:
+def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
     """Does the motor stop, and does the slip end within the time that is simulated?"""
-    said = []
     strongest, path = float(train.engine.torque), "drive.cut_off"
-    for end, each in zip(_ENDS, outcomes, strict=True):
-        pulled = abs(each.trip.last) if each.endless else _at_cut_off(each)
-        if pulled is None or not (each.endless or pulled <= strongest):
+    for end, one in zip(_ENDS, outcomes, strict=True):
+        pulled = abs(one.trip.last) if one.endless else _at_cut_off(one)
+        if pulled is None or not (one.endless or pulled <= strongest):
             continue
-        sliding, off = each.case.plant.sliding, train.cut_off
-        code, level = _NEVER[pulled < sliding * (1 - _NEAR)] if each.endless else _LATE[pulled < sliding * (1 - _NEAR)]
-        heat = each.energy or 0.0
-        said.append(
-            finding(code, level, value=pulled, limit=strongest, path=path, at=end, sliding=sliding, heat=heat, off=off)
+        sliding, off, heat = one.case.plant.sliding, train.cut_off, one.energy or 0.0
+        code, level = (_NEVER if one.endless else _LATE)[pulled < sliding * (1 - _NEAR)]
+        yield finding(
+            code, level, value=pulled, limit=strongest, path=path, at=end, sliding=sliding, heat=heat, off=off
         )
-    for end, each in zip(_ENDS, outcomes, strict=True):
-        path, lasted = "drive.event.duration", each.trip.time
-        if not each.trip.stuck:
-            if not each.endless:
-                said.append(finding("slip-outlasts-duration", "warning", value=lasted, path=path, at=end))
-        elif not each.trip.settled:
-            said.append(finding("event-not-settled", "warning", value=lasted, path=path, at=end))
-    return said
+    for end, one in zip(_ENDS, outcomes, strict=True):
+        path, lasted = "drive.event.duration", one.trip.time
+        if not one.trip.stuck and not one.endless:
+            yield finding("slip-outlasts-duration", "warning", value=lasted, path=path, at=end)
+        elif one.trip.stuck and not one.trip.settled:
+            yield finding("event-not-settled", "warning", value=lasted, path=path, at=end)
 
 
 def _at_cut_off(each: Outcome) -> float | None:
@@ -119,46 +109,20 @@ def _at_cut_off(each: Outcome) -> float | None:
     return next((abs(moment.torque) for moment in course if moment.time >= course[0].time + off), None)
 
 
-def _unclosed(outcomes: Sequence[Outcome]) -> list[Finding]:
-    """Does the energy close? It always has."""
-    worst = max(each.trip.residual for each in outcomes)
-    return [finding("energy-not-closed", "error", value=worst, limit=_CLOSED)] if worst > _CLOSED else []
-
-
-def _lag(clutch: Clutch, outcomes: Sequence[Outcome]) -> list[Finding]:
-    """S22's open question, as a number: where between T_муф and T_п does this drive trip?"""
-    unit, each = clutch.spec.control_unit, outcomes[-1]
-    share, at, held = each.trip_position, each.trip.trip_torque, each.potential
-    if unit is None or not unit.release_lag or share is None:
-        return []
-    expected, path = each.case.plant.breakaway, "control_unit.release_lag"
-    return [finding("release-lag", "info", value=at, limit=expected, path=path, share=share, held=held)]
-
-
-def _dynamic_factor(clutch: Clutch, result: SimulateResult) -> list[Finding]:
-    """Say that the dynamic factor given, which the life takes, is smaller than that of the event."""
-    assumed, computed = clutch.spec.drive.dynamic_factor, result.largest_dynamic_factor
-    if clutch.spec.fatigue is None or assumed is None or computed <= assumed * (1 + _NEAR):
-        return []
-    path = "drive.dynamic_factor"
-    return [finding("dynamic-factor-exceeded", "warning", value=computed, limit=float(assumed), path=path)]
-
-
-def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> list[Finding]:
+def _judder(clutch: Clutch, train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
     """Whether slow slip is steady (V6), where friction falls most with speed."""
     friction = clutch.spec.friction
     ratio, speed = friction.static_ratio or 1.0, friction.stribeck_speed
     if ratio == 1 or speed is None:
-        return []
+        return
 
     def needed(plant: Plant) -> float:
         return float(law.judder_damping(plant.pack.growth, clutch.mean_radius, ratio, speed))
 
-    worst = max(outcomes, key=lambda each: needed(each.case.plant))
-    own, ordinary, damping = needed(worst.case.plant), needed(worst.ordinary), train.damping
-    if damping > own:
-        return []
-    return [finding("judder", "info", value=own, limit=damping, path="drive.damping_ratio", ordinary=ordinary)]
+    least, ordinary = max((needed(one.case.plant), needed(one.ordinary)) for one in outcomes)
+    if train.damping <= least:
+        path = "drive.damping_ratio"
+        yield finding("judder", "info", value=least, limit=train.damping, path=path, ordinary=ordinary)
 
 
 class Strength(NamedTuple):

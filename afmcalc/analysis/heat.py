@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..arrays import Values
 from ..drive.cases import case_of
@@ -52,7 +52,10 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
         CalculationError: the surroundings are hotter than what the material allows.
     """
     slips = trips(clutch, answers)
-    own, limit, area = clutch.spec.heat or Heat(), limit_of(clutch), _area(clutch)
+    own, limit, group = clutch.spec.heat or Heat(), limit_of(clutch), clutch.spec.friction_group
+    pairs, area = group.pairs, None
+    if group.inner_radius is not None and group.outer_radius is not None:
+        area = law.friction_area(group.inner_radius, group.outer_radius, math.pi)
     for each in limits_of(clutch):
         if own.ambient is not None and own.ambient >= each.low:
             raise CalculationError(
@@ -62,21 +65,30 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
                 path=each.path,
             )
     found, faces = _shared(clutch, own, slips.at, area)
-    work = None if area is None else _each(found, lambda trip: law.specific_work(trip.energy, _pairs(clutch), area))
-    rises = _rises(own, found)
+    work = power = worn_out = rises = None
+    if area is not None:
+        work = _each(found, lambda trip: law.specific_work(trip.energy, pairs, area))
+        powers = {end: derived(found[end].course.largest, getattr(clutch.friction[1], end)) for end in ENDS}
+        power = Triple(**{end: law.power_density(powers[end], pairs, area) for end in ENDS})
+        if own.wear is not None and own.lining is not None and slack_before_worn(clutch, own) is None:
+            worn_out = _how_many(
+                found, lambda trip: law.trips_to_wear_out(pairs, area, own.lining, own.wear, trip.energy)
+            )
+    if own.disc_mass is not None and own.specific_heat is not None:
+        rises = _each(found, lambda trip: _rise_of(own, trip) * (1 - trip.lining_share))
     result = HeatResult(
         energy_source=slips.source,
         slip_time=OpenTriple(**{end: found[end].time for end in ENDS}),
         energy=OpenTriple(**{end: found[end].energy for end in ENDS}),
         specific_work=work,
-        power_density=_power(clutch, found, area),
+        power_density=power,
         temperature_rise=rises,
         temperature=_temperatures(own, rises),
         surface_temperature_rise=faces,
         face_temperature=_temperatures(own, faces),
         temperature_limit=limit.low if limit and own.ambient is not None else None,
         **_trips(own, found, limit, rises),
-        trips_to_wear_out=_worn_out(clutch, own, found, area),
+        trips_to_wear_out=worn_out,
         **_setting(clutch, own),
     )
     return result, [*clutch.findings(), *remarks(clutch, own, result, slips)]
@@ -92,30 +104,6 @@ def _how_many(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values
     return OpenTriple(**{end: of(found[end]) if found[end].energy else None for end in ENDS})
 
 
-def _pairs(clutch: Clutch) -> Values:
-    return clutch.spec.friction_group.pairs
-
-
-def _area(clutch: Clutch) -> float | None:
-    group = clutch.spec.friction_group
-    if group.inner_radius is None or group.outer_radius is None:
-        return None
-    return law.friction_area(group.inner_radius, group.outer_radius, math.pi)
-
-
-def _power(clutch: Clutch, found: Mapping[str, HeatedSlip], area: float | None) -> Triple | None:
-    if area is None:
-        return None
-    powers = {end: derived(found[end].course.largest, getattr(clutch.friction[1], end)) for end in ENDS}
-    return Triple(**{end: law.power_density(power, _pairs(clutch), area) for end, power in powers.items()})
-
-
-def _rises(own: Heat, found: Mapping[str, HeatedSlip]) -> OpenTriple | None:
-    if own.disc_mass is None or own.specific_heat is None:
-        return None
-    return _each(found, lambda trip: _rise_of(own, trip) * (1 - trip.lining_share))
-
-
 def _temperatures(own: Heat, rises: OpenTriple | None) -> OpenTriple | None:
     if rises is None or own.ambient is None:
         return None
@@ -123,28 +111,24 @@ def _temperatures(own: Heat, rises: OpenTriple | None) -> OpenTriple | None:
     return OpenTriple(**{end: None if rise is None else own.ambient + rise for end, rise in after.items()})
 
 
-def _bodies(clutch: Clutch, own: Heat, area: float | None) -> list[Body]:
-    """What the faces heat: disc, or disc and lining; nothing where the disc is not known."""
-    if own.conductivity is None or own.density is None or own.specific_heat is None or area is None:
-        return []
-    mass = own.disc_mass
-    depth = None if mass is None else float(law.heated_depth(mass, own.density, _pairs(clutch), area))
-    bodies = [Body(own.conductivity, own.density, own.specific_heat, depth)]
-    if own.lining_conductivity is not None and own.lining_density is not None and own.lining_specific_heat is not None:
-        bodies.append(Body(own.lining_conductivity, own.lining_density, own.lining_specific_heat, own.lining))
-    return bodies
-
-
 def _shared(
     clutch: Clutch, own: Heat, slips: Mapping[str, HeatedSlip], area: float | None
 ) -> tuple[Mapping[str, HeatedSlip], OpenTriple | None]:
-    """Share the heat of every slip among discs and lining: slips with the lining's share, rises of the faces."""
+    """Share the heat of every slip among discs and lining: slips with the lining's share, rises of the faces.
+
+    The faces are told where the disc is known; without a lining that is known the discs take all.
+    """
+    if own.conductivity is None or own.density is None or own.specific_heat is None or area is None:
+        return slips, None
     with unnoted():  # no formula leads to it: the numbers of its solution are no steps
-        bodies = _bodies(clutch, own, area)
-        if not bodies or area is None:
-            return slips, None
-        each = float(law.power_density(1.0, _pairs(clutch), area))
-        courses = {end: slip.course.times(each) for end, slip in slips.items() if slip.energy}
+        pairs, mass = clutch.spec.friction_group.pairs, own.disc_mass
+        depth = None if mass is None else float(law.heated_depth(mass, own.density, pairs, area))
+        bodies = [Body(own.conductivity, own.density, own.specific_heat, depth)]
+        lining: tuple[Any, ...] = own.lining_conductivity, own.lining_density, own.lining_specific_heat
+        if None not in lining:
+            bodies.append(Body(*[*lining, own.lining]))
+        share = float(law.power_density(1.0, pairs, area))
+        courses = {end: slip.course.times(share) for end, slip in slips.items() if slip.energy}
         found = dict(slips)
         for end, course in courses.items() if len(bodies) > 1 else ():
             found[end] = slips[end]._replace(lining_share=1 - most_in_disc(bodies, course) / course.heat[-1])
@@ -190,18 +174,12 @@ def _rate(own: Heat, used: Values) -> float:
     return HOUR / float(law.time_between_trips(own.disc_mass, own.specific_heat, own.cooling, logarithm))
 
 
-def _worn_out(clutch: Clutch, own: Heat, found: Mapping[str, HeatedSlip], area: float | None) -> OpenTriple | None:
-    if own.wear is None or own.lining is None or area is None or slack_before_worn(clutch, own) is not None:
-        return None
-    return _how_many(found, lambda trip: law.trips_to_wear_out(_pairs(clutch), area, own.lining, own.wear, trip.energy))
-
-
 def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
     """Force on the pack that its wear costs: what presses it at rest follows it."""
     stiffness = clutch.following_stiffness
     if stiffness is None:
         return {}
-    loss = law.setting_loss_per_wear(stiffness, _pairs(clutch), clutch.pack_force_at_rest)
+    loss = law.setting_loss_per_wear(stiffness, clutch.spec.friction_group.pairs, clutch.pack_force_at_rest)
     rest = clutch.pack_force_at_rest
     worn = {} if own.lining is None else {"setting_loss_worn": clutch.lost_by_wear(own.lining) / rest}
     return {"setting_loss_per_wear": loss, **worn}

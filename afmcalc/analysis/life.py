@@ -1,7 +1,7 @@
 """Life of the shaft that the clutch's load swings (S19 (14)–(20)), by the paper's rule or by amplitude."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Literal
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any, Literal
 
 from ..arrays import Values
 from ..drive.result import SimulateResult
@@ -15,7 +15,7 @@ from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
 from .registry import StressRule
 from .slips import RULES, Load, cycles, damaging_stress, dynamic_factor, is_static, load_of
-from .sweep.grid import Axis, grid, replaced
+from .sweep.grid import Axis, replaced, series
 
 if TYPE_CHECKING:
     from .answers import Answers
@@ -88,7 +88,11 @@ def life(
     part = _part(clutch, model)
     factor = dynamic_factor(clutch, None if answers is None else lambda: answers.of(SimulateResult))
     sides = {"protected": None, "unprotected": factor}
-    clutches: dict[Setting, Clutch] = {"as-set": clutch, **{method: _set_by(clutch, method) for method in METHODS}}
+    clutches: dict[Setting, Clutch] = {"as-set": clutch}
+    made = clutch.spec.control_spring is not None and clutch.spec.control_spring.force is not None
+    for method in METHODS:
+        as_set = method == clutch.spec.adjustment.method and not made
+        clutches[method] = clutch if as_set else set_by(clutch.spec, method, float(clutch.nominal_torque))
 
     def of(side: str, *, from_mean: bool = False) -> MethodCycles:
         loads = {setting: load_of(one, from_mean=from_mean).times(sides[side]) for setting, one in clutches.items()}
@@ -109,28 +113,24 @@ def life(
         endurance_limit=part.endurance_limit,
         base_cycles=part.base_cycles,
         dynamic_factor=factor,
-        sweep=life_sweep(clutch, model, sweeps, factor) if sweeps else None,
+        sweep=life_sweep(clutch, model, sweeps, factor) or None,
     )
-    about = (
-        [finding("mean-stress-rule", "info")]
-        if not RULES[model].each_slip
-        else [finding("slips-averaged", "info", value=part.load_low, path="fatigue.load_low")]
-    )
+    about = finding("mean-stress-rule", "info")
+    if RULES[model].each_slip:
+        about = finding("slips-averaged", "info", value=part.load_low, path="fatigue.load_low")
+    underrated: list[Finding] = []
+    if not answers and clutch.spec.drive.dynamic_factor is not None and clutch.spec.drive.event is not None:
+        from .simulate import simulate
+
+        # the dynamic factor given may be smaller than that of the event
+        underrated = [remark for remark in simulate(clutch)[1] if remark.code == "dynamic-factor-exceeded"]
     return result, [
         *clutch.findings(),
         *(remark for side, times in sides.items() for remark in _judged(part, model, side, load.times(times))),
-        *([] if answers else _underrated(clutch)),
-        *about,
+        *underrated,
+        about,
         *replaced(clutch.spec, sweeps),
     ]
-
-
-def _set_by(clutch: Clutch, method: Method) -> Clutch:
-    """Return the clutch with its springs set by a method, itself where they are set so."""
-    made = clutch.spec.control_spring is not None and clutch.spec.control_spring.force is not None
-    if method == clutch.spec.adjustment.method and not made:
-        return clutch
-    return set_by(clutch.spec, method, float(clutch.nominal_torque))
 
 
 def _part(clutch: Clutch, model: StressRule) -> Fatigue:
@@ -159,52 +159,36 @@ def _null(value: Values) -> float | None:
 def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: float) -> list[LifeSweep]:
     """Calculate the life over spec keys, or over the band dT above the T_min of the spec.
 
-    Args:
-        clutch: the clutch; its spec needs a [fatigue] block.
-        model: as of ``life``.
-        axes: axes of the sweep.
-        factor: dynamic factor of the clutch as it is; where neither dT nor the part alone is swept, the event of every
-            point gives its own.
-
-    Raises:
-        SpecError: no [fatigue] block, or one that lacks what the model needs.
+    ``factor`` is that of the clutch as it is: where neither dT nor the part alone is swept, the event of every point
+    gives its own.
     """
     import numpy as np
 
-    from .sweep.grid import evaluate
-
-    part, points = _part(clutch, model), grid(axes)
-    answers: Mapping[str, Values]
     if any(axis.name == "dT" for axis in axes):
         if len(axes) > 1:
             raise AfmcalcError("dT is swept alone: it takes the place of what the clutch gives")
-        bands = _over_band(clutch, model, points[0], factor)
-        answers = {name: cycles(part, model, load) for name, load in bands.items()}
-    else:
-        values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
-        same_event = clutch.spec.drive.event is None or all(path.startswith("fatigue.") for path in values)
+        axis, part = axes[0], _part(clutch, model)
+        loads = _over_band(clutch, model, axis.values, factor)
+        lives: dict[str, Any] = {name: cycles(part, model, load) for name, load in loads.items()}
+        lives = {name: [_null(life) for life in np.broadcast_to(of, axis.values.shape)] for name, of in lives.items()}
+        return [LifeSweep(parameter=axis.name, path=axis.key.path, unit="N*m", values=axis.values.tolist(), **lives)]
+    same_event = clutch.spec.drive.event is None or all(axis.key.path.startswith("fatigue.") for axis in axes)
 
-        def of(point: Clutch, times: Values | None = None, *, from_mean: bool = False) -> Values:
-            return cycles(_part(point, model), model, load_of(point, from_mean=from_mean).times(times))
+    def of(point: Clutch, times: Values | None = None, *, from_mean: bool = False) -> Values:
+        return cycles(_part(point, model), model, load_of(point, from_mean=from_mean).times(times))
 
-        def factor_of(point: Clutch) -> Values:
-            from .simulate import dynamic_factors
+    def factor_of(point: Clutch) -> Values:
+        from .simulate import dynamic_factors
 
-            given = point.spec.drive.dynamic_factor
-            return given if given is not None else factor if same_event else dynamic_factors(point)
+        given = point.spec.drive.dynamic_factor
+        return given if given is not None else factor if same_event else dynamic_factors(point)
 
-        outputs = {
-            "protected": of,
-            "unprotected": lambda point: of(point, factor_of(point)),
-            "protected_forecast": lambda point: of(point, from_mean=True),
-        }
-        answers = evaluate(clutch.spec, values, outputs)
-    size = points[0].size
-    lists = {name: [_null(value) for value in np.broadcast_to(array, size)] for name, array in answers.items()}
-    return [
-        LifeSweep(parameter=axis.name, path=axis.key.path, unit=axis.key.unit or "1", values=given.tolist(), **lists)
-        for axis, given in zip(axes, points, strict=True)
-    ]
+    outputs = {
+        "protected": of,
+        "unprotected": lambda point: of(point, factor_of(point)),
+        "protected_forecast": lambda point: of(point, from_mean=True),
+    }
+    return series(LifeSweep, clutch, axes, outputs, open_at=tuple(outputs)) or []
 
 
 def _over_band(clutch: Clutch, model: StressRule, band: Values, factor: float) -> dict[str, Load]:
@@ -274,13 +258,3 @@ def _judged(part: Fatigue, model: StressRule, side: str, load: Load) -> Iterator
 def _is_unlimited(part: Fatigue, stress: float | None) -> bool:
     """Whether a damaging stress stays below the endurance limit."""
     return stress is not None and stress <= part.endurance_limit
-
-
-def _underrated(clutch: Clutch) -> list[Finding]:
-    """Say that the dynamic factor given is smaller than that of the event, where that can be simulated."""
-    drive = clutch.spec.drive
-    if drive.dynamic_factor is None or drive.event is None:
-        return []
-    from .simulate import simulate
-
-    return [each for each in simulate(clutch)[1] if each.code == "dynamic-factor-exceeded"]

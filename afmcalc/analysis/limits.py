@@ -204,12 +204,12 @@ def _of_heat(clutch: Clutch, heat: HeatResult) -> Iterator[_Limit]:
     judged = judged_temperature(clutch, heat)
     if judged is None:
         return
+    value, of_faces, limit = judged
     name, symbol = term("mean temperature of the discs"), "Θ ≤ [Θ]"
-    if judged.of_faces:
+    if of_faces:
         name, symbol = term("temperature of the faces"), "Θ_s ≤ [Θ]"
-    value, low = judged.value, judged.limit.low
-    code = "temperature-exceeded" if value > judged.limit.high else "temperature-in-range"
-    yield _Limit(code, name, symbol, "K", value, low, used=share_of_rise(clutch, value, low))
+    code, used = "temperature-exceeded", share_of_rise(clutch, value, limit.low)
+    yield _Limit(code if value > limit.high else "temperature-in-range", name, symbol, "K", value, limit.low, used=used)
 
 
 def pressure_findings(clutch: Clutch) -> list[Finding]:

@@ -6,9 +6,10 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Floats, Values
-from ..drive.cases import Outcome, bracket_of, case_of, outcome_of, peak_time
+from ..drive.cases import bracket_of, case_of, outcome_of, peak_time
 from ..drive.peaks import Peaks, peaks_of
 from ..drive.result import SimulatePoint, SimulateResult, SimulateSweep
 from ..drive.train import train_of
@@ -21,7 +22,6 @@ from ..progress import counted
 from ..result import Answer, OpenTriple, Result, Triple, described, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_values
-from ..spec.models import Range
 from .effects import with_pairs
 from .event import contact_forces, remarks_of, strains
 from .sweep.grid import Axis, replaced, series
@@ -49,46 +49,48 @@ def simulate(
         AfmcalcError: SciPy is missing.
     """
     train, points = train_of(clutch), pairs_asked(clutch, friction)
-    ends = list(zip(*clutch.friction, strict=True))
-    both = [(one := outcome_of(clutch, *end), bracket_of(one)) for end in counted(say("simulating the event"), ends)]
-    found, brackets = [one for one, _ in both], [bracket for _, bracket in both if bracket]
-    peaks = [each.trip.peak for each in found]
+    outcomes, peaks_at_stop, heats_at_stop = [], [], []
+    for end in counted(say("simulating the event"), list(zip(*clutch.friction, strict=True))):
+        outcomes.append(outcome_of(clutch, *end))
+        # with the key's play, along κ, along κ₊; a slip that does not end gives heat without end
+        if bracket := bracket_of(outcomes[-1]):
+            peaks_at_stop.append([one.trip.peak for one in bracket])
+            heats_at_stop.append([math.inf if one.energy is None else one.energy for one in bracket])
+    peaks = [one.trip.peak for one in outcomes]
     bypass = bypass_peak(clutch)
-    torques, heats = ([_ends(each) for each in rows] for rows in (_peaks(brackets), _heats(brackets)))
     sweep, rising = swept(clutch, sweeps)
     travels, unit = clutch.spec.kind.travels, clutch.spec.control_unit
     late = unit is not None and bool(unit.release_lag)
-    forces = contact_forces(clutch, found)
     result = SimulateResult(
-        sliding_torque=_triple([each.case.plant.sliding for each in found]),
-        peak_torque=_triple(peaks),
-        peak_torque_clutch=_triple([each.trip.peak_clutch for each in found]),
+        sliding_torque=_ends(Triple, [one.case.plant.sliding for one in outcomes]),
+        peak_torque=_ends(Triple, peaks),
+        peak_torque_clutch=_ends(Triple, [one.trip.peak_clutch for one in outcomes]),
         peak_torque_bypass=bypass,
-        dynamic_factor=_triple([each.dynamic_factor for each in found]),
-        peak_over_machine=_triple([peak / train.load for peak in peaks]) if train.load else None,
-        slip_time=_open([each.slip_time for each in found]),
-        slip_energy=_open([each.energy for each in found]),
-        peak_torque_low=_triple([low for low, _ in torques]) if torques else None,
-        peak_torque_high=_triple([high for _, high in torques]) if torques else None,
-        slip_energy_low=_open([_finite(low) for low, _ in heats]) if heats else None,
-        slip_energy_high=_open([_finite(high) for _, high in heats]) if heats else None,
-        travel_max=_triple([each.trip.travel_max for each in found]) if travels else None,
-        contact_force=None if forces is None else _triple(forces),
-        peak_torque_conventional=_triple([each.ordinary_peak for each in found]),
-        trip_torque=_open([each.trip.trip_torque for each in found]) if late else None,
-        trip_position=_open([each.trip_position for each in found]) if late else None,
+        dynamic_factor=_ends(Triple, [one.dynamic_factor for one in outcomes]),
+        peak_over_machine=_ends(Triple, [peak / train.load for peak in peaks]) if train.load else None,
+        slip_time=_ends(OpenTriple, [one.slip_time for one in outcomes]),
+        slip_energy=_ends(OpenTriple, [one.energy for one in outcomes]),
+        peak_torque_low=_ends(Triple, map(min, peaks_at_stop)),
+        peak_torque_high=_ends(Triple, map(max, peaks_at_stop)),
+        slip_energy_low=_ends(OpenTriple, map(min, heats_at_stop)),
+        slip_energy_high=_ends(OpenTriple, map(max, heats_at_stop)),
+        travel_max=_ends(Triple, [one.trip.travel_max for one in outcomes]) if travels else None,
+        contact_force=_ends(Triple, contact_forces(clutch, outcomes) or ()),
+        peak_torque_conventional=_ends(Triple, [one.ordinary_peak for one in outcomes]),
+        trip_torque=_ends(OpenTriple, [one.trip.trip_torque for one in outcomes]) if late else None,
+        trip_position=_ends(OpenTriple, [one.trip_position for one in outcomes]) if late else None,
         inertia_torque=train.inertia_torque,
         load_torque=train.load,
-        energy_residual=max(each.trip.residual for each in found),
+        energy_residual=max(one.trip.residual for one in outcomes),
         points=[_point(clutch, *pair) for pair in counted(say("simulating the event"), points)] or None,
         sweep=sweep,
     )
     return result, [
         *clutch.findings(),
-        *strains(clutch, found),
-        *remarks_of(clutch, train, found, result),
-        *_wide("peak", _peaks(brackets)),
-        *_wide("heat", _heats(brackets)),
+        *strains(clutch, outcomes),
+        *remarks_of(clutch, train, outcomes, result),
+        *_wide("peak", peaks_at_stop),
+        *_wide("heat", heats_at_stop),
         *([] if bypass is None else [finding("bypass-peak", "warning", value=bypass, limit=max(peaks))]),
         *rising,
         *replaced(clutch.spec, sweeps),
@@ -106,118 +108,82 @@ def with_dynamic_factor(spec: Spec, result: SimulateResult) -> dict[str, Any]:
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> SimulatePoint:
     if not friction or friction_driven == 0:
         raise CalculationError("--friction 0: without friction there is no torque to simulate")
-    found = outcome_of(clutch, friction, friction_driven)
+    outcome = outcome_of(clutch, friction, friction_driven)
     return SimulatePoint(
         **friction_fields(clutch, friction, friction_driven),
-        sliding_torque=found.case.plant.sliding,
-        peak_torque=found.trip.peak,
-        peak_torque_clutch=found.trip.peak_clutch,
-        dynamic_factor=found.dynamic_factor,
-        slip_time=found.slip_time,
-        slip_energy=found.energy,
-        travel_max=found.trip.travel_max if clutch.spec.kind.travels else None,
-        peak_torque_conventional=found.ordinary_peak,
+        sliding_torque=outcome.case.plant.sliding,
+        peak_torque=outcome.trip.peak,
+        peak_torque_clutch=outcome.trip.peak_clutch,
+        dynamic_factor=outcome.dynamic_factor,
+        slip_time=outcome.slip_time,
+        slip_energy=outcome.energy,
+        travel_max=outcome.trip.travel_max if clutch.spec.kind.travels else None,
+        peak_torque_conventional=outcome.ordinary_peak,
     )
-
-
-def _peaks(brackets: Sequence[Sequence[Outcome]]) -> list[list[float]]:
-    """Peak torques with the key's play, along κ, along κ₊, at every friction."""
-    return [[each.trip.peak for each in row] for row in brackets]
-
-
-def _heats(brackets: Sequence[Sequence[Outcome]]) -> list[list[float]]:
-    """Heat in the pack likewise; infinite where the slip does not end."""
-    return [[math.inf if each.energy is None else each.energy for each in row] for row in brackets]
-
-
-def _ends(values: Sequence[float]) -> tuple[float, float]:
-    return min(values), max(values)
-
-
-def _finite(value: float) -> float | None:
-    return None if math.isinf(value) else value
 
 
 def _wide(what: str, rows: Sequence[Sequence[float]]) -> Iterator[Finding]:
     """Say where the answer hangs on how the key holds the sleeve at its stop: vibration dithers a key."""
-    for at, (value, *others) in zip(("f_min", "f_cp", "f_max"), rows, strict=False):
-        low, high = _ends([value, *others])
-        if high - low > _WIDE * value or math.isinf(high) > math.isinf(low):
-            path, most = "control_unit.key_friction", _finite(high)
-            if most is None:
+    path = "control_unit.key_friction"
+    for at, row in zip(("f_min", "f_cp", "f_max"), rows, strict=False):
+        low, high = min(row), max(row)
+        if high == math.inf:
+            if low < math.inf:
                 yield finding("stop-bracket/open", "warning", value=low, path=path, at=at)
-            elif what == "heat":
-                yield finding("stop-bracket/heat", "warning", value=low, limit=most, path=path, at=at)
-            else:
-                yield finding("stop-bracket/peak", "warning", value=low, limit=most, path=path, at=at)
+        elif high - low > _WIDE * row[0]:
+            code = "stop-bracket/heat" if what == "heat" else "stop-bracket/peak"
+            yield finding(code, "warning", value=low, limit=high, path=path, at=at)
 
 
-def _triple(values: Sequence[float]) -> Triple:
-    return Triple(min=values[0], mean=values[1], max=values[2])
-
-
-def _open(values: Sequence[float | None]) -> OpenTriple:
-    return OpenTriple(min=values[0], mean=values[1], max=values[2])
+def _ends(kind: Any, values: Iterable[float | None]) -> Any:
+    """Values at f_min, mean friction and f_max, one without end as None; None of no values."""
+    ends = [None if value == math.inf else value for value in values]
+    return kind(min=ends[0], mean=ends[1], max=ends[2]) if ends else None
 
 
 def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] | None, list[Finding]]:
     """Peaks over swept keys, None without any; and a remark where some may yet rise."""
-    found = _Found()
+    asked: list[tuple[Clutch, Peaks]] = []
+
+    def of(point: Clutch) -> Peaks:
+        if not asked or asked[-1][0] is not point:
+            asked.append((point, _peaks_at_ends(point)))
+        return asked[-1][1]
+
     outputs: dict[str, Callable[[Clutch], Values]] = {
-        "peak_torque_max": lambda own: found.of(own).shaft[2],
-        "peak_torque_mean": lambda own: found.of(own).shaft[1],
-        "peak_torque_min": lambda own: found.of(own).shaft[0],
-        "peak_torque_clutch": lambda own: found.of(own).clutch[2],
-        "dynamic_factor": lambda own: found.of(own).shaft[2] / found.of(own).sliding[2],
-        "inertia_torque": lambda own: train_of(own).inertia_torque,
+        "peak_torque_max": lambda point: of(point).shaft[2],
+        "peak_torque_mean": lambda point: of(point).shaft[1],
+        "peak_torque_min": lambda point: of(point).shaft[0],
+        "peak_torque_clutch": lambda point: of(point).clutch[2],
+        "dynamic_factor": lambda point: of(point).shaft[2] / of(point).sliding[2],
+        "inertia_torque": lambda point: train_of(point).inertia_torque,
     }
     if clutch.bypass_pairs and clutch.spec.kind.controlled:
         outputs["peak_torque_bypass"] = bypass_peaks
-    told = series(SimulateSweep, clutch, sweeps, outputs, open_at=("peak_torque_bypass",))
-    path, count = "drive.cut_off", found.rising
-    return told, [finding("sweep-not-settled", "warning", value=count, path=path)] if count else []
+    rows = series(SimulateSweep, clutch, sweeps, outputs, open_at=("peak_torque_bypass",))
+    count = sum(int(np.count_nonzero(~peaks.passed)) for _, peaks in asked)
+    return rows, [finding("sweep-not-settled", "warning", value=count, path="drive.cut_off")] if count else []
+
+
+def _peaks_at_ends(clutch: Clutch) -> Peaks:
+    """Peaks at f_min, mean friction and f_max, a row each."""
+    stacked = (np.stack(np.broadcast_arrays(*friction)) for friction in clutch.friction)
+    return peaks_of(clutch, *(rows if rows.ndim > 1 else rows[:, np.newaxis] for rows in stacked))
 
 
 def dynamic_factors(clutch: Clutch) -> Floats:
     """Largest T_peak/T over f_min, mean friction and f_max, of every clutch of a sweep."""
-    first, second = map(_rows, clutch.friction)
-    found = peaks_of(clutch, first, second)
-    slipping = np.max(found.shaft / found.sliding, axis=0)
-    return np.fmax(slipping, bypass_peaks(clutch) / found.sliding[2])
+    peaks = _peaks_at_ends(clutch)
+    slipping = np.max(peaks.shaft / peaks.sliding, axis=0)
+    return np.fmax(slipping, bypass_peaks(clutch) / peaks.sliding[2])
 
 
 def bypass_peaks(clutch: Clutch) -> Floats:
     """Peaks in the shaft if the bypass pairs alone carry, as of ``bypass_peak``; NaN where they carry less, N·m."""
-    first, second = (own.max for own in clutch.friction)
-    sliding, breakaway = clutch.torque(first, second), clutch.breakaway_torque(first, second)
-    more = np.atleast_1d(breakaway > sliding * (1 + 1e-9))
+    first, second, more = _bypass_carries_more(clutch)
     if not more.any():
         return np.full(more.shape, np.nan)
     return np.where(more, peaks_of(bypass_alone(clutch), first, second).shaft, np.nan)
-
-
-class _Found:
-    """The peaks of the clutch that was asked last, each clutch calculated once."""
-
-    def __init__(self) -> None:
-        self._clutch: Clutch | None = None
-        self._peaks: Peaks | None = None
-        self.rising = 0
-        """Drives whose peak may yet rise."""
-
-    def of(self, clutch: Clutch) -> Peaks:
-        """Peaks at f_min, mean friction and f_max, a row each."""
-        if clutch is not self._clutch or self._peaks is None:
-            first, second = (_rows(friction) for friction in clutch.friction)
-            self._clutch, self._peaks = clutch, peaks_of(clutch, first, second)
-            self.rising += int(np.count_nonzero(~self._peaks.passed))
-        return self._peaks
-
-
-def _rows(friction: Range) -> Floats:
-    """The three frictions as rows, (3, 1) or (3, n)."""
-    stacked: Floats = np.stack(np.broadcast_arrays(*friction))
-    return stacked if stacked.ndim > 1 else stacked[:, np.newaxis]
 
 
 def bypass_peak(clutch: Clutch) -> float | None:
@@ -229,10 +195,17 @@ def bypass_peak(clutch: Clutch) -> float | None:
     Raises:
         AfmcalcError: SciPy is missing.
     """
-    first, second = (own.max for own in clutch.friction)
-    if not clutch.breakaway_torque(first, second) > clutch.torque(first, second) * (1 + 1e-9):
+    first, second, more = _bypass_carries_more(clutch)
+    if not more.any():
         return None
     return case_of(bypass_alone(clutch), first, second).run().peak
+
+
+def _bypass_carries_more(clutch: Clutch) -> tuple[Any, Any, NDArray[np.bool_]]:
+    """f_1 and f_2 at most, and whether the bypass pairs alone then carry more than the slipping clutch."""
+    first, second = (part.max for part in clutch.friction)
+    sliding, breakaway = clutch.torque(first, second), clutch.breakaway_torque(first, second)
+    return first, second, np.atleast_1d(breakaway > sliding * (1 + 1e-9))
 
 
 def bypass_alone(clutch: Clutch) -> Clutch:

@@ -180,7 +180,8 @@ def _slips(part: Fatigue, stress: Callable[[Values], Values], kinks: tuple[Value
     import numpy as np
 
     limit, line = part.endurance_limit, (part.exponent, part.base_cycles)
-    edges = np.sort(np.stack(np.broadcast_arrays(0.0, *map(_within, kinks), 1.0)), axis=0)
+    within = (np.clip(kink, 0.0, 1.0) for kink in kinks)
+    edges = np.sort(np.stack(np.broadcast_arrays(0.0, *within, 1.0)), axis=0)
     damage, most = np.zeros(()), np.full((), -np.inf)
     for left, right in zip(edges, edges[1:], strict=False):
         if np.any(left != right):
@@ -218,8 +219,3 @@ def _piece(
     with np.errstate(all="ignore"):
         rates = 1 / np.asarray(law.cycles(limit, stress(at), *line))
         return half * np.tensordot(weights, np.broadcast_to(rates, at.shape), axes=1), np.maximum(first, last)
-
-
-def _within(kink: Values) -> Values:
-    """Limit the share of a kink to 0…1."""
-    return larger(smaller(kink, 1.0), 0.0)

@@ -5,9 +5,10 @@ Where this torque exceeds the capacity, the clutch slips. The shaft is stepped b
 the step is limited by accuracy, not by stability.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import fields, is_dataclass, replace
-from typing import Any, NamedTuple, TypeVar, cast
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,50 +33,64 @@ _SWING_OVER = 0.01
 """Duration of a swing of the balls between their walls, in steps, below which the balls count as at rest."""
 
 
-class DirectLanes:
+class _Lanes(ABC):
+    """Clutches of many drives: what they do, and what in one more step."""
+
+    def __init__(self, train: Train, pack: DirectPack | Sleeve, h: Floats) -> None:
+        """Begin stuck, in the state after the torque has risen to the load."""
+        self.pack, self.h = pack, h
+        self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
+        self.slip, self.rate, self.travel, self.top, self._trend = (np.zeros(h.size) for _ in range(5))
+        self.torque = np.broadcast_to(train.load, h.shape).astype(float)
+        self.balls = self.torque.copy()
+        """Torque on the driven half: that of the balls, or of the pack of a direct clutch."""
+        self.turn = np.broadcast_to(pack.turn_under(train.load), h.shape).astype(float)
+        self.normal = np.broadcast_to(pack.pressed_at_stop(train.load, pack.stop_gains[0]), h.shape).astype(float)
+
+    @abstractmethod
+    def solver(self, free: Floats, motor: Floats, driven: Floats) -> "Callable[[Values], _StepResult]":
+        """Friction at the slip over sliding friction → a step, from the speeds of both halves without the torques."""
+
+    def step(self, free: Floats, motor: Floats, driven: Floats) -> "_StepResult":
+        """Make a step from the speeds that both halves have without the torques of the clutch."""
+        solve, slip, self.top = self.solver(free, motor, driven), self.slip + self._trend, np.zeros(self.slip.shape)
+        for _ in range(2 if self._static else 1):
+            # friction is that at the slip in the middle of the step: first of a predicted slip, then of the result
+            result = solve(self.pack.ratio((self.slip + slip) / 2) if self._static else 1.0)
+            self.top, slip = np.maximum(self.top, np.abs(result.clutch)), result.slip
+        self._trend = np.where(slip == 0, 0.0, slip - self.slip) if self._static else self._trend
+        self.torque, self.balls, self.slip, self.rate, normal = result
+        self.normal = np.asarray(normal)
+        return result
+
+
+class DirectLanes(_Lanes):
     """Packs of direct clutches."""
 
-    rate: Values = 0.0
+    pack: DirectPack
 
     def __init__(self, train: Train, pack: DirectPack, h: Floats, per_torque: Floats) -> None:
         """Begin stuck under the load; ``per_torque``: speed that 1 N·m adds to the driven half in a step."""
-        self.pack, self._each = pack, h / train.motor_inertia + per_torque
-        self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
-        self.slip, self.travel, self._trend = (np.zeros(h.size) for _ in range(3))
-        self.torque = np.broadcast_to(train.load, h.shape).astype(float)
-        self.normal = np.broadcast_to(pack.pressed_at_stop(train.load, pack.stop_gains[0]), h.shape).astype(float)
+        super().__init__(train, pack, h)
+        self._each = h / train.motor_inertia + per_torque
         lag = np.broadcast_to(np.asarray(pack.lag, float), h.shape)
         self._half = np.exp(-h / (2 * np.where(lag > 0, lag, np.inf))) * (lag > 0) if np.any(lag > 0) else None
         """Factor by which a deviation of the normal force decays in half a step; None without lag."""
 
-    @property
-    def passed(self) -> Floats:
-        """Torque on the driven half: that of the pack."""
-        return self.torque
-
-    @property
-    def sticks_up_to(self) -> Values:
-        """Torque up to which a stuck pack sticks, N·m."""
-        return self.pack.torque(self.pack.static_ratio)
-
-    def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
-        """Calculate the torque of the pack from the speeds that both halves have without this torque."""
-        pack = self.pack
+    def solver(self, free: Floats, motor: Floats, driven: Floats) -> "Callable[[Values], _StepResult]":
+        """The torque that brings the slip to rest, or the capacity."""
         needed = (motor - free) / self._each
-        slip, self.top = self.slip + self._trend, np.zeros(needed.shape)
-        for _ in range(2 if self._static else 1):
-            # friction is that at the slip in the middle of the step: first of a predicted slip, then of the result
-            capacity = self._capacity(pack.ratio((self.slip + slip) / 2) if self._static else 1.0)
-            self.torque = np.maximum(np.minimum(needed, capacity), -capacity)
-            self.top = np.maximum(self.top, np.abs(self.torque))
-            # exactly 0 where it sticks
-            slip = self._each * (needed - self.torque)
-        if self._static:
-            self._trend = np.where(slip == 0, 0.0, slip - self.slip)
-        self.slip = slip
-        if self._half is not None:
-            balance = pack.pressed_at_stop(self.torque, pack.stop_gains[0])
-            self.normal = balance + (self.normal - balance) * self._half**2
+
+        def solve(ratio: Values) -> _StepResult:
+            capacity, normal = self._capacity(ratio), self.normal
+            torque = np.maximum(np.minimum(needed, capacity), -capacity)
+            if self._half is not None:
+                balance = self.pack.pressed_at_stop(torque, self.pack.stop_gains[0])
+                normal = balance + (normal - balance) * self._half**2
+            # the slip is exactly 0 where it sticks
+            return _StepResult(torque, torque, self._each * (needed - torque), self.rate, normal)
+
+        return solve
 
     def _capacity(self, ratio: Values) -> Values:
         """Largest torque of the pack; with lag at the normal force that this torque gives in the middle of the step."""
@@ -88,50 +103,40 @@ class DirectLanes:
         return pack.carried(middle, ratio)
 
 
-class SleeveLanes:
+class SleeveLanes(_Lanes):
     """Packs, hubs and balls of indirect clutches."""
 
+    pack: Sleeve
+
     def __init__(self, train: Train, pack: Sleeve, h: Floats, per_torque: Floats) -> None:
-        """Begin stuck, in the state after the torque has risen to the load; with a load beyond T_н off the stop."""
-        self.pack, self.h = pack, h
-        self._static = bool(np.any(np.asarray(pack.static_ratio) != 1))
+        """Begin stuck, with a load beyond T_н off the stop; ``per_torque`` as of ``DirectLanes``."""
+        super().__init__(train, pack, h)
         self._mass_at_stop: Values = pack.inertia(0.0, pack.net_gain) / h
         self._mass_back: Values = pack.inertia(0.0, pack.net_gain_returning) / h
         self._share = pack.net_gain / pack.net_gain_returning
         self._across = h / train.hub_inertia
         """Speed that a torque of 1 N·m adds to the hub in a step."""
         self._pack, self._balls = h / train.motor_inertia + self._across, self._across + per_torque
-        self.slip, self.rate, self._trend, self._gained = (np.zeros(h.size) for _ in range(4))
-        self.torque = np.broadcast_to(train.load, h.shape).astype(float)
-        self.balls = self.torque.copy()
-        self.turn = np.broadcast_to(pack.turn_under(train.load), h.shape).astype(float)
-        self.normal = np.broadcast_to(pack.pressed_at_stop(train.load, pack.stop_gains[0]), h.shape).astype(float)
-        self.travel = pack.travel(self.turn)
+        self._gained, self._turned, self.travel = self.slip, self.turn, pack.travel(self.turn)
 
-    @property
-    def passed(self) -> Floats:
-        """Torque on the driven half: that of the balls."""
-        return self.balls
-
-    @property
-    def sticks_up_to(self) -> Values:
-        """Torque up to which neither pack slips nor sleeve moves, N·m."""
-        return self.pack.sticks_up_to(self.turn, self.normal)
-
-    def step(self, free: Floats, motor: Floats, driven: Floats) -> None:
-        """Calculate the torques of pack and balls from the speeds that both halves have without these torques."""
+    def solver(self, free: Floats, motor: Floats, driven: Floats) -> "Callable[[Values], _StepResult]":
+        """The torques of pack and balls that bring their slips to rest, or what they can carry."""
         hub = driven + self.rate
         joint = _Joint(motor - hub, hub - free, self._pack, self._across, self._balls)
-        slip, self.top = self.slip + self._trend, np.zeros(self.slip.shape)
-        for _ in range(2 if self._static else 1):
-            ratio = self.pack.ratio((self.slip + slip) / 2) if self._static else 1.0
-            result, turn = self._stepped(joint, ratio)
-            self.top, slip = np.maximum(self.top, np.abs(result.clutch)), result.slip
-        self._trend = np.where(slip == 0, 0.0, slip - self.slip)
-        self._gained = result.rate - self.rate
-        self.torque, self.balls, self.slip, self.rate, _ = result
-        self.normal, self.turn = np.asarray(result.normal), turn
-        self.travel = np.maximum(self.travel, self.pack.travel(turn))
+
+        def solve(ratio: Values) -> _StepResult:
+            result, self._turned = self._stepped(joint, ratio)
+            return result
+
+        return solve
+
+    def step(self, free: Floats, motor: Floats, driven: Floats) -> "_StepResult":
+        """As of every clutch; the sleeve follows the balls."""
+        before = self.rate
+        result = super().step(free, motor, driven)
+        self._gained, self.turn = result.rate - before, self._turned
+        self.travel = np.maximum(self.travel, self.pack.travel(self.turn))
+        return result
 
     def _stepped(self, joint: "_Joint", ratio: Values) -> "tuple[_StepResult, Floats]":
         """Torques and speeds after a step, and the turn of the balls."""
@@ -150,15 +155,10 @@ class SleeveLanes:
             parts = [np.array(value) for value in moving[:4]]
             for whole, part in zip(parts, bounced[:4], strict=True):
                 whole[near] = np.where(crosses, part, whole[near])
-            moving = _StepResult(parts[0], parts[1], parts[2], parts[3], pack.closing_force)
-        result = _picked(at_stop | stays, resting, moving._replace(normal=pack.closing_force))
+            moving = _StepResult(*[*parts, pack.closing_force])
+        pairs = zip(resting, moving._replace(normal=pack.closing_force), strict=True)
+        result = _StepResult(*(np.where(at_stop | stays, rest, move) for rest, move in pairs))
         return result, np.where(stays, 0.0, np.where(at_stop, h / 2 * (self.rate + result.rate), after))
-
-    def _mass(self, travel: Floats, out: NDArray[np.bool_]) -> Values:
-        """Torque that accelerates the sleeve's mass, per speed that the balls gain in a step."""
-        pack = self.pack
-        net = pack.steeper(np.where(out, pack.net_gain, pack.net_gain_returning), travel)
-        return pack.inertia(travel, net) / self.h
 
     def _bounced(
         self, joint: "_Joint", ratio: Values, near: NDArray[np.intp]
@@ -234,7 +234,9 @@ class SleeveLanes:
         pack = self.pack
         side, ahead = np.where(self.turn < 0, -1.0, 1.0), self.h / 2 * self.rate
         travel = pack.travel(self.turn + ahead)
-        mass = self._mass(travel, self.turn * self.rate >= 0)
+        way = np.where(self.turn * self.rate >= 0, pack.net_gain, pack.net_gain_returning)
+        # torque that accelerates the sleeve's mass, per speed that the balls gain in a step
+        mass = pack.inertia(travel, pack.steeper(way, travel)) / self.h
         joint = joint.heavier(mass, self.rate)
         # implicit midpoint: the speed before the step gives half of the turn, the speed after it the other half
         halfway = pack.travel(self.turn + ahead / 2)
@@ -294,10 +296,6 @@ class _StepResult(NamedTuple):
     slip: Floats
     rate: Floats
     normal: Values
-
-
-def _picked(which: NDArray[np.bool_], first: _StepResult, second: _StepResult) -> _StepResult:
-    return _StepResult(*(np.where(which, one, other) for one, other in zip(first, second, strict=True)))
 
 
 class _Joint(NamedTuple):
@@ -402,31 +400,25 @@ def march(
         lanes = slice(start, start + _LANES)
         drives, h = _cut(train, lanes, step.shape), step.ravel()[lanes]
         shaft = Shaft(drives, h)
-        if isinstance(pack, DirectPack):
-            clutch: DirectLanes | SleeveLanes = DirectLanes(drives, _cut(pack, lanes, step.shape), h, shaft.per_torque)
-        else:
-            clutch = SleeveLanes(drives, _cut(pack, lanes, step.shape), h, shaft.per_torque)
+        kind: Any = DirectLanes if isinstance(pack, DirectPack) else SleeveLanes
+        clutch = kind(drives, _cut(pack, lanes, step.shape), h, shaft.per_torque)
         parts.append(_march(drives, shaft, clutch, h, steps, report, least))
     return Marched(*(np.concatenate(each).reshape(step.shape) for each in zip(*parts, strict=True)))
 
 
-D = TypeVar("D")
-
-
-def _cut(whole: D, lanes: slice, shape: tuple[int, ...]) -> D:
+def _cut(whole: Any, lanes: slice, shape: tuple[int, ...]) -> Any:
     """Return a record with only some lanes of every array in it, also of arrays in nested records."""
     if isinstance(whole, np.ndarray):
-        return cast(D, np.broadcast_to(whole, shape).reshape(-1)[lanes])
+        return np.broadcast_to(whole, shape).reshape(-1)[lanes]
     if not is_dataclass(whole) or isinstance(whole, type):
         return whole
-    cut: Any = replace(whole, **{part.name: _cut(getattr(whole, part.name), lanes, shape) for part in fields(whole)})
-    return cast(D, cut)
+    return replace(whole, **{part.name: _cut(getattr(whole, part.name), lanes, shape) for part in fields(whole)})
 
 
 def _march(
     train: Train,
     shaft: "Shaft",
-    clutch: DirectLanes | SleeveLanes,
+    clutch: _Lanes,
     h: Floats,
     steps: int,
     report: Callable[[int], None],
@@ -445,11 +437,11 @@ def _march(
         driving = train.engine.at(1.5 * motor - 0.5 * earlier)
         if train.cut_off is not None:
             driving = driving * np.clip(off / h - number, 0.0, 1.0)
-        free = shaft.free(number, clutch.passed)
+        free = shaft.free(number, clutch.balls)
         before, earlier, motor = clutch.slip, motor, motor + each * driving
         clutch.step(free, motor, shaft.driven)
         motor = motor - each * clutch.torque
-        shaft.take(free + shaft.per_torque * clutch.passed)
+        shaft.take(free + shaft.per_torque * clutch.balls)
         np.maximum(peak, np.abs(shaft.torque), out=peak, where=~over)
         np.maximum(peak_clutch, clutch.top, out=peak_clutch, where=~over)
         heat += clutch.torque * (before + clutch.slip)
@@ -466,7 +458,7 @@ def _march(
 def _passed(
     train: Train,
     shaft: "Shaft",
-    clutch: DirectLanes | SleeveLanes,
+    clutch: _Lanes,
     motor: Floats,
     time: Floats,
     off: Floats,
@@ -478,7 +470,7 @@ def _passed(
     stuck = Stuck(motor, shaft.tool, shaft.elastic, standing, powered, pending)
     sliding, breakaway = (clutch.pack.torque(ratio) for ratio in (1.0, clutch.pack.static_ratio))
     slipping = Slipping(clutch.torque, shaft.driven, sliding, breakaway)
-    still = settled(train, stuck, clutch.sticks_up_to, peak)
+    still = settled(train, stuck, clutch.pack.sticks_up_to(clutch.turn, clutch.normal), peak)
     gone = slips_below(train, stuck, slipping, peak) & (clutch.slip > 0)
     return (clutch.rate == 0) & (time > train.time) & np.where(clutch.slip == 0, still, gone)
 

@@ -334,8 +334,21 @@ class Plant:
         """Return states and mode after the guard ``hit`` fell below 0; None: after a stage of the event ended."""
         y, torques = list(y), self.torques(t, y, mode)
         normal = self.normal(y, mode, torques.balls)
-        self._come_to_rest(y, mode, hit)
-        tool = self._tool(t, y, mode, torn=hit == Guard.TOOL and not mode.tool)
+        # what has come to rest
+        if hit == Guard.PACK:
+            y[V] = 0.0
+        elif hit == Guard.TOOL and mode.tool:
+            y[TOOL] = 0.0
+        elif hit == Guard.BALLS and mode.moving:
+            y[RATE] = 0.0
+        elif hit == Guard.STOP:
+            # the balls roll on to the other wall, unless the energy of their swing is negligible
+            y[TURN] = 0.0
+            self._seat(y, mode)
+        # where the shaft tears a standing tool loose
+        shaft, torn = self.shaft(y), hit == Guard.TOOL and not mode.tool
+        loose = self.train.kind == "load" and (torn or abs(shaft) > self.resistance(t, mode))
+        tool = _sign(y[TOOL] or shaft) if y[TOOL] or loose else 0
         if not self.pack.lag:
             y[NORMAL] = normal
         # the mode that a guard has ended is left out: else rounding could re-enter the same mode for ever
@@ -353,18 +366,6 @@ class Plant:
                 break
         return y, new
 
-    def _come_to_rest(self, y: State, mode: Mode, hit: Guard | None) -> None:
-        if hit == Guard.PACK:
-            y[V] = 0.0
-        elif hit == Guard.TOOL and mode.tool:
-            y[TOOL] = 0.0
-        elif hit == Guard.BALLS and mode.moving:
-            y[RATE] = 0.0
-        elif hit == Guard.STOP:
-            # the balls roll on to the other wall, unless the energy of their swing is negligible
-            y[TURN] = 0.0
-            self._seat(y, mode)
-
     def _seat(self, y: State, mode: Mode) -> None:
         """Give hub and driven half one speed if the energy of their swing is negligible; the key takes this energy."""
         train, stored = self.train, self.stored(y)
@@ -377,15 +378,6 @@ class Plant:
         y[DRIVEN] += y[RATE] - lost
         y[RATE] = 0.0
         y[-1] += stored - self.stored(y)
-
-    def _tool(self, t: float, y: State, mode: Mode, *, torn: bool) -> int:
-        """Sign of the tool's next motion; ``torn``: the shaft has just torn the tool loose."""
-        shaft = self.shaft(y)
-        if y[TOOL]:
-            return 1 if y[TOOL] > 0 else -1
-        if self.train.kind == "stop" or (not torn and abs(shaft) <= self.resistance(t, mode)):
-            return 0
-        return _sign(shaft)
 
     def _allowed(self, y: State, mode: Mode, hit: Guard | None, torques: Torques, normal: float) -> Iterator[Mode]:
         """Modes that the states allow, first those with more elements that stick; an element torn loose does not."""
@@ -437,7 +429,14 @@ class Plant:
             rate = _drive.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
             wrong.append(-mode.pack * rate * inertia)
         if mode.balls == "seat" and pack.travels:
-            wrong += [along - pack.lift, -along, self._hold_contradiction(y, mode, along)]
+            # of ``mode.hold`` and the normal force, as a torque
+            normal, (low, high) = y[NORMAL], pack.play(along)
+            off = {1: high - normal, -1: normal - low, 0: max(normal - high, low - normal)}[
+                mode.hold
+            ] * pack.mean_radius
+            if pack.stop_gains[0] == pack.stop_gains[1]:
+                off = 0.0 if mode.hold > 0 else self.sliding
+            wrong += [along - pack.lift, -along, off]
         elif mode.balls == "lock":
             low, high = pack.key_limits(self.travel(y))
             wrong += [along - high, low - along]
@@ -447,15 +446,6 @@ class Plant:
             wrong.append(-outwards if mode.balls == "out" else outwards)
         worst = max(wrong) / self.sliding
         return worst if worst > _ROUNDING else 0.0
-
-    def _hold_contradiction(self, y: State, mode: Mode, along: float) -> float:
-        """Contradiction of ``mode.hold`` and the normal force at the stop, as a torque."""
-        pack, normal = self.pack, y[NORMAL]
-        if pack.stop_gains[0] == pack.stop_gains[1]:
-            return 0.0 if mode.hold > 0 else self.sliding
-        low, high = pack.play(along)
-        off = {1: high - normal, -1: normal - low, 0: max(normal - high, low - normal)}[mode.hold]
-        return off * pack.mean_radius
 
     def swings_out(self, y: Sequence[float], mode: Mode, peak: float) -> bool:
         """Whether balls that swing on a standing tool have too little energy for slip and for a new peak torque.

@@ -214,11 +214,11 @@ def test_the_energy_of_steps_closes():
     begun, gain = stored(), pack.law.gain
     for number in range(1200):
         before = motor, lanes.slip, shaft.tool, lanes.rate, lanes.turn, shaft.driven - shaft.tool
-        free = shaft.free(number, lanes.passed)
+        free = shaft.free(number, lanes.balls)
         driven = motor + h / train.motor_inertia * train.engine.torque
         lanes.step(free, driven, shaft.driven)
         motor = driven - h / train.motor_inertia * lanes.torque
-        shaft.take(free + shaft.per_torque * lanes.passed)
+        shaft.take(free + shaft.per_torque * lanes.balls)
         after = motor, lanes.slip, shaft.tool, lanes.rate, lanes.turn, shaft.driven - shaft.tool
         speed, slip, tool, rate, turn, twisting = ((a + b) / 2 for a, b in zip(before, after, strict=True))
         net = np.where(turn * rate > 0, pack.net_gain, pack.net_gain_returning)
