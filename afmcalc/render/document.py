@@ -89,7 +89,10 @@ def _walk(
             inner_index = column.shown.symbol or ""
             _walk(value, into, column.path + ".", label, inner_index, hidden or column.words[0] == "")
         elif isinstance(value, dict):
-            into.tables.append(_mapping(column, value))
+            keys = sorted(value, key=lambda key: -abs(value[key])) if column.shown.ranked else list(value)
+            heads = Column(f"{column.path}.key", "", translate(column.shown.keys_are), "", keys)
+            figures = column._replace(values=[value[key] for key in keys], words=())
+            into.tables.append(Table(column.name, [heads, figures]))
         elif isinstance(value, list) and value and isinstance(value[0], Result):
             table = _sweep(value) if isinstance(value[0], Series) else _records(value)
             into.tables.append(table._replace(title=label, shown=column.shown, path=column.path))
@@ -112,14 +115,6 @@ def _column(records: Sequence[Result], name: str, info: FieldInfo, prefix: str =
         [record.words(name) for record in records],
         shown.error_of and prefix + shown.error_of,
     )
-
-
-def _mapping(column: Column, value: dict[str, Any]) -> Table:
-    """Lay out a dictionary as a table: a column of keys, a column of values."""
-    ranked = column.shown.ranked
-    names = sorted(value, key=lambda name: -abs(value[name])) if ranked else list(value)
-    keys = Column(f"{column.path}.key", "", translate(column.shown.keys_are), "", names)
-    return Table(column.name, [keys, column._replace(values=[value[name] for name in names], words=())])
 
 
 def fields_of(records: Sequence[Result]) -> list[Column]:

@@ -87,7 +87,8 @@ def _parts(table: Table) -> Iterator[Table]:
     keys = next((column.values for column in table.columns if column.path == table.shown.by), None)
     if keys is None:
         yield table
-    for key in dict.fromkeys(keys or ()):
+        return
+    for key in dict.fromkeys(keys):
         mask = [other == key for other in keys]
         yield table._replace(
             columns=[

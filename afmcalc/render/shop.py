@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING
 from xml.sax.saxutils import escape
 
-from ..analysis.shop import Contour, CutterPoint, ShopDrawing
+from ..analysis.shop import CutterPoint, ShopDrawing
 from ..messages import localized, named, told, translate
 
 if TYPE_CHECKING:
@@ -76,6 +76,11 @@ def svg(drawing: ShopDrawing) -> bytes:
     left, top = -back - _MARGIN, -side - _MARGIN
     wide = max(2 * (back + _MARGIN), max(len(note) for note in notes) * _TEXT * 0.55 + 2 * _MARGIN)
     high = 2 * (side + _MARGIN) + _LINE * (len(notes) + 1)
+    paths = []
+    for contour in drawing.contours:  # y runs down in SVG
+        points = " L".join(f"{_coordinate(x * _MM)} {_coordinate(-y * _MM)}" for x, y in contour.points)
+        end, colour = " Z" if contour.closed else "", LAYERS[contour.layer][2]
+        paths.append(f'<path id="{contour.layer}" stroke="{colour}" d="M{points}{end}"/>')
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{_coordinate(wide)}mm" height="{_coordinate(high)}mm" '
@@ -83,7 +88,7 @@ def svg(drawing: ShopDrawing) -> bytes:
         f"<title>{escape(named(drawing.name))}</title>",
         f"<desc>{_CREATOR}</desc>",
         '<g fill="none" stroke-width="0.18" stroke-linejoin="round">',
-        *map(_path, drawing.contours),
+        *paths,
         f'<circle id="BALL" r="{_coordinate(drawing.synthesis.ball_diameter / 2 * _MM)}" '
         f'stroke="{LAYERS["BALL"][2]}"/>',
         "</g>",
@@ -93,13 +98,6 @@ def svg(drawing: ShopDrawing) -> bytes:
         y = _coordinate(side + _MARGIN + _LINE * row)
         lines.append(f'<text x="{_coordinate(-back)}" y="{y}">{escape(note)}</text>')
     return "\n".join([*lines, "</g>", "</svg>", ""]).encode("utf-8")
-
-
-def _path(contour: Contour) -> str:
-    # y runs down in SVG
-    points = " L".join(f"{_coordinate(along * _MM)} {_coordinate(-around * _MM)}" for along, around in contour.points)
-    end = " Z" if contour.closed else ""
-    return f'<path id="{contour.layer}" stroke="{LAYERS[contour.layer][2]}" d="M{points}{end}"/>'
 
 
 def _coordinate(value: float) -> str:

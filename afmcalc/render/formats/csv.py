@@ -22,7 +22,10 @@ def render(output: Output, terminal: bool) -> str:
     else:
         columns = _figures(laid_out) if result.many_lists else _columns(laid_out)
         if result.rows_with_values:
-            columns = _with_values(columns, laid_out)
+            # the single values that no column is of, the same in every row
+            known, count = {column.path for column in columns}, len(columns[0].values)
+            singles = chain(*(_flat(column) for column in laid_out.singles if column.path not in known))
+            columns = columns + [column._replace(values=column.values * count) for column in singles]
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_inert(f"{column.path} [{column.unit}]" if column.unit else column.path) for column in columns)
@@ -69,13 +72,6 @@ def _columns(laid_out: Document) -> list[Column]:
         pairs = zip(names.values, values.values, strict=True)
         wide += [values._replace(path=f"{values.path}.{name}", values=[value]) for name, value in pairs]
     return wide
-
-
-def _with_values(columns: list[Column], laid_out: Document) -> list[Column]:
-    """The columns of a list, then the single values that no column is of, the same in every row."""
-    known, count = {column.path for column in columns}, len(columns[0].values)
-    single = chain(*(_flat(column) for column in laid_out.singles if column.path not in known))
-    return columns + [column._replace(values=column.values * count) for column in single]
 
 
 def _figures(laid_out: Document) -> list[Column]:

@@ -68,14 +68,12 @@ def html(output: Output, terminal: bool) -> str:
 
 
 def _html_table(block: TextTable) -> str:
+    sides = ["right" if right else "left" for right in block.numeric]
+
     def row(tag: str, cells: Iterable[str]) -> str:
-        sides = ("right" if right else "left" for right in block.numeric)
         texts = zip(cells, sides, strict=True)
-        return (
-            "<tr>"
-            + "".join(f'<{tag} style="text-align:{side}">{escape(text)}</{tag}>' for text, side in texts)
-            + "</tr>"
-        )
+        marked = (f'<{tag} style="text-align:{side}">{escape(text)}</{tag}>' for text, side in texts)
+        return f"<tr>{''.join(marked)}</tr>"
 
     body = "".join(row("td", cells) for cells in block.rows)
     return f"<table><thead>{row('th', block.header)}</thead><tbody>{body}</tbody></table>"

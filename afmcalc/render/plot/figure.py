@@ -93,7 +93,9 @@ def _figure(sheet: Sheet, axes_height: float = _HIGH) -> "Figure":
     from matplotlib.layout_engine import ConstrainedLayoutEngine
 
     heights = [_height(panel, axes_height) for panel in sheet.panels]
-    caption, title = _wrapped(sheet.caption), _title(sheet) if sheet.title else []
+    letters = 118 if spoken() == "en" else 100  # Cyrillic letters are wider
+    caption = [line for part in sheet.caption.splitlines() for line in textwrap.wrap(part, letters)]
+    title = _title(sheet) if sheet.title else []
     more = _TITLE_LINE * (len(title) - 1)
     above = 0.34 + more if title else 0.02
     below = len(caption) * _LINE + (0.14 if caption else 0.02)
@@ -157,9 +159,3 @@ def _legend(axes: Any, columns: int) -> None:
         handles, labels, loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=below, ncols=columns, fontsize=8.5,
         borderaxespad=0, borderpad=0,
     )  # fmt: skip
-
-
-def _wrapped(caption: str) -> list[str]:
-    # Cyrillic letters are wider
-    columns = 118 if spoken() == "en" else 100
-    return [line for part in caption.splitlines() for line in textwrap.wrap(part, columns)]

@@ -75,16 +75,8 @@ def paint(axes: Any, chart: Chart) -> None:
     for number, guide in enumerate(chart.guides):
         style = GUIDES[(number if guide.style is None else guide.style) % len(GUIDES)]
         draw, axis = (axes.axhline, y) if guide.across else (axes.axvline, x)
-        label = mathtext(guide.label)
-        draw(
-            *axis.shown([guide.value]),
-            color=INK,
-            linewidth=1.0,
-            linestyle=style,
-            label=label,
-            zorder=1.5,
-            clip_on=False,
-        )
+        how = {"color": INK, "linewidth": 1.0, "linestyle": style, "zorder": 1.5, "clip_on": False}
+        draw(*axis.shown([guide.value]), label=mathtext(guide.label), **how)
     _limits(axes, chart)
     _tags(axes, chart)
     _names(axes, chart)
@@ -139,18 +131,15 @@ def _limits(axes: Any, chart: Chart) -> None:
         axes.set_xscale("log")
     if chart.from_zero and axes.get_ylim()[0] > 0:
         axes.set_ylim(bottom=0)
-    if any(line.points for line in chart.lines) and _whole(chart):
+    values = [value for line in chart.lines for value in line.x if value is not None]
+    whole = all(value == int(value) for value in values) and max(values) - min(values) <= 40
+    if whole and any(line.points for line in chart.lines):
         axes.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=2))
         low, top = axes.get_xlim()
         axes.set_xlim(low - 0.03 * (top - low), top + 0.03 * (top - low))
     if chart.bounds:
         axes.set_xlim(*chart.x.shown(chart.bounds[:2]))
         axes.set_ylim(*chart.y.shown(chart.bounds[2:]))
-
-
-def _whole(chart: Chart) -> bool:
-    values = [value for line in chart.lines for value in line.x if value is not None]
-    return all(value == int(value) for value in values) and max(values) - min(values) <= 40
 
 
 _AXES_WIDTH, _AXES_HEIGHT = 440, 190

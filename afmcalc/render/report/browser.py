@@ -42,35 +42,23 @@ def arguments(browser: str, profile: str) -> list[str]:
 
 
 def print_pdf(browser: str, page: str) -> bytes:
-    """Print a page.
+    """Print a page; the browser never outlives this process.
 
     Raises:
-        AfmcalcError: the browser did not.
+        AfmcalcError: the browser does not start, does not end, or prints no whole PDF.
     """
     with tempfile.TemporaryDirectory(prefix="afmcalc-") as folder:
         source, target = Path(folder, "report.html"), Path(folder, "report.pdf")
         source.write_text(page, encoding="utf-8")
-        command = [
-            *arguments(browser, str(Path(folder, "profile"))),
-            "--no-pdf-header-footer",
-            f"--print-to-pdf={target}",
-            source.as_uri(),
-        ]
-        code = _run(command)
+        printing = ["--no-pdf-header-footer", f"--print-to-pdf={target}", source.as_uri()]
+        try:
+            code = subprocess.run(
+                [*arguments(browser, str(Path(folder, "profile"))), *printing],
+                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=_SECONDS, check=False,
+            ).returncode  # fmt: skip
+        except (OSError, subprocess.TimeoutExpired) as error:
+            raise AfmcalcError("--pdf: {browser} did not print: {why}", browser=browser, why=error) from None
         content = target.read_bytes() if target.is_file() else b""
     if code or not (content.startswith(b"%PDF-") and content.rstrip().endswith(b"%%EOF")):
         raise AfmcalcError("--pdf: {browser} did not print a whole PDF (exit code {code})", browser=browser, code=code)
     return content
-
-
-def _run(command: list[str]) -> int:
-    """Run a program to its end and return its exit code; it never outlives this process.
-
-    Raises:
-        AfmcalcError: it does not start, or does not end.
-    """
-    try:
-        quiet = subprocess.DEVNULL
-        return subprocess.run(command, stdout=quiet, stderr=quiet, timeout=_SECONDS, check=False).returncode
-    except (OSError, subprocess.TimeoutExpired) as error:
-        raise AfmcalcError("--pdf: {browser} did not print: {why}", browser=command[0], why=error) from None
