@@ -12,7 +12,7 @@ from ..messages import did_you_mean, say
 from .fields import names_in
 from .keys import elsewhere, names, path_of
 from .models import Method, Spec, resolved
-from .parse import check_size, too_deep
+from .parse import TOO_DEEP, check_size
 from .problems import make_spec
 from .rules import foreign_keys, given_in
 from .write import written
@@ -95,7 +95,7 @@ def _path(override: str, model: type[BaseModel]) -> str:
     given = key_of(override)
     path = path_of(given, model) or given
     *blocks, last = path.split(".")
-    known = names_in(tuple(blocks), model)
+    known = names_in(blocks, model)
     if last not in known:
         hint = did_you_mean(last, known) or elsewhere(last, model) or did_you_mean(last, names(model))
         if known and not hint:
@@ -116,7 +116,7 @@ def _value(override: str) -> object:
     except tomllib.TOMLDecodeError:
         return text
     except RecursionError:
-        raise AfmcalcError("--set {override:.80}: {why}", override=override, why=too_deep()) from None
+        raise AfmcalcError("--set {override:.80}: {why}", override=override, why=TOO_DEEP) from None
     except ValueError:
         raise AfmcalcError("--set {override:.80}: a number has too many digits", override=override) from None
     if set(read) != {"value"}:  # further lines are part of the text

@@ -2,7 +2,7 @@
 
 import math
 from abc import abstractmethod
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from typing import Annotated, Any, NamedTuple, Self, TypeAlias, get_args, get_origin
@@ -148,19 +148,13 @@ def keys_below(model: type[BaseModel], prefix: str = "") -> dict[str, Key]:
     return keys
 
 
-def names_in(path: tuple[str, ...], model: type[BaseModel]) -> list[str]:
+def names_in(path: Sequence[str], model: type[BaseModel]) -> list[str]:
     """Return the names allowed in the block at ``path``."""
-    block = _model_at(path, model)
+    block = block_at(path, model)
     return list(block.model_fields) if block else []
 
 
-def choices_at(path: tuple[str, ...], model: type[BaseModel]) -> list[str]:
-    """Return the words that the key at ``path`` may be; none where it is no choice of words."""
-    block = _model_at(path[:-1], model)
-    return [*block.model_json_schema()["properties"][path[-1]].get("enum", ())] if block else []
-
-
-def _model_at(path: tuple[str, ...], model: type[BaseModel]) -> type[BaseModel] | None:
+def block_at(path: Sequence[str], model: type[BaseModel]) -> type[BaseModel] | None:
     """Return the model of the block at ``path``."""
     for name in path:
         field = model.model_fields.get(name)

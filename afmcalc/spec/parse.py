@@ -51,6 +51,7 @@ MOST_ITEMS = 100_000
 """Items in all lists."""
 DEEPEST = 32
 """Tables and lists inside each other, and parts of a dotted key."""
+TOO_DEEP = say("is nested more than {most} levels deep", most=DEEPEST)
 MOST_BITS = 1024
 """Of a whole number: what a real one can hold."""
 _LONG_KEY = rf"""(?m)(?:^|[\[{{,])[ \t]*(?:(?:[\w-]+|"[^"\n]*"|'[^'\n]*')[ \t]*\.[ \t]*){{{DEEPEST}}}"""
@@ -111,7 +112,7 @@ def parse(source: Source) -> dict[str, object]:
     try:
         data = _json_of(source) if is_json(source) else toml_of(source)
     except RecursionError:
-        raise _refused(source, too_deep()) from None
+        raise _refused(source, TOO_DEEP) from None
     check_size(data, source)
     return data
 
@@ -177,7 +178,7 @@ def check_size(data: object, label: str) -> None:
     while left:
         path, depth, value = left.pop()
         if depth > DEEPEST:
-            raise _refused(label, too_deep())
+            raise _refused(label, TOO_DEEP)
         if isinstance(value, dict):
             if (keys := keys + len(value)) > MOST_KEYS:
                 raise _refused(label, say("has more than {most:,} keys", most=MOST_KEYS))
@@ -192,8 +193,3 @@ def check_size(data: object, label: str) -> None:
             raise _refused(label, say("has more than {most:,} characters", most=LONGEST_TEXT), path)
         elif isinstance(value, int) and value.bit_length() > MOST_BITS:
             raise _refused(label, say("is beyond the range of numbers"), path)
-
-
-def too_deep() -> str:
-    """Say that tables and lists are nested too deeply."""
-    return say("is nested more than {most} levels deep", most=DEEPEST)

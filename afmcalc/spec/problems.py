@@ -11,7 +11,7 @@ from pydantic_core import ErrorDetails
 
 from ..errors import Problem, SpecError
 from ..messages import did_you_mean, say
-from .fields import Broken, choices_at, keys_below, names_in
+from .fields import Broken, block_at, keys_below, names_in
 from .keys import elsewhere
 from .models import Spec
 from .rules import Table
@@ -81,11 +81,12 @@ def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None,
     context = detail.get("ctx", {})
     match detail["type"]:
         case "missing":
-            choices = ", ".join(choices_at(location, root))
-            return say("required: one of {choices}", choices=choices) if choices else say("required")
+            table = block_at(location[:-1], root)
+            choices = table.model_json_schema()["properties"][location[-1]].get("enum") if table else None
+            return say("required: one of {choices}", choices=", ".join(choices)) if choices else say("required")
         case "extra_forbidden":
             *block, name = location
-            names = names_in(tuple(block), root)
+            names = names_in(block, root)
             if hint := did_you_mean(name, names) or elsewhere(name, root):
                 return say("unknown key{hint}", hint=hint)
             return say("unknown key; allowed here: {names}", names=", ".join(names))

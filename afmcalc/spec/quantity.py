@@ -228,9 +228,9 @@ def unread_number(text: str, *, quoted: bool = False) -> str | None:
     if "," not in number:
         return say("spaces in a number are not read: write {number}", number=written(number))
     if "." in number or number.count(",") > 1:
-        decimal = "," if number.rfind(",") > number.rfind(".") and number.count(",") == 1 else "."
-        whole = "".join(sign for sign in number if sign == decimal or sign not in ",.").replace(",", ".")
-        return say("a number has no commas: write {number}", number=written(whole))
+        if number.count(",") == 1 and number.rfind(",") > number.rfind("."):
+            number = number.replace(".", "").replace(",", ".")
+        return say("a number has no commas: write {number}", number=written(number.replace(",", "")))
     point = written(number.replace(",", "."))
     if _THOUSANDS.fullmatch(number):
         grouped = written(number.replace(",", ""))

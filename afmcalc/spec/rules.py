@@ -16,14 +16,29 @@ class KeyRule(NamedTuple):
 
     key: str
     given: tuple[str, ...]
-    absent: tuple[str, ...] = ()
-    message: str = ""
-    """What is wrong; by default that the key is required beside the first of those given."""
+    absent: tuple[str, ...]
+    message: str
+
+
+def _wrong(key: str, message: str, *beside: str, without: tuple[str, ...] = ()) -> KeyRule:
+    return KeyRule(key, (key, *beside), without, message)
+
+
+def _wanted(key: str, *beside: str, unless: tuple[str, ...] = (), message: str = "") -> KeyRule:
+    return KeyRule(key, beside, (key, *unless), message or _beside(beside[0]))
+
+
+def _beside(path: str) -> str:
+    return say("required beside {other}", other=path.rstrip("."))
 
 
 _ONE_FRICTION = say("give friction for all pairs or per group (friction.driving, friction.driven), not both")
 _RANGE = say("required (or give material instead of min and max)")
+_RADII = say("required (or give inner_radius and outer_radius)")
+_WALL = say("required (or give wall_angle and ball_circle_radius)")
+_BOTH_FORCES = say("required beside control_spring.force: both forces as made")
 _ONE_RADIUS = say("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius")
+_ONE_MOTOR = say("excludes drive.motor: give a constant torque, or the motor's curve")
 _GROUPS = ("friction.driving", "friction.driven")
 _MEAN, _INNER, _OUTER = (f"friction_group.{name}_radius" for name in ("mean", "inner", "outer"))
 _GAIN, _ANGLE, _CIRCLE = "control_unit.gain", "control_unit.wall_angle", "control_unit.ball_circle_radius"
@@ -32,58 +47,38 @@ _FORCE, _TORQUE = "closing_spring.force", "adjustment.nominal_torque"
 
 _RULES = (
     *(
-        KeyRule(key, (key, group), message=_ONE_FRICTION)
+        _wrong(key, _ONE_FRICTION, group)
         for group in _GROUPS
         for key in ("friction.min", "friction.mean", "friction.max", "friction.material")
     ),
-    KeyRule("friction.driven", ("friction.driving",), ("friction.driven",)),
-    KeyRule("friction.driving", ("friction.driven",), ("friction.driving",)),
+    _wanted("friction.driven", "friction.driving"),
+    _wanted("friction.driving", "friction.driven"),
     *(
-        KeyRule(key, (f"{block}.",), (key, f"{block}.material", *groups), _RANGE)
+        _wanted(f"{block}.{end}", f"{block}.", unless=(f"{block}.material", *groups), message=_RANGE)
         for block, groups in (("friction.driving", ()), ("friction.driven", ()), ("friction", _GROUPS))
-        for key in (f"{block}.min", f"{block}.max")
+        for end in ("min", "max")
     ),
-    *(KeyRule(key, (key, _MEAN), message=_ONE_RADIUS) for key in (_INNER, _OUTER, "friction_group.radius_model")),
-    KeyRule(_OUTER, (_INNER,), (_OUTER, _MEAN)),
-    KeyRule(_INNER, (_OUTER,), (_INNER, _MEAN)),
-    KeyRule(
-        _MEAN, ("friction_group.",), (_MEAN, _INNER, _OUTER), say("required (or give inner_radius and outer_radius)")
+    *(_wrong(key, _ONE_RADIUS, _MEAN) for key in (_INNER, _OUTER, "friction_group.radius_model")),
+    _wanted(_OUTER, _INNER, unless=(_MEAN,)),
+    _wanted(_INNER, _OUTER, unless=(_MEAN,)),
+    _wanted(_MEAN, "friction_group.", unless=(_INNER, _OUTER), message=_RADII),
+    _wrong(_ANGLE, say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius"), _GAIN),
+    _wanted(_CIRCLE, _ANGLE, unless=(_GAIN,)),
+    _wanted(_GAIN, "control_unit.", unless=(_ANGLE,), message=_WALL),
+    _wrong(_SLOPE, say("excludes control_unit.pocket: give the slope, or the pocket that it follows from"), _POCKET),
+    _wrong(_PROFILED, say("is of a curved wall: give gain_slope or pocket with it"), without=(_SLOPE, _POCKET)),
+    _wanted(_FORCE, unless=(_TORQUE,), message=say("required (or give adjustment.nominal_torque, which sets it)")),
+    _wanted(_FORCE, "control_spring.force", _TORQUE, message=_BOTH_FORCES),
+    _wrong(
+        "drive.motor_torque", say("excludes drive.motor: give a constant torque, or the motor's curve"), "drive.motor"
     ),
-    KeyRule(
-        _ANGLE,
-        (_ANGLE, _GAIN),
-        message=say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius"),
-    ),
-    KeyRule(_CIRCLE, (_ANGLE,), (_CIRCLE, _GAIN)),
-    KeyRule(_GAIN, ("control_unit.",), (_GAIN, _ANGLE), say("required (or give wall_angle and ball_circle_radius)")),
-    KeyRule(
-        _SLOPE,
-        (_SLOPE, _POCKET),
-        message=say("excludes control_unit.pocket: give the slope, or the pocket that it follows from"),
-    ),
-    KeyRule(_PROFILED, (_PROFILED,), (_SLOPE, _POCKET), say("is of a curved wall: give gain_slope or pocket with it")),
-    KeyRule(_FORCE, (), (_FORCE, _TORQUE), say("required (or give adjustment.nominal_torque, which sets it)")),
-    KeyRule(
-        _FORCE,
-        ("control_spring.force", _TORQUE),
-        (_FORCE,),
-        say("required beside control_spring.force: both forces as made"),
-    ),
-    KeyRule(
-        "drive.motor_torque",
-        ("drive.motor_torque", "drive.motor"),
-        message=say("excludes drive.motor: give a constant torque, or the motor's curve"),
-    ),
+    *(_wanted(f"drive.{key}", "drive.event.") for key in ("motor_inertia", "driven_inertia", "shaft_stiffness")),
+    _wanted("drive.speed", "drive.event.", unless=("drive.motor",)),
     *(
-        KeyRule(f"drive.{key}", ("drive.event.",), (f"drive.{key}",))
-        for key in ("motor_inertia", "driven_inertia", "shaft_stiffness")
-    ),
-    KeyRule("drive.speed", ("drive.event.",), ("drive.speed", "drive.motor")),
-    *(
-        KeyRule(
+        _wrong(
             f"tolerance.fields.{spring}.stiffness",
-            (f"tolerance.fields.{spring}.stiffness", f"{spring}.disc"),
-            message=say("has no effect beside {spring}.disc", spring=spring),
+            say("has no effect beside {spring}.disc", spring=spring),
+            f"{spring}.disc",
         )
         for spring in ("closing_spring", "control_spring")
     ),
@@ -95,15 +90,11 @@ def broken_rules(data: Table) -> list[Broken]:
     """Rules between keys that ``data`` breaks; values themselves are the models' business."""
     given = given_in(data)
     broken = [
-        (rule.key, rule.message or _beside(rule.given[0]))
+        (rule.key, rule.message)
         for rule in _RULES
         if given.keys() >= set(rule.given) and given.keys().isdisjoint(rule.absent)
     ]
     return [*dict.fromkeys(broken), *_static_friction(given), *_variant(given), *_pairs(given), *_event(given)]
-
-
-def _beside(path: str) -> str:
-    return say("required beside {other}", other=path.rstrip("."))
 
 
 def given_in(data: Table, prefix: str = "") -> dict[str, object]:
