@@ -106,11 +106,11 @@ def candidates(
 
 def _stacks(wish: SpringDemand, *, fitting: bool) -> Iterator[DiscStack]:
     """Stacks of every size, n laid into each other, and as many packs as stiffness, travel or room ask for."""
-    for disc, pack in packs(wish.room if fitting else Room()):
+    for pack in packs(wish.room if fitting else Room()):
         low, high = pack.range
         if not fitting or pack.force(low) * (1 - _SLACK) <= wish.force <= pack.force(high) * (1 + _SLACK):
             for series in _series(wish, pack, float(pack.deflection(wish.force))):
-                yield stack_of(disc, pack.part.parallel, series)
+                yield pack.part.model_copy(update={"series": series})
 
 
 def _series(wish: SpringDemand, pack: DiscCharacteristic, deflection: float) -> set[int]:
@@ -174,12 +174,11 @@ def _coils(wish: SpringDemand, count: int, wire: float) -> list[float]:
 
 
 @cache
-def packs(room: Room) -> tuple[tuple[Disc, DiscCharacteristic], ...]:
-    """Every single pack that goes into a room, whatever its length, with its size."""
+def packs(room: Room) -> list[DiscCharacteristic]:
+    """Every single pack that goes into a room, whatever its length."""
     inner, outer = room.inner_diameter or 0.0, room.outer_diameter or math.inf
     sizes = [disc for disc in discs() if inner <= disc.inner_diameter and disc.outer_diameter <= outer]
-    parallel = range(1, MOST_PARALLEL + 1)
-    return tuple((disc, DiscCharacteristic(stack_of(disc, n, 1))) for disc in sizes for n in parallel)
+    return [DiscCharacteristic(stack_of(disc, n, 1)) for disc in sizes for n in range(1, MOST_PARALLEL + 1)]
 
 
 @cache
@@ -190,7 +189,7 @@ def _rows(room: Room) -> NDArray[Any]:
     """
     names = ("parallel", "free", "low", "high", "least", "most", "flat", *_SHAPE)
     rows = []
-    for _, pack in packs(room):
+    for pack in packs(room):
         low, high = pack.range
         if room.length is not None:
             low = max(low, pack.free_length - room.length)
@@ -217,12 +216,10 @@ def holds_force(force: Numbers, room: Room) -> NDArray[np.bool_]:
     return np.asarray(np.searchsorted(forces_held(room), force, "right") % 2 == 1)
 
 
-def travel_held(
-    force: Numbers, stiffness: Numbers, room: Room, tolerance: float = TOLERANCE, *, relaxes: bool
-) -> Numbers:
+def travel_held(force: Numbers, stiffness: Numbers, room: Room, *, relaxes: bool) -> Numbers:
     """How far a stack that gives a force and a stiffness as set may go from there, m; ``NONE`` where there is none.
 
-    The stack lengthens if it ``relaxes``, else it is pressed together; its stiffness may be off by the tolerance.
+    The stack lengthens if it ``relaxes``, else it is pressed together; its stiffness may be off by ``TOLERANCE``.
     """
     shape = np.broadcast_shapes(force.shape, stiffness.shape)
     travel = np.full(shape, NONE)
@@ -230,35 +227,27 @@ def travel_held(
     near = every[(every["most"] >= np.nanmin(force)) & (every["least"] <= np.nanmax(force))]
     for start in range(0, near.size, step := max(1, _AT_ONCE // travel.size)):
         rows = near[start : start + step].reshape(-1, *(1 for _ in shape))
-        np.fmax(travel, _travel(rows, force, stiffness, room, tolerance, relaxes=relaxes).max(axis=0), out=travel)
+        np.fmax(travel, _travel(rows, force, stiffness, room, relaxes=relaxes).max(axis=0), out=travel)
     return travel
 
 
-def _travel(row: Any, force: Numbers, stiffness: Numbers, room: Room, tolerance: float, *, relaxes: bool) -> Numbers:
+def _travel(row: Any, force: Numbers, stiffness: Numbers, room: Room, *, relaxes: bool) -> Numbers:
     """The largest over the numbers of packs that give the stiffness: it grows with them until the length is used up."""
     bears = (force >= row["least"]) & (force <= row["most"])
     deflection = _deflection(row, np.where(bears, force, row["least"]))
     slope = row["parallel"] * law.disc_stiffness(**{name: row[name] for name in _SHAPE}, deflection=deflection)
     # whole numbers of packs whose stiffness is near enough
-    least = np.maximum(np.ceil(slope / stiffness / (1 + tolerance) * (1 + _ROUNDING)), 1.0)
-    most = np.full_like(least, MOST_SERIES)
-    if tolerance < 1:
-        most = np.minimum(np.floor(slope / stiffness / (1 - tolerance) * (1 - _ROUNDING)), most)
+    least = np.maximum(np.ceil(slope / stiffness / (1 + TOLERANCE) * (1 + _ROUNDING)), 1.0)
+    most = np.minimum(np.floor(slope / stiffness / (1 - TOLERANCE) * (1 - _ROUNDING)), MOST_SERIES)
     per = deflection - row["low"] if relaxes else row["high"] - deflection
-    rest = row["free"] - deflection
-
-    def reached(series: Numbers) -> Numbers:
-        moves = series * per
-        if room.length is None:
-            return moves
-        left = room.length - series * rest
-        return np.where(left >= 0, np.minimum(moves, left) if relaxes else moves, NONE)
-
     if room.length is None:
-        best = reached(most)
-    else:
-        longest = np.floor(room.length / (rest + per if relaxes else rest) * (1 + _ROUNDING))
-        best = np.fmax(*(reached(np.clip(longest + more, least, most)) for more in (0, 1)))
+        return np.where(bears & (least <= most), most * per, NONE)
+    rest = row["free"] - deflection
+    longest = np.floor(room.length / (rest + per if relaxes else rest) * (1 + _ROUNDING))
+    best = np.full_like(least, NONE)
+    for series in (np.clip(longest + more, least, most) for more in (0, 1)):
+        left, moves = room.length - series * rest, series * per
+        best = np.fmax(best, np.where(left >= 0, np.minimum(moves, left) if relaxes else moves, NONE))
     return np.where(bears & (least <= most), best, NONE)
 
 
