@@ -108,16 +108,10 @@ FINDINGS: Mapping[str, str] = {
     "the event: it slips all the time",
     "drive-not-in-balance": "before the event the motor gives {value:.5g N·m} against a load of {limit:.5g N·m}: "
     "the drive does not run steadily",
-    "motor-never-stops": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch ({value:.5g N·m}): "
-    "the slip does not end; give a cut-off (drive.cut_off)",
-    "motor-never-stops/held": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
-    "({value:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises): the slip does not end; "
-    "give a cut-off (drive.cut_off)",
-    "motor-stops-at-cut-off": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
-    "({value:.5g N·m}): the slip lasts until the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
-    "motor-stops-at-cut-off/held": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch "
-    "({value:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises): the slip lasts until "
-    "the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
+    "motor-never-stops": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch ({carries}): the "
+    "slip does not end; give a cut-off (drive.cut_off)",
+    "motor-stops-at-cut-off": "at {at} the motor, up to {limit:.5g N·m}, overcomes the slipping clutch ({carries}): "
+    "the slip lasts until the cut-off after {off:.4g s} and beyond, {heat:.4g kJ} in the pack",
     "energy-not-closed": "the energy of the event does not close, {value:.2g} of it is missing: do not trust this "
     "result, and report the spec",
     "release-lag": "at f_max the drive trips at {value:.5g N·m}: {share:.0%} of the way from T_муф = {limit:.5g N·m}, "
@@ -285,66 +279,44 @@ FINDINGS: Mapping[str, str] = {
     "{limit:.5g N·m}",
     "feedback-idle": "the gain is 0: the control unit gives no release force, the clutch is an ordinary one",
     "feedback-idle/key": "C equals 2 R f_1/d = {limit:.5g}: the key holds the sleeve, the clutch is an ordinary one",
-    "gain-above-limit": (
-        "C = {value:.4g} is above 1/(z_1 f_1max) = {limit:.4g}: at f_max the bypass pairs alone may carry "
-        "{peak:.5g N·m} before the balls take over, the sustained torque is {sustained:.5g N·m}"
-    ),
-    "hysteresis": (
-        "the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction has fallen "
-        "by a factor of {value:.4g}, and the torque then stays below the rising branch; full unloading reseats it"
-    ),
-    "torque-falls-with-travel": (
-        "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold the torque: a load that "
-        "reaches {most:.5g N·m} makes the sleeve run off its stop, and the torque jumps, to {falls:.5g N·m} at f_max"
-    ),
-    "torque-jumps": (
-        "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold the torque, and above "
-        "{jumping:.4g 1/mm}: the sleeve jumps off its stop even as friction rises in slip, and the torque jumps down "
-        "from {most:.5g N·m}, to {falls:.5g N·m} at f_max"
-    ),
+    "gain-above-limit": "C = {value:.4g} is above 1/(z_1 f_1max) = {limit:.4g}: at f_max the bypass pairs alone may "
+    "carry {peak:.5g N·m} before the balls take over, the sustained torque is {sustained:.5g N·m}",
+    "hysteresis": "the key's friction gives hysteresis: while the load lasts, the sleeve returns only when friction "
+    "has fallen by a factor of {value:.4g}, and the torque then stays below the rising branch; full unloading reseats "
+    "it",
+    "torque-falls-with-travel": "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold "
+    "the torque: a load that reaches {most:.5g N·m} makes the sleeve run off its stop, and the torque jumps, to "
+    "{falls:.5g N·m} at f_max",
+    "torque-jumps": "C_1 = {value:.4g 1/mm} is above C_1* = {limit:.4g 1/mm}, at which the pockets hold the torque, "
+    "and above {jumping:.4g 1/mm}: the sleeve jumps off its stop even as friction rises in slip, and the torque jumps "
+    "down from {most:.5g N·m}, to {falls:.5g N·m} at f_max",
     "material": "{name}: friction {low:g}…{high:g} from the catalogue ({source})",
-    "nominal-torque-missed": (
-        "closing_spring.force is given, so it decides: it gives a nominal torque of {value:.5g N·m} of the clutch, "
-        "not the {limit:.5g N·m} of adjustment.nominal_torque"
-    ),
+    "nominal-torque-missed": "closing_spring.force is given, so it decides: it gives a nominal torque of {value:.5g "
+    "N·m} of the clutch, not the {limit:.5g N·m} of adjustment.nominal_torque",
     "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",
-    "torque-falls": (
-        "the torque falls as the friction of both groups rises: the largest torque, {most:.5g N·m}, is at "
-        "f_1 = {at:.4g}"
-    ),
-    "accuracy-not-lasting": (
-        "K_т = {factor:.4g} holds as friction rises; under a load that lasts, friction falling again, K_т,h = "
-        "{value:.4g} is above {limit:.4g}: requirements.accuracy_factor_hysteresis says what it may be"
-    ),
-    "as-made": (
-        "the springs are those of the nominal clutch, held in every sample (tolerance.setting = as-made); "
-        "each-adjusted sets every clutch on the bench"
-    ),
-    "each-adjusted": (
-        "every sample is set on the bench (tolerance.setting = each-adjusted): its springs follow its own dimensions; "
-        "as-made holds those of the nominal clutch"
-    ),
-    "number-without-unit": ('{path}: a number without a unit is in SI, {given}; {meant}? Write "{meant}" or "{given}"'),
-    "few-samples": (
-        "{value:.0f} samples are too few for the error of the outermost quantile, which is not told in full: "
-        "at least {limit:.0f}"
-    ),
+    "torque-falls": "the torque falls as the friction of both groups rises: the largest torque, {most:.5g N·m}, is at "
+    "f_1 = {at:.4g}",
+    "accuracy-not-lasting": "K_т = {factor:.4g} holds as friction rises; under a load that lasts, friction falling "
+    "again, K_т,h = {value:.4g} is above {limit:.4g}: requirements.accuracy_factor_hysteresis says what it may be",
+    "as-made": "the springs are those of the nominal clutch, held in every sample (tolerance.setting = as-made); "
+    "each-adjusted sets every clutch on the bench",
+    "each-adjusted": "every sample is set on the bench (tolerance.setting = each-adjusted): its springs follow its "
+    "own dimensions; as-made holds those of the nominal clutch",
+    "number-without-unit": '{path}: a number without a unit is in SI, {given}; {meant}? Write "{meant}" or "{given}"',
+    "few-samples": "{value:.0f} samples are too few for the error of the outermost quantile, which is not told in "
+    "full: at least {limit:.0f}",
     "heavy-tails": "a few samples of a heavy tail carry the variance of the torque: the standard errors of its "
     "standard deviation and of the Sobol indices are too small; quantiles and their errors hold",
     "heavy-tails/indices": "a few rows of a heavy tail carry the variance of the torque: the standard errors of the "
     "Sobol indices are too small; a larger tolerance.sobol_base helps",
     "friction-fixed": "friction does not scatter in [tolerance.fields]: the torque is taken at the mean friction",
-    "friction-independent": (
-        "the correlation of f_1 and f_2 is not given: they are taken as independent (F11 has them together, 1)"
-    ),
-    "miner": (
-        "life by Miner's rule: friction varies from slip to slip, the rest from clutch to clutch; each slip loads the "
-        "shaft with its torque, damage 1/N by the S-N line, extrapolated below the endurance limit as the paper does"
-    ),
-    "no-clutch": (
-        "{value:.3g} of the samples are no clutch (feedback does not overcome the friction at the key, or the faces "
-        "have no width); the figures are those of the others"
-    ),
+    "friction-independent": "the correlation of f_1 and f_2 is not given: they are taken as independent (F11 has them "
+    "together, 1)",
+    "miner": "life by Miner's rule: friction varies from slip to slip, the rest from clutch to clutch; each slip "
+    "loads the shaft with its torque, damage 1/N by the S-N line, extrapolated below the endurance limit as the paper "
+    "does",
+    "no-clutch": "{value:.3g} of the samples are no clutch (feedback does not overcome the friction at the key, or "
+    "the faces have no width); the figures are those of the others",
     "solve-replaces": "{path} of the spec gives way to the {by} found",
     "solve-another-value": "{target} = {wanted} is given by {others} as well",
     "sweep-replaces": "{path} of the spec gives way to the swept {by}",

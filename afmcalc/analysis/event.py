@@ -14,18 +14,12 @@ from ..engines.protocol import Clutch
 from ..equations import drive as law
 from ..equations import synthesis
 from ..findings import Finding, Level, finding
-from ..messages import term
+from ..messages import measured, say, term
 from .registry import ANALYSES
 from .synthesize import synthesize
 from .wall import Wall, wall_of
 
 _ENDS = ("f_min", "f_cp", "f_max")
-_NEVER: tuple[tuple[str, Level], ...] = (("motor-never-stops", "error"), ("motor-never-stops/held", "error"))
-_LATE: tuple[tuple[str, Level], ...] = (
-    ("motor-stops-at-cut-off", "warning"),
-    ("motor-stops-at-cut-off/held", "warning"),
-)
-"""What the motor does, and whether the pack slips with less than T(f) of the rising branch."""
 _CLOSED = 1e-6
 _NEAR = 1e-3
 """Relative difference below which a figure of the spec is what the simulation gives."""
@@ -88,10 +82,17 @@ def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
         pulled = abs(one.trip.last) if one.endless else _at_cut_off(one)
         if pulled is None or not (one.endless or pulled <= strongest):
             continue
-        sliding, off, heat = one.case.plant.sliding, train.cut_off, one.energy or 0.0
-        code, level = (_NEVER if one.endless else _LATE)[pulled < sliding * (1 - _NEAR)]
+        carries, sliding = measured(pulled, "N*m", 5), one.case.plant.sliding
+        if pulled < sliding * (1 - _NEAR):
+            carries = say(
+                "{pulled:.5g N·m}, as its key holds the sleeve; {sliding:.5g N·m} only as friction rises",
+                pulled=pulled, sliding=sliding,
+            )  # fmt: skip
+        code = "motor-never-stops" if one.endless else "motor-stops-at-cut-off"
+        level: Level = "error" if one.endless else "warning"
+        heat, off = one.energy or 0.0, train.cut_off
         yield finding(
-            code, level, value=pulled, limit=strongest, path=path, at=end, sliding=sliding, heat=heat, off=off
+            code, level, value=pulled, limit=strongest, path=path, at=end, carries=carries, heat=heat, off=off
         )
     for end, one in zip(_ENDS, outcomes, strict=True):
         path, lasted = "drive.event.duration", one.trip.time

@@ -8,7 +8,8 @@ from ..drive.result import HeatResult
 from ..engines.protocol import Clutch
 from ..equations import heat as law
 from ..equations.calls import unnoted
-from ..findings import Finding, finding
+from ..findings import Finding, Level, finding
+from ..messages import measured
 from ..result import OpenTriple
 from ..spec.catalogues import Material, friction_materials
 from ..spec.models import Heat
@@ -67,13 +68,10 @@ def _end_findings(clutch: Clutch, slips: HeatedSlips) -> Iterator[Finding]:
         return
     at = ", ".join(_NAMES[end] for end in carried)
     least, motor = float(min(trip.torque for trip in carried.values())), float(motor_torque(clutch))
-    if off is None:
-        yield finding("motor-never-stops", "error", value=least, limit=motor, path=path, at=at)
-    else:
-        heat = max(float(trip.energy or 0.0) for trip in carried.values())
-        yield finding(
-            "motor-stops-at-cut-off", "warning", value=least, limit=motor, path=path, at=at, heat=heat, off=off
-        )
+    code = "motor-never-stops" if off is None else "motor-stops-at-cut-off"
+    level: Level = "error" if off is None else "warning"
+    carries, heat = measured(least, "N*m", 5), max(float(trip.energy or 0.0) for trip in carried.values())
+    yield finding(code, level, value=least, limit=motor, path=path, at=at, carries=carries, heat=heat, off=off)
 
 
 def _temperature_findings(clutch: Clutch, result: HeatResult) -> Iterator[Finding]:
