@@ -213,11 +213,9 @@ class Candidates:
     @cached_property
     def ball_torque(self) -> Numbers:
         """Largest torque that passes the balls, N·m: it grows with f_2, whatever the gain; with a sleeve it is all."""
-        return (
-            self.torque_max
-            if self.variant.travels
-            else self.closing_force * self.clutch.ball_torque(*self.frictions[2])
-        )
+        if self.variant.travels:
+            return self.torque_max
+        return self.closing_force * self.clutch.ball_torque(*self.frictions[2])
 
     @cached_property
     def contact_force(self) -> Numbers:

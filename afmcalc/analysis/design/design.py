@@ -201,20 +201,18 @@ def _findings(result: DesignResult) -> list[Finding]:
     most = sorted(result.excluded.items(), key=lambda item: -item[1])
     listed = joined(say("{name} excludes {number:,}", name=name, number=number) for name, number in most)
     missed = result.attainable or []
-    alone = [_instead(row) for row in missed if row.together is None]
+    alone = [
+        say(
+            "{name} ({sense} {limit}; there is {best})",
+            name=row.requirement,
+            sense=term(row.sense),
+            limit=measured(row.limit, ENGINEER.get(row.unit, row.unit), 5),
+            best=measured(row.best, ENGINEER.get(row.unit, row.unit), 5),
+        )
+        for row in missed
+        if row.together is None
+    ]
     if given_up := alone or list(dict.fromkeys(row.together for row in missed if row.together)):
         names, count = joined(given_up, say(" or ")), result.candidates
         return [finding("no-candidate/attainable", "error", value=0.0, candidates=count, listed=listed, names=names)]
     return [finding("no-candidate", "error", value=0.0, candidates=result.candidates, listed=listed)]
-
-
-def _instead(row: Attainable) -> str:
-    """Say a requirement to give up, and what there is of it instead."""
-    limit, best = (measured(value, ENGINEER.get(row.unit, row.unit), 5) for value in (row.limit, row.best))
-    return say(
-        "{name} ({sense} {limit}; there is {best})",
-        name=row.requirement,
-        sense=term(row.sense),
-        limit=limit,
-        best=best,
-    )

@@ -25,17 +25,25 @@ class Constraint(NamedTuple):
     """One bound; several may share a name, by which those who miss any of them are counted."""
 
     name: str
-    holds: Callable[[Candidates], Mask]
+    value: Callable[[Candidates], Numbers] | None
+    """What is bounded, SI; None where there is nothing to bargain for."""
+    limit: float
+    unit: str
     along_radius: tuple[int, int]
     """As R grows, at a given gain and at a given wall angle: 1 it comes to hold, −1 it ceases to, 0 neither.
 
     Where the spring force is a range, the gain is searched and no sleeve travels; or the angle is, and ``unimodal``.
     """
-    value: Callable[[Candidates], Numbers] | None = None
-    """What is bounded, SI; None where there is nothing to bargain for."""
-    limit: float = 0.0
-    unit: str = ""
     at_least: bool = False
+    test: Callable[[Candidates], Mask] | None = None
+    """Whether candidates hold it, where that is not the value beside the limit."""
+
+    def holds(self, tried: Candidates) -> Mask:
+        """Whether candidates hold it; on the limit they do."""
+        if self.test is not None:
+            return self.test(tried)
+        values = given(self.value)(tried)
+        return values >= self.limit * UNDER if self.at_least else values <= self.limit * OVER
 
     @property
     def sense(self) -> str:
@@ -53,78 +61,65 @@ def constraints(need: Requirements, variant: Variant) -> list[Constraint]:
     return [*_bounds(need), *unit, *(_of_springs(need, variant) if need.springs else ())]
 
 
-def _bound(
-    name: str,
-    value: Callable[[Candidates], Numbers],
-    limit: float,
-    unit: str,
-    along_radius: tuple[int, int],
-    *,
-    at_least: bool = False,
-) -> Constraint:
-    def holds(c: Candidates) -> Mask:
-        return value(c) >= limit * UNDER if at_least else value(c) <= limit * OVER
-
-    return Constraint(name, holds, along_radius, value, limit, unit, at_least)
-
-
 def _bounds(need: Requirements) -> Iterable[Constraint]:
     wanted, limits, span = need.wanted, need.limits, need.search.closing_force
     if span is None:
         largest = float(given(need.search.closing_forces).array()[-1])
-        yield _bound("closing_force", lambda c: c.wanted_force, largest, "N", (0, 0))
+        yield Constraint("closing_force", lambda c: c.wanted_force, largest, "N", (0, 0))
     else:
-        yield _bound("closing_force", lambda c: c.pack_force, span.max, "N", (1, 1))
-        yield _bound("closing_force", lambda c: c.pack_force, span.min, "N", (-1, -1), at_least=True)
+        yield Constraint("closing_force", lambda c: c.pack_force, span.max, "N", (1, 1))
+        yield Constraint("closing_force", lambda c: c.pack_force, span.min, "N", (-1, -1), at_least=True)
     if (factor := wanted.accuracy_factor) is not None:
-        yield _bound("accuracy_factor", lambda c: c.accuracy_factor, factor, "1", (0, 1))
+        yield Constraint("accuracy_factor", lambda c: c.accuracy_factor, factor, "1", (0, 1))
     if (torque := wanted.torque_max) is not None:
-        yield _bound("torque_max", lambda c: c.torque_max, torque, "N*m", (0, 1))
+        yield Constraint("torque_max", lambda c: c.torque_max, torque, "N*m", (0, 1))
     if (width := need.fixed.face_width) is not None:
         yield Constraint(
-            "face_width", lambda c: c.at.mean_radius > width / 2, (1, 1), lambda c: c.at.mean_radius, width / 2, "m",
-            at_least=True,
+            "face_width", lambda c: c.at.mean_radius, width / 2, "m", (1, 1), at_least=True,
+            test=lambda c: c.at.mean_radius > width / 2,
         )  # fmt: skip
     if (pressure := limits.surface_pressure) is not None:
-        yield _bound("surface_pressure", lambda c: c.surface_pressure, pressure, "Pa", (1, 1))
+        yield Constraint("surface_pressure", lambda c: c.surface_pressure, pressure, "Pa", (1, 1))
     if width is not None or need.search.inner_radius is not None:
         for pressure in filter(None, map(allowable, need.friction.materials.values())):
-            yield _bound("material_pressure", lambda c: c.peak_pressure, pressure, "Pa", (1, 1))
+            yield Constraint("material_pressure", lambda c: c.peak_pressure, pressure, "Pa", (1, 1))
     if (diameter := limits.outer_diameter) is not None:
-        yield _bound("outer_diameter", lambda c: c.outer_diameter, diameter, "m", (-1, -1))
+        yield Constraint("outer_diameter", lambda c: c.outer_diameter, diameter, "m", (-1, -1))
 
 
 def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Constraint]:
     limits = need.limits
     if limits.gain_limit and variant.gain_limit is not None:
         yield Constraint(
-            "gain_limit", lambda c: c.gain <= c.gain_limit * (1 + 1e-9), (0, -1), lambda c: c.gain / c.gain_limit, 1.0,
-            "1",
+            "gain_limit", lambda c: c.gain / c.gain_limit, 1.0, "1", (0, -1),
+            test=lambda c: c.gain <= c.gain_limit * (1 + 1e-9),
         )  # fmt: skip
     if (reduced := limits.reduced_gain) is not None:
-        yield _bound("reduced_gain", lambda c: direct.reduced_gain(c.controlled_pairs, c.gain), reduced, "1", (0, -1))
+        yield Constraint(
+            "reduced_gain", lambda c: direct.reduced_gain(c.controlled_pairs, c.gain), reduced, "1", (0, -1)
+        )
     if (force := limits.contact_force) is not None:
         yield Constraint(
-            "contact_force", lambda c: c.ball_torque <= force * OVER / c.most_per_ball, (1, 1),
-            lambda c: c.ball_torque * c.most_per_ball, force, "N",
+            "contact_force", lambda c: c.ball_torque * c.most_per_ball, force, "N", (1, 1),
+            test=lambda c: c.ball_torque <= force * OVER / c.most_per_ball,
         )  # fmt: skip
     if need.contact is not None:
         straight = None if curved(need, variant) else lambda c: c.contact_pressure
         most = need.contact.allowable_pressure
-        yield Constraint("contact_pressure", lambda c: c.bears, (1, 1), straight, most, "Pa")
+        yield Constraint("contact_pressure", straight, most, "Pa", (1, 1), test=lambda c: c.bears)
     # what a ball lacks in size: the largest that is listed or has room may differ from candidate to candidate
     yield Constraint(
-        "standard_ball", lambda c: c.ball_fits, (-1, int(variant.travels)),
-        lambda c: c.ball_reaching - c.largest_ball, 0.0, "m",
+        "standard_ball", lambda c: c.ball_reaching - c.largest_ball, 0.0, "m", (-1, int(variant.travels)),
+        test=lambda c: c.ball_fits,
     )  # fmt: skip
     if variant.travels:
         hub = given(need.fixed.hub_diameter)
-        yield _bound(
+        yield Constraint(
             "hub_diameter", lambda c: 2 * c.at.mean_radius - np.nan_to_num(c.face_width), hub, "m", (1, 1),
             at_least=True,
         )  # fmt: skip
         if (travel := limits.travel) is not None:
-            yield _bound("travel", lambda c: c.travel, travel, "m", (0, 1))
+            yield Constraint("travel", lambda c: c.travel, travel, "m", (0, 1))
 
 
 def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:
@@ -138,10 +133,11 @@ def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:
         return c.travel <= travel_held(c.control_force, c.at.control_stiffness, control, relaxes=False)
 
     if variant.travels:
-        yield Constraint("closing_spring", slackens, (0, 0))
-        yield Constraint("control_spring", presses, (0, 0))
+        yield Constraint("closing_spring", None, 0.0, "", (0, 0), test=slackens)
+        yield Constraint("control_spring", None, 0.0, "", (0, 0), test=presses)
     else:
-        yield Constraint("closing_spring", lambda c: holds_force(c.closing_force, closing), (0, 0))
+        force_held = lambda c: holds_force(c.closing_force, closing)  # noqa: E731
+        yield Constraint("closing_spring", None, 0.0, "", (0, 0), test=force_held)
 
 
 OBJECTIVES: dict[str, Callable[[Candidates], Numbers]] = {

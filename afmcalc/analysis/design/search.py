@@ -90,32 +90,20 @@ def by_tile(need: Requirements, variant: Variant, survey: Survey, progress: Call
     """Evaluate every candidate of a variant, a tile of the grid at a time."""
     spring_forces = forces(need)
     for tile in (tile for laid in grids(need, variant) for tile in tiles(laid, TILE)):
-        good, excluded = _judged(need, variant, tile)
+        at_points = candidates(need, variant, tile.axes)
+        built = good = at_points.is_clutch
+        masks: dict[str, Mask] = {}
+        for bound in constraints(need, variant):
+            masks[bound.name] = bound.holds(at_points) & masks.get(bound.name, built)
+        for mask in sorted(masks.values(), key=lambda mask: mask.size):
+            good = good & mask
+        good, clutches = np.broadcast_to(good, tile.shape), tile.count(built)
         survey.candidates += spring_forces * tile.size
-        survey.feasible += int(np.count_nonzero(good))
-        for name, count in excluded.items():
-            survey.excluded[name] += spring_forces * count
+        survey.feasible += tile.count(good)
+        survey.excluded.update({name: spring_forces * (clutches - tile.count(mask)) for name, mask in masks.items()})
+        survey.excluded[at_points.no_clutch] += spring_forces * (tile.size - clutches)
         survey.add(need, variant, tile.points(np.flatnonzero(_best(need, variant, good, tile))))
         progress(survey.candidates)
-
-
-def _judged(need: Requirements, variant: Variant, tile: Tile) -> tuple[Mask, Counter[str]]:
-    """Return which candidates are feasible, and how many each constraint excludes."""
-    at_points = candidates(need, variant, tile.axes)
-    built = good = at_points.is_clutch
-    masks: dict[str, Mask] = {}
-    for bound in constraints(need, variant):
-        masks[bound.name] = bound.holds(at_points) & masks.get(bound.name, built)
-    for mask in sorted(masks.values(), key=lambda mask: mask.size):
-        good = good & mask
-
-    def count(mask: Mask) -> int:
-        """Number of candidates of the tile that a mask over some of its axes selects."""
-        return int(np.count_nonzero(mask)) * (tile.size // mask.size)
-
-    excluded = Counter({name: count(built) - count(mask) for name, mask in masks.items()})
-    excluded[at_points.no_clutch] = tile.size - count(built)
-    return np.broadcast_to(good, tile.shape), excluded
 
 
 def _best(need: Requirements, variant: Variant, good: Mask, tile: Tile) -> Mask:

@@ -100,9 +100,7 @@ def total(need: Requirements) -> int:
     return forces(need) * faces * sum(others)
 
 
-@cache
-def _shipped() -> tuple[float, ...]:
-    return tuple(diameters())
+_shipped = cache(diameters)
 
 
 def balls(need: Requirements) -> Numbers:
@@ -123,6 +121,10 @@ class Tile(NamedTuple):
     def size(self) -> int:
         """Number of grid points."""
         return prod(self.shape)
+
+    def count(self, mask: Mask) -> int:
+        """Number of grid points that a mask over some of the axes selects."""
+        return int(np.count_nonzero(mask)) * (self.size // mask.size)
 
     def dimension(self, name: str) -> int:
         """Dimension along which a parameter varies."""
