@@ -254,7 +254,7 @@ def test_a_report_tells_of_the_springs_that_are_named(afmcalc, tmp_path):
     assert [each.spring for each in topics["springs"].figure.springs] == ["closing", "control"]
     assert "springs" not in {each.name for each in dossier(read_spec(INDIRECT), explained=False).topics}
     page = chapters(whole)
-    (table,) = next(each for each in page if each.key == "springs").tables
+    (table,) = next(each for each in page if each.topic.name == "springs").tables
     assert table.header[2:-1] == ["closing spring"]
     assert ["", "part", own.part, ""] in table.rows
     assert not {row[2] for row in table.rows} & {"–", "disc"}

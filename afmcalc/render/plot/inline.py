@@ -25,7 +25,7 @@ class _Renderer(RendererSVG):
         if tick := _POWER.fullmatch(s):
             return measure(_raised(tick), prop, False)
         pieces = _SUBSCRIPT.split(s)
-        if ismath is not True or len(pieces) == 1:
+        if len(pieces) == 1:
             return measure(s, prop, ismath)
         small = prop.copy()
         small.set_size(_SMALL * prop.get_size_in_points())

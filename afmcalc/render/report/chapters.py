@@ -1,50 +1,51 @@
 """The chapters of a report: one for each topic of the dossier, its numbers, its calculation, its drawing."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+import re
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
 from itertools import chain
-from typing import Any
+from typing import Any, NamedTuple
+from xml.etree import ElementTree
+
+from latex2mathml.converter import convert
+from markupsafe import Markup
 
 from ...analysis.adjust import AdjustResult
-from ...analysis.dossier import Dossier
+from ...analysis.dossier import Dossier, Topic
+from ...analysis.explain.derivation import CaseRow, Derivation, Meaning
 from ...analysis.springs.springs import SpringsResult
 from ...analysis.tolerance.result import ToleranceResult
-from ...messages import term, translate
+from ...messages import localized, spoken, term, translate
 from ...result import Result, Triple
 from ...spec.keys import keys
+from ...units import typeset
 from ..document import ENDS, Column, document, fields_of
 from ..layout import TextTable, blocks, cells, quantities
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.curves import SPRINGS
-from .steps import Derived, block_of
+from ..symbols import value_latex
+from ..units import in_numbers, measured
+from .words import told
 
 
-@dataclass(frozen=True)
-class Chapter:
+class Chapter(NamedTuple):
     """One calculation of the report."""
 
-    key: str
-    title: str
-    about: str
+    topic: Topic
     tables: Sequence[TextTable]
-    blocks: Sequence[Derived]
+    blocks: Sequence["Derived"]
     sheets: Sequence[Sheet]
-    sources: Sequence[str]
-    """Keys of the references it rests on."""
 
 
 def chapters(dossier: Dossier) -> list[Chapter]:
     """Lay out every topic."""
     return [
         Chapter(
-            key=topic.name,
-            title=translate(topic.title),
-            about=translate(topic.about),
-            tables=_TABLES.get(topic.name, lambda result: blocks(document(result)))(topic.result),
-            blocks=[block_of(derivation, dossier.spec.adjustment.method) for derivation in topic.derivations],
-            sheets=[] if topic.figure is None else [sheet_of(topic.plot, topic.figure)],
-            sources=topic.sources,
+            topic,
+            _TABLES.get(topic.name, lambda result: blocks(document(result)))(topic.result),
+            [block_of(derivation, dossier.spec.adjustment.method) for derivation in topic.derivations],
+            [] if topic.figure is None else [sheet_of(topic.plot, topic.figure)],
         )
         for topic in dossier.topics
     ]
@@ -66,18 +67,15 @@ def _named_springs(result: SpringsResult) -> list[TextTable]:
 
 def _side_by_side(heads: Sequence[str], results: Sequence[Result], without: Sequence[str] = ()) -> TextTable:
     """Set results of one type as columns, what none of them has left out; a triple takes a row for each friction."""
-    columns = [part for column in fields_of(results) if column.path not in without for part in _at_frictions(column)]
-    known = [column for column in columns if any(value is not None for value in column.values)]
-    return quantities(heads, [(column, cells(column)) for column in known])
-
-
-def _at_frictions(column: Column) -> Iterator[Column]:
-    if not isinstance(column.values[0], Triple):
-        yield column
-        return
-    for end, at in zip(ENDS, ("at f_min", "at mean f", "at f_max"), strict=True):
-        values = [getattr(triple, end) for triple in column.values]
-        yield column._replace(name=f"{column.name} {translate(at)}", values=values)
+    columns = []
+    for column in fields_of(results):
+        if isinstance(column.values[0], Triple):
+            for end, at in zip(ENDS, ("at f_min", "at mean f", "at f_max"), strict=True):
+                values = [getattr(triple, end) for triple in column.values]
+                columns.append(column._replace(name=f"{column.name} {translate(at)}", values=values))
+        elif column.path not in without and any(value is not None for value in column.values):
+            columns.append(column)
+    return quantities(heads, [(column, cells(column)) for column in columns])
 
 
 def _scatter(result: ToleranceResult) -> list[TextTable]:
@@ -110,3 +108,111 @@ _TABLES: Mapping[str, Callable[[Any], list[TextTable]]] = {
     "springs": _named_springs,
 }
 """Topics whose numbers are not set as they come."""
+
+
+class Derived(NamedTuple):
+    """One quantity as an engineer writes it."""
+
+    step: Derivation
+    """Whose symbols are explained in the language of the user."""
+    formula: str
+    """MathML, with the numbers where there is but one short line of them; empty where an earlier block has it."""
+    header: Sequence[str]
+    """Of the labels, where a line has several."""
+    lines: Sequence[tuple[Sequence[str], str, str]]
+    """Of each case: its labels, the numbers put in as MathML, the value."""
+
+
+_SHORT = 64
+"""Signs that formula and numbers may have together to stand in one line."""
+
+
+def block_of(step: Derivation, method: str) -> Derived:
+    """Lay out a derivation; what ``method`` says, how the spec sets its spring, need not be said of each line."""
+    columns = [(name, _labels(step.rows, name, method)) for name in ("friction", "branch", "setting", "side")]
+    columns = [(name, labels) for name, labels in columns if any(labels)]
+    symbol, first = step.symbol_latex, step.rows[0]
+    joined = not columns and len(step.rows) == 1 and _size(step.formula) + _size(first.numbers) <= _SHORT
+    # a formula may say no more than its symbol, and a number be its own value
+    parts = [symbol, *([step.formula] if step.formula not in ("", symbol) else [])]
+    if joined:
+        parts += dict.fromkeys((first.numbers, value_latex(measured(first.value, step.unit))))
+    lines = [
+        (labels, _math(f"{symbol} = {_broken(row.numbers)}"), measured(row.value, step.unit))
+        for row, *labels in zip(step.rows, *(labels for _, labels in columns), strict=True)
+    ]
+    return Derived(
+        step=step._replace(where=[meaning._replace(text=_explained(meaning)) for meaning in step.where]),
+        formula=_math(" = ".join(parts)) if len(parts) > 1 else "",
+        header=[told(name) for name, _ in columns] if len(columns) > 1 else [],
+        lines=[] if joined else lines,
+    )
+
+
+def _labels(rows: Sequence[CaseRow], name: str, method: str) -> list[str]:
+    """One column of labels; empty where it would say of each line what goes without saying."""
+    cases = [row.case for row in rows]
+    if name == "friction":
+        return [in_numbers(case.friction or "") for case in cases]
+    if name == "side":
+        return [told(f"side/{case.side}") if case.side else "" for case in cases]
+    if name == "branch":
+        usual = told("branch/")
+        labels = [told(f"branch/{case.branch}", after=case.after) for case in cases]
+    else:
+        usual = told(f"setting/{method}")
+        labels = [told(f"setting/{case.setting or method}") for case in cases]
+    return [""] * len(rows) if set(labels) == {usual} else labels
+
+
+def _explained(meaning: Meaning) -> str:
+    unit = translate(typeset(meaning.unit), "unit")
+    return ", ".join(filter(None, (translate(meaning.text), unit))) if meaning.text else ""
+
+
+def _size(latex: str) -> int:
+    """How many signs a formula sets, about."""
+    return len(re.sub(r"\\(?:text|left|right|frac|cdot)|[{}\\_^ ]", "", latex))
+
+
+def _broken(latex: str) -> str:
+    """Set a sum or product that is too long in several lines: MathML breaks none, and paper does not scroll."""
+    if _size(latex) <= _SHORT:
+        return latex
+    depth, summands = 0, [""]
+    for part in _PARTS.split(latex):
+        depth += (part in _OPENING) - (part in _CLOSING)
+        long = part == _TIMES and _size(summands[-1]) > _SHORT / 3
+        if depth == 0 and (part in _SIGNS or long) and summands[-1].strip():
+            summands.append("")
+        summands[-1] += part
+    return r"\begin{array}{l} " + r" \\ ".join(summands) + r" \end{array}" if len(summands) > 1 else latex
+
+
+_OPENING, _CLOSING, _SIGNS = ("{", "(", "["), ("}", ")", "]"), (" + ", " - ")
+_TIMES = r" \cdot "
+_PARTS = re.compile(r"([{}()\[\]]| [+-] | \\cdot )")
+
+
+@cache
+def _mathml(latex: str) -> str:
+    # a prime is raised already, and MathML leaves no room round the name of a function
+    latex = _PRIME.sub(r"\\text{′}", _FUNCTION.sub(r"\\,\\\1\\,", latex))
+    # read and written anew, for the converter writes entities and leaves < as it is
+    return ElementTree.tostring(ElementTree.fromstring(convert(latex, xmlns="", display="block")), encoding="unicode")
+
+
+_FUNCTION = re.compile(r"\\(sin|cos|tan|ln) ")
+_PRIME = re.compile(r"\^\{\\prime\}(?!_)")
+
+
+def _math(latex: str) -> Markup:
+    """Set LaTeX in the numbers and units of the user's language."""
+    text = _mathml(latex.replace("{,}", "."))
+    if spoken() != "en":
+        text = _NUMERAL.sub(lambda match: f"<mn>{localized(match[1])}</mn>", text)
+        text = _UNIT.sub(lambda match: f"{match[1]}<mtext>{translate(match[2], 'unit')}</mtext>", text)
+    return Markup(text)  # noqa: S704 formulas of ours with numbers put in
+
+
+_NUMERAL, _UNIT = re.compile("<mn>([^<]*)</mn>"), re.compile("(<mspace [^>]*>)<mtext>([^<]*)</mtext>")

@@ -85,14 +85,14 @@ def render(subject: Subject) -> str:
     """Write the page; the same subject gives the same text."""
     dossier, form = subject.dossier, FORMS.get(spoken(), FORMS["en"])
     parts = chapters(dossier)
-    sheets = [(chapter.key, sheet) for chapter in parts for sheet in chapter.sheets]
+    sheets = [(chapter.topic.name, sheet) for chapter in parts for sheet in chapter.sheets]
     figures = [
         {"number": number, "chapter": key, "sheet": sheet, "svg": drawing(inline_svg(sheet), sheet.title, number)}
         for number, (key, sheet) in enumerate(sheets, 1)
     ]
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
     empty = {"requirements": not dossier.requirements, "plots": not figures}
-    cited = {source for chapter in parts for source in chapter.sources}
+    cited = {source for chapter in parts for source in chapter.topic.sources}
     return _template().render(
         subject=subject,
         told=told,

@@ -6,6 +6,7 @@ import io
 import itertools
 import math
 import re
+from types import SimpleNamespace
 
 import pytest
 from conftest import CONFIGS
@@ -13,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.registry import ANALYSES
-from afmcalc.render.layout import TextTable, padded
+from afmcalc.render.layout import TextTable, padded, told_apart
 from afmcalc.render.units import display, estimate, significant
 from afmcalc.result import Result, shown_as
 from afmcalc.spec.keys import keys
@@ -192,3 +193,11 @@ def test_records_that_do_not_fit_are_columns(width, afmcalc, monkeypatch):
         assert [cell for row in rows for cell in row[1:]] == [display(row["accuracy_factor"], "1") for row in data]
     else:
         assert not rows
+
+
+def test_a_step_says_its_setting_only_where_another_differs():
+    step = SimpleNamespace(function="f", symbol="T", setting="min-friction", side=None)
+    other = SimpleNamespace(function="f", symbol="T", setting="mean-friction", side=None)
+    assert told_apart(step, [step, step]) == []
+    assert told_apart(step, [step, other]) == ["set at f_min"]
+    assert told_apart(step, [step, SimpleNamespace(**vars(other) | {"symbol": "K"})]) == []

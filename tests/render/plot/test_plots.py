@@ -2,6 +2,7 @@
 
 import io
 import json
+import math
 import os
 import re
 import subprocess
@@ -13,6 +14,7 @@ import numpy as np
 import pytest
 from conftest import CONFIGS, ROOT, several
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.font_manager import FontProperties
 from PIL import Image
 
 import afmcalc as package
@@ -24,8 +26,11 @@ from afmcalc.engines import build
 from afmcalc.messages import ENGLISH, language, named, speaking
 from afmcalc.papers.figures import FIGURES
 from afmcalc.render.plot import sheet_of
+from afmcalc.render.plot.chart import ChartAxis
 from afmcalc.render.plot.figure import _figure, _settings, save
+from afmcalc.render.plot.inline import _Renderer
 from afmcalc.render.plot.paint import COLOURS, DASHES
+from afmcalc.render.symbols import mathtext
 from afmcalc.spec import read_spec
 from afmcalc.spec.requirements import read_requirements
 
@@ -147,6 +152,21 @@ def test_the_front_is_drawn_by_every_name(afmcalc):
 
 def test_every_kind_has_a_picture():
     assert {kind for kind, _, _ in PICTURES.values()} == set(PLOTS)
+
+
+def test_a_temperature_is_drawn_on_its_scale():
+    axis = ChartAxis("temperature", "θ", "K abs")
+    assert axis.label == "temperature θ, °C"
+    assert axis.shown([293.15, None]) == pytest.approx([20, math.nan], nan_ok=True)
+
+
+def test_a_subscript_is_measured_small():
+    renderer = _Renderer(9, 9, io.StringIO())
+
+    def width(text, size=10.0):
+        return renderer.get_text_width_height_descent(text, FontProperties(size=size), "$" in text)[0]
+
+    assert width(mathtext("K_т,p max")) == pytest.approx(width("K") + width("т,p", 7) + width(" max"))
 
 
 def test_styles_can_be_told_apart_without_colour():
