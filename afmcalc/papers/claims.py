@@ -1,6 +1,5 @@
 """Every printed figure and claim of the papers recomputed: what follows from the formulas, and what does not."""
 
-from collections.abc import Callable
 from functools import cache
 from importlib import import_module
 from typing import Literal, NamedTuple
@@ -86,9 +85,9 @@ class ReproduceResult(Answer):
 
 
 @cache
-def expected() -> dict[str, str]:
-    """The verdict on record for every row; a different one means the formulas have changed."""
-    return {entry["id"]: entry["verdict"] for entry in data("claims.toml")["claim"]}
+def claims() -> list[dict[str, str]]:
+    """What the papers print, with the verdict on record; a different one means the formulas have changed."""
+    return data("claims.toml")["claim"]
 
 
 def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[ReproduceResult, list[Finding]]:
@@ -103,12 +102,21 @@ def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[Repr
         AfmcalcError: no such paper or figure.
     """
     check_papers(papers)
-    checks: dict[str, Callable[[], Found]] = {}
-    for paper in papers or PAPERS:
-        checks |= import_module(f".{PAPERS[paper]}", __package__).CHECKS
-    rows = [_row(entry, checks[entry["id"]]()) for entry in data("claims.toml")["claim"] if entry["id"] in checks]
+    modules = [import_module(f".{PAPERS[paper]}", __package__) for paper in papers or PAPERS]
+    # the function ``p1`` of a paper's module recomputes its claim P1
+    rows = [
+        Row(**{"correction": None, **entry, **recompute()._asdict()})
+        for entry in claims()
+        for module in modules
+        if (recompute := getattr(module, entry["id"].lower(), None)) is not None
+    ]
     verdicts = [row.verdict for row in rows]
-    unexpected = [row for row in rows if row.verdict != expected()[row.id]]
+    recorded = {entry["id"]: entry["verdict"] for entry in claims()}
+    findings = [
+        finding("unexpected-verdict", "error", row=row.id, verdict=row.verdict, record=recorded[row.id])
+        for row in rows
+        if row.verdict != recorded[row.id]
+    ]
     shown = [paper_figure(name) for name in figures or FIGURES if figures or not papers or name.split("-")[0] in papers]
     result = ReproduceResult(
         rows=rows,
@@ -116,20 +124,11 @@ def reproduce(papers: list[str], figures: list[str] | None = None) -> tuple[Repr
         corrected=verdicts.count("reproduced with correction"),
         not_reproduced=verdicts.count("not reproduced"),
         undecided=verdicts.count("undecided"),
-        as_expected=not unexpected,
+        as_expected=not findings,
         curves=[row for figure in shown for row in _curves(figure)],
         points=[point for figure in shown for point in _points(figure)] if figures else None,
     )
-    findings = [
-        finding("unexpected-verdict", "error", row=row.id, verdict=row.verdict, record=expected()[row.id])
-        for row in unexpected
-    ]
     return result, findings
-
-
-def _row(entry: dict[str, str], found: Found) -> Row:
-    """Join what the paper prints with what is recomputed."""
-    return Row(**{"correction": None, **entry, **found._asdict()})
 
 
 def _curves(figure: PaperFigure) -> list[CurveRow]:

@@ -61,10 +61,8 @@ def p13() -> Found:
     def as_described(rises: list[float]) -> bool:
         return all(rise > 0 for rise in rises[:3]) and abs(rises[3]) < 1e-12
 
-    return Found(
-        say("K_т(n = 1.5) − K_т(0.5): {two:.3f} with z_1 = 2; {one:.3f} with z_1 = 1", two=shapes(2), one=shapes(1)),
-        verdict(as_described(shapes(2)), as_described(shapes(1))),
-    )
+    text = say("K_т(n = 1.5) − K_т(0.5): {two:.3f} with z_1 = 2; {one:.3f} with z_1 = 1", two=shapes(2), one=shapes(1))
+    return Found(text, verdict(as_described(shapes(2)), as_described(shapes(1))))
 
 
 def p14() -> Found:
@@ -76,16 +74,14 @@ def p14() -> Found:
     meet = [_break_even(1.5, *own) for own in ranges]
     # K_т tends to a limit as n grows: above the p of that limit no n breaks even
     last = [_break_even(1e12, *own) for own in ranges]
-    return Found(
-        say(
-            "lines {lines:.3f}; n 1.5, p 1.2: {at:.3f}; break-even at n 1.5: p = {meet:.3f}; at some n: p < {last:.3f}",
-            lines=lines,
-            at=at,
-            meet=meet,
-            last=last,
-        ),
-        verdict(worse_at_n),
+    text = say(
+        "lines {lines:.3f}; n 1.5, p 1.2: {at:.3f}; break-even at n 1.5: p = {meet:.3f}; at some n: p < {last:.3f}",
+        lines=lines,
+        at=at,
+        meet=meet,
+        last=last,
     )
+    return Found(text, verdict(worse_at_n))
 
 
 def _break_even(n: float, low: float, high: float) -> float:
@@ -108,25 +104,19 @@ def p15() -> Found:
         _elasticity(lambda t: float(factor(1, 1, low, high * t))),
         _elasticity(lambda t: float(factor(1, 1, low / t, high))),
     ]
-    return Found(
-        say(
-            "elasticities: n {in_n:.3f}, p {in_p:.3f}, m {by_max:.3f} (by f_1max) or {by_min:.3f} (by f_1min)",
-            in_n=in_n,
-            in_p=in_p,
-            by_max=in_m[0],
-            by_min=in_m[1],
-        ),
-        verdict(abs(in_n) > max(abs(in_p), *map(abs, in_m))),
+    text = say(
+        "elasticities: n {in_n:.3f}, p {in_p:.3f}, m {by_max:.3f} (by f_1max) or {by_min:.3f} (by f_1min)",
+        in_n=in_n,
+        in_p=in_p,
+        by_max=in_m[0],
+        by_min=in_m[1],
     )
+    return Found(text, verdict(abs(in_n) > max(abs(in_p), *map(abs, in_m))))
 
 
 def p16() -> Found:
     """The loss of accuracy is steepest at n = 1.2…1.5."""
     at = (0.5, 1.0, 1.2, 1.5)
     slopes = [float(accuracy.slope_in_ratio_max(1, CONTROLLED, GAIN, n, 1, *RANGES[0])) for n in at]
-    return Found(
-        say("∂K_т/∂n at n = {at}: {slopes:.3f}", at=at, slopes=slopes), verdict(min(slopes[2:]) >= max(slopes[:2]))
-    )
-
-
-CHECKS = {"P13": p13, "P14": p14, "P15": p15, "P16": p16}
+    text = say("∂K_т/∂n at n = {at}: {slopes:.3f}", at=at, slopes=slopes)
+    return Found(text, verdict(min(slopes[2:]) >= max(slopes[:2])))

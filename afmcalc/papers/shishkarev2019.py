@@ -63,11 +63,8 @@ def _arm(friction: float, pairs: int) -> float:
 def p1() -> Found:
     """Threshold of the number of pairs."""
     as_printed, mended = (float(adjustment.pairs_threshold(1, gain, _MIN, _MEAN, _MARGIN)) for gain in (_GAIN, 1.4))
-    return Found(
-        say("z > {as_printed:.3f} (C 1.6), {mended:.3f} (C 1.4)", as_printed=as_printed, mended=mended),
-        verdict(near(as_printed, 9.23, 0.01), near(mended, 9.23, 0.01)),
-        as_printed / 9.23 - 1,
-    )
+    text = say("z > {as_printed:.3f} (C 1.6), {mended:.3f} (C 1.4)", as_printed=as_printed, mended=mended)
+    return Found(text, verdict(near(as_printed, 9.23, 0.01), near(mended, 9.23, 0.01)), as_printed / 9.23 - 1)
 
 
 def p2() -> Found:
@@ -94,11 +91,8 @@ def p4() -> Found:
     computed = [float(adjustment.scatter_ratio(_MARGIN, _arm(_MIN, z), _arm(_MEAN, z))) for z in PAIRS]
     bands = [float(adjustment.scatter(1.0, 1.0, z, z - 1, _GAIN, _MIN, _MAX)) for z in PAIRS]
     grows = all(later > earlier for earlier, later in zip(bands, bands[1:], strict=False))
-    return Found(
-        say("ΔT_1/(F_п R) {bands:.3f}; ΔT_2/ΔT_1 {ratios:.3f}", bands=bands, ratios=computed),
-        verdict(grows and near(computed[0], printed, 0.001)),
-        computed[0] / printed - 1,
-    )
+    text = say("ΔT_1/(F_п R) {bands:.3f}; ΔT_2/ΔT_1 {ratios:.3f}", bands=bands, ratios=computed)
+    return Found(text, verdict(grows and near(computed[0], printed, 0.001)), computed[0] / printed - 1)
 
 
 def p17() -> Found:
@@ -106,16 +100,10 @@ def p17() -> Found:
     printed = (LEAST + FIRST[0]) / LEAST
     computed = [_arm(_MAX, z) / _arm(_MIN, z) for z in PAIRS]
     ceiling = LEAST * _MEAN / _MIN
-    return Found(
-        say(
-            "K_т {factors:.3f}, never above {most:.3f}; T_cp at most {ceiling:.0f N·m}",
-            factors=computed,
-            most=_MAX / _MIN,
-            ceiling=ceiling,
-        ),
-        verdict(near(computed[0], printed, 0.05) and ceiling >= MEAN),
-        computed[0] / printed - 1,
+    text = say(
+        "K_т {factors:.3f}, never above {most:.3f}; T_cp at most {ceiling:.0f N·m}",
+        factors=computed,
+        most=_MAX / _MIN,
+        ceiling=ceiling,
     )
-
-
-CHECKS = {"P1": p1, "P2": p2, "P3": p3, "P4": p4, "P17": p17}
+    return Found(text, verdict(near(computed[0], printed, 0.05) and ceiling >= MEAN), computed[0] / printed - 1)

@@ -151,10 +151,8 @@ def p7() -> Found:
     """The base clutch is more accurate."""
     gains = (1.0, 2.0, 4.0)
     base, own = ([float(of(gain)) for gain in gains] for of in (base_factor, factor))
-    return Found(
-        say("C 1, 2, 4: base {base:.3f}; indirect {own:.3f}", base=base, own=own),
-        verdict(all(first < second for first, second in zip(base, own, strict=True))),
-    )
+    text = say("C 1, 2, 4: base {base:.3f}; indirect {own:.3f}", base=base, own=own)
+    return Found(text, verdict(all(first < second for first, second in zip(base, own, strict=True))))
 
 
 def p8() -> Found:
@@ -164,14 +162,9 @@ def p8() -> Found:
     top = int(np.argmax(radii))
     bottom = top + int(np.argmin(radii[top:]))
     grows, falls = bool(np.all(np.diff(travels) > 0)), bool(np.all(np.diff(radii[top : bottom + 1]) < 0))
-    return Found(
-        say(
-            "x_max grows; r_ш rises to C = {top:.2f}, falls to C = {bottom:.1f}, then grows again",
-            top=gains[top],
-            bottom=gains[bottom],
-        ),
-        verdict(grows and top == 0 and bottom == len(radii) - 1, grows and falls),
+    text = say(
+        "x_max grows; r_ш rises to C = {top:.2f}, falls to C = {bottom:.1f}, then grows again",
+        top=gains[top],
+        bottom=gains[bottom],
     )
-
-
-CHECKS = {"P5": p5, "P6": p6, "P7": p7, "P8": p8}
+    return Found(text, verdict(grows and top == 0 and bottom == len(radii) - 1, grows and falls))

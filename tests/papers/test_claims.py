@@ -2,7 +2,7 @@
 
 import pytest
 
-from afmcalc.papers.claims import expected, reproduce
+from afmcalc.papers.claims import claims, reproduce
 
 FIGURES = {
     "P1": ["8.197", "9.225"],
@@ -29,7 +29,7 @@ FIGURES = {
 def test_every_row_and_its_verdict():
     result, findings = reproduce([])
     assert [row.id for row in result.rows] == [f"P{k}" for k in range(1, 23)]
-    assert {row.id: row.verdict for row in result.rows} == expected()
+    assert {row.id: row.verdict for row in result.rows} == {entry["id"]: entry["verdict"] for entry in claims()}
     assert result.as_expected
     assert (result.reproduced, result.corrected, result.not_reproduced, result.undecided) == (6, 6, 8, 2)
     assert {row.id for row in result.rows if row.verdict == "undecided"} == {"P5", "P6"}
@@ -48,7 +48,8 @@ def test_figures_of_the_theory(name, computed):
 
 
 def test_an_unexpected_verdict_is_an_error_that_only_check_would_fail_on(afmcalc, monkeypatch):
-    monkeypatch.setitem(expected(), "P9", "not reproduced")
+    entry = next(entry for entry in claims() if entry["id"] == "P9")
+    monkeypatch.setitem(entry, "verdict", "not reproduced")
     run = afmcalc("reproduce", "--paper", "S22")
     assert run.code == 0
     assert "error: P9: reproduced; on record is: not reproduced [unexpected-verdict]" in run.out
