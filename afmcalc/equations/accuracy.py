@@ -159,37 +159,6 @@ def slope_in_ratio_min(
 
 
 @equation
-def accuracy_factor_peak_above_limit(
-    bypass_pairs: BypassPairs,
-    controlled_pairs: ControlledPairs,
-    gain: Gain,
-    friction_min: FrictionMin,
-    friction_max: FrictionMax,
-) -> Annotated[Number, "K_peak", "1"]:
-    """Accuracy by breakaway peaks between the limits, z_1 f_max (1 + z_2 C f_min)/(z f_min).
-
-    Source: theory, section 3 (beyond the papers).
-    Validity: 1/(z_1 f_max) ≤ C ≤ 1/(z_1 f_min). Below it K_т itself holds, above it f_max/f_min.
-    """
-    feedback_at_min = 1 + controlled_pairs * gain * friction_min
-    return bypass_pairs * friction_max * feedback_at_min / ((bypass_pairs + controlled_pairs) * friction_min)
-
-
-@equation
-def best_accuracy_factor_peak(
-    bypass_pairs: BypassPairs, controlled_pairs: ControlledPairs, friction_min: FrictionMin, friction_max: FrictionMax
-) -> BestAccuracyFactor:
-    """Best accuracy a differentiated clutch attains by peaks, (z_1 f_max + z_2 f_min)/(z f_min), at its gain limit.
-
-    Source: theory, section 3 (beyond the papers).
-    Validity: z_1 ≥ 1, one material.
-    """
-    return (bypass_pairs * friction_max + controlled_pairs * friction_min) / (
-        (bypass_pairs + controlled_pairs) * friction_min
-    )
-
-
-@equation
 def torque_elasticity_in_gain(
     controlled_pairs: ControlledPairs, gain: Gain, friction_driven: FrictionDriven
 ) -> Annotated[Number, "∂ln T/∂ln C", "1"]:

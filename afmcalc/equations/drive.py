@@ -130,18 +130,6 @@ def slip_acceleration(
 
 
 @equation
-def normal_force_under_load(
-    closing_force: ClosingForce, gain: Gain, ball_torque: ControlledTorque, mean_radius: MeanRadius
-) -> NormalForce:
-    """Normal force of a direct clutch that carries a torque without slip, N = F_п − C T_2/R.
-
-    Source: F11 (3), (6), (7), with the torque that the load gives the balls; S22 (5).
-    Validity: In balance; a torque of the balls of either sign counts positive.
-    """
-    return closing_force - gain * ball_torque / mean_radius
-
-
-@equation
 def normal_force_rate(
     normal_force: NormalForce, balance: BalancedNormalForce, lag: ForceLag
 ) -> Annotated[Number, "N'", "N/s"]:

@@ -203,16 +203,6 @@ def optimal_reduced_gain(friction_max: FrictionMax) -> Annotated[Number, "(zC)_o
 
 
 @equation
-def best_actual_accuracy_factor(friction_min: FrictionMin, friction_max: FrictionMax) -> AccuracyFactor:
-    """Accuracy factor at the optimal reduced gain, (f_max + f_min)/(2 f_min).
-
-    Source: Theory, section 6.
-    Validity: All-driving; (z − z_1) C = 1/f_max.
-    """
-    return (friction_max + friction_min) / (2 * friction_min)
-
-
-@equation
 def potential_torque_gain_of_differentiated(
     pairs: Pairs,
     bypass_pairs: BypassPairs,

@@ -42,18 +42,6 @@ def travel_rate(turn_rate: TurnRate, mean_radius: MeanRadius, gain: GainAtSleeve
 
 
 @equation
-def slackened_force(
-    closing_force: ClosingForceAtStop, closing_stiffness: ClosingStiffness, travel: Travel
-) -> NormalForce:
-    """Normal force with the sleeve off its stop, N = F_п1 − c_1 x.
-
-    Source: S21 (9).
-    Validity: x > 0; where it would be negative the springs leave the pack.
-    """
-    return closing_force - closing_stiffness * travel
-
-
-@equation
 def tensed_force(
     control_force: ControlForce, control_stiffness: ControlStiffness, travel: Travel
 ) -> TensedControlForce:
@@ -80,45 +68,6 @@ def spring_moment(
     Validity: x ≥ 0.
     """
     return mean_radius * (control_force - closing_force + (closing_stiffness + control_stiffness) * travel)
-
-
-@equation
-def spring_work(
-    closing_force: ClosingForceAtStop,
-    control_force: ControlForce,
-    closing_stiffness: ClosingStiffness,
-    control_stiffness: ControlStiffness,
-    travel: Travel,
-) -> SpringWork:
-    """Work stored in both springs, W = (F_п2 − F_п1) x + ½ (c_1 + c_2) x².
-
-    Source: Theory, section 9: integral of ``spring_moment``/R over the travel.
-    Validity: x ≥ 0.
-    """
-    stiffness = closing_stiffness + control_stiffness
-    return (control_force - closing_force) * travel + stiffness * travel * travel / 2
-
-
-@equation
-def loop_energy(
-    spring_work: SpringWork, gain: Gain, net_gain: NetGain, net_gain_returning: NetGainReturning
-) -> Annotated[Number, "E", "J"]:
-    """Energy that one swing out and back loses at the key, (C/κ − C/κ₊) W.
-
-    Source: Theory, section 9: derived (V7): T dφ = (C/κ) dW outwards, (C/κ₊) dW back.
-    Validity: From the stop and back to it.
-    """
-    return (gain / net_gain - gain / net_gain_returning) * spring_work
-
-
-@equation
-def damped_share(net_gain: NetGain, net_gain_returning: NetGainReturning) -> Annotated[Number, "ψ", "1"]:
-    """Share of a swing that the key damps, ψ = 1 − κ/κ₊.
-
-    Source: Theory, section 9: derived: loop energy over the work of the way out.
-    Validity: κ > 0.
-    """
-    return 1 - net_gain / net_gain_returning
 
 
 @equation

@@ -275,42 +275,6 @@ def mean_radius_for_torque(
 
 
 @equation
-def best_accuracy_factor_differentiated(
-    bypass_pairs: BypassPairs,
-    controlled_pairs: ControlledPairs,
-    friction_driving_min: FrictionDrivingMin,
-    friction_driven_min: FrictionDrivenMin,
-    friction_driving_max: FrictionDrivingMax,
-) -> BestAccuracyFactor:
-    """Best K_т up to the gain limit 1/(z_1 f_1max), (z_1 f_1max + z_2 f_2min)/(z_1 f_1min + z_2 f_2min).
-
-    Source: F11 (14) at C = 1/(z_1 f_1max); with one material (m z_1 + z_2)/z, m = f_max/f_min. It does not depend on
-        f_2max, as the slope in n vanishes at the limit (M2).
-    Validity: z_1 ≥ 1, and K_т ≥ 1 on the way there (f_1 and f_2 rise together).
-
-    >>> best_accuracy_factor_differentiated(1, 7, 0.125, 0.125, 0.75)
-    1.625
-    """
-    return (bypass_pairs * friction_driving_max + controlled_pairs * friction_driven_min) / (
-        bypass_pairs * friction_driving_min + controlled_pairs * friction_driven_min
-    )
-
-
-@equation
-def best_accuracy_factor_all_driving(
-    friction_min: FrictionMin, friction_max: FrictionMax, reduced_gain_limit: ReducedGainLimit
-) -> BestAccuracyFactor:
-    """Best K_т of the all-driving clutch at its largest zC, m (1 + zC f_min)/(1 + zC f_max).
-
-    Source: S22 (18) at zC = 5; m = f_max/f_min.
-    Validity: z_1 = 0; the limit is a recommendation.
-    """
-    return friction_max * (1 + reduced_gain_limit * friction_min) / (
-        friction_min * (1 + reduced_gain_limit * friction_max)
-    )  # fmt: skip
-
-
-@equation
 def net_loop_gain_for_accuracy_factor(
     friction_min: FrictionMin,
     friction_set: FrictionSet,

@@ -65,7 +65,6 @@ PeakMax = Annotated[Number, "P_max", "N*m", "larger of sustained torque and the 
 PeakMin = Annotated[Number, "P_min", "N*m", "larger of sustained torque and the bypass pairs' peak, at f_min"]
 Scatter = Annotated[Number, "ΔT", "N*m", "torque scatter band"]
 AccuracyFactor = Annotated[Number, "K_т", "1", "accuracy factor"]
-BestAccuracyFactor = Annotated[Number, "K_best", "1", "smallest accuracy factor that can be reached"]
 
 # Adjustment
 NominalTorque = Annotated[Number, "T_н", "N*m", "nominal torque"]
@@ -142,7 +141,6 @@ Turn = Annotated[Number, "φ", "rad", "turn of the balls"]
 GainAtStop = Annotated[Number, "C", "1", "feedback gain at the stop"]
 TurnRate = Annotated[Number, "φ'", "rad/s", "speed of the turn of the balls"]
 GainAtSleeve = Annotated[Number, "C", "1", "feedback gain where the sleeve is"]
-SpringWork = Annotated[Number, "W", "J", "work stored in the springs at the turning point"]
 SpringBallTorque = Annotated[Number, "T_b", "N*m", "torque of the springs through the balls, S/κ"]
 SleeveMass = Annotated[Number, "m", "kg", "mass of the sleeve"]
 NetGainEitherWay = Annotated[Number, "κ", "1", "net gain; κ₊ while the sleeve returns"]
@@ -204,7 +202,6 @@ AllowableForce = Annotated[Number, "F_n,allow", "N", "force at which the ball re
 # What is wanted
 WantedAccuracyFactor = Annotated[Number, "K_т wanted", "1", "accuracy factor that is wanted"]
 WantedTorque = Annotated[Number, "T wanted", "N*m", "torque that is wanted"]
-ReducedGainLimit = Annotated[Number, "largest zC", "1", "largest reduced gain, 5 by S22"]
 
 # The drive
 DampingRatio = Annotated[Number, "ζ", "1", "damping ratio of the driven half on the shaft"]
@@ -229,7 +226,6 @@ DriveInertia = Annotated[Number, "J_1", "kg*m^2", "driving inertia"]
 LoadTorque = Annotated[Number, "L", "N*m", "torque of the load on the driven inertia"]
 LoadInertia = Annotated[Number, "J_2", "kg*m^2", "driven inertia"]
 TorqueBetween = Annotated[Number, "T", "N*m", "torque between the two inertias"]
-ControlledTorque = Annotated[Number, "T_2", "N*m", "torque through the balls"]
 BalancedNormalForce = Annotated[Number, "N_eq", "N", "normal force in balance with the load"]
 ForceLag = Annotated[Number, "τ", "s", "time by which the normal force lags the load"]
 TorqueGrowth = Annotated[Number, "f T'(f)", "N*m", "growth of the torque with friction"]

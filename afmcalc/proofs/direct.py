@@ -123,9 +123,9 @@ def gain_limits() -> Steps:
 def breakaway_peaks() -> Steps:
     """Theory, section 3: accuracy by peaks between the limits, and its best value."""
     peak = direct.group_torque(F, R, z1, fmax) / direct.torque(F, R, z1, z2, C, fmin, fmin)
-    yield "P(f_max)/P(f_min)", accuracy.accuracy_factor_peak_above_limit(z1, z2, C, fmin, fmax) - peak
+    yield "P(f_max)/P(f_min)", z1 * fmax * (1 + z2 * C * fmin) / ((z1 + z2) * fmin) - peak
     limit = direct.gain_limit_differentiated(z1, fmax)
-    best = accuracy.best_accuracy_factor_peak(z1, z2, fmin, fmax)
+    best = (z1 * fmax + z2 * fmin) / ((z1 + z2) * fmin)
     yield "best: at the gain limit, from above", best - peak.subs(C, limit)
     published = accuracy.accuracy_factor(z1, z2, limit, fmin, fmin, fmax, fmax)
     yield "best: at the gain limit, from below", best - published

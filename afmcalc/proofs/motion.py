@@ -76,17 +76,22 @@ def run_down() -> Steps:
 
 def lag_between_expected_and_potential() -> Steps:
     """The lag's two ends: τ → 0 the law itself, τ → ∞ the potential torque of S22."""
+
+    def loaded(ball_torque: sp.Expr) -> sp.Expr:
+        """F11 (3), (6), (7) with the torque that the load gives the balls."""
+        return F - C * ball_torque / R
+
     pairs = z1 * f1 + z2 * f2
-    late = drive.normal_force_rate(N, drive.normal_force_under_load(F, C, R * N * z2 * f2, R), tau)
+    late = drive.normal_force_rate(N, loaded(R * N * z2 * f2), tau)
     yield "slipping steadily N is that of the direct law", solved(late, N) - direct.normal_force(F, z2, C, f2)
     yield "it follows with the time τ", sp.diff(drive.normal_force_rate(N, L, tau), N) + 1 / tau
     yield "until it is in balance", drive.normal_force_rate(L, L, tau)
     machine = overload.machine_torque(direct.torque(F, R, z1, z - z1, C, fmin, fmin), beta)
-    held = direct.group_torque(drive.normal_force_under_load(F, C, machine * (z - z1) / z, R), R, z, f)
+    held = direct.group_torque(loaded(machine * (z - z1) / z), R, z, f)
     at_min = overload.loop_gain(z - z1, C, fmin)
     yield "τ → ∞: T_п of S22 (22)", held - overload.potential_torque(z, F, R, f, beta, at_min)
     own = direct.torque(F, R, z1, z2, C, f1, f2)
-    under = drive.normal_force_under_load(F, C, own * z2 * f2 / pairs, R)
+    under = loaded(own * z2 * f2 / pairs)
     yield "under its own torque it slips there", direct.group_torque(under, R, 1, pairs) - own
 
 
@@ -114,9 +119,7 @@ def swing_of_the_control_unit() -> Steps:
     for sign, kappa in ((1, net), (-1, back)):
         balance = F1 - c1 * x + T * C / R - F2 - c2 * x - sign * 2 * T * fk / d
         yield "the balance of S21 (6) is T = S/κ", solved(balance, T) - moment / kappa
-    work = sleeve.spring_work(F1, F2, c1, c2, x)
-    yield "S = R dW/dx", sp.diff(work, x) * R - moment
-    yield "no work without travel", work.subs(x, 0)
+    work = sp.integrate(moment / R, (x, 0, x))
     r, t, slope = positive("r t C_1")
     per_turn = sleeve.turn(x, R, C, slope)
     # r dφ = tan α dx with tan α = (r/R)(C + C_1 x)
@@ -128,8 +131,8 @@ def swing_of_the_control_unit() -> Steps:
     yield "x of φ is the inverse", sp.simplify(back_again) - x
     out = sp.integrate(moment / net * C / R, (x, 0, x))
     home = sp.integrate(moment / back * C / R, (x, 0, x))
-    yield "V7: loop energy", sleeve.loop_energy(work, C, net, back) - (out - home)
-    yield "share of a swing", sleeve.damped_share(net, back) - (out - home) / out
+    yield "V7: loop energy", (C / net - C / back) * work - (out - home)
+    yield "share of a swing", 1 - net / back - (out - home) / out
     steep = pocket.gain_at(net, slope, x)
     stiffness = sleeve.torsional_stiffness(c1, c2, R, steep, gain, slope, moment / steep)
     yield "k_T = d(S/κ)/dφ", stiffness - sp.diff(moment / steep, x) / sp.diff(per_turn, x)
@@ -168,7 +171,7 @@ def pack_at_the_stop() -> Steps:
     off = indirect.sleeve_stiffness(c1, c2, z, f, kappa)
     moved = indirect.travel_as_made(F1, F2, z, f, kappa, off)
     steady = indirect.normal_force_moving(F1, c1, F2, c2, off)
-    yield "off it: N where the sleeve is", sleeve.slackened_force(F1, c1, moved) - steady
+    yield "off it: N where the sleeve is", F1 - c1 * moved - steady
     balls = drive.sticking_torque(T, Jh, L, J2)
     slipping = solved(T - z * f * R * sleeve.normal_force_at_stop(F2, kappa, balls, R), T)
     alone, share = balls.subs(T, 0), J2 / (Jh + J2)

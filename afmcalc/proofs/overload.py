@@ -115,14 +115,13 @@ def actuation_optimum() -> Steps:
     optimum = overload.optimal_reduced_gain(fmax)
     yield "A = 1", (at_max - 1).subs(C, optimum / z)
     expected = _all(EXPECTED.subs(f, fmax) / CLUTCH)
-    best = overload.best_actual_accuracy_factor(fmin, fmax)
     own = overload.accuracy_factor_expected(EXPECTED.subs(f, fmax), CLUTCH)
     yield "(18) is the ratio of expected torques", _all(own) - expected
     trip = overload.accuracy_factor_actual(FACTOR.subs(f, fmax) * EXPECTED.subs(f, fmax), CLUTCH)
     yield "(19) is A times (18)", _all(trip) - at_max * expected
     load = overload.accuracy_factor_equilibrium(EXPECTED.subs(f, fmax), EXPECTED.subs(f, fmin))
     yield "at equilibrium (18) once more", _all(load) - expected
-    yield "K_т there", expected.subs(C, optimum / z) - best
+    yield "K_т there", expected.subs(C, optimum / z) - (fmax + fmin) / (2 * fmin)
     v, u = z * C * fmax, z * C * fmin
     factored = (v - 1) * (1 - (1 + v) * fmin / (fmax * beta * (1 + u)))
     yield "A − 1 changes sign only there (and at T_п = T_н.маш)", at_max - 1 - factored

@@ -36,7 +36,6 @@ def test_the_optimum_is_a_kink_at_a_equals_1(afmcalc):
     assert sweep["parameter"] == "zC"
     assert sweep["values"][best] == pytest.approx(1.25, abs=1e-9)
     assert sweep["accuracy_factor_actual"][best] == pytest.approx(4.5)
-    assert law.best_actual_accuracy_factor(0.1, 0.8) == pytest.approx(4.5)
 
 
 def test_p11_published_exceeds_expected_from_one_over_zc():

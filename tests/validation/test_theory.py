@@ -3,7 +3,6 @@
 import pytest
 
 from afmcalc.engines import build
-from afmcalc.equations.accuracy import accuracy_factor_peak_above_limit, best_accuracy_factor_peak
 from afmcalc.spec import make_spec
 
 
@@ -22,5 +21,5 @@ def test_published_and_peak_accuracy(gain, published, peaks):
     )
     assert clutch.accuracy_factor == pytest.approx(published, abs=5e-4)
     assert clutch.accuracy_factor_peak == pytest.approx(peaks, abs=5e-4)
-    assert accuracy_factor_peak_above_limit(1, 7, gain, 0.1, 0.8) == pytest.approx(clutch.accuracy_factor_peak)
-    assert best_accuracy_factor_peak(1, 7, 0.1, 0.8) == pytest.approx(1.875)
+    # theory, section 3: z_1 f_max (1 + z_2 C f_min)/(z f_min)
+    assert clutch.accuracy_factor_peak == pytest.approx(0.8 * (1 + 7 * gain * 0.1) / (8 * 0.1))
