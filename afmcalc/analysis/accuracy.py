@@ -61,14 +61,18 @@ def sweep_outputs(clutch: Clutch) -> dict[str, Callable[[Clutch], Any]]:
 
 def accuracy(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[AccuracyResult, list[Finding]]:
     """Calculate the accuracy of a clutch, and over the grid of ``sweeps`` if there are any."""
-    sleeve = clutch.sleeve
+    sleeve, (first, second) = clutch.sleeve, clutch.friction
+    pairs = clutch.bypass_pairs, clutch.spec.friction_group.pairs - clutch.bypass_pairs
     swept = series(AccuracySweep, clutch, sweeps, sweep_outputs(clutch))
     result = AccuracyResult(
         accuracy_factor=clutch.accuracy_factor,
         accuracy_factor_worst_case=clutch.accuracy_factor_worst_case,
         accuracy_factor_peak=clutch.accuracy_factor_peak,
         accuracy_factor_hysteresis=sleeve and sleeve.accuracy_factor_hysteresis,
-        conventional_accuracy_factor=_conventional_accuracy_factor(clutch),
+        # its torque follows z_1 f_1 + z_2 f_2
+        conventional_accuracy_factor=law.conventional_accuracy_factor(
+            *pairs, first.min, second.min, first.max, second.max
+        ),
         gain_limit=clutch.gain_limit,
         gain_threshold=sleeve and sleeve.gain_threshold,
         equivalent_gain=sleeve and sleeve.equivalent_gain,
@@ -93,11 +97,3 @@ def _findings(clutch: Clutch, swept: list[AccuracySweep] | None) -> Iterator[Fin
         if beyond := sum(peak > sustained * (1 + 1e-9) for sustained, peak in pairs):
             points = len(swept[0].values)
             yield finding("sweep-beyond-gain-limit", "warning", value=beyond, limit=0.0, points=points)
-
-
-def _conventional_accuracy_factor(clutch: Clutch) -> Any:
-    """Return the K_т of an ordinary clutch with the same pairs: its torque follows z_1 f_1 + z_2 f_2."""
-    first, second = clutch.friction
-    bypass = clutch.bypass_pairs
-    controlled = clutch.spec.friction_group.pairs - bypass
-    return law.conventional_accuracy_factor(bypass, controlled, first.min, second.min, first.max, second.max)

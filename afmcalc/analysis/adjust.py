@@ -83,7 +83,16 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
     findings = clutch.findings()
     if narrower != "equal":
         index = METHODS.index(narrower)
-        findings += _below_nominal(clutch, result, narrower, results[index], float(clutches[index].torque_min))
+        if not results[index].holds_nominal:
+            findings.append(
+                finding(
+                    "narrower-below-nominal" if results[index].holds_machine else "narrower-below-nominal/machine",
+                    # a warning where the clutch has that setting
+                    "warning" if narrower == clutch.spec.adjustment.method else "info",
+                    value=float(clutches[index].torque_min), limit=nominal, path="adjustment.method",
+                    method=term(narrower), machine=machine,
+                )
+            )  # fmt: skip
     return result, [*findings, *_re_made(clutch, first, second)]
 
 
@@ -99,20 +108,6 @@ def _re_made(clutch: Clutch, first: Clutch, second: Clutch) -> Iterator[Finding]
         slopes = {"at_min": float(first.sleeve.gain_slope), "at_mean": float(second.sleeve.gain_slope)}
         value = float(clutch.sleeve.gain_slope)
         yield finding("pockets-re-cut", "info", value=value, path="control_unit.pocket", **slopes)
-
-
-def _below_nominal(
-    clutch: Clutch, result: AdjustResult, method: Method, setting: MethodResult, lowest: float
-) -> Iterator[Finding]:
-    """Say that the narrower setting does not hold the nominal torque; warn where the clutch has that setting."""
-    if setting.holds_nominal:
-        return
-    yield finding(
-        "narrower-below-nominal" if setting.holds_machine else "narrower-below-nominal/machine",
-        "warning" if method == clutch.spec.adjustment.method else "info",
-        value=lowest, limit=result.nominal_torque, path="adjustment.method", method=term(method),
-        machine=result.machine_torque,
-    )  # fmt: skip
 
 
 def _method(clutch: Clutch, nominal: float, machine: float) -> MethodResult:

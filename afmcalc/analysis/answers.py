@@ -1,5 +1,6 @@
 """What was asked of one clutch, each answer calculated once."""
 
+from contextlib import nullcontext
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -7,7 +8,7 @@ from ..engines.protocol import Clutch
 from ..equations.calls import unnoted
 from ..findings import Finding
 from ..result import Result
-from .registry import ANALYSES, Analysis, StressRule
+from .registry import ANALYSES, StressRule
 
 if TYPE_CHECKING:
     from .tolerance.result import Study
@@ -22,13 +23,19 @@ class Answers:
         """Ask of ``clutch``, the life by the rule ``model``."""
         self.clutch = clutch
         self._options = {"model": model, "answers": self}
-        self._found: dict[str, tuple[Any, list[Finding]]] = {}
+        self._answers: dict[str, tuple[Any, list[Finding]]] = {}
 
     def ask(self, name: str) -> tuple[Any, list[Finding]]:
         """Return result and findings of an analysis, run at most once."""
-        if name not in self._found:
-            self._found[name] = self._run(ANALYSES[name])
-        return self._found[name]
+        if name not in self._answers:
+            analysis = ANALYSES[name]
+            with nullcontext() if analysis.explained else unnoted():
+                if name == "tolerance":
+                    self._answers[name] = self.study.result, self.study.findings
+                else:
+                    options = {option: self._options[option] for option in analysis.options}
+                    self._answers[name] = analysis.function(self.clutch, **options)
+        return self._answers[name]
 
     def of(self, kind: type[R]) -> R:
         """Return the result of that class."""
@@ -41,14 +48,3 @@ class Answers:
         from .tolerance.study import study
 
         return study(self.clutch)
-
-    def _run(self, analysis: Analysis) -> tuple[Any, list[Finding]]:
-        if not analysis.explained:
-            with unnoted():
-                return self._ran(analysis)
-        return self._ran(analysis)
-
-    def _ran(self, analysis: Analysis) -> tuple[Any, list[Finding]]:
-        if analysis.name == "tolerance":
-            return self.study.result, self.study.findings
-        return analysis.function(self.clutch, **{name: self._options[name] for name in analysis.options})

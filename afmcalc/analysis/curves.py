@@ -100,16 +100,17 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
     """Calculate the torque from f_min to f_max, as set and by both adjustment methods for the same nominal torque."""
     path = _path(clutch)
     nominal = float(clutch.nominal_torque)
+    peak, sustained = clutch.breakaway_torque(*path), clutch.torque(*path)
     by_method = [set_by(clutch.spec, method, nominal).torque(*path).tolist() for method in METHODS]
     return TorqueCurve(
         name=clutch.spec.name,
         variant=clutch.spec.variant,
         friction=path[0].tolist(),
         friction_driving=path[0].tolist() if clutch.spec.friction.unlike else None,
-        torque=clutch.torque(*path).tolist(),
+        torque=sustained.tolist(),
         torque_min_friction=by_method[0],
         torque_mean_friction=by_method[1],
-        breakaway_torque=_breakaway(clutch, path),
+        breakaway_torque=peak.tolist() if (peak > sustained * (1 + 1e-9)).any() else None,
         torque_returning=clutch.sleeve and np.asarray(clutch.sleeve.torque_returning(path[0])).tolist(),
         nominal_torque=nominal,
         margin=clutch.spec.adjustment.margin,
@@ -124,7 +125,10 @@ def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
     """
     text = sweep or "C"
     axis = parse_axis(text, clutch.spec)
-    current = _value_of(axis, clutch)
+    # what the clutch has of the key, also where it follows from others
+    follows = {"control_unit.gain": clutch.gain, "closing_spring.force": clutch.closing_force}
+    value = follows.get(axis.key.path, current_value(clutch.spec, axis.key.path))
+    current = None if value is None else float(value) / axis.scale
     if "=" not in text and not is_whole(axis.key.path):
         ends = [float(axis.values.min()), float(axis.values.max()), *([] if current is None else [current])]
         axis = axis._replace(values=np.linspace(min(ends), max(ends), POINTS))
@@ -213,13 +217,6 @@ def _over(axis: Axis, kind: type[S], clutch: Clutch, outputs: Mapping[str, Calla
     return swept[0]
 
 
-def _value_of(axis: Axis, clutch: Clutch) -> float | None:
-    """What the clutch has of a swept key, also where it follows from others."""
-    follows = {"control_unit.gain": clutch.gain, "closing_spring.force": clutch.closing_force}
-    value = follows.get(axis.key.path, current_value(clutch.spec, axis.key.path))
-    return None if value is None else float(value) / axis.scale
-
-
 def _path(clutch: Clutch) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """f_1 and f_2 moving together from their smallest to their largest values.
 
@@ -230,9 +227,3 @@ def _path(clutch: Clutch) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         raise CalculationError("the friction does not wander (min = max): there is no curve over it")
     first, second = clutch.path(np.linspace(0.0, 1.0, POINTS))
     return np.asarray(first), np.asarray(second)
-
-
-def _breakaway(clutch: Clutch, path: tuple[NDArray[np.float64], NDArray[np.float64]]) -> list[float] | None:
-    """Breakaway torque where it exceeds the sustained one anywhere."""
-    peak, sustained = clutch.breakaway_torque(*path), clutch.torque(*path)
-    return peak.tolist() if bool((peak > sustained * (1 + 1e-9)).any()) else None

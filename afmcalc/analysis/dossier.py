@@ -1,8 +1,9 @@
 """All that is to be said of one clutch, gathered for a report."""
 
+from contextlib import suppress
 from typing import Any, NamedTuple
 
-from ..engines import Clutch, build
+from ..engines import build
 from ..equations.calls import noted
 from ..errors import CalculationError
 from ..findings import Finding
@@ -15,7 +16,7 @@ from .explain.derivation import Derivation, derivations
 from .explain.trace import CallReader
 from .figures import Request, gathered
 from .limits import Utilisation
-from .registry import ANALYSES, Analysis, Plot, StressRule, Told
+from .registry import ANALYSES, Analysis, StressRule, Told
 from .requirements import RequirementRow
 
 
@@ -66,19 +67,19 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
         answers, derived = _explained(spec, model)
     else:
         answers, derived = Answers(build(spec), model=model), {}
-    applying = [each for each in ANALYSES.values() if _reported(each, answers.clutch)]
+    applying = [
+        analysis
+        for analysis in ANALYSES.values()
+        if (section := analysis.section) and analysis.applies(answers.clutch) and section.applies(answers.clutch)
+    ]
     verdict, findings = answers.ask("check")
-    findings = list(dict.fromkeys([*findings, *(each for own in applying for each in answers.ask(own.name)[1])]))
+    findings = [*findings, *(finding for analysis in applying for finding in answers.ask(analysis.name)[1])]
     return Dossier(
         spec=spec,
         check=verdict,
-        findings=findings,
-        topics=[_topic(each, answers, derived.get(each.name, [])) for each in applying],
+        findings=list(dict.fromkeys(findings)),
+        topics=[_topic(analysis, answers, derived.get(analysis.name, [])) for analysis in applying],
     )
-
-
-def _reported(analysis: Analysis, clutch: Clutch) -> bool:
-    return analysis.section is not None and analysis.applies(clutch) and analysis.section.applies(clutch)
 
 
 def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[Derivation]]]:
@@ -99,6 +100,10 @@ def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[D
 def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> Topic:
     section, plot, result = analysis.section, analysis.plot, answers.ask(analysis.name)[0]
     assert section is not None
+    figure = None
+    if plot and plot.applies(answers.clutch):
+        with suppress(CalculationError):  # no curve: friction that does not wander, no limit of life
+            figure = gathered(plot.name, Request([answers]))
     return Topic(
         name=analysis.name,
         title=section.title,
@@ -108,7 +113,7 @@ def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> T
         result=result,
         derivations=derived,
         plot=plot.name if plot else "",
-        figure=_figure(plot, answers) if plot and plot.applies(answers.clutch) else None,
+        figure=figure,
     )
 
 
@@ -118,11 +123,3 @@ def _said(told: Told, result: Result) -> str:
         told(result) if callable(told) else told,
         {name: term(each) if isinstance(each, str) else each for name, each in dict(result).items()},
     )
-
-
-def _figure(plot: Plot, answers: Answers) -> Any:
-    """What is drawn; None where there is no curve (friction that does not wander, no limit of life)."""
-    try:
-        return gathered(plot.name, Request([answers]))
-    except CalculationError:
-        return None

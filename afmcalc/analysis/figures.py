@@ -1,6 +1,6 @@
 """What there is to draw: each kind of plot as data, gathered from what was asked of a clutch."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..errors import AfmcalcError, CalculationError
@@ -9,13 +9,12 @@ from .registry import ANALYSES, PLOTS, Plot, StressRule
 
 if TYPE_CHECKING:
     from ..drive.result import SimulateResult
-    from ..papers.figures import PaperFigure
-    from .curves import AccuracyCurve, LifeCurve, OverloadCurve, TorqueCurve
+    from ..spec.requirements import Requirements
+    from .answers import Answers
+    from .curves import LifeCurve
     from .design.rows import DesignResult
-    from .effects import EffectsCurve
     from .shop import ShopDrawing
     from .simulate import MomentRow
-    from .springs.springs import SpringsCurve
     from .synthesize import SynthesisResult
     from .tolerance.result import Study
 
@@ -121,26 +120,44 @@ def gathered(name: str, request: Request) -> Any:
         AfmcalcError: no such plot, subjects or options that are not for it, or an analysis that does not apply.
     """
     check_request(name, request)
-    gather: Callable[[Request], Any] = globals()[f"_{name}"]
-    return gather(request)
+    subject = request.subjects[0]
+    match name:
+        case "torque":
+            from .curves import torque_curve
 
+            return [torque_curve(answers.clutch) for answers in request.subjects]
+        case "accuracy":
+            from .curves import accuracy_curve
 
-def _torque(request: Request) -> "list[TorqueCurve]":
-    from .curves import torque_curve
+            return [accuracy_curve(answers.clutch, request.sweep) for answers in request.subjects]
+        case "overload":
+            from .curves import overload_curve
 
-    return [torque_curve(answers.clutch) for answers in request.subjects]
+            return overload_curve(subject.clutch)
+        case "life":
+            return _life(request)
+        case "pocket":
+            spec = subject.clutch.spec
+            return PocketSection(spec.name, spec.control_unit.balls, subject.ask("synthesize")[0])
+        case "effects":
+            from .effects import effects_curve
 
+            return effects_curve(subject.clutch)
+        case "springs":
+            from .springs.springs import springs_curve
 
-def _accuracy(request: Request) -> "list[AccuracyCurve]":
-    from .curves import accuracy_curve
+            return springs_curve(subject.clutch)
+        case "tolerance":
+            return _tolerance(subject)
+        case "simulate":
+            return _simulate(subject)
+        case "pareto":
+            return _pareto(subject)
+        case "paper":
+            from ..papers.figures import paper_figure
 
-    return [accuracy_curve(answers.clutch, request.sweep) for answers in request.subjects]
-
-
-def _overload(request: Request) -> "OverloadCurve":
-    from .curves import overload_curve
-
-    return overload_curve(request.subjects[0].clutch)
+            return paper_figure(subject)
+    raise NotImplementedError(name)
 
 
 def _life(request: Request) -> "list[LifeCurve]":
@@ -150,11 +167,7 @@ def _life(request: Request) -> "list[LifeCurve]":
     drawn = [cycles for curve in curves for cycles in curve.series.protected]
     if len(curves) == 1:
         (only,) = curves
-        drawn += [
-            *only.series.unprotected,
-            *only.series.protected_forecast,
-            *(setting.cycles for setting in only.settings),
-        ]
+        drawn += [*only.series.unprotected, *only.series.protected_forecast, *(each.cycles for each in only.settings)]
     if not any(drawn):
         raise CalculationError(
             "plot life: by the model {model!r} fatigue sets no limit anywhere in the range", model=curves[0].model
@@ -162,23 +175,39 @@ def _life(request: Request) -> "list[LifeCurve]":
     return curves
 
 
-def _pocket(request: Request) -> PocketSection:
-    (answers,) = request.subjects
-    spec = answers.clutch.spec
-    synthesis, _ = answers.ask("synthesize")
-    return PocketSection(spec.name, spec.control_unit.balls, synthesis)
+def _tolerance(answers: "Answers") -> ToleranceFigure:
+    from .tolerance.statistics import CENTRAL
+
+    study, spec = answers.study, answers.clutch.spec
+    if not study.histogram.densities:
+        raise CalculationError("plot tolerance: the torque does not scatter, there is no histogram")
+    nominal, share = float(answers.clutch.nominal_torque), CENTRAL[1] - CENTRAL[0]
+    assert spec.tolerance is not None
+    return ToleranceFigure(spec.name, nominal, spec.tolerance.seed, share, study)
 
 
-def _effects(request: Request) -> "EffectsCurve":
-    from .effects import effects_curve
+def _simulate(answers: "Answers") -> SimulateFigure:
+    from itertools import groupby
 
-    return effects_curve(request.subjects[0].clutch)
+    from ..drive.result import SimulateResult
+    from .simulate import history
+
+    spec, result = answers.clutch.spec, answers.of(SimulateResult)
+    rows = history(answers.clutch, short=True).moments
+    courses = [list(course) for _, course in groupby(rows, lambda row: (row.friction, row.friction_driving))]
+    assert spec.drive.event is not None
+    return SimulateFigure(spec.name, spec.drive.event.kind, result.load_torque, result, courses)
 
 
-def _springs(request: Request) -> "SpringsCurve":
-    from .springs.springs import springs_curve
+def _pareto(need: "Requirements") -> ParetoFigure:
+    from .design.design import design
 
-    return springs_curve(request.subjects[0].clutch)
+    if len(set(need.objectives)) < 2:
+        raise CalculationError("plot pareto: one objective has one best clutch and no front; give two or more")
+    result, findings = design(need)
+    if not result.front:
+        raise CalculationError(findings[0].message)
+    return ParetoFigure(need.name, result)
 
 
 def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
@@ -194,46 +223,3 @@ def shop_drawing_of(name: str, request: Request) -> "ShopDrawing":
     (answers,) = request.subjects
     synthesis, _ = answers.ask("synthesize")
     return shop_drawing(answers.clutch, synthesis, request.cutter, CHORD if request.chord is None else request.chord)
-
-
-def _tolerance(request: Request) -> ToleranceFigure:
-    from .tolerance.statistics import CENTRAL
-
-    (answers,) = request.subjects
-    study, spec = answers.study, answers.clutch.spec
-    if not study.histogram.densities:
-        raise CalculationError("plot tolerance: the torque does not scatter, there is no histogram")
-    return ToleranceFigure(
-        spec.name, float(answers.clutch.nominal_torque), spec.tolerance.seed, CENTRAL[1] - CENTRAL[0], study
-    )
-
-
-def _simulate(request: Request) -> SimulateFigure:
-    from itertools import groupby
-
-    from ..drive.result import SimulateResult
-    from .simulate import history
-
-    (answers,) = request.subjects
-    clutch, result = answers.clutch, answers.of(SimulateResult)
-    rows = history(clutch, short=True).moments
-    courses = [list(course) for _, course in groupby(rows, lambda row: (row.friction, row.friction_driving))]
-    return SimulateFigure(clutch.spec.name, clutch.spec.drive.event.kind, result.load_torque, result, courses)
-
-
-def _pareto(request: Request) -> ParetoFigure:
-    from .design.design import design
-
-    (need,) = request.subjects
-    if len(set(need.objectives)) < 2:
-        raise CalculationError("plot pareto: one objective has one best clutch and no front; give two or more")
-    result, findings = design(need)
-    if not result.front:
-        raise CalculationError(findings[0].message)
-    return ParetoFigure(need.name, result)
-
-
-def _paper(request: Request) -> "PaperFigure":
-    from ..papers.figures import paper_figure
-
-    return paper_figure(request.subjects[0])

@@ -1,7 +1,7 @@
 """Torque and forces of the slipping clutch."""
 
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import Any, TypeVar
 
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
@@ -64,6 +64,7 @@ class TorqueResult(Answer):
 
 
 Pair = tuple[float, float | None]
+T = TypeVar("T")
 
 
 def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult, list[Finding]]:
@@ -79,7 +80,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         gain=clutch.gain,
         gain_slope=None if sleeve is None else sleeve.gain_slope or None,
         reduced_gain=clutch.reduced_gain,
-        **_friction_triples(clutch),
+        **friction_fields(clutch, *map(Triple.of, clutch.friction)),
         **{name: Triple.of([state[name] for state in states]) for name in states[0]},
         control_force=sleeve and sleeve.control_force,
         pack_force_at_rest=sleeve and sleeve.pack_force_at_rest,
@@ -106,14 +107,6 @@ def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
     return points
 
 
-def _friction_triples(clutch: Clutch) -> dict[str, Triple]:
-    """Return the ranges of friction as result fields: ``friction``, or one per group with unlike materials."""
-    first, second = map(Triple.of, clutch.friction)
-    return (
-        {"friction_driving": first, "friction_driven": second} if clutch.spec.friction.unlike else {"friction": first}
-    )
-
-
 def triple(clutch: Clutch, function: Callable[..., Any]) -> Triple:
     """Evaluate ``function(f_1, f_2)`` at the smallest, mean and largest friction."""
     return Triple.of([function(*frictions) for frictions in zip(*clutch.friction, strict=True)])
@@ -125,9 +118,9 @@ def _state(clutch: Clutch, friction: float, friction_driven: float | None) -> di
     return {name: getattr(clutch, name)(friction, friction_driven) for name in asked}
 
 
-def friction_fields(clutch: Clutch, friction: float, friction_driven: float | None) -> dict[str, float]:
-    """Return a friction asked for as result fields: ``friction``, or one per group."""
-    if friction_driven is None and not clutch.spec.friction.unlike:
+def friction_fields(clutch: Clutch, friction: T, friction_driven: T | None) -> dict[str, T]:
+    """Return frictions as result fields: ``friction``, or one per group with unlike materials."""
+    if not clutch.spec.friction.unlike:
         return {"friction": friction}
     return {"friction_driving": friction, "friction_driven": friction if friction_driven is None else friction_driven}
 

@@ -116,9 +116,11 @@ def _static_friction(given: Table) -> Iterator[Broken]:
 
 def _special_keys() -> dict[str, tuple[str, ...]]:
     """Keys that only some variants have → those variants."""
-    variants = VARIANTS.values()
-    keys = [key for variant in variants for key in variant.keys]
-    return {key: tuple(variant.name for variant in variants if key in variant.keys) for key in keys}
+    special: dict[str, tuple[str, ...]] = {}
+    for variant in VARIANTS.values():
+        for key in variant.keys:
+            special[key] = (*special.get(key, ()), variant.name)
+    return special
 
 
 def variants_of(path: str) -> tuple[str, ...]:
