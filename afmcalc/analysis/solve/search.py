@@ -144,7 +144,11 @@ def explore(function: Function, wanted: float, domain: Domain) -> Curve:
     low = 0 if domain.low_taken else _approached(value)
     high = lost = 0
     if not math.isfinite(domain.high):
-        high, lost = _approached(value[::-1]), _noisy(function, at, value)
+        high = _approached(value[::-1])
+        # rounding rules the last samples, which change by more than ``SAME`` in a step of ``_ROUNDING``
+        steady = np.abs(function(at * (1 + _ROUNDING)) - value) < SAME * np.abs(value)
+        runs = np.convolve(steady, np.ones(_RUN), "valid") == _RUN
+        lost = int(np.argmax(runs[::-1]))
     limit_low, limit_high = float(value[0]) if low else None, float(value[-1]) if high else None
     kept = slice(low, len(value) - max(high, lost))
     at, value = at[kept], value[kept]
@@ -200,13 +204,6 @@ def _approached(value: Floats) -> int:
     count = int(np.argmax(away))
     # samples that are level to the last digit do reach their value
     return count if abs(value[count - 1] - value[0]) > _ROUNDING * abs(value[0]) else 0
-
-
-def _noisy(function: Function, at: Floats, value: Floats) -> int:
-    """Number of last samples that rounding rules: they change by more than ``SAME`` in a step of ``_ROUNDING``."""
-    steady = np.abs(function(at * (1 + _ROUNDING)) - value) < SAME * np.abs(value)
-    runs = np.convolve(steady, np.ones(_RUN), "valid") == _RUN
-    return int(np.argmax(runs[::-1]))
 
 
 def _lowest(gap: Floats) -> Truths:

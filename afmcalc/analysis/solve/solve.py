@@ -283,7 +283,7 @@ def _symbol(name: str, spec: Spec) -> str:
     """Symbol of a parameter, however it is called; refuse one that the variant does not have."""
     path, paths = path_of(name), [ALIASES[symbol] for symbol in PARAMETERS]
     if path not in paths:
-        known = [*PARAMETERS, *paths, *(each.rpartition(".")[2] for each in paths)]
+        known = [*PARAMETERS, *paths, *(path.rpartition(".")[2] for path in paths)]
         raise AfmcalcError(
             "--for {name:.80}: cannot be solved for{hint}; one of {names}",
             name=name,

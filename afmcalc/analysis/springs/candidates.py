@@ -84,36 +84,36 @@ def stack_of(disc: Disc, parallel: int, series: int) -> DiscStack:
 
 
 def candidates(
-    wish: SpringDemand, kind: SpringKind, tolerance: float = TOLERANCE, *, fitting: bool = False
+    demand: SpringDemand, kind: SpringKind, tolerance: float = TOLERANCE, *, fitting: bool = False
 ) -> Iterator[Candidate]:
     """Parts of a kind, each with what it misses; with ``fitting`` no discs that cannot do by their size or force."""
     parts: list[Iterator[DiscStack | CoilSprings]] = []
     if kind != "coil":
-        parts.append(_stacks(wish, fitting=fitting))
+        parts.append(_stacks(demand, fitting=fitting))
     if kind != "disc":
-        parts.append(coil_springs(wish))
+        parts.append(coil_springs(demand))
     for part in chain(*parts):
         spring = characteristic(part)
         misses = {"stiffness": 0.0}
-        for demand in checks_of_part(wish, part):
-            name = demand.rule.misses
-            misses[name] = max(demand.beyond, misses.get(name, 0.0))
-        if wish.stiffness is not None:
-            off = abs(float(spring.stiffness(spring.deflection(wish.force))) / wish.stiffness - 1)
+        for check in checks_of_part(demand, part):
+            name = check.rule.misses
+            misses[name] = max(check.beyond, misses.get(name, 0.0))
+        if demand.stiffness is not None:
+            off = abs(float(spring.stiffness(spring.deflection(demand.force))) / demand.stiffness - 1)
             misses["stiffness"] = off if off > tolerance else 0.0
         yield Candidate(part, {name: by for name, by in misses.items() if by > _SLACK})
 
 
-def _stacks(wish: SpringDemand, *, fitting: bool) -> Iterator[DiscStack]:
+def _stacks(demand: SpringDemand, *, fitting: bool) -> Iterator[DiscStack]:
     """Stacks of every size, n laid into each other, and as many packs as stiffness, travel or room ask for."""
-    for pack in packs(wish.room if fitting else Room()):
+    for pack in packs(demand.room if fitting else Room()):
         low, high = pack.range
-        if not fitting or pack.force(low) * (1 - _SLACK) <= wish.force <= pack.force(high) * (1 + _SLACK):
-            for series in _series(wish, pack, float(pack.deflection(wish.force))):
+        if not fitting or pack.force(low) * (1 - _SLACK) <= demand.force <= pack.force(high) * (1 + _SLACK):
+            for series in _series(demand, pack, float(pack.deflection(demand.force))):
                 yield pack.part.model_copy(update={"series": series})
 
 
-def _series(wish: SpringDemand, pack: DiscCharacteristic, deflection: float) -> set[int]:
+def _series(demand: SpringDemand, pack: DiscCharacteristic, deflection: float) -> set[int]:
     """How many packs are worth a look: as few as the travel allows, as many as the length does or the stiffness asks.
 
     Each bound is one-sided, so that where any number does, one of these does.
@@ -121,44 +121,44 @@ def _series(wish: SpringDemand, pack: DiscCharacteristic, deflection: float) -> 
     low, high = pack.range
     needs = max(
         1,
-        math.ceil(wish.relaxes / (deflection - low) * (1 - _SLACK)) if deflection > low else 1,
-        math.ceil(wish.compresses / (high - deflection) * (1 - _SLACK)) if deflection < high else 1,
+        math.ceil(demand.relaxes / (deflection - low) * (1 - _SLACK)) if deflection > low else 1,
+        math.ceil(demand.compresses / (high - deflection) * (1 - _SLACK)) if deflection < high else 1,
     )
     most = MOST_SERIES
-    if wish.room.length is not None:
-        left = wish.room.length - wish.relaxes
+    if demand.room.length is not None:
+        left = demand.room.length - demand.relaxes
         most = max(1, math.floor(left / (pack.free_length - deflection) * (1 + _SLACK)))
     counts = {needs}
-    if wish.stiffness is not None:
-        wanted = float(pack.stiffness(deflection)) / wish.stiffness
+    if demand.stiffness is not None:
+        wanted = float(pack.stiffness(deflection)) / demand.stiffness
         counts |= {max(needs, min(series, most)) for series in (math.floor(wanted), math.ceil(wanted))}
-    elif wish.room.length is not None:
+    elif demand.room.length is not None:
         counts.add(most)
     return {min(series, MOST_SERIES) for series in counts}
 
 
-def coil_springs(wish: SpringDemand) -> Iterator[CoilSprings]:
+def coil_springs(demand: SpringDemand) -> Iterator[CoilSprings]:
     """Coil springs around the shaft, or several on a circle, of every wire, their turns in quarters."""
     for count, wire in product(COUNTS, WIRES):
-        for coil in _coils(wish, count, wire):
+        for coil in _coils(demand, count, wire):
             choice = _FREE_TURNS
-            if wish.stiffness is not None:
-                wanted = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0)) / wish.stiffness
+            if demand.stiffness is not None:
+                wanted = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0)) / demand.stiffness
                 quarters = round(4 * wanted) / 4
                 choice = (quarters,) if TURNS[0] <= quarters <= TURNS[1] else ()
             for turns in choice:
                 rate = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, turns))
                 # as short as the gaps between its turns allow when it is pressed most
                 shortest = float(law.coil_solid_length(wire, turns) + law.coil_least_gap(wire, coil, turns))
-                free = math.ceil((shortest + wish.force / rate + wish.compresses) * 1e4) / 1e4
+                free = math.ceil((shortest + demand.force / rate + demand.compresses) * 1e4) / 1e4
                 yield CoilSprings.model_construct(
                     wire_diameter=wire, coil_diameter=coil, turns=turns, free_length=free, count=count
                 )
 
 
-def _coils(wish: SpringDemand, count: int, wire: float) -> list[float]:
+def _coils(demand: SpringDemand, count: int, wire: float) -> list[float]:
     """Mean coil diameters that fit, in steps of whole millimetres at least."""
-    inner, outer = wish.room.inner_diameter or 0.0, wish.room.outer_diameter
+    inner, outer = demand.room.inner_diameter or 0.0, demand.room.outer_diameter
     low, high = INDEX[0] * wire, INDEX[1] * wire
     if count == 1:
         low = max(low, inner + wire)

@@ -153,28 +153,28 @@ def springs(
     remarks: list[Finding] = []
     number = count(1)
     demands = clutch.spring_demands()
-    for wish in demands:
-        tried = list(candidates(wish, kind, tolerance))
-        options = _best_of_each(wish, [part for part, misses in tried if not misses], sort)
+    for demand in demands:
+        tried = list(candidates(demand, kind, tolerance))
+        options = _best_of_each(demand, [part for part, misses in tried if not misses], sort)
         fields |= {
-            f"{wish.name}_force": wish.force,
-            f"{wish.name}_stiffness": wish.stiffness,
-            f"{wish.name}_found": len(options),
-            wish.name: [option.model_copy(update={"number": next(number)}) for option in options[:top]],
+            f"{demand.name}_force": demand.force,
+            f"{demand.name}_stiffness": demand.stiffness,
+            f"{demand.name}_found": len(options),
+            demand.name: [option.model_copy(update={"number": next(number)}) for option in options[:top]],
         }
         if not options and tried:
             close = min(tried, key=lambda candidate: max(candidate.misses.values()))
-            nearest.append(option_of(wish, close.part))
-            remarks.append(_none(wish, close))
-        if None in (wish.room.inner_diameter, wish.room.outer_diameter, wish.room.length):
-            remarks.append(finding("room-not-given", "info", path=f"{wish.name}_spring.room"))
-        if wish.stiffness is None:
-            remarks.append(finding("any-stiffness", "info", path=f"{wish.name}_spring.stiffness"))
+            nearest.append(option_of(demand, close.part))
+            remarks.append(_none(demand, close))
+        if None in (demand.room.inner_diameter, demand.room.outer_diameter, demand.room.length):
+            remarks.append(finding("room-not-given", "info", path=f"{demand.name}_spring.room"))
+        if demand.stiffness is None:
+            remarks.append(finding("any-stiffness", "info", path=f"{demand.name}_spring.stiffness"))
     parts = clutch.spec.spring_parts
     in_use = [
-        option_of(wish, parts[wish.name]).model_copy(update={"spring": wish.name})
-        for wish in demands
-        if wish.name in parts
+        option_of(demand, parts[demand.name]).model_copy(update={"spring": demand.name})
+        for demand in demands
+        if demand.name in parts
     ]
     result = SpringsResult(
         **fields,
@@ -185,18 +185,18 @@ def springs(
     return result, [*clutch.findings(), *remarks]
 
 
-def ranked(wish: SpringDemand, kind: SpringKind = "any") -> list[SpringOption]:
+def ranked(demand: SpringDemand, kind: SpringKind = "any") -> list[SpringOption]:
     """Every part that does, in the order they are told in."""
-    fitting = (part for part, misses in candidates(wish, kind, fitting=True) if not misses)
-    return sorted((option_of(wish, part) for part in fitting), key=_by(wish))
+    fitting = (part for part, misses in candidates(demand, kind, fitting=True) if not misses)
+    return sorted((option_of(demand, part) for part in fitting), key=_by(demand))
 
 
-def _by(wish: SpringDemand, sort: SpringOrder | None = None) -> Callable[[SpringOption], float]:
-    return _BY[sort or ("length" if wish.stiffness else "wear")]
+def _by(demand: SpringDemand, sort: SpringOrder | None = None) -> Callable[[SpringOption], float]:
+    return _BY[sort or ("length" if demand.stiffness else "wear")]
 
 
 def _best_of_each(
-    wish: SpringDemand, parts: list[DiscStack | CoilSprings], sort: SpringOrder | None
+    demand: SpringDemand, parts: list[DiscStack | CoilSprings], sort: SpringOrder | None
 ) -> list[SpringOption]:
     """The best of every size of disc, of every wire and count, sorted: its neighbours are much the same."""
 
@@ -205,21 +205,21 @@ def _best_of_each(
             return ("disc", label_of(part), str(part.parallel))
         return ("coil", str(part.wire_diameter), str(part.count))
 
-    by, families = _by(wish, sort), groupby(sorted(parts, key=family), key=family)
-    return sorted((min((option_of(wish, part) for part in alike), key=by) for _, alike in families), key=by)
+    by, families = _by(demand, sort), groupby(sorted(parts, key=family), key=family)
+    return sorted((min((option_of(demand, part) for part in alike), key=by) for _, alike in families), key=by)
 
 
-def option_of(wish: SpringDemand, part: DiscStack | CoilSprings) -> SpringOption:
+def option_of(demand: SpringDemand, part: DiscStack | CoilSprings) -> SpringOption:
     """What a part gives as set and in service, and what it bears."""
     spring = characteristic(part)
-    deflection = float(spring.deflection(wish.force))
+    deflection = float(spring.deflection(demand.force))
     force, stiffness = float(spring.force(deflection)), float(spring.stiffness(deflection))
-    low, high = deflection - wish.relaxes, deflection + wish.compresses
+    low, high = deflection - demand.relaxes, deflection + demand.compresses
     setting = float(spring.deflection((1 + SETTING) * force) - spring.deflection((1 - SETTING) * force))
     of_kind = (
-        _of_coils(spring, wish, high)
+        _of_coils(spring, demand, high)
         if isinstance(spring, CoilCharacteristic)
-        else _of_discs(spring, wish, force, high)
+        else _of_discs(spring, demand, force, high)
     )
     return SpringOption(
         number=None,
@@ -235,16 +235,16 @@ def option_of(wish: SpringDemand, part: DiscStack | CoilSprings) -> SpringOption
         used_low=low / spring.end,
         used_high=high / spring.end,
         loss_per_travel=stiffness / force,
-        loss_per_wear=None if wish.follows is None else wish.follows * stiffness / force,
-        utilisation=max(demand.utilisation for demand in checks_of_part(wish, part) if demand.rule.misses in _BORNE),
+        loss_per_wear=None if demand.follows is None else demand.follows * stiffness / force,
+        utilisation=max(check.utilisation for check in checks_of_part(demand, part) if check.rule.misses in _BORNE),
         travel_setting=setting,
-        turns_setting=None if wish.pitch is None else setting / wish.pitch,
+        turns_setting=None if demand.pitch is None else setting / demand.pitch,
         **of_kind,
     )
 
 
-def _of_coils(spring: CoilCharacteristic, wish: SpringDemand, high: float) -> dict[str, Any]:
-    part, rests = spring.part, wish.stroke is None
+def _of_coils(spring: CoilCharacteristic, demand: SpringDemand, high: float) -> dict[str, Any]:
+    part, rests = spring.part, demand.stroke is None
     correction = 1.0 if rests else spring.correction
     mass = law.coil_mass(STEEL, part.wire_diameter, part.coil_diameter, part.turns, math.pi)
     return {
@@ -262,14 +262,14 @@ def _of_coils(spring: CoilCharacteristic, wish: SpringDemand, high: float) -> di
     }
 
 
-def _of_discs(spring: DiscCharacteristic, wish: SpringDemand, force: float, high: float) -> dict[str, Any]:
+def _of_discs(spring: DiscCharacteristic, demand: SpringDemand, force: float, high: float) -> dict[str, Any]:
     part = spring.part
     middle, edge = spring.stresses(high)
     ring = law.ring_mass(STEEL, part.outer_diameter, part.inner_diameter, spring.thickness, math.pi)
     up = down = None
-    if wish.friction is not None:
+    if demand.friction is not None:
         up, down = (
-            float(law.stack_force_with_friction(force, part.parallel, *(sign * share for share in wish.friction)))
+            float(law.stack_force_with_friction(force, part.parallel, *(sign * share for share in demand.friction)))
             for sign in (1, -1)
         )
     return {
@@ -328,7 +328,7 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> dic
     return data
 
 
-def _none(wish: SpringDemand, close: Candidate) -> Finding:
+def _none(demand: SpringDemand, close: Candidate) -> Finding:
     """Say that no part does, and what the nearest misses."""
     misses = joined(
         say("{name} by {by:.1%}", name=term(name), by=by)
@@ -338,8 +338,8 @@ def _none(wish: SpringDemand, close: Candidate) -> Finding:
     )
     part = close.part
     size = f"{part.parallel} × {part.series}" if isinstance(part, DiscStack) else f"{part.count} × {part.turns:g}"
-    path = f"{wish.name}_spring"
-    return finding("no-spring", "warning", value=wish.force, path=path, part=label_of(part), size=size, misses=misses)
+    path = f"{demand.name}_spring"
+    return finding("no-spring", "warning", value=demand.force, path=path, part=label_of(part), size=size, misses=misses)
 
 
 def springs_curve(clutch: Clutch) -> SpringsCurve:
@@ -349,25 +349,25 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
         CalculationError: there is no part.
     """
     curves = []
-    for wish in clutch.spring_demands():
-        part = clutch.spec.spring_parts.get(wish.name)
+    for demand in clutch.spring_demands():
+        part = clutch.spec.spring_parts.get(demand.name)
         if part is None:
-            best = ranked(wish)
+            best = ranked(demand)
             if not best:
-                raise CalculationError("plot springs: there is no part for the {name} spring", name=wish.name)
+                raise CalculationError("plot springs: there is no part for the {name} spring", name=demand.name)
             part = part_of(best[0])
         spring = characteristic(part)
         deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)
-        at = float(spring.deflection(wish.force))
+        at = float(spring.deflection(demand.force))
         curve = SpringCurve(
-            spring=wish.name,
+            spring=demand.name,
             part=label_of(part),
             deflection=deflections.tolist(),
             force=np.asarray(spring.force(deflections)).tolist(),
-            tangent=(wish.force + float(spring.stiffness(at)) * (deflections - at)).tolist(),
+            tangent=(demand.force + float(spring.stiffness(at)) * (deflections - at)).tolist(),
             set_deflection=at,
             set_force=float(spring.force(at)),
-            service=(at - wish.relaxes, at + wish.compresses),
+            service=(at - demand.relaxes, at + demand.compresses),
             usable=spring.range,
         )
         curves.append(curve)

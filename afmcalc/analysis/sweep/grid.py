@@ -78,7 +78,9 @@ def series(
     points = grid(axes)
     values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
     answers = {name: array.tolist() for name, array in evaluate(clutch.spec, values, outputs).items()}
-    answers |= {name: [None if each != each else each for each in answers[name]] for name in open_at if name in answers}
+    answers |= {
+        name: [None if value != value else value for value in answers[name]] for name in open_at if name in answers
+    }
     return [
         kind(parameter=axis.name, path=axis.key.path, unit=axis.key.unit or "1", values=given.tolist(), **answers)
         for axis, given in zip(axes, points, strict=True)

@@ -109,11 +109,14 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
     """Return the spec of the samples: as-made the springs of the nominal clutch, each-adjusted those a sample needs.
 
     Raises:
-        SpecError: a field scatters that could have no effect.
+        SpecError: a field scatters that this clutch does not have, or that could have no effect.
     """
-    as_made = given.setting == "as-made"
+    as_made, unlike = given.setting == "as-made", clutch.spec.friction.unlike
     for path in given.fields:
-        if as_made and path.startswith(_ONLY_SETTING):
+        if path in FRICTION and (path == "friction") == unlike:
+            use = say("friction.driving and friction.driven") if unlike else "friction"
+            message = say("this clutch has {use} instead", use=use)
+        elif as_made and path.startswith(_ONLY_SETTING):
             message = say(
                 'acts through the setting alone, which "as-made" holds: give tolerance.setting = "each-adjusted"'
             )

@@ -83,7 +83,7 @@ def study(clutch: Clutch, *, threads: int | None = None) -> Study:
 
 
 def _block(spec: Spec) -> Tolerance:
-    """The [tolerance] block; refuse fields that this clutch does not have."""
+    """The [tolerance] block; a torque that the requirements limit is the limit whose exceedance is asked for."""
     given = spec.tolerance
     if given is None:
         message = say(
@@ -91,14 +91,6 @@ def _block(spec: Spec) -> Tolerance:
             '{{ distribution = "normal", spread = "5 %" }}'
         )
         raise SpecError(spec.label, [Problem("tolerance", None, message)])
-    unlike = spec.friction.unlike
-    wrong = {"friction": unlike, "friction.driving": not unlike, "friction.driven": not unlike}
-    for path in given.fields:
-        if wrong.get(path):
-            use = say("friction.driving and friction.driven") if unlike else "friction"
-            raise SpecError(
-                spec.label, [Problem(f"tolerance.fields.{path}", None, say("this clutch has {use} instead", use=use))]
-            )
     if given.torque_limit is None and spec.requirements is not None:
         return given.model_copy(update={"torque_limit": spec.requirements.torque_max})
     return given
