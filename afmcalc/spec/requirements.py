@@ -255,13 +255,6 @@ class Search(Block):
         assert radii is not None
         return radii
 
-    @property
-    def least_mean_radius(self) -> float:
-        """No mean radius is smaller, m."""
-        outer = float(self.radii.array()[0])
-        inner = outer if self.inner_radius is None else float(self.inner_radius.array()[0])
-        return (max(inner, outer) + inner) / 2
-
 
 class Fixed(Block):
     """What is the same for every candidate."""

@@ -15,7 +15,7 @@ from ...spec.models import HARDENED_STEEL
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
-from .space import SAME, Axes, Mask, Numbers, balls, given
+from .space import SAME, Axes, Mask, Numbers, Places, balls, curved, given
 
 _NEWTON_STEPS = 12
 """To the mouth of a pocket: each doubles the digits."""
@@ -25,8 +25,7 @@ _MOST_CIRCLES = 10_000
 
 def candidates(need: Requirements, variant: Variant, at: Axes) -> "Candidates":
     """Candidates of a variant."""
-    curved = variant.travels and need.fixed.pocket is not None
-    return (CurvedCandidates if curved else Candidates)(need, variant, at)
+    return (CurvedCandidates if curved(need, variant) else Candidates)(need, variant, at)
 
 
 @dataclass(frozen=True)
@@ -259,25 +258,32 @@ class Candidates:
     @cached_property
     def largest_ball(self) -> Numbers:
         """Largest standard ball that has room beside its neighbour, and so has its pocket, m; 0 where none has."""
-        return self._largest(mouths=self.variant.travels or not never_meet(self.need))
+        return self._listed[self._places(mouths=self.variant.travels or not never_meet(self.need))]
 
     @cached_property
     def largest_bearing_ball(self) -> Numbers:
         """The same of a ball that is chosen for the force on it: its wall may be steeper than its travel asks for."""
-        return self._largest(mouths=True)
+        return self._listed[self._places(mouths=True)]
 
-    def _largest(self, *, mouths: bool) -> Numbers:
-        room, listed = self.ball_room, balls(self.need)
+    @property
+    def _listed(self) -> Numbers:
+        return np.append(0.0, balls(self.need))
+
+    def _places(self, *, mouths: bool) -> Places:
+        """How many standard balls have room beside each other, and beside the hub of the sleeve."""
+        room = self.ball_room
         if mouths:
             # the mouth d/cos α − s tan α is to be narrower than the pitch
             room = np.minimum(room, (self.ball_pitch + self.need.fixed.face_gap * self.tangent) * self.cosine)
-        return np.append(0.0, listed)[np.searchsorted(listed, room * (1 - SAME))]
+        return np.searchsorted(balls(self.need), room * (1 - SAME))
 
     @property
     def bears(self) -> Mask:
         """Whether there is room for a standard ball that bears its force."""
-        borne = hertz.allowable_force(given(self.need.contact), self.largest_bearing_ball / 2) * (1 + SAME)
-        return self.ball_torque <= np.where(self.tangent > 0, borne / self.most_per_ball, np.inf)
+        # of each listed ball first: they are fewer
+        borne = np.asarray(hertz.allowable_force(given(self.need.contact), self._listed / 2)) * (1 + SAME)
+        allowed = borne[self._places(mouths=True)] / self.most_per_ball
+        return self.ball_torque <= np.where(self.tangent > 0, allowed, np.inf)
 
     @cached_property
     def contact_pressure(self) -> Numbers:
@@ -453,7 +459,10 @@ def never_meet(need: Requirements) -> bool:
     if need.search.gain is None:
         steepest = math.tan(given(need.search.wall_angle).array()[-1])
     else:
-        steepest = given(need.search.gain).array()[-1] * circle / need.search.least_mean_radius
+        # no mean radius is smaller
+        outer = need.search.radii.array()[0]
+        inner = outer if need.search.inner_radius is None else need.search.inner_radius.array()[0]
+        steepest = given(need.search.gain).array()[-1] * circle / ((max(inner, outer) + inner) / 2)
     pitch = synthesis.ball_pitch(circle, math.sin(math.pi / fixed.balls))
     needed = fixed.face_gap + 2 * fixed.edge_clearance
     # a ball is the next standard one down to where the one before it would do

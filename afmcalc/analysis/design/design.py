@@ -26,7 +26,7 @@ MOST = 10_000_000_000
 """Candidates beyond which a search is refused."""
 MOST_AGAIN = 30_000_000
 """Candidates that are looked through again for what is attainable; of a larger space every so many radii."""
-SAME = 1e-9
+_SAME_CLUTCH = 1e-9
 """Relative distance within which refined clutches are the same one, reached from two grid points."""
 
 
@@ -94,7 +94,7 @@ def numbered(need: Requirements, unordered: list[DesignRow]) -> list[DesignRow]:
     if not unordered:
         return []
     values = np.array([[row.objective(name) for name in need.objectives] for row in unordered])
-    kept = front(values, SAME)
+    kept = front(values, _SAME_CLUTCH)
     order = kept[np.lexsort(values[kept].T[::-1])]
     knee = _knee(values[order])
     return [

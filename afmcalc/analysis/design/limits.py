@@ -16,7 +16,7 @@ from ...variants import Variant
 from ..limits import allowable
 from ..springs.candidates import holds_force, travel_held
 from .candidates import Candidates
-from .space import SAME, Mask, Numbers, given
+from .space import SAME, Mask, Numbers, curved, given
 
 OVER, UNDER = 1 + SAME, 1 - SAME
 
@@ -170,11 +170,6 @@ def feasible(tried: Candidates, among: Mask) -> Mask:
         costly = (bound.holds(few) for bound in bounds if not bound.value)
         good[good] = reduce(and_, costly, np.ones(few.at.pairs.shape, bool))
     return good
-
-
-def curved(need: Requirements, variant: Variant) -> bool:
-    """Whether the pockets have a curved wall: what holds along an axis of straight ones need not of them."""
-    return variant.travels and need.fixed.pocket is not None
 
 
 def unimodal(need: Requirements) -> bool:

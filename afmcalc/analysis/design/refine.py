@@ -17,8 +17,8 @@ from ...spec.requirements import Choice, Requirements
 from ...variants import Variant
 from .. import hertz
 from .candidates import Candidates, candidates
-from .limits import curved, feasible, objectives
-from .space import Axes, Mask, Numbers, joined, searched
+from .limits import feasible, objectives
+from .space import SAME, Axes, Mask, Numbers, curved, joined, searched
 
 FIRST, LATER, ROUNDS = 256, 32, 10
 """Choice of u tried at first, and between the neighbours of the best in each later round."""
@@ -60,7 +60,7 @@ class _Span(NamedTuple):
     high: Numbers
 
     def holds(self, value: Numbers) -> Mask:
-        return (value >= self.low * (1 - 1e-12)) & (value <= self.high * (1 + 1e-12))
+        return (value >= self.low * (1 - SAME)) & (value <= self.high * (1 + SAME))
 
     def clip(self, value: Numbers) -> Numbers:
         return np.clip(value, self.low, self.high)
@@ -74,7 +74,7 @@ class _Rows:
         self.at = Axes(*(column[:, None] for column in at))
         choices = searched(need, variant)
         self.spans = {name: self._span(name, choices.get(name)) for name in _FREE}
-        self.limit = objectives(candidates(need, variant, self.at)) * (1 + 1e-12)
+        self.limit = objectives(candidates(need, variant, self.at)) * (1 + SAME)
         self.by_gain = need.search.gain is not None
 
     def _span(self, name: str, choice: Choice | None) -> _Span:
@@ -99,7 +99,7 @@ class _Rows:
         for name in [*["ball_diameter"] * ball_first, *self.need.objectives]:
             if name not in ("pairs", "ball_diameter") or (ball_first and best is self.at):
                 best = self._least(name, best)
-                self.limit = np.minimum(self.limit, objectives(candidates(self.need, self.variant, best)) * (1 + 1e-12))
+                self.limit = np.minimum(self.limit, objectives(candidates(self.need, self.variant, best)) * (1 + SAME))
         return Axes(*(column[:, 0] for column in best))
 
     def _least(self, goal: str, best: Axes) -> Axes:

@@ -12,7 +12,7 @@ from ...spec.edit import as_written
 from ...spec.models import Room
 from ...spec.requirements import Requirements
 from .candidates import Candidates
-from .limits import curved
+from .space import curved
 
 
 class DesignRow(Result):

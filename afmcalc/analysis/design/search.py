@@ -10,8 +10,8 @@ import numpy as np
 from ...spec.requirements import Requirements
 from ...variants import VARIANTS, Variant
 from .candidates import Candidates, candidates, never_meet
-from .limits import Constraint, constraints, curved, never_worse, objectives, unimodal
-from .space import SAME, Axes, Mask, Numbers, Places, Tile, balls, forces, grids, joined, tiles
+from .limits import Constraint, constraints, never_worse, objectives, unimodal
+from .space import SAME, Axes, Mask, Numbers, Places, Tile, balls, curved, forces, grids, joined, tiles
 
 TILE = 524288
 """Candidates in a tile; in smaller tiles the set-up takes more time than the cache saves."""
@@ -21,8 +21,6 @@ _MANY = 48
 """Number of mean radii from which ``by_radius`` is faster than ``by_tile``."""
 _WAITING = 65536
 """Candidates that are gathered before the front is calculated again; many take little more time than few."""
-TOLERANCE = 1e-12
-"""Relative difference up to which two values of an objective count as equal, as rounding may make them differ."""
 _LEVELS = 2000
 """Number of levels of the third and further objectives above which rows are compared one by one instead."""
 
@@ -230,7 +228,7 @@ class _Rows:
         return ends
 
 
-def ranks(column: Numbers, tolerance: float = TOLERANCE) -> Places:
+def ranks(column: Numbers, tolerance: float = SAME) -> Places:
     """Rank of every value, equal for values that follow each other within the tolerance.
 
     On whole ranks dominance is exact and transitive, which it is not on numbers compared with a tolerance.
@@ -244,7 +242,7 @@ def ranks(column: Numbers, tolerance: float = TOLERANCE) -> Places:
     return by_value
 
 
-def front(objectives: Numbers, tolerance: float = TOLERANCE) -> Places:
+def front(objectives: Numbers, tolerance: float = SAME) -> Places:
     """Indices, ascending, of the rows that no other row dominates (small is good); of equal rows only the first.
 
     Values within the relative tolerance are the same. A search with a front of 6,800 rows by four objectives takes

@@ -18,7 +18,7 @@ Places: TypeAlias = NDArray[np.int64]
 
 
 SAME = 1e-12
-"""Relative slack of every limit: a candidate on the limit holds it."""
+"""Relative slack of every limit, and difference of two objectives, that may be due to rounding."""
 
 
 class Axes(NamedTuple):
@@ -52,6 +52,11 @@ def given(values: T | None) -> T:
     """What the rules of the requirements, or who asks, see to."""
     assert values is not None
     return values
+
+
+def curved(need: Requirements, variant: Variant) -> bool:
+    """Whether the pockets have a curved wall: what holds along an axis of straight ones need not of them."""
+    return variant.travels and need.fixed.pocket is not None
 
 
 def searched(need: Requirements, variant: Variant) -> dict[str, Choice]:
