@@ -251,7 +251,7 @@ def front(objectives: Numbers, tolerance: float = SAME) -> Places:
     if len(objectives) == 0:
         return np.empty(0, np.int64)
     # sweep over the two columns with most values; equal values in the others, here at least one, make a level
-    columns = (*objectives.T, *np.zeros((2, len(objectives))))
+    columns = (*objectives.T, *np.zeros((max(3 - objectives.shape[1], 0), len(objectives))))
     ranked = np.stack([ranks(column, tolerance) for column in columns], axis=1)
     ranked = ranked[:, np.argsort(-ranked.max(axis=0), kind="stable")]
     order = np.lexsort(ranked.T[:1:-1])
