@@ -15,9 +15,7 @@ from .check import CheckResult
 from .explain.derivation import Derivation, derivations
 from .explain.trace import CallReader
 from .figures import Request, gathered
-from .limits import Utilisation
 from .registry import ANALYSES, Analysis, StressRule, Told
-from .requirements import RequirementRow
 
 
 class Topic(NamedTuple):
@@ -43,16 +41,6 @@ class Dossier(NamedTuple):
     check: CheckResult
     findings: list[Finding]
     topics: list[Topic]
-
-    @property
-    def requirements(self) -> list[RequirementRow]:
-        """Every requirement, and whether the clutch holds it."""
-        return self.check.requirements
-
-    @property
-    def limits(self) -> list[Utilisation]:
-        """Every limit, and how much of it is used."""
-        return self.check.limits
 
 
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:

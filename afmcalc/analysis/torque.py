@@ -58,8 +58,8 @@ class TorqueResult(Answer):
 
     def words(self, name: str) -> str | None:
         """Tell people nothing of extremes at the ends of the range: the triple of the torque shows them."""
-        path, own = self.friction or self.friction_driving, self.torque_range
-        shown = path is not None and {own.at_low, own.at_high} <= {path.min, path.max}
+        path, extremes = self.friction or self.friction_driving, self.torque_range
+        shown = path is not None and {extremes.at_low, extremes.at_high} <= {path.min, path.max}
         return "" if name == "torque_range" and shown else None
 
 
@@ -71,8 +71,13 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
     """Calculate torque and forces over the friction range, and at pairs (f, None) or (f_1, f_2) asked for."""
     points = pairs_asked(clutch, friction)
     sleeve = clutch.sleeve
+    asked = ("torque", "normal_force", "release_force", *(("travel",) if sleeve else ()))
+
+    def state(*pair: Any) -> dict[str, Any]:
+        return {name: getattr(clutch, name)(*pair) for name in asked}
+
     # before all else: a report numbers the formulas in the order in which they run
-    states = [_state(clutch, *frictions) for frictions in zip(*clutch.friction, strict=True)]
+    states = [state(*pair) for pair in zip(*clutch.friction, strict=True)]
     result = TorqueResult(
         nominal_torque=clutch.nominal_torque,
         machine_torque=clutch.machine_torque,
@@ -88,7 +93,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         torque_range=TorqueExtremes(**clutch.torque_range._asdict()),
         scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,
-        points=[FrictionPoint(**friction_fields(clutch, *pair), **_state(clutch, *pair)) for pair in points] or None,
+        points=[FrictionPoint(**friction_fields(clutch, *pair), **state(*pair)) for pair in points] or None,
     )
     return result, [*clutch.findings(), *(remark for pair in points for remark in outside_range(clutch, *pair))]
 
@@ -110,12 +115,6 @@ def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:
 def triple(clutch: Clutch, function: Callable[..., Any]) -> Triple:
     """Evaluate ``function(f_1, f_2)`` at the smallest, mean and largest friction."""
     return Triple.of([function(*frictions) for frictions in zip(*clutch.friction, strict=True)])
-
-
-def _state(clutch: Clutch, friction: float, friction_driven: float | None) -> dict[str, Any]:
-    """Torque and forces at one friction, and the travel where there is a sleeve."""
-    asked = ("torque", "normal_force", "release_force", *(("travel",) if clutch.sleeve else ()))
-    return {name: getattr(clutch, name)(friction, friction_driven) for name in asked}
 
 
 def friction_fields(clutch: Clutch, friction: T, friction_driven: T | None) -> dict[str, T]:

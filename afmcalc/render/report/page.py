@@ -91,7 +91,7 @@ def render(subject: Subject) -> str:
         for number, (key, sheet) in enumerate(sheets, 1)
     ]
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
-    empty = {"requirements": not dossier.requirements, "plots": not figures}
+    empty = {"requirements": not dossier.check.requirements, "plots": not figures}
     cited = {source for chapter in parts for source in chapter.topic.sources}
     return _template().render(
         subject=subject,
@@ -124,15 +124,15 @@ class Verdict(NamedTuple):
 
 def verdict(dossier: Dossier) -> Verdict:
     """Sum up requirements and checks, and name the limit of which the clutch uses most."""
-    passed = {row.passed for row in dossier.requirements}
+    passed = {row.passed for row in dossier.check.requirements}
     required = "missed" if False in passed else "open" if None in passed else "met" if passed else "none"
     levels = {finding.level for finding in dossier.findings if not finding.code.startswith("requirement-")}
-    exceeded = any(limit.verdict != "pass" for limit in dossier.limits)
+    exceeded = any(limit.verdict != "pass" for limit in dossier.check.limits)
     checked = "exceeded" if exceeded else "warned" if "warning" in levels else "passed"
     checked = "failed" if "error" in levels else checked
     whole = required in ("none", "met") and checked == "passed"
     failed = required == "missed" or checked == "failed"
-    most = max(dossier.limits, key=lambda limit: limit.utilisation, default=None)
+    most = max(dossier.check.limits, key=lambda limit: limit.utilisation, default=None)
     limit = ""
     if most is not None:
         limit = message(

@@ -259,7 +259,7 @@ def test_equations_of_a_word_document_can_be_edited(report, tmp_path):
 def test_a_verdict_is_a_sentence_for_each_outcome():
     """Requirements alone never fail the checks, checks alone no requirement."""
     told = dossier(read_spec(None, ["requirements.nominal_torque=50"]), explained=False)
-    (row,) = told.requirements
+    (row,) = told.check.requirements
     outcomes = {"none": [], "met": [True], "open": [True, None], "missed": [False, None]}
     levels = {
         "passed": ["info"],
@@ -267,9 +267,9 @@ def test_a_verdict_is_a_sentence_for_each_outcome():
         "exceeded": ["warning"],
         "failed": ["warning", "error"],
     }
-    said, (first, *others) = set(), told.limits
+    said, (first, *others) = set(), told.check.limits
     beyond = first.model_copy(update={"utilisation": 1.18, "verdict": "warning"})
-    limits = told.limits, [beyond, *others]
+    limits = told.check.limits, [beyond, *others]
     for required, checked in itertools.product(outcomes, levels):
         rows = [row.model_copy(update={"passed": passed}) for passed in outcomes[required]]
         own = told._replace(
