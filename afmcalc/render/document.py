@@ -3,8 +3,6 @@
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from pydantic.fields import FieldInfo
-
 from ..messages import translate
 from ..result import OpenTriple, Result, Series, Shown, Triple, shown_as
 
@@ -25,8 +23,8 @@ class Column(NamedTuple):
     """SI units of the values, where they are not all in ``unit``."""
     words: Sequence[str | None] = ()
     """Word that formats for people show instead of each value; None: the value."""
-    error_of: str = ""
-    """Path of the column whose standard errors these are."""
+    errors: Sequence[Any] = ()
+    """Standard errors of the values, where they have any."""
     hidden: bool = False
     """Whether formats for people leave the column out, because another column shows it."""
 
@@ -76,13 +74,12 @@ def indexed(symbol: str, index: str) -> str:
 def _walk(
     result: Result, into: Document, prefix: str = "", heading: str = "", index: str = "", hidden: bool = False
 ) -> None:
-    for name, info in type(result).model_fields.items():
-        value = getattr(result, name)
-        if value is None and not info.is_required():
+    for field in fields_of([result], prefix):
+        (value,) = field.values
+        if value is None and not type(result).model_fields[field.path.removeprefix(prefix)].is_required():
             continue
-        column = _column([result], name, info, prefix)
-        label = f"{heading}: {column.name}" if heading else column.name
-        column = column._replace(symbol=indexed(column.symbol, index), name=label)
+        label = f"{heading}: {field.name}" if heading else field.name
+        column = field._replace(symbol=indexed(field.symbol, index), name=label)
         if isinstance(value, Triple | OpenTriple):
             into.triples.append(column._replace(values=[getattr(value, end) for end in ENDS], words=()))
         elif isinstance(value, Result):
@@ -101,25 +98,28 @@ def _walk(
             into.singles.append(column._replace(hidden=hidden or column.shown.is_unit or column.words[0] == ""))
 
 
-def _column(records: Sequence[Result], name: str, info: FieldInfo, prefix: str = "") -> Column:
-    """Return the column of one field of records."""
-    shown = shown_as(info)
-    return Column(
-        prefix + name,
-        shown.symbol or "",
-        translate(info.description or name),
-        shown.unit,
-        [getattr(record, name) for record in records],
-        shown,
-        [getattr(record, shown.unit_in) for record in records] if shown.unit_in else None,
-        [record.words(name) for record in records],
-        shown.error_of and prefix + shown.error_of,
-    )
-
-
-def fields_of(records: Sequence[Result]) -> list[Column]:
-    """Return a column for every field of records of one type; a triple stays in one column."""
-    return [_column(records, name, info) for name, info in type(records[0]).model_fields.items()]
+def fields_of(records: Sequence[Result], prefix: str = "") -> list[Column]:
+    """Return a column for every field of records of one type, with its errors; a triple stays in one column."""
+    fields = type(records[0]).model_fields
+    shown_by_name = {name: shown_as(info) for name, info in fields.items()}
+    error_fields = {shown.error_of: name for name, shown in shown_by_name.items()}
+    columns = []
+    for name, shown in shown_by_name.items():
+        if not shown.error_of:
+            errors = [getattr(record, error_fields[name]) for record in records] if name in error_fields else []
+            column = Column(
+                prefix + name,
+                shown.symbol or "",
+                translate(fields[name].description or name),
+                shown.unit,
+                [getattr(record, name) for record in records],
+                shown,
+                [getattr(record, shown.unit_in) for record in records] if shown.unit_in else None,
+                [record.words(name) for record in records],
+                [] if None in errors else errors,
+            )
+            columns.append(column)
+    return columns
 
 
 def _records(records: Sequence[Result]) -> Table:

@@ -39,20 +39,15 @@ def title(output: Output) -> str:
 
 def blocks(laid_out: Document) -> list[TextTable]:
     """Return single values, then triples, then tables."""
-    errors = errors_in(laid_out.singles)
-    singles = [column for column in laid_out.singles if not column.error_of and not column.hidden]
-    values = [(column, cells(column, errors.get(column.path))) for column in singles]
-    triples = [(column, cells(column)) for column in laid_out.triples]
+    values, triples = (
+        [(column, cells(column)) for column in columns if not column.hidden]
+        for columns in (laid_out.singles, laid_out.triples)
+    )
     tables = [quantities([translate("Value")], values)] if values else []
     tables += [quantities([*map(translate, ("at f_min", "at mean f", "at f_max"))], triples)] if triples else []
     if not laid_out.steps:
         tables += [_table(part) for table in laid_out.tables if not table.shown.data for part in _parts(table)]
     return tables
-
-
-def errors_in(columns: Sequence[Column]) -> dict[str, list[float]]:
-    """Path of a column → its standard errors."""
-    return {column.error_of: column.values for column in columns if column.error_of}
 
 
 def quantities(heads: Sequence[str], lines: Iterable[tuple[Column, Sequence[str]]], title: str = "") -> TextTable:
@@ -65,15 +60,15 @@ def quantities(heads: Sequence[str], lines: Iterable[tuple[Column, Sequence[str]
     return TextTable(title, header, rows, [False, False, *(True for _ in heads), False])
 
 
-def cells(column: Column, errors: Sequence[float] | None = None) -> list[str]:
-    """Values of a column as people see them, with their standard errors where these are given."""
+def cells(column: Column) -> list[str]:
+    """Values of a column as people see them, with their standard errors."""
     if column.shown.is_unit:
         return [display_unit(unit) for unit in column.units or column.values]
     if column.shown.code:
         return [printable(str(value)) for value in column.values]
     units = column.units or [column.unit] * len(column.values)
-    if errors:
-        return [estimate(*figure) for figure in zip(column.values, errors, units, strict=True)]
+    if column.errors:
+        return [estimate(*figure) for figure in zip(column.values, column.errors, units, strict=True)]
     words = column.words or [None] * len(column.values)
     missing = worded(column.shown.null)
     return [
@@ -96,6 +91,7 @@ def _parts(table: Table) -> Iterator[Table]:
                     values=[*compress(column.values, mask)],
                     units=column.units and [*compress(column.units, mask)],
                     words=[*compress(column.words, mask)],
+                    errors=[*compress(column.errors, mask)],
                 )
                 for column in table.columns
             ]
@@ -107,10 +103,9 @@ _LONG = 3
 
 
 def _table(table: Table) -> TextTable:
-    errors = errors_in(table.columns)
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
-    shown = [column for column in table.columns if not column.error_of and not (long and column.shown.detail)]
-    texts = [cells(column, errors.get(column.path)) for column in shown]
+    shown = [column for column in table.columns if not (long and column.shown.detail)]
+    texts = [cells(column) for column in shown]
     meanings = [f"{column.symbol}: {column.name}" for column in shown if column.symbol]
     return TextTable(
         table.title[:1].upper() + table.title[1:],

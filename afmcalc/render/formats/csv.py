@@ -8,7 +8,7 @@ from typing import Any
 from ...messages import printable
 from ...result import Output
 from ..document import ENDS, Column, Document, document
-from ..layout import errors_in, ranked
+from ..layout import ranked
 
 
 def render(output: Output, terminal: bool) -> str:
@@ -76,23 +76,18 @@ def _columns(laid_out: Document) -> list[Column]:
 
 def _figures(laid_out: Document) -> list[Column]:
     """Every figure of every list, with what it is of: the first column of the list."""
-    errors = errors_in(laid_out.singles)
     rows: list[tuple[Any, ...]] = [
-        (single.path, None, *single.values, *errors.get(single.path, [None]), single.unit)
-        for single in laid_out.singles
-        if not single.error_of
+        (single.path, None, *single.values, *(single.errors or [None]), single.unit) for single in laid_out.singles
     ]
     for table in laid_out.tables:
-        of, *others = table.columns
-        errors, count = errors_in(others), len(of.values)
-        figures = [column for column in others if not column.error_of and not column.shown.is_unit]
-        rows += [
-            (f"{table.path}.{column.path}", name, column.values[number], error[number], units[number])
-            for number, name in enumerate(of.values)
-            for column in figures
-            for error, units in [(errors.get(column.path, [None] * count), column.units or [column.unit] * count)]
-            if column.values[number] is not None
-        ]
+        of, *figures = table.columns
+        for number, name in enumerate(of.values):
+            for column in figures:
+                value = column.values[number]
+                error = column.errors[number] if column.errors else None
+                unit = column.units[number] if column.units else column.unit
+                if value is not None and not column.shown.is_unit:
+                    rows.append((f"{table.path}.{column.path}", name, value, error, unit))
     names = ("quantity", "of", "value", "standard_error", "unit")
     return [Column(name, "", name, "", list(part)) for name, part in zip(names, zip(*rows, strict=True), strict=True)]
 
