@@ -1,15 +1,11 @@
 """What is bought: the disc springs of DIN EN 16983 and friction materials, each with its source."""
 
 import tomllib
-from collections.abc import Iterator, Mapping
 from csv import reader
 from functools import cache
 from importlib.resources import files
 from itertools import islice
 from typing import NamedTuple
-
-from ..messages import did_you_mean, say
-from .fields import Broken
 
 
 class Disc(NamedTuple):
@@ -94,21 +90,3 @@ def friction_materials() -> dict[str, Material]:
             citation=source["full"],
         )
     return materials
-
-
-def broken_rules(name: str, beside: Mapping[str, float | None]) -> Iterator[Broken]:
-    """Rules that a friction block with a material breaks: it is unknown, or beside numbers of its own."""
-    known = friction_materials()
-    if name not in known:
-        hint, listed = did_you_mean(name, known), ", ".join(known)
-        yield "material", say("unknown material{hint}; the catalogue has {listed}", hint=hint, listed=listed)
-        return
-    for key, value in beside.items():
-        if value is not None:
-            message = say(
-                "excludes material ({name!r} has {low:g}…{high:g}): give material, or min and max",
-                name=name,
-                low=known[name].friction_min,
-                high=known[name].friction_max,
-            )
-            yield key, message

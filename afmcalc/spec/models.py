@@ -18,7 +18,7 @@ from pydantic import (
 from pydantic_core import PydanticKnownError, core_schema
 
 from ..equations import springs
-from ..messages import say
+from ..messages import did_you_mean, say
 from ..variants import VARIANTS, Variant
 from . import rules
 from .fields import Block, Broken, Name, Quantity, RuledBlock, Torque, key, required, rule_error
@@ -103,9 +103,20 @@ class FrictionRange(RuledBlock):
         """Nothing beside a material; min ≤ mean ≤ max as far as given."""
         low, mean, high = self.min, self.mean, self.max
         if self.material is not None:
-            from . import catalogues
+            from .catalogues import friction_materials
 
-            yield from catalogues.broken_rules(self.material, {"min": low, "mean": mean, "max": high})
+            known = friction_materials()
+            if (material := known.get(self.material)) is None:
+                hint, listed = did_you_mean(self.material, known), ", ".join(known)
+                yield "material", say("unknown material{hint}; the catalogue has {listed}", hint=hint, listed=listed)
+                return
+            message = say(
+                "excludes material ({name!r} has {low:g}…{high:g}): give material, or min and max",
+                name=self.material,
+                low=material.friction_min,
+                high=material.friction_max,
+            )
+            yield from ((name, message) for name in ("min", "mean", "max") if getattr(self, name) is not None)
         elif low is not None and high is not None and low > high:
             yield "max", say("must not be below min ({low:g})", low=low)
         elif mean is not None and low is not None and mean < low:

@@ -158,10 +158,8 @@ def _pairs(given: Table) -> Iterator[Broken]:
         return
     if _is_number(driving):
         if not driving < pairs:
-            yield (
-                "friction_group.driving_pairs",
-                say("must be less than friction_group.pairs ({pairs})", pairs=pairs),
-            )
+            message = say("must be less than friction_group.pairs ({pairs})", pairs=pairs)
+            yield "friction_group.driving_pairs", message
         return
     variant = VARIANTS.get(str(given.get("variant")))
     if driving is None and variant is not None and 1 <= pairs < (least := variant.least_pairs()) > 1:
