@@ -53,6 +53,8 @@ class Pack(ABC):
     net_gain: Number
     """κ at the stop of an indirect clutch; κ₊ is ``net_gain_returning``."""
     net_gain_returning: Number
+    straight_springs: tuple[Number, Number] | None
+    """c_1 and c_2 of springs that are not disc springs: asked for so often that their law is written out."""
     ball_share: Number
     """Share of the torque that passes the balls of a direct clutch, z_2 f_2/Σ z f."""
     lift: Number
@@ -219,6 +221,7 @@ class Sleeve(Pack):
             resting_force=law.control_force,
             net_gain=net,
             net_gain_returning=returning,
+            straight_springs=None if law.curved else (law.closing_stiffness, law.control_stiffness),
             stop_gains={0: (net, returning), 1: (net, net), -1: (returning, returning)}[self.branch],
         )
 
@@ -274,6 +277,9 @@ class Sleeve(Pack):
 
     def moment(self, travel: Number) -> Number:
         """S(x), N·m."""
+        if self.straight_springs is not None:
+            springs = self.closing_force, self.resting_force, *self.straight_springs
+            return _sleeve.spring_moment(self.mean_radius, *springs, travel)
         control = self.law.control_spring.force(travel)
         return _sleeve.spring_moment(self.mean_radius, self._slackened(travel), control, 0.0, 0.0, 0.0)
 
