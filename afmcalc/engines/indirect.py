@@ -294,15 +294,6 @@ class IndirectClutch(Clutch):
         # where the sleeve is about to jump, rounding may make the square negative
         return square_root(larger(self._squared(friction, net_gain), 0.0))
 
-    def _stiffness(self, friction: Values, net_gain: Values) -> Values:
-        """(F_п1 c_2 + F_п2 c_1)/N with the sleeve off its stop, N/m; D(f) of a straight pocket."""
-        straight = self._straight_stiffness(friction, net_gain)
-        if self.straight:
-            return straight
-        slope = pocket.slope_feedback(self.pairs, friction, self.gain_slope)
-        tangent = self.tangent_stiffness(friction, net_gain)
-        return pocket.sleeve_stiffness(straight, self.closing_force, slope, tangent)
-
     def _pressed_at_stop(self, friction: Values, net_gain: Values) -> Values:
         """F_п2/(1 + zκf), N."""
         return indirect.normal_force_seated(self.control_force, self.pairs, net_gain, friction)
@@ -313,7 +304,12 @@ class IndirectClutch(Clutch):
             balance = self.balance(net_gain)
             return balance.normal_force(friction, balance.travel(friction))
         springs = self.closing_force, self.closing_stiffness, self.control_force, self.control_stiffness
-        force = indirect.normal_force_moving(*springs, self._stiffness(friction, net_gain))
+        stiffness = self._straight_stiffness(friction, net_gain)
+        if not self.straight:
+            slope = pocket.slope_feedback(self.pairs, friction, self.gain_slope)
+            tangent = self.tangent_stiffness(friction, net_gain)
+            stiffness = pocket.sleeve_stiffness(stiffness, self.closing_force, slope, tangent)
+        force = indirect.normal_force_moving(*springs, stiffness)
         return smaller(self.closing_force, force)
 
     def balance(self, net_gain: Values) -> "Balance":

@@ -74,11 +74,6 @@ def margin(spec: Spec, method: Method | None = None) -> Any:
     return spec.adjustment.margin if (method or spec.adjustment.method) == "mean-friction" else 1.0
 
 
-def margin_over_machine(spec: Spec) -> Any:
-    """β_н as far as it lies between clutch and machine: with min-friction only (S22)."""
-    return spec.adjustment.margin / margin(spec)
-
-
 def closing_force(spec: Spec, torque_per_force: Callable[[], Any]) -> Any:
     """F_п as given, or from the nominal torque and T/F_п at the setting: every law is proportional to F_п (S19)."""
     if spec.closing_spring.force is not None:

@@ -135,7 +135,7 @@ class Clutch(ABC):
     @property
     def machine_torque(self) -> Values:
         """T_н.маш of the machine, N·m: T_н over the margin; T_н itself if set at mean friction, margin included."""
-        return overload.machine_torque(self.nominal_torque, parameters.margin_over_machine(self.spec))
+        return overload.machine_torque(self.nominal_torque, self.spec.adjustment.margin / parameters.margin(self.spec))
 
     @abstractmethod
     def torque_per_force(self, method: Method | None = None) -> Any:

@@ -68,7 +68,7 @@ def rise_of_a_heated_face() -> Steps:
     yield "none through the far side", sp.diff(inside, place).subs(place, 0)
     through = sp.sinh(bent * depth) / sp.cosh(bent * depth)
     into = k * sp.diff(inside, place).subs(place, depth)
-    yield "Y = flux/rise at the face", sp.simplify(heat.face_admittance(spread, root, through) - into)
+    yield "Y = flux/rise at the face", heat.face_admittance(spread, root, through) - into
     yield "Fo(1/p) of its depth", heat.fourier_number(k, rho, c, 1 / root**2, depth) - 1 / (bent * depth) ** 2
     # endlessly deep: the transform of 2 √(t/π)/b is 1/(p b √p)
     rise = sp.integrate(2 * sp.sqrt(moment / sp.pi) / b * sp.exp(-far * moment), (moment, 0, sp.oo))

@@ -40,9 +40,8 @@ def kloss_motor() -> Steps:
     # s = q s_b with q < 1, the stable branch, makes the root rational
     beyond = positive("p")
     q = 1 / (1 + beyond)
-    found = exact(drive.kloss_slip(Mb, sb, 2 * Mb / (q + 1 / q)))
-    found = rooted(sp.simplify(found))
-    yield "the inverse is the stable branch", found - q * sb
+    slip = exact(drive.kloss_slip(Mb, sb, 2 * Mb / (q + 1 / q)))
+    yield "the inverse is the stable branch", rooted(sp.simplify(slip)) - q * sb
     yield "slip at ω", drive.motor_slip(ws * (1 - s), ws) - s
 
 
@@ -126,9 +125,8 @@ def swing_of_the_control_unit() -> Steps:
     gain = pocket.gain_at(C, slope, x)
     yield "R dφ/dx = C + C_1 x", R * sp.diff(per_turn, x) - gain
     yield "straight: r φ = x tan α", (sleeve.turn(x, R, C, 0) * r - x * t).subs(C, direct.gain(R, r, t))
-    back_again = exact(sleeve.travel(per_turn, R, C, slope))
-    back_again = rooted(back_again)
-    yield "x of φ is the inverse", sp.simplify(back_again) - x
+    back_again = rooted(exact(sleeve.travel(per_turn, R, C, slope)))
+    yield "x of φ is the inverse", back_again - x
     out = sp.integrate(moment / net * C / R, (x, 0, x))
     home = sp.integrate(moment / back * C / R, (x, 0, x))
     yield "V7: loop energy", (C / net - C / back) * work - (out - home)
@@ -148,7 +146,7 @@ def swing_of_the_control_unit() -> Steps:
     yield "the sleeve's mass: T = (S − M_m)/κ + μ φ''", pushed - (moment - taken) / steep - inertia * acceleration
     kinetic = m * sleeve.travel(phi, R, C, 0) ** 2 / 2
     ideal = exact((sleeve.sleeve_inertia(m, R, C, net) * phi**2 / 2 - kinetic).subs(fk, 0))
-    yield "straight, without friction it is m (R/C)²", sp.simplify(ideal)
+    yield "straight, without friction it is m (R/C)²", ideal
 
 
 def balls_off_their_stop() -> Steps:
