@@ -151,7 +151,7 @@ def width_of_the_friction() -> Steps:
             law="direct",
             description="two pairs bypass the control unit",
             bypass=lambda pairs, driving: 2,
-            needs=(("control_unit",),),
+            needs=("control_unit",),
             example="default",
         ),
 """,
