@@ -85,7 +85,7 @@ def shop_drawing(
     way = _both_sides([(-place.cutter_axial, place.cutter_around) for place in profile])
     first = _pocket(profile, wall, unit.pocket_depth_cut)
     second = _mirrored(_pocket(_profile(seat, radius, chord), seat, unit.pocket_depth_cut))
-    extent = _extent(first, second)
+    extent = tuple((1 + BACK) * max(map(abs, ends)) for ends in zip(*first, *second, strict=True))
     return ShopDrawing(
         name=clutch.spec.name or clutch.spec.variant,
         contours=[
@@ -149,13 +149,7 @@ def _mirrored(points: Points) -> Points:
     return [(-along, -around) for along, around in points]
 
 
-def _extent(first: Points, second: Points) -> tuple[float, float]:
-    """How far the sleeves are drawn, along and around."""
-    every = [*first, *second]
-    return (1 + BACK) * max(abs(point[0]) for point in every), (1 + BACK) * max(abs(point[1]) for point in every)
-
-
-def _sleeve(pocket: Points, extent: tuple[float, float]) -> Points:
-    """A sleeve with its pocket."""
+def _sleeve(pocket: Points, extent: tuple[float, ...]) -> Points:
+    """A sleeve with its pocket, drawn as far along and around as ``extent`` says."""
     (back, side), face = extent, pocket[0][0]
     return [(back, -side), (face, -side), *pocket, (face, side), (back, side)]
