@@ -239,14 +239,6 @@ def ring_pressures(clutch: Clutch) -> dict[str, float]:
     return pressures
 
 
-def allowable(material: str) -> float | None:
-    """Surface pressure that a material of the catalogue is held to, Pa; None where the catalogue has none.
-
-    The lower end of the printed range: so the utilisation grows with the load.
-    """
-    return friction_materials()[material].pressure_min
-
-
 _PRESSURE_CODES = {
     "mean": ("mean-pressure", "mean-pressure-in-range", "mean-pressure-exceeded"),
     "peak": ("peak-pressure", "peak-pressure-in-range", "peak-pressure-exceeded"),

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...equations import direct
+from ...spec.catalogues import friction_materials
 from ...spec.models import Room
 from ...spec.requirements import Requirements
 from ...variants import Variant
-from ..limits import allowable
 from ..springs.candidates import holds_force, travel_held
 from .candidates import Candidates
 from .space import SAME, Mask, Numbers, curved, given
@@ -81,8 +81,10 @@ def _bounds(need: Requirements) -> Iterable[Constraint]:
     if (pressure := limits.surface_pressure) is not None:
         yield Constraint("surface_pressure", lambda c: c.surface_pressure, pressure, "Pa", (1, 1))
     if width is not None or need.search.inner_radius is not None:
-        for pressure in filter(None, map(allowable, need.friction.materials.values())):
-            yield Constraint("material_pressure", lambda c: c.peak_pressure, pressure, "Pa", (1, 1))
+        for material in need.friction.materials.values():
+            # the lower end of the printed range, which a check warns beyond
+            if (pressure := friction_materials()[material].pressure_min) is not None:
+                yield Constraint("material_pressure", lambda c: c.peak_pressure, pressure, "Pa", (1, 1))
     if (diameter := limits.outer_diameter) is not None:
         yield Constraint("outer_diameter", lambda c: c.outer_diameter, diameter, "m", (-1, -1))
 
