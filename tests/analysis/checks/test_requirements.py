@@ -291,7 +291,7 @@ def test_what_design_picks_is_held_to_its_limits(variant, carried):
 def test_the_dossier_carries_them():
     spec = read_spec(None, ["requirements.nominal_torque=100", "requirements.accuracy_factor=2"])
     told = dossier(spec, explained=False)
-    assert [(row.requirement, row.passed) for row in told.requirements] == [
+    assert [(row.requirement, row.passed) for row in told.check.requirements] == [
         ("nominal_torque", True),
         ("accuracy_factor", False),
     ]
