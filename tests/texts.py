@@ -104,8 +104,8 @@ def _report() -> Iterator[Key]:
     from afmcalc.render.report import words
 
     yield from (("", text) for text in words.REPORT.values())
-    page = Path(words.__file__).with_name("page.html").read_text(encoding="utf-8")
-    yield from (("", text) for text in re.findall(r'\b_\("([^"]+)"', page))
+    for page in Path(words.__file__).parent.glob("*.html"):
+        yield from (("", text) for text in re.findall(r'\b_\("([^"]+)"', page.read_text(encoding="utf-8")))
 
 
 def modules() -> Iterator[object]:
@@ -190,7 +190,8 @@ def _equations() -> Iterator[Key]:
     for each in equations().values():
         yield ("", each.summary.partition(",")[0].rstrip("."))
         yield ("", re.split("[,:;]", each.summary)[0].rstrip("."))
-        for term in each.arguments.values():
+        yield ("", each.validity)
+        for term in (*each.arguments.values(), each.result):
             if term.meaning:
                 yield ("", term.meaning)
     yield from (("", text) for text in _OF_TANGENT.values())
@@ -201,6 +202,7 @@ def _papers() -> Iterator[Key]:
     from afmcalc.equations.catalogue import equations
     from afmcalc.papers import register
     from afmcalc.papers.figures import FIGURES, paper_figure
+    from afmcalc.render.plot.schemes import SCHEMES
     from afmcalc.spec.catalogues import friction_materials
 
     for each in equations().values():
@@ -214,7 +216,9 @@ def _papers() -> Iterator[Key]:
         yield from (("", axis.name) for axis in (figure.x, *figure.y))
         yield from (("", curve.label) for panel in figure.panels for curve in panel)
     for entry in register.misprints():
-        yield from (("", text) for text in (entry.where, entry.printed, entry.correct, entry.why))
+        yield from (("", text) for text in (entry.where, entry.printed, entry.correct, entry.why, entry.reading) if text)
+    for scheme in SCHEMES.values():
+        yield from (("", text) for text in (scheme().title, scheme().caption))
     for formula in register.register():
         said = (formula.id, formula.says, formula.printed, formula.covered_by, formula.correct)
         yield from (("", text) for text in said if text)

@@ -24,6 +24,7 @@ COMMANDS = {
     "init": "specs",
     "plot": "plot",
     "report": "report",
+    "handbook": "report",
     "schema": "specs",
 }
 """Command → module of this package that holds the function of that name, in the order of the help."""

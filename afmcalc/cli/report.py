@@ -1,6 +1,7 @@
 """The command that writes a calculation report."""
 
 import os
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated, Any
 
 from typer import Option
@@ -54,6 +55,47 @@ def report(
 
     from ..analysis.dossier import dossier
     from ..render.report import Subject, render
+
+    options = {
+        "organisation": organisation, "project": project, "drawing": drawing, "revision": revision,
+        "author": author, "checked": checked, "norm_control": norm_control,
+        "approved": approved, "date": date,
+    }  # fmt: skip
+
+    def page() -> str:
+        raw, given, read = _read(spec, common)
+        title, digest = _title_block(read, options), sha256(raw).hexdigest()
+        return render(
+            Subject(dossier(read, model), given, title, digest, read.label, common.set or (), __version__)
+        )
+
+    _write(common, page, spec=spec, pdf=pdf)
+
+
+@common_options("HTML file; without it standard output.")
+def handbook(
+    pdf: Annotated[
+        bool, Option("--pdf", help="Print it to PDF too, beside FILE, with a headless browser found here.")
+    ] = False,
+    *,
+    common: Common,
+) -> None:
+    """Handbook: the theory behind every number, one self-contained HTML file.
+
+    \b
+    afmcalc handbook -o handbook.html
+    afmcalc handbook -o handbook.html --pdf
+    """  # noqa: D301
+    need_drawing("report")
+    from ..render.handbook import render
+
+    if common.set:
+        raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=common.command)
+    _write(common, render, pdf=pdf)
+
+
+def _write(common: Common, render: Callable[[], str], *, spec: str | None = None, pdf: bool) -> None:
+    """Write a page, and print it to PDF if so wanted: both, or neither where the browser fails."""
     from ..render.report.browser import find_browser, print_pdf
 
     output = common.output
@@ -64,20 +106,9 @@ def report(
             raise AfmcalcError("--pdf prints beside the HTML file: give it with -o report.html")
         target, browser = f"{os.path.splitext(output)[0]}.pdf", find_browser()
     refuse(output, target, force=common.force, inputs=[spec])
-    raw, given, read = _read(spec, common)
-    options = {
-        "organisation": organisation, "project": project, "drawing": drawing, "revision": revision,
-        "author": author, "checked": checked, "norm_control": norm_control,
-        "approved": approved, "date": date,
-    }  # fmt: skip
-    title, digest = _title_block(read, options), sha256(raw).hexdigest()
-    steps = 3 if browser else 2
     with common.bar() as bar:
-        answers = dossier(read, model)
-        bar.advance("report", 1, steps)
-        page = render(Subject(answers, given, title, digest, read.label, common.set or (), __version__))
-        bar.advance("report", 2, steps)
-        # both, or neither where the browser fails
+        page = render()
+        bar.advance("report", 1, 2 if browser else 1)
         printed = print_pdf(browser, page) if browser else b""
     common.write(page)
     if output not in (None, "-"):

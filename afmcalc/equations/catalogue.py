@@ -22,6 +22,8 @@ class Equation(NamedTuple):
     """First line of its docstring."""
     source: str
     """What follows ``Source:`` there."""
+    validity: str
+    """What follows ``Validity:``."""
     arguments: dict[str, Term]
     result: Term
 
@@ -42,7 +44,7 @@ def equations() -> dict[str, Equation]:
 
 def _equation(name: str, function: Callable[..., Any]) -> Equation:
     summary, _, rest = (inspect.getdoc(function) or "").partition("\n")
-    source = rest.partition("Source:")[2].partition("Validity:")[0].partition("\n\n")[0]
+    source, _, validity = (part.partition("\n\n")[0] for part in rest.partition("Source:")[2].partition("Validity:"))
     terms = {key: Term(*hint.__metadata__) for key, hint in get_type_hints(function, include_extras=True).items()}
     result = terms.pop("return")
-    return Equation(name, function, summary, " ".join(source.split()), terms, result)
+    return Equation(name, function, summary, " ".join(source.split()), " ".join(validity.split()), terms, result)

@@ -3,11 +3,11 @@
 import tomllib
 from functools import cache
 from importlib.resources import files
-from typing import Literal
+from typing import Any, Literal
 
 from ..errors import AfmcalcError
 from ..findings import Finding
-from ..messages import did_you_mean, say
+from ..messages import did_you_mean, say, spoken
 from ..progress import counted
 from ..result import Answer, Result, described
 from . import PAPERS
@@ -36,7 +36,11 @@ class Misprint(Result):
     correct: str = described("should be")
     why: str = described("why")
     proof: str | None = described("proof")
-    status: Literal["in print", "as extracted", "by the figure", "withdrawn"] = described("status")
+    status: Literal["in print", "as extracted", "criticism", "repeats another", "withdrawn"] = described("status")
+    certainty: Literal["proved", "contradicts its own text", "as extracted", "modelling"] = described("certainty")
+    quote: str | None = described("in the words of the paper", optional=True, detail=True)
+    reading: str | None = described("right if read as", optional=True, detail=True)
+    repeats: str | None = described("repeats", optional=True, detail=True)
 
 
 class Proved(Result):
@@ -72,6 +76,12 @@ def misprints() -> list[Misprint]:
 def data(name: str) -> dict[str, list[dict[str, str]]]:
     """Read one of the lists of this package: kind of entry → its entries, in order."""
     return tomllib.loads(files("afmcalc.papers").joinpath(name).read_text(encoding="utf-8"))
+
+
+def references() -> dict[str, str]:
+    """Key → reference as the user's language writes it, in the order of the list."""
+    entries: Any = data("references.toml")
+    return {key: entry[spoken()] for key, entry in entries.items()}
 
 
 def check_papers(papers: list[str]) -> None:

@@ -138,12 +138,12 @@ def block_of(step: Derivation, method: str) -> Derived:
     if joined:
         parts += dict.fromkeys((first.numbers, value_latex(measured(first.value, step.unit))))
     lines = [
-        (labels, _math(f"{symbol} = {_broken(row.numbers)}"), measured(row.value, step.unit))
+        (labels, math(f"{symbol} = {broken(row.numbers)}"), measured(row.value, step.unit))
         for row, *labels in zip(step.rows, *(labels for _, labels in columns), strict=True)
     ]
     return Derived(
         step=step._replace(where=[meaning._replace(text=_explained(meaning)) for meaning in step.where]),
-        formula=_math(" = ".join(parts)) if len(parts) > 1 else "",
+        formula=math(" = ".join(parts)) if len(parts) > 1 else "",
         header=[told(name) for name, _ in columns] if len(columns) > 1 else [],
         lines=[] if joined else lines,
     )
@@ -175,7 +175,7 @@ def _size(latex: str) -> int:
     return len(re.sub(r"\\(?:text|left|right|frac|cdot)|[{}\\_^ ]", "", latex))
 
 
-def _broken(latex: str) -> str:
+def broken(latex: str) -> str:
     """Set a sum or product that is too long in several lines: MathML breaks none, and paper does not scroll."""
     if _size(latex) <= _SHORT:
         return latex
@@ -206,7 +206,7 @@ _FUNCTION = re.compile(r"\\(sin|cos|tan|ln) ")
 _PRIME = re.compile(r"\^\{\\prime\}(?!_)")
 
 
-def _math(latex: str) -> Markup:
+def math(latex: str) -> Markup:
     """Set LaTeX in the numbers and units of the user's language."""
     text = _mathml(latex.replace("{,}", "."))
     if spoken() != "en":

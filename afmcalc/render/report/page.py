@@ -13,7 +13,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 from ...analysis.dossier import Dossier
 from ...messages import localized, named, printable, spoken, term, translate
 from ...messages import told as message
-from ...papers import REFERENCES
+from ...papers.register import references
 from ...spec import resolved
 from ...spec.keys import keys, scatter_at
 from ...spec.models import TitleBlock
@@ -55,8 +55,8 @@ class _SpecLine(NamedTuple):
 
 
 @cache
-def _template() -> Template:
-    """The page to be filled, in any language: nothing of it is worked out beforehand."""
+def template(name: str) -> Template:
+    """A page to be filled, in any language: nothing of it is worked out beforehand."""
     environment = Environment(
         loader=FileSystemLoader(Path(__file__).parent),
         optimized=False,
@@ -78,7 +78,8 @@ def _template() -> Template:
         "worded": worded,
         "three": lambda value: localized(f"{value:.3g}"),
     }
-    return environment.get_template("page.html")
+    environment.globals |= {"told": told, "_": message}
+    return environment.get_template(name)
 
 
 def render(subject: Subject) -> str:
@@ -93,10 +94,8 @@ def render(subject: Subject) -> str:
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
     empty = {"requirements": not dossier.check.requirements, "plots": not figures}
     cited = {source for chapter in parts for source in chapter.topic.sources}
-    return _template().render(
+    return template("page.html").render(
         subject=subject,
-        told=told,
-        _=message,
         name=name,
         running=" · ".join(part for part in (name, subject.title.drawing, subject.title.revision) if part),
         entries=_entries(subject, form),
@@ -109,7 +108,7 @@ def render(subject: Subject) -> str:
         form=form,
         language=spoken(),
         findings=ranked(dossier.findings),
-        references=[(key, text) for key, text in REFERENCES.items() if key in cited],
+        references=[(key, text) for key, text in references().items() if key in cited],
     )
 
 

@@ -1,0 +1,129 @@
+"""The handbook: it shows every formula, leads nowhere that is not there, and says the same in both languages."""
+
+import os
+import re
+import sys
+import tomllib
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+import tomli_w
+
+import afmcalc
+from afmcalc.analysis.registry import ANALYSES
+from afmcalc.engines import build
+from afmcalc.equations.catalogue import equations
+from afmcalc.messages import ENGLISH, language, speaking
+from afmcalc.papers.register import misprints
+from afmcalc.proofs import proofs, prove
+from afmcalc.render import handbook
+from afmcalc.spec import read_spec
+from afmcalc.spec.parse import example_names
+
+PACKAGE = Path(afmcalc.__file__).parent
+USES = PACKAGE / "papers" / "handbook" / "uses.toml"
+COMMANDS = [name for name, entry in ANALYSES.items() if entry.group in ("clutch", "drive") and name != "compare"]
+DIRECTIVE = re.compile(r"\{(\w+) ([^{}]+)\}")
+
+
+def directives(text):
+    return DIRECTIVE.findall(text)
+
+
+@pytest.fixture(scope="module", params=["en", "ru"])
+def page(request):
+    with speaking(language(request.param) if request.param != "en" else ENGLISH):
+        return handbook.render()
+
+
+@pytest.mark.every(2)
+def test_uses_are_those_of_the_program():
+    """Commands are run on the examples and proofs on their symbols, and the equations they pass are noted."""
+    codes = {equation.function.__wrapped__.__code__: name for name, equation in equations().items()}
+    uses = {name: {"commands": set(), "proofs": set()} for name in equations()}
+    kind, user = "commands", ""
+
+    def watch(frame, event, _):
+        if event == "call" and user and frame.f_code in codes:
+            uses[codes[frame.f_code]][kind].add(user)
+
+    sys.setprofile(watch)
+    try:
+        for name in sorted(set(example_names()) - {"requirements"}):
+            user = ""
+            clutch = build(read_spec(f"example:{name}"))
+            for user in COMMANDS:
+                if ANALYSES[user].applies(clutch):
+                    ANALYSES[user].function(clutch)
+        kind = "proofs"
+        for user in proofs():
+            prove(user)
+    finally:
+        sys.setprofile(None)
+    found = {name: {key: sorted(values) for key, values in use.items()} for name, use in uses.items()}
+    if os.environ.get("AFMCALC_UPDATE"):
+        USES.write_text(tomli_w.dumps(found), encoding="utf-8")
+    assert tomllib.loads(USES.read_text(encoding="utf-8")) == found
+
+
+@pytest.mark.parametrize("kind", ["equation", "misprint"])
+def test_each_stands_once(kind):
+    text = "".join(handbook.chapter_texts("en").values())
+    wanted = sorted(equations()) if kind == "equation" else sorted(entry.id for entry in misprints())
+    assert sorted(name for key, name in directives(text) if key == kind) == wanted
+
+
+def test_citations_lead_to_the_chapter_that_shows_the_formula():
+    """``handbook, chapter 5`` of a docstring: the formula is in that chapter, or a formula that chapter names is."""
+    shown = {name: number for number, text in handbook.chapter_texts("en").items() for _, name in directives(text)}
+    numbers = set(handbook.chapter_texts("en"))
+    cited = 0
+    for name, equation in equations().items():
+        chapters = {int(number) for number in re.findall(r"chapter (\d+)", equation.source)}
+        cited += bool(chapters)
+        assert chapters <= numbers, name
+        assert not chapters or shown[name] in chapters or shown[name] > 8, name
+    assert cited > 50
+
+
+def test_no_page_cites_a_theory_that_does_not_ship():
+    citing = [
+        str(file.relative_to(PACKAGE))
+        for file in PACKAGE.rglob("*")
+        if file.suffix in (".py", ".toml", ".html", ".md", ".po") and "heory, section" in file.read_text("utf-8")
+    ]
+    assert citing == []
+
+
+@pytest.mark.parametrize("number", sorted(handbook.chapter_texts("en")))
+def test_both_languages_have_the_same_parts(number):
+    english, russian = (handbook.chapter_texts(language)[number] for language in ("en", "ru"))
+    for part in (r"^#+ ", r"^\|", r"^```", r"^- "):
+        assert len(re.findall(part, english, re.M)) == len(re.findall(part, russian, re.M)), part
+    assert directives(english) == directives(russian)
+    digits = [sorted(re.findall(r"\d+(?:[.,]\d+)?", DIRECTIVE.sub("", text).replace(",", "."))) for text in (english, russian)]
+    assert digits[0] == digits[1]
+
+
+class _Links(HTMLParser):
+    def __init__(self):
+        super().__init__()
+        self.ids, self.targets = [], []
+
+    def handle_starttag(self, tag, attributes):
+        given = dict(attributes)
+        self.ids += [given["id"]] if "id" in given else []
+        self.targets += [given["href"][1:]] if tag == "a" and given.get("href", "").startswith("#") else []
+
+
+def test_every_link_leads_somewhere(page):
+    links = _Links()
+    links.feed(page)
+    assert len(links.ids) == len(set(links.ids))
+    assert set(links.targets) <= set(links.ids)
+    assert not re.search(r"\{(?:see|value|equation|misprint|figure|list) ", page)
+
+
+def test_the_page_needs_nothing_else(page):
+    assert not re.search(r'(?:src|href)="(?!#)|@import|url\((?!#)', page)
