@@ -101,7 +101,7 @@ BREAKAWAY_LIMIT = GainLimit(
     symbol="C ≤ 1/(z_1 f_1max)",
     rule="1/(z_1 f_1max)",
 )
-"""Above it the bypass pairs alone carry more than the regulated torque (F11 p. 4, S22 (24))."""
+"""Above it the bypass pairs alone carry more than the regulated torque (F11, after (20), S22 (24))."""
 
 REDUCED_LIMIT = GainLimit(
     most=lambda pairs, friction_max: direct.gain_limit_all_driving(pairs),

@@ -189,7 +189,7 @@ def _equations() -> Iterator[Key]:
 
     for each in equations().values():
         yield ("", each.summary.partition(",")[0].rstrip("."))
-        yield ("", re.split("[,:;]", each.summary)[0].rstrip("."))
+        yield ("", each.about)
         yield ("", each.validity)
         for term in (*each.arguments.values(), each.result):
             if term.meaning:
@@ -216,7 +216,9 @@ def _papers() -> Iterator[Key]:
         yield from (("", axis.name) for axis in (figure.x, *figure.y))
         yield from (("", curve.label) for panel in figure.panels for curve in panel)
     for entry in register.misprints():
-        yield from (("", text) for text in (entry.where, entry.printed, entry.correct, entry.why, entry.reading) if text)
+        yield from (
+            ("", text) for text in (entry.where, entry.printed, entry.correct, entry.why, entry.reading) if text
+        )
     for scheme in SCHEMES.values():
         yield from (("", text) for text in (scheme().title, scheme().caption))
     for formula in register.register():

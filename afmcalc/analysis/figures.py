@@ -137,8 +137,8 @@ def gathered(name: str, request: Request) -> Any:
         case "life":
             return _life(request)
         case "pocket":
-            spec = subject.clutch.spec
-            return PocketSection(spec.name, spec.control_unit.balls, subject.ask("synthesize")[0])
+            (synthesis, _), spec = subject.ask("synthesize"), subject.clutch.spec  # refuses a clutch without balls
+            return PocketSection(spec.name, spec.control_unit.balls, synthesis)
         case "effects":
             from .effects import effects_curve
 

@@ -189,7 +189,7 @@ def bypass_peaks(clutch: Clutch) -> Floats:
 def bypass_peak(clutch: Clutch) -> float | None:
     """Return the peak torque in the shaft if the bypass pairs alone carry, at f_max where they carry most, N·m.
 
-    By the law breakaway is at most what they carry with the spring not yet released (theory, section 3); that they
+    By the law breakaway is at most what they carry with the spring not yet released (handbook, chapter 3); that they
     go on carrying it in slip is the worst there may be. None where the slipping clutch carries more than they do.
 
     Raises:

@@ -2,7 +2,7 @@
 
 The papers' rule takes T_min … T_max as one cycle, although a single slip loads the part from T_low to T(f) and back.
 The rules by amplitude take this cycle for each slip. They assume that friction is uniformly distributed over its range,
-and give the life at the mean damage (Miner; theory, section 4).
+and give the life at the mean damage (Miner; handbook, chapter 4).
 """
 
 import math

@@ -9,7 +9,7 @@ from typer import Option
 from .. import __version__
 from ..analysis.registry import StressRule
 from ..errors import AfmcalcError
-from ..messages import say
+from ..messages import say, spoken
 from .files import html_only, refuse
 from .options import Common, SpecArgument, common_options, need_drawing
 
@@ -65,9 +65,7 @@ def report(
     def page() -> str:
         raw, given, read = _read(spec, common)
         title, digest = _title_block(read, options), sha256(raw).hexdigest()
-        return render(
-            Subject(dossier(read, model), given, title, digest, read.label, common.set or (), __version__)
-        )
+        return render(Subject(dossier(read, model), given, title, digest, read.label, common.set or (), __version__))
 
     _write(common, page, spec=spec, pdf=pdf)
 
@@ -80,18 +78,19 @@ def handbook(
     *,
     common: Common,
 ) -> None:
-    """Handbook: the theory behind every number, one self-contained HTML file.
+    """Handbook: the theory behind every number, one HTML file.
 
     \b
     afmcalc handbook -o handbook.html
     afmcalc handbook -o handbook.html --pdf
     """  # noqa: D301
     need_drawing("report")
+    from ..analysis.handbook import handbook as gathered
     from ..render.handbook import render
 
     if common.set:
         raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=common.command)
-    _write(common, render, pdf=pdf)
+    _write(common, lambda: render(gathered(spoken())), pdf=pdf)
 
 
 def _write(common: Common, render: Callable[[], str], *, spec: str | None = None, pdf: bool) -> None:

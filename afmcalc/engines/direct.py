@@ -55,7 +55,7 @@ class DirectClutch(Clutch):
         return direct.group_torque(pressed, self.mean_radius, self.controlled_pairs, driven)
 
     def breakaway_torque(self, friction: Values, friction_driven: Values | None = None) -> Values:
-        """Upper bound P of the breakaway torque, N·m (theory, section 3); arguments as ``torque``."""
+        """Upper bound P of the breakaway torque, N·m (handbook, chapter 3); arguments as ``torque``."""
         if not is_array(self.bypass_pairs) and self.bypass_pairs == 0:
             return self.torque(friction, friction_driven)
         driving = both_frictions(friction, friction_driven)[0]

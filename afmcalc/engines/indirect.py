@@ -43,7 +43,7 @@ class IndirectClutch(Clutch):
     control_disc: DiscCharacteristic | None = None
     """The control spring where its force is not proportional to its deflection; None where it is straight."""
     gain_slope: Values = 0.0
-    """C_1, 1/m: growth of the gain per travel of the sleeve; 0 for a straight wall (theory, section 12)."""
+    """C_1, 1/m: growth of the gain per travel of the sleeve; 0 for a straight wall (handbook, chapter 12)."""
 
     @classmethod
     def from_spec(cls, spec: Spec) -> "IndirectClutch":
@@ -369,7 +369,7 @@ class IndirectClutch(Clutch):
     # friction falling
 
     def torque_returning(self, friction: Values, friction_max: Values | None = None) -> Values:
-        """Torque when friction falls from ``friction_max``, by default f_max, under load, N·m (theory, section 5).
+        """Torque when friction falls from ``friction_max``, by default f_max, under load, N·m (handbook, chapter 5).
 
         The key keeps the sleeve in its place until f has fallen by a factor of κ₊/κ; then the sleeve moves back.
         """

@@ -1,4 +1,4 @@
-"""Accuracy of direct regulation: K_т, its slopes and its elasticities (theory, section 3)."""
+"""Accuracy of direct regulation: K_т, its slopes and its elasticities (handbook, chapter 3)."""
 
 from typing import Annotated
 
@@ -67,7 +67,7 @@ def scatter_band(torque_max: TorqueMax, torque_min: TorqueMin) -> Scatter:
 def accuracy_factor_of_torques(torque_max: TorqueMax, torque_min: TorqueMin) -> AccuracyFactor:
     """Accuracy factor, T_max/T_min.
 
-    Source: Theory, section 3 (beyond F11).
+    Source: Handbook, chapter 3 (beyond F11).
     """
     return torque_max / torque_min
 
@@ -76,7 +76,7 @@ def accuracy_factor_of_torques(torque_max: TorqueMax, torque_min: TorqueMin) -> 
 def accuracy_factor_worst_case(torque_max: TorqueMax, torque_min: TorqueMin) -> Annotated[Number, "K_т,w", "1"]:
     """Accuracy factor with f_1 and f_2 independent: largest over smallest torque of the four corners of their ranges.
 
-    Source: Theory, section 3 (beyond F11).
+    Source: Handbook, chapter 3 (beyond F11).
     Validity: T is monotone in f_1 and in f_2.
     """
     return torque_max / torque_min
@@ -86,7 +86,7 @@ def accuracy_factor_worst_case(torque_max: TorqueMax, torque_min: TorqueMin) -> 
 def accuracy_factor_peak(peak_max: PeakMax, peak_min: PeakMin) -> Annotated[Number, "K_т,p", "1"]:
     """Accuracy factor by breakaway peaks, P(f_max)/P(f_min).
 
-    Source: Theory, section 3 (beyond F11).
+    Source: Handbook, chapter 3 (beyond F11).
     Validity: Upper bound: it depends on how much the balls carried before slip.
     """
     return peak_max / peak_min

@@ -1,4 +1,4 @@
-"""Adjustment: the closing-spring force for a nominal torque (theory, section 4)."""
+"""Adjustment: the closing-spring force for a nominal torque (handbook, chapter 4)."""
 
 from typing import Annotated
 
@@ -63,7 +63,7 @@ def scatter_ratio(
 ) -> Annotated[Number, "ΔT_2/ΔT_1", "1"]:
     """Bands of the two methods on a direct clutch, ΔT_2/ΔT_1 = β_н g(f_min)/g(f_cp), which is T_min2/T_н.
 
-    Source: S19 (10), (11) mended (M6); theory, section 4.
+    Source: S19 (10), (11) mended (M6); handbook, chapter 4.
     Validity: Direct clutches: K_т does not depend on the method.
     """
     return margin * torque_per_force_min / torque_per_force_mean

@@ -2,6 +2,7 @@
 
 import inspect
 import pkgutil
+import re
 from collections.abc import Callable
 from functools import cache
 from importlib import import_module
@@ -26,6 +27,11 @@ class Equation(NamedTuple):
     """What follows ``Validity:``."""
     arguments: dict[str, Term]
     result: Term
+
+    @property
+    def about(self) -> str:
+        """What is calculated: the summary without its formula."""
+        return re.split("[,:;]", self.summary)[0].rstrip(".")
 
 
 @cache

@@ -1,4 +1,4 @@
-"""The friction faces, and direct regulation: the release force acts on the spring-loaded pack (theory, section 2).
+"""The friction faces, and direct regulation: the release force acts on the spring-loaded pack (handbook, chapter 2).
 
 One law for every direct variant. The pairs form two groups: the *bypass* (driving) pairs z_1 carry
 torque straight between the half-couplings, the *controlled* (driven) pairs z_2 carry theirs through
@@ -78,7 +78,7 @@ def gain(mean_radius: MeanRadius, ball_circle_radius: BallCircleRadius, tan_wall
 def controlled_pairs(pairs: Pairs, bypass_pairs: BypassPairs) -> ControlledPairs:
     """Pairs whose torque passes the balls, z_2 = z − z_1.
 
-    Source: F11, before (1).
+    Source: S22 (22).
     Validity: z_1 ≤ z; none of a conventional clutch.
     """
     return pairs - bypass_pairs
@@ -175,7 +175,7 @@ def group_torque(
 
     Source: F11 (2), (6); S21 (9) for all pairs.
     Validity: Slipping pairs. With N = F_п and the bypass pairs it is what they carry before the balls take a share, the
-        condition behind C ≤ 1/(z_1 f_max) (F11 p. 4; theory, section 3).
+        condition behind C ≤ 1/(z_1 f_max) (F11, after (20); handbook, chapter 3).
     """
     return normal_force * mean_radius * pairs * friction
 
@@ -184,7 +184,7 @@ def group_torque(
 def gain_limit_differentiated(bypass_pairs: BypassPairs, friction_driving_max: FrictionDrivingMax) -> GainLimit:
     """Gain above which the bypass pairs alone carry more than the regulated torque, 1/(z_1 f_1max).
 
-    Source: F11 p. 4; S22 (24); S19 has C = 1/f_max, that is z_1 = 1.
+    Source: F11, after (20); S22 (24); S19 has C = 1/f_max, that is z_1 = 1.
     Validity: z_1 ≥ 1.
     """
     return 1 / (bypass_pairs * friction_driving_max)

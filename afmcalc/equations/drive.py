@@ -1,4 +1,4 @@
-"""The drive in time: inertias, shaft, motor, and what sticks and slips between them (theory of the drive, section 9).
+"""The drive in time: inertias, shaft, motor, and what sticks and slips between them (handbook, chapter 9).
 
 All is reduced to the clutch shaft: motor side J_1 – clutch (indirect: J_h between discs and balls) – driven half J_2 –
 shaft (k, d) – tool. Every argument may be an array; shapes broadcast. Radians count as pure numbers.
@@ -28,7 +28,7 @@ def shaft_torque(
 ) -> Annotated[Number, "T_s", "N*m"]:
     """Torque in the shaft, T_s = k φ + d φ'.
 
-    Source: Theory, section 9: Kelvin–Voigt shaft.
+    Source: Handbook, chapter 9: Kelvin–Voigt shaft.
     Validity: Linear shaft without backlash.
     """
     return stiffness * twist + damping * twist_rate
@@ -40,7 +40,8 @@ def inertia_torque(
 ) -> Annotated[Number, "T_J", "N*m"]:
     """Torque with which the driven half alone twists the shaft of a locked tool, T_J = ω_0 √(k J_2).
 
-    Source: Theory, section 9 (V2): energy, ½ J_2 ω_0² = ½ T_J²/k; while the clutch slips it adds to the sliding torque.
+    Source: Handbook, chapter 9 (V2): energy, ½ J_2 ω_0² = ½ T_J²/k; while the clutch slips it adds to the sliding
+        torque.
     Validity: Sudden lock, no damping; a slower stop gives less. What turns with the driven half belongs to J_2.
     """
     return speed * (stiffness * driven_inertia) ** 0.5
@@ -52,7 +53,7 @@ def stop_torque(
 ) -> Annotated[Number, "T_a", "N*m"]:
     """Peak beyond the sliding torque while the tool slows down, T_a = J_2 a + √(J_2 a [J_2 a + 2 (T − T_0)]).
 
-    Source: Theory of the drive, section 9 (V4): its swing about T + J_2 a, with the slip that begins at t_1.
+    Source: Handbook, chapter 9 (V4): its swing about T + J_2 a, with the slip that begins at t_1.
     Validity: The stop lasts until the peak: half a swing of the driven half after the slip begins. No damping, r_s = 1,
         a motor side far heavier than the driven half. The stiffness of the shaft has no part in it.
     """
@@ -64,7 +65,7 @@ def stop_torque(
 def stribeck_ratio(static_ratio: StaticRatio, decay: StribeckDecay) -> Annotated[Number, "f(v)/f", "1"]:
     """Friction at a sliding speed over sliding friction, f(v)/f = 1 + (r_s − 1) e, e = exp(−R|v|/v_s).
 
-    Source: Theory, section 9: Stribeck friction, exponential.
+    Source: Handbook, chapter 9: Stribeck friction, exponential.
     Validity: r_s ≥ 1.
     """
     return 1 + (static_ratio - 1) * decay
@@ -84,7 +85,7 @@ def motor_slip(speed: MotorSpeed, synchronous_speed: SynchronousSpeed) -> MotorS
 def kloss_torque(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSlip, slip: MotorSlip) -> MotorTorque:
     """Torque of an induction motor, M = 2 M_b/(s/s_b + s_b/s), written so that s = 0 gives 0.
 
-    Source: Theory, section 9: Kloss' formula, stator resistance neglected.
+    Source: Handbook, chapter 9: Kloss' formula, stator resistance neglected.
     Validity: Quasi-static: no electromagnetic transients.
     """
     return 2 * breakdown_torque * slip * breakdown_slip / (slip * slip + breakdown_slip * breakdown_slip)
@@ -94,7 +95,7 @@ def kloss_torque(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSli
 def kloss_slip(breakdown_torque: BreakdownTorque, breakdown_slip: BreakdownSlip, torque: MotorRunTorque) -> MotorSlip:
     """Slip at which an induction motor runs under a torque, s = s_b [M_b/M − √((M_b/M)² − 1)].
 
-    Source: Theory, section 9: Kloss' formula solved for the slip, stable branch.
+    Source: Handbook, chapter 9: Kloss' formula solved for the slip, stable branch.
     Validity: 0 < M ≤ M_b.
     """
     ratio = breakdown_torque / torque
@@ -107,7 +108,8 @@ def sticking_torque(
 ) -> Annotated[Number, "T*", "N*m"]:
     """Torque between two inertias that turn as one, T = (M J_2 + L J_1)/(J_1 + J_2).
 
-    Source: Theory, section 9: Newton: (M − T)/J_1 = (T − L)/J_2. It is also T* of two inertias that slip on each other.
+    Source: Handbook, chapter 9: Newton: (M − T)/J_1 = (T − L)/J_2. It is also T* of two inertias that slip on each
+        other.
     Validity: Both inertias > 0.
     """
     return (drive_torque * load_inertia + load_torque * drive_inertia) / (drive_inertia + load_inertia)
@@ -123,7 +125,7 @@ def slip_acceleration(
 ) -> Annotated[Number, "v'", "rad/s^2"]:
     """Acceleration of one inertia against the other, v' = (M − T)/J_1 − (T − L)/J_2.
 
-    Source: Theory, section 9: Newton.
+    Source: Handbook, chapter 9: Newton.
     Validity: Both inertias > 0.
     """
     return (drive_torque - torque) / drive_inertia - (torque - load_torque) / load_inertia
@@ -135,7 +137,7 @@ def normal_force_rate(
 ) -> Annotated[Number, "N'", "N/s"]:
     """Rate of a normal force that follows its balance late, N' = (N_eq − N)/τ.
 
-    Source: Theory, section 9: release force of the first order, S22's open question.
+    Source: Handbook, chapter 9: release force of the first order, S22's open question.
     Validity: τ > 0; τ → 0 gives the direct law.
     """
     return (balance - normal_force) / lag
@@ -167,7 +169,8 @@ def judder_damping(
 ) -> Annotated[Number, "d_min", "N*m*s/rad"]:
     """Damping that keeps a slow slip steady, d > f T'(f) R (r_s − 1)/v_s.
 
-    Source: Theory, section 9: derived (V6): T falls with the sliding speed, −∂T/∂ω = R T'(f) f (r_s − 1)/v_s as v → 0.
+    Source: Handbook, chapter 9: derived (V6): T falls with the sliding speed, −∂T/∂ω = R T'(f) f (r_s − 1)/v_s as
+        v → 0.
     Validity: Steady slip, small swings of the driven half on its shaft.
     """
     return torque_growth * mean_radius * (static_ratio - 1) / stribeck_speed

@@ -1,4 +1,4 @@
-"""What the torque law neglects (theory of the drive, section 13)."""
+"""What the torque law neglects (handbook, chapter 13)."""
 
 from typing import Annotated
 
@@ -12,7 +12,7 @@ def spline_share(
 ) -> SplineShare:
     """Share of a pair's normal force that its disc's spline can hold, μ_s f R/r_s.
 
-    Source: Finkin, J. Lubr. Technol. 90 (1968) 65; theory of the drive, section 13.
+    Source: Finkin, J. Lubr. Technol. 90 (1968) 65; handbook, chapter 13.
     Validity: ε < 1: beyond it the spline locks.
     """
     return spline_friction * friction * mean_radius / spline_radius
@@ -24,7 +24,7 @@ def next_force_closing(
 ) -> NextNormalForce:
     """Normal force on the next pair when the pack closes under torque, N (1 − ε)/(1 + ε').
 
-    Source: Balance of the disc between them; theory of the drive, section 13.
+    Source: Balance of the disc between them; handbook, chapter 13.
     Validity: Every disc moves away from the spring.
     """
     return normal_force * (1 - share) / (1 + share_next)
@@ -36,7 +36,7 @@ def next_force_opening(
 ) -> NextNormalForce:
     """Normal force on the next pair when the balls unload the pack, N (1 + ε)/(1 − ε').
 
-    Source: Balance of the disc between them; theory of the drive, section 13.
+    Source: Balance of the disc between them; handbook, chapter 13.
     Validity: Every disc moves towards the spring; N' is at most the force the pack was closed with.
     """
     return normal_force * (1 + share) / (1 - share_next)
@@ -48,7 +48,7 @@ def tan_wall_angle_loading(
 ) -> Annotated[Number, "tan(α − ρ)", "1"]:
     """Tangent that a sliding cam's wall acts with while it is driven up, tan(α − ρ), tan ρ = μ.
 
-    Source: Theory of the drive, section 13: wedge with friction.
+    Source: Handbook, chapter 13: wedge with friction.
     Validity: tan α > μ; otherwise the cams lock.
     """
     return (tan_wall_angle - wall_friction) / (1 + tan_wall_angle * wall_friction)
@@ -60,7 +60,7 @@ def tan_wall_angle_unloading(
 ) -> Annotated[Number, "tan(α + ρ)", "1"]:
     """Tangent that a sliding cam's wall acts with while it is driven back, tan(α + ρ), tan ρ = μ.
 
-    Source: Theory of the drive, section 13: wedge with friction.
+    Source: Handbook, chapter 13: wedge with friction.
     Validity: μ tan α < 1.
     """
     return (tan_wall_angle + wall_friction) / (1 - tan_wall_angle * wall_friction)
@@ -70,7 +70,7 @@ def tan_wall_angle_unloading(
 def ball_mass(density: Density, ball_radius: BallRadius, pi: Pi) -> BallMass:
     """Mass of a ball, ρ (4/3) π r_ш³.
 
-    Source: Theory of the drive, section 13.
+    Source: Handbook, chapter 13.
     """
     return 4 * pi * density * ball_radius**3 / 3
 
@@ -85,7 +85,7 @@ def centrifugal_thrust(
 ) -> Annotated[Number, "ΔN", "N"]:
     """Axial force of the balls that are thrown against conical pockets, ½ n m_ш ω² r tan α.
 
-    Source: Theory of the drive, section 13.
+    Source: Handbook, chapter 13.
     Validity: Pockets are cones; in grooves along the circle the balls lie against the rim, and ΔN = 0.
     """
     return balls * ball_mass * speed * speed * ball_circle_radius * tan_wall_angle / 2
@@ -95,7 +95,7 @@ def centrifugal_thrust(
 def force_lost_by_wear(stiffness: FollowingStiffness, pairs: Pairs, wear: PairWear) -> Annotated[Number, "ΔF", "N"]:
     """Spring force lost when every pair has worn, c_п z δ.
 
-    Source: Theory of the drive, section 10.
+    Source: Handbook, chapter 10.
     Validity: Linear spring that is not re-adjusted.
     """
     return stiffness * pairs * wear

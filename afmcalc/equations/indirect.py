@@ -1,4 +1,4 @@
-"""Indirect regulation: the release force moves a sleeve that slackens the closing spring (S21; theory, section 5).
+"""Indirect regulation: the release force moves a sleeve that slackens the closing spring (S21; handbook, chapter 5).
 
 The clutch acts as an all-driving one with the gain ``equivalent_gain``, and a spring pre-stressed to reach the
 nominal torque without release force. Every argument may be an array; shapes broadcast.
@@ -16,7 +16,7 @@ def gain_threshold(
 ) -> Annotated[Number, "C_0", "1"]:
     """Gain the key's friction eats up, 2 R f_1/d: below it no torque moves the sleeve.
 
-    Source: S21, condition of (15), (16) for feedback to act; theory, section 5.
+    Source: S21, condition of (15), (16) for feedback to act; handbook, chapter 5.
     Validity: Friction at the key opposes the sleeve's motion.
     """
     return 2 * mean_radius * key_friction / hub_diameter
@@ -38,7 +38,7 @@ def net_gain_returning(
 ) -> NetGainReturning:
     """Gain with the key's friction reversed, while the sleeve moves back, κ₊ = C + 2 R f_1/d.
 
-    Source: Theory, section 5 (beyond S21).
+    Source: Handbook, chapter 5 (beyond S21).
     Validity: Friction falling, load kept.
     """
     return gain + gain_threshold(mean_radius, key_friction, hub_diameter)
@@ -78,7 +78,7 @@ def sleeve_stiffness(
 ) -> SleeveStiffness:
     """Stiffness against which the sleeve moves, D(f) = c_1 + c_2 + z c_1 f κ.
 
-    Source: S21 (10), (11), in κ (theory, section 5).
+    Source: S21 (10), (11), in κ (handbook, chapter 5).
     Validity: κ ≥ 0, then D > 0.
     """
     return closing_stiffness + control_stiffness + pairs * closing_stiffness * friction * net_gain
@@ -107,8 +107,8 @@ def normal_force_seated(
 ) -> NormalForce:
     """Normal force with the sleeve at its stop, N = F_п2/(1 + z κ f).
 
-    Source: S21 p. 2: the stop 10 belongs to the pressure disc 5, so spring 11 presses the pack through sleeve and stop;
-        N = F_п1 + S with the stop's reaction S = F_п2 − F_п1 − T κ/R (theory, section 5).
+    Source: S21, text of fig. 1: the stop 10 belongs to the pressure disc 5, so spring 11 presses the pack through
+        sleeve and stop; N = F_п1 + S with the stop's reaction S = F_п2 − F_п1 − T κ/R (handbook, chapter 5).
     Validity: S ≥ 0, that is N ≥ F_п1, or f ≤ f_set with the control spring set by (14); κ ≥ 0.
     """
     return control_force / (1 + pairs * net_gain * friction)
@@ -191,7 +191,7 @@ def accuracy_factor(
 ) -> AccuracyFactor:
     """Accuracy factor, K_т = f_max D(f_set) (1 + z κ f_min)/[f_min D(f_max) (1 + z κ f_set)].
 
-    Source: S21 (15), mended (M9), with f_set = f_min; theory, section 5 for f_min < f_set ≤ f_max, where the sleeve
+    Source: S21 (15), mended (M9), with f_set = f_min; handbook, chapter 5 for f_min < f_set ≤ f_max, where the sleeve
         rests at f_min.
     Validity: f_min ≤ f_set ≤ f_max, κ ≥ 0.
     """
@@ -207,7 +207,7 @@ def accuracy_factor_hysteresis(
 ) -> Annotated[Number, "K_т,h", "1"]:
     """Accuracy factor under a load that lasts, K_т,h = T_max/T_ret,min.
 
-    Source: Theory, section 5 (beyond S21).
+    Source: Handbook, chapter 5 (beyond S21).
     Validity: Friction falls from f_max to f_min without full unloading.
     """
     return torque_max / torque_returning
@@ -229,7 +229,7 @@ def equivalent_gain(
 def nominal_torque_ratio(pairs: Pairs, gain: Gain, friction_set: FrictionSet) -> NominalTorqueRatio:
     """Nominal torque against the base clutch of equal spring and gain, all pairs controlled, K_п = 1 + z C f_set.
 
-    Source: S21, before its conclusions (with f_set = f_min).
+    Source: S21, after fig. 2 (with f_set = f_min).
     Validity: The base clutch's feedback is active at f_set.
     """
     return 1 + pairs * gain * friction_set
@@ -241,7 +241,7 @@ def nominal_torque_ratio_as_made(
 ) -> NominalTorqueRatio:
     """Nominal torque against the base clutch of equal spring and gain, F_п2 as made, K_п = (1 + z C f_set) N/F_п1.
 
-    Source: Theory, section 5 (beyond S21).
+    Source: Handbook, chapter 5 (beyond S21).
     Validity: N at f_set; S21 (14) makes it F_п1. As ``nominal_torque_ratio``.
     """
     return (1 + pairs * gain * friction_set) * normal_force / closing_force
@@ -251,7 +251,7 @@ def nominal_torque_ratio_as_made(
 def hysteresis_ratio(net_gain: NetGain, net_gain_returning: NetGainReturning) -> Annotated[Number, "κ₊/κ", "1"]:
     """By how much friction must fall before the sleeve moves back, κ₊/κ.
 
-    Source: Theory, section 5 (beyond S21).
+    Source: Handbook, chapter 5 (beyond S21).
     Validity: κ > 0.
     """
     return net_gain_returning / net_gain
@@ -263,7 +263,7 @@ def seated_elasticity_in_feedback(
 ) -> Annotated[Number, "∂ln(1 + zκf)/∂ln p", "1"]:
     """Elasticity of 1 + z κ f in a parameter to which a part of κ is proportional, z f κ_part/(1 + z κ f).
 
-    Source: Derivative of 1 + z κ f (theory, section 5, the seated sleeve).
+    Source: Derivative of 1 + z κ f (handbook, chapter 5, the seated sleeve).
     Validity: κ ≥ 0.
     """
     return pairs * friction * feedback_part / (1 + pairs * net_gain * friction)

@@ -1,4 +1,4 @@
-"""Fatigue life of a part that the load of the clutch swings (S19 (14)–(20); theory, section 4)."""
+"""Fatigue life of a part that the load of the clutch swings (S19 (14)–(20); handbook, chapter 4)."""
 
 from typing import Annotated
 
@@ -20,7 +20,7 @@ def shear_stress(torque: SideTorque, polar_section_modulus: PolarSectionModulus)
 def torque_unprotected(dynamic_factor: DynamicFactor, torque: SlipTorque) -> Annotated[Number, "T'", "N*m"]:
     """Torque on the unprotected side, between clutch and tool, T' = k_д T.
 
-    Source: S19, before (14): the drive's dynamics multiply what the clutch passes.
+    Source: S19, after (20): the drive's dynamics multiply what the clutch passes.
     Validity: k_д ≥ 1.
     """
     return dynamic_factor * torque
@@ -100,7 +100,7 @@ def damage(
 def cycles_of_mean_damage(mean_damage: MeanDamage) -> Cycles:
     """Slips to failure from the mean damage of a slip, N_ц = 1/D_m.
 
-    Source: Miner: D_m is the mean of 1/N_ц(T_low, T(f)) over the friction of the slips (theory, section 4).
+    Source: Miner: D_m is the mean of 1/N_ц(T_low, T(f)) over the friction of the slips (handbook, chapter 4).
     Validity: Linear damage; slips below the endurance limit do none.
     """
     return 1 / mean_damage

@@ -1,4 +1,4 @@
-"""Overload with a torque margin: potential and actuation torque (S22; theory, section 6).
+"""Overload with a torque margin: potential and actuation torque (S22; handbook, chapter 6).
 
 One material, set at f_min. u = (z − z_1) C f_min and v = (z − z_1) C f are the loop gains at f_min and at f.
 """
@@ -117,7 +117,7 @@ def actuation_torque_equilibrium(
 ) -> Annotated[Number, "T_eq", "N*m"]:
     """Load at slip, T_н.маш + ΔT': equal to T_муф(f) for every margin.
 
-    Source: Theory, section 6 (M12).
+    Source: Handbook, chapter 6 (M12).
     Validity: The release force follows the load without lag.
     """
     return machine_torque + load_rise
@@ -186,7 +186,7 @@ def accuracy_factor_equilibrium(
 ) -> Annotated[Number, "K_т,eq", "1"]:
     """Accuracy factor with the torque at equilibrium, T_eq(f_max)/T_eq(f_min).
 
-    Source: Theory, section 6 (M12).
+    Source: Handbook, chapter 6 (M12).
     Validity: Quasi-static loading.
     """
     return torque_max / torque_min

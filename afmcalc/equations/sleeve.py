@@ -14,7 +14,7 @@ from .terms import *
 def travel(turn: Turn, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: GainSlope) -> Travel:
     """Travel of the sleeve for a turn of the balls, x = 2 R φ/[C + √(C² + 2 C_1 R φ)]; R φ/C of a straight wall.
 
-    Source: Theory, section 9: balls roll down the wall, r dφ = tan α dx, with tan α = (r/R)(C + C_1 x) (section 12).
+    Source: Handbook, chapter 9: balls roll down the wall, r dφ = tan α dx, with tan α = (r/R)(C + C_1 x) (section 12).
     Validity: C > 0, C_1 ≥ 0.
     """
     reached = (gain * gain + 2 * gain_slope * mean_radius * turn) ** 0.5
@@ -25,7 +25,7 @@ def travel(turn: Turn, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: Ga
 def turn(travel: Travel, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: GainSlope) -> Turn:
     """Turn of the balls for a travel of the sleeve, φ = (C + ½ C_1 x) x/R.
 
-    Source: Theory, section 9: inverse of ``travel``.
+    Source: Handbook, chapter 9: inverse of ``travel``.
     Validity: x ≥ 0.
     """
     return (gain + gain_slope * travel / 2) * travel / mean_radius
@@ -35,7 +35,7 @@ def turn(travel: Travel, mean_radius: MeanRadius, gain: GainAtStop, gain_slope: 
 def travel_rate(turn_rate: TurnRate, mean_radius: MeanRadius, gain: GainAtSleeve) -> TravelRate:
     """Speed of the sleeve for a speed of the turn, x' = R φ'/C.
 
-    Source: Theory, section 9: balls roll down the wall, r dφ = tan α dx.
+    Source: Handbook, chapter 9: balls roll down the wall, r dφ = tan α dx.
     Validity: C > 0.
     """
     return mean_radius * turn_rate / gain
@@ -64,7 +64,7 @@ def spring_moment(
 ) -> SpringMoment:
     """Moment of both springs, S(x) = R [F_п2 − F_п1 + (c_1 + c_2) x]; the balls carry S/κ moving off, S/κ₊ returning.
 
-    Source: Theory, section 9: derived from S21 (6)–(8).
+    Source: Handbook, chapter 9: derived from S21 (6)–(8).
     Validity: x ≥ 0.
     """
     return mean_radius * (control_force - closing_force + (closing_stiffness + control_stiffness) * travel)
@@ -82,7 +82,7 @@ def torsional_stiffness(
 ) -> Annotated[Number, "k_T", "N*m/rad"]:
     """Stiffness of the control unit as a torsion spring, k_T = R [(c_1 + c_2) R − C_1 T_b]/(κ C).
 
-    Source: Theory, section 9: d(S/κ)/dφ; of a wall that holds the torque (section 12) it is 0.
+    Source: Handbook, chapter 9: d(S/κ)/dφ; of a wall that holds the torque (section 12) it is 0.
     Validity: Sleeve off its stop.
     """
     springs = (closing_stiffness + control_stiffness) * mean_radius - gain_slope * ball_torque
@@ -93,7 +93,7 @@ def torsional_stiffness(
 def sleeve_inertia(mass: SleeveMass, mean_radius: MeanRadius, gain: Gain, net_gain: NetGainEitherWay) -> SleeveInertia:
     """Inertia with which a sleeve's mass counts in φ, μ = m R²/(C κ).
 
-    Source: Theory, section 9: T κ/R = F + m x'' with x = R φ/C; with a key free of friction m (R/C)².
+    Source: Handbook, chapter 9: T κ/R = F + m x'' with x = R φ/C; with a key free of friction m (R/C)².
     Validity: The balls stay on the wall.
     """
     return mass * mean_radius * mean_radius / (gain * net_gain)
@@ -111,7 +111,7 @@ def ball_torque_moving(
 ) -> BallTorque:
     """Torque through the balls while the sleeve moves, T_b = S/κ + μ φ'' with φ'' = (M − T_b)/J_1 − (T_b − L)/J_2.
 
-    Source: Theory, section 9: derived; solved for T_b.
+    Source: Handbook, chapter 9: derived; solved for T_b.
     Validity: The balls stay on the wall: T_b > 0.
     """
     free = drive_torque / drive_inertia + load_torque / load_inertia
@@ -126,7 +126,8 @@ def normal_force_at_stop(
 ) -> NormalForce:
     """Normal force with the sleeve at its stop, N = F_п2 − κ T_b/R.
 
-    Source: S21 p. 2 (theory, section 5): κ while the torque rises, κ₊ while it falls; between the two the key holds N.
+    Source: S21, text of fig. 1 (handbook, chapter 5): κ while the torque rises, κ₊ while it falls; between the two the
+        key holds N.
     Validity: T_b ≥ 0, N ≥ F_п1.
     """
     return control_force - net_gain * ball_torque / mean_radius
@@ -143,7 +144,7 @@ def slip_torque_at_stop(
 ) -> Annotated[Number, "T_f", "N*m"]:
     """Torque of the slipping pack with the sleeve at its stop, T_f = zf R N, N of T_b = T_b0 + j T_f.
 
-    Source: Theory, section 9: derived from ``normal_force_at_stop`` and ``drive.sticking_torque``; solved for T_f.
+    Source: Handbook, chapter 9: derived from ``normal_force_at_stop`` and ``drive.sticking_torque``; solved for T_f.
     Validity: T_f and T_b of one sign.
     """
     pressed = control_force * mean_radius - net_gain * torque_alone
@@ -156,7 +157,7 @@ def centrifugal_moment(
 ) -> Annotated[Number, "M_m", "N*m"]:
     """Moment that a steepening wall takes from a moving sleeve, M_m = m R C_1 x'²/C, beside S.
 
-    Source: Theory, section 9: x'' = (R φ'' − C_1 x'²)/C, from C x' = R φ' with C = C_0 + C_1 x.
+    Source: Handbook, chapter 9: x'' = (R φ'' − C_1 x'²)/C, from C x' = R φ' with C = C_0 + C_1 x.
     Validity: The balls stay on the wall.
     """
     return mass * mean_radius * gain_slope * travel_rate * travel_rate / gain

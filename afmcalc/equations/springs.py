@@ -10,7 +10,7 @@ from .terms import *
 def disc_factor_load(diameter_ratio: DiameterRatio, logarithm: LnDiameterRatio, pi: Pi) -> FactorLoad:
     """Factor of a disc spring's load, K_1 = ((δ − 1)/δ)²/{π[(δ + 1)/(δ − 1) − 2/ln δ]}.
 
-    Source: DIN EN 16984 (Almen & László 1936); theory of the drive, section 11.
+    Source: DIN EN 16984 (Almen & László 1936); handbook, chapter 11.
     Validity: δ > 1.
     """
     ratio = diameter_ratio
@@ -23,7 +23,7 @@ def disc_factor_membrane(
 ) -> Annotated[Number, "K_2", "1"]:
     """Factor of the stress by turning inside out, K_2 = (6/π)[(δ − 1)/ln δ − 1]/ln δ.
 
-    Source: DIN EN 16984 (Almen & László 1936); theory of the drive, section 11.
+    Source: DIN EN 16984 (Almen & László 1936); handbook, chapter 11.
     Validity: δ > 1.
     """
     return 6 * ((diameter_ratio - 1) / logarithm - 1) / (pi * logarithm)
@@ -35,7 +35,7 @@ def disc_factor_bending(
 ) -> Annotated[Number, "K_3", "1"]:
     """Factor of the stress by bending, K_3 = (3/π)(δ − 1)/ln δ.
 
-    Source: DIN EN 16984 (Almen & László 1936); theory of the drive, section 11.
+    Source: DIN EN 16984 (Almen & László 1936); handbook, chapter 11.
     Validity: δ > 1.
     """
     return 3 * (diameter_ratio - 1) / (pi * logarithm)
@@ -47,7 +47,7 @@ def disc_factor_flats(
 ) -> FactorFlats:
     """Factor of a disc spring with flats, K_4² = −c_1/2 + √(c_1²/4 + c_2).
 
-    Source: DIN EN 16984; theory of the drive, section 11: the force at ¾ of the cone height stays that of a plain disc.
+    Source: DIN EN 16984; handbook, chapter 11: the force at ¾ of the cone height stays that of a plain disc.
     Validity: t' ≤ t; without flats K_4 = 1.
     """
     reduced, height = reduced_thickness / thickness, free_height / thickness
@@ -69,7 +69,7 @@ def disc_force(
 ) -> SpringForce:
     """Force of a disc spring, 4E/(1 − ν²) t³ s K_4²/(K_1 D_e²) [K_4² (h_0/t − s/t)(h_0/t − s/(2t)) + 1].
 
-    Source: DIN EN 16984 (Almen & László 1936); theory of the drive, section 11.
+    Source: DIN EN 16984 (Almen & László 1936); handbook, chapter 11.
     Validity: 0 ≤ s ≤ h_0; beyond ¾ h_0 the lever shortens and the true force is larger.
     """
     square = factor_flats * factor_flats
@@ -90,7 +90,7 @@ def disc_stiffness(
 ) -> Annotated[Number, "k", "N/m"]:
     """Stiffness of a disc spring, 4E/(1 − ν²) t K_4²/(K_1 D_e²) [K_4² (h_0² − 3 h_0 s + 3 s²/2) + t²].
 
-    Source: DIN EN 16984 (Almen & László 1936), derivative of the force; theory of the drive, section 11.
+    Source: DIN EN 16984 (Almen & László 1936), derivative of the force; handbook, chapter 11.
     Validity: 0 ≤ s ≤ h_0.
     """
     square = factor_flats * factor_flats
@@ -113,7 +113,7 @@ def disc_stress(
 ) -> Annotated[Number, "σ", "Pa", "tension positive"]:
     """Stress of a disc spring at an edge, −4E/(1 − ν²) s K_4/(K_1 D_e²) [K_4 K_m (h_0 − s/2) + K_b t].
 
-    Source: DIN EN 16984 (Almen & László 1936); theory of the drive, section 11.
+    Source: DIN EN 16984 (Almen & László 1936); handbook, chapter 11.
     Validity: Elastic; residual stresses of shot peening and presetting are not counted.
     """
     rigid = -4 * modulus * deflection * factor_flats / ((1 - poisson * poisson) * factor_load * outer_diameter**2)
@@ -126,7 +126,7 @@ def stack_length(
 ) -> FreeLength:
     """Length of a stack of disc springs without load, i [l_0 + (n − 1) t].
 
-    Source: DIN EN 16984; theory of the drive, section 11.
+    Source: DIN EN 16984; handbook, chapter 11.
     """
     return series * (free_height + (parallel - 1) * thickness)
 
@@ -137,7 +137,7 @@ def stack_force_with_friction(
 ) -> Annotated[Number, "F_R", "N"]:
     """Force of a stack that friction holds, n F/[1 − w_M (n − 1) − w_R]; on the way back both signs are the other.
 
-    Source: DIN EN 16984; theory of the drive, section 11.
+    Source: DIN EN 16984; handbook, chapter 11.
     Validity: w_M (n − 1) + w_R < 1.
     """
     return force / (1 - surface_friction * (parallel - 1) - edge_friction)
@@ -149,7 +149,7 @@ def ring_mass(
 ) -> SpringMass:
     """Mass of a disc, ρ π/4 (D_e² − D_i²) t.
 
-    Source: Theory of the drive, section 11: volume of a ring.
+    Source: Handbook, chapter 11: volume of a ring.
     Validity: A flat cone.
     """
     return density * pi * (outer_diameter**2 - inner_diameter**2) * thickness / 4
@@ -161,7 +161,7 @@ def coil_stiffness(
 ) -> Annotated[Number, "R", "N/m"]:
     """Stiffness of a coil spring, G d⁴/(8 D³ n).
 
-    Source: EN 13906-1; theory of the drive, section 11.
+    Source: EN 13906-1; handbook, chapter 11.
     Validity: Small pitch.
     """
     return shear_modulus * wire_diameter**4 / (8 * coil_diameter**3 * turns)
@@ -171,7 +171,7 @@ def coil_stiffness(
 def coil_correction(wire_diameter: WireDiameter, coil_diameter: CoilDiameter) -> CoilCorrection:
     """Factor of a coil's curvature (Bergsträßer), (w + ½)/(w − ¾), w = D/d.
 
-    Source: EN 13906-1; theory of the drive, section 11.
+    Source: EN 13906-1; handbook, chapter 11.
     Validity: 4 ≤ w ≤ 20.
     """
     index = coil_diameter / wire_diameter
@@ -184,7 +184,7 @@ def coil_stress(
 ) -> ShearStress:
     """Shear stress at the inside of a coil, k_τ 8 F D/(π d³).
 
-    Source: EN 13906-1; theory of the drive, section 11.
+    Source: EN 13906-1; handbook, chapter 11.
     Validity: Round wire.
     """
     return correction * 8 * force * coil_diameter / (pi * wire_diameter**3)
@@ -194,7 +194,7 @@ def coil_stress(
 def coil_solid_length(wire_diameter: LargestWireDiameter, turns: CoilTurns) -> Annotated[Number, "L_c", "m"]:
     """Length of a coil spring pressed solid, (n + 2) d.
 
-    Source: EN 13906-1, ends closed and ground; theory of the drive, section 11.
+    Source: EN 13906-1, ends closed and ground; handbook, chapter 11.
     Validity: Cold coiled, ends closed and ground: two more turns in all.
     """
     return (turns + 2) * wire_diameter
@@ -206,7 +206,7 @@ def coil_least_gap(
 ) -> Annotated[Number, "S_a", "m"]:
     """Gaps that must stay between the turns, together, S_a = n (0.0015 D²/d + 0.1 d).
 
-    Source: EN 13906-1, cold coiled, static; theory of the drive, section 11.
+    Source: EN 13906-1, cold coiled, static; handbook, chapter 11.
     Validity: Cold coiled, static or quasi-static.
     """
     return turns * (0.0015 * coil_diameter**2 / wire_diameter + 0.1 * wire_diameter)
@@ -218,7 +218,7 @@ def coil_mass(
 ) -> SpringMass:
     """Mass of a coil spring, ρ (π/4) d² π D (n + 2).
 
-    Source: Theory of the drive, section 11: volume of the wire.
+    Source: Handbook, chapter 11: volume of the wire.
     Validity: Small pitch; two more turns at the ends.
     """
     return density * pi * pi * wire_diameter**2 * coil_diameter * (turns + 2) / 4
@@ -252,7 +252,7 @@ def coil_buckling_root(
 ) -> BucklingRoot:
     """What stands under the root of the deflection of buckling, 1 − (1 − G/E)/(½ + G/E) [π D/(ν L_0)]².
 
-    Source: EN 13906-1 (Haringx 1948); theory of the drive, section 11.
+    Source: EN 13906-1 (Haringx 1948); handbook, chapter 11.
     Validity: Negative where the spring never buckles.
     """
     slender = pi * coil_diameter / (seating * free_length)
@@ -265,7 +265,7 @@ def coil_buckling_deflection(
 ) -> Annotated[Number, "s_K", "m"]:
     """Deflection at which a coil spring without guide buckles, s_K = L_0 (1 − √q)/[2 (1 − G/E)].
 
-    Source: EN 13906-1 (Haringx 1948); theory of the drive, section 11.
+    Source: EN 13906-1 (Haringx 1948); handbook, chapter 11.
     Validity: q ≥ 0.
     """
     return free_length * (1 - root**0.5) / (2 * (1 - modulus_ratio))

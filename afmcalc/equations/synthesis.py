@@ -1,4 +1,4 @@
-"""Synthesis: the control unit for a travel and a gain (S21; theory, section 5), the clutch for an accuracy or torque.
+"""Synthesis: the control unit for a travel and a gain (S21; handbook, chapter 5), the clutch for an accuracy or torque.
 
 The second half solves the laws for gain, pairs, radius or stiffness.
 """
@@ -131,7 +131,7 @@ def least_contact_force_cubic(
 ) -> Annotated[Number, "k", "1", "coefficients of q²C(a + bC)(a' + b'C) − (a b' − a' b)(1 + q²C²)"]:
     """Coefficients, highest power first, of the cubic in C whose root makes the contact force least.
 
-    Source: Derivative of F_n ∝ (a + b C)·√(1 + q²C²)/(a' + b' C), q = r/R (theory, section 5).
+    Source: Derivative of F_n ∝ (a + b C)·√(1 + q²C²)/(a' + b' C), q = r/R (handbook, chapter 5).
     Validity: b' a > b a': the torque falls with C.
     """
     squared = radius_ratio * radius_ratio
@@ -287,7 +287,7 @@ def net_loop_gain_for_accuracy_factor(
 
     With s = c_1 + c_2: f_max (s + c_1 f_set a)(1 + f_min a) = K_т f_min (1 + f_set a)(s + c_1 f_max a).
 
-    Source: S21 (15) mended (M9) with the seated sleeve below f_set (theory, section 5), solved for zκ.
+    Source: S21 (15) mended (M9) with the seated sleeve below f_set (handbook, chapter 5), solved for zκ.
     Validity: 1 < K_т ≤ f_max/f_min.
     """
     springs = closing_stiffness + control_stiffness

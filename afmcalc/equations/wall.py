@@ -1,4 +1,4 @@
-"""The wall of a pocket, straight or curved, in the cylindrical section at the ball circle (theory, section 12).
+"""The wall of a pocket, straight or curved, in the cylindrical section at the ball circle (handbook, chapter 12).
 
 Coordinates of a sleeve: ξ from where the ball's centre is at the stop along the axis out of the pocket, Y around the
 circle. With the curved wall in one sleeve the ball stays seated in the other and ξ is the travel; with walls alike in
@@ -17,7 +17,7 @@ def path_steepening(
 ) -> PathSteepening:
     """How fast the path of the ball's centre steepens, Y'' = m (r/R) C_1.
 
-    Source: Theory, section 12: tan α(x) = tan α_0 + (r/R) C_1 x with x = m ξ.
+    Source: Handbook, chapter 12: tan α(x) = tan α_0 + (r/R) C_1 x with x = m ξ.
     Validity: 0 for a straight wall.
     """
     return sleeves * gain_slope * ball_circle_radius / mean_radius
@@ -29,7 +29,7 @@ def path_tangent(
 ) -> TanWallAngle:
     """Tangent of the wall angle where the ball is, tan α = tan α_0 + Y'' ξ.
 
-    Source: Theory, section 12.
+    Source: Handbook, chapter 12.
     Validity: ξ ≥ 0.
     """
     return tan_wall_angle + path_steepening * path_depth
@@ -39,7 +39,7 @@ def path_tangent(
 def path(tan_wall_angle: TanAngleAtStop, path_steepening: PathSteepening, path_depth: PathDepth) -> PathPlace:
     """Path of the ball's centre in a sleeve, Y = ξ tan α_0 + Y'' ξ²/2.
 
-    Source: Theory, section 12: r dφ = tan α dx.
+    Source: Handbook, chapter 12: r dφ = tan α dx.
     Validity: ξ ≥ 0.
     """
     return path_depth * tan_wall_angle + path_steepening * path_depth * path_depth / 2
@@ -51,7 +51,7 @@ def wall_axial(
 ) -> Annotated[Number, "ξ_w", "m"]:
     """Place of the contact along the axis, ξ − r_ш sin α.
 
-    Source: Theory, section 12: the wall is r_ш off the path of the ball's centre.
+    Source: Handbook, chapter 12: the wall is r_ш off the path of the ball's centre.
     Validity: No undercut.
     """
     return path_depth - ball_radius * sin_wall_angle
@@ -63,7 +63,7 @@ def wall_around(
 ) -> Annotated[Number, "Y_w", "m"]:
     """Place of the contact around the circle, Y + r_ш cos α.
 
-    Source: Theory, section 12: the wall is r_ш off the path of the ball's centre.
+    Source: Handbook, chapter 12: the wall is r_ш off the path of the ball's centre.
     Validity: No undercut.
     """
     return path + ball_radius * cos_wall_angle
@@ -75,7 +75,8 @@ def contact_depth(
 ) -> Annotated[Number, "h_w", "m"]:
     """Depth of the contact below the face, r_ш sin α − ξ − s/2.
 
-    Source: S21 (23) with the angle where the ball is (theory, section 12); at the stop its centre is s/2 off the face.
+    Source: S21 (23) with the angle where the ball is (handbook, chapter 12); at the stop its centre is s/2 off the
+        face.
     Validity: Falls all along while there is no undercut.
     """
     return ball_radius * sin_wall_angle - path_depth - face_gap / 2
@@ -85,7 +86,7 @@ def contact_depth(
 def path_radius(path_steepening: PathSteepening, cos_wall_angle: CosAngleAtBall) -> PathRadius:
     """Radius of curvature of the path, ρ = 1/(Y'' cos³α): no ball as large can run on it without undercutting the wall.
 
-    Source: Theory, section 12: (1 + tan²α)^{3/2}/Y''.
+    Source: Handbook, chapter 12: (1 + tan²α)^{3/2}/Y''.
     Validity: Y'' > 0; least at the stop. The wall is convex with the radius ρ − r_ш.
     """
     return 1 / (path_steepening * cos_wall_angle * cos_wall_angle * cos_wall_angle)
@@ -100,7 +101,7 @@ def seat_force(
 ) -> Annotated[Number, "F_s", "N"]:
     """Force of the wall that seats the ball in the other sleeve, F_s = F_n sin(α + α_0)/sin 2α_0.
 
-    Source: Theory, section 12, with the balance of the ball: pushed at the angle α, borne by the seat's walls at α_0.
+    Source: Handbook, chapter 12, with the balance of the ball: pushed at the angle α, borne by the seat's walls at α_0.
     Validity: α ≥ α_0: else the ball climbs out of its seat. Seat with straight walls.
     """
     return contact_force * sin_sum_of_angles / (2 * sin_wall_angle * cos_wall_angle)

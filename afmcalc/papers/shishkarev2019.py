@@ -42,7 +42,6 @@ def figure_2() -> PaperFigure:
             "M8: 1.27…1.44 is the ratio of mean torques, N of curve 2 is 4.1…9.1 times lower",
             "M22: stresses of 30…50 MPa against 400 MPa, life is not limited by fatigue",
             "M23: a wider band costs life here only by its mean; the amplitude is ignored",
-            "M25: by equal K_т T_min of b would be 251…222 N·m; drawn is 200",
             "M44: curve 1 of the text is a",
             "M45: N falls 21.43 times over ΔT = 500…1100 N·m, not from 0",
         ],

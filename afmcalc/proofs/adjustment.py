@@ -1,4 +1,4 @@
-"""Adjustment and life (S19; theory, section 4)."""
+"""Adjustment and life (S19; handbook, chapter 4)."""
 
 import sympy as sp
 

@@ -1,4 +1,4 @@
-"""Direct regulation and its accuracy (F11; theory, sections 2 and 3)."""
+"""Direct regulation and its accuracy (F11; handbook, chapters 2 and 3)."""
 
 import sympy as sp
 
@@ -59,7 +59,7 @@ def accuracy_factor_is_the_ratio_of_torques() -> Steps:
     yield "K_т,0 is (14) at C = 0", ordinary - accuracy.accuracy_factor(z1, z2, 0, f1min, f2min, f1max, f2max)
     one = accuracy.accuracy_factor(z1, z2, C, fmin, fmin, fmax, fmax)
     yield (
-        "one material (theory, section 3; lines 5–7 of fig. 2)",
+        "one material (handbook, chapter 3; lines 5–7 of fig. 2)",
         one - fmax / fmin * (1 + z2 * C * fmin) / (1 + z2 * C * fmax),
     )
 
@@ -106,7 +106,7 @@ def slope_in_p() -> Steps:
 
 
 def gain_limits() -> Steps:
-    """F11 p. 4, S22 (24): at the limit the bypass pairs alone carry the regulated torque."""
+    """F11, after (20), S22 (24): at the limit the bypass pairs alone carry the regulated torque."""
     limit = direct.gain_limit_differentiated(z1, fmax)
     bypass = direct.group_torque(F, R, z1, fmax)
     torque = direct.torque(F, R, z1, z2, C, f1, f2)
@@ -121,7 +121,7 @@ def gain_limits() -> Steps:
 
 
 def breakaway_peaks() -> Steps:
-    """Theory, section 3: accuracy by peaks between the limits, and its best value."""
+    """Handbook, chapter 3: accuracy by peaks between the limits, and its best value."""
     peak = direct.group_torque(F, R, z1, fmax) / direct.torque(F, R, z1, z2, C, fmin, fmin)
     yield "P(f_max)/P(f_min)", z1 * fmax * (1 + z2 * C * fmin) / ((z1 + z2) * fmin) - peak
     limit = direct.gain_limit_differentiated(z1, fmax)

@@ -1,4 +1,4 @@
-"""Heat and wear of a trip, and what the torque law neglects (theory of the drive, sections 9, 10, 13)."""
+"""Heat and wear of a trip, and what the torque law neglects (handbook, chapters 9, 10, 13)."""
 
 import sympy as sp
 

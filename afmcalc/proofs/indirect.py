@@ -1,4 +1,4 @@
-"""Indirect regulation (S21; theory, section 5), from the balance of the thrust sleeve."""
+"""Indirect regulation (S21; handbook, chapter 5), from the balance of the thrust sleeve."""
 
 import sympy as sp
 
@@ -59,7 +59,7 @@ def travel_and_torque_from_the_balance() -> Steps:
 
 
 def sleeve_at_its_stop() -> Steps:
-    """S21 p. 2: the stop belongs to the pressure disc, so below the setting both springs press (theory, section 5)."""
+    """S21, text of fig. 1: the stop belongs to the pressure disc, so below the setting both springs press."""
     reaction, pressed = sp.symbols("S N", real=True)
     torque = direct.group_torque(pressed, R, z, f)
     # the sleeve: spring 11 against the balls' force less the key's friction, and the stop's reaction
@@ -112,7 +112,7 @@ def friction_at_the_key() -> Steps:
 
 
 def sleeve_returning() -> Steps:
-    """Theory, section 5: with the key's friction reversed κ₊ replaces κ; the sleeve is locked until f fell by κ₊/κ."""
+    """Chapter 5: with the key's friction reversed κ₊ replaces κ; the sleeve is locked until f fell κ₊/κ times."""
     kappa_back = indirect.net_gain_returning(C, R, fk, d)
     back = _torque(_travel(CONTROL, key_sign=+1), f)
     normal = indirect.normal_force_moving(F, c1, CONTROL, c2, _stiffness(f, kappa_back))

@@ -1,4 +1,4 @@
-"""Numbers the papers print, and what they leave out, in exact fractions (theory, sections 4–8)."""
+"""Numbers the papers print, and what they leave out, in exact fractions (handbook, chapters 4–8)."""
 
 import sympy as sp
 
@@ -76,7 +76,7 @@ def numbers_of_s21() -> Steps:
 
 
 def numbers_of_s22() -> Steps:
-    """S22, figs 3 and 4 (M14, M30, M46, M47), f 0.1…0.8, β_н 1.25."""
+    """S22, figs 3 and 4 and what is concluded from them (M14, M30, M46, M49–M51), f 0.1…0.8, β_н 1.25."""
     low, high, margin = RATIONAL(1, 10), RATIONAL(8, 10), RATIONAL(5, 4)
 
     def factor(reduced: sp.Expr) -> sp.Expr:
@@ -93,9 +93,24 @@ def numbers_of_s22() -> Steps:
         reduced = (4 - bypass) * direct.gain_limit_differentiated(bypass, high)
         larger = sp.Max(1, factor(reduced))
         yield f"M46: actual K_т for z_1 = {bypass}, C by (24)", larger * expected.subs(q, reduced) - actual
-    at_setting = overload.actuation_factor(5 * low, 5 * low, low, low, margin)
-    yield "M47: (14) at zC = 5, f_min = 0.1 is 0.9 T_н.муф", at_setting - RATIONAL(9, 10)
-    yield Refutation("M47: not T_н.муф", at_setting - 1)
+    fifth = RATIONAL(1, 5)
+    at_fifth = overload.actuation_factor(5 * fifth, 5 * low, fifth, low, margin)
+    yield "M49: T_ср is the expected torque at f = 0.2, zC = 5", at_fifth - 1
+    rise = overload.expected_torque(1, 1, 1, fifth, 5 * fifth) / overload.expected_torque(1, 1, 1, low, 5 * low)
+    yield Refutation("M49: and not the nominal one", at_fifth * rise - 1)
+    for pairs, of_expected, of_actual in (
+        (4, RATIONAL(11, 4), RATIONAL(133, 20)),
+        (8, RATIONAL(15, 8), RATIONAL(333, 40)),
+    ):
+        reduced = (pairs - 1) * direct.gain_limit_differentiated(1, high)
+        yield f"M50: expected K_т, z_1 = 1, z = {pairs}", expected.subs(q, reduced) - of_expected
+        yield f"M50: actual K_т, z_1 = 1, z = {pairs}", factor(reduced) * expected.subs(q, reduced) - of_actual
+    yield "M50: expected K_т, all-driving at zC = 5", expected.subs(q, 5) - RATIONAL(12, 5)
+    yield "M50: actual K_т, all-driving at zC = 5", published.subs(q, 5) - RATIONAL(36, 5)
+    yield (
+        "M51: below the optimum the actual K_т falls, at zC = 1 it is 44/9 > 9/2",
+        (sp.Max(1, factor(sp.Integer(1))) * expected.subs(q, 1) - RATIONAL(44, 9)),
+    )
     yield "(19) alone begins at 1/β_н", published.subs(q, 0) - 1 / margin
     numerator = sp.Poly(sp.numer(sp.together(sp.diff(published, q))), q)
     yield (

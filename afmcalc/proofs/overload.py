@@ -1,4 +1,4 @@
-"""Overload with a torque margin (S22; theory, section 6)."""
+"""Overload with a torque margin (S22; handbook, chapter 6)."""
 
 import sympy as sp
 
@@ -67,7 +67,7 @@ def slip_at_the_clutch_torque() -> Steps:
 
 
 def equilibrium_torque() -> Steps:
-    """Theory, section 6: T_н.маш + ΔT' = T_муф(f) for every β_н; T_п − ΔT' is not (M12)."""
+    """Handbook, chapter 6: T_н.маш + ΔT' = T_муф(f) for every β_н; T_п − ΔT' is not (M12)."""
     yield "M12: equilibrium is T_муф", EQUILIBRIUM - EXPECTED
     yield "independent of β_н", sp.diff(EQUILIBRIUM, beta)
     yield Refutation("M12: published T_ср", PUBLISHED - EXPECTED)

@@ -1,4 +1,4 @@
-"""Pockets whose wall steepens along the travel (theory, section 12), from the balance of the thrust sleeve."""
+"""Pockets whose wall steepens along the travel (handbook, chapter 12), from the balance of the thrust sleeve."""
 
 import sympy as sp
 

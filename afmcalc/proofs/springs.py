@@ -1,4 +1,4 @@
-"""Disc springs as cones that turn about a circle, stacks, coil springs as wires in torsion (theory, section 11)."""
+"""Disc springs as cones that turn about a circle, stacks, coil springs as wires in torsion (handbook, chapter 11)."""
 
 import sympy as sp
 

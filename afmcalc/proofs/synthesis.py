@@ -1,4 +1,4 @@
-"""Control unit, contact, friction surface (S21 (16)–(24); textbooks), curved walls (theory, section 12), inverses."""
+"""Control unit, contact, friction surface (S21 (16)–(24); textbooks), curved walls (handbook, chapter 12), inverses."""
 
 import sympy as sp
 

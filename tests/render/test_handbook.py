@@ -11,13 +11,14 @@ import pytest
 import tomli_w
 
 import afmcalc
+from afmcalc.analysis.handbook import chapter_texts, handbook
 from afmcalc.analysis.registry import ANALYSES
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
 from afmcalc.messages import ENGLISH, language, speaking
 from afmcalc.papers.register import misprints
 from afmcalc.proofs import proofs, prove
-from afmcalc.render import handbook
+from afmcalc.render.handbook import render
 from afmcalc.spec import read_spec
 from afmcalc.spec.parse import example_names
 
@@ -34,7 +35,7 @@ def directives(text):
 @pytest.fixture(scope="module", params=["en", "ru"])
 def page(request):
     with speaking(language(request.param) if request.param != "en" else ENGLISH):
-        return handbook.render()
+        return render(handbook(request.param))
 
 
 @pytest.mark.every(2)
@@ -56,8 +57,10 @@ def test_uses_are_those_of_the_program():
             for user in COMMANDS:
                 if ANALYSES[user].applies(clutch):
                     ANALYSES[user].function(clutch)
+        user = ""
+        names = list(proofs())
         kind = "proofs"
-        for user in proofs():
+        for user in names:
             prove(user)
     finally:
         sys.setprofile(None)
@@ -69,15 +72,15 @@ def test_uses_are_those_of_the_program():
 
 @pytest.mark.parametrize("kind", ["equation", "misprint"])
 def test_each_stands_once(kind):
-    text = "".join(handbook.chapter_texts("en").values())
+    text = "".join(chapter_texts("en").values())
     wanted = sorted(equations()) if kind == "equation" else sorted(entry.id for entry in misprints())
     assert sorted(name for key, name in directives(text) if key == kind) == wanted
 
 
 def test_citations_lead_to_the_chapter_that_shows_the_formula():
     """``handbook, chapter 5`` of a docstring: the formula is in that chapter, or a formula that chapter names is."""
-    shown = {name: number for number, text in handbook.chapter_texts("en").items() for _, name in directives(text)}
-    numbers = set(handbook.chapter_texts("en"))
+    shown = {name: number for number, text in chapter_texts("en").items() for _, name in directives(text)}
+    numbers = set(chapter_texts("en"))
     cited = 0
     for name, equation in equations().items():
         chapters = {int(number) for number in re.findall(r"chapter (\d+)", equation.source)}
@@ -96,13 +99,15 @@ def test_no_page_cites_a_theory_that_does_not_ship():
     assert citing == []
 
 
-@pytest.mark.parametrize("number", sorted(handbook.chapter_texts("en")))
+@pytest.mark.parametrize("number", sorted(chapter_texts("en")))
 def test_both_languages_have_the_same_parts(number):
-    english, russian = (handbook.chapter_texts(language)[number] for language in ("en", "ru"))
+    english, russian = (chapter_texts(language)[number] for language in ("en", "ru"))
     for part in (r"^#+ ", r"^\|", r"^```", r"^- "):
         assert len(re.findall(part, english, re.M)) == len(re.findall(part, russian, re.M)), part
     assert directives(english) == directives(russian)
-    digits = [sorted(re.findall(r"\d+(?:[.,]\d+)?", DIRECTIVE.sub("", text).replace(",", "."))) for text in (english, russian)]
+    digits = [
+        sorted(re.findall(r"\d+(?:[.,]\d+)?", DIRECTIVE.sub("", text).replace(",", "."))) for text in (english, russian)
+    ]
     assert digits[0] == digits[1]
 
 

@@ -1,6 +1,5 @@
 """A calculation as a report shows it: each formula once, its symbols explained, then a row of numbers for each case."""
 
-import re
 from collections.abc import Iterable, Mapping
 from functools import cache
 from typing import NamedTuple
@@ -101,7 +100,7 @@ class _Report:
         return Derivation(
             number=number,
             symbol=result.symbol,
-            name=re.split("[,:;]", equation.summary)[0].rstrip("."),
+            name=equation.about,
             unit=result.unit,
             symbol_latex=symbol_latex(result.symbol),
             formula=texts[0].latex() if is_new else "",

@@ -1,4 +1,4 @@
-"""The papers' schematic drawings, drawn anew: the clutches in half section with their numbers, and a ball in pockets."""
+"""The papers' schemes, drawn anew: the clutches in half section with their numbers, and a ball in its pockets."""
 
 import math
 from collections.abc import Callable
@@ -153,10 +153,9 @@ class BallInPockets:
             axes.add_patch(Polygon(outline, closed=True, facecolor="none", edgecolor=INK, hatch=hatch, linewidth=1.0))
         axes.add_patch(Circle((0, 0), 1, facecolor="none", edgecolor=COLOURS[0], linewidth=2.0))
         axes.plot([-2.6, 2.6], [0, 0], color=INK, linewidth=0.8, linestyle=(0, (12, 3, 2, 3)))
-        points = {"O": (0, 0), "A": (0, 1 / cosine), "B": (sine, cosine), "C": (apex, 0), "D": (sine, 0)}
+        points = {"O": (0.0, 0.0), "A": (0.0, 1 / cosine), "B": (sine, cosine), "C": (apex, 0.0), "D": (sine, 0.0)}
         for first, second in ("OA", "AC", "OB", "BD"):
-            x, y = zip(points[first], points[second], strict=True)
-            axes.plot(x, y, color=COLOURS[1], linewidth=1.2)
+            axes.plot(*zip(points[first], points[second], strict=True), color=COLOURS[1], linewidth=1.2)
         for name, (x, y) in points.items():
             axes.plot([x], [y], marker="o", markersize=4, color=INK)
             below = -0.2 if y == 0 else 0.18
@@ -164,11 +163,10 @@ class BallInPockets:
         axes.add_patch(Arc((apex, 0), 1.1, 1.1, theta1=180 - math.degrees(self.angle), theta2=180, color=INK))
         axes.text(apex - 0.68, 0.2, "α", ha="center", va="center", fontsize=10)
         axes.text(sine / 2 - 0.05, cosine / 2 + 0.16, mathtext("r_ш"), ha="right", va="center", fontsize=10)
-        for left, right, y, text in ((-gap, gap, -2.03, "s"), (gap, apex, -1.75, "h_1")):
-            style = {"arrowstyle": "<|-|>", "color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
-            if text == "h_1":
-                axes.annotate("", (left, y), (right, y), arrowprops=style)
-            axes.text((left + right) / 2, y + 0.14, mathtext(text), ha="center", va="center", fontsize=10)
+        axes.text(0, -1.89, "s", ha="center", va="center", fontsize=10)
+        arrow = {"arrowstyle": "<|-|>", "color": INK, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
+        axes.annotate("", (gap, -1.75), (apex, -1.75), arrowprops=arrow)
+        axes.text((gap + apex) / 2, -1.61, mathtext("h_1"), ha="center", va="center", fontsize=10)
         axes.plot([apex, apex], [0, -1.85], color=INK, linewidth=0.6)
 
 

@@ -78,7 +78,7 @@ def template(name: str) -> Template:
         "worded": worded,
         "three": lambda value: localized(f"{value:.3g}"),
     }
-    environment.globals |= {"told": told, "_": message}
+    environment.globals.update(told=told, _=message)
     return environment.get_template(name)
 
 

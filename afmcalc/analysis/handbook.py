@@ -1,0 +1,150 @@
+"""What the handbook is made of: its chapters, what there is to say of every formula, and the numbers of examples.
+
+A chapter is a Markdown file of ``afmcalc/papers/handbook``, in Russian the file of the same name in its folder ``ru``.
+A paragraph in braces is put in by the program: ``{equation direct.torque}``, ``{misprint M1}``, ``{figure F11-1}``,
+``{list notation}``. In a sentence ``{see direct.torque}`` is the number of a formula, a chapter, a paper or a misprint
+with a link to it, and ``{value default accuracy.accuracy_factor}`` a number that a command gives for an example. Fenced
+lines are steps of a derivation.
+"""
+
+import re
+import tomllib
+from collections.abc import Callable
+from functools import cache
+from importlib.resources import files
+from typing import Any, NamedTuple
+
+from ..engines import build
+from ..engines.protocol import Clutch
+from ..equations.calls import noted
+from ..equations.catalogue import Equation, equations
+from ..papers.claims import Row, reproduce
+from ..papers.register import Formula, register
+from ..result import shown_as
+from ..spec import read_spec
+from .explain.formula import FormulaText, Leaf, symbol_latex
+from .explain.trace import Call, CallReader
+from .registry import ANALYSES, EXPLAINED
+
+_FOLDER = files("afmcalc.papers").joinpath("handbook")
+_EXAMPLES = ("default", "unlike-materials", "indirect", "drive", "constant-torque", "tolerance")
+"""Examples that the formulas are worked for, the first that has the formula."""
+
+
+class Entry(NamedTuple):
+    """What there is to say of a formula."""
+
+    equation: Equation
+    latex: str
+    """``symbol = formula``."""
+    example: str
+    """Example whose numbers are put in; empty where no explained command calculates the formula."""
+    worked: str
+    """``symbol = formula with numbers``, LaTeX."""
+    value: float
+    printed: list[Formula]
+    """Its places in the papers."""
+    proofs: list[str]
+    commands: list[str]
+    """Commands that calculate it."""
+
+
+class Handbook(NamedTuple):
+    """Everything the handbook shows."""
+
+    chapters: dict[int, str]
+    """Markdown of every chapter by its number."""
+    formulas: dict[str, Entry]
+    """Equation function → what there is to say of it."""
+    values: dict[str, tuple[Any, str]]
+    """What stands in ``{value …}`` → the number, SI, and its unit."""
+    claims: list[Row]
+
+
+def chapter_texts(language: str) -> dict[int, str]:
+    """Return the Markdown of every chapter by its number."""
+    folder = _FOLDER / "ru" if language == "ru" else _FOLDER
+    names = sorted(entry.name for entry in folder.iterdir() if entry.name.endswith(".md"))
+    return {int(name[:2]): folder.joinpath(name).read_text(encoding="utf-8") for name in names}
+
+
+def handbook(language: str) -> Handbook:
+    """Gather the handbook in a language: every formula, and every number that its chapters ask for."""
+    chapters = chapter_texts(language)
+    wanted = re.findall(r"\{value ([^{}]+)\}", "".join(chapters.values()))
+    return Handbook(
+        chapters,
+        {name: _entry(equation) for name, equation in equations().items()},
+        {path: _value(*path.split()) for path in wanted},
+        reproduce([])[0].rows,
+    )
+
+
+@cache
+def _clutch(example: str) -> Clutch:
+    return build(read_spec(f"example:{example}"))
+
+
+@cache
+def _answer(example: str, command: str) -> Any:
+    return ANALYSES[command].function(_clutch(example))[0]
+
+
+def _value(example: str, path: str) -> tuple[Any, str]:
+    """Return a number that a command gives for an example, and its unit: ``_value("default", "torque.scatter")``."""
+    command, *names = path.split(".")
+    value, unit = _answer(example, command), ""
+    for name in names:
+        unit = shown_as(type(value).model_fields[name]).unit or unit
+        value = getattr(value, name)
+    return value, unit
+
+
+@cache
+def _calls() -> dict[str, tuple[str, Call]]:
+    """Equation → the first example that an explained command calculates it for, and its first call there."""
+    calls: dict[str, tuple[str, Call]] = {}
+    for example in _EXAMPLES:
+        for command in EXPLAINED:
+            if ANALYSES[command].applies(_clutch(example)):
+                with noted() as notes:
+                    ANALYSES[command].function(build(_clutch(example).spec))
+                for call in CallReader().calls(notes):
+                    calls.setdefault(call.equation.name, (example, call))
+    return calls
+
+
+def _entry(equation: Equation) -> Entry:
+    example, call = _calls().get(equation.name, ("", None))
+    terms, uses = equation.arguments, _uses()[equation.name]
+    symbols = {key: term.symbol for key, term in terms.items()}
+    units = {key: term.unit for key, term in terms.items()}
+    numbers = call.arguments if call else dict.fromkeys(terms, 1.0)
+    texts = [FormulaText(part, symbols, numbers, units) for part in _parts(equation)]
+    printed = [entry for entry in register() if entry.function == equation.name]
+    shown = call if len(texts) == 1 else None
+    return Entry(
+        equation=equation,
+        latex=f"{symbol_latex(equation.result.symbol)} = {', '.join(text.latex() for text in texts)}",
+        example=example if shown else "",
+        worked=f"{symbol_latex(shown.result)} = {texts[0].latex_with_numbers()}" if shown else "",
+        value=float(shown.value) if shown else 0.0,
+        printed=printed,
+        # the proof of its place in a paper; else those that run it
+        proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)) or uses["proofs"][:3],
+        commands=uses["commands"],
+    )
+
+
+def _parts(equation: Equation) -> list[Callable[..., Any]]:
+    """The equation; of one that gives several numbers a function for each."""
+    one = equation.function(**{name: Leaf(term.symbol) for name, term in equation.arguments.items()})
+    if not isinstance(one, tuple):
+        return [equation.function]
+    return [lambda place=place, **terms: equation.function(**terms)[place] for place in range(len(one))]
+
+
+@cache
+def _uses() -> dict[str, dict[str, list[str]]]:
+    """Equation → commands that calculate it, proofs that run it."""
+    return tomllib.loads(_FOLDER.joinpath("uses.toml").read_text(encoding="utf-8"))
