@@ -56,7 +56,7 @@ EXTRAS = {
     "explain": ("sympy",),
     "plot": ("matplotlib",),
     "cad": ("ezdxf",),
-    "report": ("jinja2", "matplotlib", "latex2mathml"),
+    "report": ("jinja2", "matplotlib", "latex2mathml", "markdown_it"),
 }
 """Optional dependencies, as pip knows them → modules they bring."""
 
