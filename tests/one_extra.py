@@ -18,7 +18,19 @@ from afmcalc.cli.main import COMMANDS, main
 from afmcalc.spec.parse import example_names
 
 WITHOUT_CLUTCH = (["design", "example:requirements"], ["plot", "pareto", "example:requirements"], ["reproduce"])
-OTHERS = ("design", "reproduce", "equations", "examples", "materials", "explain", "solve", "init", "plot", "schema")
+OTHERS = (
+    "design",
+    "handbook",
+    "reproduce",
+    "equations",
+    "examples",
+    "materials",
+    "explain",
+    "solve",
+    "init",
+    "plot",
+    "schema",
+)
 SHORT = {"drive": "drive.event.duration=0.02", "tolerance": "tolerance.samples=2000"}
 """Example → a value with which it does not last."""
 
@@ -30,6 +42,7 @@ def command_lines():
         ["equations"],
         ["equations", "--prove", "--id", "F11 (1)"],
         ["examples"],
+        ["handbook", "-o", "h.html", "--force"],
         ["materials"],
     )
     yield from (["init", "a.toml", "--force"], ["schema"], *([name, "--help"] for name in COMMANDS))
