@@ -128,6 +128,7 @@ def test_every_link_leads_somewhere(page):
     assert len(links.ids) == len(set(links.ids))
     assert set(links.targets) <= set(links.ids)
     assert not re.search(r"\{(?:see|value|equation|misprint|figure|list) ", page)
+    assert not re.search(r"chapters? <a[^>]*>chapter", page, re.IGNORECASE), "the link says so itself"
 
 
 def test_the_page_needs_nothing_else(page):
