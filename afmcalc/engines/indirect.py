@@ -423,7 +423,9 @@ class IndirectClutch(Clutch):
         if not self.curved:
             return least
         ends = self.travel_max, self.travel_returning(friction.min)
-        return smaller(least, self._turns(ends, self.net_gain_returning, friction.min)[0][0])
+        turning = self._turns(ends, self.net_gain_returning, friction.min)[0][0]
+        # a sleeve that f_max leaves at its stop does not return: the stop still bears a part of the control spring
+        return chosen(ends[0] > 0, lambda: smaller(least, turning), lambda: least)
 
     @property
     def hysteresis_ratio(self) -> Values:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from conftest import several
-from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import HealthCheck, assume, example, given, settings
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
@@ -55,6 +55,41 @@ def stacks(draw, wanted, spare):
     return DiscStack(**own, parallel=parallel, series=series).model_dump(exclude_none=True)
 
 
+def seated(low):
+    """Key's friction halves the net gain, κ 2 and κ₊ 4; the sleeve leaves its stop at f = 1 only, above f_max = 0.5."""
+    size = SIZES["A 40"]
+    disc = {name: getattr(size, name) for name in SHAPE if getattr(size, name) is not None}
+    return make_spec(
+        {
+            "variant": "indirect",
+            "friction": {"min": low, "mean": low, "max": 0.5},
+            "friction_group": {"pairs": 1, "mean_radius": 0.05},
+            "closing_spring": {"force": 500.0, "stiffness": 2000.0},
+            "control_spring": {"stiffness": 1000.0, "force": 1500.0, "disc": {**disc, "parallel": 1, "series": 4}},
+            "control_unit": {
+                "gain": 3.0,
+                "gain_slope": 40.02,
+                "key_friction": 0.3,
+                "hub_diameter": 0.03,
+                "ball_circle_radius": 0.05,
+                "balls": 6,
+            },
+        }
+    )
+
+
+@pytest.mark.parametrize("low", [0.5, 0.4, 0.25, 0.1])
+def test_a_sleeve_that_never_left_its_stop_does_not_return(low):
+    """The key keeps N = F_п2/(1 + z κ f_max) = 750 N down to f_max κ/κ₊ = 0.25; below, N = F_п2/(1 + z κ₊ f).
+
+    Along κ₊ the force on the stop would be nought at f = 0.5: a sleeve that came back from a travel would sit down there.
+    """
+    pressed = max(1500 / (1 + 2 * 0.5), 1500 / (1 + 4 * low))
+    clutch = build(seated(low))
+    assert clutch.travel_max == 0
+    assert clutch.torque_returning_min == pytest.approx(0.05 * low * pressed, rel=1e-12)
+
+
 def _bent(clutch):
     """Whether the torque may turn anywhere: where it jumps it does so ever more steeply."""
     return bool(clutch.spec.spring_parts) and bool(clutch.gain_slope)
@@ -75,6 +110,7 @@ def met(clutch):
     deadline=None,
 )
 @given(clutches())
+@example(seated(0.5))
 def test_no_friction_gives_more_or_less_and_a_step_aside_gives_as_much(spec):
     clutch = build(spec)
     own, (low, high, back) = clutch.torque_range, met(clutch)
