@@ -11,6 +11,9 @@ LONGEST_LINE = 390
 """Characters of a line of an error; with what is put before it, below 400."""
 
 
+BEYOND_NUMBERS = say("a result is not finite (beyond the range of numbers): check the magnitudes in the spec")
+
+
 class AfmcalcError(Exception):
     """Anything the user can put right; ``exit_code`` is the code the command line ends with."""
 

@@ -9,6 +9,7 @@ from . import __version__, engines
 from .analysis.registry import ANALYSES, SpringKind, SpringOrder, StressRule
 from .arrays import Floats
 from .engines.protocol import Clutch as Engine
+from .errors import BEYOND_NUMBERS, CalculationError
 from .findings import Finding
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
@@ -81,7 +82,7 @@ class Clutch:
 
     def explain(self, command: str, *, model: StressRule | None = None) -> "ExplainResult":
         """The calculation of a command step by step: formula, numbers, value, source."""
-        return _answered("explain", self.spec, *ANALYSES["explain"].function(command, self.spec, model))
+        return _answered("explain", self.spec, *_asked("explain", command, self.spec, model))
 
     def heat(self) -> "HeatResult":
         """Work, temperature and wear of a trip, and how often it may be."""
@@ -114,9 +115,7 @@ class Clutch:
         from .analysis.solve.solve import parse_target
 
         target, value, questions = parse_target(f"{target}={wanted}")
-        result, solved, findings = ANALYSES["solve"].function(
-            self.engine, name, target, value, beyond_limit=beyond_limit
-        )
+        result, solved, findings = _asked("solve", self.engine, name, target, value, beyond_limit=beyond_limit)
         return _answered("solve", solved.spec, result, [*questions, *findings])
 
     def springs(
@@ -166,7 +165,7 @@ class Clutch:
         return f"<{self.spec.variant} clutch of {self.spec.label}>"
 
     def _ask(self, command: str, *arguments: object, **options: object) -> Any:
-        return _answered(command, self.spec, *ANALYSES[command].function(self.engine, *arguments, **options))
+        return _answered(command, self.spec, *_asked(command, self.engine, *arguments, **options))
 
     def _axes(self, sweep: Sweep, *, band: bool = False) -> "list[Axis]":
         if not sweep:
@@ -174,6 +173,14 @@ class Clutch:
         from .analysis.life import parse_axes
 
         return parse_axes([sweep] if isinstance(sweep, str) else sweep, self.engine, band=band)
+
+
+def _asked(command: str, *arguments: object, **options: object) -> Any:
+    """Ask the function of a command; a number that leaves the range of numbers is an error as at the command line."""
+    try:
+        return ANALYSES[command].function(*arguments, **options)
+    except ArithmeticError:
+        raise CalculationError(BEYOND_NUMBERS) from None
 
 
 def _answered(command: str, spec: Spec | None, result: A, findings: list[Finding]) -> A:
@@ -213,7 +220,7 @@ build = Clutch
 def compare(*clutches: Clutch | str | PathLike[str], variants: bool = False) -> "CompareResult":
     """Several clutches, or files of specs, side by side; with ``variants`` one as every variant it can be built as."""
     compared = [clutch if isinstance(clutch, Clutch) else load(clutch) for clutch in clutches or (None,)]
-    answer = ANALYSES["compare"].function([clutch.engine for clutch in compared], variants=variants)
+    answer = _asked("compare", [clutch.engine for clutch in compared], variants=variants)
     return _answered("compare", compared[0].spec, *answer)
 
 
@@ -230,7 +237,7 @@ def design(requirements: str | PathLike[str] | Mapping[str, object], *, pick: in
     from .spec.requirements import make_requirements, read_requirements
 
     need = make_requirements(requirements) if isinstance(requirements, Mapping) else read_requirements(requirements)
-    result, findings = ANALYSES["design"].function(need)
+    result, findings = _asked("design", need)
     spec = None
     if pick is not None:
         result, spec = with_picked(need, result, pick)

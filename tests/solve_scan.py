@@ -153,7 +153,9 @@ def best_of(case: Case, scanned: Scan, side: float, approached: bool) -> float:
 def random_case(rng: np.random.Generator, name: str) -> tuple[Case, Scan] | None:
     """A question, half of the time with an answer somewhere; None where the parameter cannot matter."""
     data = random_spec(rng, name)
-    targets = [target for target in TARGETS if target != "travel_max" or data["variant"] == "indirect"]
+    targets = [
+        target for target in TARGETS if target not in ("travel_max", "control_force") or data["variant"] == "indirect"
+    ]
     case = Case(data, name, str(rng.choice(targets)), 1.0, bool(rng.random() < 0.5))
     x, value = scan(case)
     if not len(x) or not max(value) > 0:

@@ -208,3 +208,16 @@ def test_a_history_is_arrays(afmcalc, tmp_path):
 def test_code_as_a_user_writes_it():
     """mypy checks its types."""
     runpy.run_path(str(ROOT / "tests" / "typed.py"))
+
+
+@pytest.mark.parametrize("stiffness", [5e-324, 2e-309])
+@pytest.mark.parametrize("key", ["control_spring.stiffness", "closing_spring.stiffness"])
+def test_a_number_beyond_numbers_is_an_error_for_people(key, stiffness):
+    """Force over stiffness is more than the largest number, 1.8e308."""
+    clutch = package.load("example:indirect", {key: stiffness})
+    for ask in (clutch.check, clutch.springs, lambda: clutch.explain("check")):
+        with pytest.raises(package.AfmcalcError, match="beyond the range of numbers"):
+            ask()
+    if key.startswith("control"):
+        with pytest.raises(package.AfmcalcError, match=r"^control_spring\.stiffness = .* has 6608 N at a deflection"):
+            clutch.check()

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from typing import ClassVar
 
 from ..engines.protocol import Clutch
-from ..errors import SpecError
+from ..errors import CalculationError, SpecError
 from ..findings import Finding, finding
 from ..result import Answer, described
 from ..spec.catalogues import friction_materials
@@ -112,8 +112,17 @@ def _figures(answers: Answers) -> Iterator[tuple[str, str, float, float, float]]
         springs["control_spring"] = clutch.sleeve.control_force
     for name, force in springs.items():
         if stiffness := value_at(spec, f"{name}.stiffness"):
+            deflection, key = float(force) / stiffness, f"{name}.stiffness"
+            if math.isinf(deflection):
+                raise CalculationError(
+                    "{key} = {stiffness:.5g N/m}: a spring as soft as that has {force:.5g N} at a deflection beyond "
+                    "the range of numbers",
+                    key=key,
+                    stiffness=stiffness,
+                    force=float(force),
+                )
             # a spring deflected by more is longer than the clutch is wide
-            yield "unusual/deflection", f"{name}.stiffness", float(force) / stiffness, 0.0, 2 * radius
+            yield "unusual/deflection", key, deflection, 0.0, 2 * radius
     if ANALYSES["synthesize"].applies(clutch):
         unit = answers.of(SynthesisResult)
         path = "control_unit.wall_angle" if value_at(spec, "control_unit.gain") is None else "control_unit.gain"

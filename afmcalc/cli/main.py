@@ -13,8 +13,8 @@ from typer import Option
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
-from ..errors import AfmcalcError
-from ..messages import ENGLISH, Language, known, language, speaking, term, told
+from ..errors import BEYOND_NUMBERS, AfmcalcError
+from ..messages import ENGLISH, Language, known, language, speaking, term, told, translate
 from .help import Command, Program, heard
 from .options import LANG
 from .streams import drop_output, prepare, tell
@@ -174,7 +174,7 @@ def _unexpected(error: Exception) -> int:
     else:
         beyond = isinstance(error, ArithmeticError | RuntimeWarning)
     if beyond:
-        _complain(told("a result is not finite (beyond the range of numbers): check the magnitudes in the spec"))
+        _complain(translate(BEYOND_NUMBERS))
         return 2
     import traceback
 

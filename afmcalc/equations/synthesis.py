@@ -275,6 +275,18 @@ def mean_radius_for_torque(
 
 
 @equation
+def net_gain_for_control_force(
+    control_force: ControlForce, closing_force: IndirectClosingForce, pairs: Pairs, friction_set: FrictionSet
+) -> NetGain:
+    """Net gain that a control spring asks for, κ = (F_п2 − F_п1)/(z F_п1 f_set); C is κ + 2 R f_1/d.
+
+    Source: S21 (5).
+    Validity: F_п2 ≥ F_п1.
+    """
+    return (control_force - closing_force) / (pairs * closing_force * friction_set)
+
+
+@equation
 def net_loop_gain_for_accuracy_factor(
     friction_min: FrictionMin,
     friction_set: FrictionSet,

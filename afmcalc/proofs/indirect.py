@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import accuracy, direct, indirect, sleeve
+from ..equations import accuracy, direct, indirect, sleeve, synthesis
 from . import Refutation, Steps
 from .symbols import *
 
@@ -38,6 +38,10 @@ def setting_of_the_control_spring() -> Steps:
     yield "(14)", CONTROL - (F * (1 + z * C * fset) - 2 * z * F * R * fset * fk / d)
     gain = 2 * R * fk / d + (CONTROL - F) / (z * F * fset)
     yield "(5)", gain - C
+    yield (
+        "κ of (5)",
+        indirect.gain_threshold(R, fk, d) + synthesis.net_gain_for_control_force(CONTROL, F, z, fset) - gain,
+    )
     yield "(2), (13): F_p,min = z F_п1 C f_min", indirect.release_force(nominal, C, R) - z * F * C * fset
     yield "F_p = T tan α/r", indirect.release_force(nominal, R * q / r, R) - nominal * q / r
 

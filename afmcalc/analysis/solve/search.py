@@ -252,9 +252,17 @@ def _edge(holds: Callable[[Floats], Truths], low: float, high: float) -> tuple[f
         low, high = at[i - 1], at[i]
 
 
-_PROPORTIONAL = ("nominal_torque", "torque_min", "torque_max", "scatter", "travel_max", "closing_force")
+_PROPORTIONAL = (
+    "nominal_torque",
+    "torque_min",
+    "torque_max",
+    "scatter",
+    "travel_max",
+    "closing_force",
+    "control_force",
+)
 """Targets proportional to the spring force."""
-_AT_SETTING = ("nominal_torque", "closing_force")
+_AT_SETTING = ("nominal_torque", "closing_force", "control_force")
 """Targets proportional to the spring force with any pocket, as the sleeve is at its stop."""
 
 
@@ -273,6 +281,9 @@ def closed_inverse(clutch: Clutch, name: str, target: str, now: float, wanted: f
             return _for_torque(clutch, name, target, wanted)
     elif isinstance(clutch, IndirectClutch) and straight and target == "accuracy_factor":
         return _for_indirect_accuracy(clutch, name, wanted)
+    elif isinstance(clutch, IndirectClutch) and (name, target) == ("C", "control_force"):
+        at_setting = clutch.closing_force, clutch.pairs, clutch.friction_set
+        return synthesis.net_gain_for_control_force(wanted, *at_setting) + clutch.gain_threshold
     return None
 
 

@@ -38,10 +38,13 @@ class Target(NamedTuple):
     """What else it is called: symbols, and the path of the key that sets it."""
 
 
-def _travel(clutch: Clutch) -> Values:
-    if clutch.sleeve is None:
-        raise AfmcalcError("travel_max is only of an indirect clutch: a direct one has no sleeve")
-    return clutch.sleeve.travel_max
+def _of_sleeve(name: str) -> Callable[[Clutch], Values]:
+    def value(clutch: Clutch) -> Values:
+        if clutch.sleeve is None:
+            raise AfmcalcError("{name} is only of an indirect clutch: a direct one has no sleeve", name=name)
+        return getattr(clutch.sleeve, name)
+
+    return value
 
 
 TARGETS: dict[str, Target] = {
@@ -59,7 +62,14 @@ TARGETS: dict[str, Target] = {
     "closing_force": Target(
         "N", "closing-spring force", lambda c: c.closing_force, "low", ("F_п", "F", "closing_spring.force")
     ),
-    "travel_max": Target("m", "largest travel of the sleeve", _travel, "low", ("x_max",)),
+    "control_force": Target(
+        "N",
+        "control-spring force at the stop",
+        _of_sleeve("control_force"),
+        "low",
+        ("F_п2", "F2", "control_spring.force"),
+    ),
+    "travel_max": Target("m", "largest travel of the sleeve", _of_sleeve("travel_max"), "low", ("x_max",)),
 }
 """Name, as in the JSON of the other commands → what it is."""
 
@@ -183,8 +193,13 @@ def solve(
     if not chosen:
         raise _not_attainable(problem, curve)
     beyond = curve.value[curve.at > chosen[0]][:2]
-    # as far as numbers tell, the target keeps the wanted value from there on
-    if not whole and len(beyond) == 2 and bool(np.all(np.abs(beyond - wanted) <= 1e-13 * abs(wanted))):
+    # as far as numbers tell, the target keeps the wanted value from there on; a closed inverse tells better
+    if (
+        not whole
+        and chosen[0] != exact
+        and len(beyond) == 2
+        and bool(np.all(np.abs(beyond - wanted) <= 1e-13 * abs(wanted)))
+    ):
         raise CalculationError(
             "{target} = {wanted} is given by a whole range of {name}, not by one value: choose one, or solve for "
             "another parameter",

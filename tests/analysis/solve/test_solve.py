@@ -50,6 +50,42 @@ def test_an_indirect_clutch_gives_its_own_parameter_back(spec, name):
     assert (result.exact_value or result.value) == pytest.approx(now, rel=1e-5)
 
 
+@given(indirect_specs(curved=True), st.floats(1.0, 20.0))
+def test_gain_that_a_control_spring_asks_for(spec, ratio):
+    """S21 (5): C = 2 R f_1/d + (F_п2 − F_п1)/(z F_п1 f_set); the pocket's slope does not matter at the stop."""
+    group, unit, own = spec.friction_group, spec.control_unit, spec.friction
+    at_set = own.min if spec.adjustment.method == "min-friction" else own.mean
+    force = spec.closing_spring.force
+    result, solved, _ = solve(build(spec), "C", "control_force", ratio * force)
+    threshold = 2 * group.mean_radius * unit.key_friction / unit.hub_diameter
+    printed = threshold + (ratio * force - force) / (group.pairs * force * at_set)
+    assert result.value == pytest.approx(printed, rel=1e-9, abs=1e-12)
+    assert solved.control_force == pytest.approx(ratio * force, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "method"),
+    [
+        # example:indirect: F_п1 2 kN, z 8, f_set 0.3, R 0.1, κ = C − 0.04; F_п2 = F_п1 (1 + z f_set κ)
+        ("C", 0.04 + 0.5 / (8 * 2 * 0.3), "closed-form"),
+        ("F", 2500 / (1 + 8 * 0.3 * 0.96), "closed-form"),
+        # F_п1 (1 + 0.288 z) ≤ 2.5 kN
+        ("z", None, "refused"),
+        # κ = 1 − 0.4 R, so that R = (1 − 0.25/2.4)/0.4
+        ("R", (1 - 0.25 / 2.4) / 0.4, "bracketed-root"),
+    ],
+)
+def test_what_gives_a_control_spring_of_2_5_kn(name, value, method):
+    clutch = build(read_spec("example:indirect"))
+    if value is None:
+        with pytest.raises(NotAttainableError, match="the best is 2576 N, reached at z = 1"):
+            solve(clutch, name, "control_force", 2500.0)
+        return
+    result, solved, _ = solve(clutch, name, "control_force", 2500.0)
+    assert (result.value, result.method) == (pytest.approx(value, rel=1e-9), method)
+    assert solved.control_force == pytest.approx(2500.0, rel=1e-9)
+
+
 @given(direct_specs(), st.sampled_from(["nominal_torque", "torque_max", "scatter"]), st.floats(0.1, 10))
 def test_torque_is_proportional_to_the_force(spec, target, factor):
     clutch = build(spec)
@@ -118,7 +154,11 @@ def test_driving_pairs():
         (["accuracy_factor"], "write accuracy_factor=VALUE"),
         (["nominal_torque=2 J"], "nominal_torque=2 J: "),
         (["nominal_torque=-2"], "greater than 0"),
-        (["travel_max=1 mm"], "only of an indirect clutch"),
+        (["travel_max=1 mm"], "travel_max is only of an indirect clutch"),
+        (["F_п2=1 kN"], "control_force is only of an indirect clutch"),
+        # below F_п1 the sleeve would leave its stop without torque; at C = 2 R f_1/d = 2·0.1·0.15/0.05 F_п2 = F_п1
+        (["--for", "C", "control_force=1.5 kN", S21], "the best is 2000 N, reached at C = 0.6"),
+        (["--for", "c2", "control_force=3 kN", S21], "control_force does not depend on c2 here"),
         (["accuracy_factor=nan"], "must be finite"),
     ],
 )  # fmt: skip
