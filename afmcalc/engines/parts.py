@@ -24,7 +24,7 @@ INDEX = (4.0, 20.0)
 SOLID_SHARE = 0.56
 """Shear stress, pressed solid, over tensile strength: what cold coiled springs bear (EN 13906-1)."""
 OM_STRENGTH = 1600e6
-"""Pressure that the section of a disc bears where it turns (Machinery's Handbook, 31st ed., p. 363), Pa."""
+"""Pressure that the section of a disc bears where it turns (Machinery's Handbook, 31st ed.), Pa."""
 ZIMMERLI = (241e6, 379e6)
 """Amplitude and mean of the shear stress that wire, not shot peened, bears for ever (Shigley, sec. 10-9), Pa."""
 SHEAR_SHARE = 0.67

@@ -10,7 +10,7 @@ from .terms import *
 def shear_stress(torque: SideTorque, polar_section_modulus: PolarSectionModulus) -> ShearStress:
     """Shear stress of a torque, τ = T/W_p.
 
-    Source: S19 (15).
+    Source: S19 (16), (17).
     Validity: Torsion, elastic.
     """
     return torque / polar_section_modulus
@@ -30,7 +30,7 @@ def torque_unprotected(dynamic_factor: DynamicFactor, torque: SlipTorque) -> Ann
 def mean_stress(stress_low: StressLow, stress_high: StressHigh) -> Annotated[Number, "τ_m", "Pa"]:
     """Mean stress of the cycle, (τ_max + τ_min)/2: what the papers take as damaging.
 
-    Source: S19 (16), (17).
+    Source: S19 (15), (18).
     Validity: The paper's rule; it ignores the amplitude (M23).
     """
     return (stress_high + stress_low) / 2

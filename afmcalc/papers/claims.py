@@ -39,7 +39,7 @@ class Row(Result):
 
     id: str = described("id")
     source: str = described("source")
-    inputs: str = described("inputs", detail=True)
+    inputs: str = described("inputs")
     printed: str = described("printed")
     computed: Sentence = described("computed")
     deviation: float | None = quantity("1", "dev.", "computed over printed, less 1")

@@ -1,4 +1,4 @@
-"""Фокин and others 2011 (F11): figure 2, and the claims P13–P16 about it."""
+"""Фокин and others 2011 (F11): figure 2, and the claims P13–P16 and P23 about it."""
 
 import math
 from collections.abc import Callable
@@ -29,9 +29,11 @@ def line(low: float, high: float) -> float:
 def figure_2() -> PaperFigure:
     """K_т over n = f_2max/f_1max, formula (17); lines 5–7 one material."""
     n = np.linspace(0.5, 1.5, 101)
+    ratios = _meeting_lines()
     curves = [
-        curve(str(number), f"f_1 = {low:.2f}…{high:.1f}", n, factor(n, 1.0, low, high))
-        for number, (low, high) in enumerate(RANGES, start=1)
+        curve(str(number), f"f_1 = {low:.2f}…{high:.1f}", n, factor(n, p, low, high))
+        # line 4 has no pair; it takes p of curve 3, which has its f_1min
+        for number, ((low, high), p) in enumerate(zip(RANGES, [*ratios, ratios[-1]], strict=True), start=1)
     ]
     curves += [
         curve(str(number), f"one material, f = {low:.2f}…{high:.1f}", n, line(low, high))
@@ -48,7 +50,7 @@ def figure_2() -> PaperFigure:
             "M4: z_1 = 1, printed 2, with which all four curves fall (z_1 = 2 with C = 0.625 mends it too)",
             "M5: K_т grows with n while C < 1/(z_1 f_1max), so n > 1 lowers the accuracy",
         ],
-        assumed="p = f_2min/f_1min = 1 and n = 0.5…1.5.",
+        assumed="p = 1.033, 1.018, 1.020, 1.020, with which curves 1–3 meet lines 5–7 at n = 1.5 (P14); n = 0.5…1.5.",
     )
 
 
@@ -66,22 +68,31 @@ def p13() -> Found:
 
 
 def p14() -> Found:
-    """Unlike materials beat one material for p > 1, except at n = 1.5."""
+    """Unlike materials beat one material for p > 1, except at n = 1.5 where they are level."""
     ranges = RANGES[:3]
-    lines = [line(*own) for own in ranges]
-    at = [float(factor(1.5, 1.2, *own)) for own in ranges]
-    worse_at_n = all(curve > level for curve, level in zip(at, lines, strict=True))
-    meet = [_break_even(1.5, *own) for own in ranges]
-    # K_т tends to a limit as n grows: above the p of that limit no n breaks even
-    last = [_break_even(1e12, *own) for own in ranges]
+    meet, lines = _meeting_lines(), [line(*limits) for limits in ranges]
+    n = np.linspace(0.5, 1.5, 101)
+
+    def as_described(bypass: int) -> bool:
+        curves = [factor(n, p, *limits, bypass) - line(*limits) for p, limits in zip(meet, ranges, strict=True)]
+        return all(np.all(curve[:-1] < 0) and abs(curve[-1]) < 1e-6 for curve in map(np.asarray, curves))
+
     text = say(
-        "lines {lines:.3f}; n 1.5, p 1.2: {at:.3f}; break-even at n 1.5: p = {meet:.3f}; at some n: p < {last:.3f}",
-        lines=lines,
-        at=at,
+        "with p = {meet:.3f} curves 1–3 lie below lines {lines:.3f} and meet them at n = 1.5; with p = 1.01 they cross "
+        "at n = {early:.2f}, with p = 1.2 they are at {at:.3f} for n = 1.5, and for p > {last:.3f} they never meet",
         meet=meet,
-        last=last,
+        lines=lines,
+        early=[float(np.interp(line(*limits), factor(n, 1.01, *limits), n)) for limits in ranges],
+        at=[float(factor(1.5, 1.2, *limits)) for limits in ranges],
+        # K_т tends to a limit as n grows: above the p of that limit no n breaks even
+        last=[_break_even(1e12, *limits) for limits in ranges],
     )
-    return Found(text, verdict(worse_at_n))
+    return Found(text, verdict(as_described(2), as_described(1)))
+
+
+def _meeting_lines() -> list[float]:
+    """Return p with which curves 1–3 meet their lines 5–7 at n = 1.5."""
+    return [_break_even(1.5, *limits) for limits in RANGES[:3]]
 
 
 def _break_even(n: float, low: float, high: float) -> float:
@@ -115,8 +126,32 @@ def p15() -> Found:
 
 
 def p16() -> Found:
-    """The loss of accuracy is steepest at n = 1.2…1.5."""
+    """The loss of accuracy, read as the level of K_т, is greatest at small p and n = 1.2…1.5, on curve 1."""
     at = (0.5, 1.0, 1.2, 1.5)
-    slopes = [float(accuracy.slope_in_ratio_max(1, CONTROLLED, GAIN, n, 1, *RANGES[0])) for n in at]
-    text = say("∂K_т/∂n at n = {at}: {slopes:.3f}", at=at, slopes=slopes)
-    return Found(text, verdict(min(slopes[2:]) >= max(slopes[:2])))
+
+    def as_described(bypass: int) -> bool:
+        curves = [[[float(factor(n, p, *limits, bypass)) for n in at] for p in (0.8, 1.0, 1.2)] for limits in RANGES]
+        small, large = curves[0][0], curves[0][-1]
+        others = max(max(levels) for limits in curves[1:] for levels in limits)
+        return min(small[2:]) > max(small[:2]) and min(small[2:]) > max(*large, others)
+
+    text = say(
+        "K_т at n = {at}: {small:.3f} with p = 0.8, {level:.3f} with p = 1, where ∂K_т/∂n = {slopes:.3f}",
+        at=at,
+        small=[float(factor(n, 0.8, *RANGES[0])) for n in at],
+        level=[float(factor(n, 1, *RANGES[0])) for n in at],
+        slopes=[float(accuracy.slope_in_ratio_max(1, CONTROLLED, GAIN, n, 1, *RANGES[0])) for n in at],
+    )
+    return Found(text, verdict(as_described(2), as_described(1)))
+
+
+def p23() -> Found:
+    """Accuracy rises with p, on every curve."""
+
+    def slopes(bypass: int, n: Values = 1.0, p: Values = 1.0) -> list[Values]:
+        return [accuracy.slope_in_ratio_min(bypass, CONTROLLED, GAIN, n, p, *limits) for limits in RANGES]
+
+    n, p = np.meshgrid(np.linspace(0.5, 1.5, 21), np.linspace(0.5, 2, 31))
+    text = say("∂K_т/∂p at n = p = 1: {two:.3f} with z_1 = 2; {one:.3f} with z_1 = 1", two=slopes(2), one=slopes(1))
+    falls = [all(np.all(np.asarray(slope) < 0) for slope in slopes(bypass, n, p)) for bypass in (2, 1)]
+    return Found(text, verdict(*falls))

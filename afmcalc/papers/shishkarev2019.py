@@ -1,9 +1,11 @@
-"""Шишкарёв 2019 (S19): figure 2, and the claims P1–P4 and P17."""
+"""Шишкарёв 2019 (S19): figure 2, and the claims P1–P4, P17 and P24–P26."""
+
+from collections.abc import Callable, Iterable
 
 import numpy as np
 
 from ..arrays import Values
-from ..equations import adjustment, direct, life
+from ..equations import accuracy, adjustment, direct, life
 from ..messages import say
 from .claims import Found, near, verdict
 from .figures import PaperAxis, PaperFigure, curve
@@ -95,14 +97,58 @@ def p4() -> Found:
 
 
 def p17() -> Found:
-    """K_т and T_cp implied by P4."""
-    printed = (LEAST + FIRST[0]) / LEAST
+    """The bands of P4 and T_cp, and the K_т that follows from them."""
     computed = [_arm(_MAX, z) / _arm(_MIN, z) for z in PAIRS]
     ceiling = LEAST * _MEAN / _MIN
     text = say(
-        "K_т {factors:.3f}, never above {most:.3f}; T_cp at most {ceiling:.0f N·m}",
+        "K_т {factors:.3f}, never above {most:.3f} (the bands: {implied:.1f}); T_cp at most {ceiling:.0f N·m}",
+        implied=[(LEAST + band) / LEAST for band in FIRST],
         factors=computed,
         most=_MAX / _MIN,
         ceiling=ceiling,
     )
-    return Found(text, verdict(near(computed[0], printed, 0.05) and ceiling >= MEAN), computed[0] / printed - 1)
+    return Found(text, verdict(ceiling >= MEAN), ceiling / MEAN - 1)
+
+
+def _ends(pairs: int, margin: float, setting: float) -> tuple[float, float]:
+    """T_min and T_max of a clutch set for a nominal torque of 1 at a friction, with a margin."""
+    force = adjustment.closing_force(1.0, margin, _arm(setting, pairs))
+    return force * _arm(_MIN, pairs), force * _arm(_MAX, pairs)
+
+
+def _ratios(of: Callable[[float, float], float], pairs: Iterable[int] = PAIRS) -> list[float]:
+    """What is asked of T_max and T_min, second method over first."""
+    ends = [(_ends(z, _MARGIN, _MEAN), _ends(z, 1.0, _MIN)) for z in pairs]
+    return [of(second[1], second[0]) / of(first[1], first[0]) for second, first in ends]
+
+
+def p24() -> Found:
+    """K_т does not depend on the method."""
+    ratios = _ratios(accuracy.accuracy_factor_of_torques)
+    text = say("K_т2/K_т1 = {ratios:.3f}", ratios=ratios)
+    return Found(text, verdict(all(near(ratio, 1, 1e-12) for ratio in ratios)), ratios[0] - 1)
+
+
+def p25() -> Found:
+    """The first method's band is the wider one on the unprotected side."""
+    first, second = ([float(life.torque_unprotected(1.5, band)) for band in bands] for bands in (FIRST, SECOND))
+    text = say(
+        "k_д = 1.5: k_д ΔT_1 = {first:.0f N·m}, k_д ΔT_2 = {second:.0f N·m} from the printed bands; by the formulas "
+        "k_д ΔT_2/(k_д ΔT_1) = {ratios:.3f}",
+        first=first,
+        second=second,
+        ratios=_ratios(accuracy.scatter_band),
+    )
+    return Found(text, verdict(all(wide > narrow for wide, narrow in zip(first, second, strict=True))))
+
+
+def p26() -> Found:
+    """The middle of the band is lower with the first method."""
+    ratios, below = (_ratios(lambda high, low: (high + low) / 2, pairs) for pairs in (PAIRS, (8,)))
+    text = say(
+        "second over first {ratios:.3f} for z = {pairs}; {below:.3f} for z = 8",
+        ratios=ratios,
+        pairs=PAIRS,
+        below=below,
+    )
+    return Found(text, verdict(min(ratios) > 1))

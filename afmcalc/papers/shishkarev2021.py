@@ -1,4 +1,4 @@
-"""Шишкарев 2021 (S21), indirect regulation: figures 2 and 4, and the claims P5–P8 about them.
+"""Шишкарев 2021 (S21), indirect regulation: figures 2 and 4, and the claims P5–P8 and P27–P30.
 
 All are set at f_min, so the clutch below its setting does not enter.
 """
@@ -32,13 +32,17 @@ def base_factor(gain: Values) -> Values:
     return accuracy.accuracy_factor(0, _PAIRS, gain, _LOW, _LOW, _HIGH, _HIGH)
 
 
-def ball_and_travel(gain: Values) -> tuple[Values, Values]:
+def _sine(gain: Values) -> Values:
+    """Sine of the wall angle (24)."""
+    return np.sin(np.arctan(synthesis.tan_wall_angle(gain, _BALL_CIRCLE, _RADIUS)))
+
+
+def ball_and_travel(gain: Values, force: float = _FORCE) -> tuple[Values, Values]:
     """Radius of the ball (23) and largest travel (16), fig. 4."""
     net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
     stiffness = indirect.sleeve_stiffness(_CLOSING[0], _CONTROL, _PAIRS, _HIGH, net)
-    travel = indirect.travel(_PAIRS, _FORCE, _HIGH, _LOW, net, stiffness)
-    sine = np.sin(np.arctan(synthesis.tan_wall_angle(gain, _BALL_CIRCLE, _RADIUS)))
-    return synthesis.ball_radius(travel, _GAP, _GAP, sine), travel
+    travel = indirect.travel(_PAIRS, force, _HIGH, _LOW, net, stiffness)
+    return synthesis.ball_radius(travel, _GAP, _GAP, _sine(gain)), travel
 
 
 def _gains(stop: float) -> NDArray[np.float64]:
@@ -157,14 +161,102 @@ def p7() -> Found:
 
 def p8() -> Found:
     """Ball radius falls, travel grows with the gain."""
-    gains = np.linspace(0.6, 30.6, 30001)
-    radii, travels = map(np.asarray, ball_and_travel(gains))
-    top = int(np.argmax(radii))
-    bottom = top + int(np.argmin(radii[top:]))
-    grows, falls = bool(np.all(np.diff(travels) > 0)), bool(np.all(np.diff(radii[top : bottom + 1]) < 0))
-    text = say(
-        "x_max grows; r_ш rises to C = {top:.2f}, falls to C = {bottom:.1f}, then grows again",
-        top=gains[top],
-        bottom=gains[bottom],
+    forces = (100.0, 1000.0, 5000.0)
+    curves = [tuple(map(np.asarray, ball_and_travel(_WIDE, force))) for force in forces]
+    turns = [_turns(radii) for radii, _ in curves]
+    grows = all(np.all(np.diff(travels) > 0) for _, travels in curves)
+    falls = all(
+        np.all(np.diff(radii[top : bottom + 1]) < 0) for (radii, _), (top, bottom) in zip(curves, turns, strict=True)
     )
-    return Found(text, verdict(grows and top == 0 and bottom == len(radii) - 1, grows and falls))
+    text = say(
+        "x_max grows; r_ш rises to C = {tops:.2f}, falls to C = {bottoms:.1f}, then grows again, "
+        "for F_п1 = {forces:.1f kN}",
+        tops=[_WIDE[top] for top, _ in turns],
+        bottoms=[_WIDE[bottom] for _, bottom in turns],
+        forces=forces,
+    )
+    return Found(text, verdict(grows and falls and turns == [(0, len(_WIDE) - 1)] * 3, grows and falls))
+
+
+_WIDE = np.linspace(0.6, 60.6, 60001)
+"""Gains of p8, p28 and p29, from the threshold on."""
+
+
+def _turns(values: NDArray[np.float64]) -> tuple[int, int]:
+    """Where a curve has its maximum, and after that its minimum."""
+    top = int(np.argmax(values))
+    return top, top + int(np.argmin(values[top:]))
+
+
+def _torque(gain: Values, friction: float) -> Values:
+    """T of (11) with the control spring set by (14)."""
+    net = indirect.net_gain(gain, _RADIUS, _KEY, _HUB)
+    control = indirect.control_force(_FORCE, _PAIRS, net, _LOW)
+    stiffness = indirect.sleeve_stiffness(_CLOSING[0], _CONTROL, _PAIRS, friction, net)
+    normal = indirect.normal_force_moving(_FORCE, _CLOSING[0], control, _CONTROL, stiffness)
+    return indirect.torque(normal, _RADIUS, _PAIRS, friction)
+
+
+def p27() -> Found:
+    """The gain raises the accuracy and leaves the nominal torque; the closing spring does less."""
+    gains, shown = _gains(60.0)[1:], (1.0, 4.0, 12.0)
+    rises = np.all(np.diff(factor(gains)) < 0) and np.ptp(_torque(gains, _LOW)) < 1e-9
+    text = say(
+        "C 1, 4, 12: K_т {factors:.3f}, T_н {torques:.1f N·m}; doubling C divides K_т by {doubled:.3f}, "
+        "doubling c_1 by {stiffer:.3f}",
+        factors=[float(factor(gain)) for gain in shown],
+        torques=[float(_torque(gain, _LOW)) for gain in shown],
+        doubled=[float(_doubled(gain)) for gain in shown],
+        stiffer=[float(_stiffer(gain)) for gain in shown],
+    )
+    return Found(text, verdict(bool(rises and np.all(_doubled(gains) > _stiffer(gains)))))
+
+
+def p28() -> Found:
+    """Pockets get shallower with the gain, since the sine of the wall angle grows faster than the travel."""
+    radii, travels = map(np.asarray, ball_and_travel(_WIDE))
+    sines = np.asarray(_sine(_WIDE))
+    depths = synthesis.pocket_depth(radii, sines, _GAP)
+    (top, bottom), (deepest, shallowest) = _turns(radii), _turns(depths)
+    # growth of sin α less that of the sum x_max + s + 2y which (23) divides by it
+    faster = np.diff(np.log(sines)) > np.diff(np.log(travels + 3 * _GAP))
+    text = say(
+        "h_1 falls from C = {deepest:.2f} to {shallowest:.1f}; sin α grows faster than x_max + s + 2y from {top:.2f} "
+        "to {bottom:.1f}; release force at f_max {forces:.2f kN} at C 1, 4, 12",
+        deepest=_WIDE[deepest],
+        shallowest=_WIDE[shallowest],
+        top=_WIDE[top],
+        bottom=_WIDE[bottom],
+        forces=[float(indirect.release_force(_torque(gain, _HIGH), gain, _RADIUS)) for gain in (1.0, 4.0, 12.0)],
+    )
+    inside = bool(np.all(faster[top:bottom]) and np.all(np.diff(depths[top : bottom + 1]) < 0))
+    return Found(text, verdict(bool(np.all(faster) and np.all(np.diff(depths) < 0)), inside))
+
+
+def p29() -> Found:
+    """The nominal torque sets no limit to the gain, and the accuracy rises with it."""
+    cosine = 1 / np.sqrt(1 + synthesis.tan_wall_angle(_WIDE, _BALL_CIRCLE, _RADIUS) ** 2)
+    contact = np.asarray(synthesis.contact_force(_torque(_WIDE, _HIGH), 1, _BALL_CIRCLE, cosine))
+    least = int(np.argmin(contact))
+    text = say(
+        "T_н {torque:.1f N·m} for every C; K_т {factors:.3f} at C 1, 10, 60; n F_n is least at C = {least:.2f}, "
+        "{force:.2f kN}, and {last:.2f kN} at C = 60",
+        torque=_torque(1.0, _LOW),
+        factors=[float(factor(gain)) for gain in (1.0, 10.0, 60.0)],
+        least=_WIDE[least],
+        force=contact[least],
+        last=float(np.interp(60, _WIDE, contact)),
+    )
+    return Found(text, verdict(bool(np.ptp(_torque(_WIDE, _LOW)) < 1e-9 and np.all(np.diff(factor(_WIDE)) < 0))))
+
+
+def p30() -> Found:
+    """The stiffness of the closing spring is a second means to set the accuracy."""
+    factors = [float(factor(1.0, stiffness)) for stiffness in _CLOSING]
+    text = say(
+        "K_т at C 1 with c_1 = {stiffnesses:.0f N/mm}: {factors:.3f}; base clutch {base:.3f} with each",
+        stiffnesses=_CLOSING,
+        factors=factors,
+        base=base_factor(1.0),
+    )
+    return Found(text, verdict(factors[0] > factors[1] > factors[2]))

@@ -147,7 +147,12 @@ class _Page:
 
     def _claims(self) -> Table:
         rows = [
-            (row.id, *map(worded, (row.source, row.inputs, row.printed, row.computed, row.verdict, row.why)))
+            (
+                row.id,
+                *map(worded, (row.source, row.inputs, row.printed, row.computed)),
+                worded(row.verdict) + (f" ({worded(row.correction)})" if row.correction else ""),
+                worded(row.why),
+            )
             for row in self.handbook.claims
         ]
         return ("No.", "Source", "Inputs", "Printed", "Computed", "Verdict", "Why"), rows, "id"

@@ -16,9 +16,14 @@ def at(name, number, x, panel=0):
 
 def test_f11_fig_2():
     """P13, P14: curves 1–3 rise, 4 is level, lines 5–7 at 1.909, 1.640, 1.540."""
-    assert [at("F11-2", "1", n) for n in (0.5, 1, 1.5)] == pytest.approx([1.8462, 1.9091, 1.9355], abs=5e-5)
-    assert [at("F11-2", "4", n) for n in (0.5, 1, 1.5)] == pytest.approx([11 / 7] * 3)
     assert [at("F11-2", line, 1) for line in "567"] == pytest.approx([1.9091, 1.64, 1.54], abs=5e-5)
+    for curve, line in (("1", "5"), ("2", "6"), ("3", "7")):
+        assert at("F11-2", curve, 1.5) == pytest.approx(at("F11-2", line, 1.5), abs=1e-6)
+        assert at("F11-2", curve, 0.5) < at("F11-2", curve, 1) < at("F11-2", line, 1)
+    # (17) by hand: p = 1.03271 for curve 1; p = 1.01961 of curve 3 for line 4, which is then 5 (1 + 1.2 p)/(1 + 6 p)
+    by_hand = [6 * (1 + 6 * n) * 1.774533 / (7.19626 * (1 + 4.5 * n)) for n in (0.5, 1, 1.5)]
+    assert [at("F11-2", "1", n) for n in (0.5, 1, 1.5)] == pytest.approx(by_hand, abs=5e-5)
+    assert [at("F11-2", "4", n) for n in (0.5, 1, 1.5)] == pytest.approx([5 * 2.223532 / 7.11766] * 3, abs=5e-5)
 
 
 def test_s19_fig_2():

@@ -56,5 +56,5 @@ def test_figure_2_lines_5_to_7():
     assert lines == pytest.approx([1.909, 1.640, 1.540], abs=5e-4)
 
 
-def test_gain_limit_of_page_4():
+def test_gain_limit_after_20():
     assert direct.gain_limit_differentiated(1, 0.8) == pytest.approx(1.25)
