@@ -262,7 +262,7 @@ def extremes(asked: Asked) -> tuple[float, float]:
 
 
 def cycles(asked: Asked, low: float, high: float, factor: float = 1.0) -> float:
-    """S19 (15)."""
+    """S19 (19)."""
     fatigue = asked.spec["fatigue"]
     stress = factor * (low + high) / 2 / fatigue["polar_section_modulus"]
     return float(fatigue["base_cycles"] * (fatigue["endurance_limit"] / stress) ** fatigue["exponent"])

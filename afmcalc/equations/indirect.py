@@ -16,7 +16,7 @@ def gain_threshold(
 ) -> Annotated[Number, "C_0", "1"]:
     """Gain the key's friction eats up, 2 R f_1/d: below it no torque moves the sleeve.
 
-    Source: S21, condition of (15), (16) for feedback to act; handbook, chapter 5.
+    Source: S21, after (5), as tan α > 2 f_1 for d = r; handbook, chapter 5.
     Validity: Friction at the key opposes the sleeve's motion.
     """
     return 2 * mean_radius * key_friction / hub_diameter
@@ -50,7 +50,7 @@ def torque_per_force(
 ) -> Annotated[Number, "T_н/F_п1", "m"]:
     """Slip torque per closing force at the setting, T_н/F_п1 = z R f_set.
 
-    Source: S21, before (14): at the setting the sleeve rests and N = F_п1.
+    Source: S21 (4): at the setting the sleeve rests and N = F_п1.
     Validity: The control spring set by (14).
     """
     return mean_radius * pairs * friction_set
@@ -120,7 +120,7 @@ def normal_force_balanced(
 ) -> NormalForce:
     """Normal force that balances the control spring where the sleeve is, N = F_2/(1 + z κ f).
 
-    Source: S21 (9) with (10), the springs as curved as they are.
+    Source: S21 (6)–(9), the springs as curved as they are.
     Validity: x ≥ 0 is such that the closing spring, slackened by x, presses with the same N.
     """
     return control_force / (1 + pairs * net_gain * friction)
@@ -173,7 +173,7 @@ def torque(normal_force: NormalForce, mean_radius: MeanRadius, pairs: Pairs, fri
 def release_force(torque: SlipTorque, gain: Gain, mean_radius: MeanRadius) -> ReleaseForce:
     """Release force of the balls on the sleeve, F_p = T tan α/r = T C/R.
 
-    Source: S21 (6), (7).
+    Source: S21 (2), (7).
     Validity: All torque passes the balls.
     """
     return torque * gain / mean_radius

@@ -35,7 +35,7 @@ def expected_torque(
 def machine_torque(nominal_torque: ClutchNominalTorque, margin: Margin) -> MachineTorque:
     """Nominal torque of the machine, T_н.маш = T_н.муф/β_н.
 
-    Source: S22 (1)–(3).
+    Source: S22 (1).
     Validity: β_н ≥ 1.
     """
     return nominal_torque / margin
@@ -149,7 +149,7 @@ def interval_high(reduced_gain: ReducedGain) -> Annotated[Number, "f_high", "1"]
 def discriminant(margin: Margin, loop_gain_min: LoopGainMin) -> Annotated[Number, "D", "1"]:
     """Discriminant of (17), D = (β_н + (β_н − 2) u)²: a perfect square, never negative.
 
-    Source: S22 (17).
+    Source: S22, before (17).
     Validity: Any β_н, u.
     """
     root = margin + (margin - 2) * loop_gain_min

@@ -47,7 +47,7 @@ def tensed_force(
 ) -> TensedControlForce:
     """Force of the control spring with the sleeve off its stop, F_2 = F_п2 + c_2 x.
 
-    Source: S21 (9).
+    Source: S21 (6).
     Validity: x > 0.
     """
     return control_force + control_stiffness * travel
