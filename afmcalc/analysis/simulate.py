@@ -74,6 +74,7 @@ def simulate(
         peak_torque_high=_ends(Triple, map(max, peaks_at_stop)),
         slip_energy_low=_ends(OpenTriple, map(min, heats_at_stop)),
         slip_energy_high=_ends(OpenTriple, map(max, heats_at_stop)),
+        key_energy=_ends(OpenTriple, [one.key_energy for one in outcomes] if _has_key(clutch) else ()),
         travel_max=_ends(Triple, [one.trip.travel_max for one in outcomes]) if travels else None,
         contact_force=_ends(Triple, contact_forces(clutch, outcomes) or ()),
         peak_torque_conventional=_ends(Triple, [one.ordinary_peak for one in outcomes]),
@@ -105,6 +106,12 @@ def with_dynamic_factor(spec: Spec, result: SimulateResult) -> dict[str, Any]:
     return data
 
 
+def _has_key(clutch: Clutch) -> bool:
+    """Whether the sleeve slides on a key that rubs."""
+    unit = clutch.spec.control_unit
+    return clutch.sleeve is not None and unit is not None and bool(unit.key_friction)
+
+
 def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> SimulatePoint:
     if not friction or friction_driven == 0:
         raise CalculationError("--friction 0: without friction there is no torque to simulate")
@@ -117,6 +124,7 @@ def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> Si
         dynamic_factor=outcome.dynamic_factor,
         slip_time=outcome.slip_time,
         slip_energy=outcome.energy,
+        key_energy=outcome.key_energy if _has_key(clutch) else None,
         travel_max=outcome.trip.travel_max if clutch.spec.kind.travels else None,
         peak_torque_conventional=outcome.ordinary_peak,
     )

@@ -69,6 +69,12 @@ class Outcome(NamedTuple):
         return self.trip.heat if self.trip.ended else None
 
     @property
+    def key_energy(self) -> float | None:
+        """Energy lost at the key until the slip has ended, or until the end where it does not slip; None as above."""
+        trip = self.trip
+        return (trip.key_heat if trip.trip_torque is None else trip.key_heat_slipping) if trip.ended else None
+
+    @property
     def endless(self) -> bool:
         """Whether the motor is what keeps it slipping."""
         train = self.case.plant.train

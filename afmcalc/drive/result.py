@@ -20,6 +20,9 @@ class SimulatePoint(Result):
     dynamic_factor: float = quantity("1", "k_д", "peak torque in the shaft over sliding torque")
     slip_time: float | None = quantity("s", "t_s", "time of slip", null=NOT_ENDED)
     slip_energy: float | None = quantity("J", "Q", "heat in the pack", null=NOT_ENDED)
+    key_energy: float | None = quantity(
+        "J", "Q_key", "energy lost at the key until the slip ends", optional=True, null=NOT_ENDED
+    )
     travel_max: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     peak_torque_conventional: float = quantity("N*m", "T_peak,0", "peak torque with an ordinary clutch of equal T_н")
 
@@ -59,6 +62,9 @@ class SimulateResult(Answer):
     )
     slip_energy_high: OpenTriple | None = quantity(
         "J", "Q_high", "heat in the pack at most, N at the stop by κ … κ₊", optional=True, null=NOT_ENDED
+    )
+    key_energy: OpenTriple | None = quantity(
+        "J", "Q_key", "energy lost at the key until the slip ends", optional=True, null=NOT_ENDED
     )
     travel_max: Triple | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     contact_force: Triple | None = quantity("N", "F_n", "largest contact force on one ball", optional=True)

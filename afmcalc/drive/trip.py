@@ -81,6 +81,8 @@ class Trip:
         self.slip_time = 0.0
         self.heat = self.key_heat = 0.0
         """In the pack, and at the key, J."""
+        self.key_heat_slipping = 0.0
+        """At the key until the last slip ended, J: the drive that sticks swings on, and loses more there."""
         self.trip_torque: float | None = None
         """Of the clutch as it began to slip; None where it did not."""
         self.stuck = True
@@ -191,6 +193,8 @@ class Trip:
     def _slips(self, t: float, y: State, mode: Mode) -> None:
         """Take down that slip, or anything that moves, begins or ends."""
         self._stuck_since = t if mode.still else None
+        if self._gripped is None and not mode.pack:
+            self.key_heat_slipping = y[-1]
         if mode.pack or self._gripped is None:
             self._gripped = None if mode.pack else t
         self._look = t + self._swings if mode.pack else math.inf

@@ -166,6 +166,37 @@ def test_without_friction_at_the_key_there_is_no_bracket():
     assert bracket_of(outcome_of(issue(**{"control_unit.key_friction": 0}), 0.1)) == []
 
 
+@pytest.mark.parametrize(("key_friction", "gain"), [(0.01, 1.0), (0.15, 2.0)])
+def test_the_key_loses_what_the_turns_of_the_sleeve_tell(key_friction, gain):
+    """dE = (C/κ − 1) dW on the way out, (1 − C/κ₊) dW back, W = (F_п2 − F_п1) x + ½ (c_1 + c_2) x²: from the travels alone.
+
+    example:indirect: F_п1 2 kN, c_1 400, c_2 200 N/mm, set at f = 0.3: F_п2 = F_п1 (1 + 2.4 κ), 2 R f_1/d = 4 f_1.
+    """
+    own = issue(**{"control_unit.key_friction": key_friction, "control_unit.gain": gain})
+    kappa, kappa_back = gain - 4 * key_friction, gain + 4 * key_friction
+    result, _ = simulate(own)
+    assert result.energy_residual < 1e-6
+    assert result.key_energy.min == 0, "at f_min the sleeve stays at its stop"
+    for friction, told in ((0.3, result.key_energy.mean), (0.8, result.key_energy.max)):
+        event = case_of(own, friction).run(recorded=True)
+        travel, time = (np.array([getattr(row, name) for row in event.history]) for name in ("travel", "time"))
+        work = np.diff(2000 * 2.4 * kappa * travel + 6e5 * travel**2 / 2)
+        lost = np.where(work > 0, (gain / kappa - 1) * work, (1 - gain / kappa_back) * -work)
+        assert event.key_heat == pytest.approx(lost.sum(), rel=2e-5)
+        assert told == pytest.approx(lost[time[1:] <= event.course[-1].time].sum(), rel=1e-4)
+        assert 0 < told < event.key_heat, "the drive that sticks swings on"
+        assert trip(case_of(own, friction).plant, event.course[-1].time).residual < 1e-6, "it closes at that time too"
+
+
+def test_where_no_key_rubs_none_loses_energy():
+    assert simulate(issue(**{"control_unit.key_friction": 0}))[0].key_energy is None
+    assert simulate(build(read_spec("example:drive")))[0].key_energy is None
+    # the motor drives the clutch on at f_min
+    endless, _ = simulate(issue(**{"control_unit.key_friction": 0.15, "control_unit.gain": 1}))
+    assert (endless.slip_energy.min, endless.key_energy.min) == (None, None)
+    assert endless.key_energy.max > 0
+
+
 def test_slow_slip_is_as_long_as_it_is():
     """example:drive at f_min: 1.87255 s and 3356.19 J by fixed steps (RK4) in quadruple precision; 1.8455 s before.
 

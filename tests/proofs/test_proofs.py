@@ -72,7 +72,14 @@ def test_misprints_are_numbered_through_and_their_proofs_exist():
 
 def test_what_does_not_stand_in_print_says_so():
     other = {m.id: m.status for m in misprints() if m.status != "in print"}
-    assert {name for name, status in other.items() if status == "as extracted"} == {"M15", "M16", "M31", "M39", "M41", "M45"}
+    assert {name for name, status in other.items() if status == "as extracted"} == {
+        "M15",
+        "M16",
+        "M31",
+        "M39",
+        "M41",
+        "M45",
+    }
     assert {name for name, status in other.items() if status == "criticism"} == {"M22", "M48"}
     withdrawn = {name for name, status in other.items() if status == "withdrawn"}
     assert withdrawn == {"M25", "M34", "M35", "M47"}
