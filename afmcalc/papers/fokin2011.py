@@ -50,7 +50,7 @@ def figure_2() -> PaperFigure:
             "M4: z_1 = 1, printed 2, with which all four curves fall (z_1 = 2 with C = 0.625 mends it too)",
             "M5: K_т grows with n while C < 1/(z_1 f_1max), so n > 1 lowers the accuracy",
         ],
-        assumed="p = 1.033, 1.018, 1.020, 1.020, with which curves 1–3 meet lines 5–7 at n = 1.5 (P14); n = 0.5…1.5.",
+        assumed="p = 1.033, 1.018, 1.020, 1.020: curves 1–3 meet lines 5–7 at n = 1.5 (P14); n = 0.5…1.5.",
     )
 
 
