@@ -125,7 +125,7 @@ def _entry(equation: Equation) -> Entry:
     shown = call if len(texts) == 1 else None
     return Entry(
         equation=equation,
-        latex=f"{symbol_latex(equation.result.symbol)} = {', '.join(text.latex() for text in texts)}",
+        latex=_set(symbol_latex(equation.result.symbol), [text.latex() for text in texts]),
         example=example if shown else "",
         worked=f"{symbol_latex(shown.result)} = {texts[0].latex_with_numbers()}" if shown else "",
         value=float(shown.value) if shown else 0.0,
@@ -134,6 +134,14 @@ def _entry(equation: Equation) -> Entry:
         proofs=list(dict.fromkeys(entry.proof for entry in printed if entry.proof)) or uses["proofs"][:3],
         commands=uses["commands"],
     )
+
+
+def _set(symbol: str, formulas: list[str]) -> str:
+    """The formula; of several, highest power first, each in a line with its index."""
+    if len(formulas) == 1:
+        return f"{symbol} = {formulas[0]}"
+    lines = (f"{symbol}_{place} = {text}" for place, text in zip(range(len(formulas))[::-1], formulas, strict=True))
+    return r"{\begin{array}{l} " + r" \\ ".join(lines) + r" \end{array}}"
 
 
 def _parts(equation: Equation) -> list[Callable[..., Any]]:

@@ -73,7 +73,9 @@ class DiscCharacteristic:
         reduced = self.part.reduced_thickness
         if reduced is None:
             return load, 1.0
-        return load, law.disc_factor_flats(self.part.thickness, reduced, self.part.free_height)
+        sizes = self.part.thickness, reduced, self.part.free_height
+        first = law.disc_flats_first(*sizes)
+        return load, law.disc_factor_flats(first, law.disc_flats_second(first, *sizes))
 
     @property
     def free_length(self) -> float:

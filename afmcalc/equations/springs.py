@@ -42,17 +42,40 @@ def disc_factor_bending(
 
 
 @equation
-def disc_factor_flats(
+def disc_flats_first(
     thickness: ThicknessWithoutFlats, reduced_thickness: ReducedThickness, free_height: FreeHeight
-) -> FactorFlats:
-    """Factor of a disc spring with flats, K_4² = −c_1/2 + √(c_1²/4 + c_2).
+) -> FlatsFirst:
+    """First coefficient of a disc spring with flats.
+
+    Source: DIN EN 16984; handbook, chapter 11.
+    Validity: t' ≤ t.
+    """
+    reduced, height = reduced_thickness / thickness, free_height / thickness
+    return reduced**2 / ((height / 4 - reduced + 0.75) * (5 * height / 8 - reduced + 0.375))
+
+
+@equation
+def disc_flats_second(
+    first: FlatsFirst,
+    thickness: ThicknessWithoutFlats,
+    reduced_thickness: ReducedThickness,
+    free_height: FreeHeight,
+) -> FlatsSecond:
+    """Second coefficient of a disc spring with flats.
+
+    Source: DIN EN 16984; handbook, chapter 11.
+    Validity: t' ≤ t.
+    """
+    return first * (thickness / reduced_thickness) ** 3 * (5 * (free_height / thickness - 1) ** 2 / 32 + 1)
+
+
+@equation
+def disc_factor_flats(first: FlatsFirst, second: FlatsSecond) -> FactorFlats:
+    """Factor of a disc spring with flats.
 
     Source: DIN EN 16984; handbook, chapter 11: the force at ¾ of the cone height stays that of a plain disc.
     Validity: t' ≤ t; without flats K_4 = 1.
     """
-    reduced, height = reduced_thickness / thickness, free_height / thickness
-    first = reduced**2 / ((height / 4 - reduced + 0.75) * (5 * height / 8 - reduced + 0.375))
-    second = first * (5 * (height - 1) ** 2 / 32 + 1) / reduced**3
     return ((first**2 / 4 + second) ** 0.5 - first / 2) ** 0.5
 
 

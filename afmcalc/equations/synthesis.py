@@ -287,72 +287,80 @@ def net_gain_for_control_force(
 
 
 @equation
+def net_loop_gain_linear(
+    friction_min: FrictionMin,
+    friction_set: FrictionSet,
+    friction_max: FrictionMax,
+    closing_stiffness: ClosingStiffness,
+    control_stiffness: ControlStiffness,
+    accuracy_factor: WantedAccuracyFactor,
+) -> NetLoopLinear:
+    """Linear coefficient of the quadratic in zκ that a wanted K_т leads to.
+
+    Source: S21 (15) mended (M9) with the seated sleeve below f_set (handbook, chapter 5), powers of zκ collected.
+    Validity: As ``net_loop_gain_for_accuracy_factor``.
+    """
+    springs = closing_stiffness + control_stiffness
+    rising = friction_max * (springs * friction_min + closing_stiffness * friction_set)
+    return rising - accuracy_factor * friction_min * (springs * friction_set + closing_stiffness * friction_max)
+
+
+@equation
+def net_loop_gain_constant(
+    friction_min: FrictionMin,
+    friction_max: FrictionMax,
+    closing_stiffness: ClosingStiffness,
+    control_stiffness: ControlStiffness,
+    accuracy_factor: WantedAccuracyFactor,
+) -> NetLoopConstant:
+    """Constant of the same quadratic.
+
+    Source: S21 (15) mended (M9) with the seated sleeve below f_set (handbook, chapter 5), powers of zκ collected.
+    Validity: Not negative for K_т ≤ f_max/f_min.
+    """
+    return (closing_stiffness + control_stiffness) * (friction_max - accuracy_factor * friction_min)
+
+
+@equation
 def net_loop_gain_for_accuracy_factor(
     friction_min: FrictionMin,
     friction_set: FrictionSet,
     friction_max: FrictionMax,
     closing_stiffness: ClosingStiffness,
-    control_stiffness: ControlStiffness,
     accuracy_factor: WantedAccuracyFactor,
-) -> Annotated[Number, "zκ", "1"]:
-    """Net loop gain of the indirect clutch for a wanted K_т, zκ = a, the positive root of a quadratic.
+    linear: NetLoopLinear,
+    constant: NetLoopConstant,
+) -> NetLoopGain:
+    """Net loop gain of the indirect clutch for a wanted K_т, the positive root of a quadratic.
 
-    With s = c_1 + c_2: f_max (s + c_1 f_set a)(1 + f_min a) = K_т f_min (1 + f_set a)(s + c_1 f_max a).
+    a (zκ)² + b_κ zκ + d_κ = 0 with a = c_1 f_set f_min f_max (1 − K_т); the form chosen is no 0/0 for K_т = 1.
 
     Source: S21 (15) mended (M9) with the seated sleeve below f_set (handbook, chapter 5), solved for zκ.
     Validity: 1 < K_т ≤ f_max/f_min.
     """
-    springs = closing_stiffness + control_stiffness
     square = closing_stiffness * friction_set * friction_min * friction_max * (accuracy_factor - 1)
-    linear = friction_max * (springs * friction_min + closing_stiffness * friction_set)
-    linear = linear - accuracy_factor * friction_min * (springs * friction_set + closing_stiffness * friction_max)
-    constant = springs * (friction_max - accuracy_factor * friction_min)
     return 2 * constant / ((linear**2 + 4 * square * constant) ** 0.5 - linear)
 
 
 @equation
-def net_gain_for_accuracy_factor(
-    friction_min: FrictionMin,
-    friction_set: FrictionSet,
-    friction_max: FrictionMax,
-    closing_stiffness: ClosingStiffness,
-    control_stiffness: ControlStiffness,
-    pairs: Pairs,
-    accuracy_factor: WantedAccuracyFactor,
-) -> NetGain:
+def net_gain_for_accuracy_factor(loop: NetLoopGain, pairs: Pairs) -> NetGain:
     """Net gain of the indirect clutch for a wanted K_т.
 
-    κ = (zκ)/z with zκ by ``net_loop_gain_for_accuracy_factor``; C is κ + 2 R f_1/d.
+    C is κ + 2 R f_1/d.
 
     Source: S21 (15) mended (M9), solved for κ.
     Validity: 1 < K_т ≤ f_max/f_min.
     """
-    loop = net_loop_gain_for_accuracy_factor(
-        friction_min, friction_set, friction_max, closing_stiffness, control_stiffness, accuracy_factor
-    )
     return loop / pairs
 
 
 @equation
-def pairs_for_accuracy_factor_indirect(
-    friction_min: FrictionMin,
-    friction_set: FrictionSet,
-    friction_max: FrictionMax,
-    closing_stiffness: ClosingStiffness,
-    control_stiffness: ControlStiffness,
-    net_gain: NetGain,
-    accuracy_factor: WantedAccuracyFactor,
-) -> Pairs:
+def pairs_for_accuracy_factor_indirect(loop: NetLoopGain, net_gain: NetGain) -> Pairs:
     """Pairs of the indirect clutch for a wanted K_т.
-
-    z = (zκ)/κ with zκ by ``net_loop_gain_for_accuracy_factor``.
 
     Source: S21 (15) mended (M9), solved for z.
     Validity: κ > 0; 1 < K_т ≤ f_max/f_min. Not rounded to a whole number.
     """
-    loop = net_loop_gain_for_accuracy_factor(
-        friction_min, friction_set, friction_max, closing_stiffness, control_stiffness, accuracy_factor
-    )
     return loop / net_gain
 
 

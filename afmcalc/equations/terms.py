@@ -172,7 +172,7 @@ CurvatureRatio = Annotated[Number, "A/B", "1", "ratio of the relative curvatures
 AxisRatio = Annotated[Number, "k", "1", "minor over major semi-axis"]
 IntegralB = Annotated[Number, "𝐁", "1", "complete elliptic integral of modulus √(1 − k²)"]
 IntegralD = Annotated[Number, "𝐃", "1", "complete elliptic integral of modulus √(1 − k²)"]
-Pi = Annotated[Number, "π", "1", "a symbol under SymPy"]
+Pi = Annotated[Number, "π", "1", "circumference over diameter of a circle"]
 
 # Synthesis of the control unit
 EdgeClearance = Annotated[Number, "y", "m", "clearance of the contact from the pocket's edge"]
@@ -200,8 +200,11 @@ ContactForce = Annotated[Number, "F_n", "N", "normal force on the ball"]
 AllowableForce = Annotated[Number, "F_n,allow", "N", "force at which the ball reaches the allowable pressure"]
 
 # What is wanted
-WantedAccuracyFactor = Annotated[Number, "K_т wanted", "1", "accuracy factor that is wanted"]
-WantedTorque = Annotated[Number, "T wanted", "N*m", "torque that is wanted"]
+NetLoopGain = Annotated[Number, "zκ", "1", "net gain of all pairs together"]
+NetLoopLinear = Annotated[Number, "b_κ", "N/m", "coefficient of zκ in its quadratic"]
+NetLoopConstant = Annotated[Number, "d_κ", "N/m", "constant of the quadratic of zκ"]
+WantedAccuracyFactor = Annotated[Number, "K_т.зад", "1", "accuracy factor that is wanted"]
+WantedTorque = Annotated[Number, "T_зад", "N*m", "torque that is wanted"]
 
 # The drive
 DampingRatio = Annotated[Number, "ζ", "1", "damping ratio of the driven half on the shaft"]
@@ -284,6 +287,8 @@ FreeHeight = Annotated[Number, "l_0", "m", "free height of a disc"]
 YoungModulus = Annotated[Number, "E", "Pa", "Young's modulus"]
 PoissonRatio = Annotated[Number, "ν", "1", "Poisson's ratio"]
 FactorLoad = Annotated[Number, "K_1", "1", "factor of the load"]
+FlatsFirst = Annotated[Number, "c_1", "1", "first coefficient of the flats"]
+FlatsSecond = Annotated[Number, "c_2", "1", "second coefficient of the flats"]
 FactorFlats = Annotated[Number, "K_4", "1", "factor of the flats; 1 without"]
 OuterDiameter = Annotated[Number, "D_e", "m", "outer diameter of a disc"]
 DiscThickness = Annotated[Number, "t", "m", "thickness of the disc; with flats t'"]

@@ -47,7 +47,8 @@ def cone_that_turns() -> Steps:
 def disc_with_flats() -> Steps:
     """K_4 is what keeps the force at ¾ of the cone height of the disc without flats."""
     thinner, height = positive("t_r l_0")
-    square = exact(springs.disc_factor_flats(t, thinner, height)) ** 2
+    first = exact(springs.disc_flats_first(t, thinner, height))
+    square = exact(springs.disc_factor_flats(first, springs.disc_flats_second(first, t, thinner, height))) ** 2
     (under,) = (part.base for part in square.atoms(sp.Pow) if part.exp == sp.Rational(1, 2))
     half = sp.sqrt(under) - square
     deflection = sp.Rational(3, 4) * (height - t)

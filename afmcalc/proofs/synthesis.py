@@ -195,11 +195,17 @@ def inverses_of_the_torque() -> Steps:
 def inverses_of_indirect_accuracy() -> Steps:
     """Net gain, pairs and stiffness ratio for a wanted K_т put back into S21 (15) mended give it."""
     ends = fmin, fset, fmax
-    net = exact(synthesis.net_gain_for_accuracy_factor(*ends, c1, c2, z, K))
+
+    def loop_gain(at_set: sp.Expr) -> sp.Expr:
+        linear = synthesis.net_loop_gain_linear(fmin, at_set, fmax, c1, c2, K)
+        constant = synthesis.net_loop_gain_constant(fmin, fmax, c1, c2, K)
+        return exact(synthesis.net_loop_gain_for_accuracy_factor(fmin, at_set, fmax, c1, K, linear, constant))
+
+    net = synthesis.net_gain_for_accuracy_factor(loop_gain(fset), z)
     yield "K_т(κ) = K", indirect.accuracy_factor(*ends, c1, c2, z, net) - K
-    pairs = exact(synthesis.pairs_for_accuracy_factor_indirect(*ends, c1, c2, q, K))
+    pairs = synthesis.pairs_for_accuracy_factor_indirect(loop_gain(fset), q)
     yield "K_т(z) = K", indirect.accuracy_factor(*ends, c1, c2, pairs, q) - K
-    loop = exact(synthesis.net_loop_gain_for_accuracy_factor(fmin, fmin, fmax, c1, c2, K))
+    loop = loop_gain(fmin)
     printed = (c1 + c2) * (fmax - K * fmin) / (c1 * fmax * fmin * (K - 1))
     above, below = positive("g h")
     difference = (loop - printed).subs(fmax, K * fmin + below).subs(K, 1 + above)

@@ -4,7 +4,7 @@ import re
 
 from ..messages import printable, spoken, translate
 
-_SUBSCRIPT = re.compile(r"(?<![^\W_]{3})_([^\W_]+(?:[.,][^\W_]+)*)")
+_SUBSCRIPT = re.compile(r"(?<![^\W_]{3})_([^\W_²³⁶]+(?:[.,][^\W_²³⁶]+)*)")
 """A symbol has a letter or two before its subscript: ``control_unit.gain`` is a key."""
 
 
@@ -15,6 +15,8 @@ def split(text: str) -> list[tuple[str, bool]]:
     [('ΔT', False), ('2', True), ('/ΔT', False), ('1', True)]
     >>> split("T_н.муф, K_т,p")
     [('T', False), ('н.муф', True), (', K', False), ('т,p', True)]
+    >>> split("ν_1²")
+    [('ν', False), ('1', True), ('²', False)]
     >>> split("control_unit.gain")
     [('control_unit.gain', False)]
     """

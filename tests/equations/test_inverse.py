@@ -42,11 +42,12 @@ def test_controlled_pairs_for_accuracy_factor(z1, z2, gain, low, more):
 def test_indirect(z, net, low, to_set, to_max, c1, c2):
     at_set, high = low + to_set, low + to_set + to_max
     factor = indirect.accuracy_factor(low, at_set, high, c1, c2, z, net)
+    linear = synthesis.net_loop_gain_linear(low, at_set, high, c1, c2, factor)
+    constant = synthesis.net_loop_gain_constant(low, high, c1, c2, factor)
     # the root is a float
-    assert synthesis.net_gain_for_accuracy_factor(low, at_set, high, c1, c2, z, factor) == pytest.approx(float(net))
-    assert synthesis.pairs_for_accuracy_factor_indirect(low, at_set, high, c1, c2, net, factor) == pytest.approx(
-        float(z)
-    )
+    loop = synthesis.net_loop_gain_for_accuracy_factor(low, at_set, high, c1, factor, linear, constant)
+    assert synthesis.net_gain_for_accuracy_factor(loop, z) == pytest.approx(float(net))
+    assert synthesis.pairs_for_accuracy_factor_indirect(loop, net) == pytest.approx(float(z))
     assert synthesis.stiffness_ratio_for_accuracy_factor(low, at_set, high, z, net, factor) == c2 / c1
 
 

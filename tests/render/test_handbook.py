@@ -16,7 +16,7 @@ from afmcalc.analysis.registry import ANALYSES
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
 from afmcalc.messages import ENGLISH, language, speaking
-from afmcalc.papers.register import misprints
+from afmcalc.papers.register import misprints, register
 from afmcalc.proofs import proofs, prove
 from afmcalc.render.handbook import render
 from afmcalc.spec import read_spec
@@ -133,3 +133,29 @@ def test_every_link_leads_somewhere(page):
 
 def test_the_page_needs_nothing_else(page):
     assert not re.search(r'(?:src|href)="(?!#)|@import|url\((?!#)', page)
+
+
+def test_the_equations_that_stand_are_those_of_the_register():
+    right = {(entry.id.split()[0], entry.id) for entry in register() if entry.status in ("as printed", "covered")}
+    listed = re.findall(r"^- (\w+): (.*)$", chapter_texts("en")[7], re.M)
+    assert len(listed) == 4
+    for paper, ranges in listed:
+        spans = [[int(number) for number in re.findall(r"\d+", part)] for part in ranges.split(", ")]
+        numbers = [number for span in spans for number in range(span[0], span[-1] + 1)]
+        printed = {entry for key, entry in right if key == paper and re.fullmatch(r"\w+ \(\d+\)", entry)}
+        assert {f"{paper} ({number})" for number in numbers} == printed
+
+
+def test_the_worked_clutches_by_hand(page):
+    """Both clutches from what their text gives: 8 pairs, 100 mm, 2 kN; C 0.5, one bypass; C 1, κ 0.96, 400 and 200 N/mm."""
+    numbers = re.sub(r"(?<=\d),(?=\d)", ".", re.sub("<[^>]*>", " ", page))
+    force, radius, stop = 2000, 0.1, 2000 * (1 + 8 * 0.96 * 0.3)
+    for f in (0.1, 0.3, 0.8):
+        normal = force / (1 + 0.5 * 7 * f)
+        stiffness = 400e3 * (1 + 8 * 0.96 * f) + 200e3
+        seated = stop / (1 + 8 * 0.96 * f)
+        sleeve = seated if f <= 0.3 else (force * 200e3 + stop * 400e3) / stiffness
+        for value in (8 * f * radius * normal, 8 * f * radius * sleeve):
+            assert f" {value:.5g} " in numbers
+        for value in (normal, force - normal, sleeve):
+            assert f" {value / 1000:.5g} " in numbers or f" {value:.5g} " in numbers

@@ -129,6 +129,8 @@ class _Text:
                 return self._power(base, exponent)
             case Sum(terms):
                 return self._sum(terms)
+            case Product(True, (Sum() as taken_off,), ()):
+                return self.minus + self._in_brackets(taken_off, True)
             case Product(negative, over, under):
                 return (self.minus if negative else "") + self._quotient(over, under)
         assert isinstance(term, Leaf)
@@ -180,6 +182,8 @@ class _Latex(_Text):
         return symbol_latex(text)
 
     def _power(self, base: Expression, exponent: Expression) -> str:
+        if exponent in (Leaf("0.5"), Leaf("0.5", own=True)):
+            return f"\\sqrt{{{self.show(base)}}}"
         whole = isinstance(base, Leaf) and not re.search(r"[ /^]|\\,", base.text)
         return f"{self._in_brackets(base, not whole)}^{{{self.show(exponent)}}}"
 

@@ -321,11 +321,14 @@ def _for_torque(clutch: DirectClutch, name: str, target: str, wanted: float) -> 
 def _for_indirect_accuracy(clutch: IndirectClutch, name: str, wanted: float) -> Values | None:
     frictions = clutch.friction[0].min, clutch.friction_set, clutch.friction[0].max
     c1, c2, pairs, net = clutch.closing_stiffness, clutch.control_stiffness, clutch.pairs, clutch.net_gain
-    if name == "C":
-        net = synthesis.net_gain_for_accuracy_factor(*frictions, c1, c2, pairs, wanted)
-        return net + clutch.gain_threshold
-    if name == "z":
-        return synthesis.pairs_for_accuracy_factor_indirect(*frictions, c1, c2, net, wanted)
+    if name in ("C", "z"):
+        low, _, high = frictions
+        linear = synthesis.net_loop_gain_linear(*frictions, c1, c2, wanted)
+        constant = synthesis.net_loop_gain_constant(low, high, c1, c2, wanted)
+        loop = synthesis.net_loop_gain_for_accuracy_factor(*frictions, c1, wanted, linear, constant)
+        if name == "z":
+            return synthesis.pairs_for_accuracy_factor_indirect(loop, net)
+        return synthesis.net_gain_for_accuracy_factor(loop, pairs) + clutch.gain_threshold
     if name not in ("c1", "c2"):
         return None
     ratio = synthesis.stiffness_ratio_for_accuracy_factor(*frictions, pairs, net, wanted)

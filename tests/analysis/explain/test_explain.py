@@ -105,15 +105,16 @@ def read_as_printed(text, names):
     parts = re.findall(rf" [-+] |{token}|\d+(?:\.\d+)?|[-·/^() ]", text)
     assert "".join(parts) == text, text
     symbols = {"·": "*", " ": "*", "^": "**"}
-    return eval("".join(str(names.get(part, symbols.get(part, part))) for part in parts))
+    return eval("".join(f"({names[part]})" if part in names else symbols.get(part, part) for part in parts))
 
 
 def from_latex(text):
-    """One line of text from LaTeX: a fraction's parts, and what is raised, in brackets."""
-    while match := re.search(r"\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{((?:[^{}]|\{[^{}]*\})*)\}|\^\{([^{}]*)\}", text):
-        own = f"^({match[3]})" if match[3] else f"(({match[1]})/({match[2]}))"
-        text = text[: match.start()] + own + text[match.end() :]
+    """One line of text from LaTeX: a fraction's parts, and what is raised, in brackets; of what is innermost first."""
     text = re.sub(r"\\,\\text\{([^{}]*)\}", r" \1", text).replace("\\left", "").replace("\\right", "")
+    while match := re.search(r"\\frac\{([^{}]*)\}\{([^{}]*)\}|\^\{([^{}]*)\}|\\sqrt\{([^{}]*)\}", text):
+        above, below, raised, root = match.groups()
+        shown = f"^({raised})" if raised else f"(({root})^(0.5))" if root else f"(({above})/({below}))"
+        text = text[: match.start()] + shown + text[match.end() :]
     return re.sub(r"(?<! )- ", "-", text.replace(" \\cdot ", "·").replace("\\cdot ", "·"))
 
 
