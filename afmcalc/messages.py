@@ -84,6 +84,7 @@ class Language(string.Formatter):
         if self.catalogue is None:
             return shown
         mantissa, ten, exponent = shown.translate(self.signs).replace("%", "\xa0%").partition("e")
+        mantissa = mantissa.replace("-", "−")
         if not ten:
             return mantissa
         return f"{'' if mantissa == '1' else f'{mantissa}·'}10{str(int(exponent)).translate(RAISED)}"

@@ -99,7 +99,7 @@ def test_sentences_in_sentences_end_and_plain_texts_in_them_stay(nested):
 
 @pytest.mark.parametrize(
     ("number", "shown"),
-    [("1.5", "1,5"), ("1,234", "1\xa0234"), ("1e+12", "10¹²"), ("2.5e-07", "2,5·10⁻⁷"), ("-3", "-3")],
+    [("1.5", "1,5"), ("1,234", "1\xa0234"), ("1e+12", "10¹²"), ("2.5e-07", "2,5·10⁻⁷"), ("-3", "−3")],
 )
 def test_numbers(number, shown):
     with speaking(language("ru")):

@@ -52,10 +52,11 @@ def texts() -> dict[Key, str]:
         ("values", _values()),
         ("units", _units()),
         ("names", _names()),
+        ("symbols", _symbols()),
         ("examples", _examples()),
     ):
         for key in each:
-            if worded(key[1]) or key[0] in ("unit", "date"):
+            if worded(key[1]) or key[0] in ("unit", "date", "symbol"):
                 found.setdefault(key, where)
     return found
 
@@ -246,6 +247,7 @@ def _choices(annotation: object) -> Iterator[str]:
 
 
 def _units() -> Iterator[Key]:
+    from afmcalc.equations.catalogue import equations
     from afmcalc.render.units import display_unit
     from afmcalc.spec.quantity import EXAMPLES
     from afmcalc.units import ENGINEER, typeset
@@ -255,7 +257,8 @@ def _units() -> Iterator[Key]:
             if unit := (wanted or "").partition(" ")[2].removesuffix("…"):
                 yield ("unit", unit)
     yield from (("unit", typeset(unit)) for unit in ENGINEER.values())
-    written = {*ENGINEER, *EXAMPLES}
+    terms = [term for each in equations().values() for term in (*each.arguments.values(), each.result)]
+    written = {*ENGINEER, *EXAMPLES, *(term.unit for term in terms)}
     si = {typeset(unit) for unit in written}
     yield from (("unit", unit) for unit in sorted(si | written) if re.search("[A-Za-z]", unit) and "abs" not in unit)
     for model in models():
@@ -263,6 +266,24 @@ def _units() -> Iterator[Key]:
             shown = display_unit(shown_as(info).unit)
             if re.search("[A-Za-z]", shown):
                 yield ("unit", shown)
+
+
+def _symbols() -> Iterator[Key]:
+    """What Russian writes otherwise: words in symbols and functions."""
+    from afmcalc.equations.catalogue import equations
+
+    terms = [term for each in equations().values() for term in (*each.arguments.values(), each.result)]
+    shown = [shown_as(info).symbol or "" for model in models() for info in model.model_fields.values()]  # type: ignore[attr-defined]
+    for text in (*(term.symbol for term in terms), *shown):
+        yield from (
+            ("symbol", word)
+            for index in re.findall(r"_([^\W_]+(?:[.,][^\W_]+)*)", text)
+            for word in re.findall("[A-Za-z]{2,}", index)
+        )
+    yield from (
+        ("symbol", text)
+        for text in ("tan", "cot", "arctan", "tanh", "K_т wanted", "T wanted", " or ", "τ_eq", "T_ср", "T_ср.max")
+    )
 
 
 def _names() -> Iterator[Key]:

@@ -56,7 +56,7 @@ class _Page:
             "notation": self._notation,
             "claims": self._claims,
             "misprints": _misprints,
-            "references": lambda: (("Key", "Source"), list(references().items()), "id"),
+            "references": lambda: (tuple(map(translate, ("Cited as", "Source"))), list(references().items()), "id"),
         }
         self.chapters = []
         for number, text in handbook.chapters.items():
@@ -143,7 +143,8 @@ class _Page:
         equations = (entry.equation for entry in self.handbook.formulas.values())
         terms = (term for each in equations for term in (*each.arguments.values(), each.result))
         rows = {(term.symbol, translate(term.meaning), typeset(term.unit)) for term in terms if term.meaning}
-        return ("Symbol", "Quantity", "Unit"), sorted(rows, key=lambda row: (row[0].casefold(), *row)), ""
+        rows_in_order = sorted(rows, key=lambda row: (row[0].casefold(), *row))
+        return tuple(map(translate, ("Symbol", "Quantity", "Unit"))), rows_in_order, ""
 
     def _claims(self) -> Table:
         rows = [
@@ -155,7 +156,7 @@ class _Page:
             )
             for row in self.handbook.claims
         ]
-        return ("No.", "Source", "Inputs", "Printed", "Computed", "Verdict", "Why"), rows, "id"
+        return tuple(map(translate, ("No.", "Source", "Inputs", "Printed", "Computed", "Verdict", "Why"))), rows, "id"
 
 
 _INLINE = re.compile(r"\{(see|value) ([^{}]+)\}")
@@ -175,4 +176,4 @@ def _directives(tokens: list[Token]) -> Iterator[tuple[str, str]]:
 
 def _misprints() -> Table:
     rows = [(entry.id, translate(entry.where), translate(entry.status, "value")) for entry in misprints()]
-    return ("No.", "Where", "Status"), rows, "link"
+    return tuple(map(translate, ("No.", "Where", "Kind"))), rows, "link"

@@ -9,6 +9,7 @@ from ..findings import Finding
 from ..messages import named, printable, term, told, translate
 from ..result import Output
 from .document import Column, Document, Table
+from .symbols import native
 from .units import display, display_unit, estimate, headed, in_numbers, measured, worded
 
 
@@ -53,7 +54,7 @@ def blocks(laid_out: Document) -> list[TextTable]:
 def quantities(heads: Sequence[str], lines: Iterable[tuple[Column, Sequence[str]]], title: str = "") -> TextTable:
     """Table of a quantity in each row, its cells below ``heads`` between its name and its unit."""
     rows = [
-        [column.symbol, column.name, *texts, display_unit(column.units[0] if column.units else column.unit)]
+        [native(column.symbol), column.name, *texts, display_unit(column.units[0] if column.units else column.unit)]
         for column, texts in lines
     ]
     header = [translate("Symbol"), translate("Quantity"), *heads, translate("Unit")]
@@ -106,10 +107,10 @@ def _table(table: Table) -> TextTable:
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
     shown = [column for column in table.columns if not (long and column.shown.detail)]
     texts = [cells(column) for column in shown]
-    meanings = [f"{column.symbol}: {column.name}" for column in shown if column.symbol]
+    meanings = [f"{native(column.symbol)}: {column.name}" for column in shown if column.symbol]
     return TextTable(
         table.title[:1].upper() + table.title[1:],
-        [headed(translate(column.symbol or column.name), column.unit) for column in shown],
+        [headed(native(translate(column.symbol or column.name)), column.unit) for column in shown],
         [list(row) for row in zip(*texts, strict=True)],
         [
             any(isinstance(value, int | float) and not isinstance(value, bool) for value in column.values)
@@ -203,8 +204,9 @@ def step_lines(laid_out: Document) -> list[str]:
     for step in laid_out.steps:
         at = told(" at {place}", place=in_numbers(translate(step.at))) if step.at else ""
         at = ", ".join([at, *told_apart(step, laid_out.steps)])
-        lines += ["", f"{step.symbol}{at}: {translate(step.name)}", f"    {step.symbol} = {in_numbers(step.formula)}"]
-        indent = " " * (5 + len(step.symbol))
+        symbol = native(step.symbol)
+        lines += ["", f"{symbol}{at}: {translate(step.name)}", f"    {symbol} = {in_numbers(step.formula)}"]
+        indent = " " * (5 + len(symbol))
         if step.substituted != step.formula:
             lines.append(f"{indent}= {in_numbers(step.substituted)}")
         lines.append(f"{indent}= {measured(step.value, step.unit)}    [{translate(step.source).rstrip('.')}]")

@@ -8,8 +8,8 @@ _SUBSCRIPT = re.compile(r"(?<![^\W_]{3})_([^\W_²³⁶]+(?:[.,][^\W_²³⁶]+)*)
 """A symbol has a letter or two before its subscript: ``control_unit.gain`` is a key."""
 
 
-def split(text: str) -> list[tuple[str, bool]]:
-    """Split a text into pieces and whether each is a subscript.
+def split(text: str, ours: bool = True) -> list[tuple[str, bool]]:
+    """Split a text into pieces and whether each is a subscript; what is quoted is not ours and stays as it is.
 
     >>> split("ΔT_2/ΔT_1")
     [('ΔT', False), ('2', True), ('/ΔT', False), ('1', True)]
@@ -20,8 +20,41 @@ def split(text: str) -> list[tuple[str, bool]]:
     >>> split("control_unit.gain")
     [('control_unit.gain', False)]
     """
-    pieces = _SUBSCRIPT.split(text)
+    pieces = _SUBSCRIPT.split(native(text) if ours else text)
     return [(piece, bool(number % 2)) for number, piece in enumerate(pieces) if piece]
+
+
+def native(text: str) -> str:
+    """Set symbols as people of the user's language write them: ``f_наст`` for ``f_set``, ``tg α`` for ``tan α``."""
+    return text if spoken() == "en" else _SYMBOL.sub(_native, text)
+
+
+def _native(symbol: re.Match[str]) -> str:
+    whole = translate(symbol[0], "symbol")
+    return whole if whole != symbol[0] else _WORD.sub(lambda word: translate(word[0], "symbol"), whole)
+
+
+_SYMBOL = re.compile(
+    r"\b\w+ wanted|(?<![^\W_])(?:[^\W\d_]{1,2}'?_[^\W_]+(?:[.,][^\W_]+)*|(?:arc)?tanh?|cot)(?![^\W_])| or (?=κ)"
+)
+_WORD = re.compile(r"[^\W\d_]{2,}")
+
+
+def native_latex(latex: str) -> str:
+    """Set the symbols of LaTeX of ours in the same way."""
+    if spoken() == "en":
+        return latex
+    latex = _INDEX.sub(_native_index, latex)
+    return _TAN.sub(lambda match: f"\\operatorname{{{translate(match[1], 'symbol')}}}", latex)
+
+
+def _native_index(indexed: re.Match[str]) -> str:
+    letter = "τ" if "tau" in indexed[1] else indexed[1] if indexed[1].isalpha() else "x"
+    return f"{indexed[1]}_{{\\text{{{native(f'{letter}_{indexed[2]}').partition('_')[2]}}}}}"
+
+
+_INDEX = re.compile(r"(\\tau ?|[\w}])_\{\\text\{([^}]*)\}\}")
+_TAN = re.compile(r"\\(tan|cot|arctan)\b")
 
 
 def mathtext(text: str) -> str:
@@ -45,7 +78,7 @@ def value_latex(text: str) -> str:
     mantissa, _, exponent = number.partition("e")
     if power := _POWER.fullmatch(number):
         mantissa, exponent = power[1] or "1", power[2].translate(_LOWERED)
-    mantissa = mantissa.replace(",", "{,}")
+    mantissa = mantissa.replace(",", "{,}").replace("−", "-")
     shown = f"{mantissa} \\cdot 10^{{{int(exponent)}}}" if exponent else mantissa
     return f"{shown}\\,\\text{{{unit}}}" if unit else shown
 
@@ -60,4 +93,4 @@ def latex_in_numbers(latex: str) -> str:
         return latex
     # a unit follows its number after a gap; an index does not
     latex = re.sub(r"\\,\\text\{([^}]*)\}", lambda match: f"\\,\\text{{{translate(match[1], 'unit')}}}", latex)
-    return re.sub(r"(?<=\d)\.(?=\d)", "{,}", latex)
+    return native_latex(re.sub(r"(?<=\d)\.(?=\d)", "{,}", latex))

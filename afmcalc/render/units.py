@@ -8,6 +8,7 @@ from contextvars import ContextVar
 
 from ..messages import Text, localized, printable, spoken, translate, with_unit
 from ..units import ENGINEER, in_unit, per_si, typeset
+from .symbols import native
 
 CHOICES: dict[str, dict[str, str]] = {"engineer": ENGINEER, "si": {}}
 """Which units people choose → SI unit to the one shown, where it is another."""
@@ -100,7 +101,11 @@ def in_numbers(formula: str) -> str:
     """Return a formula with numbers and units put in as people of the user's language write it."""
     if spoken() == "en":
         return formula
-    return _NUMBER.sub(lambda match: with_unit(localized(match[1]), translate(match[2] or "", "unit")), formula)
+    shown = _NUMBER.sub(lambda match: with_unit(localized(match[1]), translate(match[2] or "", "unit")), formula)
+    return native(_AFTER_POWER.sub(lambda match: translate(match[0], "unit"), shown).replace(" - ", " − "))
+
+
+_AFTER_POWER = re.compile(r"(?<=\) )(?:[·/]?[A-Za-z°]+[²³]?)+")
 
 
 def significant(value: float) -> str:

@@ -24,7 +24,7 @@ from ..layout import TextTable, blocks, cells, quantities
 from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.curves import SPRINGS
-from ..symbols import value_latex
+from ..symbols import native_latex, value_latex
 from ..units import in_numbers, measured
 from .words import told
 
@@ -202,13 +202,13 @@ def _mathml(latex: str) -> str:
     return ElementTree.tostring(ElementTree.fromstring(convert(latex, xmlns="", display="block")), encoding="unicode")
 
 
-_FUNCTION = re.compile(r"\\(sin|cos|tan|ln) ")
+_FUNCTION = re.compile(r"\\(sin|cos|tan|ln|operatorname\{\w+\}) ")
 _PRIME = re.compile(r"\^\{\\prime\}(?!_)")
 
 
 def math(latex: str) -> Markup:
     """Set LaTeX in the numbers and units of the user's language."""
-    text = _mathml(latex.replace("{,}", "."))
+    text = _mathml(native_latex(latex).replace("{,}", "."))
     if spoken() != "en":
         text = _NUMERAL.sub(lambda match: f"<mn>{localized(match[1])}</mn>", text)
         text = _UNIT.sub(lambda match: f"{match[1]}<mtext>{translate(match[2], 'unit')}</mtext>", text)

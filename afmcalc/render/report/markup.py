@@ -10,13 +10,14 @@ from ..plot.paint import COLOURS, GRID, INK, SHADE
 from ..symbols import split
 
 
-def symbol(text: str) -> Markup:
-    """Set a symbol with subscripts.
+def symbol(text: str, ours: bool = True) -> Markup:
+    """Set a symbol with subscripts; what is quoted is not ``ours``.
 
     >>> symbol("T_н < 1")
     Markup('T<sub>н</sub> &lt; 1')
     """
-    pieces: list[Any] = [Markup("<sub>{}</sub>").format(piece) if low else escape(piece) for piece, low in split(text)]
+    lower = Markup("<sub>{}</sub>").format
+    pieces: list[Any] = [lower(piece) if low else escape(piece) for piece, low in split(text, ours)]
     return Markup("").join(pieces)
 
 
