@@ -67,6 +67,8 @@ class _Page:
             self.chapters.append(chapter)
         parser.add_render_rule("text", lambda _, tokens, place, *more: self._text(tokens[place]))
         parser.add_render_rule("fence", lambda _, tokens, place, *more: self._fence(tokens[place]))
+        parser.add_render_rule("table_open", lambda *_: '<div class="scroll"><table>')
+        parser.add_render_rule("table_close", lambda *_: "</table></div>")
         self._parser = parser
 
     def set(self, chapter: _Chapter) -> Markup:
