@@ -144,6 +144,7 @@ def _help() -> Iterator[Key]:
     import typer
 
     from afmcalc.analysis.solve.solve import TARGETS
+    from afmcalc.analysis.sweep.ratios import RATIOS
     from afmcalc.cli import help
     from afmcalc.cli.main import application
 
@@ -159,6 +160,7 @@ def _help() -> Iterator[Key]:
     sections = {*help.SECTIONS.values(), *help.APART.values(), help.FILES}
     yield from (("", text) for text in (*help.LABELS, help.OF_HELP, *help.SAID, *help.OURS.values(), *sections))
     yield from (("", target.description) for target in TARGETS.values())
+    yield from (("", ratio.description) for ratio in RATIOS.values())
     yield from (("", about) for _, about in help.names_of("plot"))
 
 
@@ -223,7 +225,7 @@ def _papers() -> Iterator[Key]:
     for scheme in SCHEMES.values():
         yield from (("", text) for text in (scheme().title, scheme().caption))
     for formula in register.register():
-        said = (formula.id, formula.says, formula.printed, formula.covered_by, formula.correct)
+        said = (formula.id, formula.says, formula.printed, formula.covered_by, formula.correct, formula.not_reached)
         yield from (("", text) for text in said if text)
     for claim in register.data("claims.toml")["claim"]:
         yield from (("", claim[part]) for part in ("source", "inputs", "printed", "why", "correction") if part in claim)

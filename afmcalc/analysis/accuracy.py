@@ -47,6 +47,12 @@ class AccuracyResult(Answer):
         "nominal torque of the clutch against the base clutch of equal spring and gain, all pairs controlled",
         optional=True,
     )
+    slope_in_ratio_max: float | None = quantity(
+        "1", "∂K_т/∂n", "slope of K_т in n = f_2max/f_1max, f_2max moving, F11 (18)", optional=True
+    )
+    slope_in_ratio_min: float | None = quantity(
+        "1", "∂K_т/∂p", "slope of K_т in p = f_2min/f_1min, f_2min moving, F11 (22)", optional=True
+    )
     sensitivity: dict[str, float] = quantity("1", "∂ln K_т/∂ln p", "elasticity of K_т", ranked=True)
     sweep: list[AccuracySweep] | None = described("accuracy over the swept values", optional=True)
 
@@ -78,10 +84,26 @@ def accuracy(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[AccuracyResul
         equivalent_gain=sleeve and sleeve.equivalent_gain,
         constant_torque_slope=sleeve and sleeve.constant_torque_slope,
         nominal_torque_ratio=sleeve and sleeve.nominal_torque_ratio,
+        **_slopes(clutch),
         sensitivity=clutch.sensitivity(),
         sweep=swept,
     )
     return result, [*clutch.findings(), *_findings(clutch, swept), *replaced(clutch.spec, sweeps)]
+
+
+def _slopes(clutch: Clutch) -> dict[str, float]:
+    """Slopes of K_т in F11's ratios of unlike materials; none where K_т is not T(f_max)/T(f_min)."""
+    if not clutch.spec.friction.unlike:
+        return {}
+    first, second = clutch.friction
+    pairs = clutch.bypass_pairs, clutch.spec.friction_group.pairs - clutch.bypass_pairs
+    given = *pairs, clutch.gain, second.max / first.max, second.min / first.min, first.min, first.max
+    if abs(law.accuracy_factor_by_ratios(*given) / clutch.accuracy_factor - 1) > 1e-9:
+        return {}
+    return {
+        "slope_in_ratio_max": law.slope_in_ratio_max(*given),
+        "slope_in_ratio_min": law.slope_in_ratio_min(*given),
+    }
 
 
 def _findings(clutch: Clutch, swept: list[AccuracySweep] | None) -> Iterator[Finding]:

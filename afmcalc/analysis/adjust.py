@@ -37,6 +37,9 @@ class AdjustResult(Answer):
     margin: float = quantity("1", "β_н", "torque margin of the mean-friction method")
     min_friction: MethodResult = quantity("", "1", "set at f_min")
     mean_friction: MethodResult = quantity("", "2", "set at the mean friction, with margin")
+    force_ratio: float | None = quantity(
+        "1", "F_п1/F_п2", "spring force set at f_min over that set at the mean friction, without margin", optional=True
+    )
     scatter_ratio: float | None = quantity("1", "ΔT_2/ΔT_1", "band of mean-friction over that of min-friction")
     scatter_difference: float = quantity("N*m", "ΔT_2−ΔT_1", "band of mean-friction less that of min-friction")
     narrower: Literal["min-friction", "mean-friction", "equal"] = described("method with the narrower band")
@@ -74,6 +77,7 @@ def adjust(clutch: Clutch) -> tuple[AdjustResult, list[Finding]]:
         margin=clutch.spec.adjustment.margin,
         min_friction=results[0],
         mean_friction=results[1],
+        force_ratio=None if clutch.sleeve is not None else adjustment.force_ratio(*_per_force(first)[::-1]),
         scatter_ratio=ratio,
         scatter_difference=bands[1] - bands[0],
         narrower=narrower,
@@ -129,8 +133,12 @@ def _ratio(clutch: Clutch, set_at_min: Clutch, bands: list[float]) -> float | No
     if clutch.sleeve is not None:
         # the stop moves with the setting, and K_т with it
         return bands[1] / bands[0]
-    at_min, at_mean = (set_at_min.torque_per_force(method) for method in METHODS)
-    return float(adjustment.scatter_ratio(clutch.spec.adjustment.margin, at_min, at_mean))
+    return float(adjustment.scatter_ratio(clutch.spec.adjustment.margin, *_per_force(set_at_min)))
+
+
+def _per_force(clutch: Clutch) -> list[Any]:
+    """Torque per unit of spring force at which each method sets, g(f_min) and g(f_cp)."""
+    return [clutch.torque_per_force(method) for method in METHODS]
 
 
 def _threshold(clutch: Clutch, gain: Any) -> float | None:

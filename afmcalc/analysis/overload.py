@@ -34,6 +34,12 @@ class OverloadResult(Answer):
     margin: float = quantity("1", "β_н", "torque margin")
     potential_torque: Triple = quantity("N*m", "T_п", "potential torque at T_н.маш; upper end of the trip bracket")
     expected_torque: Triple = quantity("N*m", "T_муф", "expected slip torque; lower end of the trip bracket")
+    potential_torque_gain: Triple | None = quantity(
+        "N*m",
+        "T'_п − T_п",
+        "potential torque above that of the all-driving clutch of equal spring, gain and margin",
+        optional=True,
+    )
     load_rise: Triple = quantity("N*m", "ΔT'", "load rise until slip")
     actuation_torque_published: Triple = quantity("N*m", "T_ср", "actuation torque as published, S22 (14)")
     actuation_torque_equilibrium: Triple = quantity("N*m", "T_eq", "actuation torque at equilibrium (M12)")
@@ -64,6 +70,7 @@ def overload(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[OverloadResul
         machine_torque=at_min.machine,
         margin=clutch.spec.adjustment.margin,
         potential_torque=Triple.of(trip.potential for trip in trips),
+        potential_torque_gain=_potential_gain(clutch) if clutch.bypass_pairs else None,
         expected_torque=Triple.of(trip.expected for trip in trips),
         load_rise=Triple.of(trip.rise for trip in trips),
         actuation_torque_published=Triple.of(trip.published for trip in trips),
@@ -81,6 +88,16 @@ def overload(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[OverloadResul
     if setting.method == "mean-friction":
         findings.append(finding("margin-role", "warning", value=setting.margin, path="adjustment.method"))
     return result, [*findings, *replaced(clutch.spec, sweeps)]
+
+
+def _potential_gain(clutch: Clutch) -> Triple:
+    """T'_п of the differentiated clutch less T_п of the all-driving one."""
+    pack = clutch.spec.friction_group.pairs, clutch.bypass_pairs, clutch.closing_force, clutch.mean_radius
+    low, margin = clutch.friction[0].min, clutch.spec.adjustment.margin
+    return Triple.of(
+        law.potential_torque_gain_of_differentiated(*pack, friction, low, clutch.gain, margin)
+        for friction in clutch.friction[0]
+    )
 
 
 class Actuation:

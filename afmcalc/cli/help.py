@@ -58,11 +58,14 @@ def names_of(kind: str) -> Named:
     symbols = {
         symbol: f"{path}, {translate(keys()[path].description).partition(';')[0]}" for symbol, path in ALIASES.items()
     }
+    from ..analysis.sweep.ratios import RATIOS
+
+    ratios = [(name, translate(ratio.description)) for name, ratio in RATIOS.items()]
     if kind == "swept":
-        return [("zC", translate("reduced gain")), *symbols.items()]
+        return [("zC", translate("reduced gain")), *symbols.items(), *ratios]
     from ..analysis.solve.solve import PARAMETERS
 
-    return [(symbol, symbols[symbol]) for symbol in PARAMETERS]
+    return [*((symbol, symbols[symbol]) for symbol in PARAMETERS), *ratios]
 
 
 def completing(kind: str, end: str = "") -> Callable[[str], Named]:

@@ -37,6 +37,12 @@ _REPLACED = {
     "friction.min": ("friction.material",),
     "friction.mean": ("friction.material",),
     "friction.max": ("friction.material",),
+    "friction.driving.min": ("friction.driving.material",),
+    "friction.driving.mean": ("friction.driving.material",),
+    "friction.driving.max": ("friction.driving.material",),
+    "friction.driven.min": ("friction.driven.material",),
+    "friction.driven.mean": ("friction.driven.material",),
+    "friction.driven.max": ("friction.driven.material",),
 }
 """Key → keys it stands in for: where it is set, they are taken out of the spec."""
 
@@ -146,8 +152,9 @@ def replaced(spec: Spec, paths: Iterable[str]) -> dict[str, str]:
 
 def _without_replaced(spec: Spec, paths: Iterable[str]) -> Spec:
     gone: dict[str, object] = dict.fromkeys(replaced(spec, paths))
-    if "friction.material" in gone:
-        gone["friction.min"], _, gone["friction.max"] = spec.friction.range
+    for material in [path for path in gone if path.endswith(".material")]:
+        group = material.removesuffix(".material")
+        gone[f"{group}.min"], _, gone[f"{group}.max"] = value_at(spec, group).range
     return with_values(spec, gone)
 
 
@@ -167,7 +174,12 @@ def with_values(model: M, values: Mapping[str, object]) -> M:
 
 def with_key(spec: Spec, path: str, value: Values) -> Spec:
     """Copy a spec with an unvalidated value (real, or an array) for a key, and without what the key stands in for."""
-    return with_values(_without_replaced(spec, [path]), {path: value})
+    return with_keys(spec, {path: value})
+
+
+def with_keys(spec: Spec, values: Mapping[str, Values]) -> Spec:
+    """Copy a spec with such values for several keys."""
+    return with_values(_without_replaced(spec, values), values)
 
 
 def respecified(spec: Spec, values: Mapping[str, object]) -> Spec:

@@ -16,10 +16,12 @@ from afmcalc.analysis.registry import ANALYSES
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
 from afmcalc.messages import ENGLISH, language, speaking
+from afmcalc.papers.claims import reproduce
 from afmcalc.papers.register import misprints, register
 from afmcalc.proofs import proofs, prove
 from afmcalc.render.handbook import render
 from afmcalc.spec import read_spec
+from afmcalc.spec.edit import respecified
 from afmcalc.spec.parse import example_names
 
 PACKAGE = Path(afmcalc.__file__).parent
@@ -40,7 +42,7 @@ def page(request):
 
 @pytest.mark.every(2)
 def test_uses_are_those_of_the_program():
-    """Commands are run on the examples and proofs on their symbols, and the equations they pass are noted."""
+    """Commands are run on clutches, reproduce on the papers, proofs on their symbols; the equations passed are noted."""
     codes = {equation.function.__wrapped__.__code__: name for name, equation in equations().items()}
     uses = {name: {"commands": set(), "proofs": set()} for name in equations()}
     kind, user = "commands", ""
@@ -51,12 +53,18 @@ def test_uses_are_those_of_the_program():
 
     sys.setprofile(watch)
     try:
-        for name in sorted(set(example_names()) - {"requirements"}):
+        specs = [read_spec(f"example:{name}") for name in sorted(set(example_names()) - {"requirements"})]
+        # what no example gives: the gain by its wall angle, and the control spring as made
+        specs.append(respecified(read_spec("example:default"), {"control_unit.wall_angle": 0.5}))
+        specs.append(respecified(read_spec("example:indirect"), {"control_spring.force": 5000.0}))
+        for spec in specs:
             user = ""
-            clutch = build(read_spec(f"example:{name}"))
+            clutch = build(spec)
             for user in COMMANDS:
                 if ANALYSES[user].applies(clutch):
                     ANALYSES[user].function(clutch)
+        user = "reproduce"
+        reproduce([])
         user = ""
         names = list(proofs())
         kind = "proofs"
@@ -68,6 +76,17 @@ def test_uses_are_those_of_the_program():
     if os.environ.get("AFMCALC_UPDATE"):
         USES.write_text(tomli_w.dumps(found), encoding="utf-8")
     assert tomllib.loads(USES.read_text(encoding="utf-8")) == found
+
+
+def test_every_formula_is_reached_or_says_why_not():
+    """A function is calculated by a command; a formula without one is covered by others. Else the entry says why."""
+    uses = tomllib.loads(USES.read_text(encoding="utf-8"))
+    reached = {entry.id: bool(entry.function and uses[entry.function]["commands"]) for entry in register()}
+    assert len(register()) == 130
+    for entry in register():
+        assert entry.function is None or entry.function in uses, entry.id
+        assert entry.not_reached is None or not reached[entry.id], f"{entry.id} is reached"
+        assert reached[entry.id] or entry.not_reached or (entry.covered_by and not entry.function), entry.id
 
 
 @pytest.mark.parametrize("kind", ["equation", "misprint"])

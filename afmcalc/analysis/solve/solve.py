@@ -16,14 +16,16 @@ from ...findings import Finding, finding
 from ...messages import did_you_mean, joined, measured, plain, say
 from ...result import Answer, described, quantity
 from ...spec import Spec
-from ...spec.edit import replaced, respecified, with_key
+from ...spec.edit import replaced, respecified, with_keys
 from ...spec.keys import ALIASES, is_whole, path_of
 from ...spec.quantity import asked_unit, parse_quantity
 from ...spec.rules import variants_of
-from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, roots
+from ..sweep.ratios import RATIOS, moved, no_ratio
+from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, path_for, roots
 
 PARAMETERS = {"C": "1", "F": "N", "z": "1", "z1": "1", "R": "m", "c1": "N/m", "c2": "N/m", "gain_slope": "1/m"}
-"""Parameters that can be solved for, by symbol, and their SI units."""
+"""Keys that can be solved for, by symbol, and their SI units; of unlike materials also ``RATIOS``."""
+_UNITS = PARAMETERS | dict.fromkeys(RATIOS, "1")
 
 
 class Target(NamedTuple):
@@ -165,7 +167,7 @@ def solve(
 
     Args:
         clutch: the clutch to start from.
-        name: parameter: one of ``PARAMETERS``, or the name or path of its key.
+        name: parameter: one of ``PARAMETERS``, the name or path of its key, or one of ``RATIOS``.
         target: a name of ``TARGETS``.
         wanted: its value, SI.
         beyond_limit: go past the gain limit of the variant.
@@ -207,11 +209,12 @@ def solve(
             wanted=problem.shown(wanted),
             name=name,
         )
-    solved = build(respecified(clutch.spec, {path: chosen[0]}))
+    changed = problem.changed(chosen[0])
+    solved = build(respecified(clutch.spec, changed))
     result = SolveResult(
         parameter=name,
-        path=path,
-        unit=PARAMETERS[name],
+        path=RATIOS[name].quotient if name in RATIOS else path,
+        unit=_UNITS[name],
         value=chosen[0],
         exact_value=(solutions[0] if solutions else None) if whole else None,
         target=target,
@@ -221,9 +224,9 @@ def solve(
         method="closed-form" if solutions and solutions[0] == exact else "bracketed-root",
         **{name: getattr(solved, name) for name in _OF_THE_CLUTCH},
     )
-    remarks = [finding("solve-replaces", "info", path=other, by=path) for other in replaced(clutch.spec, [path])]
+    remarks = [finding("solve-replaces", "info", path=other, by=path) for other in replaced(clutch.spec, changed)]
     if others := chosen[1:]:
-        listed = joined(say("{name} = {value}", name=name, value=measured(value, PARAMETERS[name])) for value in others)
+        listed = joined(say("{name} = {value}", name=name, value=measured(value, _UNITS[name])) for value in others)
         given = problem.shown(wanted)
         remarks.append(
             finding(
@@ -246,12 +249,16 @@ class _Problem:
     @property
     def path(self) -> str:
         """Spec path of the parameter."""
-        return ALIASES[self.name]
+        return path_for(self.name)
+
+    def changed(self, at: Values) -> dict[str, Values]:
+        """Keys of the spec, by path, that a value of the parameter changes."""
+        return moved(self.clutch.spec, {self.name: at}) if self.name in RATIOS else {self.path: at}
 
     def values(self, at: Floats) -> Floats:
         """The target at values of the parameter."""
         with np.errstate(all="ignore"):
-            value = TARGETS[self.target].value(build(with_key(self.clutch.spec, self.path, at)))
+            value = TARGETS[self.target].value(build(with_keys(self.clutch.spec, self.changed(at))))
         return np.broadcast_to(np.asarray(value, float), at.shape)
 
     def shown(self, value: float) -> str:
@@ -296,13 +303,15 @@ class _Problem:
 
 def _symbol(name: str, spec: Spec) -> str:
     """Symbol of a parameter, however it is called; refuse one that the variant does not have."""
+    if name in RATIOS and spec.friction.unlike:
+        return name
     path, paths = path_of(name), [ALIASES[symbol] for symbol in PARAMETERS]
     if path not in paths:
         known = [*PARAMETERS, *paths, *(path.rpartition(".")[2] for path in paths)]
         raise AfmcalcError(
             "--for {name:.80}: cannot be solved for{hint}; one of {names}",
             name=name,
-            hint="" if path else did_you_mean(name, known),
+            hint="" if path else no_ratio(name) or did_you_mean(name, known),
             names=", ".join(f"{symbol} ({ALIASES[symbol]})" for symbol in PARAMETERS),
         )
     symbol = next(symbol for symbol in PARAMETERS if ALIASES[symbol] == path)
@@ -355,7 +364,7 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
         "the best is {best}, reached at {name} = {place}{why}",
         best=problem.shown(nearest),
         name=name,
-        place=measured(place, PARAMETERS[name]),
+        place=measured(place, _UNITS[name]),
         why=say(" ({why})", why=domain.why) if place == domain.high and domain.why else "",
     )
     return NotAttainableError(refusal(where), nearest, place)

@@ -15,6 +15,7 @@ from ...result import Series
 from ...spec import Spec, edit
 from ...spec.fields import Key
 from ...spec.keys import is_whole
+from .ratios import RATIOS, moved, paths_moved
 
 MOST_POINTS = 200_000
 """Points of a sweep: its answers take 0.3 GB then."""
@@ -38,10 +39,20 @@ class Axis(NamedTuple):
     question: Finding | None = None
     """The first value without a unit that may be meant in another than SI."""
 
+    @property
+    def called_path(self) -> str:
+        """What its values are: a spec path; of a ratio the quotient of two."""
+        return RATIOS[self.name].quotient if self.name in RATIOS else self.key.path
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """Spec keys that it moves."""
+        return paths_moved(self.name) if self.name in RATIOS else (self.key.path,)
+
 
 def replaced(spec: Spec, axes: Sequence[Axis]) -> list[Finding]:
     """Say which keys of the spec a sweep has taken the place of, and ask after its numbers without a unit."""
-    gone = edit.replaced(spec, [axis.key.path for axis in axes])
+    gone = edit.replaced(spec, [path for axis in axes for path in axis.paths])
     asked = [axis.question for axis in axes if axis.question]
     return [*asked, *(finding("sweep-replaces", "info", path=path, by=by) for path, by in gone.items())]
 
@@ -59,6 +70,8 @@ def grid(axes: Sequence[Axis]) -> list[Floats]:
         raise AfmcalcError("the same key is swept twice")
     if any(axis.name == "zC" for axis in axes) and any(axis.key.path.endswith("pairs") for axis in axes):
         raise AfmcalcError("zC and a number of pairs cannot be swept together: sweep C with it")
+    if len({axis.name in RATIOS for axis in axes if axis.key.path.startswith("friction.driv")}) > 1:
+        raise AfmcalcError("n, p or m and a coefficient of friction cannot be swept together: sweep ratios only")
     return [coordinates.ravel() for coordinates in np.meshgrid(*(axis.values for axis in axes), indexing="ij")]
 
 
@@ -76,13 +89,15 @@ def series(
     if not axes:
         return None
     points = grid(axes)
-    values = {axis.key.path: given * axis.scale for axis, given in zip(axes, points, strict=True)}
+    called = {axis.name: given for axis, given in zip(axes, points, strict=True)}
+    values = {axis.key.path: called[axis.name] * axis.scale for axis in axes}
+    values |= moved(clutch.spec, {name: given for name, given in called.items() if name in RATIOS})
     answers = {name: array.tolist() for name, array in evaluate(clutch.spec, values, outputs).items()}
     answers |= {
         name: [None if value != value else value for value in answers[name]] for name in open_at if name in answers
     }
     return [
-        kind(parameter=axis.name, path=axis.key.path, unit=axis.key.unit or "1", values=given.tolist(), **answers)
+        kind(parameter=axis.name, path=axis.called_path, unit=axis.key.unit or "1", values=given.tolist(), **answers)
         for axis, given in zip(axes, points, strict=True)
     ]
 

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
+from ...analysis.sweep.ratios import RATIOS
 from ...messages import joined, named, term, told, translate
 from ...spec.keys import is_whole, keys
 from ..units import display
@@ -55,7 +56,7 @@ def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
     if swept.parameter == "zC":
         x = ChartAxis(translate("reduced gain"), "zC")
     else:
-        key = keys()[swept.path]
+        key = RATIOS[swept.parameter].key(swept.parameter) if swept.parameter in RATIOS else keys()[swept.path]
         x = ChartAxis(translate(key.description).partition(";")[0], key.symbol or "", key.unit or "1")
     title = told("Accuracy factor K_т against {quantity} {symbol}", quantity=x.quantity, symbol=x.symbol).rstrip()
     if len(curves) > 1:
