@@ -238,3 +238,12 @@ def test_a_threshold_below_any_clutch_is_none(afmcalc):
     result = afmcalc("adjust", "--set", "adjustment.margin=5", "--json").json["result"]
     assert (result["pairs_threshold"], result["pairs_threshold_at_gain_limit"]) == (None, None)
     assert result["narrower"] == "min-friction"
+
+
+def test_force_of_both_methods(afmcalc):
+    """S19 (7) as printed, z 8, C 0.5, f_min 0.1, f_cp 0.3; there is none of an indirect clutch."""
+    result = afmcalc("adjust", "--json").json["result"]
+    assert result["force_ratio"] == pytest.approx(0.3 * (1 + 7 * 0.5 * 0.1) / (0.1 * (1 + 7 * 0.5 * 0.3)))
+    forces = [result[method]["closing_force"] for method in ("min_friction", "mean_friction")]
+    assert forces[0] / forces[1] * result["margin"] == pytest.approx(result["force_ratio"])
+    assert afmcalc("adjust", "example:indirect", "--json").json["result"]["force_ratio"] is None

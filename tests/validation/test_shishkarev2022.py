@@ -170,3 +170,16 @@ def test_the_best_reduced_gain_says_by_which_torque(afmcalc):
     ]
     equilibrium = [each["accuracy_factor_equilibrium"] for each in factors]
     assert equilibrium == sorted(equilibrium, reverse=True)
+
+
+def test_potential_torque_above_that_of_the_all_driving_clutch(afmcalc):
+    """(22) less (8) as printed, z 8, z_1 1, C 0.5, β_н 1.25, F_п R = 200 N·m, f_min 0.1."""
+
+    def potential(f, controlled):
+        u = controlled * 0.5 * 0.1
+        return 8 * 200 * f * (1.25 + 0.25 * u) / (1.25 * (1 + u))
+
+    gain = afmcalc("overload", "--json").json["result"]["potential_torque_gain"]
+    wanted = {end: potential(f, 7) - potential(f, 8) for end, f in (("min", 0.1), ("mean", 0.3), ("max", 0.8))}
+    assert gain == pytest.approx(wanted)
+    assert afmcalc("overload", "example:all-driving", "--json").json["result"]["potential_torque_gain"] is None
