@@ -4,17 +4,23 @@ import os
 import re
 import sys
 import tomllib
+from contextlib import suppress
 from html.parser import HTMLParser
+from itertools import product
 from pathlib import Path
 
+import numpy as np
 import pytest
 import tomli_w
 
 import afmcalc
 from afmcalc.analysis.handbook import chapter_texts, handbook
 from afmcalc.analysis.registry import ANALYSES
+from afmcalc.analysis.solve.search import closed_inverse
+from afmcalc.analysis.solve.solve import PARAMETERS, TARGETS
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
+from afmcalc.errors import AfmcalcError
 from afmcalc.messages import ENGLISH, language, speaking
 from afmcalc.papers.claims import reproduce
 from afmcalc.papers.register import misprints, register
@@ -63,6 +69,11 @@ def test_uses_are_those_of_the_program():
             for user in COMMANDS:
                 if ANALYSES[user].applies(clutch):
                     ANALYSES[user].function(clutch)
+            user = "solve"
+            for name, target in product(PARAMETERS, TARGETS):
+                with suppress(AfmcalcError):
+                    now = float(TARGETS[target].value(clutch))
+                    closed_inverse(clutch, name, target, now, np.float64(1.01 * now))
         user = "reproduce"
         reproduce([])
         user = ""
