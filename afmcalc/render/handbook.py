@@ -144,7 +144,8 @@ class _Page:
     def _notation(self) -> Table:
         equations = (entry.equation for entry in self.handbook.formulas.values())
         terms = (term for each in equations for term in (*each.arguments.values(), each.result))
-        rows = {(term.symbol, translate(term.meaning), typeset(term.unit)) for term in terms if term.meaning}
+        meant = [(term.symbol, translate(term.meaning), typeset(term.unit)) for term in terms if term.meaning]
+        rows = {(name, meaning, translate(unit, "unit")) for name, meaning, unit in meant}
         rows_in_order = sorted(rows, key=lambda row: (row[0].casefold(), *row))
         return tuple(map(translate, ("Symbol", "Quantity", "Unit"))), rows_in_order, ""
 

@@ -189,3 +189,16 @@ def test_the_worked_clutches_by_hand(page):
             assert f" {value:.5g} " in numbers
         for value in (normal, force - normal, sleeve):
             assert f" {value / 1000:.5g} " in numbers or f" {value:.5g} " in numbers
+
+
+def test_russian_leaves_no_english_in_it():
+    """No Latin word of four letters but those of sources, of the table of terms, and in code, formulas and indices."""
+    with speaking(language("ru")):
+        page = render(handbook("ru"))
+    page = re.sub(r"(?s)<(style|script|code|math)\b.*?</\1>|<section id=\"chapter-15\".*", " ", page)
+    page = re.sub(r"example:\S+", " ", re.sub(r"<[^>]*>", " ", page.replace("<sub>", "_")))
+    words = {word.strip(".,") for word in re.findall(r"\b[a-zA-Z]{4,}", page)}
+    terms = chapter_texts("ru")[1].partition("## Термины")[2]
+    sources = " ".join(each.source for each in equations().values())
+    names = {*re.findall("[A-Z][a-z]{3,}", sources), "damage", "fatigue", "afmcalc", "Budynas", "Nisbett"}
+    assert words <= names | {*re.findall("[a-z]{4,}", terms)}
