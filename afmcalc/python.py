@@ -102,9 +102,9 @@ class Clutch:
         """Cycles to failure on both sides of the clutch; ``sweep`` also takes dT, the scatter band."""
         return self._ask("life", model, self._axes(sweep, band=True))
 
-    def overload(self, sweep: Sweep = ()) -> "OverloadResult":
-        """Potential and actuation torque with a torque margin (S22)."""
-        return self._ask("overload", self._axes(sweep))
+    def overload(self, sweep: Sweep = (), friction: Friction = ()) -> "OverloadResult":
+        """Potential and actuation torque with a torque margin (S22), also at the friction asked for."""
+        return self._ask("overload", self._axes(sweep), _pairs(friction))
 
     def simulate(self, friction: Friction = (), sweep: Sweep = ()) -> "SimulateResult":
         """The drive in time when the clutch trips, also at the friction asked for."""

@@ -48,6 +48,8 @@ class Shown:
     """Whether the value is a name that a user types: it is never translated."""
     detail: bool = False
     """Left out of tables for people when the table is long."""
+    details: bool = False
+    """Left out for people unless they ask for details."""
     data: bool = False
     """A list for programs: CSV writes it, people are spared it."""
     across: bool = False

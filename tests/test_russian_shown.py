@@ -55,7 +55,7 @@ SHOWN = re.compile(
 CODES = {
     *ANALYSES, *PLOTS, *VARIANTS, *EXAMPLES, "init", "plot", "report", "schema", "min", "max", "event", "kind", "wear",
     "stop", "load", "amplitude", "goodman", "centrifugal", "material", "length", "mass", "variant", "search", "fixed",
-    "disc", "any", "start", "count", "step", "pip", "install", "example", "one", "both", "auto", "exact", "pairs",
+    "weight", "disc", "any", "start", "count", "step", "pip", "install", "example", "one", "both", "auto", "exact", "pairs",
     "true", "clutch", "json", "csv", "table", "engineer", "requirements", "travel", "alpha", "beta", "friction", "exceedance", "simulate", "work", "gain", "temperature", "cycles", "diameters", "fatigue",
 }  # fmt: skip
 """Commands, keys and their choices of one word, as a user writes them."""

@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from ..engines import build
 from ..engines.protocol import Clutch
-from ..equations import adjustment
+from ..equations import accuracy, adjustment
 from ..findings import Finding, finding
 from ..messages import term
 from ..result import Answer, Result, Triple, described, quantity
@@ -24,6 +24,7 @@ class MethodResult(Result):
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
     torque: Triple = quantity("N*m", "T", "slip torque")
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
+    mid_torque: float = quantity("N*m", "T_mid", "torque at the middle of the band")
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
     holds_nominal: bool = described("holds T_н over the friction range")
     holds_machine: bool = described("holds T_н.маш over the friction range")
@@ -120,6 +121,7 @@ def _method(clutch: Clutch, nominal: float, machine: float) -> MethodResult:
         closing_force=clutch.closing_force,
         torque=torque,
         scatter=clutch.scatter,
+        mid_torque=accuracy.mid_band_torque(clutch.torque_max, clutch.torque_min),
         accuracy_factor=clutch.accuracy_factor,
         holds_nominal=lowest >= nominal,
         holds_machine=lowest >= machine,

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Literal, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from ..arrays import Values
 from ..engines.protocol import Clutch
@@ -15,7 +15,7 @@ from ..messages import say, term
 from ..result import Answer, Result, Triple, described, quantity
 from ..spec.edit import value_at
 
-EffectName = Literal["spline-friction", "sliding-cams", "centrifugal", "wear"]
+EffectName = Literal["spline-friction", "sliding-cams", "centrifugal", "weight", "wear"]
 NOTICEABLE = 0.05
 """Relative change, of K_т or else of the torque, that is warned of."""
 POINTS = 33
@@ -23,6 +23,8 @@ POINTS = 33
 ENDS = ("min", "mean", "max")
 STEEL = 7850.0
 """Density of a ball of bearing steel (ISO 3290-1), kg/m³."""
+GRAVITY = 9.80665
+"""Standard acceleration of gravity, m/s²."""
 STIFFNESS = "closing_spring.stiffness"
 _MOST_PAIRS = 1000
 
@@ -271,6 +273,26 @@ def _centrifugal(clutch: Clutch, speed: float, balls: int, diameter: float, circ
     return _weaker(clutch, float(law.centrifugal_thrust(balls, mass, speed, circle, tangent)), "drive.speed")
 
 
+def _weight(clutch: Clutch, axis: str, pressure_disc: float, discs: float) -> Bracket:
+    """The axis horizontal, and vertical: the weight presses the pack with a spring above it, else it takes from it.
+
+    The sleeve of an indirect clutch moves on the side of the spring, so that its weight adds to the control spring's
+    force as that of the pack does.
+    """
+    sign, sleeve, path = 1 if axis == "spring-above" else -1, clutch.sleeve, "friction_group.vertical_axis"
+    forces: dict[str, Any] = {"closing_force": float(clutch.closing_force)}
+    weights = {"closing_force": sign * float(law.weight_on_pack(pressure_disc, discs, GRAVITY))}
+    if sleeve is not None:
+        unit: Any = clutch.spec.control_unit
+        forces["made_control_force"] = float(sleeve.control_force)
+        weights["made_control_force"] = weights["closing_force"] + sign * GRAVITY * (unit.sleeve_mass or 0.0)
+    for name, force in forces.items():
+        if -weights[name] >= force:
+            return Bracket((), (finding("force-used-up", "error", value=-weights[name], limit=force, path=path),))
+    upright = replace(clutch, **{name: force + weights[name] for name, force in forces.items()})
+    return Bracket((upright.torque, clutch.torque))
+
+
 def _wear(clutch: Clutch, lining: float, *_: float) -> Bracket:
     """The pack new, and with its lining gone."""
     return _weaker(clutch, float(clutch.lost_by_wear(lining)), "heat.lining")
@@ -315,6 +337,11 @@ SOURCES: Mapping[EffectName, EffectSource] = {
         ("drive.speed", "control_unit.balls", "control_unit.ball_diameter", "control_unit.ball_circle_radius"),
         _centrifugal,
         term("balls thrown against conical pockets"),
+    ),
+    "weight": EffectSource(
+        tuple(f"friction_group.{key}" for key in ("vertical_axis", "pressure_disc_mass", "discs_mass")),
+        _weight,
+        term("weight of the discs, axis vertical"),
     ),
     "wear": EffectSource(("heat.lining", STIFFNESS), _wear, term("wear of the lining")),
 }

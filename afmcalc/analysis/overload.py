@@ -1,6 +1,6 @@
 """Overload with a torque margin (S22): potential torque, actuation torque as published and at equilibrium."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from ..arrays import larger
@@ -10,9 +10,13 @@ from ..equations import overload as law
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..messages import say
-from ..result import Answer, Series, Triple, described, quantity
+from ..result import Answer, Result, Series, Triple, described, quantity
 from .registry import ANALYSES
 from .sweep.grid import Axis, replaced, series
+from .torque import Pair, outside_range, pairs_asked
+
+SHARES = (0.0, 0.25, 0.5, 0.75, 1.0)
+"""Of the rise of the load until slip: where the potential torque is told."""
 
 
 class OverloadSweep(Series):
@@ -24,6 +28,27 @@ class OverloadSweep(Series):
     expected_torque: list[float] = quantity("N*m", "T_муф", "expected torque at f_max")
     actuation_torque_published: list[float] = quantity("N*m", "T_ср", "published actuation torque at f_max")
     actuation_torque_equilibrium: list[float] = quantity("N*m", "T_eq", "actuation torque at equilibrium, at f_max")
+
+
+class OverloadPoint(Result):
+    """The trip at one chosen friction."""
+
+    friction: float = quantity("1", "f", "coefficient of friction")
+    potential_torque: float = quantity("N*m", "T_п", "potential torque at T_н.маш")
+    expected_torque: float = quantity("N*m", "T_муф", "expected slip torque")
+    load_rise: float = quantity("N*m", "ΔT'", "load rise until slip")
+    actuation_torque_published: float = quantity("N*m", "T_ср", "actuation torque as published, S22 (14)")
+    actuation_torque_equilibrium: float = quantity("N*m", "T_eq", "actuation torque at equilibrium (M12)")
+    actuation_factor: float = quantity("1", "A", "published over expected actuation torque")
+
+
+class RisenLoad(Result):
+    """The clutch under a load between the machine's nominal torque and slip."""
+
+    friction: float = quantity("1", "f", "coefficient of friction")
+    rise: float = quantity("N*m", "ΔT", "rise of the load above T_н.маш")
+    load: float = quantity("N*m", "T_н.маш + ΔT", "load")
+    potential_torque: float = quantity("N*m", "T'_п", "potential torque under it, S22 (6), (9); at slip it is the load")
 
 
 class OverloadResult(Answer):
@@ -54,9 +79,13 @@ class OverloadResult(Answer):
     accuracy_factor_actual: float = quantity("1", "K_т,act", "actual accuracy factor with the published T_ср, S22 (19)")
     accuracy_factor_equilibrium: float = quantity("1", "K_т,eq", "accuracy factor with the equilibrium torque")
     sweep: list[OverloadSweep] | None = described("overload over the swept values", optional=True)
+    points: list[OverloadPoint] | None = described("at the friction asked for", optional=True)
+    loads: list[RisenLoad] | None = described("load from the machine's nominal torque up to slip", optional=True)
 
 
-def overload(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[OverloadResult, list[Finding]]:
+def overload(
+    clutch: Clutch, sweeps: Sequence[Axis] = (), friction: Iterable[Pair] = ()
+) -> tuple[OverloadResult, list[Finding]]:
     """Calculate the overload of an all-driving or differentiated clutch of one material.
 
     Raises:
@@ -65,6 +94,8 @@ def overload(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[OverloadResul
     refuse(clutch)
     trips = [Actuation(clutch, friction) for friction in clutch.friction[0]]
     at_min, _, at_max = trips
+    points = pairs_asked(clutch, friction)
+    asked = [(value, Actuation(clutch, value)) for value, _ in points]
     result = OverloadResult(
         nominal_torque=at_min.expected,
         machine_torque=at_min.machine,
@@ -81,12 +112,15 @@ def overload(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[OverloadResul
         accuracy_factor_expected=_accuracy_expected(clutch),
         accuracy_factor_actual=_accuracy_actual(clutch),
         accuracy_factor_equilibrium=law.accuracy_factor_equilibrium(at_max.equilibrium, at_min.equilibrium),
+        points=[_point(*trip) for trip in asked] or None,
+        loads=[load for trip in asked for load in _loads(*trip)] or None,
         sweep=series(OverloadSweep, clutch, sweeps, SWEEP_OUTPUTS),
     )
     findings = [*clutch.findings(), finding("published-against-equilibrium", "info")]
     setting = clutch.spec.adjustment
     if setting.method == "mean-friction":
         findings.append(finding("margin-role", "warning", value=setting.margin, path="adjustment.method"))
+    findings += [remark for pair in points for remark in outside_range(clutch, *pair)]
     return result, [*findings, *replaced(clutch.spec, sweeps)]
 
 
@@ -111,6 +145,7 @@ class Actuation:
         pack = pairs, clutch.closing_force, clutch.mean_radius
         at_min = law.loop_gain(controlled, clutch.gain, low)
         here = law.loop_gain(controlled, clutch.gain, friction)
+        self.loop_gain = here
         self.expected = law.expected_torque(*pack, friction, here)
         self.machine = law.machine_torque(law.expected_torque(*pack, low, at_min), margin)
         self.potential = law.potential_torque(*pack, friction, margin, at_min)
@@ -118,6 +153,26 @@ class Actuation:
         self.published = law.actuation_torque_published(self.potential, self.rise)
         self.equilibrium = law.actuation_torque_equilibrium(self.machine, self.rise)
         self.factor = law.actuation_factor(here, at_min, friction, low, margin)
+
+
+def _point(friction: float, trip: Actuation) -> OverloadPoint:
+    return OverloadPoint(
+        friction=friction,
+        potential_torque=trip.potential,
+        expected_torque=trip.expected,
+        load_rise=trip.rise,
+        actuation_torque_published=trip.published,
+        actuation_torque_equilibrium=trip.equilibrium,
+        actuation_factor=trip.factor,
+    )
+
+
+def _loads(friction: float, trip: Actuation) -> Iterator[RisenLoad]:
+    """Loads from T_н.маш up to slip; one where the pack slips under T_н.маш already."""
+    for share in SHARES if trip.rise > 0 else (0.0,):
+        rise = share * trip.rise
+        potential = law.potential_torque_risen(trip.potential, trip.loop_gain, rise)
+        yield RisenLoad(friction=friction, rise=rise, load=trip.machine + rise, potential_torque=potential)
 
 
 def _at_max(clutch: Clutch) -> Actuation:

@@ -101,6 +101,20 @@ def _heat_is_known(clutch: "Clutch") -> bool:
     return _can_be_simulated(clutch) or not missing_of(clutch.spec.drive)
 
 
+def _slips(found: Any) -> str:
+    if found.onset_torque is None:
+        return (
+            "Set for a nominal torque of the clutch of {nominal_torque:.5g N·m}, it slips at {torque.min:.5g N·m} at "
+            "the smallest and at {torque.max:.5g N·m} at the largest friction."
+        )
+    return (
+        "Set for a nominal torque of the clutch of {nominal_torque:.5g N·m}, it slips at {torque.min:.5g N·m} at the "
+        "smallest and at {torque.max:.5g N·m} at the largest friction. It starts in two stages: up to "
+        "{onset_torque.min:.5g N·m} and {onset_torque.max:.5g N·m} the bypass pairs carry the torque alone, then the "
+        "balls take their share and the release force arises."
+    )
+
+
 def _heated(found: Any) -> str:
     if None in (found.energy.min, found.energy.mean, found.energy.max):
         return (
@@ -171,8 +185,7 @@ ANALYSES: dict[str, Analysis] = {
             section=Section(
                 "Torque and forces",
                 "The slipping clutch at the smallest, the mean and the largest friction, spring as set.",
-                "Set for a nominal torque of the clutch of {nominal_torque:.5g N·m}, it slips at {torque.min:.5g N·m} "
-                "at the smallest and at {torque.max:.5g N·m} at the largest friction.",
+                _slips,
                 ("F11",), ("S21",),
             ),
             plot=Plot("torque", "torque against friction, scatter band, both adjustment methods"),

@@ -4,9 +4,22 @@ from collections.abc import Callable, Iterable
 from typing import Any, TypeVar
 
 from ..engines.protocol import Clutch
+from ..equations import direct, indirect
 from ..errors import CalculationError
 from ..findings import Finding, finding
 from ..result import Answer, Result, Triple, described, quantity
+
+
+def _detail(unit: str, symbol: str, description: str) -> Any:
+    return quantity(unit, symbol, description, optional=True, details=True)
+
+
+_T_1 = _detail("N*m", "T_1", "torque of the bypass pairs")
+_T_2 = _detail("N*m", "T_2", "torque of the controlled pairs, which passes the balls")
+_F_O = _detail("N", "F_o", "circumferential force on all the balls")
+_F_KEY = _detail("N", "F_тр", "friction force of the key on the sleeve")
+_S = _detail("N", "S", "reaction of the stop on the sleeve")
+_ONSET = _detail("N*m", "T_1(0)", "torque that the bypass pairs carry alone, before the balls take a share")
 
 
 class FrictionPoint(Result):
@@ -19,6 +32,12 @@ class FrictionPoint(Result):
     normal_force: float = quantity("N", "N", "normal force on the pairs")
     release_force: float = quantity("N", "F_p", "release force")
     travel: float | None = quantity("m", "x", "axial travel of the sleeve", optional=True)
+    driving_torque: float | None = _T_1
+    driven_torque: float | None = _T_2
+    circumferential_force: float | None = _F_O
+    key_friction_force: float | None = _F_KEY
+    stop_reaction: float | None = _S
+    onset_torque: float | None = _ONSET
 
 
 class TorqueExtremes(Result):
@@ -51,6 +70,12 @@ class TorqueResult(Answer):
     torque_returning: Triple | None = quantity(
         "N*m", "T_ret", "slip torque, friction falling again from f_max under load", optional=True
     )
+    driving_torque: Triple | None = _T_1
+    driven_torque: Triple | None = _T_2
+    circumferential_force: Triple | None = _F_O
+    key_friction_force: Triple | None = _F_KEY
+    stop_reaction: Triple | None = _S
+    onset_torque: Triple | None = _ONSET
     torque_range: TorqueExtremes = quantity("", "", "extremes")
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor T_max/T_min")
@@ -74,7 +99,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
     asked = ("torque", "normal_force", "release_force", *(("travel",) if sleeve else ()))
 
     def state(*pair: Any) -> dict[str, Any]:
-        return {name: getattr(clutch, name)(*pair) for name in asked}
+        return {**{name: getattr(clutch, name)(*pair) for name in asked}, **shares(clutch, *pair)}
 
     # before all else: a report numbers the formulas in the order in which they run
     states = [state(*pair) for pair in zip(*clutch.friction, strict=True)]
@@ -96,6 +121,30 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         points=[FrictionPoint(**friction_fields(clutch, *pair), **state(*pair)) for pair in points] or None,
     )
     return result, [*clutch.findings(), *(remark for pair in points for remark in outside_range(clutch, *pair))]
+
+
+def shares(clutch: Clutch, friction: float, friction_driven: float | None) -> dict[str, Any]:
+    """Return what each group, the balls, the key and the stop bear of a slip, as far as the clutch has them.
+
+    F11: a torque too small for the balls is carried by the bypass pairs, pressed by the whole spring; only when it has
+    grown beyond that do the balls climb their walls, and the controlled pairs take their share.
+    """
+    result: dict[str, Any] = {}
+    force, sleeve, unit = clutch.normal_force(friction, friction_driven), clutch.sleeve, clutch.spec.control_unit
+    if clutch.bypass_pairs:
+        bypass = clutch.mean_radius, clutch.bypass_pairs, friction
+        result["driving_torque"] = direct.driving_torque(force, *bypass)
+        if clutch.spec.kind.controlled:
+            result["onset_torque"] = direct.onset_torque(clutch.closing_force, *bypass)
+    if clutch.spec.kind.controlled:
+        result["driven_torque"] = torque = clutch.ball_torque(friction, friction_driven)
+        if unit is not None and unit.ball_circle_radius is not None:
+            result["circumferential_force"] = direct.circumferential_force(torque, unit.ball_circle_radius)
+        if sleeve is not None:
+            key = sleeve.key_friction, sleeve.hub_diameter
+            result["key_friction_force"] = indirect.key_friction_force(torque, *key)
+            result["stop_reaction"] = sleeve.stop_reaction(friction)
+    return result
 
 
 def pairs_asked(clutch: Clutch, friction: Iterable[Pair]) -> list[Pair]:

@@ -36,16 +36,27 @@ FrictionOption = Annotated[
 
 
 @with_common
-def torque(spec: SpecArgument = None, friction: FrictionOption = None, *, common: Common) -> None:
+def torque(
+    spec: SpecArgument = None,
+    friction: FrictionOption = None,
+    details: Annotated[
+        bool, Option("--details", help="Also what each group, the balls, the key and the stop bear (JSON always).")
+    ] = False,
+    *,
+    common: Common,
+) -> None:
     """Torque, forces and accuracy over the friction range.
 
     \b
     afmcalc torque clutch.toml
     afmcalc torque clutch.toml --friction 0.15 --friction 0.25 --json
-    afmcalc torque clutch.toml --set control_unit.gain=0.8
+    afmcalc torque clutch.toml --details --set control_unit.gain=0.8
     """  # noqa: D301
+    from ..render.document import with_details
+
     points = [friction_of(text) for text in friction or ()]
-    common.calculate(common.clutch(spec), friction=points)
+    with with_details(details):
+        common.calculate(common.clutch(spec), friction=points)
 
 
 @with_common
@@ -75,17 +86,28 @@ def adjust(spec: SpecArgument = None, *, common: Common) -> None:
 
 
 @with_common
-def overload(spec: SpecArgument = None, sweep: SweepOption = None, plot: PlotOption = False, *, common: Common) -> None:
+def overload(
+    spec: SpecArgument = None,
+    friction: FrictionOption = None,
+    sweep: SweepOption = None,
+    plot: PlotOption = False,
+    *,
+    common: Common,
+) -> None:
     """Potential and actuation torque with a torque margin (S22).
+
+    At a friction asked for also the potential torque as the load rises from the machine's nominal torque up to slip.
 
     \b
     afmcalc overload clutch.toml
+    afmcalc overload clutch.toml --friction 0.3
     afmcalc overload clutch.toml --sweep zC=0.5:6:23
     afmcalc overload clutch.toml --sweep z1 --format csv
     """  # noqa: D301
     curve = curve_of(plot, sweep, common)
     clutch = common.clutch(spec)
-    common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch))
+    points = [friction_of(text) for text in friction or ()]
+    common.calculate(clutch, curve, sweeps=axes_of(sweep, clutch), friction=points)
 
 
 @with_common

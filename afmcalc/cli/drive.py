@@ -102,7 +102,7 @@ def heat(spec: SpecArgument = None, *, common: Common) -> None:
 
 @with_common
 def effects(spec: SpecArgument = None, *, common: Common) -> None:
-    """What the torque law neglects, in numbers: splines, sliding cams, centrifugal force, wear.
+    """What the torque law neglects, in numbers: splines, sliding cams, centrifugal force, weight, wear.
 
     \b
     afmcalc effects clutch.toml

@@ -345,6 +345,16 @@ class IndirectClutch(Clutch):
         gain = self.gain if self.straight else self.gain_at(self.travel(friction))
         return indirect.release_force(self.torque(friction, friction_driven), gain, self.mean_radius)
 
+    def stop_reaction(self, friction: Values) -> Values:
+        """Reaction S of the stop on the sleeve, N, friction rising; 0 once the sleeve has left it."""
+        return chosen(
+            self.is_seated(friction),
+            lambda: indirect.stop_reaction(
+                self.control_force, self.closing_force, self.torque(friction), self.net_gain, self.mean_radius
+            ),
+            lambda: 0.0,
+        )
+
     @property
     def travel_max(self) -> Values:
         """x_max at f_max, m."""

@@ -54,6 +54,16 @@ def conventional_accuracy_factor(
 
 
 @equation
+def mid_band_torque(torque_max: TorqueMax, torque_min: TorqueMin) -> Annotated[Number, "T_mid", "N*m"]:
+    """Torque at the middle of the scatter band, (T_min + T_max)/2.
+
+    Source: S19, conclusions.
+    Validity: Any variant.
+    """
+    return (torque_min + torque_max) / 2
+
+
+@equation
 def scatter_band(torque_max: TorqueMax, torque_min: TorqueMin) -> Scatter:
     """Torque scatter band, ΔT = T_max − T_min.
 

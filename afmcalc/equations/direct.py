@@ -181,6 +181,42 @@ def group_torque(
 
 
 @equation
+def driving_torque(
+    normal_force: NormalForce, mean_radius: MeanRadius, bypass_pairs: BypassPairs, friction_driving: FrictionDriving
+) -> Annotated[Number, "T_1", "N*m"]:
+    """Torque of the bypass pairs, T_1 = R z_1 f_1 N.
+
+    Source: F11 (2), (4).
+    Validity: Slipping pairs.
+    """
+    return group_torque(normal_force, mean_radius, bypass_pairs, friction_driving)
+
+
+@equation
+def onset_torque(
+    closing_force: ClosingForce, mean_radius: MeanRadius, bypass_pairs: BypassPairs, friction_driving: FrictionDriving
+) -> Annotated[Number, "T_1(0)", "N*m"]:
+    """Torque that the bypass pairs carry alone, before the balls take a share, T_1(0) = R z_1 f_1 F_п.
+
+    Source: F11, text of fig. 1 (the first torque is carried by the driving group alone), with (2) and N = F_п.
+    Validity: The balls have not been driven up their walls yet, so that nothing unloads the pack.
+    """
+    return group_torque(closing_force, mean_radius, bypass_pairs, friction_driving)
+
+
+@equation
+def circumferential_force(
+    torque: ControlledTorque, ball_circle_radius: BallCircleRadius
+) -> Annotated[Number, "F_o", "N"]:
+    """Circumferential force on all the balls, F_o = T_2/r.
+
+    Source: F11 (5); with (10) it is F_p/tan α.
+    Validity: All of T_2 passes the balls.
+    """
+    return torque / ball_circle_radius
+
+
+@equation
 def gain_limit_differentiated(bypass_pairs: BypassPairs, friction_driving_max: FrictionDrivingMax) -> GainLimit:
     """Gain above which the bypass pairs alone carry more than the regulated torque, 1/(z_1 f_1max).
 

@@ -92,6 +92,18 @@ def centrifugal_thrust(
 
 
 @equation
+def weight_on_pack(
+    pressure_disc_mass: PressureDiscMass, friction_discs_mass: FrictionDiscsMass, gravity: Gravity
+) -> Annotated[Number, "ΔN", "N"]:
+    """Weight that a pair bears with a vertical axis, in the mean of all pairs, g (m_н + m_д/2).
+
+    Source: S19, text of fig. 1 (the axis is horizontal there); handbook, chapter 13.
+    Validity: Splines without friction; exact where all pairs are controlled, else the mean of both groups.
+    """
+    return gravity * (pressure_disc_mass + friction_discs_mass / 2)
+
+
+@equation
 def force_lost_by_wear(stiffness: FollowingStiffness, pairs: Pairs, wear: PairWear) -> Annotated[Number, "ΔF", "N"]:
     """Spring force lost when every pair has worn, c_п z δ.
 

@@ -180,6 +180,34 @@ def release_force(torque: SlipTorque, gain: Gain, mean_radius: MeanRadius) -> Re
 
 
 @equation
+def key_friction_force(
+    torque: SlipTorque, key_friction: KeyFriction, hub_diameter: HubDiameter
+) -> Annotated[Number, "F_тр", "N"]:
+    """Friction force of the key on the sleeve, F_тр = 2 T f_1/d.
+
+    Source: S21 (3), (8).
+    Validity: The sleeve moves or is about to; all torque passes the key.
+    """
+    return 2 * torque * key_friction / hub_diameter
+
+
+@equation
+def stop_reaction(
+    control_force: ControlForce,
+    closing_force: ClosingForceAtStop,
+    torque: SlipTorque,
+    net_gain: NetGain,
+    mean_radius: MeanRadius,
+) -> Annotated[Number, "S", "N"]:
+    """Reaction of the stop on the sleeve that rests there, S = F_п2 − F_п1 − T κ/R_cp.
+
+    Source: S21 (1) with the force on the stop 10, which the paper takes as 0 at the setting; handbook, chapter 5.
+    Validity: S ≥ 0; the key at the limit of its friction. 0 once the sleeve has left its stop.
+    """
+    return control_force - closing_force - torque * net_gain / mean_radius
+
+
+@equation
 def accuracy_factor(
     friction_min: FrictionMin,
     friction_set: FrictionSet,

@@ -60,6 +60,18 @@ def potential_torque(
 
 
 @equation
+def potential_torque_risen(
+    potential_torque: PotentialTorque, loop_gain: LoopGain, risen_load: RisenLoad
+) -> Annotated[Number, "T'_п", "N*m"]:
+    """Potential torque under a load that has risen by ΔT above T_н.маш, T'_п = T_п − v ΔT.
+
+    Source: S22 (6), (9).
+    Validity: 0 ≤ ΔT ≤ ΔT', up to slip; the release force follows the load without lag.
+    """
+    return potential_torque - loop_gain * risen_load
+
+
+@equation
 def load_rise(potential_torque: PotentialTorque, machine_torque: MachineTorque, loop_gain: LoopGain) -> LoadRise:
     """Load rise until slip, ΔT' = (T_п − T_н.маш)/(1 + v).
 

@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import adjustment, direct, life
+from ..equations import accuracy, adjustment, direct, life
 from . import Refutation, Steps
 from .symbols import *
 
@@ -56,6 +56,11 @@ def bands_of_both_methods() -> Steps:
     yield Refutation("M6: printed (11)", (second - printed_11).subs(z1, 1))
     yield "ΔT_2/ΔT_1", adjustment.scatter_ratio(beta, _arm(fmin), _arm(fcp)) - second / first
     nominal = _torque(adjustment.force_ratio(_arm(fcp), _arm(fmin)) * F2, fmin)
+    own, other = (
+        accuracy.mid_band_torque(_torque(force, fmax), _torque(force, fmin))
+        for force in (beta * F2, adjustment.force_ratio(_arm(fcp), _arm(fmin)) * F2)
+    )
+    yield "the middles of the bands are in the same ratio", own / other - second / first
     yield "ΔT_2/ΔT_1 = T_min2/T_н", second / first - _torque(beta * F2, fmin) / nominal
 
 

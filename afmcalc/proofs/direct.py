@@ -26,9 +26,13 @@ def torque_law_from_the_balance() -> Steps:
     carried = direct.group_torque(normal, R, z2, f2)
     printed_8 = direct.group_torque(normal, R, z1, f1) + ball * r
     yield "M43: (7) in (8) is (9)", printed_8.subs(ball, carried / r) - R * (z1 * f1 + z2 * f2) * normal
+    around = direct.circumferential_force(carried, r)
+    yield "(5), (10): F_o = T_2/r = F_p/tan α", around - release.subs(C, gain) / t
     yield "(12) follows from (9)", direct.torque(F, R, z1, z2, gain, f1, f2) - torque
     yield "(2) + (6) is (12)", direct.group_torque(normal, R, z1, f1) + direct.group_torque(normal, R, z2, f2) - torque
     yield "T/F_п is the torque of one newton", direct.torque_per_force(R, z1, z2, gain, f1, f2) - torque / F
+    yield "(2), (4)", direct.driving_torque(normal, R, z1, f1) - R * f1 * z1 * (F - release)
+    yield "the first torque: N = F_п", direct.onset_torque(F, R, z1, f1) - R * f1 * z1 * F
     yield "a group's torque is R f z N", direct.group_torque(N, R, z1, f1) - R * f1 * z1 * N
     yield "z_1 + z_2 = z", z1 + direct.controlled_pairs(z, z1) - z
     yield "reduced gain", direct.reduced_gain(z2, C) - z2 * C

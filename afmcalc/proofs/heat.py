@@ -108,6 +108,17 @@ def cams_that_slide() -> Steps:
         yield "μ = 0: the law's own", law(sp.tan(angle), 0 * mu) - sp.tan(angle)
 
 
+def weight_with_a_vertical_axis() -> Steps:
+    """Each pair bears the discs between it and the spring: a spring heavier by their mean gives the same pack."""
+    number, disc, loaded = positive("k m_d N_1")
+    pressed = sp.summation(loaded + (number - 1) * disc * q, (number, 1, z))
+    torque = R * f * pressed
+    # the pressure disc: spring and its weight against pack and balls, F_p = T C/R
+    first = sp.solve(F + m * q - torque * C / R - loaded, loaded)[0]
+    added = effects.weight_on_pack(m, (z - 1) * disc, q)
+    yield "z − 1 discs between z pairs", torque.subs(loaded, first) - direct.torque(F + added, R, 0, z, C, f, f)
+
+
 def centrifugal_force_of_the_balls() -> Steps:
     """A ball thrown outward leans on both cones alike; each gives back the axial part of its normal force."""
     angle, ball = positive("alpha r_b")

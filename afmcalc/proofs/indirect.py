@@ -43,6 +43,8 @@ def setting_of_the_control_spring() -> Steps:
         indirect.gain_threshold(R, fk, d) + synthesis.net_gain_for_control_force(CONTROL, F, z, fset) - gain,
     )
     yield "(2), (13): F_p,min = z F_п1 C f_min", indirect.release_force(nominal, C, R) - z * F * C * fset
+    yield "(3), (8)", indirect.key_friction_force(nominal, fk, d) - 2 * nominal * fk / d
+    yield "S = 0 at T_н", indirect.stop_reaction(CONTROL, F, nominal, KAPPA, R)
     yield "F_p = T tan α/r", indirect.release_force(nominal, R * q / r, R) - nominal * q / r
 
 
@@ -55,6 +57,9 @@ def travel_and_torque_from_the_balance() -> Steps:
     yield "(11)", _torque(moved, f) - z * R * f * (F * c2 + F2 * c1) / printed_d
     normal = indirect.normal_force_moving(F, c1, F2, c2, _stiffness(f))
     yield "(9): N = F_п1 − c_1 x", normal - (F - c1 * moved)
+    key = indirect.key_friction_force(_torque(moved, f), fk, d)
+    balls = indirect.release_force(_torque(moved, f), C, R)
+    yield "(6) with (7), (8)", F - c1 * moved + balls - F2 - c2 * moved - key
     tensed = sleeve.tensed_force(F2, c2, moved)
     yield "(9), (10): N = F_2/(1 + zκf)", indirect.normal_force_balanced(tensed, z, KAPPA, f) - normal
     set_travel = _travel(CONTROL)
@@ -78,6 +83,7 @@ def sleeve_at_its_stop() -> Steps:
     moving = indirect.normal_force_moving(F, c1, CONTROL, c2, _stiffness(fset))
     yield "both branches meet at f_set", at_set - moving
     own = direct.group_torque(seated, R, z, f)
+    yield "S = F_п2 − F_п1 − T κ/R", indirect.stop_reaction(F2, F, own, KAPPA, R) - found[reaction]
     yield "a direct clutch with spring F_п2 and gain κ", own - direct.torque(F2, R, 0, z, KAPPA, f, f)
     yield "(10)", indirect.travel_as_made(F, F2, z, f, KAPPA, _stiffness(f)) - _travel(F2)
     yield Refutation("not an ordinary clutch with F_п1", seated.subs(F2, CONTROL) - F)

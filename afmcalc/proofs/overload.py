@@ -45,7 +45,7 @@ def potential_torque_from_the_shares() -> Steps:
     printed = z * F * R * f * (beta + (beta - 1) * z * C * fmin) / (beta * (1 + z * C * fmin))
     yield "(8); (5) at f_min", _all(POTENTIAL) - printed
     risen = _capacity(MACHINE + q, f)
-    yield "(6), (9): it falls by (z − z_1) C f ΔT", risen - (POTENTIAL - (z - z1) * C * f * q)
+    yield "(6), (9): it falls by (z − z_1) C f ΔT", risen - overload.potential_torque_risen(POTENTIAL, V, q)
 
 
 def potential_torque_without_margin() -> Steps:

@@ -1,6 +1,8 @@
 """One walk over a result: single values, triples, tables. Every format for people, CSV and the report write this."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import Any, NamedTuple
 
 from ..messages import translate
@@ -8,6 +10,17 @@ from ..result import OpenTriple, Result, Series, Shown, Triple, shown_as
 
 ENDS = ("min", "mean", "max")
 """Fields of a triple: at f_min, at the mean friction, at f_max."""
+_with_details = ContextVar("with_details", default=False)
+
+
+@contextmanager
+def with_details(asked: bool) -> Iterator[None]:
+    """Lay out what people get only when they ask for details, until the end of the block."""
+    before = _with_details.set(asked)
+    try:
+        yield
+    finally:
+        _with_details.reset(before)
 
 
 class Column(NamedTuple):
@@ -79,7 +92,7 @@ def _walk(
         if value is None and not type(result).model_fields[field.path.removeprefix(prefix)].is_required():
             continue
         label = f"{heading}: {field.name}" if heading else field.name
-        column = field._replace(symbol=indexed(field.symbol, index), name=label)
+        column = field._replace(symbol=indexed(field.symbol, index), name=label, hidden=_is_left_out(field))
         if isinstance(value, Triple | OpenTriple):
             into.triples.append(column._replace(values=[getattr(value, end) for end in ENDS], words=()))
         elif isinstance(value, Result):
@@ -95,7 +108,13 @@ def _walk(
             into.tables.append(table._replace(title=label, shown=column.shown, path=column.path))
             into.steps.extend(value if column.shown.steps else ())
         elif value != []:
-            into.singles.append(column._replace(hidden=hidden or column.shown.is_unit or column.words[0] == ""))
+            into.singles.append(
+                column._replace(hidden=hidden or column.hidden or column.shown.is_unit or column.words[0] == "")
+            )
+
+
+def _is_left_out(column: Column) -> bool:
+    return column.shown.details and not _with_details.get()
 
 
 def fields_of(records: Sequence[Result], prefix: str = "") -> list[Column]:
@@ -137,7 +156,7 @@ def _records(records: Sequence[Result]) -> Table:
                 for end in ENDS
             ]
         elif any(value is not None for value in column.values) or any(column.words):
-            columns.append(column)
+            columns.append(column._replace(hidden=_is_left_out(column)))
     return Table("", columns)
 
 

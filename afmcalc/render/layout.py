@@ -105,7 +105,7 @@ _LONG = 3
 
 def _table(table: Table) -> TextTable:
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
-    shown = [column for column in table.columns if not (long and column.shown.detail)]
+    shown = [column for column in table.columns if not (column.hidden or (long and column.shown.detail))]
     texts = [cells(column) for column in shown]
     meanings = [f"{native(column.symbol)}: {column.name}" for column in shown if column.symbol]
     return TextTable(

@@ -80,6 +80,7 @@ VariantName = Annotated[
 Method = Literal["min-friction", "mean-friction"]
 PocketShape = Literal["constant-torque"]
 Profiled = Literal["one", "both"]
+VerticalAxis = Literal["spring-above", "spring-below"]
 RadiusModel = Literal["uniform-wear", "uniform-pressure"]
 
 
@@ -177,6 +178,9 @@ class FrictionGroup(RuledBlock):
     spline_friction: Ratio | None = key("friction of the discs in their splines (effects only)", "μ_s")
     inner_spline_radius: Length | None = key("radius of the inner discs' splines (effects only)", "r_si")
     outer_spline_radius: Length | None = key("radius of the outer discs' splines (effects only)", "r_so")
+    vertical_axis: VerticalAxis | None = key("end of the pack that the spring is at; default horizontal (effects only)")
+    pressure_disc_mass: DiscMass | None = key("mass of the pressure disc (effects only)", "m_н")
+    discs_mass: Mass | None = key("mass of all friction discs of the pack (effects only)", "m_д")
 
     def broken_rules(self) -> Iterable[Broken]:
         """The outer radius is the greater one."""

@@ -41,6 +41,7 @@ _ONE_RADIUS = say("excludes friction_group.mean_radius: give mean_radius, or inn
 _ONE_MOTOR = say("excludes drive.motor: give a constant torque, or the motor's curve")
 _GROUPS = ("friction.driving", "friction.driven")
 _MEAN, _INNER, _OUTER = (f"friction_group.{name}_radius" for name in ("mean", "inner", "outer"))
+_WEIGHT = tuple(f"friction_group.{name}" for name in ("vertical_axis", "pressure_disc_mass", "discs_mass"))
 _GAIN, _ANGLE, _CIRCLE = "control_unit.gain", "control_unit.wall_angle", "control_unit.ball_circle_radius"
 _SLOPE, _POCKET, _PROFILED = "control_unit.gain_slope", "control_unit.pocket", "control_unit.profiled"
 _FORCE, _TORQUE = "closing_spring.force", "adjustment.nominal_torque"
@@ -61,6 +62,7 @@ _RULES = (
     *(_wrong(key, _ONE_RADIUS, _MEAN) for key in (_INNER, _OUTER, "friction_group.radius_model")),
     _wanted(_OUTER, _INNER, unless=(_MEAN,)),
     _wanted(_INNER, _OUTER, unless=(_MEAN,)),
+    *(_wanted(key, other) for key in _WEIGHT for other in _WEIGHT if key != other),
     _wanted(_MEAN, "friction_group.", unless=(_INNER, _OUTER), message=_RADII),
     _wrong(_ANGLE, say("excludes control_unit.gain: give gain, or wall_angle and ball_circle_radius"), _GAIN),
     _wanted(_CIRCLE, _ANGLE, unless=(_GAIN,)),

@@ -201,3 +201,38 @@ def test_wear_takes_the_force_of_the_spring_that_follows():
     # S21 (11) with the control spring 80 N weaker, the closing one as it was
     control, stiffness = 2000 * 1.8 - 80, 3e4 + 8 * 0.8 * 2e4
     assert worn.torque_low.max == pytest.approx(8 * 0.1 * 0.8 * (2000 * 1e4 + control * 2e4) / stiffness)
+
+
+WEIGHT = ("friction_group.pressure_disc_mass=4 kg", "friction_group.discs_mass=7 kg")
+
+
+@pytest.mark.parametrize(("axis", "sign"), [("spring-above", 1), ("spring-below", -1)])
+@pytest.mark.parametrize("name", ["all-driving", "indirect"])
+def test_weight_of_the_discs_pair_by_pair(name, axis, sign):
+    """Each pair bears the discs between it and the spring: the forces by bisection, as for splines."""
+    clutch = build(read_spec(f"example:{name}", (*WEIGHT, f"friction_group.vertical_axis={axis}")))
+    weight, between = sign * 9.80665 * 4, sign * 9.80665 * 7 / (clutch.spec.friction_group.pairs - 1)
+    bare = build(read_spec(f"example:{name}"))
+
+    def forces(first, frictions, _):
+        # the pressure disc lies on the first pair: spring and balls press with ``first``
+        return [first + weight + number * between for number in range(len(frictions))]
+
+    result, effect, _ = one(clutch, "weight")
+    for end in ("min", "max"):
+        friction = getattr(clutch.friction[0], end)
+        low, high = (getattr(torque, end) for torque in (effect.torque_low, effect.torque_high))
+        assert (low if sign > 0 else high) == pytest.approx(getattr(result.torque, end))
+        wanted = pressed(bare, forces, friction, friction, None)
+        assert (high if sign > 0 else low) == pytest.approx(wanted, rel=1e-9)
+
+
+def test_weight_is_told_whole_and_less_than_the_spring():
+    with pytest.raises(SpecError, match="friction_group.discs_mass"):
+        base("friction_group.vertical_axis=spring-above", WEIGHT[0])
+    with pytest.raises(SpecError, match="friction_group.vertical_axis"):
+        base(*WEIGHT)
+    with pytest.raises(SpecError, match="spring-above"):
+        base(*WEIGHT, "friction_group.vertical_axis=up")
+    heavy = base("friction_group.pressure_disc_mass=300", WEIGHT[1], "friction_group.vertical_axis=spring-below")
+    assert "force-used-up" in {each.code for each in effects(heavy)[1]}
