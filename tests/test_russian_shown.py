@@ -193,7 +193,7 @@ def test_the_report_has_the_form_of_a_calculation(page_of):
 NO_SENTENCE = (
     "module {} has", "<{} clutch of", "afmcalc ", "friction.driving + ",  # for programs and names
     "Input should be", "Value error, ", "Cannot overwrite",  # what libraries say
-    "bold red", "upper left", "offset points", "Glyph|constrained",  # what they take
+    "bold red", "upper left", "offset points", "Glyph|constrained", "<div class=",  # what they take
     "ordinary friction safety", "Werner's clutch", "all torque passes", "the release force moves",  # of the API
     "{count} driving pairs", "Carslaw", "Finkin", "DIN EN ", "EN 13906-1", "N kN MN", "mm cm m", "deg rad", "MPa kPa", "rpm rad",
 )  # fmt: skip
