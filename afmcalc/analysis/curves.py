@@ -56,6 +56,9 @@ class AccuracyCurve(ClutchCurve):
     """Accuracy over one key; where on it the clutch is, and its gain limit, as far as the key has them."""
 
     series: AccuracySweep = described("accuracy over the key")
+    about: str = described("what it is")
+    symbol: str = described("symbol")
+    unit: str = described("SI unit")
     own: float | None = described("what the clutch has of the key", optional=True)
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor of the clutch as it is")
     limit: float | None = described("gain limit, as the key is called", optional=True)
@@ -138,6 +141,9 @@ def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
         name=clutch.spec.name,
         variant=clutch.spec.variant,
         series=swept,
+        about="reduced gain" if axis.name == "zC" else axis.key.description,
+        symbol="zC" if axis.name == "zC" else axis.key.symbol or "",
+        unit=axis.key.unit or "1",
         own=current,
         accuracy_factor=clutch.accuracy_factor,
         limit=None if limit is None else limit / axis.scale,

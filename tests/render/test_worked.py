@@ -201,6 +201,10 @@ CLOSED = {
     "all-driving overload.accuracy_factor_actual": published(5.0) * 2.4,
     "shishkarev2022-fig4 overload.actuation_factor.max": published(1.6),
     "constant-torque accuracy.accuracy_factor": 1.0,
+    "default torque.onset_torque.min": 1 * 0.1 * 0.1 * 2000,
+    # n 1, p 1.2, m 6, z_1 1, z_2 6, C 1.25: (18) and (22) as mended
+    "unlike-materials accuracy.slope_in_ratio_max": 6 * 6 * (1 + 7.5 * 0.12) * (1 - 1.25 * 0.6) / (8.2 * 5.5**2),
+    "unlike-materials accuracy.slope_in_ratio_min": 6 * 6 * 7 * (1.25 * 0.1 - 1) / (8.2**2 * 5.5),
 }
 CLOSED |= {
     f"{example} torque.friction.{end}": friction

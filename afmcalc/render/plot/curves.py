@@ -3,9 +3,8 @@
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from ...analysis.sweep.ratios import RATIOS
 from ...messages import joined, named, term, told, translate
-from ...spec.keys import is_whole, keys
+from ...spec.keys import is_whole
 from ..units import display
 from .chart import Area, Chart, ChartAxis, Dimension, Guide, Line, Sheet, axis_of, guide_at, line_of, power, stated
 
@@ -52,12 +51,8 @@ def torque(curves: "Sequence[TorqueCurve]") -> Sheet:
 
 def accuracy(curves: "Sequence[AccuracyCurve]") -> Sheet:
     """K_т over the gain, or over the key asked for; of one clutch also what it is and where its limit lies."""
-    swept, y = curves[0].series, axis_of(curves[0].series, "accuracy_factor")
-    if swept.parameter == "zC":
-        x = ChartAxis(translate("reduced gain"), "zC")
-    else:
-        key = RATIOS[swept.parameter].key(swept.parameter) if swept.parameter in RATIOS else keys()[swept.path]
-        x = ChartAxis(translate(key.description).partition(";")[0], key.symbol or "", key.unit or "1")
+    y = axis_of(curves[0].series, "accuracy_factor")
+    x = ChartAxis(translate(curves[0].about).partition(";")[0], curves[0].symbol, curves[0].unit)
     title = told("Accuracy factor K_т against {quantity} {symbol}", quantity=x.quantity, symbol=x.symbol).rstrip()
     if len(curves) > 1:
         lines = [
