@@ -11,7 +11,7 @@ from .calls import equation
 from .terms import *
 
 RECOMMENDED_REDUCED_GAIN = 5
-"""Largest zC of an all-driving clutch (S22, after its reference [4])."""
+"""Largest zC of an all-driving clutch (S22, after (6), from its reference [4])."""
 
 
 @equation
@@ -230,7 +230,7 @@ def gain_limit_differentiated(bypass_pairs: BypassPairs, friction_driving_max: F
 def gain_limit_all_driving(pairs: Pairs) -> GainLimit:
     """Recommended largest gain of the all-driving clutch, from zC ≤ 5.
 
-    Source: S22, after its reference [4].
+    Source: S22, after (6), from its reference [4].
     Validity: z_1 = 0. A recommendation, not a law.
     """
     return RECOMMENDED_REDUCED_GAIN / pairs
