@@ -75,7 +75,8 @@ def test_nothing_breaks_it(afmcalc, request, monkeypatch):
     asked = request.config.getoption("--fuzz")
     if not asked:
         monkeypatch.setattr("afmcalc.drive.trip.MOST_STEPS", 2000)  # the same refusal, sooner
-    afmcalc("simulate")  # what the first event imports is no part of the time of any
+    for lasting in ("simulate", "handbook"):  # what they import and draw first is no part of the time of a case
+        afmcalc(lasting)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
     @settings(
@@ -88,8 +89,9 @@ def test_nothing_breaks_it(afmcalc, request, monkeypatch):
     @given(CASES)
     def whatever_is_given(case):
         began = time.process_time()
-        # with its refusals as they are an integration may last
-        slow = LASTING if asked and case.arguments[:1] in (["simulate"], ["heat"]) else 1
+        # with its refusals as they are an integration may last; the handbook is every formula and figure there is
+        lasts = case.arguments[:1] == ["handbook"] or (asked and case.arguments[:1] in (["simulate"], ["heat"]))
+        slow = LASTING if lasts else 1
         try:
             with at_most(10 * slow):
                 run = afmcalc(*case.arguments, stdin=case.stdin)
