@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 from conftest import Run, several
 from hostile import CASES
-from hypothesis import HealthCheck, given, settings
+from hypothesis import HealthCheck, Phase, given, settings
 
 SECONDS = 2.0
 LASTING = 60
@@ -85,13 +85,14 @@ def test_nothing_breaks_it(afmcalc, request, monkeypatch):
         suppress_health_check=list(HealthCheck),
         database=None,
         print_blob=False,
+        phases=set(Phase) - {Phase.explain},  # it traces, and what is traced is slow
     )
     @given(CASES)
     def whatever_is_given(case):
         began = time.process_time()
-        # with its refusals as they are an integration may last; the handbook is every formula and figure there is
-        lasts = case.arguments[:1] == ["handbook"] or (asked and case.arguments[:1] in (["simulate"], ["heat"]))
-        slow = LASTING if lasts else 1
+        # an event is a second of two processors, and more with its refusals as they are; the handbook is all there is
+        events, whole = case.arguments[:1] in (["simulate"], ["heat"]), case.arguments[:1] == ["handbook"]
+        slow = LASTING if whole or (asked and events) else 5 if events else 1
         try:
             with at_most(10 * slow):
                 run = afmcalc(*case.arguments, stdin=case.stdin)
