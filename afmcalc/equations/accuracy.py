@@ -59,6 +59,9 @@ def mid_band_torque(torque_max: TorqueMax, torque_min: TorqueMin) -> Annotated[N
 
     Source: S19, conclusions.
     Validity: Any variant.
+
+    >>> mid_band_torque(300.0, 100.0)
+    200.0
     """
     return (torque_min + torque_max) / 2
 
