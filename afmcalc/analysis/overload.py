@@ -48,7 +48,9 @@ class RisenLoad(Result):
     friction: float = quantity("1", "f", "coefficient of friction")
     rise: float = quantity("N*m", "ΔT", "rise of the load above T_н.маш")
     load: float = quantity("N*m", "T_н.маш + ΔT", "load")
-    potential_torque: float = quantity("N*m", "T'_п", "potential torque under it, S22 (6), (9); at slip it is the load")
+    potential_torque: float = quantity(
+        "N*m", "T_п(ΔT)", "potential torque under it, S22 (6), (9); at slip it is the load"
+    )
 
 
 class OverloadResult(Answer):

@@ -44,10 +44,10 @@ def is_json_spec(output: str) -> bool:
 
 
 def html_only(output: str | None) -> None:
-    """Refuse a name that says a report is something else."""
+    """Refuse a name that says a page is something else."""
     if _ending(output) in {*_FORMATS, *_OTHERS} - {".html", ".htm"}:
         raise AfmcalcError(
-            "--output {output}: a report is HTML; --output {stem}.html --pdf writes {stem}.pdf beside it",
+            "--output {output}: this page is HTML; --output {stem}.html --pdf writes {stem}.pdf beside it",
             output=output,
             stem=os.path.splitext(output or "")[0],
         )

@@ -102,7 +102,7 @@ def _write(common: Common, render: Callable[[], str], *, spec: str | None = None
     target = browser = None
     if pdf:
         if output in (None, "-"):
-            raise AfmcalcError("--pdf prints beside the HTML file: give it with -o report.html")
+            raise AfmcalcError("--pdf prints beside the HTML file: name that with -o FILE.html")
         target, browser = f"{os.path.splitext(output)[0]}.pdf", find_browser()
     refuse(output, target, force=common.force, inputs=[spec])
     with common.bar() as bar:

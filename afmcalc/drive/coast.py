@@ -5,6 +5,7 @@ freely about its twist, and the motor side runs down alone, which is one smooth 
 back as the slip slows down, and nothing swings, shaft and driven half follow the torque of the pack.
 """
 
+import cmath
 import math
 from collections.abc import Callable
 from typing import NamedTuple
@@ -12,7 +13,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.polynomial import chebyshev
 from scipy.integrate import solve_ivp
-from scipy.linalg import expm
 
 from ..arrays import Floats, Values
 from .plant import DRIVEN, NORMAL, SIZE, TWIST, Mode, Plant, State, V
@@ -146,9 +146,8 @@ def _far(plant: Plant, t: float, y: State, mode: Mode, bound: float, glide: Glid
     time, endless = float(run.t[-1]), lasting and bool(run.t_events[2].size)
     if time - t < shortest and not endless:
         return None
-    turning = np.array([[0.0, natural], [-natural, -train.damping / inertia]])
-    swing = glide.swing
-    stretch, moved = (expm(turning * (time - t)) @ swing).tolist()
+    swing, loss = glide.swing, train.damping / (2 * inertia)
+    stretch, moved = (_swung(natural, loss, time - t) @ swing).tolist()
     (slip, *works, _), new = run.y[:, -1].tolist(), list(y)
     _, driven, twist, _ = glide.path(slip)
     new[DRIVEN], new[TWIST] = way * (driven + moved / scale), way * (twist + stretch / train.stiffness)
@@ -162,7 +161,7 @@ def _far(plant: Plant, t: float, y: State, mode: Mode, bound: float, glide: Glid
     turns = np.zeros((times.size, 2))
     if swing.any():
         part, seen = 2 * math.pi / natural / _SHOWN, [swing]
-        step = expm(turning * part)
+        step = _swung(natural, loss, part)
         for _ in range(min(int((time - t) / part), _SWINGS * _SHOWN)):
             seen.append(step @ seen[-1])
         rest = np.linspace(part * len(seen), max(part * len(seen), time - t), _SHOWN)
@@ -173,6 +172,14 @@ def _far(plant: Plant, t: float, y: State, mode: Mode, bound: float, glide: Glid
     torques = way * drag(slips) + 0.0 * slips
     course = np.stack([times, torques, way * (slips - turns[:, 1] / scale), heats], axis=1)
     return Stride(time, new, endless, [Heating(*row) for row in course.tolist()])
+
+
+def _swung(natural: float, loss: float, time: float) -> Floats:
+    """What a swing is after a time: exp(A t) of A = [[0, ω], [−ω, −2δ]], however strong the damping."""
+    root = cmath.sqrt(loss**2 - natural**2)
+    slow, fast = cmath.exp((root - loss) * time), cmath.exp((-root - loss) * time)
+    even, odd = (slow + fast).real / 2, ((slow - fast) / (2 * root)).real if root else time * slow.real
+    return even * np.eye(2) + odd * np.array([[loss, natural], [-natural, -loss]])
 
 
 def _steady(plant: Plant, t: float, y: State, mode: Mode, largest: float) -> Glide | None:

@@ -62,8 +62,8 @@ def potential_torque(
 @equation
 def potential_torque_risen(
     potential_torque: PotentialTorque, loop_gain: LoopGain, risen_load: RisenLoad
-) -> Annotated[Number, "T'_п", "N*m"]:
-    """Potential torque under a load that has risen by ΔT above T_н.маш, T'_п = T_п − v ΔT.
+) -> Annotated[Number, "T_п(ΔT)", "N*m"]:
+    """Potential torque under a load that has risen by ΔT above T_н.маш, T_п(ΔT) = T_п − v ΔT.
 
     Source: S22 (6), (9).
     Validity: 0 ≤ ΔT ≤ ΔT', up to slip; the release force follows the load without lag.

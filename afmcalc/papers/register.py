@@ -25,7 +25,7 @@ class Formula(Result):
     printed: str | None = described("printed", detail=True)
     correct: str | None = described("should be", detail=True)
     covered_by: str | None = described("covered by", detail=True)
-    not_reached: str | None = described("no command calculates it, as it is", optional=True, detail=True)
+    not_reached: str | None = described("why no command calculates it", optional=True, detail=True)
 
 
 class Misprint(Result):

@@ -11,6 +11,7 @@ from conftest import CONFIGS
 
 from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.dossier import dossier
+from afmcalc.analysis.figures import Request, gathered
 from afmcalc.analysis.registry import ANALYSES, PLOTS
 from afmcalc.analysis.tolerance.study import study
 from afmcalc.cli.main import COMMANDS
@@ -134,6 +135,14 @@ def test_every_record_finds_its_parts(name):
     assert callable(getattr(import_module(f"afmcalc.cli.{COMMANDS[name]}"), name))
 
 
-@pytest.mark.parametrize("name", PLOTS)
-def test_every_plot_is_laid_out(name):
+@pytest.mark.parametrize("name", sorted(set(PLOTS) - {"paper", "pareto"}))
+def test_every_plot_of_a_clutch_is_gathered_and_drawn(name):
+    weighed = [
+        "friction_group.vertical_axis=spring-above",
+        "friction_group.discs_mass=2",
+        "friction_group.pressure_disc_mass=1",
+    ]
+    spec = read_spec(CONFIGS / ("drive.toml" if name == "simulate" else "tolerance.toml"), weighed)
+    drawn = gathered(name, Request([Answers(build(spec))]))
     assert callable(getattr(import_module(f"afmcalc.render.plot.{_HOMES.get(name, 'curves')}"), name))
+    assert drawn

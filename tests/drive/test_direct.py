@@ -8,9 +8,10 @@ import pytest
 from conftest import several
 from drives import VARIANTS, begun, clutch, light, merged, plant, run
 from scipy.integrate import trapezoid
+from scipy.linalg import expm
 
 from afmcalc.drive.cases import case_of, outcome_of, peak_time
-from afmcalc.drive.coast import creeping
+from afmcalc.drive.coast import _swung, creeping
 from afmcalc.drive.plant import Mode
 from afmcalc.drive.train import Engine
 from afmcalc.equations import drive as law
@@ -122,6 +123,14 @@ def test_a_motor_as_strong_as_the_clutch_never_stops():
     assert cut.trip.ended
     speed = 15 + 1.0 * 0.5 / 1.0
     assert cut.trip.heat == pytest.approx(200 * 15 * 0.5 + heat.run_down_energy(1.0, speed, 200, 0), rel=0.02)
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.02, 1.0, 3.0])
+def test_a_swing_after_a_time(ratio):
+    natural, time = 3340.0, 1e-3
+    turning = np.array([[0.0, natural], [-natural, -2 * ratio * natural]])
+    assert _swung(natural, ratio * natural, time) == pytest.approx(expm(turning * time), rel=1e-9, abs=1e-12)
+    assert abs(_swung(natural, ratio * natural, 10.0)).max() <= 1  # for long, and stiff: no overflow
 
 
 def test_slow_slip_takes_static_friction_back(monkeypatch):

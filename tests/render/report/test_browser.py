@@ -122,7 +122,7 @@ def test_the_command_prints_beside_the_page(afmcalc, monkeypatch, tmp_path):
 
 
 def test_pdf_refusals(afmcalc, monkeypatch, tmp_path):
-    assert "-o report.html" in afmcalc("report", "--pdf").err
+    assert "-o FILE.html" in afmcalc("report", "--pdf").err
     assert "x.html --pdf" in afmcalc("report", "--pdf", "-o", "x.pdf").err
     monkeypatch.setenv("PATH", str(tmp_path))
     run = afmcalc("report", "--pdf", "-o", tmp_path / "x.html")
