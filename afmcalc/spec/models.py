@@ -458,9 +458,7 @@ class Fatigue(Block):
     )
 
 
-class Required(RuledBlock):
-    """What a clutch is to hold; each key is a row of ``check`` and of the report."""
-
+class _OfTheClutch(RuledBlock):
     nominal_torque: Torque | None = key("nominal torque of the clutch, at least", "T_н")
     machine_torque: Torque | None = key(
         "nominal torque of the machine, at least: the clutch's over the margin", "T_н.маш"
@@ -472,6 +470,11 @@ class Required(RuledBlock):
     surface_pressure: Stress | None = key("mean surface pressure at rest, at most; needs both radii", "p")
     travel: Length | None = key("largest travel of the sleeve, at most (indirect)", "x_max")
     reduced_gain: Ratio | None = key("reduced gain, at most", "z_2 C")
+
+
+class OfService(RuledBlock):
+    """What a clutch is to hold in service: ``check`` judges it, ``design`` requires it."""
+
     peak_torque: Torque | None = key("peak torque in the shaft, at most (simulate)", "T_peak")
     exceedance: Probability | None = key("probability that the torque exceeds T_max, at most (tolerance)", "P(T>T_max)")
     work: SpecificWork | None = key("specific work of a trip, at most (heat)", "q_A")
@@ -482,8 +485,12 @@ class Required(RuledBlock):
 
     def broken_rules(self) -> Iterable[Broken]:
         """A probability is one of a torque."""
-        if self.exceedance is not None and self.torque_max is None:
-            yield "torque_max", say("required beside {other}", other="requirements.exceedance")
+        if self.exceedance is not None and getattr(self, "torque_max", None) is None:
+            yield "torque_max", say("required beside {other}", other="exceedance")
+
+
+class Required(OfService, _OfTheClutch):
+    """What a clutch is to hold; each key is a row of ``check`` and of the report."""
 
 
 def _as_text(value: object) -> object:

@@ -25,12 +25,16 @@ from .models import (
     AtLeastOne,
     Contact,
     Count,
+    Drive,
+    Fatigue,
     FileBlock,
     Force,
     Friction,
     Gap,
+    Heat,
     Length,
     Method,
+    OfService,
     PocketShape,
     Profiled,
     Ratio,
@@ -45,6 +49,7 @@ from .parse import text_of
 from .problems import validated
 from .read import data_of
 from .rules import Table
+from .tolerance import Tolerance
 
 if TYPE_CHECKING:
     import numpy as np
@@ -177,7 +182,7 @@ Objective = Literal[
 _GAIN_LIMITS = ", ".join(dict.fromkeys(variant.gain_limit.rule for variant in VARIANTS.values() if variant.gain_limit))
 
 
-class Wanted(RuledBlock):
+class Wanted(OfService):
     """What the clutch must do."""
 
     nominal_torque: Torque | None = key("nominal torque of the clutch", "T_н")
@@ -185,6 +190,7 @@ class Wanted(RuledBlock):
         "nominal torque of the machine, instead: with min-friction the clutch's is margin times it", "T_н.маш"
     )
     accuracy_factor: AtLeastOne | None = key("largest K_т allowed", "K_т")
+    accuracy_factor_hysteresis: AtLeastOne | None = key("largest K_т,h allowed, under a load that lasts", "K_т,h")
     torque_max: Torque | None = key("largest torque allowed", "T_max")
     method: Method = key("friction at which the nominal torque is set", default="min-friction")
     margin: AtLeastOne = key(
@@ -195,6 +201,7 @@ class Wanted(RuledBlock):
 
     def broken_rules(self) -> Iterable[Broken]:
         """The torque of the clutch or that of the machine is given."""
+        yield from super().broken_rules()
         if (self.nominal_torque is None) == (self.machine_torque is None):
             yield "nominal_torque", say("required: nominal_torque of the clutch or machine_torque, one of them")
 
@@ -300,6 +307,10 @@ class Requirements(FileBlock, RuledBlock):
     search: Search
     fixed: Fixed = Field(default_factory=Fixed)
     limits: Limits = Field(default_factory=Limits)
+    drive: Drive | None = None
+    fatigue: Fatigue | None = None
+    heat: Heat | None = None
+    tolerance: Tolerance | None = None
 
     @property
     def contact(self) -> Contact | None:

@@ -146,6 +146,9 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         "adjustment": {"method": need.wanted.method, "margin": need.wanted.margin},
         "requirements": required | limits.model_dump(exclude_none=True, include=limited),
     }
+    for block in ("drive", "fatigue", "heat", "tolerance"):  # as they stand in the file
+        if (values := getattr(need, block)) is not None:
+            data[block] = values.model_dump(exclude_none=True)
     if row.ball_circle_radius is not None:
         sleeve, curve = row.closing_stiffness is not None, row.gain_slope is not None
         unit = {
