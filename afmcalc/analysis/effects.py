@@ -41,6 +41,11 @@ class Effect(Result):
     accuracy_factor_low: float = quantity("1", "K_low", "smaller accuracy factor")
     accuracy_factor_high: float = quantity("1", "K_high", "larger accuracy factor")
 
+    @property
+    def torque_least(self) -> float:
+        """Smallest slip torque, N·m."""
+        return min(getattr(self.torque_low, end) for end in ENDS)
+
 
 class EffectsResult(Answer):
     """The law's torque, and what each effect makes of it."""
@@ -48,6 +53,13 @@ class EffectsResult(Answer):
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor by the law")
     torque: Triple = quantity("N*m", "T", "slip torque by the law")
     effects: list[Effect] = described("effects the law neglects")
+
+
+def torque_after_wear(clutch: Clutch, result: EffectsResult) -> float | None:
+    """Least torque of a pack whose lining is gone, N·m: 0 where that takes all of the force; None: not told."""
+    if SOURCES["wear"].missing(clutch):
+        return None
+    return next((effect.torque_least for effect in result.effects if effect.effect == "wear"), 0.0)
 
 
 class EffectCurve(Result):
@@ -185,7 +197,7 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
         elif abs(change) > NOTICEABLE:
             yield finding("effect-on-torque", "warning", value=change, limit=NOTICEABLE, path=path, effect=words)
         if effect.effect == "wear":
-            worn = min(getattr(effect.torque_low, end) for end in ENDS)
+            worn = effect.torque_least
             machine, nominal = float(clutch.machine_torque), float(clutch.nominal_torque)
             if worn < machine * (1 - 1e-12):
                 yield finding("worn-below-machine", "warning", value=worn, limit=machine, path=path)

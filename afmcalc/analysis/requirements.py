@@ -87,6 +87,18 @@ def _cycles(clutch: Clutch, result: Any) -> float:
     return min((math.inf if life is None else life for life in lives), default=math.inf)
 
 
+def _trips(clutch: Clutch, result: Any) -> float | None:
+    """Trips per hour at the friction that allows the fewest; a slip without heat allows any number."""
+    told = result.trips_per_hour
+    return told and min((trips for trips in vars(told).values() if trips is not None), default=math.inf)
+
+
+def _torque_after_wear(clutch: Clutch, result: Any) -> float | None:
+    from .effects import torque_after_wear
+
+    return torque_after_wear(clutch, result)
+
+
 JUDGED: dict[str, Judged] = {
     "nominal_torque": Judged("torque", lambda clutch, result: result.nominal_torque, least=True),
     "machine_torque": Judged("torque", lambda clutch, result: result.machine_torque, least=True),
@@ -116,6 +128,19 @@ JUDGED: dict[str, Judged] = {
         "synthesize",
         lambda clutch, result: result.contact_pressure,
         needs="control_unit.balls and control_unit.ball_circle_radius",
+    ),
+    "trips_per_hour": Judged(
+        "heat",
+        _trips,
+        least=True,
+        open=lambda result: None in vars(result.energy).values(),
+        needs="[drive], [heat] with cooling and ambient, and a limit: requirements.temperature or a material",
+    ),
+    "torque_after_wear": Judged(
+        "effects",
+        _torque_after_wear,
+        least=True,
+        needs="heat.lining and the stiffness of the spring",
     ),
     "cycles": Judged("life", _cycles, least=True, needs="[fatigue]"),
 }

@@ -480,7 +480,13 @@ class OfService(RuledBlock):
     work: SpecificWork | None = key("specific work of a trip, at most (heat)", "q_A")
     temperature: Temperature | None = key("mean temperature of the discs after one trip, at most (heat)", "Θ")
     face_temperature: Temperature | None = key("largest temperature of the faces in one trip, at most (heat)", "Θ_s")
+    trips_per_hour: Coefficient | None = key(
+        "trips per hour, mean temperature of the discs at its limit, at least (heat)", "ν"
+    )
     contact_pressure: Stress | None = key("largest contact pressure of ball and wall, at most (synthesize)", "p_0")
+    torque_after_wear: Torque | None = key(
+        "least torque in service with the lining worn off, springs as set, at least (effects)", "T_w"
+    )
     cycles: Coefficient | None = key("life in cycles on either side of the clutch, at least", "N_ц")
 
     def broken_rules(self) -> Iterable[Broken]:
