@@ -224,14 +224,16 @@ def compare(*clutches: Clutch | str | PathLike[str], variants: bool = False) -> 
     return _answered("compare", compared[0].spec, *answer)
 
 
-def design(requirements: str | PathLike[str] | Mapping[str, object], *, pick: int | None = None) -> "DesignResult":
+def design(
+    requirements: str | PathLike[str] | Mapping[str, object], *, pick: int | str | None = None
+) -> "DesignResult":
     """All that nothing else beats, of what meets the requirements: a file's, or plain data of the same structure.
 
-    With ``pick`` that number of the front gets round figures: ``Clutch(answer.spec)``.
+    With ``pick`` that number of the front, or its ``"knee"``, gets round figures: ``Clutch(answer.spec)``.
 
     Raises:
         SpecError: the requirements are invalid.
-        AfmcalcError: more candidates than are searched; no such number.
+        AfmcalcError: more candidates than are searched; no such number, or no knee.
     """
     from .analysis.design.pick import with_picked
     from .spec.requirements import make_requirements, read_requirements

@@ -54,6 +54,8 @@ class Shown:
     """A list for programs: CSV writes it, people are spared it."""
     across: bool = False
     """Whether people see the records of a list side by side, quantities as rows."""
+    folds: bool = False
+    """Whether a table tells what is the same in all of its rows once, in a line above it."""
     by: str = ""
     """Field of the records whose every value gets a table of its own, for people."""
     ranked: bool = False

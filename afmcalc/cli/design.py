@@ -79,12 +79,14 @@ def design(
         str, Argument(metavar="REQUIREMENTS", help="TOML or JSON file of what is wanted, - for standard input.")
     ],
     pick: Annotated[
-        int | None, Option(metavar="N", help="Take number N of the front as a spec; --output writes it.")
+        str | None, Option(metavar="N|knee", help="Take this clutch of the front as a spec; --output writes it.")
     ] = None,
     top: Annotated[
-        int | None, Option(metavar="N", min=1, help="Show so many of the front.  [default: 30 in tables]")
+        int | None, Option(metavar="N", min=1, help="Show so many of the front.  [default: 40 in tables]")
     ] = None,
-    sort: Annotated[str | None, Option(metavar="OBJECTIVE", help="Show the front by this, least first.")] = None,
+    sort: Annotated[
+        str | None, Option(metavar="QUANTITY", help="Show the front by this, least first: any number of its rows.")
+    ] = None,
     *,
     common: Common,
 ) -> None:
@@ -93,35 +95,39 @@ def design(
     An example is written by afmcalc init --kind requirements. A number of the front means the same clutch in the table,
     the CSV, the plot and for --pick, however the table is sorted. Between the points of a range every objective is made
     as small as it goes; with closing_forces or a curved pocket the front is that of the points. With --pick a clutch
-    gets round figures that hold every limit, and is calculated again with them; --output FILE gets it as a spec that
-    passes a check.
+    gets round figures that hold every limit, is calculated again with them and shown alone, with what a check says of
+    its requirements and limits; --output FILE gets it as a spec that passes a check.
 
     \b
     afmcalc design requirements.toml --sort accuracy_factor --top 10
     afmcalc design requirements.toml --pick 3 --output clutch.toml
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
-    from ..analysis.design.design import check_objective, shown
+    from ..analysis.design.design import check_sort, shown
     from ..analysis.design.pick import with_picked
     from ..spec import resolved
     from ..spec.requirements import read_requirements
 
     common.keep(requirements, spec=pick is not None)
-    check_objective(sort)
+    check_sort(sort)
     need = read_requirements(requirements, common.set or ())
     result, findings = common.ask(need)
     printed = common if pick is None else common.to_standard_output()
     spec = None
     if pick is not None and result.front:
-        result, chosen = with_picked(need, result, pick)
+        with common.bar():
+            result, chosen = with_picked(need, result, pick)
         spec = resolved(chosen)
-    if top is None and printed.chosen_format in ("table", "markdown") and result.on_front > _IN_TABLES:
-        top = _IN_TABLES
-        common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=result.on_front))
+    if top is None and printed.chosen_format in ("table", "markdown"):
+        if spec:
+            top = 0
+        elif result.on_front > _IN_TABLES:
+            top = _IN_TABLES
+            common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=result.on_front))
     empty = [finding for finding in findings if finding.code == "no-candidate"]
     if printed.chosen_format != "json":  # there it is the error below
         findings = [finding for finding in findings if finding not in empty]
-    printed.emit(shown(result, sort, top, pick), findings, spec)
+    printed.emit(shown(result, sort, top), findings, spec)
     if empty:
         raise AfmcalcError(empty[0].message)
     if spec and common.output:
@@ -129,5 +135,5 @@ def design(
         common.write_spec(spec, about, say("wrote number {pick} to {output}", pick=pick, output=common.output))
 
 
-_IN_TABLES = 30
+_IN_TABLES = 40
 """Clutches of a front that a table shows unasked."""

@@ -99,6 +99,8 @@ def _walk(
             inner_index = column.shown.symbol or ""
             _walk(value, into, column.path + ".", label, inner_index, hidden or column.words[0] == "")
         elif isinstance(value, dict):
+            if not value:
+                continue
             keys = sorted(value, key=lambda key: -abs(value[key])) if column.shown.ranked else list(value)
             heads = Column(f"{column.path}.key", "", translate(column.shown.keys_are), "", keys)
             figures = column._replace(values=[value[key] for key in keys], words=())

@@ -6,7 +6,7 @@ from itertools import compress
 from typing import Any, NamedTuple
 
 from ..findings import Finding
-from ..messages import named, printable, term, told, translate
+from ..messages import named, printable, term, told, translate, with_unit
 from ..result import Output
 from .document import Column, Document, Table
 from .symbols import native
@@ -23,7 +23,7 @@ class TextTable(NamedTuple):
     """Whether each column is set flush right."""
     source: Table | None = None
     legend: str = ""
-    """What the symbols in the header mean."""
+    """Line above the table: what the symbols in the header mean, or what is the same in all rows."""
 
 
 SweepDrawing = Callable[[TextTable, bool, int | None], list[str]]
@@ -106,8 +106,11 @@ _LONG = 3
 def _table(table: Table) -> TextTable:
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
     shown = [column for column in table.columns if not (column.hidden or (long and column.shown.detail))]
-    texts = [cells(column) for column in shown]
     meanings = [f"{native(column.symbol)}: {column.name}" for column in shown if column.symbol]
+    legend = "; ".join(meanings) if table.axes else ""
+    if table.shown.folds:
+        shown, legend = _folded(shown)
+    texts = [cells(column) for column in shown]
     return TextTable(
         table.title[:1].upper() + table.title[1:],
         [headed(native(translate(column.symbol or column.name)), column.unit) for column in shown],
@@ -117,8 +120,21 @@ def _table(table: Table) -> TextTable:
             for column in shown
         ],
         table._replace(columns=shown),
-        "; ".join(meanings) if table.axes else "",
+        legend,
     )
+
+
+def _folded(columns: Sequence[Column]) -> tuple[list[Column], str]:
+    """Part the columns of a table whose rows differ from those that say the same in all; these as a line of text."""
+    kept, same = list[Column](), list[str]()
+    for column in columns:
+        text, *others = cells(column)
+        if others and set(others) == {text}:
+            name = native(translate(column.symbol or column.name))
+            same.append(f"{name} = {with_unit(text, display_unit(column.unit))}")
+        else:
+            kept.append(column)
+    return kept, told("the same in all: {list}", list="; ".join(same)) if same else ""
 
 
 _NUMBER = re.compile(r"(\(?[-−]?\d+|–)(.*)")
@@ -179,7 +195,7 @@ def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[Tex
     common = "; ".join(f"{head}: {texts[0]}" for head, _, texts in shared)
     title = f"{block.title} ({common})" if common else block.title
     (corner, _, heads), *rest = others
-    whole = quantities(heads, [(column, texts) for _, column, texts in rest], title)
+    whole = quantities(heads, [(column, texts) for _, column, texts in rest], title)._replace(legend=block.legend)
     widths = [max(map(len, record)) for record in zip(*(texts for *_, texts in others), strict=True)]
     ends = (max(len(row[place]) for row in whole.rows) for place in (0, 1, -1))
     if width is None or sum(ends) + sum(widths) + gap * (len(widths) + 2) <= width:
@@ -193,7 +209,9 @@ def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[Tex
         if stop == len(heads) or sum(widths[start : stop + 1]) + gap * (stop + 1 - start) > room:
             rows = [[head, *texts[start:stop]] for head, _, texts in rest]
             header = [corner, *heads[start:stop]]
-            tables.append(TextTable("" if start else title, header, rows, [False] + [True] * (stop - start)))
+            legend = "" if start else block.legend
+            flush = [False] + [True] * (stop - start)
+            tables.append(TextTable("" if start else title, header, rows, flush, legend=legend))
             start = stop
     return tables
 

@@ -11,11 +11,12 @@ from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...messages import did_you_mean, joined, measured, say, term
 from ...progress import tell
+from ...result import shown_as
 from ...spec.requirements import Requirements
 from ...units import ENGINEER
 from ...variants import VARIANTS, Variant
 from .candidates import candidates
-from .limits import OBJECTIVES, Constraint, constraints
+from .limits import Constraint, constraints
 from .pick import made
 from .refine import refined
 from .rows import Attainable, DesignResult, DesignRow, rows
@@ -117,22 +118,22 @@ def _knee(values: Numbers) -> int | None:
     return int(np.argmin(((values - low) / spread).sum(axis=1))) + 1
 
 
-def check_objective(name: str | None) -> None:
-    """Refuse what is no objective.
+def check_sort(name: str | None) -> None:
+    """Refuse to sort by what is no number of a row.
 
     Raises:
         AfmcalcError: it is none.
     """
-    if name is not None and name not in OBJECTIVES:
-        hint, known = did_you_mean(name, OBJECTIVES), ", ".join(OBJECTIVES)
-        raise AfmcalcError("--sort {name}: no such objective{hint}; one of {known}", name=name, hint=hint, known=known)
+    numbers = [each for each, field in DesignRow.model_fields.items() if shown_as(field).unit] + ["number"]
+    if name is not None and name not in numbers:
+        hint, known = did_you_mean(name, numbers), ", ".join(numbers)
+        raise AfmcalcError("--sort {name}: no such quantity{hint}; one of {known}", name=name, hint=hint, known=known)
 
 
-def shown(result: DesignResult, sort: str | None, top: int | None, pick: int | None = None) -> DesignResult:
-    """Return the result with so many rows of its front and the one picked, by an objective; their numbers stay."""
+def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResult:
+    """Return the result with so many rows of its front, by a quantity of theirs; their numbers stay."""
     ordered = result.front if sort is None else sorted(result.front, key=lambda row: row.objective(sort))
-    kept = [row for place, row in enumerate(ordered) if top is None or place < top or row.number == pick]
-    return result.model_copy(update={"front": kept})
+    return result.model_copy(update={"front": ordered[:top]})
 
 
 @np.errstate(all="ignore")

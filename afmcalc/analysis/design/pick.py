@@ -16,7 +16,7 @@ from ...spec.edit import as_written
 from ...spec.requirements import Choice, Requirements
 from ...variants import VARIANTS
 from ..answers import Answers
-from ..check import found_unsimulated
+from ..check import check, found_unsimulated
 from ..limits import ring_pressures
 from ..registry import ANALYSES
 from ..springs.springs import part_of, ranked
@@ -33,22 +33,21 @@ _GIVEN_UP = 0.005
 """Share of an objective that round figures may cost, unless nothing else passes: less than to the next ball."""
 _TRIED = 4
 """Roundings to as many digits that are given to a check, the best first."""
+_LONGEST = 10
+"""Digits of a number of the front that are too many to read."""
 _STACKS = 5
 """Stacks of each spring that are tried."""
 _PLAIN = ("pairs", "driving_pairs", "closing_stiffness", "control_stiffness", "ball_circle_radius")
 """What is searched as it is told in a row; radii and steering are told in other terms."""
 
 
-def with_picked(need: Requirements, result: DesignResult, number: int) -> tuple[DesignResult, Spec]:
-    """Return the result with a clutch of its front in round figures as a row of its own, and as a spec that passes.
+def with_picked(need: Requirements, result: DesignResult, pick: int | str) -> tuple[DesignResult, Spec]:
+    """Return the result with a clutch of its front in round figures, and what a check says of it; and its spec.
 
     Raises:
-        CalculationError: no such number.
+        CalculationError: no such number, or no knee.
     """
-    if not 1 <= number <= len(result.front):
-        raise CalculationError(
-            "--pick {number}: the front has the numbers 1 to {count}", number=number, count=len(result.front)
-        )
+    number = number_of(result, "--pick", pick)
     exact = result.front[number - 1]
     tried = (
         clutch
@@ -57,7 +56,30 @@ def with_picked(need: Requirements, result: DesignResult, number: int) -> tuple[
         if (clutch := made(need, row)) is not None
     )
     chosen = next(tried, Made(as_spec(need, exact), exact))
-    return result.model_copy(update={"picked": [_as_written(*chosen)]}), chosen.spec
+    written = {"picked": [_as_written(*chosen)], "verdict": check(build(chosen.spec))[0]}
+    return result.model_copy(update=written), chosen.spec
+
+
+def number_of(result: DesignResult, option: str, asked: int | str) -> int:
+    """Number of a clutch of the front that an option asks for by it, or as the knee.
+
+    Raises:
+        CalculationError: no such number, or a front without a knee.
+    """
+    if asked == "knee":
+        if result.knee is None:
+            raise CalculationError(
+                "{option} knee: the front has none; it takes two objectives and three clutches", option=option
+            )
+        return result.knee
+    text = str(asked)
+    number = int(text) if text.isascii() and text.isdecimal() and len(text) < _LONGEST else 0
+    if not 1 <= number <= len(result.front):
+        raise CalculationError(
+            "{option} {number}: the front has the numbers 1 to {count}, and the knee",
+            option=option, number=text, count=len(result.front),
+        )  # fmt: skip
+    return number
 
 
 @np.errstate(all="ignore")

@@ -11,6 +11,7 @@ from ...spec import Spec, make_spec
 from ...spec.edit import as_written
 from ...spec.models import Room
 from ...spec.requirements import Requirements
+from ..check import CheckResult
 from .candidates import Candidates
 from .space import curved
 
@@ -87,10 +88,11 @@ class DesignResult(Answer):
     attainable: list[Attainable] | None = described(
         "what could be had instead, with all other requirements held", optional=True
     )
-    front: list[DesignRow] = described("the front")
+    front: list[DesignRow] = described("the front", folds=True)
     picked: list[DesignRow] | None = described(
-        "the clutch picked, calculated from the round values as written", optional=True
+        "the clutch picked, calculated from the round values as written", optional=True, across=True
     )
+    verdict: CheckResult | None = described("check of the clutch as written", optional=True)
 
 
 @np.errstate(all="ignore")

@@ -498,15 +498,40 @@ def test_the_example_runs_as_it_is(afmcalc, tmp_path):
     assert [row["number"] for row in few["result"]["front"]] == [row["number"] for row in best]
     table = afmcalc("design", CONFIGS / "requirements.toml")
     assert table.code == 0
-    assert f"30 of {len(front_)} shown" in table.err
-    assert numbers_in(table.out) == [*range(1, 31)]
-    picked = afmcalc("design", CONFIGS / "requirements.toml", "--pick", 50, "--quiet")
-    assert numbers_in(picked.out) == [*range(1, 31), 50]
-    assert picked.err == ""
+    assert f"40 of {len(front_)} shown" in table.err
+    assert numbers_in(table.out) == [*range(1, 41)]
+    # what is the same in all stands above the table, and is no column of it
+    above, _, below = table.out.partition("the same in all: ")[2].partition("\n")
+    assert "R_cp = 140 mm; " in above
+    assert {row["mean_radius"] for row in front_[:40]} == {0.14}
+    assert "R_cp" not in below.splitlines()[0].split()
     markdown = afmcalc("design", CONFIGS / "requirements.toml", "--top", 31, "--format", "markdown").out
     assert numbers_in(markdown) == [*range(1, 32)]
+    by_torque = afmcalc("design", CONFIGS / "requirements.toml", "--sort", "torque_max", "--top", 2, "--json").json
+    assert [row["torque_max"] for row in by_torque["result"]["front"]] == sorted(row["torque_max"] for row in front_)[
+        :2
+    ]
     assert afmcalc("design", CONFIGS / "requirements.toml", "--sort", "closing_forc").code == 2
     assert afmcalc("design", CONFIGS / "requirements.toml", "--pick", 10**6).code == 2
+
+
+def test_the_clutch_picked_is_shown_alone_with_what_a_check_says(afmcalc, tmp_path):
+    file, target = CONFIGS / "requirements.toml", tmp_path / "picked.toml"
+    alone = afmcalc("design", file, "--pick", "knee", "--quiet", "--output", target)
+    assert alone.err == ""
+    assert "no.  variant" not in alone.out
+    asked = afmcalc("design", file, "--pick", "knee", "--json").json["result"]
+    assert [row["number"] for row in asked["picked"]] == [asked["knee"]]
+    assert len(asked["front"]) == asked["on_front"]
+    checked = afmcalc("check", target, "--json").json["result"]
+    assert asked["verdict"] == checked
+    assert checked["passed"]
+    for row in checked["requirements"]:
+        assert f"{row['utilisation']:.5g}" in alone.out
+    single = ["--set", 'objectives=["closing_force"]', "--pick", "knee"]
+    assert "none" in afmcalc("design", file, *single).err
+    for wrong in ("0", "222", "²", "9" * 5000, "kne"):
+        assert afmcalc("design", file, "--pick", wrong).code == 2
 
 
 def numbers_in(text):
