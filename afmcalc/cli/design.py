@@ -87,6 +87,9 @@ def design(
     sort: Annotated[
         str | None, Option(metavar="QUANTITY", help="Show the front by this, least first: any number of its rows.")
     ] = None,
+    explain: Annotated[
+        str | None, Option(metavar="N|knee", help="Show the neighbours of this clutch, and what each gives up.")
+    ] = None,
     *,
     common: Common,
 ) -> None:
@@ -100,9 +103,11 @@ def design(
 
     \b
     afmcalc design requirements.toml --sort accuracy_factor --top 10
+    afmcalc design requirements.toml --explain knee
     afmcalc design requirements.toml --pick 3 --output clutch.toml
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
+    from ..analysis.design.choose import focused, with_neighbours
     from ..analysis.design.design import check_sort, shown
     from ..analysis.design.pick import with_picked
     from ..spec import resolved
@@ -118,9 +123,11 @@ def design(
         with common.bar():
             result, chosen = with_picked(need, result, pick)
         spec = resolved(chosen)
+    if explain is not None and result.front:
+        result = with_neighbours(result, explain)
     if top is None and printed.chosen_format in ("table", "markdown"):
-        if spec:
-            top = 0
+        if spec or result.neighbours is not None:
+            result = focused(result)
         elif result.on_front > _IN_TABLES:
             top = _IN_TABLES
             common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=result.on_front))

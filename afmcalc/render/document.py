@@ -99,7 +99,7 @@ def _walk(
             inner_index = column.shown.symbol or ""
             _walk(value, into, column.path + ".", label, inner_index, hidden or column.words[0] == "")
         elif isinstance(value, dict):
-            if not value:
+            if not value or column.words[0] == "":
                 continue
             keys = sorted(value, key=lambda key: -abs(value[key])) if column.shown.ranked else list(value)
             heads = Column(f"{column.path}.key", "", translate(column.shown.keys_are), "", keys)
@@ -156,6 +156,15 @@ def _records(records: Sequence[Result]) -> Table:
                     values=[getattr(value, end, None) for value in column.values],
                 )
                 for end in ENDS
+            ]
+        elif isinstance(column.values[0], dict):
+            columns += [
+                column._replace(
+                    path=f"{column.path}.{key}",
+                    name=f"{column.name} {translate(key)}",
+                    values=[value.get(key) for value in column.values],
+                )
+                for key in dict.fromkeys(key for value in column.values for key in value)
             ]
         elif any(value is not None for value in column.values) or any(column.words):
             columns.append(column._replace(hidden=_is_left_out(column)))

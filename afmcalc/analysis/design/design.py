@@ -16,19 +16,18 @@ from ...spec.requirements import Requirements
 from ...units import ENGINEER
 from ...variants import VARIANTS, Variant
 from .candidates import candidates
+from .choose import of_variants
 from .limits import Constraint, constraints
 from .pick import made
 from .refine import refined
 from .rows import Attainable, DesignResult, DesignRow, rows
 from .search import TILE, Survey, front, search
-from .space import Numbers, Tile, grids, tiles, total
+from .space import SAME_CLUTCH, Numbers, Tile, grids, tiles, total
 
 MOST = 10_000_000_000
 """Candidates beyond which a search is refused."""
 MOST_AGAIN = 30_000_000
 """Candidates that are looked through again for what is attainable; of a larger space every so many radii."""
-_SAME_CLUTCH = 1e-9
-"""Relative distance within which refined clutches are the same one, reached from two grid points."""
 
 
 def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
@@ -66,6 +65,7 @@ def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
         excluded={name: number for name, number in (survey.excluded | {"springs": unsprung}).items() if number},
         attainable=missing,
         front=best,
+        of_variants=of_variants(survey, best),
     )
     missed = [finding("springs-miss", "warning", value=float(unsprung), path="springs")] if unsprung else []
     return result, [*need.label.findings, *_findings(result), *missed]
@@ -95,7 +95,7 @@ def numbered(need: Requirements, unordered: list[DesignRow]) -> list[DesignRow]:
     if not unordered:
         return []
     values = np.array([[row.objective(name) for name in need.objectives] for row in unordered])
-    kept = front(values, _SAME_CLUTCH)
+    kept = front(values, SAME_CLUTCH)
     order = kept[np.lexsort(values[kept].T[::-1])]
     knee = _knee(values[order])
     return [

@@ -74,6 +74,29 @@ class Attainable(Result):
     unit: str = described("unit", is_unit=True)
 
 
+class Trade(Result):
+    """What a neighbour on the front gains or gives up in one objective."""
+
+    number: int = described("no.")
+    variant: str = described("variant")
+    objective: str = described("objective", code=True)
+    verdict: Literal["gains", "gives up"] = described("verdict")
+    change: float | None = quantity("1", "Δ", "change, as a share")
+    value: float | None = described("has", unit_in="unit")
+    instead_of: float | None = described("instead of", unit_in="unit")
+    unit: str = described("unit", is_unit=True)
+
+
+class OfVariant(Result):
+    """What became of the candidates of one variant."""
+
+    variant: str = described("variant")
+    candidates: int = described("candidates searched")
+    excluded: dict[str, int] = described("excluded by")
+    feasible: int = described("candidates that meet every requirement")
+    on_front: int = described("clutches on the front")
+
+
 class DesignResult(Answer):
     """The front of a design: the best between the grid points."""
 
@@ -92,7 +115,14 @@ class DesignResult(Answer):
     picked: list[DesignRow] | None = described(
         "the clutch picked, calculated from the round values as written", optional=True, across=True
     )
+    explained: int | None = described("number whose neighbours on the front are told", optional=True)
+    neighbours: list[Trade] | None = described("its neighbours, and what each gains and gives up", optional=True)
+    of_variants: list[OfVariant] | None = described("candidates of each variant", optional=True, across=True)
     verdict: CheckResult | None = described("check of the clutch as written", optional=True)
+
+    def words(self, name: str) -> str | None:
+        """Leave out what people are told of each variant."""
+        return "" if name == "excluded" and self.of_variants else None
 
 
 @np.errstate(all="ignore")

@@ -41,6 +41,8 @@ class Survey:
     feasible: int = 0
     excluded: Counter[str] = field(default_factory=Counter)
     members: list[Members] = field(default_factory=list)
+    parts: dict[str, "Survey"] = field(default_factory=dict)
+    """Counts of each variant."""
     _room: int = _WAITING
 
     def add(self, need: Requirements, variant: Variant, at: Axes) -> None:
@@ -51,6 +53,14 @@ class Survey:
         self._room -= at.pairs.size
         if self._room < 0:
             self.settle()
+
+    def take(self, name: str, part: "Survey") -> None:
+        """Add the survey of one variant."""
+        self.parts[name] = part
+        self.candidates += part.candidates
+        self.feasible += part.feasible
+        self.excluded += part.excluded
+        self.members, part.members = self.members + part.members, []
 
     def settle(self) -> None:
         """Reduce all members to their common front, one entry per variant."""
@@ -78,7 +88,10 @@ def search(need: Requirements, progress: Callable[[int], None] = lambda done: No
     survey = Survey()
     for variant in (VARIANTS[name] for name in dict.fromkeys(need.variants)):
         looked_up = separable(need, variant) and need.search.radii.size >= _MANY
-        (by_radius if looked_up else by_tile)(need, variant, survey, progress)
+        part, behind = Survey(), survey.candidates
+        go = by_radius if looked_up else by_tile
+        go(need, variant, part, lambda done, behind=behind: progress(behind + done))  # type: ignore[misc]
+        survey.take(variant.name, part)
     survey.settle()
     return survey
 

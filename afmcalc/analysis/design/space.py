@@ -19,6 +19,8 @@ Places: TypeAlias = NDArray[np.int64]
 
 SAME = 1e-12
 """Relative slack of every limit, and difference of two objectives, that may be due to rounding."""
+SAME_CLUTCH = 1e-9
+"""Relative distance within which refined clutches are the same one, reached from two grid points."""
 
 
 class Axes(NamedTuple):

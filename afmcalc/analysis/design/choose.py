@@ -1,0 +1,82 @@
+"""What helps to choose from a front: the neighbours of a clutch, and what each of them gives up for what it gains."""
+
+import math
+from collections import Counter
+
+import numpy as np
+
+from ...result import shown_as
+from .pick import number_of
+from .rows import DesignResult, DesignRow, OfVariant, Trade
+from .search import Survey
+from .space import SAME_CLUTCH
+
+
+def with_neighbours(result: DesignResult, asked: int | str) -> DesignResult:
+    """Return the result with the neighbours of a clutch of its front.
+
+    Raises:
+        CalculationError: no such number, or no knee.
+    """
+    number = number_of(result, "--explain", asked)
+    return result.model_copy(update={"explained": number, "neighbours": trades(result, number)})
+
+
+def focused(result: DesignResult) -> DesignResult:
+    """Return only what is asked for by number: the clutch that is picked, or explained with its neighbours."""
+    kept = {result.explained, *(trade.number for trade in result.neighbours or ())}
+    shown = [row for row in result.front if row.number in kept]
+    return result.model_copy(update={"front": shown, "excluded": {}, "of_variants": None})
+
+
+@np.errstate(all="ignore")
+def trades(result: DesignResult, number: int) -> list[Trade]:
+    """Return what the neighbours of a clutch gain and give up: for each objective the nearest that is better in it.
+
+    Near is measured in the objectives, each over its range on the front.
+    """
+    values = np.array([[row.objective(name) for name in result.objectives] for row in result.front])
+    finite = np.where(np.isfinite(values), values, np.nan)
+    spread = np.nanmax(finite, axis=0) - np.nanmin(finite, axis=0)
+    scaled = np.nan_to_num(finite / np.where(spread > 0, spread, 1.0), nan=_FAR)
+    here = values[number - 1]
+    away = np.square(scaled - scaled[number - 1]).sum(axis=1)
+    equal = (values == here) | (np.abs(values - here) <= SAME_CLUTCH * np.abs(here))
+    nearest = [np.where(better, away, np.inf).argmin() for better in ((values < here) & ~equal).T if better.any()]
+    return [
+        Trade(
+            number=result.front[place].number,
+            variant=result.front[place].variant,
+            objective=name,
+            value=_known(there),
+            instead_of=_known(now),
+            change=_known(there / now - 1),
+            unit=shown_as(DesignRow.model_fields[name]).unit,
+            verdict="gains" if there < now else "gives up",
+        )
+        for place in dict.fromkeys(nearest)
+        for name, there, now, same in zip(result.objectives, values[place], here, equal[place], strict=True)
+        if not same
+    ]
+
+
+_FAR = 1e9
+"""Place of what is infinite, in ranges of an objective."""
+
+
+def _known(value: float) -> float | None:
+    return float(value) if math.isfinite(value) else None
+
+
+def of_variants(survey: Survey, on_front: list[DesignRow]) -> list[OfVariant] | None:
+    """Count the candidates of each variant, where there are several, what excludes most of them first."""
+    if len(survey.parts) < 2:
+        return None
+    front = Counter(row.variant for row in on_front)
+    return [
+        OfVariant(
+            variant=name, candidates=part.candidates, feasible=part.feasible, on_front=front[name],
+            excluded={reason: part.excluded[reason] for reason, count in survey.excluded.most_common() if count},
+        )
+        for name, part in survey.parts.items()
+    ]  # fmt: skip

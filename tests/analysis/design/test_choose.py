@@ -1,0 +1,70 @@
+"""What helps to choose: what became of each variant, and the neighbours of a clutch on the front."""
+
+import tomllib
+
+import pytest
+from conftest import CONFIGS
+
+from afmcalc.analysis.design.choose import with_neighbours
+from afmcalc.analysis.design.design import design
+from afmcalc.spec.requirements import make_requirements
+
+BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="module")
+def example():
+    return design(make_requirements(BASE))[0]
+
+
+def test_each_variant_is_counted_as_if_it_were_alone(example):
+    assert [each.variant for each in example.of_variants] == BASE["variants"]
+    for each in example.of_variants:
+        alone, _ = design(make_requirements(BASE | {"variants": [each.variant]}))
+        assert alone.of_variants is None
+        assert (each.candidates, each.feasible) == (alone.candidates, alone.feasible)
+        assert {name: count for name, count in each.excluded.items() if count} == alone.excluded
+        assert each.on_front == sum(row.variant == each.variant for row in example.front)
+
+
+def test_a_neighbour_is_the_nearest_that_is_better_in_something(example):
+    """Distances one by one: each objective in parts of its range over the front."""
+    spans = {
+        name: max(row.objective(name) for row in example.front) - min(row.objective(name) for row in example.front)
+        for name in example.objectives
+    }
+    for here in example.front[::17]:
+
+        def away(row, here=here):
+            return sum(((row.objective(name) - here.objective(name)) / spans[name]) ** 2 for name in spans)
+
+        told = with_neighbours(example, here.number)
+        assert told.explained == here.number
+        expected = set()
+        for name in example.objectives:
+            if better := [row for row in example.front if row.objective(name) < here.objective(name) * (1 - 1e-9)]:
+                expected.add(min(map(away, better)))
+        numbers = list(dict.fromkeys(trade.number for trade in told.neighbours))
+        assert sorted(away(example.front[number - 1]) for number in numbers) == pytest.approx(sorted(expected))
+        for trade in told.neighbours:
+            there, now = (
+                example.front[number - 1].objective(trade.objective) for number in (trade.number, here.number)
+            )
+            assert (trade.value, trade.instead_of, trade.change) == pytest.approx((there, now, there / now - 1))
+            assert trade.verdict == ("gains" if there < now else "gives up")
+        # nothing on a front is a gain alone
+        for number in numbers:
+            assert {trade.verdict for trade in told.neighbours if trade.number == number} == {"gains", "gives up"}
+
+
+def test_neighbours_stand_beside_the_clutch(afmcalc):
+    file = CONFIGS / "requirements.toml"
+    told = afmcalc("design", file, "--explain", "knee")
+    assert told.code == 0
+    asked = afmcalc("design", file, "--explain", "knee", "--json").json["result"]
+    assert asked["explained"] == asked["knee"]
+    assert len(asked["front"]) == asked["on_front"]
+    shown = {asked["knee"], *(trade["number"] for trade in asked["neighbours"])}
+    rows = told.out.split("\nno. ")[1].split("\n\n")[0].splitlines()[1:]
+    assert {int(row.split()[0]) for row in rows} == shown
+    assert afmcalc("design", file, "--explain", "222").code == 2
