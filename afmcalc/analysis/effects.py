@@ -315,10 +315,14 @@ def _weaker(clutch: Clutch, loss: float, path: str) -> Bracket:
     force = float(clutch.pack_force_at_rest)
     if loss >= force:
         return Bracket((), (finding("force-used-up", "error", value=loss, limit=force, path=path),))
+    return Bracket((weakened(clutch, loss).torque, clutch.torque))
+
+
+def weakened(clutch: Clutch, loss: Values) -> Clutch:
+    """The clutch with less force on its pack at rest, N."""
     if clutch.sleeve is None:
-        return Bracket((replace(clutch, closing_force=clutch.closing_force - loss).torque, clutch.torque))
-    weakened: Clutch = replace(clutch.sleeve, made_control_force=clutch.sleeve.control_force - loss)
-    return Bracket((weakened.torque, clutch.torque))
+        return replace(clutch, closing_force=clutch.closing_force - loss)
+    return replace(clutch.sleeve, made_control_force=clutch.sleeve.control_force - loss)
 
 
 def _springs_held(clutch: Clutch) -> Clutch:

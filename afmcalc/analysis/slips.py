@@ -147,6 +147,15 @@ def cycles(part: Fatigue, rule: StressRule, load: Load) -> Values:
     return number
 
 
+def life_of(part: Fatigue, load: Load) -> Values:
+    """Cycles of the band (S19) of an array of loads, infinite where fatigue sets no limit; NaN of no load."""
+    import numpy as np
+
+    stress = damaging_stress(part, "mean-stress", load)
+    life = np.where(stress > part.endurance_limit, _line(part, stress), np.where(np.isnan(stress), np.nan, np.inf))
+    return np.where(is_static(part, load), 0.0, life)
+
+
 def is_static(part: Fatigue, load: Load) -> bool | Values:
     """Whether the largest load reaches the ultimate strength."""
     if part.ultimate_strength is None:

@@ -251,7 +251,9 @@ class Search(Block):
         "force the pack must bear, any between min and max: F_п, of an indirect clutch F_п2"
     )
     closing_forces: Forces | None = key("closing-spring forces F_п of a catalogue, instead of a range")
-    closing_stiffness: Stiffnesses | None = key("c_1 (indirect)")
+    closing_stiffness: Stiffnesses | None = key(
+        "c_1 (indirect); of a direct clutch, for torque_after_wear, the smallest is taken"
+    )
     control_stiffness: StiffnessesOrNone | None = key("c_2 (indirect); 0: a constant force")
     ball_diameters: Diameters | None = key("standard balls; default the list that ships")
 
@@ -317,6 +319,14 @@ class Requirements(FileBlock, RuledBlock):
         """Elastic data by which a check of the written clutch judges its balls; None: by the force given alone."""
         return self.fixed.contact or (HARDENED_STEEL if self.limits.contact_force is None else None)
 
+    @property
+    def bearing(self) -> Contact | None:
+        """The same, with the contact pressure wanted where that is less."""
+        wanted, own = self.wanted.contact_pressure, self.contact
+        if wanted is None or (own is not None and own.allowable_pressure <= wanted):
+            return own
+        return (own or HARDENED_STEEL).model_copy(update={"allowable_pressure": wanted})
+
     def broken_rules(self) -> Iterable[Broken]:
         """What the variants need is given, and nothing that they do not have."""
         variants = [VARIANTS[name] for name in self.variants]
@@ -343,6 +353,7 @@ class Requirements(FileBlock, RuledBlock):
                 if given is None:
                     yield path, say("required for variant {variant!r}", variant=name)
         yield from self._springs_rules(bool(travelling))
+        yield from self._service_rules(len(travelling) < len(variants))
         if fixed.pocket is not None and not travelling:
             yield "fixed.pocket", say("is of variant {able}", able=_able("travels"))
         if fixed.profiled is not None and fixed.pocket is None:
@@ -356,6 +367,21 @@ class Requirements(FileBlock, RuledBlock):
         else:
             if self.friction.unlike and not all(variant.unlike for variant in variants):
                 yield "friction.driving", say("unlike materials are for variant {able} alone", able=_able("unlike"))
+
+    def _service_rules(self, direct: bool) -> Iterable[Broken]:
+        """What a requirement is judged by is given."""
+        wanted, heat = self.wanted, self.heat or Heat()
+        needed: dict[str, list[tuple[str, object]]] = {
+            "cycles": [("fatigue", self.fatigue)],
+            "torque_after_wear": [("heat.lining", heat.lining)],
+            "trips_per_hour": [("heat.ambient", heat.ambient), ("heat.cooling", heat.cooling)],
+        }
+        if direct and self.springs is None:
+            needed["torque_after_wear"].append(("search.closing_stiffness", self.search.closing_stiffness))
+        for name, blocks in needed.items():
+            for path, given in blocks if getattr(wanted, name) is not None else ():
+                if given is None:
+                    yield path, say("required beside {other}", other=f"wanted.{name}")
 
     def _springs_rules(self, travels: bool) -> Iterable[Broken]:
         rooms = {"fixed.closing_room": self.fixed.closing_room, "fixed.control_room": self.fixed.control_room}

@@ -11,10 +11,13 @@ from ...engines.direct import DirectClutch
 from ...engines.indirect import IndirectClutch
 from ...engines.protocol import Clutch
 from ...equations import adjustment, direct, synthesis, wall
-from ...spec.models import HARDENED_STEEL
+from ...equations.effects import force_lost_by_wear
+from ...spec.models import HARDENED_STEEL, Drive
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
+from ..effects import weakened
+from ..slips import Load, life_of
 from .space import SAME, Axes, Mask, Numbers, Places, balls, curved, given
 
 _NEWTON_STEPS = 12
@@ -47,10 +50,12 @@ class Candidates:
         """All candidates as one clutch, its closing force 1 N."""
         at, fixed = self.at, self.need.fixed
         if not self.variant.travels:
-            return DirectClutch(1.0, at.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain)
+            pack = at.mean_radius, self.bypass_pairs, self.controlled_pairs, self.gain
+            return DirectClutch(1.0, *pack, friction=self.need.friction.groups)
         straight = IndirectClutch(
             1.0, at.mean_radius, 0, at.pairs, self.gain, at.closing_stiffness, at.control_stiffness,
             given(fixed.key_friction), given(fixed.hub_diameter), self.frictions[0][0],
+            friction=self.need.friction.groups,
         )  # fmt: skip
         if fixed.pocket is None:
             return straight
@@ -176,6 +181,39 @@ class Candidates:
         return largest / smallest
 
     @cached_property
+    def accuracy_factor_hysteresis(self) -> Numbers:
+        """K_т,h; K_т of a direct clutch."""
+        sleeve, built = self.clutch.sleeve, self.is_clutch
+        if sleeve is None:
+            return self.accuracy_factor
+        if not sleeve.straight:  # what is no clutch may have no number to compare
+            gain = np.where(built, sleeve.gain, sleeve.gain_threshold + 1)
+            sleeve = replace(sleeve, gain=gain, gain_slope=np.where(built, sleeve.gain_slope, 0.0))
+        return np.asarray(sleeve.accuracy_factor_hysteresis)
+
+    @cached_property
+    def cycles(self) -> Numbers:
+        """Life of the side that fails first, springs as set; infinite where fatigue sets it no limit.
+
+        Where an event gives the dynamic factor, of the protected side alone: the other is known when it is simulated.
+        """
+        part, drive = given(self.need.fatigue), self.need.drive or Drive()
+        ends = (self.closing_force * each for each in self.torques_per_force)
+        least, most = (np.where(np.isfinite(torque), torque, np.nan) for torque in ends)
+        load = Load(lambda share: np.where(share > 0, most, least), least, most)
+        return np.minimum(life_of(part, load), life_of(part, load.times(drive.dynamic_factor)))
+
+    @cached_property
+    def torque_after_wear(self) -> Numbers:
+        """Least torque in service with the lining worn off, N·m; 0 where that takes all of the force."""
+        at, lining, clutch = self.at, given(given(self.need.heat).lining), self.clutch
+        stiffness = at.control_stiffness if self.variant.travels else at.closing_stiffness
+        loss = force_lost_by_wear(stiffness, at.pairs, lining) / self.closing_force
+        worn = weakened(clutch, loss)
+        torque = reduce(np.minimum, (worn.torque(*point) for point in zip(*clutch.friction, strict=True)))
+        return np.where(loss < clutch.pack_force_at_rest, self.closing_force * torque, 0.0)
+
+    @cached_property
     def face_width(self) -> Numbers:
         """Radial width of the friction faces, m; NaN where it is not known."""
         width = self.need.fixed.face_width
@@ -281,14 +319,14 @@ class Candidates:
     def bears(self) -> Mask:
         """Whether there is room for a standard ball that bears its force."""
         # of each listed ball first: they are fewer
-        borne = np.asarray(hertz.allowable_force(given(self.need.contact), self._listed / 2)) * (1 + SAME)
+        borne = np.asarray(hertz.allowable_force(given(self.need.bearing), self._listed / 2)) * (1 + SAME)
         allowed = borne[self._places(mouths=True)] / self.most_per_ball
         return self.ball_torque <= np.where(self.tangent > 0, allowed, np.inf)
 
     @cached_property
     def contact_pressure(self) -> Numbers:
         """Contact pressure of the largest ball that has room, Pa; 0 at gain 0."""
-        pressure = hertz.pressure(given(self.need.contact), self.contact_force, self.largest_bearing_ball / 2)
+        pressure = hertz.pressure(given(self.need.bearing), self.contact_force, self.largest_bearing_ball / 2)
         return np.where(self.tangent > 0, pressure, 0.0)
 
     def travel_room(self, diameter: Numbers | float) -> Numbers:
@@ -313,7 +351,7 @@ class Candidates:
     @cached_property
     def ball_borne(self) -> Numbers:
         """Diameter of the smallest ball that bears its force on a flat wall, m; 0 at gain 0, where there are none."""
-        if (contact := self.need.contact) is None:
+        if (contact := self.need.bearing) is None:
             return np.zeros(1)
         # what a ball bears goes with its diameter squared
         return np.where(self.tangent > 0, np.sqrt(self.contact_force / hertz.allowable_force(contact, 0.5)), 0.0)
@@ -388,10 +426,12 @@ class CurvedCandidates(Candidates):
     @cached_property
     def ball_borne(self) -> Numbers:
         """Largest of what the stop, the largest travel and the flat seat ask for: between them less of it is used."""
-        if self.need.contact is None:
+        if self.need.bearing is None:
             return np.zeros(1)
         bent = [2 * path * np.interp(share, *_bearing()[0], right=np.inf) for path, share in self._shares]
-        seat = np.sqrt(self.ball_torque * self.most_per_ball / hertz.allowable_force(given(self.need.contact), 0.5))
+        if (contact := self.need.contact) is None:
+            return np.maximum(*bent)
+        seat = np.sqrt(self.ball_torque * self.most_per_ball / hertz.allowable_force(contact, 0.5))
         return np.maximum(np.maximum(*bent), seat)
 
     @property
@@ -401,13 +441,13 @@ class CurvedCandidates(Candidates):
             cosine = 1 / np.sqrt(1 + tangent**2)
             path = wall.path_radius(self.steepening, cosine)
             force = synthesis.contact_force(self.ball_torque, self.need.fixed.balls, self.at.ball_circle_radius, cosine)
-            yield path, np.sqrt(force / hertz.allowable_force(given(self.need.contact), path))
+            yield path, np.sqrt(force / hertz.allowable_force(given(self.need.bearing), path))
 
     @cached_property
     def ball_diameter(self) -> Numbers:
         """Next standard ball, m; NaN where it undercuts the wall, or has no room."""
         diameter = self._next_fitting(self.ball_needed)
-        if self.need.contact is not None:
+        if self.need.bearing is not None:
             # nearly as large as the path is bent, a ball bears less again
             for path, share in self._shares:
                 diameter = np.where(diameter <= 2 * path * np.interp(-share, *_bearing()[1]), diameter, np.nan)

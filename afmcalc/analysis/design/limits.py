@@ -71,6 +71,12 @@ def _bounds(need: Requirements) -> Iterable[Constraint]:
         yield Constraint("closing_force", lambda c: c.pack_force, span.min, "N", (-1, -1), at_least=True)
     if (factor := wanted.accuracy_factor) is not None:
         yield Constraint("accuracy_factor", lambda c: c.accuracy_factor, factor, "1", (0, 1))
+    if (lasting := wanted.accuracy_factor_hysteresis) is not None:
+        yield Constraint("accuracy_factor_hysteresis", lambda c: c.accuracy_factor_hysteresis, lasting, "1", (0, 1))
+    if (cycles := wanted.cycles) is not None:
+        yield Constraint("cycles", lambda c: c.cycles, cycles, "1", (0, 0), at_least=True)
+    if (left := wanted.torque_after_wear) is not None:
+        yield Constraint("torque_after_wear", lambda c: c.torque_after_wear, left, "N*m", (0, 0), at_least=True)
     if (torque := wanted.torque_max) is not None:
         yield Constraint("torque_max", lambda c: c.torque_max, torque, "N*m", (0, 1))
     if (width := need.fixed.face_width) is not None:
@@ -105,9 +111,9 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
             "contact_force", lambda c: c.ball_torque * c.most_per_ball, force, "N", (1, 1),
             test=lambda c: c.ball_torque <= force * OVER / c.most_per_ball,
         )  # fmt: skip
-    if need.contact is not None:
+    if need.bearing is not None:
         straight = None if curved(need, variant) else lambda c: c.contact_pressure
-        most = need.contact.allowable_pressure
+        most = need.bearing.allowable_pressure
         yield Constraint("contact_pressure", straight, most, "Pa", (1, 1), test=lambda c: c.bears)
     # what a ball lacks in size: the largest that is listed or has room may differ from candidate to candidate
     yield Constraint(
@@ -195,7 +201,7 @@ def never_worse(need: Requirements, variant: Variant) -> dict[str, int]:
     span = need.search.closing_force is not None
     by_gain = span and not variant.travels and "ball_diameter" not in aims
     # a given force loads the balls the more the larger R is: one that is chosen for that has to grow
-    borne = need.contact is not None and "ball_diameter" in aims
+    borne = need.bearing is not None and "ball_diameter" in aims
     by_angle = unimodal(need) and (span or not (variant.travels or borne))
     if by_angle if angle and variant.controlled else by_gain:
         ways["mean_radius"] = 1

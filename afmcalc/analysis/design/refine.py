@@ -226,7 +226,7 @@ class _Rows:
         With t = 1/(1 + m c_2) the first is a line in t, and the square of the second another.
         """
         at_rest = none.ball_reaching - (growth := none.travel / (none.tangent * none.cosine))
-        bears = np.inf if self.need.contact is None else hertz.allowable_force(self.need.contact, 0.5)
+        bears = np.inf if self.need.bearing is None else hertz.allowable_force(self.need.bearing, 0.5)
         slack, full = (none.force_per_ball / bears * each for each in (ordinary - none.torque_max, ordinary))
         half = growth * at_rest + slack / 2
         share = (np.sqrt(half**2 + growth**2 * (full - at_rest**2)) - half) / growth**2
@@ -242,7 +242,7 @@ class _Rows:
         factor = np.minimum(self._most("accuracy_factor"), wanted.accuracy_factor or np.inf)
         allowed = np.minimum(factor * tried.closing_force * tried.torques_per_force[0], wanted.torque_max or np.inf)
         contact = np.full(1, limits.contact_force or np.inf)
-        if self.need.contact is not None:
+        if self.need.bearing is not None:
             ball = np.minimum(self._most("ball_diameter"), tried.largest_bearing_ball)
-            contact = np.minimum(contact, hertz.allowable_force(self.need.contact, ball / 2))
+            contact = np.minimum(contact, hertz.allowable_force(self.need.bearing, ball / 2))
         return np.minimum(allowed, contact / tried.force_per_ball) * _INSIDE

@@ -42,6 +42,13 @@ class DesignRow(Result):
     machine_torque: float | None = quantity("N*m", "T_н.маш", "nominal torque of the machine", optional=True)
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
     torque_max: float = quantity("N*m", "T_max", "largest torque")
+    accuracy_factor_hysteresis: float | None = quantity(
+        "1", "K_т,h", "accuracy factor under a load that lasts", optional=True
+    )
+    cycles: float | None = quantity("1", "N_ц", "life in cycles of the side that fails first", optional=True)
+    torque_after_wear: float | None = quantity(
+        "N*m", "T_w", "least torque in service with the lining worn off", optional=True
+    )
     ball_diameter: float | None = quantity("m", "d_ш", "standard ball", optional=True)
     travel: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     contact_force: float | None = quantity("N", "F_n", "largest force on one ball", optional=True)
@@ -131,6 +138,8 @@ def rows(tried: Candidates) -> list[DesignRow]:
     need, at, variant = tried.need, tried.at, tried.variant
     searched = ("pairs", "driving_pairs", "mean_radius", "ball_circle_radius", "closing_stiffness", "control_stiffness")
     names = ["closing_force", "nominal_torque", "accuracy_factor", "torque_max", "surface_pressure", "outer_diameter"]
+    asked = ("accuracy_factor_hysteresis", "cycles", "torque_after_wear")
+    names += [name for name in asked if getattr(need.wanted, name) is not None]
     if variant.controlled:
         names += ["gain", "ball_diameter", "contact_force"]
     if curved(need, variant):
@@ -168,7 +177,8 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
     limited = {"surface_pressure", "outer_diameter"}
     limited |= {"reduced_gain"} if row.ball_circle_radius is not None else set()
     limited |= {"travel"} if row.travel is not None else set()
-    required = need.wanted.model_dump(exclude_none=True, exclude={"method", "margin"})
+    of_pockets = set() if row.gain else {"contact_pressure"}
+    required = need.wanted.model_dump(exclude_none=True, exclude={"method", "margin", *of_pockets})
     data: dict[str, object] = {
         "name": say("{name}, no. {number}", name=need.name or say("Design"), number=row.number),
         "variant": row.variant,
@@ -182,7 +192,7 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         if (values := getattr(need, block)) is not None:
             data[block] = values.model_dump(exclude_none=True)
     if row.ball_circle_radius is not None:
-        sleeve, curve = row.closing_stiffness is not None, row.gain_slope is not None
+        sleeve, curve = row.control_stiffness is not None, row.gain_slope is not None
         unit = {
             "gain": row.gain if row.wall_angle is None else None,
             "wall_angle": row.wall_angle,
@@ -201,6 +211,7 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         data["control_unit"] = {name: value for name, value in unit.items() if value is not None}
     if row.closing_stiffness is not None:
         spring["stiffness"] = row.closing_stiffness
+    if row.control_stiffness is not None:
         data["control_spring"] = {"stiffness": row.control_stiffness} | _room(fixed.control_room)
     return as_written(make_spec(data))
 
