@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterator
 
 import pytest
-from conftest import CONFIGS
+from conftest import CONFIGS, PICKED, WANTED
 from sources import FILES, nodes
 from texts import texts
 
@@ -15,7 +15,7 @@ from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
 from afmcalc.papers.figures import FIGURES
 from afmcalc.variants import VARIANTS
 
-EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem != "requirements")
+EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem not in WANTED)
 ALONE = ("design", "equations", "reproduce", "examples", "materials", "explain", "solve")
 """Commands that take no clutch, or more than one."""
 
@@ -53,7 +53,7 @@ SHOWN = re.compile(
     re.MULTILINE,
 )
 CODES = {
-    *ANALYSES, *PLOTS, *VARIANTS, *EXAMPLES, "init", "plot", "report", "schema", "min", "max", "event", "kind", "wear",
+    *ANALYSES, *PLOTS, *VARIANTS, *EXAMPLES, *WANTED, "init", "plot", "report", "schema", "min", "max", "event", "kind", "wear",
     "stop", "load", "amplitude", "goodman", "centrifugal", "material", "length", "mass", "variant", "search", "fixed",
     "weight", "disc", "any", "start", "count", "step", "pip", "install", "example", "one", "both", "auto", "exact", "pairs",
     "true", "clutch", "json", "csv", "table", "engineer", "requirements", "travel", "alpha", "beta", "friction", "exceedance", "simulate", "work", "gain", "temperature", "cycles", "diameters", "fatigue",
@@ -85,7 +85,7 @@ def test_every_command_for_every_example(name, afmcalc, russian):
             continue  # whatever the clutch, it is the same table
         # what simulate says is said once, of a motor soon at rest; the others need not follow the drive to its end
         light = {"simulate": "motor_inertia=0.1", "check": "event.duration=0.05", "heat": "event.duration=0.05"}
-        short = [f"drive.{light[each]}" for each in (command, *given) if each in light and name == "drive"]
+        short = [f"drive.{light[each]}" for each in (command, *given) if each in light and name in {"drive", *PICKED}]
         more = [*given, *(part for each in short[:1] for part in ("--set", each))]
         words = more[:1] if command in ("explain", "plot", "solve") else []
         run = afmcalc(command, *words, f"example:{name}", *more[len(words) :])

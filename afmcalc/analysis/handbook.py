@@ -4,7 +4,7 @@ A chapter is a Markdown file of ``afmcalc/papers/handbook``, in Russian the file
 A paragraph in braces is put in by the program: ``{equation direct.torque}``, ``{misprint M1}``, ``{figure F11-1}``,
 ``{list notation}``. In a sentence ``{see direct.torque}`` is the number of a formula, a chapter, a paper or a misprint
 with a link to it, and ``{value default accuracy.accuracy_factor}`` a number that a command gives for an example. Fenced
-lines are steps of a derivation.
+lines are steps of a derivation, with ``sh`` command lines; ``{plot torque default}`` is a plot of an example.
 """
 
 import re
@@ -22,8 +22,10 @@ from ..papers.claims import Row, reproduce
 from ..papers.register import Formula, register
 from ..result import shown_as
 from ..spec import read_spec
+from .answers import Answers
 from .explain.formula import FormulaText, Leaf, symbol_latex
 from .explain.trace import Call, CallReader
+from .figures import Request, gathered
 from .registry import ANALYSES, EXPLAINED
 
 _FOLDER = files("afmcalc.papers").joinpath("handbook")
@@ -58,6 +60,8 @@ class Handbook(NamedTuple):
     """Equation function → what there is to say of it."""
     values: dict[str, tuple[Any, str]]
     """What stands in ``{value …}`` → the number, SI, and its unit."""
+    plots: dict[str, Any]
+    """What stands in ``{plot …}`` → what it draws."""
     claims: list[Row]
 
 
@@ -71,11 +75,12 @@ def chapter_texts(language: str) -> dict[int, str]:
 def handbook(language: str) -> Handbook:
     """Gather the handbook in a language: every formula, and every number that its chapters ask for."""
     chapters = chapter_texts(language)
-    wanted = re.findall(r"\{value ([^{}]+)\}", "".join(chapters.values()))
+    values, plots = (re.findall(rf"\{{{kind} ([^{{}}]+)\}}", "".join(chapters.values())) for kind in ("value", "plot"))
     return Handbook(
         chapters,
         {name: _entry(equation) for name, equation in equations().items()},
-        {path: _value(*path.split()) for path in wanted},
+        {path: _value(*path.split()) for path in values},
+        {plot: _plot(*plot.split()) for plot in plots},
         reproduce([])[0].rows,
     )
 
@@ -98,6 +103,11 @@ def _value(example: str, path: str) -> tuple[Any, str]:
         unit = shown_as(type(value).model_fields[name]).unit or unit
         value = getattr(value, name)
     return value, unit
+
+
+def _plot(kind: str, example: str) -> Any:
+    """Return what a plot of an example draws."""
+    return gathered(kind, Request([Answers(_clutch(example))]))
 
 
 @cache

@@ -14,6 +14,7 @@ from ..analysis.handbook import Entry, Handbook
 from ..messages import spoken, told, translate
 from ..papers.register import misprints, references
 from ..units import typeset
+from .plot import sheet_of
 from .plot.figure import inline_svg
 from .plot.schemes import SCHEMES
 from .report.chapters import broken, math
@@ -92,9 +93,9 @@ class _Page:
             return macros.formula(self.numbers[name], *self._formula(self.handbook.formulas[name]))
         if kind == "misprint":
             return macros.misprint(next(entry for entry in misprints() if entry.id == name))
-        if kind == "figure":
+        if kind in ("figure", "plot"):
             self.figures += 1
-            sheet = SCHEMES[name]()
+            sheet = SCHEMES[name]() if kind == "figure" else sheet_of(name.split()[0], self.handbook.plots[name])
             return macros.figure(self.figures, sheet, drawing(inline_svg(sheet), sheet.title, self.figures))
         return macros.table(*self.lists[name]())
 
@@ -138,6 +139,8 @@ class _Page:
         return link(name, name if re.fullmatch(r"[MP]\d+", name) else f"[{name}]")
 
     def _fence(self, token: Token) -> str:
+        if token.info == "sh":
+            return str(Markup("<pre><code>{}</code></pre>").format(token.content))
         lines = (Markup("<p>{}</p>").format(symbol(line)) for line in token.content.splitlines())
         return str(Markup('<div class="derivation">{}</div>').format(Markup("").join(lines)))
 
@@ -164,7 +167,7 @@ class _Page:
 
 _INLINE = re.compile(r"\{(see|value) ([^{}]+)\}")
 _NAMED = re.compile("``([a-z_.]+)``")
-_BLOCK = re.compile(r"\{(equation|misprint|figure|list) ([^{}]+)\}")
+_BLOCK = re.compile(r"\{(equation|misprint|figure|plot|list) ([^{}]+)\}")
 
 
 def _blocks_of(token: Token) -> list[tuple[str, str]]:

@@ -4,13 +4,13 @@ import itertools
 import re
 
 import pytest
-from conftest import CONFIGS, several
+from conftest import CONFIGS, PICKED, WANTED, several
 
 from afmcalc.analysis.registry import ANALYSES, EXPLAINED, PLOTS
 from afmcalc.cli.main import COMMANDS
 from afmcalc.spec.keys import keys
 
-EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem not in ("materials", "requirements"))
+EXAMPLES = sorted(path.stem for path in CONFIGS.glob("*.toml") if path.stem not in WANTED)
 NUMBERS = [key.path for key in keys().values() if key.unit]
 TEXTS = [key.path for key in keys().values() if not key.unit]
 SWEEPING = ["accuracy", "overload", "life", "simulate", "plot accuracy", "plot life"]
@@ -31,7 +31,7 @@ def cases():
     """Command lines: keys swept over their default range, keys without a value, text keys with a wrong one."""
     for example, language in itertools.product(EXAMPLES, REFUSED):
         spec = f"example:{example}"
-        short = SHORT[:2] if example == "drive" else SHORT[2:] if example == "tolerance" else []
+        short = SHORT[:2] if example in {"drive", *PICKED} else SHORT[2:] if example == "tolerance" else []
         for command, key in itertools.product(SWEEPING, NUMBERS):
             yield [*command.split(), spec, "--sweep", key, *short], language
         for command in ASKED:

@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
-from conftest import CONFIGS
+from conftest import CONFIGS, PICKED, WANTED
 from hypothesis import strategies as st
 from strategies import CHARACTERS
 
@@ -25,7 +25,7 @@ class Case(NamedTuple):
     stdin: str
 
 
-SPECS = [name for name in example_names() if name not in ("requirements", "drive")]
+SPECS = [name for name in example_names() if name not in {"drive", *WANTED, *PICKED}]
 """Examples of a clutch; that with a drive, which takes its time, is for the commands that need one."""
 _SMALL = {"samples": 1000, "sobol_base": 64}
 """Of a study: one that is large takes its time, which is not what is looked for."""

@@ -6,7 +6,7 @@ import tomllib
 
 import pytest
 import tomli_w
-from conftest import CONFIGS, S21
+from conftest import CONFIGS, S21, WANTED
 from hypothesis import given
 from pydantic import TypeAdapter, ValidationError
 from strategies import direct_specs
@@ -19,7 +19,7 @@ from afmcalc.spec.edit import put
 from afmcalc.spec.parse import parse
 from afmcalc.spec.source import Source
 
-EXAMPLES = sorted(path for path in CONFIGS.glob("*.toml") if path.stem != "requirements")
+EXAMPLES = sorted(path for path in CONFIGS.glob("*.toml") if path.stem not in WANTED)
 BASE = tomllib.loads((CONFIGS / "default.toml").read_text())
 
 
