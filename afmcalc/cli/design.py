@@ -90,6 +90,9 @@ def design(
     explain: Annotated[
         str | None, Option(metavar="N|knee", help="Show the neighbours of this clutch, and what each gives up.")
     ] = None,
+    misses: Annotated[
+        bool, Option("--misses", help="Tell the nearest miss of each requirement too, and what to relax.")
+    ] = False,
     *,
     common: Common,
 ) -> None:
@@ -116,7 +119,7 @@ def design(
     common.keep(requirements, spec=pick is not None)
     check_sort(sort)
     need = read_requirements(requirements, common.set or ())
-    result, findings = common.ask(need)
+    result, findings = common.ask(need, misses=misses or None)
     printed = common if pick is None else common.to_standard_output()
     spec = None
     if pick is not None and result.front:

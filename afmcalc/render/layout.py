@@ -66,7 +66,7 @@ def cells(column: Column) -> list[str]:
     if column.shown.is_unit:
         return [display_unit(unit) for unit in column.units or column.values]
     if column.shown.code:
-        return [printable(str(value)) for value in column.values]
+        return [worded(column.shown.null) if value is None else printable(str(value)) for value in column.values]
     units = column.units or [column.unit] * len(column.values)
     if column.errors:
         return [estimate(*figure) for figure in zip(column.values, column.errors, units, strict=True)]

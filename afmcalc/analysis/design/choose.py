@@ -1,15 +1,23 @@
-"""What helps to choose from a front: the neighbours of a clutch, and what each of them gives up for what it gains."""
+"""What helps to choose: what to relax, and of a front the neighbours of a clutch with what each of them gives up."""
 
 import math
 from collections import Counter
+from collections.abc import Callable
+from itertools import groupby
+from typing import TypeVar
 
 import numpy as np
+from pydantic import BaseModel
 
 from ...result import shown_as
+from ...spec.requirements import Requirements
+from .candidates import rounded
 from .pick import number_of
-from .rows import DesignResult, DesignRow, OfVariant, Trade
+from .rows import Attainable, DesignResult, DesignRow, OfVariant, Trade
 from .search import Survey
-from .space import SAME_CLUTCH
+from .space import SAME_CLUTCH, given
+
+T = TypeVar("T", bound=BaseModel)
 
 
 def with_neighbours(result: DesignResult, asked: int | str) -> DesignResult:
@@ -80,3 +88,51 @@ def of_variants(survey: Survey, on_front: list[DesignRow]) -> list[OfVariant] | 
         )
         for name, part in survey.parts.items()
     ]  # fmt: skip
+
+
+def relaxed(
+    need: Requirements, misses: list[Attainable], again: Callable[[Requirements], DesignResult]
+) -> list[Attainable]:
+    """Say of each miss which key to relax and to what, in few digits, if a search with it finds a clutch.
+
+    What is missed together is relaxed together; what follows from the requirements, or from a catalogue, has no key.
+    """
+    told = []
+    for _, rows in groupby(misses, lambda row: row.together or row):
+        named = [(row, _key(need, row), _outward(row)) for row in rows]
+        easier = need
+        for _, key, limit in named:
+            easier = easier if key is None else _with(easier, key.split("."), limit)
+        found = again(easier) if all(key for _, key, _ in named) else None
+        for row, key, limit in named:
+            holds = found is not None and found.on_front
+            known = {"key": key, "relax_to": limit or None, "feasible": given(found).feasible} if holds else {}
+            told.append(row.model_copy(update=known))
+    return told
+
+
+def _key(need: Requirements, row: Attainable) -> str | None:
+    """Key of the requirements that holds the limit of a row."""
+    if row.requirement == "closing_force" and need.search.closing_force is not None:
+        return f"search.closing_force.{'max' if row.sense == 'at most' else 'min'}"
+    for name in type(need).model_fields:
+        if getattr(getattr(need, name), row.requirement, None) == row.limit:
+            return f"{name}.{row.requirement}"
+    return None
+
+
+def _outward(row: Attainable) -> float | bool:
+    """Limit that lets the best of a row pass, in as few digits as a reader takes in."""
+    if row.requirement == "gain_limit":
+        return False
+    return float(rounded(np.array(row.best), _DIGITS, up=row.sense == "at most"))
+
+
+def _with(block: T, path: list[str], value: object) -> T:
+    """Return a block with another value in it."""
+    name, *inner = path
+    return block.model_copy(update={name: _with(getattr(block, name), inner, value) if inner else value})
+
+
+_DIGITS = 4
+"""Digits of a limit that is proposed."""

@@ -1,11 +1,12 @@
 """Which clutch is needed: the Pareto front of everything that meets the requirements."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
 from itertools import product
 from operator import and_
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
@@ -16,7 +17,7 @@ from ...spec.requirements import Requirements
 from ...units import ENGINEER
 from ...variants import VARIANTS, Variant
 from .candidates import candidates
-from .choose import of_variants
+from .choose import of_variants, relaxed
 from .limits import Constraint, constraints
 from .pick import made
 from .refine import refined
@@ -30,8 +31,10 @@ MOST_AGAIN = 30_000_000
 """Candidates that are looked through again for what is attainable; of a larger space every so many radii."""
 
 
-def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
+def design(need: Requirements, *, misses: bool | None = None) -> tuple[DesignResult, list[Finding]]:
     """Search everything the requirements allow: the front, empty where nothing meets them, and findings.
+
+    ``misses`` asks for the nearest miss of each requirement; None: only where nothing meets them all.
 
     Raises:
         AfmcalcError: more candidates than are searched.
@@ -54,8 +57,10 @@ def design(need: Requirements) -> tuple[DesignResult, list[Finding]]:
             tell(say("choosing springs"), number, len(best))
         unsprung, best = len(best) - len(sprung), numbered(need, sprung)
     missing = None
-    if not best:
+    if misses if misses is not None else not best:
         missing = attainable(need, lambda done, of: tell(say("looking for what is attainable"), done, of))
+    if missing:
+        missing = relaxed(need, missing, lambda easier: design(easier, misses=False)[0])
     result = DesignResult(
         candidates=survey.candidates,
         feasible=survey.feasible,
@@ -140,6 +145,7 @@ def shown(result: DesignResult, sort: str | None, top: int | None) -> DesignResu
 def attainable(need: Requirements, progress: Callable[[int, int], None] = lambda done, of: None) -> list[Attainable]:
     """Return a row for each requirement missed, alone or together, by the candidates on the grid that miss the fewest.
 
+    What misses none is none of them.
     ``progress`` is told how many candidates are behind, of how many.
     """
     count = total(need)
@@ -156,8 +162,8 @@ def attainable(need: Requirements, progress: Callable[[int, int], None] = lambda
                     if not np.isfinite(values).all():
                         continue  # what has no number is nothing to bargain for
                     names = tuple(f"{bound.name} {bound.sense}" for bound in missed)
-                    both = zip(values, best.get(names, (missed, values))[1], strict=True)
-                    best[names] = missed, [bound.best(pair) for bound, pair in zip(missed, both, strict=True)]
+                    known = best.get(names, (missed, values))[1]
+                    best[names] = missed, min(known, values, key=lambda each: float(_excess(missed, each)))
                 done += tile.size
                 progress(done * step, count)
     return [
@@ -173,26 +179,32 @@ def attainable(need: Requirements, progress: Callable[[int, int], None] = lambda
 def _nearest(
     need: Requirements, variant: Variant, tile: Tile, most: int
 ) -> Iterator[tuple[list[Constraint], list[float]]]:
-    """Bounds missed by the candidates of a tile that miss the fewest, at most so many, and the best of each."""
+    """Bounds missed by the candidates of a tile that miss the fewest, at most so many, and the nearest of each."""
     at_points, every = candidates(need, variant, tile.axes), constraints(need, variant)
     bounds = [(bound, bound.value) for bound in every if bound.value]
     built = reduce(and_, (bound.holds(at_points) for bound in every if not bound.value), at_points.is_clutch)
     misses = np.stack([np.broadcast_to(~bound.holds(at_points), tile.shape).ravel() for bound, _ in bounds])
     number = np.where(np.broadcast_to(built, tile.shape).ravel(), misses.sum(axis=0), len(bounds) + 1)
+    number[number == 0] = len(bounds) + 1
     fewest = int(number.min())
     if fewest > min(most, len(bounds)):
         return
     near = np.flatnonzero(number == fewest)
     for row in np.unique(misses[:, near], axis=1).T:
         alike = near[(row == misses[:, near].T).all(axis=1)]
-        missed = [(bound, value) for (bound, value), out in zip(bounds, row, strict=True) if out]
-        yield (
-            [bound for bound, _ in missed],
-            [
-                float(bound.best(np.broadcast_to(value(at_points), tile.shape).ravel()[alike]))
-                for bound, value in missed
-            ],
+        both = [(bound, value(at_points)) for (bound, value), out in zip(bounds, row, strict=True) if out]
+        missed, columns = (
+            [bound for bound, _ in both],
+            [np.broadcast_to(each, tile.shape).ravel()[alike] for _, each in both],
         )
+        nearest = np.nan_to_num(_excess(missed, columns), nan=np.inf).argmin()
+        yield missed, [float(column[nearest]) for column in columns]
+
+
+def _excess(missed: Sequence[Constraint], values: Sequence[ArrayLike]) -> Numbers:
+    """How far values are beyond their limits, in parts of these, all together."""
+    both = zip(missed, map(np.asarray, values), strict=True)
+    return np.sum([abs(value - bound.limit) / (abs(bound.limit) or 1.0) for bound, value in both], axis=0)
 
 
 def _findings(result: DesignResult) -> list[Finding]:
@@ -208,7 +220,7 @@ def _findings(result: DesignResult) -> list[Finding]:
             name=row.requirement,
             sense=term(row.sense),
             limit=measured(row.limit, ENGINEER.get(row.unit, row.unit), 5),
-            best=measured(row.best, ENGINEER.get(row.unit, row.unit), 5),
+            best=measured(row.relax_to or row.best, ENGINEER.get(row.unit, row.unit), 5),
         )
         for row in missed
         if row.together is None

@@ -7,7 +7,6 @@ from operator import and_
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from ...equations import direct
 from ...spec.catalogues import friction_materials
@@ -49,10 +48,6 @@ class Constraint(NamedTuple):
     def sense(self) -> str:
         """How the limit bounds the value."""
         return "at least" if self.at_least else "at most"
-
-    def best(self, values: ArrayLike) -> float:
-        """Value that the limit would rather have."""
-        return float(np.max(values) if self.at_least else np.min(values))
 
 
 def constraints(need: Requirements, variant: Variant) -> list[Constraint]:

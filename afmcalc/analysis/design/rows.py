@@ -78,7 +78,10 @@ class Attainable(Result):
     sense: str = described("is to be")
     limit: float = described("limit", unit_in="unit")
     best: float = described("best found", unit_in="unit")
+    relax_to: float | None = described("relax it to", unit_in="unit", optional=True)
     unit: str = described("unit", is_unit=True)
+    key: str | None = described("key to relax", optional=True, code=True)
+    feasible: int | None = described("candidates that then meet all", optional=True)
 
 
 class Trade(Result):
@@ -115,9 +118,6 @@ class DesignResult(Answer):
         optional=True,
     )  # fmt: skip
     excluded: dict[str, int] = described("candidates excluded by each constraint", ranked=True, keys_are="constraint")
-    attainable: list[Attainable] | None = described(
-        "what could be had instead, with all other requirements held", optional=True
-    )
     front: list[DesignRow] = described("the front", folds=True)
     picked: list[DesignRow] | None = described(
         "the clutch picked, calculated from the round values as written", optional=True, across=True
@@ -125,6 +125,9 @@ class DesignResult(Answer):
     explained: int | None = described("number whose neighbours on the front are told", optional=True)
     neighbours: list[Trade] | None = described("its neighbours, and what each gains and gives up", optional=True)
     of_variants: list[OfVariant] | None = described("candidates of each variant", optional=True, across=True)
+    attainable: list[Attainable] | None = described(
+        "what could be had instead, with all other requirements held", optional=True
+    )
     verdict: CheckResult | None = described("check of the clutch as written", optional=True)
 
     def words(self, name: str) -> str | None:
