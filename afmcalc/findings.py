@@ -319,6 +319,8 @@ FINDINGS: Mapping[str, str] = {
     "the faces have no width); the figures are those of the others",
     "solve-replaces": "{path} of the spec gives way to the {by} found",
     "solve-another-value": "{target} = {wanted} is given by {others} as well",
+    "solve-looked": "{target} was calculated at {count} values of {name} from {low} to {high}, then between two of "
+    "them: what it does beyond, or twice within one step, is not seen",
     "sweep-replaces": "{path} of the spec gives way to the swept {by}",
 }
 """Code of a finding, with its case where it has several → its sentence."""

@@ -6,6 +6,7 @@ The bar appears where something takes longer than a second; what takes longer th
 import sys
 import time
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from contextvars import ContextVar
 from threading import Lock
 from types import TracebackType
@@ -38,6 +39,16 @@ def pulse() -> None:
     """Tell that the part under way goes on."""
     if watcher := WATCHER.get():
         watcher.pulse()
+
+
+@contextmanager
+def unwatched() -> Iterator[None]:
+    """Tell nothing in the block: it is a part of a work that is counted as a whole."""
+    token = WATCHER.set(None)
+    try:
+        yield
+    finally:
+        WATCHER.reset(token)
 
 
 def counted(work: str, parts: Sequence[T]) -> Iterator[T]:

@@ -59,10 +59,11 @@ class Judged(NamedTuple):
 
 
 def _exceedance(clutch: Clutch, result: Any) -> float | None:
-    """Probability above the limit, if the limit asked of the sample is that of the requirement."""
+    """Probability above the limit, if the limit asked of the sample is that of a requirement there is."""
     required = clutch.spec.requirements
-    assert required is not None
-    return result.probability_above_limit if result.torque_limit == required.torque_max else None
+    if required is not None and result.torque_limit != required.torque_max:
+        return None
+    return result.probability_above_limit
 
 
 def _most(triple: Triple | OpenTriple | None) -> float | None:

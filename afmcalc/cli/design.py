@@ -36,10 +36,15 @@ def solve(
 ) -> None:
     """One parameter from one wanted quantity.
 
+    Wanted can be what the torque law gives, and whatever check judges by a requirement: peak_torque, temperature, work,
+    exceedance, cycles, contact_pressure and others. Those are calculated for one clutch at a time, up to a second each,
+    at some values of the parameter around that of the spec, and then between two of them.
+
     \b
     afmcalc solve --for C accuracy_factor=2.0 clutch.toml
     afmcalc solve --for F nominal_torque="250 N*m" clutch.toml --json | afmcalc torque -
     afmcalc solve --for z torque_max=300 clutch.toml
+    afmcalc solve --for F peak_torque=450 drive.toml
     """  # noqa: D301
     from ..analysis.solve.solve import in_order, parse_target
     from ..spec import resolved

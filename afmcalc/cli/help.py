@@ -48,9 +48,11 @@ def names_of(kind: str) -> Named:
 
             return [(name, "") for name in FIGURES]
         case "target":
-            from ..analysis.solve.solve import TARGETS
+            from ..analysis.solve.solve import targets
 
-            return [(name, f"{target.symbols[0]}, {translate(target.description)}") for name, target in TARGETS.items()]
+            return [
+                (name, f"{target.symbols[0]}, {translate(target.description)}") for name, target in targets().items()
+            ]
     from ..spec.keys import ALIASES, keys
 
     if kind == "path":

@@ -4,7 +4,8 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
-from typing import Literal, NamedTuple, TypeGuard
+from functools import cache, cached_property
+from typing import Any, Literal, NamedTuple, TypeGuard
 
 import numpy as np
 
@@ -13,15 +14,18 @@ from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import AfmcalcError, CalculationError
 from ...findings import Finding, finding
-from ...messages import did_you_mean, joined, measured, plain, say
+from ...messages import did_you_mean, joined, measured, plain, say, term
+from ...progress import tell, unwatched
 from ...result import Answer, described, quantity
 from ...spec import Spec
-from ...spec.edit import replaced, respecified, with_keys
-from ...spec.keys import ALIASES, is_whole, path_of
+from ...spec.edit import replaced, respecified, value_at, with_keys
+from ...spec.keys import ALIASES, is_whole, keys, path_of
 from ...spec.quantity import asked_unit, parse_quantity
 from ...spec.rules import variants_of
-from ..sweep.ratios import RATIOS, moved, no_ratio
+from ...units import ENGINEER
+from ..sweep.ratios import RATIOS, current_ratio, moved, no_ratio
 from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, path_for, roots
+from .slow import looked, places
 
 PARAMETERS = {"C": "1", "F": "N", "z": "1", "z1": "1", "R": "m", "c1": "N/m", "c2": "N/m", "gain_slope": "1/m"}
 """Keys that can be solved for, by symbol, and their SI units; of unlike materials also ``RATIOS``."""
@@ -38,6 +42,15 @@ class Target(NamedTuple):
     """Which side of the wanted value still meets it, where only whole numbers can be chosen."""
     symbols: tuple[str, ...]
     """What else it is called: symbols, and the path of the key that sets it."""
+    analysis: str = ""
+    """The analysis that is asked for one clutch at a time; none where the engines give many at once."""
+
+    def is_slow(self, clutch: Clutch) -> bool:
+        """Whether a sample or an event is calculated for each clutch; a life may take its dynamic factor."""
+        from ..requirements import simulates
+
+        of_event = self.analysis == "life" and clutch.spec.drive.dynamic_factor is None
+        return simulates("simulate" if of_event else self.analysis, clutch)
 
 
 def _of_sleeve(name: str) -> Callable[[Clutch], Values]:
@@ -53,6 +66,13 @@ TARGETS: dict[str, Target] = {
     "accuracy_factor": Target("1", "accuracy factor", lambda c: c.accuracy_factor, "low", ("K_т",)),
     "accuracy_factor_peak": Target(
         "1", "accuracy factor by breakaway peaks", lambda c: c.accuracy_factor_peak, "low", ("K_т,p",)
+    ),
+    "accuracy_factor_hysteresis": Target(
+        "1",
+        "accuracy factor under a load that lasts",
+        lambda c: c.accuracy_factor if c.sleeve is None else c.sleeve.accuracy_factor_hysteresis,
+        "low",
+        ("K_т,h",),
     ),
     "nominal_torque": Target(
         "N*m", "nominal torque of the clutch", lambda c: c.nominal_torque, "high", ("T_н", "adjustment.nominal_torque")
@@ -73,13 +93,50 @@ TARGETS: dict[str, Target] = {
     ),
     "travel_max": Target("m", "largest travel of the sleeve", _of_sleeve("travel_max"), "low", ("x_max",)),
 }
-"""Name, as in the JSON of the other commands → what it is."""
+"""Name, as in the JSON of the other commands → what it is, of what the engines give for many clutches at once."""
+
+
+@cache
+def targets() -> dict[str, Target]:
+    """Every target by name: those of the engines, and what else ``check`` judges."""
+    from ..requirements import JUDGED
+
+    return TARGETS | {name: _judged(name) for name in JUDGED if name not in TARGETS}
+
+
+def target_called(name: str) -> Target:
+    """Return the target of that name; those that ``check`` judges are imported only when one is asked for."""
+    return TARGETS.get(name) or targets()[name]
+
+
+def _judged(name: str) -> Target:
+    """Take what ``check`` judges by a requirement as a target; what may be more, or has no limit, is infinite."""
+    from ..answers import Answers
+    from ..registry import ANALYSES
+    from ..requirements import JUDGED
+
+    judged, key = JUDGED[name], keys()[f"requirements.{name}"]
+
+    def value(clutch: Clutch) -> Values:
+        result = Answers(clutch).ask(judged.analysis)[0] if ANALYSES[judged.analysis].applies(clutch) else None
+        outcome = None if result is None else judged.outcome(clutch, result)
+        if outcome is None:
+            needs = term(judged.needs or f"`{judged.analysis}`")
+            raise AfmcalcError("{name} cannot be solved for: it needs {needs}", name=name, needs=needs)
+        return math.inf if judged.open(result) else outcome
+
+    about, symbols = key.description.partition(",")[0], (key.symbol or name,)
+    return Target(key.unit or "1", about, value, "high" if judged.least else "low", symbols, judged.analysis)
 
 
 def _target_of(text: str) -> str | None:
     """Return the target that ``NAME`` or ``NAME=VALUE`` names, by name or symbol; None when it names none."""
     wanted = plain(text.partition("=")[0].strip())
-    return next((name for name, target in TARGETS.items() if wanted in map(plain, (name, *target.symbols))), None)
+
+    def among(known: dict[str, Target]) -> str | None:
+        return next((name for name, target in known.items() if wanted in map(plain, (name, *target.symbols))), None)
+
+    return among(TARGETS) or among(targets())
 
 
 def in_order(target: str, spec: str | None) -> tuple[str, str | None]:
@@ -104,12 +161,12 @@ def parse_target(text: str) -> tuple[str, float, list[Finding]]:
     given, separator, value = (part.strip() for part in text.partition("="))
     name = _target_of(given)
     if name is None:
-        known = [*TARGETS, *(symbol for target in TARGETS.values() for symbol in target.symbols)]
+        known = [*targets(), *(symbol for target in targets().values() for symbol in target.symbols)]
         raise AfmcalcError(
             "{text!r:.80} is no target{hint}; write NAME=VALUE, NAME one of {known}",
             text=text,
             hint=did_you_mean(given, known),
-            known=", ".join(f"{name} ({target.symbols[0]})" for name, target in TARGETS.items()),
+            known=", ".join(f"{name} ({target.symbols[0]})" for name, target in targets().items()),
         )
     if not separator or not value:
         raise AfmcalcError("{text:.80}: write {name}=VALUE", text=text, name=given)
@@ -117,8 +174,8 @@ def parse_target(text: str) -> tuple[str, float, list[Finding]]:
     with suppress(ValueError):
         number = float(value)
     try:
-        wanted = parse_quantity(number, TARGETS[name].unit)
-        question = asked_unit(number, TARGETS[name].unit, name)
+        wanted = parse_quantity(number, target_called(name).unit)
+        question = asked_unit(number, target_called(name).unit, name)
     except ValueError as error:
         raise AfmcalcError("{text:.80}: {why}", text=text, why=error) from None
     if not wanted > 0:
@@ -145,8 +202,8 @@ class SolveResult(Answer):
     exact_value: float | None = described("value before rounding to a whole number", optional=True, unit_in="unit")
     target: str = described("wanted quantity")
     target_unit: str = described("SI unit of the target", is_unit=True)
-    wanted: float = described("wanted value", unit_in="target_unit")
-    reached: float = described("value reached", unit_in="target_unit")
+    wanted: float = described("wanted value", unit_in="shown_unit")
+    reached: float = described("value reached", unit_in="shown_unit")
     method: Literal["closed-form", "bracketed-root"] = described("how it was found")
     gain: float = quantity("1", "C", "feedback gain")
     closing_force: float = quantity("N", "F_п", "closing-spring force as set")
@@ -155,7 +212,14 @@ class SolveResult(Answer):
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor")
 
+    @property
+    def shown_unit(self) -> str:
+        """Unit of the target: a temperature is shown by another scale than a difference of two."""
+        return target_called(self.target).unit
 
+
+_NOW = {"C": "gain", "F": "closing_force", "z1": "bypass_pairs", "R": "mean_radius"}
+"""Parameter → what it is called of a clutch, where a spec may leave it out."""
 _OF_THE_CLUTCH = ("gain", "closing_force", "nominal_torque", "torque_max", "scatter", "accuracy_factor")
 """Fields of the result that are quantities of the clutch with the value in it."""
 
@@ -179,16 +243,22 @@ def solve(
     """
     name = _symbol(name, clutch.spec)
     problem = _Problem(clutch, name, target, wanted, domain_of(clutch, name, beyond_limit=beyond_limit))
-    curve, whole, path = explore(problem.values, wanted, problem.domain), is_whole(problem.path), problem.path
-    if len(curve.at) > 1 and np.ptp(curve.value) <= 1e-12 * abs(curve.value[0]):
+    slow, whole, path = bool(problem.target_of.analysis), is_whole(problem.path), problem.path
+    if slow:
+        problem.target_of.value(clutch)  # says what it needs; one event that takes too long is refused
+        curve, solutions = looked(problem.values, wanted, problem.at)
+    else:
+        curve = explore(problem.values, wanted, problem.domain)
+        solutions = roots(problem.values, wanted, curve)
+    level = len(curve.at) > 1 and bool(np.isfinite(curve.value).all())
+    if level and np.ptp(curve.value) <= 1e-12 * abs(curve.value[0]):
         raise CalculationError(
             "{target} does not depend on {name} here: it is {level} for every value",
             target=target,
             name=name,
             level=problem.shown(float(curve.value[0])),
         )
-    solutions = roots(problem.values, wanted, curve)
-    exact = problem.closed(curve)
+    exact = None if slow else problem.closed(curve)
     if exact is not None:
         solutions = sorted([exact, *(root for root in solutions if abs(root - exact) > 1e-6 * abs(exact))])
     chosen = problem.whole(solutions) if whole else solutions
@@ -218,9 +288,9 @@ def solve(
         value=chosen[0],
         exact_value=(solutions[0] if solutions else None) if whole else None,
         target=target,
-        target_unit=TARGETS[target].unit,
+        target_unit=target_called(target).unit.removesuffix(" abs"),
         wanted=wanted,
-        reached=TARGETS[target].value(solved),
+        reached=float(problem.target_of.value(solved)),
         method="closed-form" if solutions and solutions[0] == exact else "bracketed-root",
         **{name: getattr(solved, name) for name in _OF_THE_CLUTCH},
     )
@@ -233,6 +303,8 @@ def solve(
                 "solve-another-value", "info", value=others[0], path=path, target=target, wanted=given, others=listed
             )
         )
+    if slow:
+        remarks.append(finding("solve-looked", "info", path=path, target=target, name=name, **problem.seen))
     return result, solved, [*solved.findings(), *remarks]
 
 
@@ -255,19 +327,66 @@ class _Problem:
         """Keys of the spec, by path, that a value of the parameter changes."""
         return moved(self.clutch.spec, {self.name: at}) if self.name in RATIOS else {self.path: at}
 
+    @property
+    def target_of(self) -> Target:
+        """What is wanted."""
+        return target_called(self.target)
+
+    @cached_property
+    def at(self) -> Floats:
+        """Values of the parameter to look at, where each takes its time."""
+        name, clutch = self.name, self.clutch
+        now = current_ratio(clutch.spec, name) if name in RATIOS else getattr(clutch, _NOW.get(name, ""), None)
+        now = value_at(clutch.spec, self.path) if now is None else now
+        whole, slow = is_whole(self.path), self.target_of.is_slow(clutch)
+        at = places(self.domain, now, 16 if slow else 100, 10 if slow or whole else 100, whole=whole)
+        if not len(at):
+            raise CalculationError(
+                "{path}: {target} is looked for around the value of the spec, which has none above 0",
+                path=self.path,
+                target=self.target,
+            )
+        return at
+
+    @property
+    def seen(self) -> dict[str, Any]:
+        """How many of those values there are, and their ends."""
+        low, high = (measured(end, _UNITS[self.name], 4) for end in (self.at[0], self.at[-1]))
+        return {"count": len(self.at), "low": low, "high": high}
+
     def values(self, at: Floats) -> Floats:
         """The target at values of the parameter."""
+        if self.target_of.analysis:
+            return np.array([self._value(float(one)) for one in at])
         with np.errstate(all="ignore"):
-            value = TARGETS[self.target].value(build(with_keys(self.clutch.spec, self.changed(at))))
+            value = self.target_of.value(build(with_keys(self.clutch.spec, self.changed(at))))
         return np.broadcast_to(np.asarray(value, float), at.shape)
+
+    @cached_property
+    def _value(self) -> Callable[[float], float]:
+        """The target at one value of the parameter; NaN where it has none."""
+
+        @cache
+        def value(at: float) -> float:
+            # validated as a file would be; between whole numbers there are no files
+            changed = with_keys if is_whole(self.path) else respecified
+            tell(say("solving"), value.cache_info().currsize, len(self.at) + 12)
+            try:
+                with unwatched():
+                    return float(self.target_of.value(build(changed(self.clutch.spec, self.changed(at)))))
+            except AfmcalcError:
+                return math.nan
+
+        return value
 
     def shown(self, value: float) -> str:
         """A value of the target with its unit."""
-        return measured(value, TARGETS[self.target].unit)
+        unit = self.target_of.unit
+        return measured(value, ENGINEER.get(unit, unit) if unit == "K abs" else unit)
 
     def closed(self, curve: Curve) -> float | None:
         """Value that the closed inverse gives; None where there is none, or it lies off the curve."""
-        now = float(TARGETS[self.target].value(self.clutch))
+        now = float(self.target_of.value(self.clutch))
         # a number of NumPy: what has no answer is NaN, not an exception of a kind of its own for each equation
         with np.errstate(all="ignore"):
             inverse = closed_inverse(self.clutch, self.name, self.target, now, np.float64(self.wanted))
@@ -296,7 +415,7 @@ class _Problem:
     def _meeting(self, at: Floats) -> Floats:
         """Those values of the parameter at which the target is as wanted or better."""
         value = self.values(at)
-        if TARGETS[self.target].better == "low":
+        if self.target_of.better == "low":
             return at[value <= self.wanted * (1 + SAME)]
         return at[value >= self.wanted * (1 - SAME)]
 
@@ -339,10 +458,13 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
             nearest=nearest,
         )
 
-    at, value = curve.at, curve.value
+    at, value = curve.at[np.isfinite(curve.value)], curve.value[np.isfinite(curve.value)]
+    endless = curve.at[np.isinf(curve.value)]
     if is_whole(problem.path) and len(at):
         at = np.unique(np.clip(np.concatenate([np.floor(at), np.ceil(at)]), domain.low, domain.high))
         value = problem.values(at)
+    if len(endless) and not len(at):
+        return CalculationError(refusal(say("it has no end at any {name} looked at", name=name)))
     if not len(at):
         return CalculationError(refusal(say("no value of {name} gives a clutch", name=name)))
     # all on one side of the wanted value, unless the quantity jumps over it
@@ -367,4 +489,9 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
         place=measured(place, _UNITS[name]),
         why=say(" ({why})", why=domain.why) if place == domain.high and domain.why else "",
     )
+    if len(endless):
+        nearest_endless = measured(endless[np.argmin(np.abs(endless - place))], _UNITS[name])
+        where = say("{where}; it has no end at {name} = {place}", where=where, name=name, place=nearest_endless)
+    if problem.target_of.analysis:
+        where = say("{where}, of {count} values from {low} to {high}", where=where, **problem.seen)
     return NotAttainableError(refusal(where), nearest, place)
