@@ -1,6 +1,7 @@
 """A clutch of a front for a drawing: in round figures, with disc springs if wanted, right of every limit."""
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import product
 from typing import NamedTuple
@@ -22,13 +23,15 @@ from ..registry import ANALYSES
 from ..springs.springs import part_of, ranked
 from ..synthesize import SynthesisResult
 from ..torque import TorqueResult
-from .candidates import candidates, rounded
+from .candidates import candidates
 from .limits import feasible, objectives
 from .rows import DesignResult, DesignRow, as_spec, rows
-from .space import Axes, given, searched
+from .space import SAME_CLUTCH, Axes, given, searched
 
-_DIGITS = range(4, 13)
-"""Significant digits that are tried; no written number has more."""
+_LEVELS = (*range(9), *range(11, 33, 3))
+"""Steps of round figures that are tried: of 5, 2 and 1 in the second digit, in the third, …; none has more than 12."""
+_FINE = 8
+"""The first with four digits: the spring force, which is set, has no fewer."""
 _GIVEN_UP = 0.005
 """Share of an objective that round figures may cost, unless nothing else passes: less than to the next ball."""
 _TRIED = 4
@@ -51,8 +54,10 @@ def with_picked(need: Requirements, result: DesignResult, pick: int | str) -> tu
     exact = result.front[number - 1]
     tried = (
         clutch
-        for given_up, digits in product((_GIVEN_UP, math.inf), _DIGITS)
-        for row in _rounded(need, exact, digits, given_up)
+        for given_up, least in ((_GIVEN_UP, 0), (math.inf, _FINE))
+        for level in _LEVELS
+        if level >= least
+        for row in _rounded(need, exact, level, given_up)
         if (clutch := made(need, row)) is not None
     )
     chosen = next(tried, Made(as_spec(need, exact), exact))
@@ -83,40 +88,69 @@ def number_of(result: DesignResult, option: str, asked: int | str) -> int:
 
 
 @np.errstate(all="ignore")
-def _rounded(need: Requirements, row: DesignRow, digits: int, given_up: float) -> list[DesignRow]:
-    """Round what is searched between the ends of a range up or down; what holds every limit, the best first."""
+def _rounded(need: Requirements, row: DesignRow, level: int, given_up: float) -> list[DesignRow]:
+    """Round what is searched between the ends of a range up or down; what holds every limit, with fewest digits first.
+
+    Where an objective may be given up altogether, the best first.
+    """
     variant = VARIANTS[row.variant]
     choices = searched(need, variant)
-    sides = {name: _sides(getattr(row, name), choices.get(name), digits) for name in _PLAIN}
+    sides = {name: _sides(getattr(row, name), choices.get(name), level) for name in _PLAIN}
     angle = row.wall_angle is not None
-    sides["steering"] = _sides(row.wall_angle if angle else row.gain, choices.get("steering"), digits, in_degrees=angle)
-    radii = [(radius, np.nan) for radius in _sides(row.mean_radius, choices["mean_radius"], digits)]
+    sides["steering"] = _sides(row.wall_angle if angle else row.gain, choices.get("steering"), level, in_degrees=angle)
+    radii = [(radius, np.nan, count) for radius, count in _sides(row.mean_radius, choices["mean_radius"], level)]
     if need.search.inner_radius is not None:
-        inner = _sides(row.inner_radius, need.search.inner_radius, digits)
-        outer = _sides(given(row.outer_diameter) / 2, choices["mean_radius"], digits)
-        radii = [((one + other) / 2, one) for one, other in product(inner, outer)]
+        inner = _sides(row.inner_radius, need.search.inner_radius, level)
+        outer = _sides(given(row.outer_diameter) / 2, choices["mean_radius"], level)
+        radii = [((one + other) / 2, one, few + more) for (one, few), (other, more) in product(inner, outer)]
     tried = [
-        {**dict(zip(sides, values, strict=True)), "mean_radius": mean, "inner_radius": inside}
-        for values in product(*sides.values())
-        for mean, inside in radii
+        ({name: value for name, (value, _) in zip(sides, plain, strict=True)}, faces, sum(count for _, count in plain))
+        for plain in product(*sides.values())
+        for faces in radii
     ]
-    at = Axes(*(np.array([values[name] for values in tried], float) for name in Axes._fields))
-    every = replace(candidates(need, variant, at), digits=digits)
+    values_of = [plain | {"mean_radius": mean, "inner_radius": inside} for plain, (mean, inside, _), _ in tried]
+    at = Axes(*(np.array([values[name] for values in values_of], float) for name in Axes._fields))
+    every = replace(candidates(need, variant, at), digits=max(4, level // 3 + 2))
     values, most = objectives(every), [row.objective(name) * (1 + given_up) for name in need.objectives]
     good = np.flatnonzero(feasible(every, np.asarray((values <= most).all(axis=1))))
-    best = good[np.lexsort(values[good].T[::-1])][:_TRIED]
+    digits = np.array([count + of_faces for _, (*_, of_faces), count in tried]) * math.isfinite(given_up)
+    best = good[np.lexsort((*values[good].T[::-1], digits[good]))][:_TRIED]
     chosen = rows(replace(every, at=at.at(best)))
     return [round_row.model_copy(update={"number": row.number, "mark": row.mark}) for round_row in chosen]
 
 
-def _sides(value: float | None, choice: Choice | None, digits: int, *, in_degrees: bool = False) -> list[float]:
-    """Return a value of a range rounded down and up, to a digit less too, within the range; any other as it is."""
-    if value is None or choice is None or not choice.between:
-        return [np.nan if value is None else value]
+def _sides(
+    value: float | None, choice: Choice | None, level: int, *, in_degrees: bool = False
+) -> list[tuple[float, int]]:
+    """Round a value of a range down and up, by a decade larger steps too, within the range; any other stays.
+
+    Beside each value stands how many digits it has; of what is not rounded they do not count.
+    """
+    if not value or choice is None or not choice.between:
+        return [(np.nan if value is None else value, 0)]
     shown, back = (math.degrees(value), math.radians) if in_degrees else (value, float)
-    ways = product((digits - 1, digits), (False, True))
-    near = (back(float(rounded(np.array(shown), count, up=up))) for count, up in ways)
-    return sorted({min(max(side, choice.start), choice.stop) for side in near})
+    steps = (_step(shown, each) for each in (level - 3, level) if each >= 0)
+    near = {_whole(shown, step, way) for step, way in product(steps, (math.floor, math.ceil))}
+    within = {min(max(back(side), choice.start), choice.stop): _digits(side) for side in near}
+    return sorted(within.items())
+
+
+def _step(value: float, level: int) -> float:
+    """Step of round figures near a value."""
+    decade, part = divmod(level, 3)
+    return (5, 2, 1)[part] * 10.0 ** (math.floor(math.log10(value)) - decade - 1)
+
+
+def _whole(value: float, step: float, way: Callable[[float], int]) -> float:
+    """Next multiple of a step, in 12 digits; what is one already stays."""
+    nearest = round(value / step)
+    count = nearest if math.isclose(value, nearest * step, rel_tol=SAME_CLUTCH) else way(value / step)
+    return float(f"{count * step:.12g}")
+
+
+def _digits(value: float) -> int:
+    """Significant digits of a round figure."""
+    return len(f"{value:.12g}".partition("e")[0].replace(".", "").strip("0"))
 
 
 def _as_written(spec: Spec, row: DesignRow) -> DesignRow:

@@ -495,7 +495,7 @@ def test_the_example_runs_as_it_is(afmcalc, tmp_path):
     torque, (row,) = again["result"], chosen.json["result"]["picked"]
     assert chosen.json["result"]["front"] == front_
     assert 200 <= row["nominal_torque"] == torque["nominal_torque"] < 200.2
-    assert row["closing_force"] == torque["closing_force"] == pytest.approx(front_[6]["closing_force"], rel=1e-3)
+    assert row["closing_force"] == torque["closing_force"] == pytest.approx(front_[6]["closing_force"], rel=5e-3)
     assert afmcalc("check", target).code == 0
     assert afmcalc("check", "-", stdin=chosen.out).code == 0
     assert afmcalc("design", CONFIGS / "requirements.toml", "--format", "markdown").code == 0

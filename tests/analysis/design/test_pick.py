@@ -184,3 +184,25 @@ def test_a_friction_material_limits_the_pressure_at_the_inner_edge():
     assert result.excluded["material_pressure"] > 0
     edge = [row.closing_force / (2 * np.pi * row.inner_radius * (row.outer_diameter / 2 - row.inner_radius)) for row in result.front]  # fmt: skip
     assert 0.9 * 55e3 < max(edge) <= 55e3 * (1 + 1e-9)
+
+
+@pytest.mark.parametrize("steering", ["gain", "wall_angle"])
+def test_figures_that_a_drawing_bears(steering):
+    """Three digits for what is cut, of a degree too; each objective within half a percent, no limit missed."""
+    angle = {"wall_angle": grid(0.1, 0.5, 17), "gain": None} if steering == "wall_angle" else {}
+    need = changed(["closing_force", "accuracy_factor"], search=angle)
+    result, _ = design(need)
+    few = 0
+    for row in result.front[:: several(len(result.front) // 12, 1)]:
+        told, spec = with_picked(need, result, row.number)
+        (picked,) = told.picked
+        assert told.verdict.passed
+        assert all(each.passed for each in told.verdict.requirements)
+        for name in need.objectives:
+            assert picked.objective(name) <= row.objective(name) * 1.005 * (1 + 1e-9)
+        unit, group = spec.control_unit, spec.friction_group
+        cut = unit.gain if steering == "gain" else np.degrees(unit.wall_angle)
+        figures = cut, 1e3 * unit.ball_circle_radius, 1e3 * group.inner_radius, 1e3 * group.outer_radius
+        assert picked.closing_force == float(f"{picked.closing_force:.4g}")
+        few += all(value == pytest.approx(float(f"{value:.3g}"), rel=1e-10) for value in figures)
+    assert few >= 10
