@@ -6,13 +6,15 @@ from decimal import Decimal
 from typing import Any
 
 from ..messages import named, translate
-from ..units import ENGINEER, product
+from ..units import ENGINEER, ZEROS, product
 from .keys import keys, scatter_at
 from .parse import example_text
 from .quantity import parse_quantity
 
-WRITTEN = ("N", "m", "N*m", "N/m", "rad", "Pa", "m^3")
+WRITTEN = ("N", "m", "N*m", "N/m", "rad", "Pa", "m^3", "rad/s", "K abs")
 """SI units of what a written spec has with the engineer's unit; other numbers stand alone."""
+_UNITS = ENGINEER | {"rad/s": "rpm"}
+"""Unit in which each is written: a speed as on the plate of a motor."""
 
 _DIGITS = 12
 """More of a calculated number are rounding error and noise to a reader."""
@@ -76,11 +78,12 @@ def _value(value: Any, unit: str | None) -> Any:
 
 def _quantity(value: float, unit: str) -> str:
     """Write a number in SI with the engineer's unit, or with its own where only that reads back to the same."""
-    written = ENGINEER.get(unit, unit)
-    text = f"{float(Decimal(value) / product(written).factor):.{_DIGITS}g}"
+    written = _UNITS.get(unit, unit)
+    number = Decimal(value) - ZEROS["degC"] if unit == "K abs" else Decimal(value) / product(written).factor
+    text = f"{float(number):.{_DIGITS}g}"
     plain = f"{value:.{_DIGITS}g}"
     if float(plain) == value and parse_quantity(f"{text} {written}", unit) != value:
-        return f"{plain} {unit}"
+        return f"{plain} {unit.removesuffix(' abs')}"
     return f"{text} {written}"
 
 

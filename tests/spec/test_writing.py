@@ -15,6 +15,7 @@ from afmcalc.spec import make_spec, read_spec, resolved, to_toml
 from afmcalc.spec.edit import as_written
 from afmcalc.spec.keys import keys
 from afmcalc.spec.parse import example_names
+from afmcalc.spec.quantity import parse_quantity
 from afmcalc.spec.source import Source
 from afmcalc.spec.write import WRITTEN
 
@@ -73,3 +74,15 @@ def test_paths_and_lists_are_read_back():
     wrong = Source("x.toml", text.replace('spread = "1 mm"', 'spread = "1 kN"'))
     with pytest.raises(SpecError, match=r'x\.toml:\d+:10: tolerance\.fields\."?friction_group'):
         make_spec(tomllib.loads(wrong.text), wrong)
+
+
+@pytest.mark.parametrize(("path", "given", "written"), [
+    ("drive.speed", "1460 rpm", "1460 rpm"), ("drive.speed", "30 rad/s", "30 rad/s"), ("heat.ambient", "40 degC", "40 degC"),
+    ("requirements.temperature", "204 °C", "204 degC"), ("heat.ambient", "300.001 K", "26.851 degC"),
+])  # fmt: skip
+def test_what_stands_on_a_plate_is_written_as_it_was_given(path, given, written):
+    table, key = path.split(".")
+    number = parse_quantity(given, keys()[path].unit)
+    text = to_toml({table: {key: number}})
+    assert f'{key} = "{written}"' in text
+    assert parse_quantity(written, keys()[path].unit) == pytest.approx(number, rel=1e-12)
