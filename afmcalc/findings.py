@@ -150,6 +150,14 @@ FINDINGS: Mapping[str, str] = {
     "ball-reaches-axis": "a ball of radius {value:.5g mm} reaches the axis: its centre lies {limit:.5g mm} from it",
     "pockets-overlap": "{balls} pockets cut into each other: each is {value:.5g mm} wide at the face, their centres "
     "are {limit:.5g mm} apart",
+    # layout
+    "parts-collide": "{first} and {second} overlap by {value:.4g mm}",
+    "housing-too-wide": "the housing around the discs is {value:.5g mm} wide, {missing:.4g mm} more than there is room "
+    "for ({limit:.5g mm})",
+    "clutch-too-long": "the clutch is {value:.5g mm} long at least, {missing:.4g mm} more than there is room for "
+    "({limit:.5g mm})",
+    "layout-without": "not in the layout: {name}; give {path}",
+    "inertia-from-layout": "{path} is not given: {value:.4g} kg·m² is taken from the layout, all parts of steel",
     "depth-beyond-sleeve": "the pockets, cut {value:.5g mm} deep, go through the sleeve of {limit:.5g mm}",
     "no-standard-ball": "no standard ball is as large as {value:.5g mm}, the largest is {limit:.5g mm}: change gain, "
     "springs, gap or list",

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from .analysis.design.rows import DesignResult
     from .analysis.effects import EffectsResult
     from .analysis.explain.explain import ExplainResult
+    from .analysis.layout import LayoutResult
     from .analysis.life import LifeResult
     from .analysis.overload import OverloadResult
     from .analysis.solve.solve import SolveResult
@@ -97,6 +98,10 @@ class Clutch:
         moments = [moment.to_dict() for moment in history(self.engine, _pairs(friction)).moments]
         names = [name for name, value in moments[0].items() if value is not None]
         return {name: np.array([moment[name] for moment in moments]) for name in names}
+
+    def layout(self) -> "LayoutResult":
+        """Parts in half section, what collides, mass and inertia; needs the block [envelope]."""
+        return self._ask("layout")
 
     def life(self, model: StressRule = "mean-stress", sweep: Sweep = ()) -> "LifeResult":
         """Cycles to failure on both sides of the clutch; ``sweep`` also takes dT, the scatter band."""

@@ -29,6 +29,10 @@ _ROUNDING = 1e-9
 def remarks_of(clutch: Clutch, train: Train, outcomes: Sequence[Outcome], result: SimulateResult) -> Iterator[Finding]:
     """Return the remarks on an event, ``outcomes`` at f_min, mean friction and f_max, and on its ``result``."""
     yield _inertia(train, outcomes)
+    taken = {"driven_inertia": train.driven_inertia, "hub_inertia": train.hub_inertia}
+    for name, inertia in taken.items():
+        if inertia and getattr(clutch.spec.drive, name) is None:
+            yield finding("inertia-from-layout", "info", value=float(inertia), path=f"drive.{name}")
     # where the ordinary clutch of equal nominal torque is no like for like comparison
     load, carried = train.load, min(one.ordinary.sliding for one in outcomes)
     if train.hub_inertia:

@@ -16,6 +16,7 @@ from ..spec.edit import value_at
 from ..spec.read import diameters
 from .answers import Answers
 from .heat_findings import judged_temperature, share_of_rise
+from .layout import LayoutResult, space_limits
 from .life import LifeResult
 from .registry import ANALYSES
 from .synthesize import SynthesisResult, contact_limits
@@ -79,6 +80,11 @@ def _limits(answers: Answers) -> Iterator[_Limit]:
     yield from _of_hub(answers)
     if ANALYSES["synthesize"].applies(clutch):
         yield from _of_synthesis(clutch, answers.of(SynthesisResult))
+    if ANALYSES["layout"].applies(clutch):
+        names = {"housing-too-wide": term("housing in its space"), "clutch-too-long": term("length in its space")}
+        for code, path, value, limit in space_limits(clutch, answers.of(LayoutResult)):
+            symbol = "D_h ≤ [D_h]" if path.endswith("diameter") else "L ≤ [L]"
+            yield _Limit(code, names[code], symbol, "m", value, limit)
     if simulated:
         yield from _of_event(clutch, answers.of(SimulateResult))
     yield from _of_springs(clutch, _travel(answers.of(SimulateResult)) if simulated else 0.0)

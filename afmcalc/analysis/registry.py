@@ -298,6 +298,17 @@ ANALYSES: dict[str, Analysis] = {
             ),
             plot=Plot("springs", "force of the springs over their deflection, with what service takes", "clutch"),
         ),
+        Analysis(
+            "layout", "analysis.layout", "LayoutResult", "drive", lambda clutch: clutch.spec.envelope is not None,
+            judged=True,
+            section=Section(
+                "Layout",
+                "The parts in half section, as the papers arrange them, along the axis from the web of the housing on.",
+                "The clutch is {length:.4g mm} long and its housing {outer_diameter:.4g mm} wide, clearances, "
+                "bearings, keys and bolts not counted; its mass is {mass:.3g kg}.",
+                ("F11", "S19"), ("S21",),
+            ),
+        ),
         Analysis("compare", "analysis.compare", "CompareResult", "clutch"),
         Analysis("solve", "analysis.solve.solve", "SolveResult", "design"),
         Analysis(

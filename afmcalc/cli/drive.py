@@ -113,6 +113,19 @@ def effects(spec: SpecArgument = None, *, common: Common) -> None:
 
 
 @with_common
+def layout(spec: SpecArgument = None, *, common: Common) -> None:
+    """Parts in half section: whether they fit into the space, mass and inertia (block [envelope]).
+
+    The parts lie as the papers draw them. Clearances, thrust bearings, keys, splines and bolts are not counted.
+
+    \b
+    afmcalc layout clutch.toml
+    afmcalc layout clutch.toml --set envelope.length='200 mm' --json
+    """  # noqa: D301
+    common.calculate(common.clutch(spec))
+
+
+@with_common
 def springs(
     spec: SpecArgument = None,
     sort: Annotated[

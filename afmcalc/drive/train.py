@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import V, is_array
+from ..engines.layout import inertia_of, parts_of, sizes_of
 from ..engines.protocol import Clutch
 from ..equations import drive as law
 from ..equations.calls import unnoted
@@ -88,6 +89,18 @@ class Train:
 
 
 @unnoted()
+def inertias_of(clutch: Clutch) -> tuple[Number, Number]:
+    """J_2 and J_h, kg·m²: as given, else of the layout, which the rules then see to; a direct clutch has no J_h."""
+    driven: Number = clutch.spec.drive.driven_inertia
+    hub: Number = clutch.spec.drive.hub_inertia if clutch.sleeve else 0.0
+    if driven is None or hub is None:
+        parts = parts_of(sizes_of(clutch))
+        driven = inertia_of(parts, "driven") if driven is None else driven
+        hub = inertia_of(parts, "hub") if hub is None else hub
+    return driven, hub
+
+
+@unnoted()
 def train_of(clutch: Clutch) -> Train:
     """Return the drive of a clutch.
 
@@ -116,10 +129,10 @@ def train_of(clutch: Clutch) -> Train:
         # the formula has no slip without load, where the motor runs at its synchronous speed
         slip = law.kloss_slip(engine.torque, engine.slip, load) if np.all(load > 0) else 0.0
         speed = engine.synchronous * (1 - slip)
-    inertia, stiffness, damping = given.driven_inertia, given.shaft_stiffness, given.damping_ratio
+    (inertia, hub), stiffness, damping = inertias_of(clutch), given.shaft_stiffness, given.damping_ratio
     return Train(
         motor_inertia=given.motor_inertia,
-        hub_inertia=0.0 if given.hub_inertia is None else given.hub_inertia,
+        hub_inertia=hub,
         driven_inertia=inertia,
         tool_inertia=0.0 if given.tool_inertia is None else given.tool_inertia,
         stiffness=stiffness,

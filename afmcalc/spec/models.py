@@ -458,6 +458,26 @@ class Fatigue(Block):
     )
 
 
+class Envelope(RuledBlock):
+    """The space a clutch is to fit into, and the thicknesses that decide whether it does."""
+
+    outer_diameter: Length | None = key("outer diameter of the housing, at most", "D_h")
+    length: Length | None = key("length of the clutch along the axis, at most", "L")
+    bore: Length | None = key("bore of the hub, the diameter of the shaft; default none, a hub solid to the axis")
+    hub_diameter: Length | None = key("outer diameter of the hub; of an indirect clutch control_unit.hub_diameter")
+    disc_thickness: Length = required("thickness of a friction disc, lining included; a pack has one per pair")
+    plate_thickness: Length = required(
+        "thickness of thrust disc, pressure disc, flanges and web of the housing; the floor under a pocket"
+    )
+    housing_wall: Length = required("wall of the housing around the discs, and of what carries the inner ones")
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """Shaft, hub and housing are ever wider."""
+        yield from _bigger("hub_diameter", self.hub_diameter, "bore", self.bore)
+        inside = "bore" if self.hub_diameter is None else "hub_diameter"
+        yield from _bigger("outer_diameter", self.outer_diameter, inside, getattr(self, inside))
+
+
 class _OfTheClutch(RuledBlock):
     nominal_torque: Torque | None = key("nominal torque of the clutch, at least", "T_н")
     machine_torque: Torque | None = key(
@@ -562,6 +582,7 @@ class Spec(FileBlock):
     fatigue: Fatigue | None = None
     heat: Heat | None = None
     tolerance: Tolerance | None = None
+    envelope: Envelope | None = None
     requirements: Required | None = None
     report: TitleBlock | None = None
 

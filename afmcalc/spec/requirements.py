@@ -26,6 +26,7 @@ from .models import (
     Contact,
     Count,
     Drive,
+    Envelope,
     Fatigue,
     FileBlock,
     Force,
@@ -313,6 +314,7 @@ class Requirements(FileBlock, RuledBlock):
     fatigue: Fatigue | None = None
     heat: Heat | None = None
     tolerance: Tolerance | None = None
+    envelope: Envelope | None = None
 
     @property
     def contact(self) -> Contact | None:
@@ -354,6 +356,7 @@ class Requirements(FileBlock, RuledBlock):
                     yield path, say("required for variant {variant!r}", variant=name)
         yield from self._springs_rules(bool(travelling))
         yield from self._service_rules(len(travelling) < len(variants))
+        yield from self._envelope_rules()
         if fixed.pocket is not None and not travelling:
             yield "fixed.pocket", say("is of variant {able}", able=_able("travels"))
         if fixed.profiled is not None and fixed.pocket is None:
@@ -397,6 +400,30 @@ class Requirements(FileBlock, RuledBlock):
                 yield path, say("required with springs: inner_diameter and outer_diameter, and length if bounded")
         if not travels and self.fixed.control_room is not None:
             yield "fixed.control_room", say("is of variant {able}", able=_able("travels"))
+
+    def _envelope_rules(self) -> Iterable[Broken]:
+        if self.envelope is None:
+            return
+        hub, other = self.envelope.hub_diameter, "fixed.hub_diameter"
+        if self.fixed.hub_diameter is not None and hub is not None:
+            yield "envelope.hub_diameter", say("excludes {other}: it is the same hub", other=other)
+        elif self.fixed.hub_diameter is None and hub is None:
+            yield "envelope.hub_diameter", say("required beside {other}", other="envelope")
+        if self.search.inner_radius is None and self.fixed.face_width is None:
+            yield "fixed.face_width", say("required beside {other}", other="envelope")
+
+    @property
+    def hub_diameter(self) -> float | None:
+        """Outer diameter of the hub, wherever it is given, m."""
+        hub = self.fixed.hub_diameter
+        return self.envelope.hub_diameter if hub is None and self.envelope else hub
+
+    @property
+    def faces_diameter(self) -> float:
+        """Outer diameter that the faces may have, m: by their own limit, and by that of the housing around them."""
+        faces, room = self.limits.outer_diameter or float("inf"), self.envelope
+        within = room.outer_diameter - 2 * room.housing_wall if room and room.outer_diameter else faces
+        return min(faces, within)
 
     def _radii_rules(self) -> Iterable[Broken]:
         width, mean, inner, outer = (

@@ -44,6 +44,8 @@ _MEAN, _INNER, _OUTER = (f"friction_group.{name}_radius" for name in ("mean", "i
 _WEIGHT = tuple(f"friction_group.{name}" for name in ("vertical_axis", "pressure_disc_mass", "discs_mass"))
 _GAIN, _ANGLE, _CIRCLE = "control_unit.gain", "control_unit.wall_angle", "control_unit.ball_circle_radius"
 _SLOPE, _POCKET, _PROFILED = "control_unit.gain_slope", "control_unit.pocket", "control_unit.profiled"
+_HUB = "control_unit.hub_diameter"
+_ENVELOPE = say("required beside [envelope]: both radii of the faces, instead of mean_radius")
 _FORCE, _TORQUE = "closing_spring.force", "adjustment.nominal_torque"
 
 _RULES = (
@@ -74,7 +76,11 @@ _RULES = (
     _wrong(
         "drive.motor_torque", say("excludes drive.motor: give a constant torque, or the motor's curve"), "drive.motor"
     ),
-    *(_wanted(f"drive.{key}", "drive.event.") for key in ("motor_inertia", "driven_inertia", "shaft_stiffness")),
+    *(_wanted(f"drive.{key}", "drive.event.") for key in ("motor_inertia", "shaft_stiffness")),
+    _wanted("drive.driven_inertia", "drive.event.", unless=("envelope.",)),
+    *(_wanted(key, "envelope.", message=_ENVELOPE) for key in (_INNER, _OUTER)),
+    _wanted("envelope.hub_diameter", "envelope.", unless=(_HUB,)),
+    _wrong("envelope.hub_diameter", say("excludes {other}: it is the same hub", other=_HUB), _HUB),
     _wanted("drive.speed", "drive.event.", unless=("drive.motor",)),
     *(
         _wrong(
@@ -188,7 +194,7 @@ def _event(given: Table) -> Iterator[Broken]:
     kind, variant = given.get("drive.event.kind"), VARIANTS.get(str(given.get("variant")))
     if kind == "load" and "drive.tool_inertia" not in given:
         yield "drive.tool_inertia", _beside("drive.event")
-    if variant is not None and variant.travels and "drive.hub_inertia" not in given:
+    if variant is not None and variant.travels and given.keys().isdisjoint(("drive.hub_inertia", "envelope.")):
         yield "drive.hub_inertia", _beside("drive.event")
     if kind == "stop" and "drive.tool_inertia" in given:
         yield "drive.tool_inertia", say("only with an event of kind load: a stopped tool moves as it is told")

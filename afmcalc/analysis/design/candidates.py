@@ -9,6 +9,7 @@ import numpy as np
 
 from ...engines.direct import DirectClutch
 from ...engines.indirect import IndirectClutch
+from ...engines.layout import SectionPart, Sizes, overlaps, parts_of
 from ...engines.protocol import Clutch
 from ...equations import adjustment, direct, synthesis, wall
 from ...equations.effects import force_lost_by_wear
@@ -367,6 +368,26 @@ class Candidates:
         if not self.variant.controlled:
             return np.full(1, np.nan)
         return np.where(self.tangent > 0, self._next_listed(self.ball_needed), np.nan)
+
+    @cached_property
+    def layout(self) -> list[SectionPart]:
+        """Parts in half section, without the springs, which are chosen later."""
+        at, fixed, room = self.at, self.need.fixed, given(self.need.envelope)
+        ball, circle = np.nan_to_num(self.ball_diameter), np.nan_to_num(at.ball_circle_radius)
+        half = self.face_width / 2
+        return parts_of(
+            Sizes(
+                self.variant.travels, at.pairs, at.mean_radius - half, at.mean_radius + half, (room.bore or 0.0) / 2,
+                given(self.need.hub_diameter) / 2, room.disc_thickness, room.plate_thickness, room.housing_wall,
+                ball, fixed.balls, circle, fixed.face_gap, travel=self.travel,
+            )
+        )  # fmt: skip
+
+    @cached_property
+    def overlaps(self) -> dict[str, Numbers]:
+        """By how much parts are in each other's way, m: ≤ 0 where they are not."""
+        pairs = overlaps(self.layout)
+        return {f"{first}_{second}".replace(" ", "_"): np.asarray(value) for first, second, value in pairs}
 
     def _next_listed(self, least: Numbers) -> Numbers:
         """Next standard ball, m; NaN where there is none."""

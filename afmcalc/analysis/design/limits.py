@@ -2,12 +2,13 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
-from functools import reduce
+from functools import partial, reduce
 from operator import and_
 from typing import NamedTuple
 
 import numpy as np
 
+from ...engines.layout import TOUCHES, length_of
 from ...equations import direct
 from ...spec.catalogues import friction_materials
 from ...spec.models import Room
@@ -53,7 +54,8 @@ class Constraint(NamedTuple):
 def constraints(need: Requirements, variant: Variant) -> list[Constraint]:
     """Every bound that the requirements put on a variant."""
     unit = _of_the_control_unit(need, variant) if variant.controlled else ()
-    return [*_bounds(need), *unit, *(_of_springs(need, variant) if need.springs else ())]
+    space = _of_space(need, variant) if need.envelope else ()
+    return [*_bounds(need), *unit, *space, *(_of_springs(need, variant) if need.springs else ())]
 
 
 def _bounds(need: Requirements) -> Iterable[Constraint]:
@@ -123,6 +125,32 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
         )  # fmt: skip
         if (travel := limits.travel) is not None:
             yield Constraint("travel", lambda c: c.travel, travel, "m", (0, 1))
+
+
+_IN_THE_WAY = ("hub_pack", "hub_balls", "pack_balls")
+_OF_A_SLEEVE = ("pressure_disc_balls", "housing_balls", "housing_stop_ring")
+"""Parts that may be in each other's way before springs are chosen; without them all others have room or follow."""
+
+
+def _of_space(need: Requirements, variant: Variant) -> Iterable[Constraint]:
+    """The parts have room beside each other, and the clutch in its housing."""
+    room, pairs = given(need.envelope), _IN_THE_WAY + _OF_A_SLEEVE * variant.travels
+    values: dict[str, tuple[Callable[[Candidates], Numbers], float | None]] = {
+        "housing_diameter": (lambda c: c.outer_diameter + 2 * room.housing_wall, room.outer_diameter),
+        "length": (lambda c: np.asarray(length_of(c.layout)), room.length),
+    } | {name: (partial(_overlap, name=name), 0.0) for name in (pairs if variant.controlled else pairs[:1])}
+    for name, (value, most) in values.items():
+        if most is not None:
+            within = partial(_within, value=value, most=most + TOUCHES)
+            yield Constraint(name, value, most, "m", (0, 0), test=within)
+
+
+def _within(tried: Candidates, value: Callable[[Candidates], Numbers], most: float) -> Mask:
+    return value(tried) <= most
+
+
+def _overlap(tried: Candidates, name: str) -> Numbers:
+    return tried.overlaps[name]
 
 
 def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:

@@ -80,11 +80,11 @@ class _Rows:
     def _span(self, name: str, choice: Choice | None) -> _Span:
         """Values that the search, and of the mean radii the outer diameter, allow."""
         column = getattr(self.at, name)
-        if choice is None or not choice.between:
-            return _Span(column, column)
+        if choice is None or not choice.between or (self.need.envelope and name == "ball_circle_radius"):
+            return _Span(column, column)  # where it is to fit into a space, the largest ball circle is not the best
         low, high = np.full(column.shape, choice.start), np.full(column.shape, choice.stop)
         if name == "mean_radius":
-            inner, outermost = self.at.inner_radius, (self.need.limits.outer_diameter or np.inf) / 2
+            inner, outermost = self.at.inner_radius, self.need.faces_diameter / 2
             if self.need.search.mean_radius is None:
                 radii = choice.array()
                 low = (inner + radii[np.minimum(np.searchsorted(radii, inner, "right"), radii.size - 1)]) / 2

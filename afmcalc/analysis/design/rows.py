@@ -194,6 +194,9 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
     for block in ("drive", "fatigue", "heat", "tolerance"):  # as they stand in the file
         if (values := getattr(need, block)) is not None:
             data[block] = values.model_dump(exclude_none=True)
+    if need.envelope is not None:
+        hub = None if row.closing_stiffness is not None else need.hub_diameter
+        data["envelope"] = need.envelope.model_dump(exclude_none=True) | ({"hub_diameter": hub} if hub else {})
     if row.ball_circle_radius is not None:
         sleeve, curve = row.control_stiffness is not None, row.gain_slope is not None
         unit = {
