@@ -59,6 +59,8 @@ def accuracy_factor_is_the_ratio_of_torques() -> Steps:
     yield "of any two corners", accuracy.accuracy_factor_worst_case(*torques) - factor
     yield "by peaks, where T is the peak", accuracy.accuracy_factor_peak(*torques) - factor
     yield "ΔT = (K_т − 1) T(f_min)", accuracy.scatter_band(*torques) - (factor - 1) * torques[1]
+    middle = accuracy.mid_band_torque(*torques)
+    yield "T_mid is as far below T_max as above T_min", (torques[0] - middle) - (middle - torques[1])
     ordinary = accuracy.conventional_accuracy_factor(z1, z2, f1min, f2min, f1max, f2max)
     yield "K_т,0 is (14) at C = 0", ordinary - accuracy.accuracy_factor(z1, z2, 0, f1min, f2min, f1max, f2max)
     one = accuracy.accuracy_factor(z1, z2, C, fmin, fmin, fmax, fmax)
