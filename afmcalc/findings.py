@@ -299,6 +299,10 @@ FINDINGS: Mapping[str, str] = {
     "and above {jumping:.4g 1/mm}: the sleeve jumps off its stop even as friction rises in slip, and the torque jumps "
     "down from {most:.5g N·m}, to {falls:.5g N·m} at f_max",
     "material": "{name}: friction {low:g}…{high:g} from the catalogue ({source})",
+    "material/read": "{name} is read as {row} ({about}, {condition}): friction {low:g}…{high:g} from the catalogue "
+    "({source})",
+    "lining-unknown": "the lining may be any of {names}: friction {low:g}…{high:g} covers them all, and the least "
+    "pressure and the least temperature that any of them allows count",
     "nominal-torque-missed": "closing_spring.force is given, so it decides: it gives a nominal torque of {value:.5g "
     "N·m} of the clutch, not the {limit:.5g N·m} of adjustment.nominal_torque",
     "reduced-gain-above-limit": "the reduced gain zC = {value:.4g} is above the recommended {limit:g} (S22)",

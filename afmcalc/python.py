@@ -1,5 +1,6 @@
 """The calculator from Python: a clutch with a method for each calculation, and answers for notebooks."""
 
+import os
 import typing
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
@@ -131,9 +132,9 @@ class Clutch:
 
     def synthesize(self, balls: str | PathLike[str] | Sequence[float] | None = None) -> "SynthesisResult":
         """Wall angle, balls and pockets of the control unit; ``balls``: diameters to choose from, m, or their file."""
-        from .spec.read import diameters
-
-        return self._ask("synthesize", diameters(balls) if isinstance(balls, str | PathLike) else balls)
+        if isinstance(balls, str | PathLike):
+            return self.with_({"catalogues.balls": os.path.abspath(balls)}).synthesize()
+        return self._ask("synthesize", balls)
 
     def tolerance(self, *, threads: int | None = None) -> "ToleranceResult":
         """Torque over tolerances and scatter: quantiles, risks, life, Sobol indices."""

@@ -82,7 +82,7 @@ def _unusual(answers: Answers) -> Iterator[Finding]:
 
     The ranges are wide: they are no limits of a design, they find a millimetre written for a metre.
     """
-    linings = friction_materials().values()
+    linings = (answers.clutch.spec.lists.materials or friction_materials()).values()
     least, most = min(lining.friction_min for lining in linings), max(lining.friction_max for lining in linings)
     for code, path, value, low, high in _figures(answers):
         if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):

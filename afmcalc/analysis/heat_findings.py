@@ -49,10 +49,9 @@ def remarks(clutch: Clutch, given: Heat, result: HeatResult, slips: HeatedSlips)
     # without a limit it is judged all the same beyond what the best material of the catalogue bears
     if not limits_of(clutch):
         hottest, path = _most(result.face_temperature or result.temperature), "friction.material"
-        allowed = [
-            (_allowed(one)[1], one.name) for one in friction_materials().values() if one.temperature_max is not None
-        ]
-        limit, name = max(allowed)
+        listed = (clutch.spec.lists.materials or friction_materials()).values()
+        allowed = [(_allowed(one)[1], one.name) for one in listed if one.temperature_max is not None]
+        limit, name = max(allowed, default=(IRON_MELTS, ""))
         if limit < hottest < IRON_MELTS:
             yield finding("temperature-beyond-catalogue", "warning", value=hottest, limit=limit, path=path, name=name)
         else:
@@ -123,8 +122,8 @@ class Limit(NamedTuple):
 
 def material_limit(clutch: Clutch) -> Limit | None:
     """What the faces may reach: the lowest of what the materials named allow."""
-    listed = [(path, friction_materials()[name]) for path, name in clutch.spec.friction.materials.items()]
-    allowing = [(path, material) for path, material in listed if material.temperature_min is not None]
+    linings = clutch.spec.friction.linings.items()
+    allowing = [(path, material) for path, material in linings if material.temperature_min is not None]
     if not allowing:
         return None
     path, material = min(allowing, key=lambda each: _allowed(each[1])[0])

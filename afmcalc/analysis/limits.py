@@ -11,9 +11,9 @@ from ..equations import direct
 from ..findings import Finding, Level, finding
 from ..messages import say, term
 from ..result import Result, Sentence, described, quantity
-from ..spec.catalogues import Material, friction_materials
+from ..spec.catalogues import Material
 from ..spec.edit import value_at
-from ..spec.read import diameters
+from ..spec.lists import diameters
 from .answers import Answers
 from .heat_findings import judged_temperature, share_of_rise
 from .layout import LayoutResult, space_limits
@@ -149,7 +149,7 @@ def hub_findings(answers: Answers) -> list[Finding]:
 def _of_synthesis(clutch: Clutch, unit: SynthesisResult) -> Iterator[_Limit]:
     diameter, needed, pitch = unit.ball_diameter, 2 * unit.ball_radius, unit.ball_pitch
     if unit.ball_diameter_standard is None:
-        largest = max(diameters())
+        largest = max(clutch.spec.lists.balls or diameters())
         yield _Limit("no-standard-ball", term("ball needed"), say("2 r_ш ≤ largest of the list"), "m", needed, largest)
     else:
         yield _Limit("ball-too-small", term("ball diameter"), "d_ш ≥ 2 r_ш", "m", diameter, needed, least=True)
@@ -227,8 +227,8 @@ def pressure_findings(clutch: Clutch) -> list[Finding]:
     """
     return [
         _pressure_finding(kind, pressure, material, path)
-        for path, name in clutch.spec.friction.materials.items()
-        if (material := friction_materials()[name]).pressure_max is not None
+        for path, material in clutch.spec.friction.linings.items()
+        if material.pressure_max is not None
         for kind, pressure in ring_pressures(clutch).items()
     ]
 

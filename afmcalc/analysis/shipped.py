@@ -5,6 +5,7 @@ import tomllib
 from ..findings import Finding
 from ..result import Answer, Result, described, quantity
 from ..spec.catalogues import friction_materials
+from ..spec.lists import friction_materials as read_materials
 from ..spec.parse import example_names, example_text
 
 
@@ -45,6 +46,7 @@ class MaterialRow(Result):
     temperature_min: float | None = quantity("degC", "t_max from", "allowable temperature, lower end", optional=True)
     temperature_max: float | None = quantity("degC", "t_max to", "allowable temperature, upper end", optional=True)
     source: str = described("source")
+    also: str = described("read as this one too", code=True, detail=True)
 
 
 class MaterialsResult(Answer):
@@ -54,8 +56,9 @@ class MaterialsResult(Answer):
     sources: list[str] = described("sources")
 
 
-def materials() -> tuple[MaterialsResult, list[Finding]]:
-    """List the catalogue."""
-    entries = friction_materials().values()
-    rows = [MaterialRow(**{name: getattr(entry, name) for name in MaterialRow.model_fields}) for entry in entries]
+def materials(file: str | None = None) -> tuple[MaterialsResult, list[Finding]]:
+    """List the catalogue that ships, or one's own."""
+    entries = (read_materials(file) if file else friction_materials()).values()
+    told = [{name: getattr(entry, name) for name in MaterialRow.model_fields} for entry in entries]
+    rows = [MaterialRow(**row | {"also": ", ".join(row["also"])}) for row in told]
     return MaterialsResult(materials=rows, sources=list(dict.fromkeys(entry.citation for entry in entries))), []

@@ -15,8 +15,8 @@ from ..messages import say
 from ..result import Answer, described, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_key
+from ..spec.lists import diameters, next_size
 from ..spec.models import ControlUnit
-from ..spec.read import diameters, next_size
 from .contact import Basis, contact_of, places_along
 from .wall import DEFAULT_CLEARANCE, WallPoint, clearances, wall_of
 
@@ -91,7 +91,7 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
 
     Args:
         clutch: a clutch with a control unit.
-        balls: standard ball diameters in ascending order, m; None for the list that ships.
+        balls: standard ball diameters in ascending order, m; None for the list of the spec, or the one that ships.
 
     Raises:
         SpecError: the spec lacks what synthesis needs.
@@ -103,7 +103,7 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
     bare = wall_of(clutch, gap)
     sine = math.sin(bare.angle)
     smallest = bare.smallest_ball(travel, clearance)
-    sizes = balls or diameters()
+    sizes = balls or clutch.spec.lists.balls or diameters()
     chosen = unit.ball_diameter or next_size(sizes, 2 * smallest)
     wall = bare._replace(ball_radius=smallest if chosen is None else chosen / 2)
     depth = law.pocket_depth(wall.ball_radius, sine, gap)

@@ -113,10 +113,6 @@ def overload(
 @with_common
 def synthesize(
     spec: SpecArgument = None,
-    balls: Annotated[
-        str | None,
-        Option(metavar="FILE", help="Your own list: TOML, diameters = [...] in mm, or CSV, headed diameter_mm."),
-    ] = None,
     *,
     common: Common,
 ) -> None:
@@ -130,14 +126,12 @@ def synthesize(
     afmcalc synthesize clutch.toml --json | afmcalc torque -
     """  # noqa: D301
     from ..analysis.synthesize import completed
-    from ..spec.read import diameters
 
-    common.keep(spec, balls, spec=True)
+    common.keep(spec, spec=True)
     if common.output == "-":
         raise AfmcalcError("synthesize --output writes the completed spec beside the result: name a file")
-    sizes = diameters(balls) if balls else None
     clutch = common.build(spec)
-    result = common.to_standard_output().calculate(clutch, balls=sizes).result
+    result = common.to_standard_output().calculate(clutch).result
     if common.output:
         about = say("Completed by afmcalc synthesize.")
         wrote = say("wrote the completed spec to {output}", output=common.output)

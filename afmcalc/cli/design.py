@@ -123,7 +123,7 @@ def design(
 
     common.keep(requirements, spec=pick is not None)
     check_sort(sort)
-    need = read_requirements(requirements, common.set or ())
+    need = read_requirements(requirements, common.overrides)
     result, findings = common.ask(need, misses=misses or None)
     printed = common if pick is None else common.to_standard_output()
     spec = None

@@ -41,6 +41,11 @@ def output_option(help: str) -> Any:
     return Option("--output", "-o", metavar="FILE", help=help)
 
 
+def catalogue_option(of: str) -> Any:
+    """Declare an option for a list of one's own, with what it is of."""
+    return Option(metavar="FILE", help=f"Your own list of {of}, TOML or CSV.")
+
+
 ForceOption = Annotated[bool, Option("--force", "-f", help="Replace a file that exists.")]
 QuietOption = Annotated[bool, Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
 
@@ -68,6 +73,9 @@ class Common:
             callback=_with_equals_sign,
         ),
     ] = None
+    materials: Annotated[str | None, catalogue_option("friction materials")] = None
+    discs: Annotated[str | None, catalogue_option("disc springs")] = None
+    balls: Annotated[str | None, catalogue_option("ball diameters")] = None
     format: Annotated[
         Literal["table", "json", "csv", "markdown"] | None,
         Option(help="How to print. JSON and CSV are SI in full precision.  [default: table]"),
@@ -81,6 +89,12 @@ class Common:
     yes: Annotated[bool, Option("--yes", help="Go on with what takes longer than a minute.")] = False
     quiet: QuietOption = False
     lang: Annotated[str | None, Option(metavar="NAME", help=LANG)] = None
+
+    @property
+    def overrides(self) -> list[str]:
+        """Keys overridden: by ``--set``, and the catalogues, whose options are short forms of keys."""
+        named = {name: getattr(self, name) for name in CATALOGUES}
+        return [*(self.set or ()), *(f"catalogues.{name}='{file}'" for name, file in named.items() if file)]
 
     @property
     def chosen_format(self) -> str:
@@ -110,7 +124,8 @@ class Common:
             self.chosen_format  # noqa: B018
         elif self.output:
             is_json_spec(self.output)
-        refuse(self.output, beside, force=self.force, inputs=sources)
+        lists = (getattr(self, name) for name in CATALOGUES)
+        refuse(self.output, beside, force=self.force, inputs=(*sources, *lists))
 
     def bar(self) -> Bar:
         """Show progress while the block calculates; refuse a calculation of more than a minute without ``--yes``."""
@@ -134,7 +149,7 @@ class Common:
             source = self.given_instead(of or self.command)
         elif source == "-" and sys.stdin.isatty():
             self.note(say("reading the spec from the terminal: end it with Ctrl-D, or give a file"))
-        return read_spec(source, self.set or ())
+        return read_spec(source, self.overrides)
 
     def given_instead(self, of: str) -> str | None:
         """Return the built-in example for an analysis, None for the base clutch, and name it in a note."""
@@ -165,7 +180,7 @@ class Common:
     def without_clutch(self, *arguments: object, **options: object) -> None:
         """Run the analysis of a command that reads no spec, and print its result; refuses overrides."""
         self.keep()
-        if self.set:
+        if self.overrides:
             raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=self.command)
         self.emit(*self.ask(*arguments, **options))
 
@@ -228,6 +243,9 @@ class Common:
     def write_spec(self, data: dict[str, Any], about: str, wrote: str) -> None:
         """Write a spec, with ``about`` as its first line, to the file beside the result; report it with ``wrote``."""
         assert self.output is not None
+        if listed := data.get("catalogues"):
+            home = os.path.dirname(os.path.abspath(self.output))
+            data = data | {"catalogues": {name: _relative(file, home) for name, file in listed.items()}}
         if is_json_spec(self.output):
             import json
 
@@ -240,6 +258,18 @@ class Common:
         self.wrote(wrote)
 
 
+CATALOGUES = ("materials", "discs", "balls")
+"""Lists of one's own that may stand in the place of those that ship."""
+
+
+def _relative(path: str, home: str) -> str:
+    """Return a path as from a folder; as it is where none leads there, as to another drive."""
+    try:
+        return os.path.relpath(path, home).replace(os.sep, "/")
+    except ValueError:
+        return path
+
+
 def common_options(output_help: str = "") -> Callable[[Callable[..., None]], Callable[..., None]]:
     """Give a command the common options, which it receives as ``common``.
 
@@ -247,7 +277,7 @@ def common_options(output_help: str = "") -> Callable[[Callable[..., None]], Cal
     """
     options = {option.name: (option.type, option.default) for option in fields(Common)[1:]}
     if output_help:
-        options = {name: options[name] for name in ("set", "output", "force", "yes", "quiet")}
+        options = {name: options[name] for name in ("set", *CATALOGUES, "output", "force", "yes", "quiet")}
         options["output"] = (Annotated[str | None, output_option(output_help)], None)
 
     def decorate(function: Callable[..., None]) -> Callable[..., None]:

@@ -89,7 +89,7 @@ def plot(
         from ..spec.requirements import read_requirements
 
         request = request._replace(
-            subjects=[read_requirements(source, common.set or ()) for source in request.subjects]
+            subjects=[read_requirements(source, common.overrides) for source in request.subjects]
         )
     with common.bar():
         sheet = sheet_of(what, gathered(what, request))

@@ -65,7 +65,7 @@ def report(
     def page() -> str:
         raw, given, read = _read(spec, common)
         title, digest = _title_block(read, options), sha256(raw).hexdigest()
-        return render(Subject(dossier(read, model), given, title, digest, read.label, common.set or (), __version__))
+        return render(Subject(dossier(read, model), given, title, digest, read.label, common.overrides, __version__))
 
     _write(common, page, spec=spec, pdf=pdf)
 
@@ -88,7 +88,7 @@ def handbook(
     from ..analysis.handbook import handbook as gathered
     from ..render.handbook import render
 
-    if common.set:
+    if common.overrides:
         raise AfmcalcError("{name} takes no clutch, so --set has nothing to override", name=common.command)
     _write(common, lambda: render(gathered(spoken())), pdf=pdf)
 
@@ -133,7 +133,7 @@ def _read(source: str | None, common: Common) -> "tuple[bytes, str, Spec]":
 
     raw, name = bytes_of(common.given_instead("report") if source is None else source)
     given = decoded(raw, name)
-    spec, text = spec_of(given, common.set or ()), given.text
+    spec, text = spec_of(given, common.overrides), given.text
     if text.lstrip().startswith("{"):
         import json
 

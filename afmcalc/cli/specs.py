@@ -140,9 +140,12 @@ def materials(*, common: Common) -> None:
 
     \b
     afmcalc materials
+    afmcalc materials --materials own.csv
     afmcalc torque --set friction.min= --set friction.mean= --set friction.max= --set friction.material=woven-dry
     """  # noqa: D301
-    common.without_clutch()
+    from dataclasses import replace
+
+    replace(common, materials=None).without_clutch(common.materials)
 
 
 def schema(

@@ -7,7 +7,8 @@ from ..arrays import Values, tangent
 from ..equations import adjustment, direct
 from ..equations.calls import derived
 from ..findings import Finding, finding
-from ..spec.models import Method, Range, Spec
+from ..messages import term
+from ..spec.models import Friction, Method, Range, Spec
 
 _MEAN_RADIUS = {
     "uniform-wear": direct.mean_radius_uniform_wear,
@@ -81,6 +82,21 @@ def closing_force(spec: Spec, torque_per_force: Callable[[], Any]) -> Any:
     return adjustment.closing_force(spec.adjustment.nominal_torque, margin(spec), torque_per_force())
 
 
+def material_findings(friction: Friction) -> Iterator[Finding]:
+    """Materials echoed with their source, as what they are read, and what counts where it may be one of several."""
+    for block, of_group in friction.blocks.items():
+        path, rows = f"{block}.material", of_group.materials
+        for name, row in rows.items():
+            code = "material" if name == row.name else "material/read"
+            yield finding(
+                code, "info", path=path, name=name, row=row.name, about=term(row.description),
+                condition=term(row.condition), source=row.source, low=row.friction_min, high=row.friction_max,
+            )  # fmt: skip
+        if len(rows) > 1:
+            low, _, high = of_group.range
+            yield finding("lining-unknown", "info", path=path, names=", ".join(rows), low=low, high=high)
+
+
 def setting_findings(spec: Spec, nominal: float, lowest: float) -> Iterator[Finding]:
     """Materials echoed with their source; the wished nominal torque missed, or not reached at an end of the range.
 
@@ -90,12 +106,7 @@ def setting_findings(spec: Spec, nominal: float, lowest: float) -> Iterator[Find
         lowest: smaller of the torques at f_min and f_max, N·m.
     """
     wished = spec.adjustment.nominal_torque
-    for path, name in spec.friction.materials.items():
-        from ..spec.catalogues import friction_materials
-
-        entry = friction_materials()[name]
-        ends = {"low": entry.friction_min, "high": entry.friction_max}
-        yield finding("material", "info", path=path, name=name, source=entry.source, **ends)
+    yield from material_findings(spec.friction)
     if wished is not None and abs(nominal - wished) > 1e-4 * wished:
         path = "adjustment.nominal_torque"
         yield finding("nominal-torque-missed", "warning", value=nominal, limit=wished, path=path)

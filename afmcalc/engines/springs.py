@@ -9,6 +9,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 from ..arrays import Values, chosen, greatest, larger, smaller
 from ..equations import springs as law
 from ..equations.calls import derived, unnoted
+from ..spec.catalogues import Disc
 from ..spec.models import ClosingSpring, CoilSprings, ControlSpring, DiscStack, Room, Spec
 
 MODULUS = 206e9
@@ -266,6 +267,8 @@ class SpringDemand(NamedTuple):
     """How far it goes and comes at every trip, m; None: it rests, or moves too seldom to count (EN 13906-1)."""
     cycles: float | None = None
     """Trips asked for; None: not told."""
+    catalogue: tuple[Disc, ...] | None = None
+    """Disc springs to choose from; None: those that ship."""
 
 
 def spring_demands(spec: Spec, closing_force: float, control_force: float | None, travel: float) -> list[SpringDemand]:
@@ -284,10 +287,11 @@ def spring_demands(spec: Spec, closing_force: float, control_force: float | None
     pairs = spec.friction_group.pairs
     worn = pairs * ((spec.heat and spec.heat.lining) or 0.0)
     closing, control = spec.closing_spring, spec.control_spring
+    listed = {"catalogue": spec.lists.discs}
     if control is None or control_force is None:
-        return [_demand("closing", closing, closing_force, relaxes=worn, follows=pairs)]
+        return [_demand("closing", closing, closing_force, relaxes=worn, follows=pairs, **listed)]
     cycles = spec.requirements.cycles if spec.requirements is not None else None
-    moves = {"stroke": travel if cycles is None or cycles > QUASI_STATIC else None, "cycles": cycles}
+    moves = {"stroke": travel if cycles is None or cycles > QUASI_STATIC else None, "cycles": cycles, **listed}
     return [
         _demand("closing", closing, closing_force, relaxes=travel, **moves),
         _demand("control", control, control_force, relaxes=worn, compresses=travel, follows=pairs, **moves),

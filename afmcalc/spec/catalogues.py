@@ -1,6 +1,8 @@
 """What is bought: the disc springs of DIN EN 16983 and friction materials, each with its source."""
 
+import re
 import tomllib
+from collections.abc import Mapping, Sequence
 from csv import reader
 from functools import cache
 from importlib.resources import files
@@ -12,7 +14,7 @@ class Disc(NamedTuple):
     """One size, SI."""
 
     series: str
-    """A, B or C: stiff, middle, soft."""
+    """A, B or C: stiff, middle, soft; of a list of one's own what the disc is called."""
     outer_diameter: float
     inner_diameter: float
     thickness: float
@@ -21,11 +23,18 @@ class Disc(NamedTuple):
     free_height: float
     printed_force: float | None
     """Force printed in the standard, at ¾ of the cone height, N."""
+    source: str = ""
+    """Of a list of one's own."""
 
     @property
     def name(self) -> str:
-        """As the standard calls it."""
-        return f"{self.series} {self.outer_diameter / 1e-3:g}"
+        """As the standard, or one's own list, calls it."""
+        return self.series if self.source else f"{self.series} {self.outer_diameter / 1e-3:g}"
+
+    @property
+    def title(self) -> str:
+        """As a list of parts calls it."""
+        return f"{self.name} ({self.source})" if self.source else f"DIN EN 16983 {self.name}"
 
     @property
     def cone_height(self) -> float:
@@ -46,7 +55,7 @@ def discs() -> tuple[Disc, ...]:
 
 
 class Material(NamedTuple):
-    """One row of the catalogue, SI."""
+    """One row of the catalogue, SI; or the worst of several."""
 
     name: str
     description: str
@@ -65,6 +74,8 @@ class Material(NamedTuple):
     """Short name of the source."""
     citation: str
     """The source in full."""
+    also: tuple[str, ...]
+    """Other names that are read as this one."""
 
 
 @cache
@@ -88,5 +99,42 @@ def friction_materials() -> dict[str, Material]:
             temperature_max=temperature[-1],
             source=source["short"],
             citation=source["full"],
+            also=tuple(row.get("also", ())),
         )
     return materials
+
+
+class Lists(NamedTuple):
+    """Lists of one's own; None: the one that ships."""
+
+    materials: dict[str, Material] | None = None
+    discs: tuple[Disc, ...] | None = None
+    balls: list[float] | None = None
+
+
+def material_named(name: str, listed: Mapping[str, Material]) -> Material | None:
+    """Return the material of a name, or of another that is read as it, capitals, spaces and hyphens aside."""
+    called = {plain(each): row for row in listed.values() for each in (*row.also, row.name)}
+    return listed.get(name) or called.get(plain(name))
+
+
+def plain(name: str) -> str:
+    """Return a name as it is compared with others."""
+    return re.sub(r"[\W_]+", "", name.casefold().replace("ё", "е"))
+
+
+def worst_of(materials: Sequence[Material]) -> Material:
+    """One material as bad as the worst of several in everything that any of them tells."""
+
+    def least(name: str) -> float | None:
+        return min((value for each in materials if (value := getattr(each, name)) is not None), default=None)
+
+    return materials[0]._replace(
+        name=", ".join(each.name for each in materials),
+        friction_min=min(each.friction_min for each in materials),
+        friction_max=max(each.friction_max for each in materials),
+        pressure_min=least("pressure_min"),
+        pressure_max=least("pressure_max"),
+        temperature_min=least("temperature_min"),
+        temperature_max=least("temperature_max"),
+    )

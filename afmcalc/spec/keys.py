@@ -33,7 +33,7 @@ ALIASES = {
 """Symbols that stand for a path on the command line."""
 
 
-_APART = ("tolerance.", "requirements.")
+_APART = ("catalogues.", "tolerance.", "requirements.")
 """Tables whose keys are called like those of the clutch that they are about."""
 
 

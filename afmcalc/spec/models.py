@@ -11,6 +11,7 @@ from pydantic import (
     GetPydanticSchema,
     ModelWrapValidatorHandler,
     PrivateAttr,
+    StrictBool,
     ValidationError,
     field_validator,
     model_validator,
@@ -21,6 +22,7 @@ from ..equations import springs
 from ..messages import did_you_mean, say
 from ..variants import VARIANTS, Variant
 from . import rules
+from .catalogues import Lists, Material, friction_materials, material_named, worst_of
 from .fields import Block, Broken, Name, Quantity, RuledBlock, Torque, key, required, rule_error
 from .source import Source
 from .tolerance import Tolerance, in_si
@@ -77,6 +79,24 @@ VariantName = Annotated[
     ),
 ]
 """Whichever variants there are records of when a spec is read or described."""
+
+
+def _material_names(value: object) -> object:
+    if isinstance(value, str) and value:
+        return value
+    names = tuple(value) if isinstance(value, list | tuple) else ()
+    if not names or not all(isinstance(name, str) and name for name in names) or len({*names}) < len(names):
+        raise ValueError(say("must be the name of a material in quotes, or a list of such names, each once"))
+    return names
+
+
+MaterialNames = Annotated[
+    str | tuple[str, ...],
+    GetPydanticSchema(
+        lambda source, handler: core_schema.no_info_plain_validator_function(_material_names),
+        lambda core, handler: {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
+    ),
+]
 Method = Literal["min-friction", "mean-friction"]
 PocketShape = Literal["constant-torque"]
 Profiled = Literal["one", "both"]
@@ -92,30 +112,45 @@ class Range(NamedTuple):
     max: float
 
 
+def lists_of(context: object) -> Lists:
+    """Lists of one's own that a file names, as validation is told of them."""
+    return context.lists if isinstance(context, Source) else Lists()
+
+
 class FrictionRange(RuledBlock):
     """Friction of one group of pairs: a range, or a material of the catalogue."""
 
     min: Coefficient | None = key("smallest coefficient of friction", "f_min")
     mean: Coefficient | None = key("mean coefficient of friction; default (min + max)/2", "f_cp")
     max: Coefficient | None = key("largest coefficient of friction", "f_max")
-    material: str | None = key("name of a friction material of the catalogue")
+    material: MaterialNames | None = key(
+        "name of a friction material of the catalogue, or a list: a design tries each, a clutch is to bear the worst"
+    )
+
+    _lists: Lists = PrivateAttr(default=Lists())
+
+    def model_post_init(self, context: object) -> None:
+        """Keep the lists that the file names."""
+        self._lists = lists_of(context)
 
     def broken_rules(self) -> Iterable[Broken]:
         """Nothing beside a material; min ≤ mean ≤ max as far as given."""
         low, mean, high = self.min, self.mean, self.max
         if self.material is not None:
-            from .catalogues import friction_materials
-
-            known = friction_materials()
-            if (material := known.get(self.material)) is None:
-                hint, listed = did_you_mean(self.material, known), ", ".join(known)
-                yield "material", say("unknown material{hint}; the catalogue has {listed}", hint=hint, listed=listed)
-                return
+            for name in self.material_names:
+                if material_named(name, known := self._catalogue) is None:
+                    hint, listed = did_you_mean(name, known), ", ".join(known)
+                    yield (
+                        "material",
+                        say("unknown material{hint}; the catalogue has {listed}", hint=hint, listed=listed),
+                    )
+                    return
+            worst = self.lining
             message = say(
                 "excludes material ({name!r} has {low:g}…{high:g}): give material, or min and max",
-                name=self.material,
-                low=material.friction_min,
-                high=material.friction_max,
+                name=worst.name,
+                low=worst.friction_min,
+                high=worst.friction_max,
             )
             yield from ((name, message) for name in ("min", "mean", "max") if getattr(self, name) is not None)
         elif low is not None and high is not None and low > high:
@@ -126,14 +161,30 @@ class FrictionRange(RuledBlock):
             yield "mean", say("must not be above max ({high:g})", high=high)
 
     @property
+    def material_names(self) -> tuple[str, ...]:
+        """Names of the materials as given."""
+        return (self.material,) if isinstance(self.material, str) else self.material or ()
+
+    @property
+    def _catalogue(self) -> dict[str, Material]:
+        return self._lists.materials or friction_materials()
+
+    @property
+    def materials(self) -> dict[str, Material]:
+        """The materials by the names given."""
+        return {name: row for name in self.material_names if (row := material_named(name, self._catalogue))}
+
+    @property
+    def lining(self) -> Material:
+        """The material, or the worst of those that it may be."""
+        return worst_of([*self.materials.values()])
+
+    @property
     def range(self) -> Range:
         """The three coefficients, with the material looked up and the mean filled in."""
         low, mean, high = self.min, self.mean, self.max
         if self.material is not None:
-            from .catalogues import friction_materials
-
-            material = friction_materials()[self.material]
-            low, high = material.friction_min, material.friction_max
+            low, high = self.lining.friction_min, self.lining.friction_max
         if low is None or high is None:
             raise ValueError(say("no range here: friction is given per group"))
         return Range(low, (low + high) / 2 if mean is None else mean, high)
@@ -146,6 +197,25 @@ class Friction(FrictionRange):
     driven: FrictionRange | None = key("friction of the driven (controlled) pairs", "f_2")
     static_ratio: AtLeastOne | None = key("static over sliding friction; default 1", "r_s")
     stribeck_speed: SlidingSpeed | None = key("sliding speed in which static friction decays", "v_s")
+    unknown: StrictBool | None = key("true: which of several materials it is, is not known; the worst of them counts")
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """What is not known is one of several, all for dry faces, or all for oil."""
+        yield from super().broken_rules()
+        if self.unknown:
+            yield from self.contradictions()
+            if not any(len(block.material_names) > 1 for block in self.blocks.values()):
+                yield "unknown", say('is the worst of several materials: list them, material = ["…", "…"]')
+
+    def contradictions(self) -> Iterable[Broken]:
+        """Materials of one list that no clutch has to bear both of."""
+        for path, block in self.blocks.items():
+            if len({each.condition for each in block.materials.values()}) > 1:
+                listed = ", ".join(f"{name}: {each.condition}" for name, each in block.materials.items())
+                yield (
+                    f"{path}.material".removeprefix("friction."),
+                    say("materials for dry faces and for oil contradict each other ({listed})", listed=listed),
+                )
 
     @property
     def groups(self) -> tuple[Range, Range]:
@@ -160,10 +230,15 @@ class Friction(FrictionRange):
         return self.driving is not None
 
     @property
-    def materials(self) -> dict[str, str]:
-        """Names of the materials by the paths of their keys."""
+    def blocks(self) -> dict[str, FrictionRange]:
+        """The blocks that have materials, by their paths."""
         blocks = {"friction": self, "friction.driving": self.driving, "friction.driven": self.driven}
-        return {f"{path}.material": block.material for path, block in blocks.items() if block and block.material}
+        return {path: block for path, block in blocks.items() if block and block.material}
+
+    @property
+    def linings(self) -> dict[str, Material]:
+        """The material of each group, or the worst that it may be, by the path of its key."""
+        return {f"{path}.material": block.lining for path, block in self.blocks.items()}
 
 
 class FrictionGroup(RuledBlock):
@@ -550,14 +625,29 @@ class Origin:
     label: Source = field(compare=False)
 
 
+class Catalogues(Block):
+    """Lists of one's own in the place of those that ship; paths are relative to the file that names them."""
+
+    materials: Name | None = key("friction materials, TOML or CSV with a source in every row")
+    discs: Name | None = key("disc springs, TOML or CSV with a source in every row")
+    balls: Name | None = key("ball diameters, TOML or CSV")
+
+
 class FileBlock(Block):
     """What a whole file holds."""
 
     _origin: Origin = PrivateAttr()
+    _lists: Lists = PrivateAttr()
+
+    @property
+    def lists(self) -> Lists:
+        """Lists of one's own that its materials and parts are from."""
+        return self._lists
 
     def model_post_init(self, context: object) -> None:
         """Keep where it was read from, as far as that is known."""
         label = context if isinstance(context, str) else type(self).__name__.lower()
+        self._lists = lists_of(context)
         self._origin = Origin(label if isinstance(label, Source) else Source(label))
 
     @property
@@ -584,6 +674,7 @@ class Spec(FileBlock):
     tolerance: Tolerance | None = None
     envelope: Envelope | None = None
     requirements: Required | None = None
+    catalogues: Catalogues | None = None
     report: TitleBlock | None = None
 
     @field_validator("tolerance")
@@ -600,6 +691,7 @@ class Spec(FileBlock):
             spec = handler(data)
         except ValidationError as error:
             raise rule_error(broken, error) from None
+        broken += ((f"friction.{path}", message) for path, message in spec.friction.contradictions())
         if broken:
             raise rule_error(broken)
         return spec

@@ -13,8 +13,10 @@ from ..errors import Problem, SpecError
 from ..messages import did_you_mean, say
 from .fields import Broken, block_at, keys_below, names_in
 from .keys import elsewhere
+from .lists import own_lists
 from .models import Spec
 from .rules import Table
+from .source import Source
 
 _MOST_TOLD = 100
 """Problems that are told; of the others the number."""
@@ -35,6 +37,10 @@ def validated(model: type[M], data: Table, label: str, broken: Iterable[Broken] 
     """
     problems = [Problem(path, _given(path, data), message) for path, message in broken]
     more = 0
+    label = label if isinstance(label, Source) else Source(label)
+    label.lists, unread = own_lists(data.get("catalogues"))
+    if unread:
+        raise SpecError(label, [Problem(path, _given(path, data), message) for path, message in unread])
     try:
         made = model.model_validate(dict(data), context=label)
         if not problems:

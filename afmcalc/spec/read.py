@@ -1,22 +1,19 @@
-"""From a source to a spec: a file in TOML or JSON, standard input, an example, plain data; and lists of balls."""
+"""From a source to a spec: a file in TOML or JSON, standard input, an example, plain data."""
 
-import math
+import os
 import re
-import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from copy import deepcopy
-from importlib.resources import files
 from os import PathLike
 
 from pydantic import BaseModel
 
-from ..errors import AfmcalcError
 from .edit import Overrides, apply_overrides
 from .fields import Broken, keys_below
 from .models import Spec
-from .parse import BUILT_IN, check_size, is_json, parse, text_of, toml_of
+from .parse import BUILT_IN, is_json, parse, text_of
 from .problems import make_spec
-from .quantity import asked_unit, parse_quantity
+from .quantity import asked_unit
 from .rules import given_in
 from .source import Source
 
@@ -59,7 +56,9 @@ def data_of(
     what programs write, in SI: there only an override may be meant otherwise.
     """
     data = parse(source)
+    _locate(data, source.name)
     changed = apply_overrides(data, overrides, model) if overrides else {}
+    _locate(data, "")
     in_si, keys = is_json(source), keys_below(model)
     questions, broken = [], []
     for path, value in given_in(data).items():
@@ -77,71 +76,8 @@ def data_of(
     return data, Source(source, source.text, dict.fromkeys(changed, by), filter(None, questions)), broken
 
 
-def diameters(source: str | PathLike[str] | None = None) -> list[float]:
-    """Standard ball diameters in ascending order, m.
-
-    Source: ISO 3290-1, nominal diameters, for the list that ships.
-
-    Args:
-        source: TOML file with ``diameters = […]`` in mm (or strings with units), or CSV file (named ``….csv``) with the
-            heading ``diameter_mm`` and one diameter a line; None for the list that ships.
-
-    Raises:
-        FileError: the file cannot be read.
-        AfmcalcError: the file is no such list.
-    """
-    if source is None:
-        label = Source("balls.csv", files("afmcalc.spec").joinpath("balls.csv").read_text(encoding="utf-8"))
-    else:
-        label = text_of(source)
-    if label.lower().endswith(".csv"):
-        return sorted(_of_csv(label))
-    data = toml_of(label)
-    check_size(data, label)
-    listed = data.get("diameters")
-    if not isinstance(listed, list) or not listed:
-        raise AfmcalcError(
-            "{label}: diameters must be a list of ball diameters in mm, for example [5, 6, 6.35]", label=label
-        )
-    return sorted(_diameter(item, label) for item in listed)
-
-
-def _of_csv(source: Source) -> list[float]:
-    lines = [line.strip() for line in source.text.splitlines()]
-    heading, *cells = [line for line in lines if line and not line.startswith("#")] or [""]
-    if heading != "diameter_mm" or not cells:
-        raise AfmcalcError(
-            "{label}: must begin with the heading {heading}, then one ball diameter in mm a line",
-            label=source,
-            heading="diameter_mm",
-        )
-    for cell in cells:
-        if not re.fullmatch(r"\d{1,300}(\.\d+)?", cell, re.ASCII):
-            raise AfmcalcError(
-                "{label}: line {line}: {cell!r} is no diameter in mm, such as 6.35",
-                label=source,
-                line=lines.index(cell) + 1,
-                cell=cell,
-            )
-    return [_diameter(float(cell), source) for cell in cells]
-
-
-def _diameter(item: object, label: str) -> float:
-    """Read one entry: a number in mm, or a string with a unit."""
-    if isinstance(item, str):
-        try:
-            value = parse_quantity(item, "m")
-        except ValueError as error:
-            raise AfmcalcError("{label}: diameters: {item!r}: {why}", label=label, item=item, why=error) from None
-    elif isinstance(item, int | float) and not isinstance(item, bool):
-        value = item / 1000 if abs(item) <= sys.float_info.max else math.inf
-    else:
-        raise AfmcalcError("{label}: diameters: {item!r} is no diameter; give numbers in mm", label=label, item=item)
-    if not 0 < value < math.inf:
-        raise AfmcalcError("{label}: diameters: {item!r} must be greater than 0 and finite", label=label, item=item)
-    return value
-
-
-def next_size(sizes: Sequence[float], wanted: float) -> float | None:
-    """Smallest size not below the wanted one; None when the list ends before it."""
-    return next((size for size in sizes if size >= wanted * (1 - 1e-12)), None)
+def _locate(data: Mapping[str, object], beside: str) -> None:
+    """Make paths of catalogues whole: of a text they are relative to its file, of an override to where we are."""
+    if isinstance(listed := data.get("catalogues"), dict):
+        folder = os.path.dirname(os.path.abspath(beside or "-"))
+        listed |= {name: os.path.join(folder, file) for name, file in listed.items() if isinstance(file, str)}

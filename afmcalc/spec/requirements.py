@@ -23,6 +23,7 @@ from .fields import Block, Broken, Name, Quantity, RuledBlock, Torque, key, requ
 from .models import (
     HARDENED_STEEL,
     AtLeastOne,
+    Catalogues,
     Contact,
     Count,
     Drive,
@@ -315,6 +316,7 @@ class Requirements(FileBlock, RuledBlock):
     heat: Heat | None = None
     tolerance: Tolerance | None = None
     envelope: Envelope | None = None
+    catalogues: Catalogues | None = None
 
     @property
     def contact(self) -> Contact | None:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from ..errors import Label, Place
 from ..findings import Finding
+from .catalogues import Lists
 
 _SEARCHED = 1 << 20
 """Characters of a text in which places are looked for."""
@@ -22,6 +23,8 @@ class Source(Label):
     """Dotted paths whose values are no longer those of the text → what gave them, where that is told."""
     findings: tuple[Finding, ...]
     """Numbers without a unit that may be meant in another than SI."""
+    lists: Lists = Lists()
+    """Lists of one's own that it names, for what is validated of it."""
 
     def __new__(
         cls, label: str, text: str = "", overridden: Mapping[str, str] | None = None, findings: Iterable[Finding] = ()

@@ -63,7 +63,7 @@ def test_the_travel_a_room_allows(across, length, force, stiffness):
 def test_the_forces_a_room_allows(across, length, intervals):
     """Of packs of one to six discs; where few sizes have the room, forces between them are not to be had."""
     room = Room(inner_diameter=across[0], outer_diameter=across[1], length=length)
-    ends = forces_held(room)
+    ends = forces_held(room, discs())
     assert ends.size == 2 * intervals
     assert (np.diff(ends) > 0).all()
     tried = [

@@ -15,8 +15,8 @@ from afmcalc.analysis.synthesize import least_contact_force_gain, synthesize
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError
 from afmcalc.spec import make_spec, read_spec
+from afmcalc.spec.lists import diameters
 from afmcalc.spec.models import HARDENED_STEEL, Required
-from afmcalc.spec.read import diameters
 
 CONTACT = {
     "ball_modulus": "210 GPa", "ball_poisson": 0.3, "wall_modulus": "206 GPa", "wall_poisson": 0.28,

@@ -3,7 +3,7 @@
 import pytest
 
 from afmcalc.errors import AfmcalcError
-from afmcalc.spec.read import diameters
+from afmcalc.spec.lists import diameters
 
 INCH = 25.4
 PRINTED = 5e-6

@@ -8,6 +8,7 @@ from operator import and_
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...engines.parameters import material_findings
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...messages import did_you_mean, joined, measured, say, term
@@ -23,7 +24,7 @@ from .pick import made
 from .refine import refined
 from .rows import Attainable, DesignResult, DesignRow, rows
 from .search import TILE, Survey, front, search
-from .space import SAME_CLUTCH, Numbers, Tile, grids, tiles, total
+from .space import SAME_CLUTCH, Numbers, Tile, grids, linings, tiles, total
 
 MOST = 10_000_000_000
 """Candidates beyond which a search is refused."""
@@ -73,7 +74,8 @@ def design(need: Requirements, *, misses: bool | None = None) -> tuple[DesignRes
         of_variants=of_variants(survey, best),
     )
     missed = [finding("springs-miss", "warning", value=float(unsprung), path="springs")] if unsprung else []
-    return result, [*need.label.findings, *_findings(result), *missed]
+    materials = (each for lined in linings(need) for each in material_findings(lined.friction))
+    return result, [*need.label.findings, *dict.fromkeys(materials), *_findings(result), *missed]
 
 
 def refinement(need: Requirements, survey: Survey) -> list[tuple[DesignRow, DesignRow]]:
@@ -83,8 +85,8 @@ def refinement(need: Requirements, survey: Survey) -> list[tuple[DesignRow, Desi
     """
     both: list[tuple[DesignRow, DesignRow]] = []
     ways = (False, True) if "ball_diameter" in need.objectives else (False,)
-    count = len(ways) * sum(len(values) for _, _, values in survey.members)
-    for (variant, at, _), ball_first in product(survey.members, ways):
+    count = len(ways) * sum(len(member.values) for member in survey.members)
+    for (variant, at, _, need), ball_first in product(survey.members, ways):
         behind = len(both)
 
         def progress(done: int, behind: int = behind) -> None:
@@ -151,11 +153,12 @@ def attainable(need: Requirements, progress: Callable[[int, int], None] = lambda
     count = total(need)
     step, done, fewest = -(-count // MOST_AGAIN), 0, 1 << 30
     best: dict[tuple[str, ...], tuple[list[Constraint], list[float]]] = {}
-    for variant in (VARIANTS[name] for name in dict.fromkeys(need.variants)):
-        for laid in grids(need, variant):
+    for lined, name in product(linings(need), dict.fromkeys(need.variants)):
+        variant = VARIANTS[name]
+        for laid in grids(lined, variant):
             few = laid._replace(mean_radius=np.unique(np.append(laid.mean_radius[::step], laid.mean_radius[-1])))
             for tile in tiles(few, TILE):
-                for missed, values in _nearest(need, variant, tile, fewest):
+                for missed, values in _nearest(lined, variant, tile, fewest):
                     if len(missed) < fewest:
                         fewest = len(missed)
                         best.clear()

@@ -10,7 +10,6 @@ import numpy as np
 
 from ...engines.layout import TOUCHES, length_of
 from ...equations import direct
-from ...spec.catalogues import friction_materials
 from ...spec.models import Room
 from ...spec.requirements import Requirements
 from ...variants import Variant
@@ -84,9 +83,9 @@ def _bounds(need: Requirements) -> Iterable[Constraint]:
     if (pressure := limits.surface_pressure) is not None:
         yield Constraint("surface_pressure", lambda c: c.surface_pressure, pressure, "Pa", (1, 1))
     if width is not None or need.search.inner_radius is not None:
-        for material in need.friction.materials.values():
+        for material in need.friction.linings.values():
             # the lower end of the printed range, which a check warns beyond
-            if (pressure := friction_materials()[material].pressure_min) is not None:
+            if (pressure := material.pressure_min) is not None:
                 yield Constraint("material_pressure", lambda c: c.peak_pressure, pressure, "Pa", (1, 1))
     if (diameter := limits.outer_diameter) is not None:
         yield Constraint("outer_diameter", lambda c: c.outer_diameter, diameter, "m", (-1, -1))
@@ -156,18 +155,21 @@ def _overlap(tried: Candidates, name: str) -> Numbers:
 def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:
     """There are stacks of disc springs that give force and stiffness, and bear the travel."""
     closing, control = need.fixed.closing_room or Room(), need.fixed.control_room or Room()
+    listed = need.lists.discs
 
     def slackens(c: Candidates) -> Mask:
-        return c.travel <= travel_held(c.closing_force, c.at.closing_stiffness, closing, relaxes=True)
+        return c.travel <= travel_held(c.closing_force, c.at.closing_stiffness, closing, relaxes=True, catalogue=listed)
 
     def presses(c: Candidates) -> Mask:
-        return c.travel <= travel_held(c.control_force, c.at.control_stiffness, control, relaxes=False)
+        return c.travel <= travel_held(
+            c.control_force, c.at.control_stiffness, control, relaxes=False, catalogue=listed
+        )
 
     if variant.travels:
         yield Constraint("closing_spring", None, 0.0, "", (0, 0), test=slackens)
         yield Constraint("control_spring", None, 0.0, "", (0, 0), test=presses)
     else:
-        force_held = lambda c: holds_force(c.closing_force, closing)  # noqa: E731
+        force_held = lambda c: holds_force(c.closing_force, closing, listed)  # noqa: E731
         yield Constraint("closing_spring", None, 0.0, "", (0, 0), test=force_held)
 
 

@@ -26,7 +26,7 @@ from ..torque import TorqueResult
 from .candidates import candidates
 from .limits import feasible, objectives
 from .rows import DesignResult, DesignRow, as_spec, rows
-from .space import SAME_CLUTCH, Axes, given, searched
+from .space import SAME_CLUTCH, Axes, given, searched, with_lining
 
 _LEVELS = (*range(9), *range(11, 33, 3))
 """Steps of round figures that are tried: of 5, 2 and 1 in the second digit, in the third, …; none has more than 12."""
@@ -52,6 +52,7 @@ def with_picked(need: Requirements, result: DesignResult, pick: int | str) -> tu
     """
     number = number_of(result, "--pick", pick)
     exact = result.front[number - 1]
+    need = with_lining(need, exact)
     tried = (
         clutch
         for given_up, least in ((_GIVEN_UP, 0), (math.inf, _FINE))
@@ -201,7 +202,7 @@ def made(need: Requirements, row: DesignRow) -> Made | None:
         springs, shown = {}, dict[str, str | float]()
         for name, stack in zip(lists, stacks, strict=True):
             # the forces stay
-            spring = {"disc": part_of(stack), "stiffness": stack.stiffness}
+            spring = {"disc": part_of(stack, plain.lists.discs), "stiffness": stack.stiffness}
             springs[f"{name}_spring"] = getattr(plain, f"{name}_spring").model_copy(update=spring)
             shown[f"{name}_part"] = f"{stack.part}, {stack.parallel} × {stack.series}"
         clutch = build(as_written(plain.model_copy(update=springs)))

@@ -13,7 +13,7 @@ from ...spec.models import Room
 from ...spec.requirements import Requirements
 from ..check import CheckResult
 from .candidates import Candidates
-from .space import curved
+from .space import LININGS, curved, with_lining
 
 
 class DesignRow(Result):
@@ -22,6 +22,9 @@ class DesignRow(Result):
     number: int = quantity("", "no.", "number, for --pick")
     mark: Literal["knee"] | None = described("mark", optional=True, null="")
     variant: str = described("variant")
+    material: str | None = described("friction material", code=True, optional=True)
+    driving_material: str | None = described("friction material of the driving pairs", code=True, optional=True)
+    driven_material: str | None = described("friction material of the driven pairs", code=True, optional=True)
     pairs: int = quantity("1", "z", "friction pairs")
     driving_pairs: int | None = quantity("1", "z_1", "bypass pairs", optional=True)
     mean_radius: float = quantity("m", "R_cp", "mean friction radius")
@@ -157,16 +160,19 @@ def rows(tried: Candidates) -> list[DesignRow]:
         columns["pack_force_at_rest"] = tried.pack_force
     if need.wanted.margin != 1:
         columns["machine_torque"] = tried.nominal_torque / need.wanted.over_machine
+    blocks = {f"{path}.material": block for path, block in need.friction.blocks.items()}
+    lining = {name: ", ".join(blocks[path].material_names) for name, path in LININGS.items() if path in blocks}
     lists = zip(*(np.broadcast_to(column, at.pairs.shape).tolist() for column in columns.values()), strict=True)
     finite = ([value if math.isfinite(value) else None for value in values] for values in lists)
     return [
-        DesignRow(number=number, variant=variant.name, **dict(zip(columns, values, strict=True)))
+        DesignRow(number=number, variant=variant.name, **lining, **dict(zip(columns, values, strict=True)))
         for number, values in enumerate(finite, 1)
     ]
 
 
 def as_spec(need: Requirements, row: DesignRow) -> Spec:
     """Write a row as a spec, with as many digits as a file of it has."""
+    need = with_lining(need, row)
     fixed, limits = need.fixed, need.limits
     group: dict[str, int | float] = {"pairs": row.pairs}
     if row.driving_pairs is not None:
@@ -191,7 +197,7 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         "adjustment": {"method": need.wanted.method, "margin": need.wanted.margin},
         "requirements": required | limits.model_dump(exclude_none=True, include=limited),
     }
-    for block in ("drive", "fatigue", "heat", "tolerance"):  # as they stand in the file
+    for block in ("drive", "fatigue", "heat", "tolerance", "catalogues"):  # as they stand in the file
         if (values := getattr(need, block)) is not None:
             data[block] = values.model_dump(exclude_none=True)
     if need.envelope is not None:

@@ -11,7 +11,7 @@ from ...spec.requirements import Requirements
 from ...variants import VARIANTS, Variant
 from .candidates import Candidates, candidates, never_meet
 from .limits import Constraint, constraints, never_worse, objectives, unimodal
-from .space import SAME, Axes, Mask, Numbers, Places, Tile, balls, curved, forces, grids, joined, tiles
+from .space import SAME, Axes, Mask, Numbers, Places, Tile, balls, curved, forces, grids, joined, linings, tiles
 
 TILE = 524288
 """Candidates in a tile; in smaller tiles the set-up takes more time than the cache saves."""
@@ -31,6 +31,8 @@ class Members(NamedTuple):
     variant: Variant
     at: Axes
     values: Numbers
+    need: Requirements
+    """The requirements, with the friction material that it has."""
 
 
 @dataclass
@@ -49,7 +51,7 @@ class Survey:
         """Add feasible candidates of a variant."""
         if not at.pairs.size:
             return
-        self.members.append(Members(variant, at, objectives(candidates(need, variant, at))))
+        self.members.append(Members(variant, at, objectives(candidates(need, variant, at)), need))
         self._room -= at.pairs.size
         if self._room < 0:
             self.settle()
@@ -69,16 +71,16 @@ class Survey:
         values = np.concatenate([member.values.T for member in self.members], axis=1).T
         keep = np.zeros(len(values), bool)
         keep[front(values)] = True
-        parts: dict[str, list[Members]] = defaultdict(list)
+        parts: dict[tuple[str, int], list[Members]] = defaultdict(list)
         masks = np.split(keep, np.cumsum([len(member.values) for member in self.members])[:-1])
-        for (variant, at, rows), mask in zip(self.members, masks, strict=True):
+        for (variant, at, rows, need), mask in zip(self.members, masks, strict=True):
             if mask.any():
-                parts[variant.name].append(Members(variant, at.at(mask), rows[mask]))
+                parts[variant.name, id(need)].append(Members(variant, at.at(mask), rows[mask], need))
         self.members = [
-            Members(
-                VARIANTS[name], joined(kept.at for kept in of_one), np.concatenate([kept.values for kept in of_one])
+            of_one[0]._replace(
+                at=joined(kept.at for kept in of_one), values=np.concatenate([kept.values for kept in of_one])
             )
-            for name, of_one in parts.items()
+            for of_one in parts.values()
         ]
         self._room = max(_WAITING, int(np.count_nonzero(keep)))
 
@@ -87,10 +89,11 @@ def search(need: Requirements, progress: Callable[[int], None] = lambda done: No
     """Search the whole space; ``progress`` receives the number of candidates searched so far."""
     survey = Survey()
     for variant in (VARIANTS[name] for name in dict.fromkeys(need.variants)):
-        looked_up = separable(need, variant) and need.search.radii.size >= _MANY
-        part, behind = Survey(), survey.candidates
-        go = by_radius if looked_up else by_tile
-        go(need, variant, part, lambda done, behind=behind: progress(behind + done))  # type: ignore[misc]
+        part = Survey()
+        for each in linings(need):
+            looked_up = separable(each, variant) and need.search.radii.size >= _MANY
+            go = by_radius if looked_up else by_tile
+            go(each, variant, part, lambda done, behind=survey.candidates: progress(behind + done))  # type: ignore[misc]
         survey.take(variant.name, part)
     survey.settle()
     return survey

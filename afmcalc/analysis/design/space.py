@@ -2,13 +2,15 @@
 
 from collections.abc import Iterable, Iterator
 from functools import cache
+from itertools import product
 from math import prod
-from typing import NamedTuple, TypeAlias, TypeVar
+from typing import Any, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...spec.read import diameters
+from ...spec.edit import with_values
+from ...spec.lists import diameters
 from ...spec.requirements import Choice, Requirements
 from ...variants import VARIANTS, Variant
 
@@ -92,6 +94,30 @@ def grids(need: Requirements, variant: Variant) -> Iterator[Axes]:
             yield laid._replace(mean_radius=(inner + outer) / 2, inner_radius=np.array([inner]))
 
 
+LININGS = {
+    "material": "friction.material",
+    "driving_material": "friction.driving.material",
+    "driven_material": "friction.driven.material",
+}
+"""What a row tells of its linings → key of the requirements."""
+
+
+def linings(need: Requirements) -> list[Requirements]:
+    """The requirements with each friction material that is listed; where it is not known, with the worst of them."""
+    blocks = need.friction.blocks
+    if need.friction.unknown or all(isinstance(block.material, str) for block in blocks.values()):
+        return [need]
+    listed = ([(f"{path}.material", name) for name in block.material_names] for path, block in blocks.items())
+    return [with_values(need, dict(chosen)) for chosen in product(*listed)]
+
+
+def with_lining(need: Requirements, row: Any) -> Requirements:
+    """The requirements with the friction materials of a row of the front."""
+    if len(linings(need)) == 1:
+        return need
+    return with_values(need, {path: name for key, path in LININGS.items() if (name := getattr(row, key)) is not None})
+
+
 def forces(need: Requirements) -> int:
     """How many spring forces a catalogue holds."""
     return 1 if need.search.closing_forces is None else need.search.closing_forces.size
@@ -107,7 +133,7 @@ def total(need: Requirements) -> int:
         prod(choice.size for name, choice in searched(need, VARIANTS[variant]).items() if name != "mean_radius")
         for variant in need.variants
     )
-    return forces(need) * faces * sum(others)
+    return forces(need) * faces * len(linings(need)) * sum(others)
 
 
 _shipped = cache(diameters)
@@ -116,7 +142,7 @@ _shipped = cache(diameters)
 def balls(need: Requirements) -> Numbers:
     """Standard ball diameters to choose from, ascending, m."""
     listed = need.search.ball_diameters
-    return np.array(_shipped()) if listed is None else listed.array()
+    return np.array(need.lists.balls or _shipped()) if listed is None else listed.array()
 
 
 class Tile(NamedTuple):

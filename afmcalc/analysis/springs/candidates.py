@@ -61,20 +61,21 @@ class Candidate(NamedTuple):
     """What is not as wished → by how much, relative; empty: it does."""
 
 
-def label_of(part: DiscStack | CoilSprings) -> str:
-    """What a part is called: a disc by its standard, if it is of one."""
+def label_of(part: DiscStack | CoilSprings, catalogue: tuple[Disc, ...] | None = None) -> str:
+    """What a part is called: a disc by its standard, or its catalogue, if it is of one."""
     if isinstance(part, CoilSprings):
         return say("coil {wire:g} × {coil:g}", wire=part.wire_diameter * 1e3, coil=part.coil_diameter * 1e3)
-    name = _names().get(tuple(getattr(part, size) for size in _SIZES))
-    if name is not None:
-        return f"DIN EN 16983 {name}"
+    sizes = tuple(getattr(part, size) for size in _SIZES)
+    title = _titles(catalogue or discs()).get(sizes) or _titles(discs()).get(sizes)
+    if title is not None:
+        return title
     outer, inner, thickness = (size * 1e3 for size in (part.outer_diameter, part.inner_diameter, part.thickness))
     return say("disc {outer:g} × {inner:g} × {thickness:g}", outer=outer, inner=inner, thickness=thickness)
 
 
 @cache
-def _names() -> dict[tuple[float | None, ...], str]:
-    return {tuple(getattr(disc, size) for size in _SIZES): disc.name for disc in discs()}
+def _titles(listed: tuple[Disc, ...]) -> dict[tuple[float | None, ...], str]:
+    return {tuple(getattr(disc, size) for size in _SIZES): disc.title for disc in listed}
 
 
 def stack_of(disc: Disc, parallel: int, series: int) -> DiscStack:
@@ -106,7 +107,7 @@ def candidates(
 
 def _stacks(demand: SpringDemand, *, fitting: bool) -> Iterator[DiscStack]:
     """Stacks of every size, n laid into each other, and as many packs as stiffness, travel or room ask for."""
-    for pack in packs(demand.room if fitting else Room()):
+    for pack in packs(demand.room if fitting else Room(), demand.catalogue or discs()):
         low, high = pack.range
         if not fitting or pack.force(low) * (1 - _SLACK) <= demand.force <= pack.force(high) * (1 + _SLACK):
             for series in _series(demand, pack, float(pack.deflection(demand.force))):
@@ -174,22 +175,22 @@ def _coils(demand: SpringDemand, count: int, wire: float) -> list[float]:
 
 
 @cache
-def packs(room: Room) -> list[DiscCharacteristic]:
-    """Every single pack that goes into a room, whatever its length."""
+def packs(room: Room, listed: tuple[Disc, ...]) -> list[DiscCharacteristic]:
+    """Every single pack of a list that goes into a room, whatever its length."""
     inner, outer = room.inner_diameter or 0.0, room.outer_diameter or math.inf
-    sizes = [disc for disc in discs() if inner <= disc.inner_diameter and disc.outer_diameter <= outer]
+    sizes = [disc for disc in listed if inner <= disc.inner_diameter and disc.outer_diameter <= outer]
     return [DiscCharacteristic(stack_of(disc, n, 1)) for disc in sizes for n in range(1, MOST_PARALLEL + 1)]
 
 
 @cache
-def _rows(room: Room) -> NDArray[Any]:
+def _rows(room: Room, listed: tuple[Disc, ...]) -> NDArray[Any]:
     """Every single pack that goes into a room, as a row of numbers.
 
     ``least`` and ``most`` are its forces as it rests in its range, as far as it is short enough there.
     """
     names = ("parallel", "free", "low", "high", "least", "most", "flat", *_SHAPE)
     rows = []
-    for pack in packs(room):
+    for pack in packs(room, listed):
         low, high = pack.range
         if room.length is not None:
             low = max(low, pack.free_length - room.length)
@@ -200,10 +201,11 @@ def _rows(room: Room) -> NDArray[Any]:
 
 
 @cache
-def forces_held(room: Room) -> Numbers:
+def forces_held(room: Room, listed: tuple[Disc, ...]) -> Numbers:
     """Ends of the intervals of force that a stack holds as set, whatever its stiffness, N: ascending, low and high."""
     merged: list[tuple[float, float]] = []
-    for low, high in sorted(zip(_rows(room)["least"], _rows(room)["most"], strict=True)):
+    rows = _rows(room, listed)
+    for low, high in sorted(zip(rows["least"], rows["most"], strict=True)):
         if merged and low <= merged[-1][1]:
             merged[-1] = (merged[-1][0], max(high, merged[-1][1]))
         else:
@@ -211,19 +213,21 @@ def forces_held(room: Room) -> Numbers:
     return np.array(merged).ravel()
 
 
-def holds_force(force: Numbers, room: Room) -> NDArray[np.bool_]:
+def holds_force(force: Numbers, room: Room, catalogue: tuple[Disc, ...] | None = None) -> NDArray[np.bool_]:
     """Whether a stack holds a force as set, whatever its stiffness."""
-    return np.asarray(np.searchsorted(forces_held(room), force, "right") % 2 == 1)
+    return np.asarray(np.searchsorted(forces_held(room, catalogue or discs()), force, "right") % 2 == 1)
 
 
-def travel_held(force: Numbers, stiffness: Numbers, room: Room, *, relaxes: bool) -> Numbers:
+def travel_held(
+    force: Numbers, stiffness: Numbers, room: Room, *, relaxes: bool, catalogue: tuple[Disc, ...] | None = None
+) -> Numbers:
     """How far a stack that gives a force and a stiffness as set may go from there, m; ``NONE`` where there is none.
 
     The stack lengthens if it ``relaxes``, else it is pressed together; its stiffness may be off by ``TOLERANCE``.
     """
     shape = np.broadcast_shapes(force.shape, stiffness.shape)
     travel = np.full(shape, NONE)
-    every = _rows(room)
+    every = _rows(room, catalogue or discs())
     near = every[(every["most"] >= np.nanmin(force)) & (every["least"] <= np.nanmax(force))]
     for start in range(0, near.size, step := max(1, _AT_ONCE // travel.size)):
         rows = near[start : start + step].reshape(-1, *(1 for _ in shape))

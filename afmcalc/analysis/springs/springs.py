@@ -16,7 +16,7 @@ from ...findings import Finding, finding
 from ...messages import joined, say, term
 from ...result import Answer, Result, Sentence, described, quantity
 from ...spec import resolved
-from ...spec.catalogues import discs
+from ...spec.catalogues import Disc, discs
 from ...spec.models import CoilSprings, DiscStack
 from ..registry import SpringKind, SpringOrder
 from .candidates import TOLERANCE, Candidate, candidates, label_of, stack_of
@@ -202,7 +202,7 @@ def _best_of_each(
 
     def family(part: DiscStack | CoilSprings) -> tuple[str, ...]:
         if isinstance(part, DiscStack):
-            return ("disc", label_of(part), str(part.parallel))
+            return ("disc", label_of(part, demand.catalogue), str(part.parallel))
         return ("coil", str(part.wire_diameter), str(part.count))
 
     by, families = _by(demand, sort), groupby(sorted(parts, key=family), key=family)
@@ -223,7 +223,7 @@ def option_of(demand: SpringDemand, part: DiscStack | CoilSprings) -> SpringOpti
     )
     return SpringOption(
         number=None,
-        part=label_of(part),
+        part=label_of(part, demand.catalogue),
         force=force,
         force_least=None if low < 0 else float(spring.force(low)),
         force_largest=float(spring.force(high)),
@@ -287,10 +287,10 @@ def _of_discs(spring: DiscCharacteristic, demand: SpringDemand, force: float, hi
     }
 
 
-def part_of(option: SpringOption) -> DiscStack | CoilSprings:
-    """The part as a spec says it."""
+def part_of(option: SpringOption, catalogue: tuple[Disc, ...] | None = None) -> DiscStack | CoilSprings:
+    """The part as a spec says it; a disc from the list it was chosen from."""
     if option.parallel is not None and option.series is not None:
-        (disc,) = (disc for disc in discs() if option.part.endswith(f" {disc.name}"))
+        disc = next(disc for disc in catalogue or discs() if option.part == disc.title)
         return stack_of(disc, option.parallel, option.series)
     wire = (option.outer_diameter - option.inner_diameter) / 2
     return CoilSprings(
@@ -321,7 +321,7 @@ def picked(clutch: Clutch, result: SpringsResult, numbers: Sequence[int]) -> dic
         taken.add(block)
         for other in ("disc", "coil"):
             data[block].pop(other, None)
-        part = part_of(option).model_dump(exclude_none=True)
+        part = part_of(option, clutch.spec.lists.discs).model_dump(exclude_none=True)
         data[block] |= {"force": option.force, "stiffness": option.stiffness, option.kind: part}
     if "control_spring" in taken:
         data["closing_spring"].setdefault("force", float(clutch.closing_force))
@@ -339,7 +339,15 @@ def _none(demand: SpringDemand, close: Candidate) -> Finding:
     part = close.part
     size = f"{part.parallel} × {part.series}" if isinstance(part, DiscStack) else f"{part.count} × {part.turns:g}"
     path = f"{demand.name}_spring"
-    return finding("no-spring", "warning", value=demand.force, path=path, part=label_of(part), size=size, misses=misses)
+    return finding(
+        "no-spring",
+        "warning",
+        value=demand.force,
+        path=path,
+        part=label_of(part, demand.catalogue),
+        size=size,
+        misses=misses,
+    )
 
 
 def springs_curve(clutch: Clutch) -> SpringsCurve:
@@ -355,13 +363,13 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
             best = ranked(demand)
             if not best:
                 raise CalculationError("plot springs: there is no part for the {name} spring", name=demand.name)
-            part = part_of(best[0])
+            part = part_of(best[0], demand.catalogue)
         spring = characteristic(part)
         deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)
         at = float(spring.deflection(demand.force))
         curve = SpringCurve(
             spring=demand.name,
-            part=label_of(part),
+            part=label_of(part, demand.catalogue),
             deflection=deflections.tolist(),
             force=np.asarray(spring.force(deflections)).tolist(),
             tangent=(demand.force + float(spring.stiffness(at)) * (deflections - at)).tolist(),

@@ -17,8 +17,8 @@ from afmcalc.engines.springs import DiscCharacteristic
 from afmcalc.errors import SpecError
 from afmcalc.spec.catalogues import discs
 from afmcalc.spec.edit import with_values
+from afmcalc.spec.lists import diameters
 from afmcalc.spec.models import DiscStack
-from afmcalc.spec.read import diameters
 from afmcalc.spec.requirements import make_requirements
 
 FRICTION = {"min": 0.1, "mean": 0.3, "max": 0.8}

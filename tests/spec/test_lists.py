@@ -1,0 +1,228 @@
+"""Lists of one's own: friction materials, disc springs, balls; and the names that materials are read by."""
+
+import json
+
+import pytest
+from conftest import CONFIGS
+
+from afmcalc.engines import build
+from afmcalc.errors import AfmcalcError
+from afmcalc.spec import make_spec, read_spec, resolved
+from afmcalc.spec.catalogues import friction_materials, material_named
+from afmcalc.spec.lists import discs
+from afmcalc.spec.lists import friction_materials as own_materials
+
+CSV = """# from the works' laboratory
+name,description,condition,friction_min,friction_max,pressure_min_kPa,pressure_max_MPa,temperature_min_C,temperature_max,source,also
+F1,felt,dry,0.2,0.3,50,0.08,90,368.15 K,Test 12,войлок; felt pad
+F2,resin,in oil,0.05,0.1,,,,,Maker's sheet,
+"""
+TOML = """
+[sources.lab]
+short = "Test 12"
+full = "Works' laboratory, test 12 of 2024"
+[materials.F1]
+description = "felt"
+condition = "dry"
+friction = [0.2, 0.3]
+pressure = ["50 kPa", "80 kPa"]
+temperature_C = [90, 95]
+source = "lab"
+also = ["войлок", "felt pad"]
+[materials.F2]
+description = "resin"
+condition = "in oil"
+friction_min = 0.05
+friction_max = 0.1
+source = "Maker's sheet"
+"""
+NO_RANGE = {"friction.min": None, "friction.mean": None, "friction.max": None}
+
+
+def file(folder, name, text):
+    (folder / name).write_text(text, encoding="utf-8")
+    return str(folder / name)
+
+
+def test_materials_of_ones_own_in_both_forms(tmp_path):
+    listed = own_materials(file(tmp_path, "own.csv", CSV))
+    assert [*listed] == ["F1", "F2"]
+    assert listed["F1"][1:11] == ("felt", "dry", 0.2, 0.3, 50e3, 80e3, 90, 95, "Test 12", "Test 12")
+    assert listed["F2"][5:9] == (None, None, None, None)
+    both = own_materials(file(tmp_path, "own.toml", TOML))
+    assert both["F1"].citation == "Works' laboratory, test 12 of 2024"
+    assert {name: row._replace(citation="") for name, row in both.items()} == {
+        name: row._replace(citation="") for name, row in listed.items()
+    }
+
+
+ROW = CSV.splitlines()[2]
+WRONG = {
+    "no source": (ROW.replace("Test 12", ""), "F1: source: required"),
+    "no friction": (ROW.replace("0.2,0.3", ",0.3"), "F1: friction_min: required"),
+    "ends": (ROW.replace("0.2,0.3", "0.3,0.2"), "the lower one first"),
+    "one end": (ROW.replace("0.08", ""), "pressure_min and pressure_max: both"),
+    "condition": (ROW.replace("dry", "wet"), "'wet' is neither dry nor in oil"),
+    "unit": (ROW.replace("368.15 K", "368.15 m"), "temperature_max = 368.15 m"),
+    "negative": (ROW.replace(",50,", ",-50,"), "pressure_min = -50: must be greater than 0"),
+    "twice": (f"{ROW}\n{ROW}", "a name of its own"),
+    "other name twice": (f"{ROW}\n{ROW.replace('F1', 'F3')}", "F3: every row has a name of its own"),
+    "cells beyond the heading": (ROW + ",,x", "unknown column ''"),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_what_is_wrong_with_a_row_is_said_in_one_sentence(case, tmp_path, afmcalc):
+    text, says = WRONG[case]
+    path = file(tmp_path, "own.csv", "\n".join([*CSV.splitlines()[:2], text]))
+    with pytest.raises(AfmcalcError, match="own.csv") as told:
+        own_materials(path)
+    assert says in str(told.value)
+    run = afmcalc("torque", CONFIGS / "default.toml", "--materials", path, "-o", tmp_path / "out.json")
+    assert (run.code, run.out, (tmp_path / "out.json").exists()) == (2, "", False)
+    assert "catalogues.materials" in run.err
+    assert says in run.err
+
+
+def test_a_heading_that_is_not_known_and_a_list_that_is_none(tmp_path):
+    for name, text, says in (
+        ("a.csv", CSV.replace("condition,", "conditon,"), "did you mean 'condition'"),
+        ("b.csv", CSV.replace("_MPa", "_mm"), "pressure_max = 0.08"),
+        ("c.csv", CSV.splitlines()[1], "is no list of materials"),
+        ("d.toml", TOML.replace("[materials.", "[material."), "is no list of materials"),
+    ):
+        with pytest.raises(AfmcalcError, match=name) as told:
+            own_materials(file(tmp_path, name, text))
+        assert says in str(told.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "row"),
+    [
+        *(
+            ("чугун", "metal-dry"),
+            ("Чугун в масле", "metal-oil"),
+            ("закаленная  Сталь", "metal-dry"),
+            ("сч 20", "metal-dry"),
+        ),
+        *(
+            ("EN GJL 250", "metal-dry"),
+            ("Cast iron", "metal-dry"),
+            ("металлокерамика", "sintered-dry"),
+            ("пробка", "cork-dry"),
+        ),
+    ],
+)
+def test_names_that_are_read(name, row):
+    assert material_named(name, friction_materials()).name == row
+
+
+def test_no_name_stands_for_two_materials():
+    names = [each for row in friction_materials().values() for each in (row.name, *row.also)]
+    for each in names:
+        row = material_named(each, friction_materials())
+        assert each in (row.name, *row.also)
+
+
+def test_what_a_name_is_read_as_is_said():
+    spec = read_spec(CONFIGS / "default.toml", NO_RANGE | {"friction.material": "чугун"})
+    assert spec.friction.range == (0.15, 0.2, 0.25)
+    (told,) = (each for each in build(spec).findings() if each.code == "material")
+    assert "чугун is read as metal-dry (cast iron or hard steel, dry)" in told.message
+    assert make_spec(resolved(spec)) == spec
+
+
+def test_of_several_materials_a_clutch_has_the_worst_in_everything():
+    faces = {
+        "friction_group.mean_radius": None,
+        "friction_group.inner_radius": "80 mm",
+        "friction_group.outer_radius": "120 mm",
+    }
+    several = ["cork-dry", "sintered-dry", "wood-dry"]
+    spec = read_spec(
+        CONFIGS / "default.toml", NO_RANGE | faces | {"friction.material": several, "friction.unknown": True}
+    )
+    assert spec.friction.range == (0.15, 0.325, 0.5)
+    lining = spec.friction.linings["friction.material"]
+    assert lining[5:9] == (55e3, 95e3, 82, 82)
+    codes = {each.code: each.message for each in build(spec).findings()}
+    assert "cork-dry, sintered-dry, wood-dry" in codes["lining-unknown"]
+    assert "0.15…0.5" in codes["lining-unknown"]
+
+
+def test_materials_that_contradict_each_other(afmcalc):
+    removed = [f"--set={key}=" for key in NO_RANGE]
+    for several, says in (
+        (["чугун", "чугун в масле"], "contradict each other (чугун: dry, чугун в масле: in oil)"),
+        (["cork-dry", "corc"], "unknown material; did you mean 'cork-dry'"),
+        (["cork-dry", "cork-dry"], "each once"),
+        ([], "or a list of such names"),
+    ):
+        run = afmcalc(
+            "torque", "--quiet", *removed, f"--set=friction.material={json.dumps(several, ensure_ascii=False)}"
+        )
+        assert (run.code, run.out) == (2, "")
+        assert "friction.material" in run.err
+        assert says.partition(";")[0] in run.err
+    run = afmcalc("torque", "--quiet", *removed, "--set=friction.material=cork-dry", "--set=friction.unknown=true")
+    assert run.code == 2
+    assert "friction.unknown" in run.err
+
+
+DISCS = """name,outer_diameter_mm,inner_diameter_mm,thickness_mm,reduced_thickness_mm,free_height_mm,source
+X 50,50,25.4,2,,3.4,Maker's list
+X 60,60,30.5,2.5,,4.25,Maker's list
+"""
+
+
+def test_paths_are_relative_to_the_file_that_names_them(tmp_path, afmcalc, monkeypatch):
+    (tmp_path / "lists").mkdir()
+    (tmp_path / "picked").mkdir()
+    file(tmp_path / "lists", "own.csv", CSV)
+    file(tmp_path / "lists", "discs.csv", DISCS)
+    file(tmp_path / "lists", "balls.csv", "diameter_mm\n7\n23\n90\n")
+    spec = (CONFIGS / "default.toml").read_text(encoding="utf-8").replace("min = 0.10", 'material = "войлок"')
+    spec = "\n".join(line for line in spec.splitlines() if not line.startswith(("mean = ", "max = ")))
+    named = '[catalogues]\nmaterials = "lists/own.csv"\ndiscs = "lists/discs.csv"\nballs = "lists/balls.csv"\n'
+    path = file(tmp_path, "clutch.toml", f"{spec}\n{named}")
+    monkeypatch.chdir(tmp_path / "picked")
+    told = json.loads(afmcalc("synthesize", path, "--json").out)
+    assert told["result"]["ball_diameter_standard"] in (0.007, 0.023, 0.09)
+    afmcalc("synthesize", path, "-o", "completed.toml")
+    assert 'materials = "../lists/own.csv"' in (tmp_path / "picked" / "completed.toml").read_text(encoding="utf-8")
+    again = read_spec(tmp_path / "picked" / "completed.toml")
+    assert again.friction.range == (0.2, 0.25, 0.3)
+    assert again.lists == read_spec(path).lists
+    piped = afmcalc("torque", "-", "--json", stdin=afmcalc("torque", path, "--json").out)
+    assert json.loads(piped.out)["result"] == json.loads(afmcalc("torque", path, "--json").out)["result"]
+    by_option = afmcalc("synthesize", CONFIGS / "default.toml", "--balls", "../lists/balls.csv", "--json")
+    assert json.loads(by_option.out)["result"]["ball_diameter_standard"] in (0.007, 0.023, 0.09)
+
+
+def test_disc_springs_of_ones_own(tmp_path, afmcalc):
+    path = file(tmp_path, "discs.csv", DISCS)
+    first, second = discs(path)
+    assert first[:7] == ("X 50", 0.05, 0.0254, 0.002, None, 0.0034, None)
+    run = afmcalc("springs", CONFIGS / "default.toml", "--discs", path, "--kind", "disc", "--json")
+    parts = {each["part"] for each in json.loads(run.out)["result"]["closing"]}
+    assert parts
+    assert parts <= {f"{each.name} (Maker's list)" for each in (first, second)}
+    picked = afmcalc(
+        "springs",
+        CONFIGS / "default.toml",
+        "--discs",
+        path,
+        "--kind",
+        "disc",
+        "--pick",
+        "1",
+        "-o",
+        tmp_path / "sprung.toml",
+    )
+    assert picked.code == 0, picked.err
+    sprung = read_spec(tmp_path / "sprung.toml")
+    assert sprung.closing_spring.disc.thickness in (first.thickness, second.thickness)
+    assert sprung.catalogues.discs == path
+    flat = file(tmp_path, "flat.csv", DISCS.replace("3.4", "2"))
+    with pytest.raises(AfmcalcError, match="X 50: is no disc spring"):
+        discs(flat)
