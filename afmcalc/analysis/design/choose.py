@@ -15,7 +15,7 @@ from .candidates import rounded
 from .pick import number_of
 from .rows import Attainable, DesignResult, DesignRow, OfVariant, Trade
 from .search import Survey
-from .space import SAME_CLUTCH, given
+from .space import SAME_CLUTCH, Numbers, given
 
 T = TypeVar("T", bound=BaseModel)
 
@@ -37,6 +37,13 @@ def focused(result: DesignResult) -> DesignResult:
     return result.model_copy(update={"front": shown, "excluded": {}, "of_variants": None})
 
 
+def over_range(values: Numbers) -> Numbers:
+    """Objectives of the rows of a front from their least on, each in parts of its range; far away what is infinite."""
+    known = np.isfinite(values)
+    low, high = (way(values, axis=0, where=known, initial=end) for way, end in ((np.min, np.inf), (np.max, -np.inf)))
+    return np.where(known, (values - low) / np.where(high > low, high - low, np.inf), _FAR)
+
+
 @np.errstate(all="ignore")
 def trades(result: DesignResult, number: int) -> list[Trade]:
     """Return what the neighbours of a clutch gain and give up: for each objective the nearest that is better in it.
@@ -44,10 +51,7 @@ def trades(result: DesignResult, number: int) -> list[Trade]:
     Near is measured in the objectives, each over its range on the front.
     """
     values = np.array([[row.objective(name) for name in result.objectives] for row in result.front])
-    finite = np.where(np.isfinite(values), values, np.nan)
-    spread = np.nanmax(finite, axis=0) - np.nanmin(finite, axis=0)
-    scaled = np.nan_to_num(finite / np.where(spread > 0, spread, 1.0), nan=_FAR)
-    here = values[number - 1]
+    here, scaled = values[number - 1], over_range(values)
     away = np.square(scaled - scaled[number - 1]).sum(axis=1)
     equal = (values == here) | (np.abs(values - here) <= SAME_CLUTCH * np.abs(here))
     nearest = [np.where(better, away, np.inf).argmin() for better in ((values < here) & ~equal).T if better.any()]
@@ -91,9 +95,9 @@ def of_variants(survey: Survey, on_front: list[DesignRow]) -> list[OfVariant] | 
 
 
 def relaxed(
-    need: Requirements, misses: list[Attainable], again: Callable[[Requirements], DesignResult]
+    need: Requirements, feasible: int, misses: list[Attainable], again: Callable[[Requirements], DesignResult]
 ) -> list[Attainable]:
-    """Say of each miss which key to relax and to what, in few digits, if a search with it finds a clutch.
+    """Say of each miss which key to relax and to what, in few digits, if a search with it finds more that are feasible.
 
     What is missed together is relaxed together; what follows from the requirements, or from a catalogue, has no key.
     """
@@ -105,7 +109,7 @@ def relaxed(
             easier = easier if key is None else _with(easier, key.split("."), limit)
         found = again(easier) if all(key for _, key, _ in named) else None
         for row, key, limit in named:
-            holds = found is not None and found.on_front
+            holds = found is not None and found.on_front and found.feasible > feasible
             known = {"key": key, "relax_to": limit or None, "feasible": given(found).feasible} if holds else {}
             told.append(row.model_copy(update=known))
     return told

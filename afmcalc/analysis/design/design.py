@@ -18,7 +18,7 @@ from ...spec.requirements import Requirements
 from ...units import ENGINEER
 from ...variants import VARIANTS, Variant
 from .candidates import candidates
-from .choose import of_variants, relaxed
+from .choose import of_variants, over_range, relaxed
 from .limits import Constraint, constraints
 from .pick import made
 from .refine import refined
@@ -61,7 +61,7 @@ def design(need: Requirements, *, misses: bool | None = None) -> tuple[DesignRes
     if misses if misses is not None else not best:
         missing = attainable(need, lambda done, of: tell(say("looking for what is attainable"), done, of))
     if missing:
-        missing = relaxed(need, missing, lambda easier: design(easier, misses=False)[0])
+        missing = relaxed(need, survey.feasible, missing, lambda easier: design(easier, misses=False)[0])
     result = DesignResult(
         candidates=survey.candidates,
         feasible=survey.feasible,
@@ -117,12 +117,9 @@ def _knee(values: Numbers) -> int | None:
 
     Source: Das, On characterizing the "knee" of the Pareto curve, Structural Optimization 18 (1999), 107-115.
     """
-    known = np.where(np.isfinite(values), values, np.nan)
-    low, high = np.nanmin(known, axis=0), np.nanmax(known, axis=0)
-    spread = np.where(high > low, high - low, np.inf)
     if values.shape[1] < 2 or len(values) < 3:
         return None
-    return int(np.argmin(((values - low) / spread).sum(axis=1))) + 1
+    return int(np.argmin(over_range(values).sum(axis=1))) + 1
 
 
 def check_sort(name: str | None) -> None:

@@ -1,6 +1,7 @@
 """What helps to choose: what became of each variant, and the neighbours of a clutch on the front."""
 
 import tomllib
+import warnings
 
 import pytest
 from conftest import CONFIGS
@@ -68,3 +69,19 @@ def test_neighbours_stand_beside_the_clutch(afmcalc):
     rows = told.out.split("\nno. ")[1].split("\n\n")[0].splitlines()[1:]
     assert {int(row.split()[0]) for row in rows} == shown
     assert afmcalc("design", file, "--explain", "222").code == 2
+
+
+def test_an_objective_that_is_infinite_in_all_says_nothing():
+    """A constant force has no deflection: the front is that of the other objective, and no warning is printed."""
+    search = {"closing_stiffness": 4e5, "control_stiffness": 0, "gain": [0.5, 1.0, 2.0], "pairs": 8}
+    data = BASE | {
+        "variants": ["indirect"], "objectives": ["control_deflection", "accuracy_factor", "closing_force"],
+        "search": BASE["search"] | search, "fixed": BASE["fixed"] | {"hub_diameter": 0.05, "key_friction": 0.02},
+        "wanted": {"nominal_torque": 200.0},
+    }  # fmt: skip
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        result, _ = design(make_requirements(data))
+        told = with_neighbours(result, 1)
+    assert len(result.front) > 2
+    assert {trade.objective for trade in told.neighbours} == {"accuracy_factor", "closing_force"}
