@@ -94,7 +94,7 @@ class Trade(Result):
     variant: str = described("variant")
     objective: str = described("objective", code=True)
     verdict: Literal["gains", "gives up"] = described("verdict")
-    change: float | None = quantity("1", "Δ", "change, as a share")
+    change: float | None = quantity("1", None, "change, as a share")
     value: float | None = described("has", unit_in="unit")
     instead_of: float | None = described("instead of", unit_in="unit")
     unit: str = described("unit", is_unit=True)
