@@ -114,7 +114,7 @@ def effects(spec: SpecArgument = None, *, common: Common) -> None:
 
 @with_common
 def layout(spec: SpecArgument = None, *, common: Common) -> None:
-    """Parts in half section: whether they fit into the space, mass and inertia (block [envelope]).
+    """Parts in half section: do they fit, mass, inertia ([envelope]).
 
     The parts lie as the papers draw them. Clearances, thrust bearings, keys, splines and bolts are not counted.
 

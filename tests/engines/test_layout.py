@@ -1,0 +1,195 @@
+"""The layout against rings that are counted by hand, and its overlaps against those of its rectangles."""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+from afmcalc.engines import build
+from afmcalc.engines.layout import Sizes, SpringSize, inertia_of, length_of, overlaps, parts_of, sizes_of
+from afmcalc.errors import SpecError
+from afmcalc.spec import make_spec, read_spec
+from afmcalc.spec.edit import respecified
+
+STEEL = 7850.0
+SLEEVES = {"direct": {"thrust disc", "pressure disc"}, "indirect": {"ball sleeve", "thrust sleeve"}}
+
+
+def drawn(rng, travels):
+    """Sizes that collide as often as not."""
+    u = rng.uniform
+    spring = lambda: SpringSize(inner := u(0.02, 0.11), inner + u(0.005, 0.03), u(0.005, 0.05), 0.3)  # noqa: E731
+    return Sizes(
+        travels, int(rng.integers(2, 12)), inner := u(0.04, 0.09), inner + u(0.02, 0.05), 0.01, u(0.012, 0.06),
+        u(0.002, 0.005), u(0.005, 0.015), u(0.003, 0.008), u(0.01, 0.04) * (rng.random() < 0.9), 6, u(0.03, 0.09),
+        0.002, u(0.004, 0.03) if rng.random() < 0.5 else None, u(0, 0.01), spring(),
+        spring() if travels else SpringSize(),
+    )  # fmt: skip
+
+
+def apart(one, other):
+    """How far one rectangle has to be moved along an axis of its own to be clear of another; 0 where it is."""
+    moves = []
+    for low, high in ((0, 1), (2, 3)):
+        if (
+            min(one[high], other[high]) <= max(one[low], other[low])
+            or one[high] <= one[low]
+            or other[high] <= other[low]
+        ):
+            return 0.0
+        moves += [one[high] - other[low], other[high] - one[low]]
+    return min(moves)
+
+
+@pytest.mark.parametrize("kind", SLEEVES)
+def test_what_overlaps_is_what_the_rectangles_do(kind):
+    rng, seen = np.random.default_rng(26), set()
+    for _ in range(300):
+        parts = parts_of(drawn(rng, kind == "indirect"))
+        found = {frozenset(pair): float(missing) for *pair, missing in overlaps(parts) if missing > 0}
+        expected = {}
+        for one, other in itertools.combinations(parts, 2):
+            names = {one.name, other.name}
+            most = max(apart(box, beside) for box in one.boxes for beside in other.boxes)
+            if most > 0 and not ("balls" in names and names & SLEEVES[kind]):
+                expected[frozenset(names)] = most
+        assert found == pytest.approx(expected)
+        seen |= set(found)
+    named = [{"hub", "pack"}, {"hub", "balls"}, {"pack", "balls"}, {"hub", "closing spring"}]
+    named += [{"closing spring", "stop ring"}, {"housing", "balls"}] if kind == "indirect" else []
+    named += [{"housing", "closing spring"}]
+    assert all(frozenset(pair) in seen for pair in named)
+
+
+@pytest.mark.parametrize("travels", [False, True])
+def test_arrays_as_numbers(travels):
+    rng = np.random.default_rng(7)
+    sizes = [drawn(rng, travels) for _ in range(40)]
+    columns = {}
+    for name in ("pairs", "inner_radius", "outer_radius", "ball", "circle", "travel"):
+        columns[name] = np.array([getattr(size, name) for size in sizes], float)
+    together = parts_of(sizes[0]._replace(**columns))
+    for place, size in enumerate(sizes):
+        alone = parts_of(sizes[0]._replace(**{name: getattr(size, name) for name in columns}))
+        assert np.broadcast_to(length_of(together), 40)[place] == pytest.approx(length_of(alone), rel=1e-14)
+        for (*pair, missing), (*same, other) in zip(overlaps(together), overlaps(alone), strict=True):
+            assert pair == same
+            assert np.broadcast_to(missing, 40)[place] == pytest.approx(other, rel=1e-12, abs=1e-15)
+        for half in ("driving", "hub", "driven"):
+            both = inertia_of(together, half), inertia_of(alone, half)
+            assert np.broadcast_to(both[0], 40)[place] == pytest.approx(both[1], rel=1e-12)
+
+
+def ring(outer, inner, length):
+    """Mass and moment of inertia of a steel ring by the middles of thin ones, mm."""
+    edges = np.linspace(inner, outer, 20001) / 1000
+    radii = (edges[1:] + edges[:-1]) / 2
+    mass = 2 * math.pi * STEEL * length / 1000 * radii * np.diff(edges)
+    return np.array([mass.sum(), (mass * radii**2).sum()])
+
+
+def direct(**given):
+    return make_spec(
+        {
+            "variant": "differentiated",
+            "friction": {"min": 0.1, "max": 0.8},
+            "friction_group": {"pairs": 5, "inner_radius": 0.08, "outer_radius": 0.12},
+            "closing_spring": {"force": 2000.0},
+            "control_unit": {"gain": 0.5, "ball_circle_radius": 0.05, "balls": 6, "face_gap": 0.002,
+                             "edge_clearance": 0.002, "ball_diameter": 0.026},
+            "envelope": {"bore": 0.03, "hub_diameter": 0.05, "disc_thickness": 0.003, "plate_thickness": 0.01,
+                         "housing_wall": 0.006},
+            **given,
+        }
+    )  # fmt: skip
+
+
+def test_a_direct_clutch_by_hand():
+    """Pockets 12 mm deep over a floor of 10: faces at 32 and 34, the second boss ends at 56, a flange of 10 ends it."""
+    clutch = build(direct())
+    parts = parts_of(sizes_of(clutch))
+    assert length_of(parts) == pytest.approx(0.066)
+    discs, carrier = ring(120, 80, 5 * 3), ring(80, 74, 15)
+    housing = ring(126, 15, 10) + ring(126, 120, 56)
+    hub = ring(25, 15, 56)
+    thrust = ring(120, 25, 10) + ring(63, 25, 12)
+    pressure = ring(120, 25, 10) + ring(63, 25, 35 - 34) + ring(63, 25, 56 - 45)
+    balls = 6 * STEEL * math.pi / 6 * 0.026**3
+    driving = housing + 3 / 5 * discs
+    driven = hub + 2 / 5 * discs + carrier + thrust + pressure
+    assert sum(body.mass for part in parts for body in part.bodies) == pytest.approx(
+        (driving + driven)[0] + balls, rel=1e-6
+    )
+    assert inertia_of(parts, "driving") == pytest.approx(driving[1], rel=1e-6)
+    # the balls as a ring of their mass, 2 % more than six spheres on a circle
+    assert inertia_of(parts, "driven") == pytest.approx(driven[1] + balls * (0.05**2 + 0.026**2 / 10), rel=1e-3)
+    assert inertia_of(parts, "hub") == 0
+
+
+def test_an_indirect_clutch_by_hand():
+    """Its springs as set: the closing coils stand 14.8 mm long less 2000 N, the control coils as their force asks."""
+    spec = read_spec("example:envelope")
+    clutch = build(spec)
+    closing = 14.8 - 2000 / spec.closing_spring.coil.rate * 1e3
+    control = 70.1 - float(clutch.sleeve.control_force) / spec.control_spring.coil.rate * 1e3
+    assert length_of(parts_of(sizes_of(clutch))) * 1e3 == pytest.approx(16 + 24 + 8 + closing + 8 + control + 8)
+
+
+def test_a_drive_takes_what_the_layout_tells(afmcalc):
+    drive = ["drive.speed=20", "drive.motor_inertia=1", "drive.shaft_stiffness=6000", "drive.cut_off=0.2",
+             'drive.event={kind="stop", stop_time="10 ms"}']  # fmt: skip
+    told = afmcalc("layout", "example:envelope", "--json").json["result"]
+    given = [f"drive.{name}={told[name]!r}" for name in ("driven_inertia", "hub_inertia")]
+    sets = [part for each in drive for part in ("--set", each)]
+    taken = afmcalc("simulate", "example:envelope", *sets, "--json").json
+    same = afmcalc(
+        "simulate", "example:envelope", *sets, *(part for each in given for part in ("--set", each)), "--json"
+    )
+    assert taken["result"] == same.json["result"]
+    found = {remark["path"]: remark["value"] for remark in taken["findings"] if remark["code"] == "inertia-from-layout"}
+    assert found == {"drive.driven_inertia": told["driven_inertia"], "drive.hub_inertia": told["hub_inertia"]}
+
+
+@pytest.mark.parametrize(
+    ("changes", "code", "value"),
+    [
+        ({"envelope.outer_diameter": 0.25}, "housing-too-wide", 0.252),
+        ({"envelope.length": 0.065}, "clutch-too-long", 0.066),
+        ({"control_unit.ball_circle_radius": 0.064}, "parts-collide", 0.064 + 0.013 - 0.074),
+        ({"envelope.hub_diameter": 0.08}, "parts-collide", 0.04 - (0.05 - 0.013)),
+    ],
+)
+def test_a_check_names_what_is_missing(afmcalc, changes, code, value):
+    clutch = respecified(direct(), changes)
+    from afmcalc.analysis.check import check
+
+    result, findings = check(build(clutch))
+    (found,) = (remark for remark in findings if remark.code == code)
+    assert found.value == pytest.approx(value)
+    assert not result.passed
+    if code == "parts-collide":
+        assert found.message in ("pack and balls overlap by 3 mm", "hub and balls overlap by 3 mm")
+    else:
+        assert any(row.verdict == "fail" and row.value == pytest.approx(value) for row in result.limits)
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"bore": 0.05}, "envelope.hub_diameter = 0.05: must be greater than bore"),
+        ({"outer_diameter": 0.03}, "envelope.outer_diameter = 0.03: must be greater than hub_diameter"),
+        ({"plate_thickness": None}, "envelope.plate_thickness"),
+        ({"hub_diameter": None}, "envelope.hub_diameter: required beside envelope"),
+    ],
+)
+def test_a_space_that_is_none(given, says):
+    envelope = {
+        "bore": 0.03,
+        "hub_diameter": 0.05,
+        "disc_thickness": 0.003,
+        "plate_thickness": 0.01,
+        "housing_wall": 0.006,
+    }
+    with pytest.raises(SpecError, match=says):
+        direct(envelope={name: value for name, value in {**envelope, **given}.items() if value is not None})
