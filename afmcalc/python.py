@@ -241,7 +241,7 @@ def design(
         SpecError: the requirements are invalid.
         AfmcalcError: more candidates than are searched; no such number, or no knee.
     """
-    from .analysis.design.pick import with_picked
+    from .analysis.design.pick import with_picked, with_verdict
     from .spec.requirements import make_requirements, read_requirements
 
     need = make_requirements(requirements) if isinstance(requirements, Mapping) else read_requirements(requirements)
@@ -249,4 +249,6 @@ def design(
     spec = None
     if pick is not None:
         result, spec = with_picked(need, result, pick)
+        result, remarks = with_verdict(result, spec)
+        findings = [*dict.fromkeys([*findings, *remarks])]
     return _answered("design", spec, result, findings)

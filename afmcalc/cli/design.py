@@ -117,7 +117,7 @@ def design(
     """  # noqa: D301
     from ..analysis.design.choose import focused, with_neighbours
     from ..analysis.design.design import check_sort, shown
-    from ..analysis.design.pick import with_picked
+    from ..analysis.design.pick import with_picked, with_verdict
     from ..spec import resolved
     from ..spec.requirements import read_requirements
 
@@ -130,6 +130,8 @@ def design(
     if pick is not None and result.front:
         with common.bar():
             result, chosen = with_picked(need, result, pick)
+            result, remarks = with_verdict(result, chosen)
+        findings = [*dict.fromkeys([*findings, *remarks])]
         spec = resolved(chosen)
     if explain is not None and result.front:
         result = with_neighbours(result, explain)

@@ -11,6 +11,7 @@ import numpy as np
 from ...engines import build
 from ...engines.protocol import Clutch
 from ...errors import CalculationError
+from ...findings import Finding
 from ...result import Result
 from ...spec import Spec
 from ...spec.edit import as_written
@@ -45,7 +46,7 @@ _PLAIN = ("pairs", "driving_pairs", "closing_stiffness", "control_stiffness", "b
 
 
 def with_picked(need: Requirements, result: DesignResult, pick: int | str) -> tuple[DesignResult, Spec]:
-    """Return the result with a clutch of its front in round figures, and what a check says of it; and its spec.
+    """Return the result with a clutch of its front in round figures as a row of its own, and as a spec that passes.
 
     Raises:
         CalculationError: no such number, or no knee.
@@ -62,8 +63,13 @@ def with_picked(need: Requirements, result: DesignResult, pick: int | str) -> tu
         if (clutch := made(need, row)) is not None
     )
     chosen = next(tried, Made(as_spec(need, exact), exact))
-    written = {"picked": [_as_written(*chosen)], "verdict": check(build(chosen.spec))[0]}
-    return result.model_copy(update=written), chosen.spec
+    return result.model_copy(update={"picked": [_as_written(*chosen)]}), chosen.spec
+
+
+def with_verdict(result: DesignResult, spec: Spec) -> tuple[DesignResult, list[Finding]]:
+    """Return the result with what a check says of the clutch picked, and the findings of that check."""
+    verdict, findings = check(build(spec))
+    return result.model_copy(update={"verdict": verdict}), findings
 
 
 def number_of(result: DesignResult, option: str, asked: int | str) -> int:

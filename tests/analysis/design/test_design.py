@@ -535,8 +535,12 @@ def test_the_clutch_picked_is_shown_alone_with_what_a_check_says(afmcalc, tmp_pa
     asked = afmcalc("design", file, "--pick", "knee", "--json").json["result"]
     assert [row["number"] for row in asked["picked"]] == [asked["knee"]]
     assert len(asked["front"]) == asked["on_front"]
-    checked = afmcalc("check", target, "--json").json["result"]
+    said = afmcalc("check", target, "--json").json
+    checked = said["result"]
     assert asked["verdict"] == checked
+    assert [f"[{each['code']}" in alone.out for each in said["findings"]] == [False] * checked["notes"]  # quiet
+    loud = afmcalc("design", file, "--pick", "knee").out
+    assert all(f"[{each['code']}" in loud for each in said["findings"])
     assert checked["passed"]
     for row in checked["requirements"]:
         assert f"{row['utilisation']:.5g}" in alone.out
