@@ -9,10 +9,9 @@ from importlib.resources import files
 from os import PathLike
 from typing import Any, NamedTuple
 
-from ..errors import AfmcalcError, FileError
+from ..errors import AfmcalcError
 from ..messages import did_you_mean, say
 from .catalogues import Disc, Lists, Material, plain
-from .fields import Broken
 from .parse import check_size, text_of, toml_of
 from .quantity import parse_quantity
 from .source import Source
@@ -34,53 +33,39 @@ SNAPS = 2.4
 """Height over thickness up to which the force of a disc only grows (1 + √2)."""
 
 
-def own_lists(named: object) -> tuple[Lists, list[Broken]]:
-    """Read the files that a table of catalogues names; beside them what is wrong with those that cannot be read."""
-    found, broken = {}, list[Broken]()
+def own_lists(named: object) -> Lists:
+    """Read the files that a table of catalogues names."""
     given: Mapping[str, object] = named if isinstance(named, Mapping) else {}
-    for name, read in _READ.items():
-        if isinstance(file := given.get(name), str):
-            try:
-                found[name] = read(file)
-            except FileError:
-                raise
-            except AfmcalcError as error:
-                broken.append((f"catalogues.{name}", error.args[0]))
-    return Lists(**found), broken
+    return Lists(**{name: read(file) for name, read in _READ.items() if isinstance(file := given.get(name), str)})
 
 
 def friction_materials(file: str) -> dict[str, Material]:
     """Every material of a file by name."""
-    sources: dict[str, dict[str, str]] = {}
-    return {row.name: _material(row, sources) for row in _rows_of(text_of(file), "materials", _MATERIAL, sources)}
+    return {row.name: _material(row) for row in _rows_of(text_of(file), "materials", _MATERIAL)}
 
 
-def _material(row: "_Row", sources: Mapping[str, Mapping[str, str]]) -> Material:
+def _material(row: "_Row") -> Material:
     row.need("description", "condition", "friction_min", "friction_max")
     if (condition := row.words["condition"]) not in _CONDITIONS:
         raise row.refused(say("condition: {given!r} is neither dry nor in oil", given=condition))
-    low, high = row.ends("friction")
-    assert low is not None
-    assert high is not None
+    row.ends("friction")
+    numbers, words = row.numbers, row.words
     coldest, hottest = (each and round(each - 273.15, 6) for each in row.ends("temperature"))
-    source = row.words["source"]
-    about = sources.get(source, {})
     return Material(
-        row.name, row.words["description"], condition, low, high, *row.ends("pressure"), coldest, hottest,
-        about.get("short", source), about.get("full", source), row.also,
+        row.name, words["description"], condition, numbers["friction_min"], numbers["friction_max"],
+        *row.ends("pressure"), coldest, hottest, words["source"], words["source"], row.also,
     )  # fmt: skip
 
 
 def discs(file: str) -> tuple[Disc, ...]:
     """Every size of disc spring of a file."""
-    return tuple(map(_disc, _rows_of(text_of(file), "discs", _DISC)))
+    return tuple(_disc(row) for row in _rows_of(text_of(file), "discs", _DISC))
 
 
 def _disc(row: "_Row") -> Disc:
     row.need("outer_diameter", "inner_diameter", "thickness", "free_height")
-    outer, inner, thickness, height = (row.numbers[size] for size in (*_SIZES[:3], _SIZES[4]))
-    reduced = row.numbers.get("reduced_thickness")
-    if not (inner < outer and (reduced or 0.0) < thickness < height <= SNAPS * thickness):
+    outer, inner, thickness, reduced, height = (row.numbers.get(size, 0.0) for size in _SIZES)
+    if not (inner < outer and reduced < thickness < height <= SNAPS * thickness):
         raise row.refused(
             say(
                 "is no disc spring: inner_diameter < outer_diameter, reduced_thickness < thickness < free_height, and "
@@ -88,7 +73,7 @@ def _disc(row: "_Row") -> Disc:
                 most=SNAPS,
             )
         )
-    return Disc(row.name, outer, inner, thickness, reduced, height, None, row.words["source"])
+    return Disc(row.name, outer, inner, thickness, reduced or None, height, None, row.words["source"])
 
 
 class _Row(NamedTuple):
@@ -119,26 +104,26 @@ class _Row(NamedTuple):
                 raise self.refused(
                     say("unknown column {heading!r}{hint}; there are: {known}", heading=heading, hint=hint, known=known)
                 )
-            elif columns[column]:
-                self.number(column, value, heading[len(column) + 1 :], columns[column])
             elif value not in ("", None):
-                self.words[column] = ";".join(map(str, value)) if isinstance(value, list) else str(value).strip()
+                text = ";".join(map(str, value)) if isinstance(value, list) else str(value).strip()
+                if not text.isprintable():
+                    raise self.refused(say("must be one line of printable text, without control characters"))
+                if columns[column]:
+                    self.numbers[column] = self.number(column, text, heading[len(column) + 1 :], columns[column])
+                else:
+                    self.words[column] = text
 
-    def number(self, column: str, cell: object, unit: str, wanted: str) -> None:
+    def number(self, column: str, cell: str, unit: str, wanted: str) -> float:
         """Read a cell in the unit of its heading; without one in SI, or with a unit of its own."""
-        if cell in ("", None):
-            return
-        bare = re.fullmatch(r"\d+(\.\d+)?", str(cell).strip())
+        bare = re.fullmatch(r"\d+(\.\d+)?", cell)
         unit = {"C": "degC"}.get(unit, unit)
         try:
-            number = parse_quantity(f"{cell} {unit}" if unit else float(str(cell)) if bare else cell, wanted)
+            number = parse_quantity(f"{cell} {unit}" if unit else float(cell) if bare else cell, wanted)
             if number <= 0:
                 raise ValueError(say("must be greater than {bound:g}", bound=0))
         except ValueError as error:
-            raise self.refused(
-                say("{column} = {given}: {why}", column=column, given=str(cell), why=error.args[0])
-            ) from None
-        self.numbers[column] = number
+            raise self.refused(say("{column} = {given}: {why}", column=column, given=cell, why=error.args[0])) from None
+        return number
 
     def refused(self, why: str) -> AfmcalcError:
         """Say what is wrong with it."""
@@ -158,10 +143,8 @@ class _Row(NamedTuple):
         return low, high
 
 
-def _rows_of(
-    source: Source, table: str, columns: Mapping[str, str], sources: dict[str, Any] | None = None
-) -> Iterator[_Row]:
-    """Read the rows of a list, TOML or CSV; ``sources`` gets the table of that name."""
+def _rows_of(source: Source, table: str, columns: Mapping[str, str]) -> Iterator[_Row]:
+    """Read the rows of a list, TOML or CSV."""
     given: list[tuple[str, Mapping[str, object]]] = []
     if source.lower().endswith(".csv"):
         lines = [line for line in source.text.splitlines() if line.strip() and not line.startswith("#")]
@@ -169,9 +152,7 @@ def _rows_of(
     else:
         data = toml_of(source)
         check_size(data, source)
-        listed, told = data.pop(table, {}), data.pop("sources", {})
-        if sources is not None and isinstance(told, dict):
-            sources |= told
+        listed = data.pop(table, {})
         if isinstance(listed, dict) and not data:
             given = [(name, row) for name, row in listed.items() if isinstance(row, dict)]
     if not given:

@@ -38,9 +38,7 @@ def validated(model: type[M], data: Table, label: str, broken: Iterable[Broken] 
     problems = [Problem(path, _given(path, data), message) for path, message in broken]
     more = 0
     label = label if isinstance(label, Source) else Source(label)
-    label.lists, unread = own_lists(data.get("catalogues"))
-    if unread:
-        raise SpecError(label, [Problem(path, _given(path, data), message) for path, message in unread])
+    label.lists = own_lists(data.get("catalogues"))
     try:
         made = model.model_validate(dict(data), context=label)
         if not problems:
