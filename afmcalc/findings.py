@@ -90,6 +90,17 @@ FINDINGS: Mapping[str, str] = {
     "strength {limit:.4g MPa}: the shaft fails at once",
     "mean-stress-rule": "the paper's rule takes the mean stress as damaging and ignores the amplitude, so a wider "
     "band at equal mean costs nothing (M23); --model amplitude or goodman weighs it",
+    # machine and shaft
+    "service-factor-assumed": "{path} is not given: {value:g} is taken, for a machine without shocks",
+    "machine-not-driven": "at some friction the clutch carries {value:.5g N·m}, less than the {limit:.5g N·m} that the "
+    "machine asks for by its plate: it slips in rated running",
+    "slips-at-start": "switched on directly the motor gives up to {value:.5g N·m} at the clutch, which carries "
+    "{limit:.5g N·m} at the smallest and {highest:.5g N·m} at the largest torque in service: as friction is, it may "
+    "slip while a heavy machine starts",
+    "slips-at-start/always": "switched on directly the motor gives up to {value:.5g N·m} at the clutch, which carries "
+    "only {limit:.5g N·m} to {highest:.5g N·m}: it slips while a heavy machine starts, whatever the friction",
+    "shaft-yields": "the shaft yields: {torque:.5g N·m} twists it with {value:.5g MPa}, above its yield strength in "
+    "shear by von Mises, {limit:.5g MPa}",
     # simulate
     "bypass-peak": "above the gain limit the bypass pairs alone may hold before the balls take over: the peak in the "
     "shaft is then up to {value:.4g N·m}, not {limit:.4g N·m}; requirements.peak_torque is judged by it",

@@ -38,7 +38,7 @@ ZEROS = {"K": Decimal(0), "К": Decimal(0)} | dict.fromkeys(("degC", "°C", "°�
 """Scale of a temperature, in Latin or Cyrillic letters → its zero, K."""
 
 ENGINEER = {
-    "N": "kN", "m": "mm", "m^3": "cm^3", "N/m": "N/mm", "1/m": "1/mm", "rad": "deg", "Pa": "MPa", "J": "kJ",
+    "N": "kN", "m": "mm", "m^3": "cm^3", "N/m": "N/mm", "1/m": "1/mm", "rad": "deg", "Pa": "MPa", "J": "kJ", "W": "kW",
     "J/m^2": "J/mm^2", "W/m^2": "W/mm^2", "N^2/m^2": "N^2/mm^2", "K abs": "degC",
 }  # fmt: skip
 """SI unit → the unit in which engineers read the quantity, where it differs."""

@@ -24,7 +24,7 @@ ROOT = Path(__file__).parents[1]
 CONFIGS = ROOT / "configs"
 WANTED = {path.stem for path in CONFIGS.glob("*.toml") if "\n[wanted]" in path.read_text(encoding="utf-8")}
 """Examples that are requirements."""
-PICKED = {f"{name}-clutch" for name in WANTED} - {"requirements-clutch"}
+PICKED = {f"{name}-clutch" for name in WANTED} - {"requirements-clutch", "machine-clutch"}
 """Clutches that a design of such requirements picked."""
 S21 = Path(__file__).parent / "data" / "s21-fig2.toml"
 """The clutch of S21 fig. 2 with a closing spring of 2 kN, whose figures are the paper's or worked out by hand."""

@@ -11,7 +11,7 @@ from ..result import Answer, described
 from ..spec.catalogues import friction_materials
 from ..spec.edit import value_at
 from .answers import Answers
-from .limits import Utilisation, hub_findings, pressure_findings, utilisations
+from .limits import Utilisation, hub_findings, pressure_findings, shaft_findings, utilisations
 from .registry import ANALYSES
 from .requirements import RequirementRow, requirement_rows, simulates
 from .synthesize import SynthesisResult
@@ -68,6 +68,7 @@ def _findings(answers: Answers, *, simulated: bool = True) -> list[Finding]:
     """Return the findings of every analysis that a check takes in and that applies to the clutch, each once."""
     clutch = answers.clutch
     findings = [*clutch.findings(), *pressure_findings(clutch), *hub_findings(answers), *_unusual(answers)]
+    findings += shaft_findings(answers, simulated=simulated)
     unit = clutch.spec.control_unit
     if unit is not None and unit.ball_circle_radius is None:
         findings.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))

@@ -29,7 +29,7 @@ from .figures import Request, gathered
 from .registry import ANALYSES, EXPLAINED
 
 _FOLDER = files("afmcalc.papers").joinpath("handbook")
-_EXAMPLES = ("default", "unlike-materials", "indirect", "drive", "constant-torque", "tolerance")
+_EXAMPLES = ("default", "unlike-materials", "indirect", "drive", "constant-torque", "tolerance", "machine-clutch")
 """Examples that the formulas are worked for, the first that has the formula."""
 
 

@@ -14,7 +14,7 @@ from ..result import Answer, Result, Series, described, quantity
 from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
 from .registry import StressRule
-from .slips import RULES, Load, cycles, damaging_stress, dynamic_factor, is_static, load_of
+from .slips import RULES, Load, cycles, damaging_stress, dynamic_factor, is_static, load_of, with_modulus
 from .sweep.grid import Axis, replaced, series
 
 if TYPE_CHECKING:
@@ -135,10 +135,10 @@ def life(
 
 def _part(clutch: Clutch, model: StressRule) -> Fatigue:
     """Return the [fatigue] block; refuse a spec without what the model needs."""
-    part = clutch.spec.fatigue
-    if part is None:
+    if clutch.spec.fatigue is None:
         message = say("required by life: endurance_limit, polar_section_modulus, …")
         raise SpecError(clutch.spec.label, [Problem("fatigue", None, message)])
+    part = with_modulus(clutch.spec)
     needed = RULES[model].needs
     if needed and getattr(part, needed) is None:
         message = say("required by the model {model!r}", model=model)
@@ -172,7 +172,8 @@ def life_sweep(clutch: Clutch, model: StressRule, axes: Sequence[Axis], factor: 
         lives: dict[str, Any] = {name: cycles(part, model, load) for name, load in loads.items()}
         lives = {name: [_null(life) for life in np.broadcast_to(of, axis.values.shape)] for name, of in lives.items()}
         return [LifeSweep(parameter=axis.name, path=axis.key.path, unit="N*m", values=axis.values.tolist(), **lives)]
-    same_event = clutch.spec.drive.event is None or all(axis.key.path.startswith("fatigue.") for axis in axes)
+    of_part = all(axis.key.path.startswith(("fatigue.", "shaft.")) for axis in axes)
+    same_event = clutch.spec.drive.event is None or of_part
 
     def of(point: Clutch, times: Values | None = None, *, from_mean: bool = False) -> Values:
         return cycles(_part(point, model), model, load_of(point, from_mean=from_mean).times(times))

@@ -7,7 +7,7 @@ from typing import Literal, NamedTuple
 from ..drive.result import HeatResult, SimulateResult
 from ..engines.parts import checks_of_spec
 from ..engines.protocol import Clutch
-from ..equations import direct
+from ..equations import direct, life
 from ..findings import Finding, Level, finding
 from ..messages import say, term
 from ..result import Result, Sentence, described, quantity
@@ -78,6 +78,7 @@ def _limits(answers: Answers) -> Iterator[_Limit]:
     simulated = ANALYSES["simulate"].applies(clutch)
     yield from _of_clutch(clutch)
     yield from _of_hub(answers)
+    yield from _of_shaft(answers)
     if ANALYSES["synthesize"].applies(clutch):
         yield from _of_synthesis(clutch, answers.of(SynthesisResult))
     if ANALYSES["layout"].applies(clutch):
@@ -97,13 +98,13 @@ def _limits(answers: Answers) -> Iterator[_Limit]:
     if ANALYSES["heat"].applies(clutch):
         yield from _of_heat(clutch, answers.of(HeatResult))
     if ANALYSES["life"].applies(clutch):
-        life = answers.of(LifeResult)
+        lives = answers.of(LifeResult)
         protected = term("damaging stress, protected side (beyond: limited life)")
         unprotected = term("damaging stress, unprotected side (beyond: limited life)")
-        sides = ((protected, "τ_eq", life.stress_protected), (unprotected, "τ'_eq", life.stress_unprotected))
+        sides = ((protected, "τ_eq", lives.stress_protected), (unprotected, "τ'_eq", lives.stress_unprotected))
         for name, symbol, stress in sides:
             if stress is not None:
-                yield _Limit("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, life.endurance_limit)
+                yield _Limit("life-limited", name, f"{symbol} ≤ τ_limb", "Pa", stress, lives.endurance_limit)
 
 
 def _of_clutch(clutch: Clutch) -> Iterator[_Limit]:
@@ -121,6 +122,12 @@ def _of_clutch(clutch: Clutch) -> Iterator[_Limit]:
         returned = clutch.sleeve.torque_returning_min
         name, machine = term("least torque, friction falling under load"), float(clutch.machine_torque)
         yield _Limit("returning-below-nominal", name, "T_ret ≥ T_н.маш", "N*m", float(returned), machine, least=True)
+    if (plate := clutch.spec.machine) is not None:
+        name, asked = term("torque that the machine asks for"), float(plate.torque)
+        yield _Limit("machine-not-driven", name, "T_min ≥ T_маш", "N*m", lowest, asked, least=True)
+        if (start := plate.starting_torque) is not None:
+            name = term("torque of a direct start")
+            yield _Limit("slips-at-start", name, "T_пуск ≤ T_min", "N*m", float(start), lowest)
 
 
 def _of_hub(answers: Answers) -> Iterator[_Limit]:
@@ -144,6 +151,34 @@ def hub_findings(answers: Answers) -> list[Finding]:
         for hub in _of_hub(answers)
         if hub.value > hub.limit * (1 + 1e-9)
     ]
+
+
+def _of_shaft(answers: Answers, *, simulated: bool = True) -> Iterator[_Limit]:
+    """The shaft does not yield at the peak torque of an event, or at the largest of the clutch times its factor."""
+    clutch, shaft = answers.clutch, answers.clutch.spec.shaft
+    if shaft is None or shaft.yield_strength is None:
+        return
+    torque = clutch.torque_max
+    if not ANALYSES["simulate"].applies(clutch):
+        torque = life.torque_unprotected(clutch.spec.drive.dynamic_factor or 1.0, torque)
+    elif simulated:
+        torque = max(float(torque), answers.of(SimulateResult).judged_peak)
+    stress = float(life.shear_stress(torque, shaft.section_modulus))
+    name, limit = term("largest stress of the shaft, by von Mises"), float(shaft.shear_yield_strength)
+    yield _Limit("shaft-yields", name, "τ ≤ σ_т/√3", "Pa", stress, limit)
+
+
+def shaft_findings(answers: Answers, *, simulated: bool = True) -> list[Finding]:
+    """Say that the shaft yields; without ``simulated`` by the largest torque of the clutch alone where an event is."""
+    shaft = answers.clutch.spec.shaft
+    return [
+        finding(
+            row.code, "error", value=row.value, limit=row.limit, path="shaft.yield_strength",
+            torque=row.value * float(shaft.section_modulus),
+        )
+        for row in _of_shaft(answers, simulated=simulated)
+        if shaft is not None and row.value > row.limit * (1 + 1e-9)
+    ]  # fmt: skip
 
 
 def _of_synthesis(clutch: Clutch, unit: SynthesisResult) -> Iterator[_Limit]:

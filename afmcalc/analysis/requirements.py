@@ -163,9 +163,13 @@ def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[
     clutch = answers.clutch
     required = clutch.spec.requirements
     given = {} if required is None else required.model_dump(exclude_none=True)
+    machine = clutch.spec.machine
+    given |= {} if machine is None else {"machine_torque": float(machine.torque)}
     rows, findings = [], []
     for name, limit in given.items():
         judged, path = JUDGED[name], f"requirements.{name}"
+        if machine is not None and name == "machine_torque":
+            path = "machine.power"
         if not simulated and simulates(judged.analysis, clutch):
             continue
         value, unknown = None, False

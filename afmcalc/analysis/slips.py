@@ -7,15 +7,18 @@ and give the life at the mean damage (Miner; handbook, chapter 4).
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from ..arrays import Values, finite, is_array, larger, smaller
 from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..equations.calls import derived, unnoted
-from ..spec.models import Fatigue
+from ..spec.models import Fatigue, Spec
 from .registry import StressRule
+
+if TYPE_CHECKING:
+    from ..spec.requirements import Requirements
 
 _NODES = 32
 """Gauss–Legendre nodes of a smooth piece of the damage."""
@@ -44,6 +47,13 @@ RULES: dict[StressRule, Rule] = {
         "ultimate_strength",
     ),
 }
+
+
+def with_modulus(spec: "Spec | Requirements") -> Fatigue:
+    """Return the [fatigue] block, with the section modulus of the shaft where its diameter gives it."""
+    part, shaft = spec.fatigue, spec.shaft
+    assert part is not None
+    return part if shaft is None else part.model_copy(update={"polar_section_modulus": shaft.section_modulus})
 
 
 class Load(NamedTuple):

@@ -76,6 +76,11 @@ class TorqueResult(Answer):
     key_friction_force: Triple | None = _F_KEY
     stop_reaction: Triple | None = _S
     onset_torque: Triple | None = _ONSET
+    motor_torque: float | None = quantity("N*m", "M_н", "rated torque of the motor, P_н/ω_н", optional=True)
+    torque_asked_for: float | None = quantity("N*m", "T_маш", "torque that the machine asks for", optional=True)
+    starting_torque: float | None = quantity(
+        "N*m", "T_пуск", "largest torque at the clutch at a direct start", optional=True
+    )
     torque_range: TorqueExtremes = quantity("", "", "extremes")
     scatter: float = quantity("N*m", "ΔT", "torque scatter band")
     accuracy_factor: float = quantity("1", "K_т", "accuracy factor T_max/T_min")
@@ -101,6 +106,10 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
     def state(*pair: Any) -> dict[str, Any]:
         return {**{name: getattr(clutch, name)(*pair) for name in asked}, **shares(clutch, *pair)}
 
+    plate = clutch.spec.machine
+    of_plate = {} if plate is None else {
+        "motor_torque": plate.motor_torque, "torque_asked_for": plate.torque, "starting_torque": plate.starting_torque,
+    }  # fmt: skip
     # before all else: a report numbers the formulas in the order in which they run
     states = [state(*pair) for pair in zip(*clutch.friction, strict=True)]
     result = TorqueResult(
@@ -115,6 +124,7 @@ def torque(clutch: Clutch, friction: Iterable[Pair] = ()) -> tuple[TorqueResult,
         control_force=sleeve and sleeve.control_force,
         pack_force_at_rest=sleeve and sleeve.pack_force_at_rest,
         torque_returning=sleeve and triple(clutch, lambda friction, _: sleeve.torque_returning(friction)),
+        **of_plate,
         torque_range=TorqueExtremes(**clutch.torque_range._asdict()),
         scatter=clutch.scatter,
         accuracy_factor=clutch.accuracy_factor,

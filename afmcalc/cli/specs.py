@@ -18,7 +18,9 @@ _EXAMPLES = {name: variant.example for name, variant in VARIANTS.items() if vari
 }
 """Clutch to start from → its example, where the names differ."""
 _DEFAULT = next(name for name, example in _EXAMPLES.items() if example == "default")
-_KINDS = {"clutch": "torque", "requirements": "design", "tolerance": "tolerance", "drive": "simulate"}
+_KINDS = {
+    "clutch": "torque", "requirements": "design", "machine": "design", "tolerance": "tolerance", "drive": "simulate",
+}  # fmt: skip
 """What a file is for → the command that calculates it; all but a clutch are the example of that name."""
 
 if TYPE_CHECKING:
@@ -34,7 +36,10 @@ def init(
         str | None, Argument(metavar="FILE", help="File to write (clutch.toml); - for standard output.")
     ] = None,
     kind: Annotated[
-        Kind, Option(help="A clutch, one with a drive or with tolerances, or requirements for a design.")
+        Kind,
+        Option(
+            help="A clutch, one with a drive or with tolerances; requirements for a design, or from a motor's plate."
+        ),
     ] = "clutch",
     variant: Annotated[Example | None, Option(help="Clutch to start from.")] = None,
     schema: Annotated[
@@ -51,6 +56,7 @@ def init(
     afmcalc init indirect.toml --variant indirect
     afmcalc init driven.toml --kind drive --variant indirect
     afmcalc init wanted.toml --kind requirements --schema
+    afmcalc init mixer.toml --kind machine
     """  # noqa: D301
     from ..spec.write import annotated
 
@@ -58,8 +64,8 @@ def init(
         raise AfmcalcError("give FILE or --output, not both")
     if variant and kind not in ("clutch", "drive"):
         raise AfmcalcError("--variant belongs to --kind clutch or drive")
-    of = "requirements" if kind == "requirements" else None
-    target = output or file or f"{of or 'clutch'}.toml"
+    of = "requirements" if _KINDS[kind] == "design" else None
+    target = output or file or f"{kind if of else 'clutch'}.toml"
     if schema and target == "-":
         raise AfmcalcError("--schema writes a file beside FILE: name one")
     text = annotated(_text(kind, variant))

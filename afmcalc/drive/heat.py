@@ -165,10 +165,10 @@ class HeatedSlips(NamedTuple):
 
 
 def motor_torque(clutch: Clutch) -> Values:
-    """M_1, N·m: as given, else the load before the trip, else the machine's nominal torque."""
+    """M_1, N·m: as given, else the load before the trip, else that of the machine."""
     drive = clutch.spec.drive
     given = drive.load_torque if drive.motor_torque is None else drive.motor_torque
-    return clutch.machine_torque if given is None else given
+    return clutch.running_torque if given is None else given
 
 
 def run_down(drive: Drive, torque: Values, motor: Values) -> HeatedSlip:

@@ -114,7 +114,7 @@ def train_of(clutch: Clutch) -> Train:
             'required by simulate: what happens, for example event = {{ kind = "stop", stop_time = "10 ms" }}'
         )
         raise SpecError(clutch.spec.label, [Problem("drive.event", None, message)])
-    load: Number = clutch.machine_torque if given.load_torque is None else given.load_torque
+    load: Number = clutch.running_torque if given.load_torque is None else given.load_torque
     motor, speed = given.motor, given.speed
     if motor is None:
         engine = Engine(load if given.motor_torque is None else given.motor_torque, None, 0.0)

@@ -113,3 +113,28 @@ def setting_findings(spec: Spec, nominal: float, lowest: float) -> Iterator[Find
     if lowest < nominal * (1 - 1e-12):
         path = "adjustment.method"
         yield finding("below-nominal-torque", "warning", value=lowest, limit=nominal, path=path)
+
+
+def machine_findings(spec: Spec, lowest: float, highest: float) -> Iterator[Finding]:
+    """A service factor that is assumed, a machine that the clutch does not drive at every friction, slip at its start.
+
+    Args:
+        spec: the clutch.
+        lowest: smallest torque over the friction range, N·m.
+        highest: largest.
+    """
+    if (plate := spec.machine) is None:
+        return
+    if plate.service_factor is None:
+        yield service_factor_assumed()
+    if lowest < (asked := float(plate.torque)) * (1 - 1e-9):
+        yield finding("machine-not-driven", "warning", value=lowest, limit=asked, path="machine.power")
+    if plate.starting_torque is not None and (start := float(plate.starting_torque)) > lowest * (1 + 1e-9):
+        code = "slips-at-start/always" if start > highest else "slips-at-start"
+        path = "machine.starting_torque_ratio"
+        yield finding(code, "info", value=start, limit=lowest, path=path, highest=highest)
+
+
+def service_factor_assumed() -> Finding:
+    """Say that no service factor is given."""
+    return finding("service-factor-assumed", "info", value=1.0, path="machine.service_factor")

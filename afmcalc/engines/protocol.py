@@ -137,6 +137,12 @@ class Clutch(ABC):
         """T_н.маш of the machine, N·m: T_н over the margin; T_н itself if set at mean friction, margin included."""
         return overload.machine_torque(self.nominal_torque, self.spec.adjustment.margin / parameters.margin(self.spec))
 
+    @property
+    def running_torque(self) -> Values:
+        """Load before an event where [drive] has none, N·m: that of the plate in rated running, else T_н.маш."""
+        plate = self.spec.machine
+        return self.machine_torque if plate is None else plate.torque_at_clutch
+
     @abstractmethod
     def torque_per_force(self, method: Method | None = None) -> Any:
         """T/F_п at the friction of a setting, m; by default at the setting of the spec."""
@@ -272,6 +278,7 @@ class Clutch(ABC):
         with unnoted():  # `explain` does not list these equations
             found = [*self.spec.label.findings, *self._law_findings()]
             found += parameters.setting_findings(self.spec, float(self.nominal_torque), float(self.torque_min))
+            found += parameters.machine_findings(self.spec, float(self.torque_min), float(self.torque_max))
             if self.spec.spring_parts:
                 from .parts import part_findings
 

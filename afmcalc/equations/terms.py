@@ -90,6 +90,18 @@ EquilibriumTorqueMax = Annotated[Number, "T_eq.max", "N*m", "load at slip at f_m
 EquilibriumTorqueMin = Annotated[Number, "T_eq.min", "N*m", "load at slip at f_min"]
 ReducedGainOfPairs = Annotated[Number, "z C", "1", "reduced gain of all pairs"]
 
+# Machine and shaft
+RatedPower = Annotated[Number, "P_н", "W", "rated power of the motor"]
+RatedSpeed = Annotated[Number, "ω_н", "rad/s", "rated speed of the motor"]
+RatedTorque = Annotated[Number, "M_н", "N*m", "rated torque of the motor"]
+DriveRatio = Annotated[Number, "i", "1", "speed of the motor over that of the clutch"]
+Efficiency = Annotated[Number, "η", "1", "efficiency between motor and clutch"]
+TorqueAtClutch = Annotated[Number, "T_дв", "N*m", "rated torque of the motor at the clutch"]
+ServiceFactor = Annotated[Number, "K_р", "1", "service factor of the machine"]
+StartingTorqueRatio = Annotated[Number, "m_п", "1", "largest torque of the motor at the start over its rated torque"]
+ShaftDiameter = Annotated[Number, "d_в", "m", "diameter of the shaft"]
+YieldStrength = Annotated[Number, "σ_т", "Pa", "yield strength of the shaft in tension"]
+
 # Life
 SideTorque = Annotated[Number, "T", "N*m", "torque of the side in question, T' on the unprotected one"]
 PolarSectionModulus = Annotated[Number, "W_p", "m^3", "polar section modulus"]

@@ -34,6 +34,8 @@ _REPLACED = {
     "adjustment.nominal_torque": ("closing_spring.force", "control_spring.force"),
     "closing_spring.stiffness": ("closing_spring.disc", "closing_spring.coil"),
     "control_spring.stiffness": ("control_spring.disc", "control_spring.coil"),
+    "fatigue.polar_section_modulus": ("shaft",),
+    "shaft.diameter": ("fatigue.polar_section_modulus",),
     "friction.min": ("friction.material", "friction.unknown"),
     "friction.mean": ("friction.material", "friction.unknown"),
     "friction.max": ("friction.material", "friction.unknown"),

@@ -29,6 +29,7 @@ ALIASES = {
     "f1": "control_unit.key_friction",
     "d": "control_unit.hub_diameter",
     "gain_slope": "control_unit.gain_slope",
+    "speed": "drive.speed",
 }
 """Symbols that stand for a path on the command line."""
 

@@ -1,5 +1,6 @@
 """What a clutch is, and what stands around it: the pydantic models of a spec (contract, Spec). SI inside."""
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from datetime import date
@@ -18,7 +19,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticKnownError, core_schema
 
-from ..equations import springs
+from ..equations import machine, springs
 from ..messages import did_you_mean, say
 from ..variants import VARIANTS, Variant
 from . import rules
@@ -55,6 +56,8 @@ Inertia = Annotated[float, Quantity("kg*m^2", gt=0)]
 Speed = Annotated[float, Quantity("rad/s", gt=0)]
 TorsionalStiffness = Annotated[float, Quantity("N*m/rad", gt=0)]
 Slip = Annotated[float, Quantity("1", gt=0, le=1)]
+Power = Annotated[float, Quantity("W", gt=0)]
+Efficiency = Annotated[float, Quantity("1", gt=0, le=1)]
 DiscMass = Annotated[float, Quantity("kg", gt=0)]
 Density = Annotated[float, Quantity("kg/m^3", gt=0)]
 SpecificHeat = Annotated[float, Quantity("J/kg/K", gt=0)]
@@ -473,7 +476,9 @@ class Drive(Block):
     tool_inertia: Inertia | None = key("inertia of the tool (event of kind load)", "J_3")
     shaft_stiffness: TorsionalStiffness | None = key("torsional stiffness of the shaft between clutch and tool", "k")
     damping_ratio: Ratio | None = key("damping ratio of the driven half on the shaft; default 0", "ζ")
-    load_torque: TorqueOrNone | None = key("load before the event; default T_н.маш", "T_0")
+    load_torque: TorqueOrNone | None = key(
+        "load before the event; default that of [machine] in rated running, else T_н.маш", "T_0"
+    )
     motor_torque: TorqueOrNone | None = key("torque of the motor, constant; default load_torque", "M_1")
     motor: Motor | None = None
     cut_off: Time | None = key(
@@ -523,7 +528,7 @@ class Fatigue(Block):
     """The part whose life is asked for."""
 
     endurance_limit: Stress = required("endurance limit in shear", "τ_limb")
-    polar_section_modulus: SectionModulus = required("polar section modulus", "W_p")
+    polar_section_modulus: SectionModulus | None = key("polar section modulus; or shaft.diameter", "W_p")
     exponent: Coefficient = required("exponent of the S-N line", "m_τ")
     mean_stress_sensitivity: Ratio | None = key("sensitivity to the mean stress (model amplitude)", "ψ_τ")
     ultimate_strength: Stress | None = key("ultimate strength in shear (model goodman)", "τ_u")
@@ -551,6 +556,59 @@ class Envelope(RuledBlock):
         yield from _bigger("hub_diameter", self.hub_diameter, "bore", self.bore)
         inside = "bore" if self.hub_diameter is None else "hub_diameter"
         yield from _bigger("outer_diameter", self.outer_diameter, inside, getattr(self, inside))
+
+
+class Machine(Block):
+    """The plate of the motor that drives the machine, and what is between it and the clutch."""
+
+    power: Power = required("rated power of the motor", "P_н")
+    speed: Speed = required("rated speed of the motor", "ω_н")
+    service_factor: AtLeastOne | None = key("service factor of the machine; default 1", "K_р")
+    ratio: Coefficient = key("speed of the motor over that of the clutch", "i", default=1.0)
+    efficiency: Efficiency = key("efficiency between motor and clutch", "η", default=1.0)
+    starting_torque_ratio: Coefficient | None = key(
+        "largest torque of the motor at the start over its rated torque, where it is switched on directly", "m_п"
+    )
+
+    @property
+    def motor_torque(self) -> Any:
+        """Rated torque of the motor, N·m."""
+        return machine.rated_torque(self.power, self.speed)
+
+    @property
+    def torque_at_clutch(self) -> Any:
+        """Rated torque of the motor at the clutch, N·m."""
+        return machine.torque_at_clutch(self.motor_torque, self.ratio, self.efficiency)
+
+    @property
+    def torque(self) -> Any:
+        """Torque that the machine asks of the clutch, N·m."""
+        factor = 1.0 if self.service_factor is None else self.service_factor
+        return machine.torque_asked_for(self.torque_at_clutch, factor)
+
+    @property
+    def starting_torque(self) -> Any:
+        """Largest torque at the clutch as the motor starts directly, N·m; None where it does not."""
+        ratio = self.starting_torque_ratio
+        return None if ratio is None else machine.starting_torque(self.torque_at_clutch, ratio)
+
+
+class ProtectedShaft(Block):
+    """The shaft that the clutch protects."""
+
+    diameter: Length = required("diameter of the shaft", "d_в")
+    yield_strength: Stress | None = key("yield strength of the shaft in tension", "σ_т")
+
+    @property
+    def section_modulus(self) -> Any:
+        """Polar section modulus, m³."""
+        return machine.polar_section_modulus(self.diameter, math.pi)
+
+    @property
+    def shear_yield_strength(self) -> Any:
+        """Yield strength in shear, Pa; None where that in tension is not given."""
+        given = self.yield_strength
+        return None if given is None else machine.shear_yield_strength(given)
 
 
 class _OfTheClutch(RuledBlock):
@@ -668,7 +726,9 @@ class Spec(FileBlock):
     control_spring: ControlSpring | None = None
     control_unit: ControlUnit | None = None
     adjustment: Adjustment = Field(default_factory=Adjustment.model_construct)
+    machine: Machine | None = None
     drive: Drive = Field(default_factory=Drive.model_construct)
+    shaft: ProtectedShaft | None = None
     fatigue: Fatigue | None = None
     heat: Heat | None = None
     tolerance: Tolerance | None = None

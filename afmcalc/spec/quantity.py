@@ -21,6 +21,7 @@ EXAMPLES = {
     "Pa": ("a pressure or stress", "400 MPa"),
     "m^3": ("a section modulus", "15 cm^3"),
     "rad/s": ("a speed of rotation", "1430 rpm"),
+    "W": ("a power", "11 kW"),
     "m/s": ("a speed", "0.3 m/s"),
     "s": ("a time", "10 ms"),
     "kg": ("a mass", "2 kg"),
@@ -41,7 +42,6 @@ _FOREIGN = {
     "J": say("an energy"),
     "m^2": say("an area"),
     "K": say("a temperature difference"),
-    "W": say("a power"),
 }
 """SI unit of a dimension that no field has → name of the quantity."""
 

@@ -1,5 +1,6 @@
 """What a clutch is wanted to do, and among what it may be chosen: the file of the design command."""
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -35,10 +36,12 @@ from .models import (
     Gap,
     Heat,
     Length,
+    Machine,
     Method,
     OfService,
     PocketShape,
     Profiled,
+    ProtectedShaft,
     Ratio,
     Room,
     Stiffness,
@@ -50,7 +53,7 @@ from .models import (
 from .parse import text_of
 from .problems import validated
 from .read import data_of
-from .rules import Table
+from .rules import BY_PLATE, SHARED, Table, shared_rules
 from .tolerance import Tolerance
 
 if TYPE_CHECKING:
@@ -181,6 +184,7 @@ Objective = Literal[
     "control_force", "closing_deflection", "control_deflection",
 ]  # fmt: skip
 
+_ONE_TORQUE = say("required: nominal_torque of the clutch or machine_torque, one of them; or [machine]")
 _GAIN_LIMITS = ", ".join(dict.fromkeys(variant.gain_limit.rule for variant in VARIANTS.values() if variant.gain_limit))
 
 
@@ -202,10 +206,10 @@ class Wanted(OfService):
     )
 
     def broken_rules(self) -> Iterable[Broken]:
-        """The torque of the clutch or that of the machine is given."""
+        """The torque is that of the clutch or that of the machine."""
         yield from super().broken_rules()
-        if (self.nominal_torque is None) == (self.machine_torque is None):
-            yield "nominal_torque", say("required: nominal_torque of the clutch or machine_torque, one of them")
+        if self.nominal_torque is not None and self.machine_torque is not None:
+            yield "nominal_torque", _ONE_TORQUE
 
     @property
     def in_spring(self) -> float:
@@ -216,12 +220,6 @@ class Wanted(OfService):
     def over_machine(self) -> float:
         """Nominal torque of the clutch over that of the machine."""
         return self.margin / self.in_spring
-
-    @property
-    def clutch_torque(self) -> float:
-        """Nominal torque of the clutch, N·m."""
-        given = self.nominal_torque
-        return given if given is not None else (self.machine_torque or 0.0) * self.over_machine
 
 
 class ForceRange(RuledBlock):
@@ -311,12 +309,32 @@ class Requirements(FileBlock, RuledBlock):
     search: Search
     fixed: Fixed = Field(default_factory=Fixed)
     limits: Limits = Field(default_factory=Limits)
+    machine: Machine | None = None
     drive: Drive | None = None
+    shaft: ProtectedShaft | None = None
     fatigue: Fatigue | None = None
     heat: Heat | None = None
     tolerance: Tolerance | None = None
     envelope: Envelope | None = None
     catalogues: Catalogues | None = None
+
+    @property
+    def clutch_torque(self) -> float:
+        """Nominal torque of the clutch, N·m: as given, or by that of the machine."""
+        wanted = self.wanted
+        if wanted.nominal_torque is not None:
+            return wanted.nominal_torque
+        machine = wanted.machine_torque if self.machine is None else float(self.machine.torque)
+        return (machine or 0.0) * wanted.over_machine
+
+    @property
+    def shaft_torque(self) -> float:
+        """Torque of the clutch at which its shaft yields, N·m, as a check that simulates nothing has it."""
+        shaft, drive = self.shaft, self.drive
+        if shaft is None or shaft.yield_strength is None:
+            return math.inf
+        factor = drive.dynamic_factor if drive is not None and drive.event is None else None
+        return float(shaft.shear_yield_strength * shaft.section_modulus) / (factor or 1.0)
 
     @property
     def contact(self) -> Contact | None:
@@ -334,6 +352,11 @@ class Requirements(FileBlock, RuledBlock):
     def broken_rules(self) -> Iterable[Broken]:
         """What the variants need is given, and nothing that they do not have."""
         variants = [VARIANTS[name] for name in self.variants]
+        yield from shared_rules(self.model_dump(exclude_none=True, include={*SHARED, "envelope"}), variants)
+        torques = [name for name in ("nominal_torque", "machine_torque") if getattr(self.wanted, name) is not None]
+        if not torques and self.machine is None:
+            yield "wanted.nominal_torque", _ONE_TORQUE
+        yield from ((f"wanted.{name}", BY_PLATE) for name in torques if self.machine is not None)
         yield from self._friction_rules(variants)
         search, fixed = self.search, self.fixed
         if (search.closing_force is None) == (search.closing_forces is None):

@@ -1,10 +1,10 @@
 """Rules between the keys of a spec: what excludes what, what needs what, what a variant does not have."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple, TypeAlias, TypeGuard
 
 from ..messages import say, say_many
-from ..variants import VARIANTS
+from ..variants import VARIANTS, Variant
 from .fields import Broken
 
 Table: TypeAlias = Mapping[str, object]
@@ -39,6 +39,8 @@ _WALL = say("required (or give wall_angle and ball_circle_radius)")
 _BOTH_FORCES = say("required beside control_spring.force: both forces as made")
 _ONE_RADIUS = say("excludes friction_group.mean_radius: give mean_radius, or inner_radius and outer_radius")
 _ONE_MOTOR = say("excludes drive.motor: give a constant torque, or the motor's curve")
+BY_PLATE = say("excludes [machine], whose plate gives it")
+_MODULUS = "fatigue.polar_section_modulus"
 _GROUPS = ("friction.driving", "friction.driven")
 _MEAN, _INNER, _OUTER = (f"friction_group.{name}_radius" for name in ("mean", "inner", "outer"))
 _WEIGHT = tuple(f"friction_group.{name}" for name in ("vertical_axis", "pressure_disc_mass", "discs_mass"))
@@ -82,6 +84,9 @@ _RULES = (
     _wanted("envelope.hub_diameter", "envelope.", unless=(_HUB,)),
     _wrong("envelope.hub_diameter", say("excludes {other}: it is the same hub", other=_HUB), _HUB),
     _wanted("drive.speed", "drive.event.", unless=("drive.motor",)),
+    _wrong("requirements.machine_torque", BY_PLATE, "machine."),
+    _wrong(_MODULUS, say("excludes [shaft], whose diameter gives it"), "shaft."),
+    _wanted(_MODULUS, "fatigue.", unless=("shaft.",), message=say("required (or give shaft.diameter)")),
     *(
         _wrong(
             f"tolerance.fields.{spring}.stiffness",
@@ -94,15 +99,29 @@ _RULES = (
 """Rules that ask only whether keys are given."""
 
 
+SHARED = ("machine", "drive", "shaft", "fatigue", "heat", "tolerance")
+"""Blocks that a requirements file has as a spec has them."""
+
+
 def broken_rules(data: Table) -> list[Broken]:
     """Rules between keys that ``data`` breaks; values themselves are the models' business."""
     given = given_in(data)
-    broken = [
-        (rule.key, rule.message)
-        for rule in _RULES
-        if given.keys() >= set(rule.given) and given.keys().isdisjoint(rule.absent)
-    ]
-    return [*dict.fromkeys(broken), *_static_friction(given), *_variant(given), *_pairs(given), *_event(given)]
+    variant = VARIANTS.get(str(given.get("variant")))
+    of_event = _event(given, travels=variant is not None and variant.travels)
+    return [*_broken(given, _RULES), *_static_friction(given), *_variant(given), *_pairs(given), *of_event]
+
+
+def shared_rules(data: Table, variants: Iterable[Variant]) -> list[Broken]:
+    """Rules that the shared blocks of a requirements file break."""
+    given = given_in(data)
+    rules = [rule for rule in _RULES if rule.key.partition(".")[0] in SHARED]
+    return [*_broken(given, rules), *_event(given, travels=any(variant.travels for variant in variants))]
+
+
+def _broken(given: Table, rules: Iterable[KeyRule]) -> list[Broken]:
+    keys = given.keys()
+    wrong = ((rule.key, rule.message) for rule in rules if keys >= set(rule.given) and keys.isdisjoint(rule.absent))
+    return list(dict.fromkeys(wrong))
 
 
 def given_in(data: Table, prefix: str = "") -> dict[str, object]:
@@ -188,13 +207,13 @@ _OF_EVENT = {"stop": ("stop_time",), "load": ("torque", "rise_time")}
 """Kind of event → keys that it needs and no other kind has."""
 
 
-def _event(given: Table) -> Iterator[Broken]:
+def _event(given: Table, *, travels: bool) -> Iterator[Broken]:
     if "drive.event." not in given:
         return
-    kind, variant = given.get("drive.event.kind"), VARIANTS.get(str(given.get("variant")))
+    kind = given.get("drive.event.kind")
     if kind == "load" and "drive.tool_inertia" not in given:
         yield "drive.tool_inertia", _beside("drive.event")
-    if variant is not None and variant.travels and given.keys().isdisjoint(("drive.hub_inertia", "envelope.")):
+    if travels and given.keys().isdisjoint(("drive.hub_inertia", "envelope.")):
         yield "drive.hub_inertia", _beside("drive.event")
     if kind == "stop" and "drive.tool_inertia" in given:
         yield "drive.tool_inertia", say("only with an event of kind load: a stopped tool moves as it is told")

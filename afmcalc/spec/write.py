@@ -11,7 +11,7 @@ from .keys import keys, scatter_at
 from .parse import example_text
 from .quantity import parse_quantity
 
-WRITTEN = ("N", "m", "N*m", "N/m", "rad", "Pa", "m^3", "rad/s", "K abs")
+WRITTEN = ("N", "m", "N*m", "N/m", "rad", "Pa", "m^3", "rad/s", "K abs", "W")
 """SI units of what a written spec has with the engineer's unit; other numbers stand alone."""
 _UNITS = ENGINEER | {"rad/s": "rpm"}
 """Unit in which each is written: a speed as on the plate of a motor."""

@@ -18,7 +18,7 @@ from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
 from ..effects import weakened
-from ..slips import Load, life_of
+from ..slips import Load, life_of, with_modulus
 from .space import SAME, Axes, Mask, Numbers, Places, balls, curved, given
 
 _NEWTON_STEPS = 12
@@ -148,8 +148,7 @@ class Candidates:
     @cached_property
     def wanted_force(self) -> Numbers:
         """Closing force that gives the nominal torque, N."""
-        wanted = self.need.wanted
-        return adjustment.closing_force(wanted.clutch_torque, wanted.in_spring, self.torque_per_force)
+        return adjustment.closing_force(self.need.clutch_torque, self.need.wanted.in_spring, self.torque_per_force)
 
     @cached_property
     def closing_force(self) -> Numbers:
@@ -198,7 +197,7 @@ class Candidates:
 
         Where an event gives the dynamic factor, of the protected side alone: the other is known when it is simulated.
         """
-        part, drive = given(self.need.fatigue), self.need.drive or Drive()
+        part, drive = with_modulus(self.need), self.need.drive or Drive()
         ends = (self.closing_force * each for each in self.torques_per_force)
         least, most = (np.where(np.isfinite(torque), torque, np.nan) for torque in ends)
         load = Load(lambda share: np.where(share > 0, most, least), least, most)

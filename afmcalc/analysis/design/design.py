@@ -8,7 +8,7 @@ from operator import and_
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...engines.parameters import material_findings
+from ...engines.parameters import material_findings, service_factor_assumed
 from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...messages import did_you_mean, joined, measured, say, term
@@ -75,7 +75,9 @@ def design(need: Requirements, *, misses: bool | None = None) -> tuple[DesignRes
     )
     missed = [finding("springs-miss", "warning", value=float(unsprung), path="springs")] if unsprung else []
     materials = (each for lined in linings(need) for each in material_findings(lined.friction))
-    return result, [*need.label.findings, *dict.fromkeys(materials), *_findings(result), *missed]
+    assumed = need.machine is not None and need.machine.service_factor is None
+    told = [*need.label.findings, *dict.fromkeys(materials), *([service_factor_assumed()] if assumed else [])]
+    return result, [*told, *_findings(result), *missed]
 
 
 def refinement(need: Requirements, survey: Survey) -> list[tuple[DesignRow, DesignRow]]:

@@ -75,6 +75,8 @@ def _bounds(need: Requirements) -> Iterable[Constraint]:
         yield Constraint("torque_after_wear", lambda c: c.torque_after_wear, left, "N*m", (0, 0), at_least=True)
     if (torque := wanted.torque_max) is not None:
         yield Constraint("torque_max", lambda c: c.torque_max, torque, "N*m", (0, 1))
+    if need.shaft_torque < np.inf:
+        yield Constraint("shaft_yield", lambda c: c.torque_max, need.shaft_torque, "N*m", (0, 1))
     if (width := need.fixed.face_width) is not None:
         yield Constraint(
             "face_width", lambda c: c.at.mean_radius, width / 2, "m", (1, 1), at_least=True,

@@ -240,7 +240,8 @@ class _Rows:
     def _torque_allowed(self, tried: Candidates) -> Numbers:
         wanted, limits = self.need.wanted, self.need.limits
         factor = np.minimum(self._most("accuracy_factor"), wanted.accuracy_factor or np.inf)
-        allowed = np.minimum(factor * tried.closing_force * tried.torques_per_force[0], wanted.torque_max or np.inf)
+        most = min(wanted.torque_max or np.inf, self.need.shaft_torque)
+        allowed = np.minimum(factor * tried.closing_force * tried.torques_per_force[0], most)
         contact = np.full(1, limits.contact_force or np.inf)
         if self.need.bearing is not None:
             ball = np.minimum(self._most("ball_diameter"), tried.largest_bearing_ball)

@@ -8,9 +8,10 @@ import numpy as np
 from ...messages import say
 from ...result import Answer, Result, Sentence, described, quantity
 from ...spec import Spec, make_spec
-from ...spec.edit import as_written
+from ...spec.edit import as_written, put
 from ...spec.models import Room
 from ...spec.requirements import Requirements
+from ...spec.rules import SHARED, foreign_keys, given_in
 from ..check import CheckResult
 from .candidates import Candidates
 from .space import LININGS, curved, with_lining
@@ -197,7 +198,7 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         "adjustment": {"method": need.wanted.method, "margin": need.wanted.margin},
         "requirements": required | limits.model_dump(exclude_none=True, include=limited),
     }
-    for block in ("drive", "fatigue", "heat", "tolerance", "catalogues"):  # as they stand in the file
+    for block in (*SHARED, "catalogues"):  # as they stand in the file
         if (values := getattr(need, block)) is not None:
             data[block] = values.model_dump(exclude_none=True)
     if need.envelope is not None:
@@ -225,6 +226,8 @@ def as_spec(need: Requirements, row: DesignRow) -> Spec:
         spring["stiffness"] = row.closing_stiffness
     if row.control_stiffness is not None:
         data["control_spring"] = {"stiffness": row.control_stiffness} | _room(fixed.control_room)
+    for path in foreign_keys(given_in(data), row.variant):  # such as the inertia of a hub
+        put(data, path, None)
     return as_written(make_spec(data))
 
 

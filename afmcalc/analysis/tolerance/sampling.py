@@ -251,7 +251,7 @@ def peak_figures(model: Model, given: Tolerance, clutch: Clutch) -> dict[str, ob
     if not ANALYSES["simulate"].applies(clutch):
         return {}
     load = clutch.spec.drive.load_torque
-    spec = with_values(model.spec, {"drive.load_torque": float(clutch.machine_torque) if load is None else load})
+    spec = with_values(model.spec, {"drive.load_torque": float(clutch.running_torque) if load is None else load})
     model = replace(model, spec=spec)
     # other streams than those of the torque and of its indices
     parts = [

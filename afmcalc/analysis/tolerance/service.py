@@ -14,6 +14,7 @@ from ...arrays import Values
 from ...engines import Clutch
 from ...equations import life as law
 from ...spec.tolerance import FRICTION, Tolerance
+from ..slips import with_modulus
 from .distributions import Array, Input, normal_probability, normal_score
 from .model import Model
 from .result import LIFE_PROBABILITIES, ROBUST, Estimate, IndexRow, LifeRow, QuantileRow
@@ -132,8 +133,7 @@ def life_of(model: Model, clutch: Clutch, slips: list[Slip]) -> Values:
 
 def damage_of(clutch: Clutch, torque: Values) -> Values:
     """Damage of one slip on the protected side, by the paper's S–N line."""
-    part = clutch.spec.fatigue
-    assert part is not None
+    part = with_modulus(clutch.spec)
     stress = law.shear_stress(torque, part.polar_section_modulus)
     return law.damage(part.endurance_limit, stress, part.exponent, part.base_cycles)
 

@@ -1,0 +1,188 @@
+"""The plate of a motor and the diameter of a shaft, in a spec and in requirements, against numbers worked out by hand."""
+
+import json
+import math
+import tomllib
+
+import pytest
+from conftest import CONFIGS
+
+from afmcalc.analysis.answers import Answers
+from afmcalc.analysis.design.design import design
+from afmcalc.analysis.design.pick import with_picked
+from afmcalc.analysis.life import life
+from afmcalc.drive.train import train_of
+from afmcalc.engines import build
+from afmcalc.spec import make_spec, resolved
+from afmcalc.spec.requirements import make_requirements
+
+DEFAULT = tomllib.loads((CONFIGS / "default.toml").read_text(encoding="utf-8"))
+WANTED = tomllib.loads((CONFIGS / "machine.toml").read_text(encoding="utf-8"))
+# the base clutch by hand: T(f) = F R z f/(1 + z_2 C f), F 2 kN, R 100 mm, z 8, z_2 C 3.5; margin 1.25
+LOW, HIGH = (1600 * f / (1 + 3.5 * f) for f in (0.1, 0.8))
+PLATE = {"power": "3 kW", "speed": "1430 rpm", "ratio": 5, "efficiency": 0.9}
+RATED = 3000 / (1430 * math.pi / 30) * 5 * 0.9
+DRIVE = {
+    "speed": "286 rpm", "motor_inertia": 1.5, "driven_inertia": 0.01, "shaft_stiffness": 4000,
+    "event": {"kind": "stop", "stop_time": 0.01},
+}  # fmt: skip
+
+
+def checked(**blocks):
+    answers = Answers(build(make_spec(DEFAULT | blocks)))
+    result, findings = answers.ask("check")
+    return (
+        answers,
+        {row.name: row for row in result.limits},
+        result.requirements,
+        {each.code: each for each in findings},
+    )
+
+
+def test_the_torque_of_a_plate():
+    """9550 P/n to the four digits that 9550 has; it is a requirement, a row, and the load before an event."""
+    answers, limits, (required,), findings = checked(machine=PLATE)
+    torque = answers.ask("torque")[0]
+    assert torque.motor_torque == pytest.approx(9550 * 3 / 1430, rel=1e-4)
+    assert torque.torque_asked_for == pytest.approx(RATED, rel=1e-12)
+    assert torque.starting_torque is None
+    assert (required.requirement, required.passed) == ("machine_torque", True)
+    assert (required.value, required.limit) == (pytest.approx(LOW / 1.25), pytest.approx(RATED))
+    assert limits["torque that the machine asks for"].utilisation == pytest.approx(RATED / LOW)
+    assert findings["service-factor-assumed"].value == 1
+    heavy = PLATE | {"service_factor": 1.5}
+    _, limits, (required,), findings = checked(machine=heavy, drive=DRIVE)
+    assert not {"service-factor-assumed"} & set(findings)
+    assert (findings["requirement-missed"].level, findings["machine-not-driven"].level) == ("error", "warning")
+    assert findings["machine-not-driven"].limit == required.limit == pytest.approx(1.5 * RATED)
+    # without a load of its own the motor runs at its rated torque
+    assert train_of(build(make_spec(DEFAULT | {"machine": heavy, "drive": DRIVE}))).load == pytest.approx(RATED)
+
+
+@pytest.mark.parametrize(
+    ("start", "said"),
+    [(LOW - 0.01, None), (LOW + 0.01, "as friction is"), (HIGH - 0.01, "as friction is"), (HIGH + 0.01, "whatever")],
+)
+def test_a_direct_start_slips_or_not(start, said):
+    _, limits, _, findings = checked(machine=PLATE | {"starting_torque_ratio": start / RATED})
+    row = limits["torque of a direct start"]
+    assert (row.value, row.limit) == (pytest.approx(start), pytest.approx(LOW))
+    assert row.verdict == ("note" if said else "pass")
+    assert ("slips-at-start" in findings) == (said is not None)
+    assert said is None or said in findings["slips-at-start"].message
+
+
+def test_a_shaft_by_its_diameter_lives_as_one_by_its_modulus(afmcalc):
+    part = {name: value for name, value in DEFAULT["fatigue"].items() if name != "polar_section_modulus"}
+    shaft = {"diameter": 0.03}
+    own = build(make_spec(DEFAULT | {"fatigue": part | {"polar_section_modulus": math.pi * 0.03**3 / 16}}))
+    by_diameter = build(make_spec(DEFAULT | {"fatigue": part, "shaft": shaft}))
+    assert life(by_diameter)[0] == life(own)[0]
+    assert make_spec(resolved(by_diameter.spec)) == by_diameter.spec
+    moduli = ",".join(str(math.pi * diameter**3 / 16) for diameter in (0.03, 0.04))
+    lives = [
+        afmcalc("life", "example:machine-clutch", "--sweep", swept, "--json").json["result"]["sweep"][0]["unprotected"]
+        for swept in ("shaft.diameter=0.03,0.04", f"fatigue.polar_section_modulus={moduli}")
+    ]
+    assert lives[0] == pytest.approx(lives[1])
+
+
+def test_a_shaft_yields_by_von_mises():
+    """At T_max times the dynamic factor, or at the peak of the event; 400 MPa over √3 at the diameter that it says."""
+    modulus = HIGH * 1.4 / (400e6 / math.sqrt(3))
+    diameter = (16 * modulus / math.pi) ** (1 / 3)
+    name = "largest stress of the shaft, by von Mises"
+    for factor, verdict in ((1 - 1e-6, "fail"), (1 + 1e-6, "pass")):
+        shaft = {"diameter": diameter * factor, "yield_strength": "400 MPa"}
+        _, limits, _, findings = checked(shaft=shaft, fatigue=None)
+        assert limits[name].verdict == verdict
+        assert ("shaft-yields" in findings) == (verdict == "fail")
+        assert name not in checked(shaft={"diameter": diameter}, fatigue=None)[1]
+    answers, limits, _, _ = checked(shaft={"diameter": 0.04, "yield_strength": 4e8}, fatigue=None, drive=DRIVE)
+    peak = answers.ask("simulate")[0].peak_torque.max
+    assert peak > HIGH
+    assert limits[name].value == pytest.approx(16 * peak / (math.pi * 0.04**3))
+
+
+SMALL = {
+    "search": WANTED["search"]
+    | {"outer_radius": {"start": 0.06, "stop": 0.09, "count": 4}, "gain": [0.0, 0.4, 0.8], "ball_circle_radius": 0.03}
+}
+
+
+def test_a_design_from_a_plate_is_that_for_its_torque():
+    """The same front as with the torque written; its clutches carry both blocks and pass."""
+    machine = 5500 / (965 * math.pi / 30) * 1.25
+    plain = {name: block for name, block in WANTED.items() if name != "machine"} | SMALL
+    by_hand = design(make_requirements(plain | {"wanted": WANTED["wanted"] | {"machine_torque": machine}}))[0]
+    need = make_requirements(WANTED | SMALL)
+    result, findings = design(need)
+    assert result == by_hand
+    assert not findings
+    assert result.front
+    for number in (1, len(result.front)):
+        spec = with_picked(need, result, number)[1]
+        assert (spec.machine, spec.shaft) == (need.machine, need.shaft)
+        assert Answers(build(spec)).ask("check")[0].passed
+    assumed = {name: value for name, value in WANTED["machine"].items() if name != "service_factor"}
+    assert [each.code for each in design(make_requirements(WANTED | SMALL | {"machine": assumed}))[1]] == [
+        "service-factor-assumed"
+    ]
+
+
+def test_a_design_asks_the_life_of_the_shaft_by_its_diameter():
+    part = {"endurance_limit": "20 MPa", "exponent": 6, "base_cycles": 1e6}
+    wanted = {"wanted": WANTED["wanted"] | {"cycles": 5e6}}
+    need = make_requirements(WANTED | SMALL | wanted | {"fatigue": part, "shaft": {"diameter": 0.03}})
+    modulus = part | {"polar_section_modulus": math.pi * 0.03**3 / 16}
+    without = {name: block for name, block in WANTED.items() if name != "shaft"}
+    same = design(make_requirements(without | SMALL | wanted | {"fatigue": modulus}))[0]
+    assert design(need)[0] == same
+    assert same.excluded["cycles"] > 0
+
+
+@pytest.mark.parametrize("drive", [{}, {"drive": {"dynamic_factor": 1.3}}])
+def test_no_clutch_of_a_front_makes_its_shaft_yield(drive):
+    """The front with a weak shaft is that with T_max below the torque at which it yields."""
+    limit = 140.0
+    weak = {"diameter": 0.02, "yield_strength": limit * 1.3 * math.sqrt(3) * 16 / (math.pi * 0.02**3)}
+    if not drive:
+        weak["yield_strength"] /= 1.3
+    need = make_requirements(WANTED | SMALL | drive | {"shaft": weak})
+    result = design(need)[0]
+    bounded = WANTED["wanted"] | {"torque_max": limit}
+    same = design(make_requirements(WANTED | SMALL | {"wanted": bounded}))[0]
+    assert result.front == same.front
+    assert result.excluded["shaft_yield"] == same.excluded["torque_max"] > 0
+    assert Answers(build(with_picked(need, result, 1)[1])).ask("check")[0].passed
+
+
+@pytest.mark.parametrize(
+    ("command", "blocks", "says"),
+    [
+        ("torque", {"machine": {"power": "3 kW"}}, "machine.speed: required"),
+        ("torque", {"machine": {"speed": "965 rpm"}}, "machine.power: required"),
+        ("torque", {"machine": PLATE | {"power": "3 N*m"}}, 'give a power: a number in SI (W) or a string with a unit such as "11 kW"'),
+        ("torque", {"machine": PLATE | {"efficiency": 1.1}}, "machine.efficiency = 1.1: must be at most 1"),
+        ("torque", {"machine": PLATE, "requirements": {"machine_torque": 90}}, "requirements.machine_torque = 90: excludes [machine], whose plate gives it"),
+        ("torque", {"shaft": {"diameter": 0.03}}, 'fatigue.polar_section_modulus = "15 cm^3": excludes [shaft], whose diameter gives it'),
+        ("torque", {"fatigue": {"endurance_limit": 4e8, "exponent": 6, "base_cycles": 1e7}}, "fatigue.polar_section_modulus: required (or give shaft.diameter)"),
+        ("torque", {"shaft": {"yield_strength": 4e8}, "fatigue": None}, "shaft.diameter: required"),
+        ("design", {"machine": {"power": "3 kW"}}, "machine.speed: required"),
+        ("design", {"wanted": {"nominal_torque": 90}}, "wanted.nominal_torque = 90: excludes [machine], whose plate gives it"),
+        ("design", {"fatigue": {"endurance_limit": 4e8, "exponent": 6, "base_cycles": 1e7, "polar_section_modulus": 1e-5}}, "excludes [shaft]"),
+        ("design", {"drive": {"event": {"kind": "stop"}} | {key: DRIVE[key] for key in DRIVE if key != "event"}}, "drive.event.stop_time: required"),
+    ],
+)  # fmt: skip
+def test_each_wrong_input_is_one_sentence(command, blocks, says, afmcalc):
+    run = afmcalc(command, "-", stdin=json.dumps((DEFAULT if command == "torque" else WANTED) | blocks))
+    assert (run.code, run.out) == (2, "")
+    assert says in run.err
+    assert run.err.count("error: ") == 1
+
+
+def test_a_picked_clutch_has_no_key_that_its_variant_lacks():
+    """The inertia of a hub stands in the requirements for the indirect candidates alone."""
+    need = make_requirements(WANTED | SMALL | {"drive": {"hub_inertia": 0.01, "dynamic_factor": 1.2}})
+    result = design(need)[0]
+    assert with_picked(need, result, 1)[1].drive.hub_inertia is None
