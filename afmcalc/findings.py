@@ -268,7 +268,7 @@ FINDINGS: Mapping[str, str] = {
     "their curve; leave the stiffness out, or the discs",
     "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
     "springs-miss": "{value:g} clutches are left out of the front: with straight springs of the stiffness searched "
-    "they pass a check, with the disc springs tried they fail it",
+    "they pass a check, with the springs tried they fail it",
     "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
     "any-stiffness": "{path} is not given: any stiffness will do",
     "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g kN}, more than the "

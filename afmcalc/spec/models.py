@@ -634,7 +634,7 @@ class OfService(RuledBlock):
     temperature: Temperature | None = key("mean temperature of the discs after one trip, at most (heat)", "Θ")
     face_temperature: Temperature | None = key("largest temperature of the faces in one trip, at most (heat)", "Θ_s")
     trips_per_hour: Coefficient | None = key(
-        "trips per hour, mean temperature of the discs at its limit, at least (heat)", "ν"
+        "trips per hour, mean temperature of the discs at its limit, at least (heat)", "ν_h"
     )
     contact_pressure: Stress | None = key("largest contact pressure of ball and wall, at most (synthesize)", "p_0")
     torque_after_wear: Torque | None = key(

@@ -300,9 +300,9 @@ class Requirements(FileBlock, RuledBlock):
     objectives: Annotated[tuple[Objective, ...], Field(min_length=1)] = required(
         "what is to be small; closing_force is the force the pack must bear (F_п; indirect F_п2)"
     )
-    springs: Literal["disc"] | None = key(
-        "disc: only clutches whose springs can be stacks of disc springs (DIN EN 16983) in fixed.closing_room, and "
-        "fixed.control_room of an indirect one"
+    springs: Literal["disc", "coil", "any"] | None = key(
+        "only clutches whose springs can be stacks of disc springs (disc, DIN EN 16983), coil springs (coil, "
+        "EN 13906-1) or either (any) in fixed.closing_room, and fixed.control_room of an indirect one"
     )
     friction: Friction
     wanted: Wanted

@@ -316,11 +316,11 @@ def test_coils_are_of_sizes_that_a_works_makes():
         assert -1e-9 <= part.free_length - needed < 1e-4
     assert all(size == round(size) for each in sizes.values() for size in each)
     # around 40 mm and within 70 mm: wire of 5 mm from 45 to 65, of 4.5 from 44.5 to 65.5; by its turns from 2 on
-    whole = _coils(wish, 1, 5e-3)
+    whole = _coils(wish.room, 1, 5e-3)
     assert whole == pytest.approx([each * 1e-3 for each in range(45, 66)], rel=1e-12)
-    assert _coils(wish, 1, 4.5e-3) == pytest.approx([each * 1e-3 for each in range(45, 66)], rel=1e-12)
+    assert _coils(wish.room, 1, 4.5e-3) == pytest.approx([each * 1e-3 for each in range(45, 66)], rel=1e-12)
     # on a circle of 55 mm in the gap of 15 mm: index 4 to 20, within 15 − d
-    assert _coils(wish, 3, 2e-3) == pytest.approx([each * 1e-3 for each in range(8, 14)], rel=1e-12)
+    assert _coils(wish.room, 3, 2e-3) == pytest.approx([each * 1e-3 for each in range(8, 14)], rel=1e-12)
     # 33 + 4 and 44 − 4 are 37.00000000000001 and 39.99999999999999 in floats
     tight = wish._replace(room=Room(inner_diameter=0.033, outer_diameter=0.044))
-    assert _coils(tight, 1, 4e-3) == pytest.approx([each * 1e-3 for each in range(37, 41)], rel=1e-12)
+    assert _coils(tight.room, 1, 4e-3) == pytest.approx([each * 1e-3 for each in range(37, 41)], rel=1e-12)

@@ -5,14 +5,19 @@ from functools import cache
 
 import numpy as np
 import pytest
+from conftest import fewer
 from hypothesis import given
 from hypothesis import strategies as st
 
-from afmcalc.analysis.springs.candidates import NONE, forces_held, holds_force, travel_held
-from afmcalc.engines.springs import DiscCharacteristic
+from afmcalc.analysis.springs.candidates import candidates
+from afmcalc.analysis.springs.held import held
+from afmcalc.analysis.springs.springs import option_of, ranked
+from afmcalc.engines.springs import DiscCharacteristic, SpringDemand
 from afmcalc.spec.catalogues import discs
 from afmcalc.spec.models import DiscStack, Room
 
+NONE = -1.0
+"""Travel where there is no stack, m."""
 SHAPE = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
 
 
@@ -52,25 +57,56 @@ def by_trying(room, force, stiffness, *, relaxes):
 def test_the_travel_a_room_allows(across, length, force, stiffness):
     room = Room(inner_diameter=across[0], outer_diameter=across[1], length=length)
     for relaxes in (True, False):
-        found = float(travel_held(np.array([force]), np.array([stiffness]), room, relaxes=relaxes)[0])
-        assert found == pytest.approx(by_trying(room, force, stiffness, relaxes=relaxes), rel=1e-6, abs=1e-12)
+        most = by_trying(room, force, stiffness, relaxes=relaxes)
+        travels = np.array([max(most, 1e-6) * share for share in (1 - 1e-6, 1 + 1e-6)])
+        service = {"relaxes" if relaxes else "compresses": travels}
+        found = held("disc", discs(), room, np.full(2, force), np.full(2, stiffness), **service)
+        assert found.tolist() == [most > 0, False]
 
 
 @pytest.mark.parametrize(
-    ("across", "length", "intervals"),
-    [((0.04, 0.082), None, 1), ((0.04, 0.082), 0.02, 1), ((0.0405, 0.0801), 6.03e-3, 3)],
+    ("across", "length"), [((0.04, 0.082), None), ((0.04, 0.082), 0.02), ((0.0405, 0.0801), 6.03e-3)]
 )
-def test_the_forces_a_room_allows(across, length, intervals):
+def test_the_forces_a_room_allows(across, length):
     """Of packs of one to six discs; where few sizes have the room, forces between them are not to be had."""
     room = Room(inner_diameter=across[0], outer_diameter=across[1], length=length)
-    ends = forces_held(room, discs())
-    assert ends.size == 2 * intervals
-    assert (np.diff(ends) > 0).all()
     tried = [
         (float(own.force(low)), float(own.force(0.75 * cone)))
         for cone, own in packs(room.inner_diameter, room.outer_diameter)
         if (low := max(0.15 * cone, own.free_length - (length or np.inf))) <= 0.75 * cone
     ]
     forces = np.geomspace(100, 2e5, 500)
-    assert holds_force(forces, room).tolist() == [any(low <= force <= high for low, high in tried) for force in forces]
-    assert ends[-1] == pytest.approx(max(high for _, high in tried), rel=1e-12)
+    assert held("disc", discs(), room, forces).tolist() == [
+        any(low <= force <= high for low, high in tried) for force in forces
+    ]
+
+
+@fewer(2)
+@given(
+    st.sampled_from(["disc", "coil", "any"]),
+    st.sampled_from([(0.04, 0.06), (0.06, 0.1)]),
+    st.one_of(st.none(), st.floats(0.01, 0.1)),
+    st.floats(np.log(300), np.log(5e4)).map(np.exp),
+    st.one_of(st.none(), st.floats(np.log(5e4), np.log(5e6)).map(np.exp)),
+    st.tuples(st.floats(0, 3e-3), st.floats(0, 3e-3)),
+    st.booleans(),
+)
+def test_what_there_is_for_many_is_what_there_is_for_one(kind, across, length, force, stiffness, service, moves):
+    """As the parts that the springs command looks through, each held to every rule."""
+    room = Room(inner_diameter=across[0], outer_diameter=across[1], length=length)
+    relaxes, compresses = service if stiffness else (service[0], 0.0)
+    stroke = max(relaxes, compresses) if moves and stiffness else None
+    demand = SpringDemand("closing", force, stiffness, relaxes, room, None, None, compresses, stroke=stroke)
+    parts = [part for part, misses in candidates(demand, kind) if not misses]
+    options = [option_of(demand, part) for part in parts]
+    assert len(ranked(demand, kind)) == len(options)
+    as_array = {"stiffness": stiffness, "stroke": stroke}
+    told = {name: value and np.array([value]) for name, value in as_array.items()}
+    service_of = {"relaxes": relaxes, "compresses": compresses}
+    assert held(kind, discs(), room, np.array([force]), **told, **service_of).item() == bool(options)
+    if options and stiffness is None:
+        # the least that is lost of the force, by the parts one by one
+        kept = max(option.force_least or 0.0 for option in options) / force
+        for share in (kept - 1e-6, kept + 1e-6):
+            found = held(kind, discs(), room, np.array([force]), keeps=share, **service_of).item()
+            assert found == (share < kept)

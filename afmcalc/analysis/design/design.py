@@ -184,14 +184,19 @@ def _nearest(
     """Bounds missed by the candidates of a tile that miss the fewest, at most so many, and the nearest of each."""
     at_points, every = candidates(need, variant, tile.axes), constraints(need, variant)
     bounds = [(bound, bound.value) for bound in every if bound.value]
-    built = reduce(and_, (bound.holds(at_points) for bound in every if not bound.value), at_points.is_clutch)
     misses = np.stack([np.broadcast_to(~bound.holds(at_points), tile.shape).ravel() for bound, _ in bounds])
-    number = np.where(np.broadcast_to(built, tile.shape).ravel(), misses.sum(axis=0), len(bounds) + 1)
+    built = np.broadcast_to(at_points.is_clutch, tile.shape).ravel()
+    number = np.where(built, misses.sum(axis=0), len(bounds) + 1)
     number[number == 0] = len(bounds) + 1
-    fewest = int(number.min())
-    if fewest > min(most, len(bounds)):
-        return
-    near = np.flatnonzero(number == fewest)
+    costly, near = [bound for bound in every if not bound.value], np.empty(0, np.int64)
+    while not near.size:
+        fewest = int(number.min())
+        if fewest > min(most, len(bounds)):
+            return
+        near = np.flatnonzero(number == fewest)
+        few = candidates(need, variant, tile.points(near))
+        holds = reduce(and_, (bound.holds(few) for bound in costly), np.ones(near.size, bool))
+        number[near[~holds]], near = len(bounds) + 1, near[holds]
     for row in np.unique(misses[:, near], axis=1).T:
         alike = near[(row == misses[:, near].T).all(axis=1)]
         both = [(bound, value(at_points)) for (bound, value), out in zip(bounds, row, strict=True) if out]

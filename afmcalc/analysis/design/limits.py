@@ -9,11 +9,13 @@ from typing import NamedTuple
 import numpy as np
 
 from ...engines.layout import TOUCHES, length_of
+from ...engines.springs import QUASI_STATIC
 from ...equations import direct
 from ...spec.models import Room
 from ...spec.requirements import Requirements
 from ...variants import Variant
-from ..springs.candidates import holds_force, travel_held
+from ..registry import SpringKind
+from ..springs.held import held
 from .candidates import Candidates
 from .space import SAME, Mask, Numbers, curved, given
 
@@ -54,10 +56,10 @@ def constraints(need: Requirements, variant: Variant) -> list[Constraint]:
     """Every bound that the requirements put on a variant."""
     unit = _of_the_control_unit(need, variant) if variant.controlled else ()
     space = _of_space(need, variant) if need.envelope else ()
-    return [*_bounds(need), *unit, *space, *(_of_springs(need, variant) if need.springs else ())]
+    return [*_bounds(need, variant), *unit, *space, *(_of_springs(need, variant) if need.springs else ())]
 
 
-def _bounds(need: Requirements) -> Iterable[Constraint]:
+def _bounds(need: Requirements, variant: Variant) -> Iterable[Constraint]:
     wanted, limits, span = need.wanted, need.limits, need.search.closing_force
     if span is None:
         largest = float(given(need.search.closing_forces).array()[-1])
@@ -71,7 +73,7 @@ def _bounds(need: Requirements) -> Iterable[Constraint]:
         yield Constraint("accuracy_factor_hysteresis", lambda c: c.accuracy_factor_hysteresis, lasting, "1", (0, 1))
     if (cycles := wanted.cycles) is not None:
         yield Constraint("cycles", lambda c: c.cycles, cycles, "1", (0, 0), at_least=True)
-    if (left := wanted.torque_after_wear) is not None:
+    if (left := wanted.torque_after_wear) is not None and (variant.travels or need.springs is None):
         yield Constraint("torque_after_wear", lambda c: c.torque_after_wear, left, "N*m", (0, 0), at_least=True)
     if (torque := wanted.torque_max) is not None:
         yield Constraint("torque_max", lambda c: c.torque_max, torque, "N*m", (0, 1))
@@ -155,24 +157,32 @@ def _overlap(tried: Candidates, name: str) -> Numbers:
 
 
 def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:
-    """There are stacks of disc springs that give force and stiffness, and bear the travel."""
+    """There are springs of the kind wanted that give force and stiffness, and bear travel and wear."""
     closing, control = need.fixed.closing_room or Room(), need.fixed.control_room or Room()
+    kind: SpringKind = need.springs or "any"
     listed = need.lists.discs
+    lining, cycles, left = (need.heat and need.heat.lining) or 0.0, need.wanted.cycles, need.wanted.torque_after_wear
+    moves = cycles is None or cycles > QUASI_STATIC
 
     def slackens(c: Candidates) -> Mask:
-        return c.travel <= travel_held(c.closing_force, c.at.closing_stiffness, closing, relaxes=True, catalogue=listed)
+        stroke = c.travel if moves else None
+        return held(kind, listed, closing, c.closing_force, c.at.closing_stiffness, relaxes=c.travel, stroke=stroke)
 
     def presses(c: Candidates) -> Mask:
-        return c.travel <= travel_held(
-            c.control_force, c.at.control_stiffness, control, relaxes=False, catalogue=listed
-        )
+        return held(
+            kind, listed, control, c.control_force, c.at.control_stiffness, relaxes=c.at.pairs * lining,
+            compresses=c.travel, stroke=c.travel if moves else None,
+        )  # fmt: skip
+
+    def follows(c: Candidates) -> Mask:
+        keeps = (left or 0.0) / (c.closing_force * c.torques_per_force[0])
+        return held(kind, listed, closing, c.closing_force, relaxes=c.at.pairs * lining, keeps=keeps)
 
     if variant.travels:
         yield Constraint("closing_spring", None, 0.0, "", (0, 0), test=slackens)
         yield Constraint("control_spring", None, 0.0, "", (0, 0), test=presses)
     else:
-        force_held = lambda c: holds_force(c.closing_force, closing, listed)  # noqa: E731
-        yield Constraint("closing_spring", None, 0.0, "", (0, 0), test=force_held)
+        yield Constraint("closing_spring", None, 0.0, "", (0, 0), test=follows)
 
 
 OBJECTIVES: dict[str, Callable[[Candidates], Numbers]] = {

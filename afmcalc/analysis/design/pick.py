@@ -1,4 +1,4 @@
-"""A clutch of a front for a drawing: in round figures, with disc springs if wanted, right of every limit."""
+"""A clutch of a front for a drawing: in round figures, with springs that exist if wanted, right of every limit."""
 
 import math
 from collections.abc import Callable
@@ -187,14 +187,14 @@ def _as_written(spec: Spec, row: DesignRow) -> DesignRow:
 
 
 class Made(NamedTuple):
-    """A clutch as it is written, with disc springs where they are wanted, and its row."""
+    """A clutch as it is written, with springs that exist where they are wanted, and its row."""
 
     spec: Spec
     row: DesignRow
 
 
 def made(need: Requirements, row: DesignRow) -> Made | None:
-    """Write a row as a spec that passes a check, with the first disc springs, if wanted, with which it does.
+    """Write a row as a spec that passes a check, with the first springs, if wanted, with which it does.
 
     Springs that stay in their range come first: with them the sleeve travels farther, or less, than with straight ones.
     None where a check fails with all that are tried.
@@ -202,15 +202,16 @@ def made(need: Requirements, row: DesignRow) -> Made | None:
     plain = as_spec(need, row)
     if need.springs is None:
         return Made(plain, row) if passes(build(plain)) else None
-    lists = {demand.name: ranked(demand, "disc")[:_STACKS] for demand in build(plain).spring_demands()}
+    lists = {demand.name: ranked(demand, need.springs, _STACKS) for demand in build(plain).spring_demands()}
     strayed = None
     for stacks in product(*lists.values()):
         springs, shown = {}, dict[str, str | float]()
         for name, stack in zip(lists, stacks, strict=True):
             # the forces stay
-            spring = {"disc": part_of(stack, plain.lists.discs), "stiffness": stack.stiffness}
+            spring = {stack.kind: part_of(stack, plain.lists.discs), "stiffness": stack.stiffness}
             springs[f"{name}_spring"] = getattr(plain, f"{name}_spring").model_copy(update=spring)
-            shown[f"{name}_part"] = f"{stack.part}, {stack.parallel} × {stack.series}"
+            numbers = (stack.parallel, stack.series) if stack.kind == "disc" else (stack.turns, stack.count)
+            shown[f"{name}_part"] = "{}, {:g} × {:g}".format(stack.part, *numbers)
         clutch = build(as_written(plain.model_copy(update=springs)))
         if not passes(clutch):
             continue
@@ -219,7 +220,7 @@ def made(need: Requirements, row: DesignRow) -> Made | None:
             shown["torque_max_sprung"] = float(clutch.torque_max)
             shown["accuracy_factor_sprung"] = float(clutch.accuracy_factor)
         sprung = Made(clutch.spec, row.model_copy(update=shown))
-        if not any(remark.code == "spring-beyond-range" for remark in clutch.findings()):
+        if not any(remark.level == "warning" and "_spring." in (remark.path or "") for remark in clutch.findings()):
             return sprung
         strayed = strayed or sprung
     return strayed

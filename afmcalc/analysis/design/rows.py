@@ -57,8 +57,12 @@ class DesignRow(Result):
     travel: float | None = quantity("m", "x_max", "largest travel of the sleeve", optional=True)
     contact_force: float | None = quantity("N", "F_n", "largest force on one ball", optional=True)
     surface_pressure: float | None = quantity("Pa", "p", "mean surface pressure", optional=True)
-    closing_part: Sentence | None = described("closing spring, discs in parallel × packs", optional=True)
-    control_part: Sentence | None = described("control spring, discs in parallel × packs", optional=True)
+    closing_part: Sentence | None = described(
+        "closing spring, discs in parallel × packs or turns × coils", optional=True
+    )
+    control_part: Sentence | None = described(
+        "control spring, discs in parallel × packs or turns × coils", optional=True
+    )
     accuracy_factor_sprung: float | None = quantity("1", "K_т,п", "accuracy factor with these springs", optional=True)
     torque_max_sprung: float | None = quantity(
         "N*m", "T_max,п", "largest torque with these springs", optional=True, detail=True

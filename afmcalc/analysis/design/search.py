@@ -107,11 +107,18 @@ def by_tile(need: Requirements, variant: Variant, survey: Survey, progress: Call
         at_points = candidates(need, variant, tile.axes)
         built = good = at_points.is_clutch
         masks: dict[str, Mask] = {}
-        for bound in constraints(need, variant):
+        bounds = constraints(need, variant)
+        for bound in (bound for bound in bounds if bound.value):
             masks[bound.name] = bound.holds(at_points) & masks.get(bound.name, built)
         for mask in sorted(masks.values(), key=lambda mask: mask.size):
             good = good & mask
-        good, clutches = np.broadcast_to(good, tile.shape), tile.count(built)
+        good, clutches = np.broadcast_to(good, tile.shape).copy(), tile.count(built)
+        for bound in (bound for bound in bounds if not bound.value):
+            # what costs most is asked of those that hold the others, and counted of these
+            asked = np.flatnonzero(good)
+            misses = asked[~bound.holds(candidates(need, variant, tile.points(asked)))]
+            survey.excluded[bound.name] += spring_forces * misses.size
+            good.ravel()[misses] = False
         survey.candidates += spring_forces * tile.size
         survey.feasible += tile.count(good)
         survey.excluded.update({name: spring_forces * (clutches - tile.count(mask)) for name, mask in masks.items()})

@@ -82,9 +82,10 @@ def grids(need: Requirements, variant: Variant) -> Iterator[Axes]:
     """Lay out the axes of a variant, for every inner radius; an axis it does not have holds one NaN."""
     choices = searched(need, variant)
     laid = Axes(*(choices[name].array() if name in choices else np.array([np.nan]) for name in Axes._fields))
-    if not variant.travels and need.wanted.torque_after_wear is not None and need.search.closing_stiffness is not None:
-        # of a direct clutch nothing but wear asks for it: the softest spring
-        laid = laid._replace(closing_stiffness=need.search.closing_stiffness.array()[:1])
+    softest = need.search.closing_stiffness
+    if not variant.travels and need.wanted.torque_after_wear is not None and need.springs is None and softest:
+        # of a direct clutch nothing but wear asks for it
+        laid = laid._replace(closing_stiffness=softest.array()[:1])
     if need.search.inner_radius is None:
         yield laid
         return

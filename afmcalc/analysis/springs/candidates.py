@@ -1,4 +1,4 @@
-"""Parts that might do, each with what it misses; which forces and travels stacks of discs give, for arrays of them."""
+"""Parts that might do as springs, each with what it misses."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...engines.parts import INDEX, checks_of_part
-from ...engines.springs import DiscCharacteristic, SpringDemand, characteristic
+from ...engines.parts import INDEX, SEATING, SHEAR_SHARE, SOLID_SHARE, ZIMMERLI, checks_of_part, strength
+from ...engines.springs import MODULUS, DiscCharacteristic, SpringDemand, characteristic
 from ...equations import springs as law
 from ...messages import say
 from ...spec.catalogues import Disc, discs
@@ -25,8 +25,6 @@ MOST_SERIES = 10_000
 """Packs against each other: a bound for searches."""
 TOLERANCE = 0.1
 """How far a stiffness may be off, relative."""
-NONE = -1.0
-"""Travel where there is no stack, m."""
 COUNTS = (1, 3, 4, 6, 8, 9, 12, 16, 20, 24)
 """Coil springs around the shaft."""
 WIRES = tuple(
@@ -42,15 +40,10 @@ _FREE_TURNS: tuple[float, ...] = (3.0, 4.0, 6.0, 8.0, 12.0, 18.0)
 """Active turns to choose from where any stiffness will do."""
 _STEPS = 24
 """Mean coil diameters that are tried of a wire."""
-_AT_ONCE = 1 << 20
-"""Numbers worked on together."""
-_SHAPE = (
-    "modulus", "poisson", "factor_load", "factor_flats", "outer_diameter", "thickness", "cone_height",
-)  # fmt: skip
-"""What the force of a disc depends on."""
 _SIZES = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
 """What makes a disc one of a size."""
-_ROUNDING, _SLACK = 1e-12, 1e-9
+SLACK = 1e-9
+"""Share by which a part may be beyond a limit by rounding."""
 
 
 class Candidate(NamedTuple):
@@ -87,12 +80,12 @@ def stack_of(disc: Disc, parallel: int, series: int) -> DiscStack:
 def candidates(
     demand: SpringDemand, kind: SpringKind, tolerance: float = TOLERANCE, *, fitting: bool = False
 ) -> Iterator[Candidate]:
-    """Parts of a kind, each with what it misses; with ``fitting`` no discs that cannot do by their size or force."""
+    """Parts of a kind, each with what it misses; with ``fitting`` none that cannot do by size or force."""
     parts: list[Iterator[DiscStack | CoilSprings]] = []
     if kind != "coil":
         parts.append(_stacks(demand, fitting=fitting))
     if kind != "disc":
-        parts.append(coil_springs(demand))
+        parts.append(coil_springs(demand, fitting=fitting))
     for part in chain(*parts):
         spring = characteristic(part)
         misses = {"stiffness": 0.0}
@@ -102,14 +95,14 @@ def candidates(
         if demand.stiffness is not None:
             off = abs(float(spring.stiffness(spring.deflection(demand.force))) / demand.stiffness - 1)
             misses["stiffness"] = off if off > tolerance else 0.0
-        yield Candidate(part, {name: by for name, by in misses.items() if by > _SLACK})
+        yield Candidate(part, {name: by for name, by in misses.items() if by > SLACK})
 
 
 def _stacks(demand: SpringDemand, *, fitting: bool) -> Iterator[DiscStack]:
     """Stacks of every size, n laid into each other, and as many packs as stiffness, travel or room ask for."""
     for pack in packs(demand.room if fitting else Room(), demand.catalogue or discs()):
         low, high = pack.range
-        if not fitting or pack.force(low) * (1 - _SLACK) <= demand.force <= pack.force(high) * (1 + _SLACK):
+        if not fitting or pack.force(low) * (1 - SLACK) <= demand.force <= pack.force(high) * (1 + SLACK):
             for series in _series(demand, pack, float(pack.deflection(demand.force))):
                 yield pack.part.model_copy(update={"series": series})
 
@@ -122,13 +115,13 @@ def _series(demand: SpringDemand, pack: DiscCharacteristic, deflection: float) -
     low, high = pack.range
     needs = max(
         1,
-        math.ceil(demand.relaxes / (deflection - low) * (1 - _SLACK)) if deflection > low else 1,
-        math.ceil(demand.compresses / (high - deflection) * (1 - _SLACK)) if deflection < high else 1,
+        math.ceil(demand.relaxes / (deflection - low) * (1 - SLACK)) if deflection > low else 1,
+        math.ceil(demand.compresses / (high - deflection) * (1 - SLACK)) if deflection < high else 1,
     )
     most = MOST_SERIES
     if demand.room.length is not None:
         left = demand.room.length - demand.relaxes
-        most = max(1, math.floor(left / (pack.free_length - deflection) * (1 + _SLACK)))
+        most = max(1, math.floor(left / (pack.free_length - deflection) * (1 + SLACK)))
     counts = {needs}
     if demand.stiffness is not None:
         wanted = float(pack.stiffness(deflection)) / demand.stiffness
@@ -138,28 +131,77 @@ def _series(demand: SpringDemand, pack: DiscCharacteristic, deflection: float) -
     return {min(series, MOST_SERIES) for series in counts}
 
 
-def coil_springs(demand: SpringDemand) -> Iterator[CoilSprings]:
+def coil_springs(demand: SpringDemand, *, fitting: bool = False) -> Iterator[CoilSprings]:
     """Coil springs around the shaft, or several on a circle, of every wire, their turns in quarters."""
-    for count, wire in product(COUNTS, WIRES):
-        for coil in _coils(demand, count, wire):
-            choice = _FREE_TURNS
-            if demand.stiffness is not None:
-                wanted = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0)) / demand.stiffness
-                quarters = round(4 * wanted) / 4
-                choice = (quarters,) if TURNS[0] <= quarters <= TURNS[1] else ()
-            for turns in choice:
-                rate = count * float(law.coil_stiffness(SHEAR_MODULUS, wire, coil, turns))
-                # as short as the gaps between its turns allow when it is pressed most
-                shortest = float(law.coil_solid_length(wire, turns) + law.coil_least_gap(wire, coil, turns))
-                free = math.ceil((shortest + demand.force / rate + demand.compresses) * 1e4) / 1e4
-                yield CoilSprings.model_construct(
-                    wire_diameter=wire, coil_diameter=coil, turns=turns, free_length=free, count=count
-                )
+    table = coil_table(demand.room, any_turns=demand.stiffness is None)
+    if fitting:
+        asked = {name: getattr(demand, name) for name in ("force", "relaxes", "compresses", "stiffness", "stroke")}
+        table = table[coils_hold(table, demand.room, **asked)]
+    turns, _, free = wound(table, demand.force, demand.stiffness, demand.compresses)
+    columns = (table["wire"], table["coil"], turns, free, table["count"])
+    for wire, coil, active, length, number in zip(*(column.tolist() for column in columns), strict=True):
+        if TURNS[0] <= active <= TURNS[1]:
+            yield CoilSprings.model_construct(
+                wire_diameter=wire, coil_diameter=coil, turns=active, free_length=length, count=int(number)
+            )
 
 
-def _coils(demand: SpringDemand, count: int, wire: float) -> list[float]:
+@cache
+def coil_table(room: Room, *, any_turns: bool) -> NDArray[Any]:
+    """Coils that go into a room, as rows of numbers; with turns to choose from where any stiffness will do."""
+    choice = _FREE_TURNS if any_turns else (math.nan,)
+    rows = [
+        (number, wire, coil, turns, strength(wire) or math.nan)
+        for number, wire in product(COUNTS, WIRES)
+        for coil, turns in product(_coils(room, number, wire), choice)
+    ]
+    return np.array(rows, dtype=[(name, float) for name in ("count", "wire", "coil", "turns", "strength")])
+
+
+@np.errstate(all="ignore")
+def wound(row: Any, force: Any, stiffness: Any, compresses: Any) -> tuple[Numbers, Numbers, Numbers]:
+    """Active turns for a stiffness, None: those of the rows; the stiffness that they give; length without load."""
+    wire, coil = row["wire"], row["coil"]
+    turns = row["turns"]
+    if stiffness is not None:
+        turns = np.rint(4 * row["count"] * law.coil_stiffness(SHEAR_MODULUS, wire, coil, 1.0) / stiffness) / 4
+    rate = row["count"] * law.coil_stiffness(SHEAR_MODULUS, wire, coil, turns)
+    # as short as the gaps between its turns allow when it is pressed most
+    shortest = law.coil_solid_length(wire, turns) + law.coil_least_gap(wire, coil, turns)
+    return turns, rate, np.ceil((shortest + force / rate + compresses) * 1e4) / 1e4
+
+
+@np.errstate(all="ignore")
+def coils_hold(
+    row: Any, room: Room, force: Any, relaxes: Any, compresses: Any, keeps: Any = 0.0, stiffness: Any = None,
+    stroke: Any = None,
+) -> NDArray[np.bool_]:  # fmt: skip
+    """Whether coil springs wound for demands hold what ``checks_of_part`` has of them, for arrays."""
+    wire, coil, ratio, over = row["wire"], row["coil"], SHEAR_MODULUS / MODULUS, 1 + SLACK
+    turns, rate, free = wound(row, force, stiffness, compresses)
+    deflection, end = force / rate, free - law.coil_solid_length(wire, turns)
+    most, per = deflection + compresses, law.coil_stress(rate / row["count"], wire, coil, 1.0, math.pi)
+    allowed = SOLID_SHARE * row["strength"] * over
+    good = (turns >= TURNS[0]) & (turns <= TURNS[1]) & (relaxes - deflection <= SLACK * end) & (per * end <= allowed)
+    good &= force - rate * relaxes >= keeps * force
+    if stiffness is not None:
+        good &= np.abs(rate / stiffness - 1) <= TOLERANCE
+    if room.length is not None:
+        good &= free - deflection + relaxes <= room.length * over
+    if stroke is not None:
+        corrected, ultimate = per * law.coil_correction(wire, coil), SHEAR_SHARE * row["strength"]
+        endured = law.coil_endurance(*ZIMMERLI, ultimate)
+        good &= corrected * most <= law.coil_upper_stress(corrected * (most - stroke), endured, ultimate) * over
+    shaft, bore = room.inner_diameter or 0.0, room.outer_diameter or math.inf
+    guided = (row["count"] == 1) & (np.minimum(coil - shaft, bore - coil) <= 2 * wire * over)
+    root = law.coil_buckling_root(coil, free, ratio, SEATING, math.pi)
+    stable = guided | (root < 0) | (most <= law.coil_buckling_deflection(free, ratio, np.maximum(root, 0.0)) * over)
+    return np.asarray(good & stable & (per * most <= allowed))
+
+
+def _coils(room: Room, count: int, wire: float) -> list[float]:
     """Mean coil diameters that fit, in steps of whole millimetres at least."""
-    inner, outer = demand.room.inner_diameter or 0.0, demand.room.outer_diameter
+    inner, outer = room.inner_diameter or 0.0, room.outer_diameter
     low, high = INDEX[0] * wire, INDEX[1] * wire
     if count == 1:
         low = max(low, inner + wire)
@@ -180,87 +222,3 @@ def packs(room: Room, listed: tuple[Disc, ...]) -> list[DiscCharacteristic]:
     inner, outer = room.inner_diameter or 0.0, room.outer_diameter or math.inf
     sizes = [disc for disc in listed if inner <= disc.inner_diameter and disc.outer_diameter <= outer]
     return [DiscCharacteristic(stack_of(disc, n, 1)) for disc in sizes for n in range(1, MOST_PARALLEL + 1)]
-
-
-@cache
-def _rows(room: Room, listed: tuple[Disc, ...]) -> NDArray[Any]:
-    """Every single pack that goes into a room, as a row of numbers.
-
-    ``least`` and ``most`` are its forces as it rests in its range, as far as it is short enough there.
-    """
-    names = ("parallel", "free", "low", "high", "least", "most", "flat", *_SHAPE)
-    rows = []
-    for pack in packs(room, listed):
-        low, high = pack.range
-        if room.length is not None:
-            low = max(low, pack.free_length - room.length)
-        if low <= high:
-            forces = (float(pack.force(s)) for s in (low, high, pack.end))
-            rows.append((pack.part.parallel, pack.free_length, *pack.range, *forces, *pack.shape))
-    return np.array(rows, dtype=[(name, float) for name in names])
-
-
-@cache
-def forces_held(room: Room, listed: tuple[Disc, ...]) -> Numbers:
-    """Ends of the intervals of force that a stack holds as set, whatever its stiffness, N: ascending, low and high."""
-    merged: list[tuple[float, float]] = []
-    rows = _rows(room, listed)
-    for low, high in sorted(zip(rows["least"], rows["most"], strict=True)):
-        if merged and low <= merged[-1][1]:
-            merged[-1] = (merged[-1][0], max(high, merged[-1][1]))
-        else:
-            merged.append((low, high))
-    return np.array(merged).ravel()
-
-
-def holds_force(force: Numbers, room: Room, catalogue: tuple[Disc, ...] | None = None) -> NDArray[np.bool_]:
-    """Whether a stack holds a force as set, whatever its stiffness."""
-    return np.asarray(np.searchsorted(forces_held(room, catalogue or discs()), force, "right") % 2 == 1)
-
-
-def travel_held(
-    force: Numbers, stiffness: Numbers, room: Room, *, relaxes: bool, catalogue: tuple[Disc, ...] | None = None
-) -> Numbers:
-    """How far a stack that gives a force and a stiffness as set may go from there, m; ``NONE`` where there is none.
-
-    The stack lengthens if it ``relaxes``, else it is pressed together; its stiffness may be off by ``TOLERANCE``.
-    """
-    shape = np.broadcast_shapes(force.shape, stiffness.shape)
-    travel = np.full(shape, NONE)
-    every = _rows(room, catalogue or discs())
-    near = every[(every["most"] >= np.nanmin(force)) & (every["least"] <= np.nanmax(force))]
-    for start in range(0, near.size, step := max(1, _AT_ONCE // travel.size)):
-        rows = near[start : start + step].reshape(-1, *(1 for _ in shape))
-        np.fmax(travel, _travel(rows, force, stiffness, room, relaxes=relaxes).max(axis=0), out=travel)
-    return travel
-
-
-def _travel(row: Any, force: Numbers, stiffness: Numbers, room: Room, *, relaxes: bool) -> Numbers:
-    """The largest over the numbers of packs that give the stiffness: it grows with them until the length is used up."""
-    bears = (force >= row["least"]) & (force <= row["most"])
-    deflection = _deflection(row, np.where(bears, force, row["least"]))
-    slope = row["parallel"] * law.disc_stiffness(**{name: row[name] for name in _SHAPE}, deflection=deflection)
-    # whole numbers of packs whose stiffness is near enough
-    least = np.maximum(np.ceil(slope / stiffness / (1 + TOLERANCE) * (1 + _ROUNDING)), 1.0)
-    most = np.minimum(np.floor(slope / stiffness / (1 - TOLERANCE) * (1 - _ROUNDING)), MOST_SERIES)
-    per = deflection - row["low"] if relaxes else row["high"] - deflection
-    if room.length is None:
-        return np.where(bears & (least <= most), most * per, NONE)
-    rest = row["free"] - deflection
-    longest = np.floor(room.length / (rest + per if relaxes else rest) * (1 + _ROUNDING))
-    best = np.full_like(least, NONE)
-    for series in (np.clip(longest + more, least, most) for more in (0, 1)):
-        left, moves = room.length - series * rest, series * per
-        best = np.fmax(best, np.where(left >= 0, np.minimum(moves, left) if relaxes else moves, NONE))
-    return np.where(bears & (least <= most), best, NONE)
-
-
-def _deflection(row: Any, force: Numbers) -> Numbers:
-    """Deflection of a single pack, m: about flat the force is a cubic u³ + p u = q, p > 0 where no disc snaps through.
-
-    With T = t/K_4, u = s − h_0: p = 2 T² − h_0², q = 2 T² h_0 (F/F_c − 1), F_c flat.
-    """
-    square, height = (row["thickness"] / row["factor_flats"]) ** 2, row["cone_height"]
-    steep = (2 * square - height**2) / 3
-    q = square * height * (force / row["flat"] - 1)
-    return height + 2 * np.sqrt(steep) * np.sinh(np.arcsinh(q / steep**1.5) / 3)

@@ -185,10 +185,16 @@ def springs(
     return result, [*clutch.findings(), *remarks]
 
 
-def ranked(demand: SpringDemand, kind: SpringKind = "any") -> list[SpringOption]:
-    """Every part that does, in the order they are told in."""
-    fitting = (part for part, misses in candidates(demand, kind, fitting=True) if not misses)
-    return sorted((option_of(demand, part) for part in fitting), key=_by(demand))
+def ranked(demand: SpringDemand, kind: SpringKind = "any", top: int | None = None) -> list[SpringOption]:
+    """The parts that do, in the order they are told in."""
+
+    def key(part: DiscStack | CoilSprings) -> float:
+        spring, force = characteristic(part), demand.force
+        at = float(spring.deflection(force))
+        return spring.free_length - at if demand.stiffness else float(spring.stiffness(at)) / force
+
+    fitting = [part for part, misses in candidates(demand, kind, fitting=True) if not misses]
+    return [option_of(demand, part) for part in sorted(fitting, key=key)[:top]]
 
 
 def _by(demand: SpringDemand, sort: SpringOrder | None = None) -> Callable[[SpringOption], float]:

@@ -12,6 +12,7 @@ from afmcalc.analysis.design.limits import feasible, objectives
 from afmcalc.analysis.design.pick import with_picked
 from afmcalc.analysis.design.rows import as_spec, rows
 from afmcalc.analysis.design.space import Axes, grids
+from afmcalc.analysis.springs.springs import ranked
 from afmcalc.engines import build
 from afmcalc.errors import SpecError
 from afmcalc.spec.edit import with_values
@@ -140,3 +141,47 @@ def test_between_the_grid_points_and_in_round_figures_a_check_passes(case):
 def test_what_a_requirement_is_judged_by_is_asked_for(without, says):
     with pytest.raises(SpecError, match=says):
         make_requirements(wanted("all-driving", SERVICE["all-driving"], **without))
+
+
+ROOMS = {
+    "all-driving": {"closing_room": {"inner_diameter": 0.03, "outer_diameter": 0.09, "length": 0.04}},
+    "indirect": {
+        "closing_room": {"inner_diameter": 0.02, "outer_diameter": 0.08, "length": 0.08},
+        "control_room": {"inner_diameter": 0.05, "outer_diameter": 0.2, "length": 0.3},
+    },
+}
+
+
+@pytest.mark.parametrize(
+    ("variant", "kind"), [(variant, kind) for variant in ROOMS for kind in ("coil", "any")] + [("all-driving", "disc")]
+)
+def test_springs_of_a_kind_are_those_that_springs_finds(variant, kind):
+    """With a lining that is worn, for which the spring that follows the pack has to lengthen."""
+    service = {"torque_after_wear": 66.0} if variant == "all-driving" else {}
+    search = {**SEARCH, "closing_stiffness": [4e5, 6e6], "control_stiffness": [1e5], "outer_radius": [0.12]}
+    data = wanted(variant, service, ROOMS[variant], springs=kind, search=search, heat={"lining": 2e-4})
+    need, law = make_requirements(data), VARIANTS[variant]
+    plain = make_requirements({**data, "springs": None, "fixed": wanted(variant, {})["fixed"]})
+    with np.errstate(all="ignore"):
+        at = every(need, law)
+        others = feasible(candidates(plain, law, at), np.ones(at.pairs.shape, bool))
+        if service:  # of the springs found, not of the softest that is searched
+            others = np.ones(at.pairs.shape, bool)
+        tried = candidates(need, law, at.at(others))
+        written = rows(tried)
+        found = feasible(tried, np.ones(len(written), bool))
+    there = []
+    for row in written:
+        clutch = build(as_spec(need, row))
+        options = {demand.name: ranked(demand, kind) for demand in clutch.spring_demands()}
+        if service:
+            left = 66.0 / clutch.torque_min
+            options["closing"] = [one for one in options["closing"] if one.force_least >= left * one.force]
+        there.append(all(options.values()))
+    assert found.tolist() == there
+    assert 0 < found.sum() < found.size
+    result, findings = design(need)
+    assert result.feasible == found.sum()
+    kinds = {"coil" in row.closing_part for row in result.front}
+    assert kinds == {"disc": {False}, "coil": {True}}.get(kind, kinds)
+    assert good(with_picked(need, result, 1)[1])
