@@ -14,7 +14,7 @@ from ..arrays import Values, chosen, larger, smaller
 from ..equations import effects, synthesis
 from ..equations import layout as law
 from ..equations import springs as springs_law
-from ..spec.models import CoilSprings, Spec
+from ..spec.models import CoilSprings, Spec, bore_of
 from .protocol import Clutch
 from .springs import characteristic
 
@@ -110,7 +110,7 @@ def sizes_of(clutch: Clutch) -> Sizes:
         }  # fmt: skip
     hub = room.hub_diameter if unit is None or unit.hub_diameter is None else unit.hub_diameter
     return Sizes(
-        spec.kind.travels, group.pairs, group.inner_radius, group.outer_radius, (room.bore or 0.0) / 2, hub / 2,
+        spec.kind.travels, group.pairs, group.inner_radius, group.outer_radius, bore_of(spec) / 2, hub / 2,
         room.disc_thickness, room.plate_thickness, room.housing_wall, **control,
         travel=clutch.sleeve.travel_max if clutch.sleeve else 0.0,
         closing=_spring(spec, "closing", clutch.closing_force),

@@ -543,7 +543,7 @@ class Envelope(RuledBlock):
 
     outer_diameter: Length | None = key("outer diameter of the housing, at most", "D_h")
     length: Length | None = key("length of the clutch along the axis, at most", "L")
-    bore: Length | None = key("bore of the hub, the diameter of the shaft; default none, a hub solid to the axis")
+    bore: Length | None = key("bore of the hub; default shaft.diameter, without it none, a hub solid to the axis")
     hub_diameter: Length | None = key("outer diameter of the hub; of an indirect clutch control_unit.hub_diameter")
     disc_thickness: Length = required("thickness of a friction disc, lining included; a pack has one per pair")
     plate_thickness: Length = required(
@@ -609,6 +609,24 @@ class ProtectedShaft(Block):
         """Yield strength in shear, Pa; None where that in tension is not given."""
         given = self.yield_strength
         return None if given is None else machine.shear_yield_strength(given)
+
+
+def bore_of(source: Any) -> Any:
+    """Bore of the hub of a spec or of requirements that have an envelope, m: its own, else the shaft, else none."""
+    if source.envelope.bore is not None:
+        return source.envelope.bore
+    return source.shaft.diameter if source.shaft else 0.0
+
+
+def around_the_shaft(source: Any, unit: str) -> Iterable[Broken]:
+    """What is around the shaft of a spec or of requirements is wider; ``unit`` has the hub at the key."""
+    if (shaft := source.shaft) is None:
+        return
+    if (bore := source.envelope and source.envelope.bore) is not None and bore < shaft.diameter:
+        yield "envelope.bore", say("must be at least shaft.diameter ({least:g} m)", least=shaft.diameter)
+    for path in (f"{unit}.hub_diameter", "envelope.hub_diameter", "envelope.outer_diameter"):
+        block, _, name = path.partition(".")
+        yield from _bigger(path, getattr(getattr(source, block), name, None), "shaft.diameter", shaft.diameter)
 
 
 class _OfTheClutch(RuledBlock):
@@ -752,6 +770,7 @@ class Spec(FileBlock):
         except ValidationError as error:
             raise rule_error(broken, error) from None
         broken += ((f"friction.{path}", message) for path, message in spec.friction.contradictions())
+        broken += around_the_shaft(spec, "control_unit")
         if broken:
             raise rule_error(broken)
         return spec

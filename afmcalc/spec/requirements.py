@@ -49,6 +49,7 @@ from .models import (
     Stress,
     VariantName,
     WallAngle,
+    around_the_shaft,
 )
 from .parse import text_of
 from .problems import validated
@@ -382,6 +383,7 @@ class Requirements(FileBlock, RuledBlock):
         yield from self._springs_rules(bool(travelling))
         yield from self._service_rules(len(travelling) < len(variants))
         yield from self._envelope_rules()
+        yield from around_the_shaft(self, "fixed")
         if fixed.pocket is not None and not travelling:
             yield "fixed.pocket", say("is of variant {able}", able=_able("travels"))
         if fixed.profiled is not None and fixed.pocket is None:

@@ -13,7 +13,7 @@ from ...engines.layout import SectionPart, Sizes, overlaps, parts_of
 from ...engines.protocol import Clutch
 from ...equations import adjustment, direct, synthesis, wall
 from ...equations.effects import force_lost_by_wear
-from ...spec.models import HARDENED_STEEL, Drive
+from ...spec.models import HARDENED_STEEL, Drive, bore_of
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
@@ -376,7 +376,7 @@ class Candidates:
         half = self.face_width / 2
         return parts_of(
             Sizes(
-                self.variant.travels, at.pairs, at.mean_radius - half, at.mean_radius + half, (room.bore or 0.0) / 2,
+                self.variant.travels, at.pairs, at.mean_radius - half, at.mean_radius + half, bore_of(self.need) / 2,
                 given(self.need.hub_diameter) / 2, room.disc_thickness, room.plate_thickness, room.housing_wall,
                 ball, fixed.balls, circle, fixed.face_gap, travel=self.travel,
             )

@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import tomllib
 
 import pytest
@@ -13,6 +14,7 @@ from afmcalc.analysis.design.pick import with_picked
 from afmcalc.analysis.life import life
 from afmcalc.drive.train import train_of
 from afmcalc.engines import build
+from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, resolved
 from afmcalc.spec.requirements import make_requirements
 
@@ -179,6 +181,30 @@ def test_each_wrong_input_is_one_sentence(command, blocks, says, afmcalc):
     assert (run.code, run.out) == (2, "")
     assert says in run.err
     assert run.err.count("error: ") == 1
+
+
+SPACE = tomllib.loads((CONFIGS / "envelope.toml").read_text(encoding="utf-8"))
+
+
+def test_a_hub_is_bored_for_its_shaft():
+    """Without a bore of its own, and never narrower."""
+    free = {name: value for name, value in SPACE["envelope"].items() if name != "bore"}
+    shaft = {"shaft": {"diameter": "30 mm"}, "fatigue": None}
+    by_shaft = Answers(build(make_spec(SPACE | shaft | {"envelope": free}))).ask("layout")[0]
+    by_bore = Answers(build(make_spec(SPACE | shaft | {"envelope": free | {"bore": "30 mm"}}))).ask("layout")[0]
+    assert by_shaft == by_bore
+    assert by_shaft.mass < Answers(build(make_spec(SPACE | {"envelope": free}))).ask("layout")[0].mass
+    for key, value, says in (
+        ("bore", "29 mm", "envelope.bore: must be at least shaft.diameter (0.03 m)"),
+        ("outer_diameter", "30 mm", "envelope.outer_diameter: must be greater than shaft.diameter (0.03 m)"),
+    ):
+        with pytest.raises(SpecError) as refused:
+            make_spec(SPACE | shaft | {"envelope": free | {key: value}})
+        assert says in re.sub(r" = \S+ \S+:", ":", str(refused.value))
+    with pytest.raises(
+        SpecError, match=r"control_unit\.hub_diameter.* must be greater than shaft\.diameter \(0\.06 m\)"
+    ):
+        make_spec(SPACE | {"shaft": {"diameter": "60 mm"}, "fatigue": None})
 
 
 def test_a_picked_clutch_has_no_key_that_its_variant_lacks():
