@@ -119,6 +119,8 @@ def _key(need: Requirements, row: Attainable) -> str | None:
     """Key of the requirements that holds the limit of a row."""
     if row.requirement == "closing_force" and need.search.closing_force is not None:
         return f"search.closing_force.{'max' if row.sense == 'at most' else 'min'}"
+    if row.requirement == "housing_diameter":
+        return "envelope.outer_diameter"
     for name in type(need).model_fields:
         if getattr(getattr(need, name), row.requirement, None) == row.limit:
             return f"{name}.{row.requirement}"

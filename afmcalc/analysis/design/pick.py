@@ -135,11 +135,10 @@ def _sides(
     """
     if not value or choice is None or not choice.between:
         return [(np.nan if value is None else value, 0)]
-    shown, back = (math.degrees(value), math.radians) if in_degrees else (value, float)
-    steps = (_step(shown, each) for each in (level - 3, level) if each >= 0)
-    near = {_whole(shown, step, way) for step, way in product(steps, (math.floor, math.ceil))}
-    within = {min(max(back(side), choice.start), choice.stop): _digits(side) for side in near}
-    return sorted(within.items())
+    shown, back = (math.degrees, math.radians) if in_degrees else (float, float)
+    steps = (_step(shown(value), each) for each in (level - 3, level) if each >= 0)
+    near = (back(_whole(shown(value), *each)) for each in product(steps, (math.floor, math.ceil)))
+    return [(side, _digits(shown(side))) for side in {min(max(side, choice.start), choice.stop) for side in near}]
 
 
 def _step(value: float, level: int) -> float:
