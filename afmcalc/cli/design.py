@@ -148,8 +148,9 @@ def design(
     if empty:
         raise AfmcalcError(empty[0].message)
     if spec and common.output:
-        about = say("Number {pick} of the front of afmcalc design.", pick=pick)
-        common.write_spec(spec, about, say("wrote number {pick} to {output}", pick=pick, output=common.output))
+        number = result.picked[0].number
+        about = say("Number {pick} of the front of afmcalc design.", pick=number)
+        common.write_spec(spec, about, say("wrote number {pick} to {output}", pick=number, output=common.output))
 
 
 _IN_TABLES = 40

@@ -537,6 +537,7 @@ def test_the_clutch_picked_is_shown_alone_with_what_a_check_says(afmcalc, tmp_pa
     assert len(asked["front"]) == asked["on_front"]
     said = afmcalc("check", target, "--json").json
     checked = said["result"]
+    assert target.read_text(encoding="utf-8").startswith(f"# Number {asked['knee']} of the front")
     assert asked["verdict"] == checked
     assert [f"[{each['code']}" in alone.out for each in said["findings"]] == [False] * checked["notes"]  # quiet
     loud = afmcalc("design", file, "--pick", "knee").out
