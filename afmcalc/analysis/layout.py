@@ -25,7 +25,7 @@ from ..result import Answer, Result, described, quantity
 class LayoutPart(Result):
     """One part: the space it takes in half section, its mass and inertia."""
 
-    part: PartName = described("part")
+    part: PartName = described("part of the clutch")
     left: float = quantity("m", "x_1", "left end, from the web of the housing on")
     right: float = quantity("m", "x_2", "right end")
     inner_diameter: float = quantity("m", "D_i", "inner diameter")

@@ -43,11 +43,21 @@ class Box(NamedTuple):
 
 
 class Solid(NamedTuple):
-    """Mass that a part adds to one half, spread over a ring."""
+    """Mass that a part adds to one half, spread over a ring: one of steel unless the mass is given."""
 
     half: Half
-    mass: Values
     box: Box
+    given: Values | None = None
+    """kg."""
+
+    @property
+    def mass(self) -> Values:
+        """Mass, kg."""
+        if self.given is not None:
+            return self.given
+        left, right, inner, outer = self.box
+        length = larger(right - left, 0.0)
+        return springs_law.ring_mass(STEEL, 2 * larger(outer, inner), 2 * inner, length, math.pi)
 
     @property
     def inertia(self) -> Values:
@@ -193,9 +203,9 @@ def parts_of(size: Sizes) -> list[SectionPart]:
     # an outer disc is next to the pressure disc, the others take turns
     outer_discs = (size.pairs + size.pairs % 2) / 2 * size.disc
     discs = (
-        _solid("driving", Box(pack, pack + outer_discs, size.inner_radius, size.outer_radius)),
-        _solid(hub_half, Box(pack + outer_discs, plate_at, size.inner_radius, size.outer_radius)),
-        _solid(hub_half, Box(pack, plate_at, carrier, size.inner_radius)),
+        Solid("driving", Box(pack, pack + outer_discs, size.inner_radius, size.outer_radius)),
+        Solid(hub_half, Box(pack + outer_discs, plate_at, size.inner_radius, size.outer_radius)),
+        Solid(hub_half, Box(pack, plate_at, carrier, size.inner_radius)),
     )
     closing = Box(behind, behind + size.closing.length, size.closing.inner, size.closing.outer)
     control = Box(control_at, control_at + size.control.length, size.control.inner, size.control.outer)
@@ -204,20 +214,14 @@ def parts_of(size: Sizes) -> list[SectionPart]:
         _made("hub", "driven", hub_boxes),
         SectionPart("pack", (Box(pack, plate_at, carrier, size.outer_radius),), discs),
         *(_made(*sleeve) for sleeve in sleeves),
-        SectionPart("balls", (ball,), (Solid("driven", all_balls, ball),)),
-        SectionPart("closing spring", (closing,), (Solid("driven", size.closing.mass, closing),)),
-        *((SectionPart("control spring", (control,), (Solid("driven", size.control.mass, control),)),) * size.travels),
+        SectionPart("balls", (ball,), (Solid("driven", ball, all_balls),)),
+        SectionPart("closing spring", (closing,), (Solid("driven", closing, size.closing.mass),)),
+        *((SectionPart("control spring", (control,), (Solid("driven", control, size.control.mass),)),) * size.travels),
     ]
 
 
-def _solid(half: Half, box: Box) -> Solid:
-    length = larger(box.right - box.left, 0.0)
-    mass = springs_law.ring_mass(STEEL, 2 * larger(box.outer, box.inner), 2 * box.inner, length, math.pi)
-    return Solid(half, mass, box)
-
-
 def _made(name: PartName, half: Half, boxes: tuple[Box, ...]) -> SectionPart:
-    return SectionPart(name, boxes, tuple(_solid(half, box) for box in boxes))
+    return SectionPart(name, boxes, tuple(Solid(half, box) for box in boxes))
 
 
 _POCKETS = {("pressure disc", "balls"), ("thrust disc", "balls"), ("ball sleeve", "balls"), ("thrust sleeve", "balls")}
@@ -236,10 +240,15 @@ def overlaps(parts: list[SectionPart]) -> Iterator[tuple[PartName, PartName, Val
         pair = first.name, second.name
         if pair in _POCKETS and not (indirect and pair == _DIRECT_ONLY):
             continue
-        missing: Values = -math.inf
-        for one, other in product(first.boxes, second.boxes):
-            missing = larger(missing, _overlap(one, other))
-        yield (*pair, missing)
+        yield (*pair, overlap(first, second))
+
+
+def overlap(first: SectionPart, second: SectionPart) -> Values:
+    """By how much two parts are in each other's way at most, m."""
+    missing: Values = -math.inf
+    for one, other in product(first.boxes, second.boxes):
+        missing = larger(missing, _overlap(one, other))
+    return missing
 
 
 def _overlap(one: Box, other: Box) -> Values:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...engines.direct import DirectClutch
 from ...engines.indirect import IndirectClutch
-from ...engines.layout import SectionPart, Sizes, overlaps, parts_of
+from ...engines.layout import PartName, SectionPart, Sizes, overlap, parts_of
 from ...engines.protocol import Clutch
 from ...equations import adjustment, direct, synthesis, wall
 from ...equations.effects import force_lost_by_wear
@@ -382,11 +382,10 @@ class Candidates:
             )
         )  # fmt: skip
 
-    @cached_property
-    def overlaps(self) -> dict[str, Numbers]:
-        """By how much parts are in each other's way, m: ≤ 0 where they are not."""
-        pairs = overlaps(self.layout)
-        return {f"{first}_{second}".replace(" ", "_"): np.asarray(value) for first, second, value in pairs}
+    def overlap(self, pair: tuple[PartName, PartName]) -> Numbers:
+        """By how much two parts are in each other's way, m: ≤ 0 where they are not."""
+        first, second = (next(part for part in self.layout if part.name == name) for name in pair)
+        return np.asarray(overlap(first, second))
 
     def _next_listed(self, least: Numbers) -> Numbers:
         """Next standard ball, m; NaN where there is none."""

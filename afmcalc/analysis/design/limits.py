@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...engines.layout import TOUCHES, length_of
+from ...engines.layout import TOUCHES, PartName, length_of
 from ...engines.springs import QUASI_STATIC
 from ...equations import direct
 from ...spec.models import Room
@@ -130,8 +130,10 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
             yield Constraint("travel", lambda c: c.travel, travel, "m", (0, 1))
 
 
-_IN_THE_WAY = ("hub_pack", "hub_balls", "pack_balls")
-_OF_A_SLEEVE = ("pressure_disc_balls", "housing_balls", "housing_stop_ring")
+_IN_THE_WAY: tuple[tuple[PartName, PartName], ...] = (("hub", "pack"), ("hub", "balls"), ("pack", "balls"))
+_OF_A_SLEEVE: tuple[tuple[PartName, PartName], ...] = (
+    ("pressure disc", "balls"), ("housing", "balls"), ("housing", "stop ring"),
+)  # fmt: skip
 """Parts that may be in each other's way before springs are chosen; without them all others have room or follow."""
 
 
@@ -141,7 +143,9 @@ def _of_space(need: Requirements, variant: Variant) -> Iterable[Constraint]:
     values: dict[str, tuple[Callable[[Candidates], Numbers], float | None]] = {
         "housing_diameter": (lambda c: c.outer_diameter + 2 * room.housing_wall, room.outer_diameter),
         "length": (lambda c: np.asarray(length_of(c.layout)), room.length),
-    } | {name: (partial(_overlap, name=name), 0.0) for name in (pairs if variant.controlled else pairs[:1])}
+    }
+    for pair in pairs if variant.controlled else pairs[:1]:
+        values["_".join(pair).replace(" ", "_")] = partial(Candidates.overlap, pair=pair), 0.0
     for name, (value, most) in values.items():
         if most is not None:
             within = partial(_within, value=value, most=most + TOUCHES)
@@ -150,10 +154,6 @@ def _of_space(need: Requirements, variant: Variant) -> Iterable[Constraint]:
 
 def _within(tried: Candidates, value: Callable[[Candidates], Numbers], most: float) -> Mask:
     return value(tried) <= most
-
-
-def _overlap(tried: Candidates, name: str) -> Numbers:
-    return tried.overlaps[name]
 
 
 def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:
