@@ -18,6 +18,7 @@ SHOWN = {
     "W/mm²": 1e6,
     "J/mm²": 1e6,
     "1/mm": 1e3,
+    "cm³": 1e-6,
     "N²/mm²": 1e6,
 }
 """Units of the engineer that values are shown in; every other one is SI."""
@@ -181,6 +182,9 @@ CLOSED = {
     "default accuracy.accuracy_factor": BASE[1] / BASE[0],
     "default accuracy.conventional_accuracy_factor": 8.0,
     "default adjust.min_friction.torque.mean": direct(1, 7, 0.5, 0.3),
+    "machine-clutch torque.torque_asked_for": 1.25 * 5500 / (965 * math.pi / 30),
+    "machine-clutch torque.starting_torque": 2.2 * 5500 / (965 * math.pi / 30),
+    "machine-clutch torque.torque.min": 2620 * 0.0625 * 6 * 0.15 / (1 + 0.8 * 6 * 0.15),
     "fokin2011-fig2 accuracy.gain_limit": 1 / (2 * 0.6),
     "fokin2011-fig2 accuracy.accuracy_factor": direct(2, 6, 1.25, 0.6, 0.9) / direct(2, 6, 1.25, 0.1, 0.1033),
     "shishkarev2019-fig2 adjust.pairs_threshold": (1 / 0.15 - 1.25 / 0.33) / (0.25 * 1.6) + 1,
