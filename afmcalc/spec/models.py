@@ -127,7 +127,7 @@ class FrictionRange(RuledBlock):
     mean: Coefficient | None = key("mean coefficient of friction; default (min + max)/2", "f_cp")
     max: Coefficient | None = key("largest coefficient of friction", "f_max")
     material: MaterialNames | None = key(
-        "name of a friction material of the catalogue, or a list: a design tries each, a clutch is to bear the worst"
+        "name of a friction material of the catalogue; of a list a design tries each, and a clutch has the worst"
     )
 
     _lists: Lists = PrivateAttr(default=Lists())

@@ -8,7 +8,7 @@ from ...messages import say
 from ...spec import Spec
 from ...spec.edit import value_at
 from ...spec.fields import Key
-from ...spec.keys import elsewhere, keys
+from ...spec.keys import keys
 
 
 class Ratio(NamedTuple):
@@ -50,7 +50,7 @@ def no_ratio(name: str) -> str:
     if name not in RATIOS:
         return ""
     about = say("; {name} is a ratio of unlike materials (friction.driving, friction.driven)", name=name)
-    return about + elsewhere("balls") if name == "n" else about
+    return about + say("; did you mean {paths}?", paths="control_unit.balls") if name == "n" else about
 
 
 def coefficient(spec: Spec, path: str) -> float:
