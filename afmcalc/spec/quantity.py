@@ -127,6 +127,7 @@ _RARELY_SI: dict[str, tuple[Callable[[float], bool], str, float]] = {
     "N": (lambda force: 0 < force < 20, "kN", math.inf),
     "m": (lambda length: length >= 0.5, "mm", 10.0),
     "rad/s": (lambda speed: speed > 1000, "rpm", math.inf),
+    "W": (lambda power: 0 < power < 500, "kW", math.inf),
 }
 """SI unit → whether a number is rarely meant in it, the unit that may be meant, the largest number meant in SI."""
 

@@ -183,6 +183,14 @@ def test_each_wrong_input_is_one_sentence(command, blocks, says, afmcalc):
     assert run.err.count("error: ") == 1
 
 
+@pytest.mark.parametrize(("power", "asked"), [("11", True), ("499", True), ("500", False), ("'11 W'", False)])
+def test_a_plate_in_kilowatts_is_asked_after(power, asked, afmcalc):
+    run = afmcalc("torque", "--set", f"machine.power={power}", "--set", "machine.speed=1460 rpm", "--json")
+    codes = {each["code"]: each["message"] for each in run.json["findings"]}
+    assert ("number-without-unit" in codes) == asked
+    assert not asked or f"{power} kW?" in codes["number-without-unit"]
+
+
 SPACE = tomllib.loads((CONFIGS / "envelope.toml").read_text(encoding="utf-8"))
 
 
