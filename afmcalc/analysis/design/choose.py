@@ -95,23 +95,29 @@ def of_variants(survey: Survey, on_front: list[DesignRow]) -> list[OfVariant] | 
 
 
 def relaxed(
-    need: Requirements, feasible: int, misses: list[Attainable], again: Callable[[Requirements], DesignResult]
+    need: Requirements, feasible: int, misses: list[Attainable], again: Callable[[Requirements], DesignResult] | None
 ) -> list[Attainable]:
-    """Say of each miss which key to relax and to what, in few digits, if a search with it finds more that are feasible.
+    """Say of each miss which key to relax and to what, in few digits; leave out what was tried and brings no clutch.
 
     What is missed together is relaxed together; what follows from the requirements, or from a catalogue, has no key.
+    Without ``again``, which searches, nothing is tried: the misses are those of a clutch that a check has judged.
     """
     told = []
     for _, rows in groupby(misses, lambda row: row.together or row):
         named = [(row, _key(need, row), _outward(row)) for row in rows]
+        if not all(key for _, key, _ in named):
+            told += [row for row, *_ in named]
+            continue
         easier = need
         for _, key, limit in named:
-            easier = easier if key is None else _with(easier, key.split("."), limit)
-        found = again(easier) if all(key for _, key, _ in named) else None
-        for row, key, limit in named:
-            holds = found is not None and found.on_front and found.feasible > feasible
-            known = {"key": key, "relax_to": limit or None, "feasible": given(found).feasible} if holds else {}
-            told.append(row.model_copy(update=known))
+            easier = _with(easier, given(key).split("."), limit)
+        found = again(easier) if again else None
+        if found is None or (found.on_front and found.feasible > feasible):
+            then = found and found.feasible
+            told += [
+                row.model_copy(update={"key": key, "relax_to": limit or None, "feasible": then})
+                for row, key, limit in named
+            ]
     return told
 
 
