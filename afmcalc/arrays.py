@@ -21,7 +21,7 @@ V = TypeVar("V", bound=Values)
 
 def is_array(value: object) -> "TypeGuard[Floats]":
     """Whether ``value`` is a NumPy array (asked without importing NumPy)."""
-    return hasattr(value, "__array__") and not isinstance(value, float)
+    return type(value) is not float and hasattr(value, "__array__") and not isinstance(value, float)
 
 
 def larger(first: Values, second: Values) -> Values:

@@ -93,7 +93,7 @@ def _endless(train: Train, outcomes: Sequence[Outcome]) -> Iterator[Finding]:
                 pulled=pulled, sliding=sliding,
             )  # fmt: skip
         code = "motor-never-stops" if one.endless else "motor-stops-at-cut-off"
-        level: Level = "error" if one.endless else "warning"
+        level: Level = "error" if one.endless else "info"
         heat, off = one.energy or 0.0, train.cut_off
         yield finding(
             code, level, value=pulled, limit=strongest, path=path, at=end, carries=carries, heat=heat, off=off

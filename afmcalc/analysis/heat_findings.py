@@ -68,7 +68,7 @@ def _end_findings(clutch: Clutch, slips: HeatedSlips) -> Iterator[Finding]:
     at = ", ".join(_NAMES[end] for end in carried)
     least, motor = float(min(trip.torque for trip in carried.values())), float(motor_torque(clutch))
     code = "motor-never-stops" if off is None else "motor-stops-at-cut-off"
-    level: Level = "error" if off is None else "warning"
+    level: Level = "error" if off is None else "info"
     carries, heat = measured(least, "N*m", 5), max(float(trip.energy or 0.0) for trip in carried.values())
     yield finding(code, level, value=least, limit=motor, path=path, at=at, carries=carries, heat=heat, off=off)
 

@@ -22,7 +22,7 @@ MOST_STEPS = 40_000
 """Of an event: twice what a history of seconds takes of a drive that hardly damps."""
 PATIENCE = 20_000
 """Steps after which a drive that does not settle is left, where no duration is given."""
-QUIET = 2_000
+QUIET = 1_000
 """Steps without slip or a higher peak after which nothing more comes of a standing drive that nothing feeds."""
 _STEPS_A_PERIOD = 4
 _REVERSED = 1e-9
@@ -112,6 +112,8 @@ class Trip:
         """Steps taken, and those since the pack slipped or a peak rose."""
         self._look = math.inf
         """When to see whether the slip can be taken in one stride."""
+        self._paces: dict[tuple[str, bool], float] = {}
+        """Last step with the balls moving so, and the pack slipping or not: the next such phase begins with it."""
         self._swings = _LOOK * 2 * math.pi / plant.natural
         self._scales = np.array(plant.scales())
 
@@ -124,7 +126,7 @@ class Trip:
         self._slips(t, y, mode)
         for _ in range(MOST_SWITCHES):
             t, y, mode = self._phase(t, y, mode)
-            if t >= min(self.horizon, self._resting(mode)):
+            if t >= min(self.horizon, self._resting(mode)) or self._quiet > QUIET:
                 self.settled, self._looked = self._settled(t, y, mode), t
             if t >= self.horizon or self.endless or (self.settled and not (self.given and self.recorded)):
                 break
@@ -224,6 +226,8 @@ class Trip:
         longest = (plant.swing(mode) if mode.still else 2 * math.pi / plant.natural) / _STEPS_A_PERIOD
         # a swing of the balls may be one step, which is cut where they turn: what is between its ends is less exact
         tolerance = TOLERANCE / 100 if mode.moving else TOLERANCE
+        kind = mode.balls, bool(mode.pack)
+        first = min(self._paces.get(kind, 0.0), bound - t) if mode.moving else 0.0
         solver = (Radau if plant.stiff else DOP853)(
             lambda at, states: plant.rates(at, states.tolist(), mode),
             t,
@@ -232,6 +236,7 @@ class Trip:
             rtol=tolerance,
             atol=self._scales * tolerance,
             max_step=longest,
+            first_step=first or None,
         )
         slopes = self._growth(t, y, mode, self._watched(t, y, mode), solver.f.tolist())
         while solver.status == "running":
@@ -239,6 +244,7 @@ class Trip:
             self._patient(float(solver.t))
             if solver.status == "failed":
                 raise CalculationError("simulate: the integration fails at t = {time:g} s", time=solver.t)
+            self._paces[kind] = float(solver.t - solver.t_old)
             states = solver.y.tolist()
             now, before = self._watched(solver.t, states, mode), slopes
             slopes = self._growth(solver.t, states, mode, now, solver.f.tolist())
@@ -248,8 +254,11 @@ class Trip:
             turned = []
             for number, (first, last) in enumerate(zip(before, slopes, strict=True)):
                 reach = moments * max(abs(first), abs(last))
-                higher = number < _TORQUES and (self.recorded or abs(now[number]) + reach > highest[number])
-                if first * last < 0 and (higher or (number >= _TORQUES and first < 0)):
+                if number < _TORQUES:
+                    matters = self.recorded or abs(now[number]) + reach > highest[number]
+                else:
+                    matters = first < 0 and now[number] < reach
+                if first * last < 0 and matters:
                     turned.append(number)
             if turned or min(now[_TORQUES:]) < 0 or self.recorded:
                 crossed = self._inside(solver, mode, turned)
@@ -297,7 +306,9 @@ class Trip:
             return self._watched(time, dense(time).tolist(), mode)
 
         def value(number: int, time: float) -> float:
-            return watched(time)[number]
+            states = dense(time).tolist()
+            guard = plant.guards(mode)[number - _TORQUES]
+            return plant.guard(guard, time, states, mode, plant.torques(time, states, mode))
 
         def slope(number: int, time: float) -> float:
             states = dense(time).tolist()

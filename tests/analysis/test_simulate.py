@@ -71,7 +71,7 @@ def test_motor_too_strong_for_the_clutch():
     assert (told["motor-never-stops"].level, told["motor-never-stops"].path) == ("error", "drive.cut_off")
     result, findings = simulate(light(drive={"motor_torque": 210.0, "cut_off": 0.3}))
     told = {found.code: found for found in findings}
-    assert told["motor-stops-at-cut-off"].level == "warning"
+    assert told["motor-stops-at-cut-off"].level == "info"
     assert "motor-never-stops" not in told
     assert result.slip_energy.min > 200 * 15 * 0.3
 

@@ -14,6 +14,9 @@ from afmcalc.drive.lanes import march
 from afmcalc.drive.pack import pack_of
 from afmcalc.drive.train import train_of
 from afmcalc.drive.trip import trip
+from afmcalc.engines import build
+from afmcalc.spec import read_spec
+from afmcalc.spec.edit import respecified
 
 DRIVES, STEPS = 10_000, 10_000
 SAMPLE = 100
@@ -47,3 +50,14 @@ def test_many_drives(report):
     plant = case_of(own, 0.3).plant
     alone = min(seconds(lambda: trip(plant, STEPS * step)) for _ in range(3))
     report("10⁴ steps of one of 10⁴ drives against its event alone", steps * STEPS / SAMPLE / DRIVES / alone, 1 / 200)
+
+
+def test_a_sleeve_that_rattles(report):
+    """Without key friction, and in pockets that hold the torque, the balls roll from wall to wall for long."""
+    drive = {"speed": 30, "motor_inertia": 1.5, "driven_inertia": 0.01, "hub_inertia": 0.02, "shaft_stiffness": 4000}
+    drive |= {"damping_ratio": 0.03, "event": {"kind": "stop", "stop_time": 0.01}, "dynamic_factor": None}
+    for name, changed in (("indirect", {"control_unit.key_friction": 0.0}), ("constant-torque", {})):
+        data = {f"drive.{key}": value for key, value in drive.items()} | changed
+        spec = respecified(read_spec(CONFIGS / f"{name}.toml"), data)
+        longest = max(seconds(case_of(build(spec), friction).run) for friction in (0.1, 0.3, 0.8))
+        report(f"longest event of configs/{name}.toml, s", longest, 2.0)
