@@ -101,6 +101,8 @@ FINDINGS: Mapping[str, str] = {
     "only {limit:.5g N·m} to {highest:.5g N·m}: it slips while a heavy machine starts, whatever the friction",
     "shaft-yields": "the shaft yields: {torque:.5g N·m} twists it with {value:.5g MPa}, above its yield strength in "
     "shear by von Mises, {limit:.5g MPa}",
+    "shaft-not-at-peaks": "the search holds the shaft against the largest torque of the clutch, not against the peaks "
+    "of the event: wanted.peak_torque of at most {value:.5g N·m}, at which it yields, requires that too",
     # simulate
     "bypass-peak": "above the gain limit the bypass pairs alone may hold before the balls take over: the peak in the "
     "shaft is then up to {value:.4g N·m}, not {limit:.4g N·m}; requirements.peak_torque is judged by it",

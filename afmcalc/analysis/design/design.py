@@ -75,8 +75,7 @@ def design(need: Requirements, *, misses: bool | None = None) -> tuple[DesignRes
     )
     missed = [finding("springs-miss", "warning", value=float(unsprung), path="springs")] if unsprung else []
     materials = (each for lined in linings(need) for each in material_findings(lined.friction))
-    assumed = need.machine is not None and need.machine.service_factor is None
-    told = [*need.label.findings, *dict.fromkeys(materials), *([service_factor_assumed()] if assumed else [])]
+    told = [*need.label.findings, *dict.fromkeys(materials), *_of_machine(need)]
     return result, [*told, *_findings(result), *missed]
 
 
@@ -236,3 +235,12 @@ def _findings(result: DesignResult) -> list[Finding]:
         names, count = joined(given_up, say(" or ")), result.candidates
         return [finding("no-candidate/attainable", "error", value=0.0, candidates=count, listed=listed, names=names)]
     return [finding("no-candidate", "error", value=0.0, candidates=result.candidates, listed=listed)]
+
+
+def _of_machine(need: Requirements) -> Iterator[Finding]:
+    """Say what is assumed of the machine, and that a search does not hold its shaft against the peaks of an event."""
+    if need.machine is not None and need.machine.service_factor is None:
+        yield service_factor_assumed()
+    event = need.drive is not None and need.drive.event is not None
+    if event and need.shaft_torque < (need.wanted.peak_torque or np.inf):
+        yield finding("shaft-not-at-peaks", "info", value=need.shaft_torque, path="shaft.yield_strength")

@@ -183,6 +183,13 @@ def test_each_wrong_input_is_one_sentence(command, blocks, says, afmcalc):
     assert run.err.count("error: ") == 1
 
 
+def test_a_search_says_that_the_shaft_is_not_held_against_peaks():
+    """Until the peak torque that it bears is required: π d³/16 σ_т/√3 of the shaft of the example."""
+    drive, bears = {"drive": DRIVE}, 355e6 / math.sqrt(3) * math.pi * 0.04**3 / 16
+    (said,) = design(make_requirements(WANTED | SMALL | drive))[1]
+    assert (said.code, said.value) == ("shaft-not-at-peaks", pytest.approx(bears))
+
+
 @pytest.mark.parametrize(("power", "asked"), [("11", True), ("499", True), ("500", False), ("'11 W'", False)])
 def test_a_plate_in_kilowatts_is_asked_after(power, asked, afmcalc):
     run = afmcalc("torque", "--set", f"machine.power={power}", "--set", "machine.speed=1460 rpm", "--json")
