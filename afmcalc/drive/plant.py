@@ -209,10 +209,12 @@ class Plant:
         shaft, motor = self.shaft(y), self.motor(self.motor_speed(y), mode)
         first, hub, last = train.motor_inertia, train.hub_inertia, train.driven_inertia
         if mode.moving:
+            travel = self._along(y, mode)
             if mode.pack:
-                clutch = mode.pack * pack.carried(self.normal(y, mode, 0.0), pack.ratio(y[V]))
-                return Torques(motor, clutch, side * self._on_wall(y, mode, side * clutch, hub, side * shaft), shaft)
-            balls = side * self._on_wall(y, mode, side * motor, first + hub, side * shaft)
+                clutch = mode.pack * pack.carried(pack.pressed(travel), pack.ratio(y[V]))
+                balls = side * self._on_wall(travel, y[RATE], mode, side * clutch, hub, side * shaft)
+                return Torques(motor, clutch, balls, shaft)
+            balls = side * self._on_wall(travel, y[RATE], mode, side * motor, first + hub, side * shaft)
             return Torques(motor, _drive.sticking_torque(motor, first, balls, hub), balls, shaft)
         if not mode.pack:
             balls = _drive.sticking_torque(motor, first + hub, shaft, last)
@@ -226,10 +228,10 @@ class Plant:
             clutch = mode.pack * pack.carried(self.normal(y, mode, 0.0), pack.ratio(y[V]))
         return Torques(motor, clutch, _drive.sticking_torque(clutch, hub, shaft, last) if hub else clutch, shaft)
 
-    def _on_wall(self, y: Sequence[float], mode: Mode, drive: float, inertia: float, load: float) -> float:
+    def _on_wall(self, travel: float, rate: float, mode: Mode, drive: float, inertia: float, load: float) -> float:
         """Torque of the balls on the wall they are on, while the sleeve moves."""
-        pack, travel = self.pack, self._along(y, mode)
-        net, moment = pack.steeper(self.net_gain(mode), travel), pack.driving_moment(travel, y[RATE])
+        pack = self.pack
+        net, moment = pack.steeper(self.net_gain(mode), travel), pack.driving_moment(travel, rate)
         if not pack.mass:
             return moment / net
         mass = pack.inertia(travel, net)
