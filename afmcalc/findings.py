@@ -271,6 +271,10 @@ FINDINGS: Mapping[str, str] = {
     "no-spring": "{path}: no part gives {value:.5g kN} as wanted; nearest is {part}, {size}, which misses {misses}",
     "springs-miss": "{value:g} clutches are left out of the front: with straight springs of the stiffness searched "
     "they pass a check, with the springs tried they fail it",
+    "front-not-simulated": "{names}: not asked of the clutches of the front, each of which has to be simulated or "
+    "sampled; --simulate asks",
+    "front-of-grid": "{names}: a check of each clutch tells it, so the front is that of the points searched, with "
+    "nothing between them tried",
     "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",
     "any-stiffness": "{path} is not given: any stiffness will do",
     "seat-force-exceeded": "a wall that seats the ball in the other sleeve bears {value:.5g kN}, more than the "

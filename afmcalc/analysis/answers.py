@@ -19,9 +19,9 @@ R = TypeVar("R", bound=Result)
 class Answers:
     """A clutch with the answers to what was asked of it; each is calculated when first asked for, and kept."""
 
-    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress") -> None:
-        """Ask of ``clutch``, the life by the rule ``model``."""
-        self.clutch = clutch
+    def __init__(self, clutch: Clutch, *, model: StressRule = "mean-stress", scattered_peaks: bool = True) -> None:
+        """Ask of ``clutch``, the life by ``model``; ``scattered_peaks``: of its tolerances, those of the peaks too."""
+        self.clutch, self._scattered_peaks = clutch, scattered_peaks
         self._options = {"model": model, "answers": self}
         self._answers: dict[str, tuple[Any, list[Finding]]] = {}
 
@@ -47,4 +47,4 @@ class Answers:
         """The tolerance study, with what only a picture needs."""
         from .tolerance.study import study
 
-        return study(self.clutch)
+        return study(self.clutch, peaks=self._scattered_peaks)

@@ -118,15 +118,10 @@ def _shared(
 
     The faces are told where the disc is known; without a lining that is known the discs take all.
     """
-    if own.conductivity is None or own.density is None or own.specific_heat is None or area is None:
-        return slips, None
+    pairs = clutch.spec.friction_group.pairs
     with unnoted():  # no formula leads to it: the numbers of its solution are no steps
-        pairs, mass = clutch.spec.friction_group.pairs, own.disc_mass
-        depth = None if mass is None else float(law.heated_depth(mass, own.density, pairs, area))
-        bodies = [Body(own.conductivity, own.density, own.specific_heat, depth)]
-        lining: tuple[Any, ...] = own.lining_conductivity, own.lining_density, own.lining_specific_heat
-        if None not in lining:
-            bodies.append(Body(*[*lining, own.lining]))
+        if area is None or not (bodies := bodies_of(own, pairs, area)):
+            return slips, None
         share = float(law.power_density(1.0, pairs, area))
         courses = {end: slip.course.times(share) for end, slip in slips.items() if slip.energy}
         found = dict(slips)
@@ -134,6 +129,16 @@ def _shared(
             found[end] = slips[end]._replace(lining_share=1 - most_in_disc(bodies, course) / course.heat[-1])
         rises = {end: largest_rise(bodies, course) for end, course in courses.items()}
     return found, OpenTriple(**{end: rises.get(end, slip.energy and 0.0) for end, slip in slips.items()})
+
+
+def bodies_of(own: Heat, pairs: Values, area: Values | None) -> list[Body]:
+    """Disc, and lining if it is known; none where a figure is wanting."""
+    if own.conductivity is None or own.density is None or own.specific_heat is None or area is None:
+        return []
+    depth = None if own.disc_mass is None else law.heated_depth(own.disc_mass, own.density, pairs, area)
+    bodies = [Body(own.conductivity, own.density, own.specific_heat, depth)]
+    lining: tuple[Any, ...] = own.lining_conductivity, own.lining_density, own.lining_specific_heat
+    return bodies if None in lining else [*bodies, Body(*[*lining, own.lining])]
 
 
 def _trips(

@@ -175,8 +175,13 @@ def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] |
 
 def _peaks_at_ends(clutch: Clutch) -> Peaks:
     """Peaks at f_min, mean friction and f_max, a row each."""
-    stacked = (np.stack(np.broadcast_arrays(*friction)) for friction in clutch.friction)
-    return peaks_of(clutch, *(rows if rows.ndim > 1 else rows[:, np.newaxis] for rows in stacked))
+    return peaks_of(clutch, *at_ends(clutch))
+
+
+def at_ends(clutch: Clutch) -> tuple[Floats, Floats]:
+    """f_1 and f_2 at f_min, mean friction and f_max, a row each."""
+    first, second = (np.stack(np.broadcast_arrays(*friction)) for friction in clutch.friction)
+    return first.reshape(3, -1), second.reshape(3, -1)
 
 
 def dynamic_factors(clutch: Clutch) -> Floats:
@@ -186,12 +191,12 @@ def dynamic_factors(clutch: Clutch) -> Floats:
     return np.fmax(slipping, bypass_peaks(clutch) / peaks.sliding[2])
 
 
-def bypass_peaks(clutch: Clutch) -> Floats:
+def bypass_peaks(clutch: Clutch, peaks: Callable[..., Floats] = lambda *asked: peaks_of(*asked).shaft) -> Floats:
     """Peaks in the shaft if the bypass pairs alone carry, as of ``bypass_peak``; NaN where they carry less, N·m."""
     first, second, more = _bypass_carries_more(clutch)
     if not more.any():
         return np.full(more.shape, np.nan)
-    return np.where(more, peaks_of(bypass_alone(clutch), first, second).shaft, np.nan)
+    return np.where(more, peaks(bypass_alone(clutch), first, second), np.nan)
 
 
 def bypass_peak(clutch: Clutch) -> float | None:

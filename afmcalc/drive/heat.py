@@ -72,7 +72,7 @@ class Body(NamedTuple):
     conductivity: float
     density: float
     specific_heat: float
-    depth: float | None
+    depth: Values | None
     """To the middle of the disc, or through the lining, m; None: endlessly thick."""
 
     def admittance(self, variable: Floats) -> Floats:
@@ -118,6 +118,26 @@ def most_in_disc(bodies: list[Body], course: Course) -> float:
         course, course.time[-1], lambda p: disc(p) / (p * p * sum(each.admittance(p) for each in bodies))
     )
     return float(heats.max())
+
+
+def least_rise(bodies: Sequence[Body], time: Floats, heat: Floats) -> Floats:
+    """Return what faces rise by at least that took so much heat per area in so long a time, arrays, K.
+
+    No course of the flux is gentler than that which keeps the face equally hot all the while: wherever the face is
+    cooler, so is all of the body (maximum principle of the equation of heat), and it holds less.
+    """
+    taken = _inverse(lambda p: sum(each.admittance(p) for each in bodies) / (p * p), np.append(0.0, time))[1:]
+    return heat / taken
+
+
+def least_share(bodies: Sequence[Body], time: Floats) -> Floats:
+    """Return the share of the heat of slips of so long a time that is in the disc, the first body, at least, arrays."""
+    disc = bodies[0].admittance
+    shares = [
+        _inverse(lambda p: disc(p) / (p * sum(each.admittance(p) for each in bodies)), np.append(0.0, time / 4**k))[1:]
+        for k in range(6)
+    ]
+    return np.min(shares, axis=0)
 
 
 def _over_time(course: Course, end: float, transform: Callable[[Floats], Floats]) -> tuple[Floats, Floats]:

@@ -364,8 +364,10 @@ class Marched(NamedTuple):
     travel: Floats
     slip: Floats
     """Slip of the pack at the end, rad/s."""
+    slipped: Floats
+    """Time at which it last slipped, s."""
     passed: NDArray[np.bool_]
-    """Whether a check showed that no later torque exceeds the peak."""
+    """Whether a check showed that no later torque exceeds the peak; of whole slips that none slips any more."""
 
 
 def march(
@@ -374,6 +376,8 @@ def march(
     step: Floats,
     steps: int,
     look: int | None = None,
+    *,
+    whole: bool = False,
 ) -> Marched:
     """Step events from start to ``steps`` times ``step``.
 
@@ -383,6 +387,7 @@ def march(
         step: time step of each, s.
         steps: how many.
         look: step of the first check whether all peaks have passed, which ends the stepping; None: no check.
+        whole: the check is instead whether none slips any more.
 
     Returns:
         Peaks, heat and travel, in the shape of ``step``.
@@ -402,7 +407,7 @@ def march(
         shaft = Shaft(drives, h)
         kind: Any = DirectLanes if isinstance(pack, DirectPack) else SleeveLanes
         clutch = kind(drives, _cut(pack, lanes, step.shape), h, shaft.per_torque)
-        parts.append(_march(drives, shaft, clutch, h, steps, report, least))
+        parts.append(_march(drives, shaft, clutch, h, steps, report, least, whole=whole))
     return Marched(*(np.concatenate(each).reshape(step.shape) for each in zip(*parts, strict=True)))
 
 
@@ -423,10 +428,12 @@ def _march(
     steps: int,
     report: Callable[[int], None],
     look: int,
+    *,
+    whole: bool,
 ) -> Marched:
     motor = earlier = shaft.driven
     each = h / train.motor_inertia
-    peak, peak_clutch, heat = (np.zeros(h.size) for _ in range(3))
+    peak, peak_clutch, heat, slipped = (np.zeros(h.size) for _ in range(4))
     off = np.full(h.size, np.inf)
     passed = over = np.zeros(h.size, bool)
     # with static friction the torque may rise again as the slip slows down: such a drive is stepped to the end of all
@@ -445,14 +452,18 @@ def _march(
         np.maximum(peak, np.abs(shaft.torque), out=peak, where=~over)
         np.maximum(peak_clutch, clutch.top, out=peak_clutch, where=~over)
         heat += clutch.torque * (before + clutch.slip)
+        np.copyto(slipped, (number + 1) * h, where=clutch.slip != 0)
         if train.cut_off is not None:
             off = np.where((clutch.slip != 0) & np.isinf(off), number * h + train.cut_off, off)
         if number + 1 >= look and (number + 1 - look) % _LOOKED == 0:
-            passed = over | _passed(train, shaft, clutch, motor, (number + 1) * h, off, peak)
-            over = passed & steady
+            if whole:
+                passed = clutch.slip == 0
+            else:
+                passed = over | _passed(train, shaft, clutch, motor, (number + 1) * h, off, peak)
+                over = passed & steady
             if passed.all():
                 break
-    return Marched(peak, peak_clutch, h / 2 * heat, clutch.travel, clutch.slip, passed)
+    return Marched(peak, peak_clutch, h / 2 * heat, clutch.travel, clutch.slip, slipped, passed)
 
 
 def _passed(

@@ -10,7 +10,7 @@ from ..arrays import Floats, Values
 from ..engines.protocol import Clutch
 from ..errors import CalculationError
 from .cases import swings_time, whole_time
-from .lanes import march
+from .lanes import Marched, march
 from .pack import DirectPack, Sleeve, pack_of
 from .train import Train, train_of
 
@@ -48,14 +48,47 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values) -> Peaks:
         SpecError: no event.
         CalculationError: drives so unlike that one needs too many steps.
     """
+    train, pack, sliding, duration, longest = _drives(clutch, driving, driven)
+    steps = _steps_to(swings_time(train) if duration is None else duration, longest)
+    if duration is None:
+        most = min(int(np.ceil(np.max(whole_time(train, sliding) / longest))), _MOST_STEPS)
+        found = march(train, pack, longest, most, steps)
+    else:
+        found = march(train, pack, np.broadcast_to(duration / steps, longest.shape), steps)
+    passed = found.passed if duration is None else np.ones(longest.shape, bool)
+    return Peaks(np.broadcast_to(sliding, longest.shape), found.peak, found.peak_clutch, passed)
+
+
+def slips_of(clutch: Clutch, driving: Values, driven: Values, *, whole: bool) -> Marched:
+    """Return peaks and heat as far as the first swings, or ``whole`` slips, have them: they only grow from there.
+
+    In steps three times as coarse as those of ``peaks_of``, whose arguments and errors these are.
+    """
+    train, pack, sliding, duration, longest = _drives(clutch, driving, driven, STEPS_A_SWING // 3)
+    first = swings_time(train)
+    steps = most = _steps_to(first if duration is None else np.minimum(first, duration), longest)
+    if whole:
+        end = whole_time(train, sliding) if duration is None else duration
+        most = min(max(int(np.max(end / longest)), steps), _MOST_STEPS)
+    return march(train, pack, longest, most, steps, whole=True)
+
+
+def _drives(
+    clutch: Clutch, driving: Values, driven: Values, steps_a_swing: int = STEPS_A_SWING
+) -> tuple[Train, DirectPack | Sleeve, Values, Values | None, Floats]:
+    """Drives, packs, their sliding torque, the duration given, and the longest time step of each."""
     train, pack = train_of(clutch), pack_of(clutch, driving, driven)
     if isinstance(pack, DirectPack) and np.any(train.hub_inertia):
         train = train.without_hub
-    sliding = pack.torque(1.0)
     duration = None if clutch.spec.drive.event is None else clutch.spec.drive.event.duration
     shape = np.broadcast_shapes((1,), *_shapes(train), *_shapes(pack), np.shape(0.0 if duration is None else duration))
-    longest = np.broadcast_to(step_of(train, pack), shape).astype(float)
-    steps = int(np.ceil(np.max((swings_time(train) if duration is None else duration) / longest)))
+    longest = np.broadcast_to(step_of(train, pack, steps_a_swing), shape).astype(float)
+    return train, pack, pack.torque(1.0), duration, longest
+
+
+def _steps_to(end: Values, longest: Floats) -> int:
+    """How many steps the longest of some events take."""
+    steps = int(np.ceil(np.max(end / longest)))
     if steps > _MOST_STEPS:
         raise CalculationError(
             "simulate: {steps} time steps are needed, at most {most} are made: the drive's parts swing too unlike "
@@ -63,13 +96,7 @@ def peaks_of(clutch: Clutch, driving: Values, driven: Values) -> Peaks:
             steps=steps,
             most=_MOST_STEPS,
         )
-    if duration is None:
-        most = min(int(np.ceil(np.max(whole_time(train, sliding) / longest))), _MOST_STEPS)
-        found = march(train, pack, longest, most, steps)
-    else:
-        found = march(train, pack, np.broadcast_to(duration / steps, shape), steps)
-    passed = found.passed if duration is None else np.ones(shape, bool)
-    return Peaks(np.broadcast_to(sliding, shape), found.peak, found.peak_clutch, passed)
+    return steps
 
 
 def step_of(train: Train, pack: DirectPack | Sleeve, steps_a_swing: int = STEPS_A_SWING) -> Values:

@@ -50,6 +50,7 @@ from .models import (
     VariantName,
     WallAngle,
     around_the_shaft,
+    missing_of,
 )
 from .parse import text_of
 from .problems import validated
@@ -187,6 +188,10 @@ Objective = Literal[
 
 _ONE_TORQUE = say("required: nominal_torque of the clutch or machine_torque, one of them; or [machine]")
 _GAIN_LIMITS = ", ".join(dict.fromkeys(variant.gain_limit.rule for variant in VARIANTS.values() if variant.gain_limit))
+
+
+_OF_DISCS = ("disc_mass", "ambient", "specific_heat", "conductivity", "density")
+"""Keys of [heat]: the first three tell the mean of the discs, the last four the faces."""
 
 
 class Wanted(OfService):
@@ -405,17 +410,23 @@ class Requirements(FileBlock, RuledBlock):
             "cycles": [("fatigue", self.fatigue)],
             "torque_after_wear": [("heat.lining", heat.lining)],
             "trips_per_hour": [("heat.ambient", heat.ambient), ("heat.cooling", heat.cooling)],
+            "peak_torque": [("drive.event", self.drive and self.drive.event)],
+            "work": [("fixed.face_width", self.fixed.face_width or self.search.inner_radius), ("heat", self.heat)],
+            "temperature": [(f"heat.{key}", getattr(heat, key)) for key in _OF_DISCS[:3]],
+            "face_temperature": [(f"heat.{key}", getattr(heat, key)) for key in _OF_DISCS[1:]],
+            "exceedance": [("tolerance", self.tolerance)],
         }
+        needed["face_temperature"] += needed["work"][:1]
+        drive = self.drive or Drive()
+        trip = [(f"drive.{key}", None) for key in missing_of(drive)] if drive.event is None else []
+        for name in ("work", "temperature", "face_temperature", "trips_per_hour"):
+            needed[name] += trip
         if direct and self.springs is None:
             needed["torque_after_wear"].append(("search.closing_stiffness", self.search.closing_stiffness))
         for name, blocks in needed.items():
             for path, given in blocks if getattr(wanted, name) is not None else ():
                 if given is None:
                     yield path, say("required beside {other}", other=f"wanted.{name}")
-        blocks_of = self.friction.blocks.values()
-        limited = any(all(each.temperature_min for each in block.materials.values()) for block in blocks_of)
-        if wanted.trips_per_hour is not None and wanted.temperature is None and not limited:
-            yield "wanted.temperature", say("required beside wanted.trips_per_hour, or a material with a limit of it")
 
     def _springs_rules(self, travels: bool) -> Iterable[Broken]:
         rooms = {"fixed.closing_room": self.fixed.closing_room, "fixed.control_room": self.fixed.control_room}

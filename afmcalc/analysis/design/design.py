@@ -20,10 +20,11 @@ from ...variants import VARIANTS, Variant
 from .candidates import candidates
 from .choose import of_variants, over_range, relaxed
 from .limits import Constraint, constraints
-from .pick import made
+from .pick import asked, made
 from .refine import refined
 from .rows import Attainable, DesignResult, DesignRow, rows
 from .search import TILE, Survey, front, search
+from .service import held
 from .space import SAME_CLUTCH, Numbers, Tile, grids, linings, tiles, total
 
 MOST = 10_000_000_000
@@ -32,10 +33,13 @@ MOST_AGAIN = 30_000_000
 """Candidates that are looked through again for what is attainable; of a larger space every so many radii."""
 
 
-def design(need: Requirements, *, misses: bool | None = None) -> tuple[DesignResult, list[Finding]]:
+def design(
+    need: Requirements, *, misses: bool | None = None, simulate: bool = False
+) -> tuple[DesignResult, list[Finding]]:
     """Search everything the requirements allow: the front, empty where nothing meets them, and findings.
 
-    ``misses`` asks for the nearest miss of each requirement; None: only where nothing meets them all.
+    ``misses`` asks for the nearest miss of each requirement; None: only where nothing meets them all. ``simulate``
+    holds the front to what has to be simulated or sampled too; else that is left to a check of what is picked.
 
     Raises:
         AfmcalcError: more candidates than are searched.
@@ -47,24 +51,33 @@ def design(need: Requirements, *, misses: bool | None = None) -> tuple[DesignRes
             count=count,
             most=MOST,
         )
-    survey = search(need, lambda done: tell(say("searching"), done, count))
-    best = numbered(need, [fine for _, fine in refinement(need, survey)])
+    names = asked(need.wanted, need.drive)
+    simulated = simulate and bool(names)
+    survey = search(need, lambda done: tell(say("searching"), done, count), every=simulated)
+    of_service = held(need, survey) if simulated else None
+    found = of_service.front if of_service else [fine for _, fine in refinement(need, survey)]
+    best = numbered(need, found)
     unsprung = 0
-    if need.springs is not None:
+    if need.springs is not None and not simulated:
         sprung = []
         for number, row in enumerate(best, 1):
-            if (with_springs := made(need, row)) is not None:
+            if (with_springs := made(need, row, simulated=False)) is not None:
                 sprung.append(with_springs.row)
             tell(say("choosing springs"), number, len(best))
         unsprung, best = len(best) - len(sprung), numbered(need, sprung)
     missing = None
-    if misses if misses is not None else not best:
+    if of_service and not best and of_service.attainable:
+        missing = of_service.attainable
+    elif misses if misses is not None else not best:
         missing = attainable(need, lambda done, of: tell(say("looking for what is attainable"), done, of))
     if missing:
-        missing = relaxed(need, survey.feasible, missing, lambda easier: design(easier, misses=False)[0])
+        missing = relaxed(
+            need, survey.feasible, missing, lambda easier: design(easier, misses=False, simulate=simulate)[0]
+        )
     result = DesignResult(
         candidates=survey.candidates,
         feasible=survey.feasible,
+        unasked=of_service and of_service.unasked,
         objectives=list(need.objectives),
         on_front=len(best),
         knee=next((row.number for row in best if row.mark), None),
@@ -74,6 +87,9 @@ def design(need: Requirements, *, misses: bool | None = None) -> tuple[DesignRes
         of_variants=of_variants(survey, best),
     )
     missed = [finding("springs-miss", "warning", value=float(unsprung), path="springs")] if unsprung else []
+    if names:
+        code = "front-of-grid" if simulated else "front-not-simulated"
+        missed.append(finding(code, "info", path="wanted", names=", ".join(names)))
     materials = (each for lined in linings(need) for each in material_findings(lined.friction))
     told = [*need.label.findings, *dict.fromkeys(materials), *_of_machine(need)]
     return result, [*told, *_findings(result), *missed]

@@ -7,6 +7,7 @@ from itertools import product
 from typing import NamedTuple
 
 import numpy as np
+from pydantic import BaseModel
 
 from ...engines import build
 from ...engines.protocol import Clutch
@@ -15,12 +16,14 @@ from ...findings import Finding
 from ...result import Result
 from ...spec import Spec
 from ...spec.edit import as_written
+from ...spec.models import Drive
 from ...spec.requirements import Choice, Requirements
 from ...variants import VARIANTS
 from ..answers import Answers
 from ..check import check, found_unsimulated
 from ..limits import ring_pressures
 from ..registry import ANALYSES
+from ..requirements import JUDGED
 from ..springs.springs import part_of, ranked
 from ..synthesize import SynthesisResult
 from ..torque import TorqueResult
@@ -192,7 +195,7 @@ class Made(NamedTuple):
     row: DesignRow
 
 
-def made(need: Requirements, row: DesignRow) -> Made | None:
+def made(need: Requirements, row: DesignRow, *, simulated: bool = True) -> Made | None:
     """Write a row as a spec that passes a check, with the first springs, if wanted, with which it does.
 
     Springs that stay in their range come first: with them the sleeve travels farther, or less, than with straight ones.
@@ -200,7 +203,8 @@ def made(need: Requirements, row: DesignRow) -> Made | None:
     """
     plain = as_spec(need, row)
     if need.springs is None:
-        return Made(plain, row) if passes(build(plain)) else None
+        row, missed = judged(need, row)
+        return None if missed else Made(plain, row)
     lists = {demand.name: ranked(demand, need.springs, _STACKS) for demand in build(plain).spring_demands()}
     strayed = None
     for stacks in product(*lists.values()):
@@ -212,8 +216,10 @@ def made(need: Requirements, row: DesignRow) -> Made | None:
             numbers = (stack.parallel, stack.series) if stack.kind == "disc" else (stack.turns, stack.count)
             shown[f"{name}_part"] = "{}, {:g} × {:g}".format(stack.part, *numbers)
         clutch = build(as_written(plain.model_copy(update=springs)))
-        if not passes(clutch):
+        missed, told = judgement_of(clutch, simulated=simulated)
+        if missed:
             continue
+        shown |= told
         if clutch.spec.kind.travels:
             # the force of disc springs is no straight line
             shown["torque_max_sprung"] = float(clutch.torque_max)
@@ -225,7 +231,54 @@ def made(need: Requirements, row: DesignRow) -> Made | None:
     return strayed
 
 
-def passes(clutch: Clutch) -> bool:
-    """Whether a clutch passes a check, its friction material below what it is allowed."""
-    findings = found_unsimulated(clutch)
-    return not any(remark.level == "error" or remark.code.endswith("-pressure-in-range") for remark in findings)
+def judged(need: Requirements, row: DesignRow) -> tuple[DesignRow, tuple[str, ...]]:
+    """Return a row with what a check says of it as it is written, and what it misses by that."""
+    if need.springs is not None:
+        sprung = made(need, row)
+        return (row, ("springs",)) if sprung is None else (sprung.row, ())
+    missed, told = judgement_of(build(as_spec(need, row)))
+    return row.model_copy(update=told), missed
+
+
+class Judgement(NamedTuple):
+    """What a check says of a clutch."""
+
+    missed: tuple[str, ...]
+    """Requirements missed or not judged, and the codes of other errors."""
+    told: dict[str, float]
+    """What it has of the requirements that a simulation or a sample answers, or the heat of a trip."""
+
+
+def asked(required: BaseModel | None, drive: Drive | None) -> list[str]:
+    """Requirements given that a simulation or a sample answers, or the heat of a trip."""
+    names = {} if required is None else required.model_dump(exclude_none=True)
+    answering = {"simulate", "heat", "tolerance"}
+    if drive is not None and drive.event is not None and drive.dynamic_factor is None:
+        answering.add("life")  # by the dynamic factor of the event
+    return [name for name in names if name in JUDGED and JUDGED[name].analysis in answering]
+
+
+def judgement_of(clutch: Clutch, *, simulated: bool = True) -> Judgement:
+    """Give a clutch to a check, which simulates only what else passes, and only where that is asked for."""
+    findings, told = found_unsimulated(clutch), dict[str, float]()
+    names = asked(clutch.spec.requirements, clutch.spec.drive) if simulated else []
+    if names and not _missed(findings, names):
+        result, findings = check(clutch, answers=Answers(clutch, scattered_peaks=False))  # no requirement is of these
+        told = {
+            row.requirement: row.value
+            for row in result.requirements
+            if row.requirement in names and row.value is not None
+        }
+    return Judgement(_missed(findings, names), told)
+
+
+def _missed(findings: list[Finding], names: list[str]) -> tuple[str, ...]:
+    """What fails a clutch of a design: errors, a material beyond what it bears, what is asked for and not told."""
+    failing = dict.fromkeys(
+        (remark.path or "").removeprefix("requirements.") if remark.code.startswith("requirement-") else remark.code
+        for remark in findings
+        if remark.level == "error"
+        or remark.code.endswith("-pressure-in-range")
+        or (remark.code == "requirement-not-judged" and (remark.path or "").removeprefix("requirements.") in names)
+    )
+    return tuple(failing)

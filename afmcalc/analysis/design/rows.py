@@ -68,6 +68,15 @@ class DesignRow(Result):
         "N*m", "T_max,п", "largest torque with these springs", optional=True, detail=True
     )
 
+    peak_torque: float | None = quantity("N*m", "T_peak", "peak torque in the shaft", optional=True)
+    work: float | None = quantity("J/m^2", "q_A", "work per area of a pair", optional=True)
+    temperature: float | None = quantity("K abs", "Θ", "mean temperature of the discs after a trip", optional=True)
+    face_temperature: float | None = quantity(
+        "K abs", "Θ_s", "largest temperature of the faces during a trip", optional=True
+    )
+    trips_per_hour: float | None = quantity("1/h", "ν", "trips per hour, mean temperature at the limit", optional=True)
+    exceedance: float | None = quantity("1", "P(T>T_max)", "probability that the torque exceeds T_max", optional=True)
+
     def objective(self, name: str) -> float:
         """Value by which it was judged; what its variant does not have costs nothing."""
         if name == "closing_force" and self.pack_force_at_rest is not None:
@@ -120,6 +129,9 @@ class DesignResult(Answer):
 
     candidates: int = described("candidates searched")
     feasible: int = described("candidates that meet every requirement")
+    unasked: int | None = described(
+        "of them not given to a check, which simulates: one of the front beats them", optional=True
+    )
     objectives: list[str] = described("what is small on the front")
     on_front: int = described("clutches on the front: none beats another in everything")
     knee: int | None = described("number of the knee: least sum of the objectives, each over its range",

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...errors import AfmcalcError
 from ...spec.requirements import Requirements
 from ...variants import VARIANTS, Variant
 from .candidates import Candidates, candidates, never_meet
@@ -21,6 +22,8 @@ _MANY = 48
 """Number of mean radii from which ``by_radius`` is faster than ``by_tile``."""
 _WAITING = 65536
 """Candidates that are gathered before the front is calculated again; many take little more time than few."""
+MOST_KEPT = 2_000_000
+"""Feasible candidates that are kept at most: 0.3 GB."""
 _LEVELS = 2000
 """Number of levels of the third and further objectives above which rows are compared one by one instead."""
 
@@ -43,6 +46,8 @@ class Survey:
     feasible: int = 0
     excluded: Counter[str] = field(default_factory=Counter)
     members: list[Members] = field(default_factory=list)
+    every: bool = False
+    """Whether all feasible candidates are kept, for what is asked of them afterwards."""
     parts: dict[str, "Survey"] = field(default_factory=dict)
     """Counts of each variant."""
     _room: int = _WAITING
@@ -66,7 +71,14 @@ class Survey:
 
     def settle(self) -> None:
         """Reduce all members to their common front, one entry per variant."""
-        if not self.members:
+        if self.every and self.feasible > MOST_KEPT:
+            raise AfmcalcError(
+                "{count:,} candidates meet what is told without a simulation; at most {most:,} are simulated: coarser "
+                "ranges or tighter limits, please",
+                count=self.feasible,
+                most=MOST_KEPT,
+            )
+        if self.every or not self.members:
             return
         values = np.concatenate([member.values.T for member in self.members], axis=1).T
         keep = np.zeros(len(values), bool)
@@ -85,13 +97,16 @@ class Survey:
         self._room = max(_WAITING, int(np.count_nonzero(keep)))
 
 
-def search(need: Requirements, progress: Callable[[int], None] = lambda done: None) -> Survey:
-    """Search the whole space; ``progress`` receives the number of candidates searched so far."""
-    survey = Survey()
+def search(need: Requirements, progress: Callable[[int], None] = lambda done: None, *, every: bool = False) -> Survey:
+    """Search the whole space; ``progress`` receives the number of candidates searched so far.
+
+    With ``every`` the survey keeps all feasible candidates, up to so many, not only those of the front.
+    """
+    survey = Survey(every=every)
     for variant in (VARIANTS[name] for name in dict.fromkeys(need.variants)):
-        part = Survey()
+        part = Survey(every=every)
         for each in linings(need):
-            looked_up = separable(each, variant) and need.search.radii.size >= _MANY
+            looked_up = separable(each, variant) and need.search.radii.size >= _MANY and not every
             go = by_radius if looked_up else by_tile
             go(each, variant, part, lambda done, behind=survey.candidates: progress(behind + done))  # type: ignore[misc]
         survey.take(variant.name, part)
@@ -123,7 +138,8 @@ def by_tile(need: Requirements, variant: Variant, survey: Survey, progress: Call
         survey.feasible += tile.count(good)
         survey.excluded.update({name: spring_forces * (clutches - tile.count(mask)) for name, mask in masks.items()})
         survey.excluded[at_points.no_clutch] += spring_forces * (tile.size - clutches)
-        survey.add(need, variant, tile.points(np.flatnonzero(_best(need, variant, good, tile))))
+        kept = good if survey.every else _best(need, variant, good, tile)
+        survey.add(need, variant, tile.points(np.flatnonzero(kept)))
         progress(survey.candidates)
 
 

@@ -32,8 +32,8 @@ def tolerance(clutch: Clutch, *, threads: int | None = None) -> tuple[ToleranceR
     return whole.result, whole.findings
 
 
-def study(clutch: Clutch, *, threads: int | None = None) -> Study:
-    """Calculate the distribution of the torque by the [tolerance] block of the spec.
+def study(clutch: Clutch, *, threads: int | None = None, peaks: bool = True) -> Study:
+    """Calculate the distribution of the torque, and of the ``peaks``, by the [tolerance] block of the spec.
 
     By default there are as many threads as processors, up to 8; their number changes no digit.
 
@@ -73,7 +73,7 @@ def study(clutch: Clutch, *, threads: int | None = None) -> Study:
     ]
     result = ToleranceResult.of(
         **figures,
-        **peak_figures(model, given, clutch),
+        **(peak_figures(model, given, clutch) if peaks else {}),
         setting=given.setting,
         torque_limit=given.torque_limit,
         machine_torque=machine,
