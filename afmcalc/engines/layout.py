@@ -113,7 +113,7 @@ def sizes_of(clutch: Clutch) -> Sizes:
     spec: Any = clutch.spec
     room, group, unit = spec.envelope, spec.friction_group, spec.control_unit
     control = {}
-    if unit is not None and unit.ball_diameter and unit.ball_circle_radius:
+    if unit is not None and unit.ball_diameter is not None and unit.ball_circle_radius is not None:
         control = {
             "ball": unit.ball_diameter, "balls": unit.balls or 0, "circle": unit.ball_circle_radius,
             "gap": FACE_GAP if unit.face_gap is None else unit.face_gap, "depth": unit.sleeve_depth,

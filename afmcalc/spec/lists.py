@@ -1,10 +1,12 @@
 """Lists of one's own in the place of those that ship: friction materials, disc springs, balls; TOML or CSV."""
 
 import math
+import os
 import re
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from csv import DictReader
+from functools import lru_cache
 from importlib.resources import files
 from os import PathLike
 from typing import Any, NamedTuple
@@ -36,7 +38,21 @@ SNAPS = 2.4
 def own_lists(named: object) -> Lists:
     """Read the files that a table of catalogues names."""
     given: Mapping[str, object] = named if isinstance(named, Mapping) else {}
-    return Lists(**{name: read(file) for name, read in _READ.items() if isinstance(file := given.get(name), str)})
+    return Lists(**{name: _read(name, file) for name in _READ if isinstance(file := given.get(name), str)})
+
+
+def _read(name: str, file: str) -> Any:
+    try:
+        changed = os.stat(file).st_mtime_ns
+    except (OSError, ValueError):
+        changed = 0
+    return _unchanged(name, file, changed)
+
+
+@lru_cache(maxsize=64)
+def _unchanged(name: str, file: str, changed: int) -> Any:
+    """Read a file once: every clutch that a design writes is read with its lists."""
+    return _READ[name](file)
 
 
 def friction_materials(file: str) -> dict[str, Material]:

@@ -427,6 +427,10 @@ class Requirements(FileBlock, RuledBlock):
             for path, given in blocks if getattr(wanted, name) is not None else ():
                 if given is None:
                     yield path, say("required beside {other}", other=f"wanted.{name}")
+        blocks_of = self.friction.blocks.values()
+        limited = any(all(each.temperature_min for each in block.materials.values()) for block in blocks_of)
+        if wanted.trips_per_hour is not None and wanted.temperature is None and not limited:
+            yield "wanted.temperature", say("required beside wanted.trips_per_hour, or a material with a limit of it")
 
     def _springs_rules(self, travels: bool) -> Iterable[Broken]:
         rooms = {"fixed.closing_room": self.fixed.closing_room, "fixed.control_room": self.fixed.control_room}

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from conftest import CONFIGS, S21
+from conftest import CONFIGS, S21, WANTED
 from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import indirect_specs
@@ -185,7 +185,7 @@ def test_arrays_of_balls_bear_what_each_bears():
     assert pressure[1] == pytest.approx(2 * pressure[0], rel=1e-12)
 
 
-@pytest.mark.parametrize("name", [path.stem for path in CONFIGS.glob("*.toml") if path.stem != "requirements"])
+@pytest.mark.parametrize("name", [path.stem for path in CONFIGS.glob("*.toml") if path.stem not in WANTED])
 def test_no_example_has_a_force_whatever_the_ball(name):
     unit = read_spec(CONFIGS / f"{name}.toml").control_unit
     assert unit is None or (unit.allowable_contact_force, unit.contact) == (None, None)

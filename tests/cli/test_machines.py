@@ -19,8 +19,8 @@ PLATE = {
     "wood-chipper": (37e3, 1475, 1.475 * 0.95, 2),
 }
 """Power, W, and speed, rpm, of the motor, torque behind the gear over that before it, service factor."""
-UNAVOIDABLE = {"motor-stops-at-cut-off", "effect-on-torque"}
-"""Warnings of the conveyor that the chapter speaks of: the monitor is there for the one, the next setting for the other."""
+UNAVOIDABLE = {"effect-on-torque"}
+"""Warning of the conveyor that the chapter speaks of: its spring is to be set again as the lining wears."""
 
 
 def lines(script, afmcalc):

@@ -6,11 +6,12 @@ import math
 import numpy as np
 import pytest
 
+from afmcalc.drive.train import inertias_of
 from afmcalc.engines import build
 from afmcalc.engines.layout import Sizes, SpringSize, inertia_of, length_of, overlaps, parts_of, sizes_of
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, read_spec
-from afmcalc.spec.edit import respecified
+from afmcalc.spec.edit import respecified, with_values
 
 STEEL = 7850.0
 SLEEVES = {"direct": {"thrust disc", "pressure disc"}, "indirect": {"ball sleeve", "thrust sleeve"}}
@@ -149,6 +150,21 @@ def test_a_drive_takes_what_the_layout_tells(afmcalc):
     assert taken["result"] == same.json["result"]
     found = {remark["path"]: remark["value"] for remark in taken["findings"] if remark["code"] == "inertia-from-layout"}
     assert found == {"drive.driven_inertia": told["driven_inertia"], "drive.hub_inertia": told["hub_inertia"]}
+
+
+def test_swept_sizes_turn_the_drive_as_each_of_them_does():
+    """Inertias of the layout over an array of balls, of faces, of plates are those of each alone."""
+    for path, values in (
+        ("control_unit.ball_diameter", [0.0207, 0.024]),
+        ("friction_group.outer_radius", [0.11, 0.12]),
+        ("envelope.plate_thickness", [0.008, 0.02]),
+    ):
+        spec = read_spec("example:envelope")
+        swept = inertias_of(build(with_values(spec, {path: np.array(values)})))
+        for place, value in enumerate(values):
+            alone = inertias_of(build(with_values(spec, {path: value})))
+            for one, other in zip(swept, alone, strict=True):
+                assert np.broadcast_to(one, 2)[place] == pytest.approx(other, rel=1e-12)
 
 
 @pytest.mark.parametrize(

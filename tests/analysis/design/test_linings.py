@@ -144,3 +144,22 @@ def test_the_example_takes_a_list():
     data = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))
     data["friction"] = {"material": ["moulded-dry", "sintered-dry"]}
     assert {row.material for row in design(make_requirements(data))[0].front} == {"moulded-dry"}
+
+
+def test_springs_are_chosen_from_a_list_of_ones_own(tmp_path):
+    """DIN EN 16983 has no size bored 50 mm that is less than 100 mm wide."""
+    rows = "name,outer_diameter_mm,inner_diameter_mm,thickness_mm,free_height_mm,source\nX 80,80,51,2.25,4.0,works\n"
+    (tmp_path / "discs.csv").write_text(rows, encoding="utf-8")
+    room = {"inner_diameter": "50 mm", "outer_diameter": "90 mm", "length": "80 mm"}
+    data = {
+        **BASE,
+        "friction": {"material": "moulded-dry"},
+        "springs": "disc",
+        "fixed": {**BASE["fixed"], "closing_room": room},
+    }
+    shipped, _ = design(make_requirements(data))
+    own, _ = design(make_requirements({**data, "catalogues": {"discs": str(tmp_path / "discs.csv")}}))
+    assert {row.closing_part.partition(",")[0] for row in own.front} == {"X 80 (works)"}
+    assert shipped.feasible == 0 < own.feasible
+    _, spec = with_picked(make_requirements({**data, "catalogues": {"discs": str(tmp_path / "discs.csv")}}), own, 1)
+    assert (spec.closing_spring.disc.outer_diameter, spec.catalogues.discs) == (0.08, str(tmp_path / "discs.csv"))

@@ -162,3 +162,25 @@ def test_bad_input_is_a_sentence(given, afmcalc, tmp_path):
     assert run.err.count("error: ") == 1, run.err
     assert WRONG[given] in run.err
     assert not target.exists()
+
+
+PLATE_AND_DRAWING = {
+    "machine.speed=": "machine.speed: required",
+    "wanted.machine_torque=90": "excludes [machine]",
+    "envelope.outer_diameter=30 mm": "must be greater than",
+    "envelope.bore=30 mm": "must be at least shaft.diameter",
+    "shaft.diameter=0": "must be greater than 0",
+    "friction.min=0.1": "excludes material",
+    'friction.material=["moulded-dry", "moulded-dry"]': "each once",
+    'friction.driving={material="moulded-dry"}': "for variant 'differentiated' alone",
+    "fatigue={endurance_limit=1e8, exponent=6, base_cycles=1e7, polar_section_modulus=1e-5}": "excludes [shaft]",
+}
+
+
+@pytest.mark.parametrize("given", PLATE_AND_DRAWING)
+def test_a_plate_or_a_drawing_that_cannot_be_is_a_sentence(given, afmcalc, tmp_path):
+    run = afmcalc("design", "example:conveyor", "--set", given, "--pick", "knee", "-o", tmp_path / "clutch.toml")
+    assert run.code == 2
+    assert run.err.count("error: ") == 1, run.err
+    assert PLATE_AND_DRAWING[given] in run.err
+    assert not list(tmp_path.iterdir())

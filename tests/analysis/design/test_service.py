@@ -135,6 +135,10 @@ def test_between_the_grid_points_and_in_round_figures_a_check_passes(case):
     [
         ({"fatigue": None}, "fatigue = null: required beside wanted.cycles"),
         ({"heat": {"ambient": 293.15}}, "heat.lining: required beside wanted.torque_after_wear"),
+        (
+            {"wanted": {"nominal_torque": 150, "trips_per_hour": 5}, "heat": {"ambient": 293.15, "cooling": 2.5}},
+            "wanted.temperature: required beside wanted.trips_per_hour, or a material",
+        ),
         ({"search": {**SEARCH, "closing_stiffness": None}}, "closing_stiffness = null: required beside wanted.torque"),
     ],
 )
