@@ -3,18 +3,7 @@
 from collections.abc import Iterator
 from typing import Any
 
-from ..engines.layout import (
-    TOUCHES,
-    Box,
-    Half,
-    PartName,
-    SectionPart,
-    inertia_of,
-    length_of,
-    overlaps,
-    parts_of,
-    sizes_of,
-)
+from ..engines.layout import TOUCHES, PartName, SectionPart, inertia_of, length_of, overlaps, parts_of, sizes_of
 from ..engines.protocol import Clutch
 from ..errors import Problem, SpecError
 from ..findings import Finding, finding
@@ -61,45 +50,30 @@ def layout(clutch: Clutch) -> tuple[LayoutResult, list[Finding]]:
         problem = Problem("envelope", None, say("required by layout: the space there is, and what is how thick"))
         raise SpecError(clutch.spec.label, [problem])
     parts = parts_of(sizes_of(clutch))
-    halves: tuple[Half, ...] = ("driving", "hub", "driven")
-    driving, hub, driven = (float(inertia_of(parts, half)) for half in halves)
     result = LayoutResult(
         length=length_of(parts),
-        outer_diameter=_around(parts[0]).outer * 2,
+        outer_diameter=2 * parts[0].boxes[0].outer,
         mass=sum(body.mass for part in parts for body in part.bodies),
-        driving_inertia=driving,
-        hub_inertia=hub if clutch.sleeve else None,
-        driven_inertia=driven,
-        parts=[_row(part) for part in parts if _is_there(part)],
+        driving_inertia=inertia_of(parts, "driving"),
+        hub_inertia=inertia_of(parts, "hub") if clutch.sleeve else None,
+        driven_inertia=inertia_of(parts, "driven"),
+        parts=[*_rows(parts)],
     )
     return result, [*clutch.findings(), *_findings(clutch, result, parts)]
 
 
-def _extends(box: Box) -> bool:
-    return bool(box.right > box.left and box.outer > box.inner)
-
-
-def _is_there(part: SectionPart) -> bool:
-    return any(map(_extends, part.boxes))
-
-
-def _around(part: SectionPart) -> Box:
-    """The smallest ring that holds all of a part."""
-    left, right, inner, outer = zip(*filter(_extends, part.boxes), strict=True)
-    return Box(min(left), max(right), min(inner), max(outer))
-
-
-def _row(part: SectionPart) -> LayoutPart:
-    around = _around(part)
-    return LayoutPart(
-        part=part.name,
-        left=around.left,
-        right=around.right,
-        inner_diameter=2 * around.inner,
-        outer_diameter=2 * around.outer,
-        mass=sum(body.mass for body in part.bodies),
-        inertia=sum(body.inertia for body in part.bodies),
-    )
+def _rows(parts: list[SectionPart]) -> Iterator[LayoutPart]:
+    for part in parts:
+        if rings := [ring for ring in part.boxes if ring.extends]:
+            yield LayoutPart(
+                part=part.name,
+                left=min(ring.left for ring in rings),
+                right=max(ring.right for ring in rings),
+                inner_diameter=2 * min(ring.inner for ring in rings),
+                outer_diameter=2 * max(ring.outer for ring in rings),
+                mass=sum(body.mass for body in part.bodies),
+                inertia=sum(body.inertia for body in part.bodies),
+            )
 
 
 def _findings(clutch: Clutch, result: LayoutResult, parts: list[SectionPart]) -> Iterator[Finding]:
@@ -110,23 +84,23 @@ def _findings(clutch: Clutch, result: LayoutResult, parts: list[SectionPart]) ->
     for code, path, value, limit in space_limits(clutch, result):
         if value > limit + TOUCHES:
             yield finding(code, "error", value=value, limit=limit, path=path, missing=value - limit)
-    names = {row.part for row in result.parts}
-    sought = {"closing spring": "closing_spring.disc"}
-    if clutch.spec.kind.travels:
-        sought["control spring"] = "control_spring.disc"
-    if clutch.spec.control_unit is not None and clutch.gain > 0:
-        sought["balls"] = "control_unit.ball_diameter"
-    for name, path in sought.items():
-        if name not in names:
+    absent = {part.name for part in parts} - {row.part for row in result.parts}
+    for name, path in _SOUGHT.items():
+        if name in absent and (name != "balls" or (clutch.spec.control_unit is not None and clutch.gain > 0)):
             yield finding("layout-without", "info", path=path, name=term(name))
 
 
-def space_limits(clutch: Clutch, result: LayoutResult) -> Iterator[tuple[str, str, float, float]]:
-    """Yield each limit of the space that is given: code of the finding beyond it, key, value and limit, m."""
+_SOUGHT: dict[PartName, str] = {
+    "closing spring": "closing_spring.disc", "control spring": "control_spring.disc",
+    "balls": "control_unit.ball_diameter",
+}  # fmt: skip
+
+
+def space_limits(clutch: Clutch, result: LayoutResult) -> list[tuple[str, str, float, float]]:
+    """Each limit of the space that is given: code of the finding beyond it, key, value and limit, m."""
     room: Any = clutch.spec.envelope
-    for code, name, value in (
-        ("housing-too-wide", "outer_diameter", result.outer_diameter),
-        ("clutch-too-long", "length", result.length),
-    ):
-        if (limit := getattr(room, name)) is not None:
-            yield code, f"envelope.{name}", value, limit
+    limits = [
+        ("housing-too-wide", "envelope.outer_diameter", result.outer_diameter, room.outer_diameter),
+        ("clutch-too-long", "envelope.length", result.length, room.length),
+    ]
+    return [limit for limit in limits if limit[-1] is not None]

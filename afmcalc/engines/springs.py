@@ -15,6 +15,8 @@ from ..spec.models import ClosingSpring, CoilSprings, ControlSpring, DiscStack, 
 MODULUS = 206e9
 """Young's modulus of disc springs (DIN EN 16984), Pa."""
 POISSON = 0.3
+STEEL = 7850.0
+"""Density, kg/m³."""
 LEAST_USED, MOST_USED = 0.15, 0.75
 """Shares of the cone height that a disc spring is used in (DIN EN 16984)."""
 QUASI_STATIC = 1e4
@@ -84,6 +86,13 @@ class DiscCharacteristic:
         return law.stack_length(self.part.parallel, self.part.series, self.part.free_height, self.thickness)
 
     @property
+    def mass(self) -> float:
+        """Of all discs, kg."""
+        own = self.part
+        disc = law.ring_mass(STEEL, own.outer_diameter, own.inner_diameter, self.thickness, math.pi)
+        return own.parallel * own.series * disc
+
+    @property
     def cone_height(self) -> float:
         """l_0 − t of the disc without flats, m."""
         return self.part.free_height - self.part.thickness
@@ -149,6 +158,12 @@ class CoilCharacteristic:
     def free_length(self) -> float:
         """L_0, m."""
         return self.part.free_length
+
+    @property
+    def mass(self) -> float:
+        """Of all together, kg."""
+        own = self.part
+        return own.count * law.coil_mass(STEEL, own.wire_diameter, own.coil_diameter, own.turns, math.pi)
 
     @property
     def rate(self) -> float:

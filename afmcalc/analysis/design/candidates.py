@@ -9,7 +9,7 @@ import numpy as np
 
 from ...engines.direct import DirectClutch
 from ...engines.indirect import IndirectClutch
-from ...engines.layout import PartName, SectionPart, Sizes, overlap, parts_of
+from ...engines.layout import TOUCHES, PartName, SectionPart, Sizes, overlap, parts_of
 from ...engines.protocol import Clutch
 from ...equations import adjustment, direct, synthesis, wall
 from ...equations.effects import force_lost_by_wear
@@ -383,9 +383,10 @@ class Candidates:
         )  # fmt: skip
 
     def overlap(self, pair: tuple[PartName, PartName]) -> Numbers:
-        """By how much two parts are in each other's way, m: ≤ 0 where they are not."""
+        """By how much two parts are in each other's way, m: ≤ 0 where they are not, 0 where they touch."""
         first, second = (next(part for part in self.layout if part.name == name) for name in pair)
-        return np.asarray(overlap(first, second))
+        missing = np.asarray(overlap(first, second))
+        return np.where(np.abs(missing) <= TOUCHES, 0.0, missing)
 
     def _next_listed(self, least: Numbers) -> Numbers:
         """Next standard ball, m; NaN where there is none."""

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...engines.layout import TOUCHES, PartName, length_of
+from ...engines.layout import PartName, length_of
 from ...engines.springs import QUASI_STATIC
 from ...equations import direct
 from ...spec.models import Room
@@ -130,30 +130,25 @@ def _of_the_control_unit(need: Requirements, variant: Variant) -> Iterable[Const
             yield Constraint("travel", lambda c: c.travel, travel, "m", (0, 1))
 
 
-_IN_THE_WAY: tuple[tuple[PartName, PartName], ...] = (("hub", "pack"), ("hub", "balls"), ("pack", "balls"))
-_OF_A_SLEEVE: tuple[tuple[PartName, PartName], ...] = (
+_IN_THE_WAY: tuple[tuple[PartName, PartName], ...] = (
+    ("hub", "pack"), ("hub", "balls"), ("pack", "balls"),
     ("pressure disc", "balls"), ("housing", "balls"), ("housing", "stop ring"),
 )  # fmt: skip
-"""Parts that may be in each other's way before springs are chosen; without them all others have room or follow."""
+"""Parts that may be in each other's way before springs are chosen: of any clutch, with balls, with a sleeve.
+
+All others have room without the springs, or follow.
+"""
 
 
 def _of_space(need: Requirements, variant: Variant) -> Iterable[Constraint]:
-    """The parts have room beside each other, and the clutch in its housing."""
-    room, pairs = given(need.envelope), _IN_THE_WAY + _OF_A_SLEEVE * variant.travels
-    values: dict[str, tuple[Callable[[Candidates], Numbers], float | None]] = {
-        "housing_diameter": (lambda c: c.outer_diameter + 2 * room.housing_wall, room.outer_diameter),
-        "length": (lambda c: np.asarray(length_of(c.layout)), room.length),
-    }
-    for pair in pairs if variant.controlled else pairs[:1]:
-        values["_".join(pair).replace(" ", "_")] = partial(Candidates.overlap, pair=pair), 0.0
-    for name, (value, most) in values.items():
-        if most is not None:
-            within = partial(_within, value=value, most=most + TOUCHES)
-            yield Constraint(name, value, most, "m", (0, 0), test=within)
-
-
-def _within(tried: Candidates, value: Callable[[Candidates], Numbers], most: float) -> Mask:
-    return value(tried) <= most
+    """The clutch has room in its housing, and its parts beside each other."""
+    room = given(need.envelope)
+    if (widest := room.outer_diameter) is not None:
+        yield Constraint("housing_diameter", lambda c: c.outer_diameter + 2 * room.housing_wall, widest, "m", (0, 0))
+    if (longest := room.length) is not None:
+        yield Constraint("length", lambda c: np.asarray(length_of(c.layout)), longest, "m", (0, 0))
+    for pair in _IN_THE_WAY[: 6 if variant.travels else 3 if variant.controlled else 1]:
+        yield Constraint("_".join(pair).replace(" ", "_"), partial(Candidates.overlap, pair=pair), 0.0, "m", (0, 0))
 
 
 def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:

@@ -157,9 +157,9 @@ def _best(need: Requirements, variant: Variant, good: Mask, tile: Tile) -> Mask:
 def separable(need: Requirements, variant: Variant) -> bool:
     """Whether every bound holds up to one radius, or from one radius on; not for a catalogue, or parts in a space."""
     wanted = need.wanted.cycles, need.wanted.torque_after_wear
-    if need.search.closing_force is None or need.springs or curved(need, variant) or wanted != (None, None):
+    if need.search.closing_force is None or curved(need, variant) or wanted != (None, None):
         return False
-    if need.envelope is not None:
+    if need.springs or need.envelope:
         return False
     if need.search.gain is None:
         return unimodal(need) or not variant.controlled

@@ -1,6 +1,5 @@
 """Springs one can buy or wind: disc stacks and coil springs that give the forces of a clutch."""
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from itertools import count, groupby
 from typing import Any, Literal
@@ -22,8 +21,6 @@ from ..registry import SpringKind, SpringOrder
 from .candidates import TOLERANCE, Candidate, candidates, label_of, stack_of
 
 Kind = Literal["disc", "coil"]
-STEEL = 7850.0
-"""kg/m³."""
 SETTING = 0.05
 """Share of the force that the nut is to set more or less."""
 TOP = 10
@@ -252,7 +249,6 @@ def option_of(demand: SpringDemand, part: DiscStack | CoilSprings) -> SpringOpti
 def _of_coils(spring: CoilCharacteristic, demand: SpringDemand, high: float) -> dict[str, Any]:
     part, rests = spring.part, demand.stroke is None
     correction = 1.0 if rests else spring.correction
-    mass = law.coil_mass(STEEL, part.wire_diameter, part.coil_diameter, part.turns, math.pi)
     return {
         **dict.fromkeys(("parallel", "series", "force_up", "force_down")),
         "kind": "coil",
@@ -264,14 +260,13 @@ def _of_coils(spring: CoilCharacteristic, demand: SpringDemand, high: float) -> 
         "stress_correction": correction,
         "stress": correction * spring.stress(high),
         "stress_solid": spring.stress(spring.end),
-        "mass": part.count * float(mass),
+        "mass": float(spring.mass),
     }
 
 
 def _of_discs(spring: DiscCharacteristic, demand: SpringDemand, force: float, high: float) -> dict[str, Any]:
     part = spring.part
     middle, edge = spring.stresses(high)
-    ring = law.ring_mass(STEEL, part.outer_diameter, part.inner_diameter, spring.thickness, math.pi)
     up = down = None
     if demand.friction is not None:
         up, down = (
@@ -289,7 +284,7 @@ def _of_discs(spring: DiscCharacteristic, demand: SpringDemand, force: float, hi
         "force_down": down,
         "stress": edge,
         "stress_middle": middle,
-        "mass": part.parallel * part.series * float(ring),
+        "mass": float(spring.mass),
     }
 
 
