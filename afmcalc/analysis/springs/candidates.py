@@ -173,8 +173,8 @@ def wound(row: Any, force: Any, stiffness: Any, compresses: Any) -> tuple[Number
 
 @np.errstate(all="ignore")
 def coils_hold(
-    row: Any, room: Room, force: Any, relaxes: Any, compresses: Any, keeps: Any = 0.0, stiffness: Any = None,
-    stroke: Any = None,
+    row: Any, room: Room, force: Any, relaxes: Any = 0.0, compresses: Any = 0.0, keeps: Any = 0.0,
+    stiffness: Any = None, stroke: Any = None,
 ) -> NDArray[np.bool_]:  # fmt: skip
     """Whether coil springs wound for demands hold what ``checks_of_part`` has of them, for arrays."""
     wire, coil, ratio, over = row["wire"], row["coil"], SHEAR_MODULUS / MODULUS, 1 + SLACK
