@@ -1,7 +1,6 @@
 """A clutch of a front for a drawing: in round figures, with springs that exist if wanted, right of every limit."""
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from itertools import product
 from typing import NamedTuple
@@ -40,12 +39,10 @@ _GIVEN_UP = 0.005
 """Share of an objective that round figures may cost, unless nothing else passes: less than to the next ball."""
 _TRIED = 4
 """Roundings to as many digits that are given to a check, the best first."""
-_LONGEST = 10
-"""Digits of a number of the front that are too many to read."""
 _STACKS = 5
 """Stacks of each spring that are tried."""
-_PLAIN = ("pairs", "driving_pairs", "closing_stiffness", "control_stiffness", "ball_circle_radius")
-"""What is searched as it is told in a row; radii and steering are told in other terms."""
+_PLAIN = ("pairs", "driving_pairs", "closing_stiffness", "control_stiffness", "ball_circle_radius", "mean_radius")
+"""What is searched as it is told in a row; steering and an inner radius are told in other terms."""
 
 
 def with_picked(need: Requirements, result: DesignResult, pick: int | str) -> tuple[DesignResult, Spec]:
@@ -88,13 +85,13 @@ def number_of(result: DesignResult, option: str, asked: int | str) -> int:
             )
         return result.knee
     text = str(asked)
-    number = int(text) if text.isascii() and text.isdecimal() and len(text) < _LONGEST else 0
-    if not 1 <= number <= len(result.front):
-        raise CalculationError(
-            "{option} {number}: the front has the numbers 1 to {count}, and the knee",
-            option=option, number=text, count=len(result.front),
-        )  # fmt: skip
-    return number
+    for row in result.front:
+        if str(row.number) == text.lstrip("0"):
+            return row.number
+    raise CalculationError(
+        "{option} {number}: the front has the numbers 1 to {count}, and the knee",
+        option=option, number=text, count=len(result.front),
+    )  # fmt: skip
 
 
 @np.errstate(all="ignore")
@@ -105,33 +102,31 @@ def _rounded(need: Requirements, row: DesignRow, level: int, given_up: float) ->
     """
     variant = VARIANTS[row.variant]
     choices = searched(need, variant)
-    sides = {name: _sides(getattr(row, name), choices.get(name), level) for name in _PLAIN}
-    angle = row.wall_angle is not None
-    sides["steering"] = _sides(row.wall_angle if angle else row.gain, choices.get("steering"), level, in_degrees=angle)
-    radii = [(radius, np.nan, count) for radius, count in _sides(row.mean_radius, choices["mean_radius"], level)]
-    if need.search.inner_radius is not None:
-        inner = _sides(row.inner_radius, need.search.inner_radius, level)
-        outer = _sides(given(row.outer_diameter) / 2, choices["mean_radius"], level)
-        radii = [((one + other) / 2, one, few + more) for (one, few), (other, more) in product(inner, outer)]
-    tried = [
-        ({name: value for name, (value, _) in zip(sides, plain, strict=True)}, faces, sum(count for _, count in plain))
-        for plain in product(*sides.values())
-        for faces in radii
-    ]
-    values_of = [plain | {"mean_radius": mean, "inner_radius": inside} for plain, (mean, inside, _), _ in tried]
-    at = Axes(*(np.array([values[name] for values in values_of], float) for name in Axes._fields))
+    angle, inner = row.wall_angle is not None, need.search.inner_radius
+    values_of: dict[str, float | None] = {name: getattr(row, name) for name in _PLAIN}
+    values_of |= {"steering": row.wall_angle if angle else row.gain, "inner_radius": None}
+    if inner is not None:  # the mean radius is searched by the outer one
+        values_of |= {"mean_radius": given(row.outer_diameter) / 2, "inner_radius": row.inner_radius}
+        choices["inner_radius"] = inner
+    sides = (
+        _sides(value, choices.get(name), level, in_degrees=angle and name == "steering")
+        for name, value in values_of.items()
+    )
+    tried = list(product(*sides))
+    columns = dict(zip(values_of, np.array([[value for value, _ in each] for each in tried], float).T, strict=True))
+    if inner is not None:
+        columns["mean_radius"] = (columns["inner_radius"] + columns["mean_radius"]) / 2
+    at = Axes(**columns)
     every = replace(candidates(need, variant, at), digits=max(4, level // 3 + 2))
     values, most = objectives(every), [row.objective(name) * (1 + given_up) for name in need.objectives]
     good = np.flatnonzero(feasible(every, np.asarray((values <= most).all(axis=1))))
-    digits = np.array([count + of_faces for _, (*_, of_faces), count in tried]) * math.isfinite(given_up)
+    digits = np.array([sum(count for _, count in each) for each in tried]) * math.isfinite(given_up)
     best = good[np.lexsort((*values[good].T[::-1], digits[good]))][:_TRIED]
     chosen = rows(replace(every, at=at.at(best)))
     return [round_row.model_copy(update={"number": row.number, "mark": row.mark}) for round_row in chosen]
 
 
-def _sides(
-    value: float | None, choice: Choice | None, level: int, *, in_degrees: bool = False
-) -> list[tuple[float, int]]:
+def _sides(value: float | None, choice: Choice | None, level: int, *, in_degrees: bool) -> list[tuple[float, int]]:
     """Round a value of a range down and up, by a decade larger steps too, within the range; any other stays.
 
     Beside each value stands how many digits it has; of what is not rounded they do not count.
@@ -139,27 +134,14 @@ def _sides(
     if not value or choice is None or not choice.between:
         return [(np.nan if value is None else value, 0)]
     shown, back = (math.degrees, math.radians) if in_degrees else (float, float)
-    steps = (_step(shown(value), each) for each in (level - 3, level) if each >= 0)
-    near = (back(_whole(shown(value), *each)) for each in product(steps, (math.floor, math.ceil)))
-    return [(side, _digits(shown(side))) for side in {min(max(side, choice.start), choice.stop) for side in near}]
-
-
-def _step(value: float, level: int) -> float:
-    """Step of round figures near a value."""
-    decade, part = divmod(level, 3)
-    return (5, 2, 1)[part] * 10.0 ** (math.floor(math.log10(value)) - decade - 1)
-
-
-def _whole(value: float, step: float, way: Callable[[float], int]) -> float:
-    """Next multiple of a step, in 12 digits; what is one already stays."""
-    nearest = round(value / step)
-    count = nearest if math.isclose(value, nearest * step, rel_tol=SAME_CLUTCH) else way(value / step)
-    return float(f"{count * step:.12g}")
-
-
-def _digits(value: float) -> int:
-    """Significant digits of a round figure."""
-    return len(f"{value:.12g}".partition("e")[0].replace(".", "").strip("0"))
+    near, whole = set(), shown(value)
+    for decade, part in (divmod(each, 3) for each in (level - 3, level) if each >= 0):
+        step = (5, 2, 1)[part] * 10.0 ** (math.floor(math.log10(whole)) - decade - 1)
+        nearest = round(whole / step)
+        is_one = math.isclose(whole, nearest * step, rel_tol=SAME_CLUTCH)
+        counts = {nearest} if is_one else {math.floor(whole / step), math.ceil(whole / step)}
+        near |= {min(max(back(float(f"{count * step:.12g}")), choice.start), choice.stop) for count in counts}
+    return [(side, len(f"{shown(side):.12g}".partition("e")[0].replace(".", "").strip("0"))) for side in near]
 
 
 def _as_written(spec: Spec, row: DesignRow) -> DesignRow:

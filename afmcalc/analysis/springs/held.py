@@ -24,7 +24,7 @@ _SHAPE = (
 def held(
     kind: SpringKind, listed: tuple[Disc, ...] | None, room: Room, **asked: Numbers | float | None
 ) -> NDArray[np.bool_]:
-    """Whether a part of a kind, of discs from a list or those that ship, does what is asked as ``checks_of_part`` has it.
+    """Whether a part of a kind, of discs listed or those that ship, does what is asked as ``checks_of_part`` has it.
 
     Asked are ``force``, ``relaxes``, ``compresses`` and ``stroke`` as of a ``SpringDemand``, ``stiffness`` which may be
     off by ``TOLERANCE``, and the share of its force that it ``keeps`` at its longest.
