@@ -103,21 +103,20 @@ def relaxed(
     Without ``again``, which searches, nothing is tried: the misses are those of a clutch that a check has judged.
     """
     told = []
-    for _, rows in groupby(misses, lambda row: row.together or row):
-        named = [(row, _key(need, row), _outward(row)) for row in rows]
-        if not all(key for _, key, _ in named):
-            told += [row for row, *_ in named]
+    for _, together in groupby(misses, lambda row: row.together or row):
+        rows = list(together)
+        named = [row.model_copy(update={"key": _key(need, row), "relax_to": _outward(row)}) for row in rows]
+        if not all(row.key for row in named):
+            told += rows
             continue
         easier = need
-        for _, key, limit in named:
-            easier = _with(easier, given(key).split("."), limit)
+        for row in named:
+            easier = _with(easier, given(row.key).split("."), row.relax_to if row.relax_to is not None else False)
         found = again(easier) if again else None
-        if found is None or (found.on_front and found.feasible > feasible):
-            then = found and found.feasible
-            told += [
-                row.model_copy(update={"key": key, "relax_to": limit or None, "feasible": then})
-                for row, key, limit in named
-            ]
+        if found is None:
+            told += named
+        elif found.on_front and found.feasible > feasible:
+            told += [row.model_copy(update={"feasible": found.feasible}) for row in named]
     return told
 
 
@@ -133,10 +132,10 @@ def _key(need: Requirements, row: Attainable) -> str | None:
     return None
 
 
-def _outward(row: Attainable) -> float | bool:
-    """Limit that lets the best of a row pass, in as few digits as a reader takes in."""
+def _outward(row: Attainable) -> float | None:
+    """Limit that lets the best of a row pass, in as few digits as a reader takes in; None: only its absence does."""
     if row.requirement == "gain_limit":
-        return False
+        return None
     return float(rounded(np.array(row.best), _DIGITS, up=row.sense == "at most"))
 
 

@@ -14,6 +14,7 @@ from ...equations import direct
 from ...spec.models import Room
 from ...spec.requirements import Requirements
 from ...variants import Variant
+from ..registry import SpringKind
 from ..springs.held import held
 from .candidates import Candidates
 from .space import SAME, Mask, Numbers, curved, given
@@ -153,23 +154,24 @@ def _of_space(need: Requirements, variant: Variant) -> Iterable[Constraint]:
 def _of_springs(need: Requirements, variant: Variant) -> Iterable[Constraint]:
     """There are springs of the kind wanted that give force and stiffness, and bear travel and wear."""
     closing, control = need.fixed.closing_room or Room(), need.fixed.control_room or Room()
-    holds = partial(held, need.springs or "any", need.lists.discs)
+    kind: SpringKind = need.springs or "any"
+    listed = need.lists.discs
     lining, cycles, left = (need.heat and need.heat.lining) or 0.0, need.wanted.cycles, need.wanted.torque_after_wear
     moves = cycles is None or cycles > QUASI_STATIC
 
     def slackens(c: Candidates) -> Mask:
         stroke = c.travel if moves else None
-        return holds(closing, force=c.closing_force, stiffness=c.at.closing_stiffness, relaxes=c.travel, stroke=stroke)
+        return held(kind, listed, closing, c.closing_force, c.at.closing_stiffness, relaxes=c.travel, stroke=stroke)
 
     def presses(c: Candidates) -> Mask:
-        return holds(
-            control, force=c.control_force, stiffness=c.at.control_stiffness, relaxes=c.at.pairs * lining,
+        return held(
+            kind, listed, control, c.control_force, c.at.control_stiffness, relaxes=c.at.pairs * lining,
             compresses=c.travel, stroke=c.travel if moves else None,
         )  # fmt: skip
 
     def follows(c: Candidates) -> Mask:
         keeps = (left or 0.0) / (c.closing_force * c.torques_per_force[0])
-        return holds(closing, force=c.closing_force, relaxes=c.at.pairs * lining, keeps=keeps)
+        return held(kind, listed, closing, c.closing_force, relaxes=c.at.pairs * lining, keeps=keeps)
 
     if variant.travels:
         yield Constraint("closing_spring", None, 0.0, "", (0, 0), test=slackens)

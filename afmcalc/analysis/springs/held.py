@@ -4,7 +4,7 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ...equations import springs as law
 from ...spec.catalogues import Disc, discs
@@ -22,13 +22,15 @@ _SHAPE = (
 
 @np.errstate(all="ignore")
 def held(
-    kind: SpringKind, listed: tuple[Disc, ...] | None, room: Room, **asked: Numbers | float | None
-) -> NDArray[np.bool_]:
+    kind: SpringKind, listed: tuple[Disc, ...] | None, room: Room, force: Numbers, stiffness: Numbers | None = None,
+    **service: ArrayLike | None,
+) -> NDArray[np.bool_]:  # fmt: skip
     """Whether a part of a kind, of discs listed or those that ship, does what is asked as ``checks_of_part`` has it.
 
-    Asked are ``force``, ``relaxes``, ``compresses`` and ``stroke`` as of a ``SpringDemand``, ``stiffness`` which may be
-    off by ``TOLERANCE``, and the share of its force that it ``keeps`` at its longest.
+    ``stiffness`` may be off by ``TOLERANCE``; of service ``relaxes``, ``compresses`` and ``stroke`` are as of a
+    ``SpringDemand``, ``keeps`` is the share of its force that it is to have at its longest.
     """
+    asked = {"force": force, "stiffness": stiffness, **service}
     columns = {name: np.asarray(values, float) for name, values in asked.items() if values is not None}
     shape = np.broadcast_shapes(*(column.shape for column in columns.values()))
     flat = {name: np.broadcast_to(column, shape).ravel() for name, column in columns.items()}
