@@ -53,8 +53,8 @@ class Ring(NamedTuple):
         """Mass, kg."""
         if self.given_mass is not None:
             return self.given_mass
-        length = larger(self.right - self.left, 0.0)
-        return springs_law.ring_mass(STEEL, 2 * larger(self.outer, self.inner), 2 * self.inner, length, math.pi)
+        length = (self.right - self.left) * self.extends
+        return springs_law.ring_mass(STEEL, 2 * self.outer, 2 * self.inner, length, math.pi)
 
     @property
     def inertia(self) -> Values:
@@ -100,10 +100,8 @@ class Sizes(NamedTuple):
     pairs: Values
     inner_radius: Values
     outer_radius: Values
-    bore: float
-    """Radius of the bore."""
-    hub: float
-    """Radius of the hub."""
+    bore_radius: float
+    hub_radius: float
     disc: float
     plate: float
     wall: float
@@ -145,20 +143,21 @@ def _spring(spec: Spec, name: str, force: Values) -> SpringSize:
         return SpringSize()
     room = getattr(spec, f"{name}_spring").room or Room()
     if isinstance(part, DiscStack):
-        circle, half = (part.outer_diameter + part.inner_diameter) / 4, (part.outer_diameter - part.inner_diameter) / 4
+        inner, outer = part.inner_diameter / 2, part.outer_diameter / 2
     elif part.count == 1:
-        circle, half = part.coil_diameter / 2, part.wire_diameter / 2
+        inner, outer = (part.coil_diameter - part.wire_diameter) / 2, (part.coil_diameter + part.wire_diameter) / 2
     elif room.inner_diameter is not None and room.outer_diameter is not None:
         circle, half = (room.inner_diameter + room.outer_diameter) / 4, (part.coil_diameter + part.wire_diameter) / 2
+        inner, outer = circle - half, circle + half
     else:
         return SpringSize()
     own = characteristic(part)
-    return SpringSize(circle - half, circle + half, own.free_length - own.deflection(force), own.mass)
+    return SpringSize(inner, outer, own.free_length - own.deflection(force), own.mass)
 
 
 def parts_of(size: Sizes) -> list[SectionPart]:
     """Lay out the parts of a clutch from the web of the housing on; a ring that is not there has no extent."""
-    hub, plate, gap, closing, control = size.hub, size.plate, size.gap, size.closing, size.control
+    hub, plate, gap, closing, control = size.hub_radius, size.plate, size.gap, size.closing, size.control
     carrier, faces = size.inner_radius - size.wall, size.outer_radius
     pack, plate_at = 2 * plate, 2 * plate + size.pairs * size.disc
     behind = plate_at + plate
@@ -168,25 +167,22 @@ def parts_of(size: Sizes) -> list[SectionPart]:
     depth = cut * there
     # a sleeve is as wide as its balls, and goes under the pack
     rim = larger(smaller(reach, carrier) * there, hub)
+    half: Half = "hub" if size.travels else "driven"
     flange = (plate, pack, hub, faces)
     if size.travels:
-        half: Half = "hub"
         thrust = behind + closing.length
         control_at, seat = thrust + plate, larger(control.outer, rim)
         face = larger(pack + depth, control_at - depth - gap)
         end = larger(face + gap + depth, control_at)
         nut = larger(control_at + larger(control.length, size.travel), end + size.travel)
-        widest = smaller(larger(closing.outer, seat), faces)
+        collar = (thrust, control_at, rim, smaller(larger(closing.outer, seat), faces))
         sleeves = [
             _part("pressure disc", half, (plate_at, behind, carrier, faces)),
             _part("ball sleeve", half, (pack, face, hub, rim), pockets=True),
-            _part(
-                "thrust sleeve", "driven", (face + gap, end, hub, rim), (thrust, control_at, rim, widest), pockets=True
-            ),
+            _part("thrust sleeve", "driven", (face + gap, end, hub, rim), collar, pockets=True),
             _part("stop ring", "driven", (behind, thrust, reach, reach + size.wall * there)),
         ]
     else:
-        half = "driven"
         control_at, seat = behind, larger(closing.outer, hub)
         face = plate + larger(depth, plate)
         end = larger(behind, (face + gap + depth) * there)
@@ -204,7 +200,6 @@ def parts_of(size: Sizes) -> list[SectionPart]:
         Ring(outer_discs, plate_at, size.inner_radius, faces, half),
         Ring(pack, plate_at, carrier, size.inner_radius, half),
     )
-    flanges = (flange,) if size.travels else ()
     ball = middle - size.ball / 2, middle + size.ball / 2, size.circle - size.ball / 2, reach
     all_balls = size.balls * effects.ball_mass(STEEL, size.ball / 2, math.pi)
     springs = [
@@ -212,8 +207,14 @@ def parts_of(size: Sizes) -> list[SectionPart]:
         _part("control spring", "driven", (control_at, control_at + control.length, *control[:2]), mass=control.mass),
     ]
     return [
-        _part("housing", "driving", (0.0, plate, size.bore, wall), (plate, total, faces, wall)),
-        _part("hub", "driven", (plate, total, size.bore, hub), *flanges, (nut, total, hub, smaller(seat, faces))),
+        _part("housing", "driving", (0.0, plate, size.bore_radius, wall), (plate, total, faces, wall)),
+        _part(
+            "hub",
+            "driven",
+            (plate, total, size.bore_radius, hub),
+            *[flange] * size.travels,
+            (nut, total, hub, smaller(seat, faces)),
+        ),
         SectionPart("pack", (Ring(pack, plate_at, carrier, faces),), discs),
         *sleeves,
         _part("balls", "driven", ball, mass=all_balls),
