@@ -118,8 +118,8 @@ def _write(common: Common, render: Callable[[], str], *, spec: str | None = None
 
 def _title_block(spec: "Spec", options: dict[str, str | None]) -> "TitleBlock":
     """The [report] block of the spec under the options, dated today where neither has a date."""
+    from ..spec.make import validated
     from ..spec.models import TitleBlock
-    from ..spec.problems import validated
 
     given = {name: text for name, text in options.items() if text is not None}
     block = {"date": None} if spec.report is None else spec.report.model_dump()

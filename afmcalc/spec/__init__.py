@@ -1,7 +1,7 @@
 """What a clutch is: reading, checking and writing specs."""
 
+from .make import make_spec
 from .models import Spec, resolved
-from .problems import make_spec
 from .read import read_spec
 from .write import to_toml
 

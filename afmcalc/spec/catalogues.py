@@ -7,7 +7,7 @@ from csv import reader
 from functools import cache
 from importlib.resources import files
 from itertools import islice
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class Disc(NamedTuple):
@@ -125,16 +125,9 @@ def plain(name: str) -> str:
 
 def worst_of(materials: Sequence[Material]) -> Material:
     """One material as bad as the worst of several in everything that any of them tells."""
-
-    def least(name: str) -> float | None:
-        return min((value for each in materials if (value := getattr(each, name)) is not None), default=None)
-
-    return materials[0]._replace(
-        name=", ".join(each.name for each in materials),
-        friction_min=min(each.friction_min for each in materials),
-        friction_max=max(each.friction_max for each in materials),
-        pressure_min=least("pressure_min"),
-        pressure_max=least("pressure_max"),
-        temperature_min=least("temperature_min"),
-        temperature_max=least("temperature_max"),
-    )
+    least: dict[str, Any] = {}
+    for name in ("friction_min", "pressure_min", "pressure_max", "temperature_min", "temperature_max"):
+        told = (getattr(each, name) for each in materials)
+        least[name] = min((value for value in told if value is not None), default=None)
+    names, most = ", ".join(each.name for each in materials), max(each.friction_max for each in materials)
+    return materials[0]._replace(name=names, friction_max=most, **least)

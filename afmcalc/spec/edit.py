@@ -11,9 +11,9 @@ from ..errors import AfmcalcError
 from ..messages import did_you_mean, say
 from .fields import names_in
 from .keys import elsewhere, names, path_of
+from .make import make_spec
 from .models import Method, Spec, resolved
 from .parse import TOO_DEEP, check_size
-from .problems import make_spec
 from .rules import foreign_keys, given_in
 from .write import written
 

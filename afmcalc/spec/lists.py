@@ -4,162 +4,90 @@ import math
 import os
 import re
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from csv import DictReader
 from functools import lru_cache
 from importlib.resources import files
 from os import PathLike
-from typing import Any, NamedTuple
+from typing import Annotated, Any, Literal, TypeVar
 
-from ..errors import AfmcalcError
-from ..messages import did_you_mean, say
+from pydantic import AfterValidator, BeforeValidator, ValidationError
+
+from ..errors import AfmcalcError, SpecError
+from ..messages import say
 from .catalogues import Disc, Lists, Material, plain
+from .fields import Broken, Key, Name, Quantity, RuledBlock, key, keys_below, required
+from .models import Coefficient, DiscSpring, Stress
 from .parse import check_size, text_of, toml_of
+from .problems import problems_in
 from .quantity import parse_quantity
 from .source import Source
 
-_WORDS = dict.fromkeys(("name", "description", "condition", "source", "also"), "")
-_MATERIAL = _WORDS | {
-    "friction_min": "1",
-    "friction_max": "1",
-    "pressure_min": "Pa",
-    "pressure_max": "Pa",
-    "temperature_min": "K abs",
-    "temperature_max": "K abs",
-}
-_SIZES = ("outer_diameter", "inner_diameter", "thickness", "reduced_thickness", "free_height")
-_DISC = {"name": "", **dict.fromkeys(_SIZES, "m"), "source": ""}
-"""Columns of a list of one's own, each with its SI unit; empty of words."""
-_CONDITIONS = ("dry", "in oil")
-SNAPS = 2.4
-"""Height over thickness up to which the force of a disc only grows (1 + √2)."""
+Celsius = Annotated[float, Quantity("K abs", gt=0), AfterValidator(lambda kelvin: round(kelvin - 273.15, 6))]
+Names = Annotated[
+    tuple[Name, ...],
+    BeforeValidator(lambda given: [each.strip() for each in given.split(";")] if isinstance(given, str) else given),
+]
 
 
 def own_lists(named: object) -> Lists:
     """Read the files that a table of catalogues names."""
     given: Mapping[str, object] = named if isinstance(named, Mapping) else {}
-    return Lists(**{name: _read(name, file) for name in _READ if isinstance(file := given.get(name), str)})
-
-
-def _read(name: str, file: str) -> Any:
-    try:
-        changed = os.stat(file).st_mtime_ns
-    except (OSError, ValueError):
-        changed = 0
-    return _unchanged(name, file, changed)
+    listed = {name: file for name in _READ if isinstance(file := given.get(name), str)}
+    changed = {name: os.path.getmtime(file) if os.path.exists(file) else 0.0 for name, file in listed.items()}
+    return Lists(**{name: _read(name, file, changed[name]) for name, file in listed.items()})
 
 
 @lru_cache(maxsize=64)
-def _unchanged(name: str, file: str, changed: int) -> Any:
-    """Read a file once: every clutch that a design writes is read with its lists."""
+def _read(name: str, file: str, changed: float) -> Any:
+    """Read a file once, until it changes: every clutch that a design writes is read with its lists."""
     return _READ[name](file)
+
+
+class _Row(RuledBlock):
+    name: Name = required("what it is called")
+    source: Name
+
+
+class _MaterialRow(_Row):
+    description: Name = required("material")
+    condition: Literal["dry", "in oil"]
+    friction_min: Coefficient
+    friction_max: Coefficient
+    pressure_min: Stress | None = None
+    pressure_max: Stress | None = None
+    temperature_min: Celsius | None = None
+    temperature_max: Celsius | None = None
+    also: Names = key("read as this one too", default=())
+
+    def broken_rules(self) -> Iterable[Broken]:
+        """A range is given wholly or not at all."""
+        for name in ("friction", "pressure", "temperature"):
+            low, high = getattr(self, f"{name}_min"), getattr(self, f"{name}_max")
+            if (low is None) != (high is None) or (low is not None and low > high):
+                yield "", say("{name}_min and {name}_max: both are needed, the lower one first", name=name)
+
+
+class _DiscRow(_Row, DiscSpring):
+    """A cone that does not snap through, as a stack in a spec is one."""
+
+
+R = TypeVar("R", bound=_Row)
 
 
 def friction_materials(file: str) -> dict[str, Material]:
     """Every material of a file by name."""
-    return {row.name: _material(row) for row in _rows_of(text_of(file), "materials", _MATERIAL)}
-
-
-def _material(row: "_Row") -> Material:
-    row.need("description", "condition", "friction_min", "friction_max")
-    if (condition := row.words["condition"]) not in _CONDITIONS:
-        raise row.refused(say("condition: {given!r} is neither dry nor in oil", given=condition))
-    row.ends("friction")
-    numbers, words = row.numbers, row.words
-    coldest, hottest = (each and round(each - 273.15, 6) for each in row.ends("temperature"))
-    return Material(
-        row.name, words["description"], condition, numbers["friction_min"], numbers["friction_max"],
-        *row.ends("pressure"), coldest, hottest, words["source"], words["source"], row.also,
-    )  # fmt: skip
+    rows = _rows(text_of(file), "materials", _MaterialRow)
+    return {row.name: Material(**row.model_dump(), citation=row.source) for row in rows}
 
 
 def discs(file: str) -> tuple[Disc, ...]:
     """Every size of disc spring of a file."""
-    return tuple(_disc(row) for row in _rows_of(text_of(file), "discs", _DISC))
+    rows = _rows(text_of(file), "discs", _DiscRow)
+    return tuple(Disc(series=row.name, printed_force=None, **row.model_dump(exclude={"name"})) for row in rows)
 
 
-def _disc(row: "_Row") -> Disc:
-    row.need("outer_diameter", "inner_diameter", "thickness", "free_height")
-    outer, inner, thickness, reduced, height = (row.numbers.get(size, 0.0) for size in _SIZES)
-    if not (inner < outer and reduced < thickness < height <= SNAPS * thickness):
-        raise row.refused(
-            say(
-                "is no disc spring: inner_diameter < outer_diameter, reduced_thickness < thickness < free_height, and "
-                "free_height at most {most:g} thickness",
-                most=SNAPS,
-            )
-        )
-    return Disc(row.name, outer, inner, thickness, reduced or None, height, None, row.words["source"])
-
-
-class _Row(NamedTuple):
-    """A row of a list of one's own."""
-
-    label: str
-    """What it is called in errors."""
-    name: str
-    numbers: dict[str, float]
-    """Numbers of its columns, SI."""
-    words: dict[str, str]
-
-    @property
-    def also(self) -> tuple[str, ...]:
-        """Other names."""
-        return tuple(each.strip() for each in self.words.get("also", "").split(";") if each.strip())
-
-    def take(self, cells: Mapping[str, object], columns: Mapping[str, str]) -> None:
-        """Read the cells; a heading may end in a unit, and a list hold both ends of a range."""
-        for heading, value in cells.items():
-            column = max((each for each in columns if f"{heading}_".startswith(f"{each}_")), key=len, default="")
-            name, _, unit = heading.partition("_")
-            if not column and isinstance(value, list) and value and f"{name}_min" in columns:
-                unit = unit and f"_{unit}"
-                self.take({f"{name}_min{unit}": value[0], f"{name}_max{unit}": value[-1]}, columns)
-            elif not column:
-                hint, known = did_you_mean(heading, columns), ", ".join(columns)
-                raise self.refused(
-                    say("unknown column {heading!r}{hint}; there are: {known}", heading=heading, hint=hint, known=known)
-                )
-            elif value not in ("", None):
-                text = ";".join(map(str, value)) if isinstance(value, list) else str(value).strip()
-                if not text.isprintable():
-                    raise self.refused(say("must be one line of printable text, without control characters"))
-                if columns[column]:
-                    self.numbers[column] = self.number(column, text, heading[len(column) + 1 :], columns[column])
-                else:
-                    self.words[column] = text
-
-    def number(self, column: str, cell: str, unit: str, wanted: str) -> float:
-        """Read a cell in the unit of its heading; without one in SI, or with a unit of its own."""
-        bare = re.fullmatch(r"\d+(\.\d+)?", cell)
-        unit = {"C": "degC"}.get(unit, unit)
-        try:
-            number = parse_quantity(f"{cell} {unit}" if unit else float(cell) if bare else cell, wanted)
-            if number <= 0:
-                raise ValueError(say("must be greater than {bound:g}", bound=0))
-        except ValueError as error:
-            raise self.refused(say("{column} = {given}: {why}", column=column, given=cell, why=error.args[0])) from None
-        return number
-
-    def refused(self, why: str) -> AfmcalcError:
-        """Say what is wrong with it."""
-        return AfmcalcError("{label}: {why}", label=self.label, why=why)
-
-    def need(self, *columns: str) -> None:
-        """Refuse a row that lacks one of some columns, or its source."""
-        for column in (*columns, "source"):
-            if column not in self.numbers and column not in self.words:
-                raise self.refused(say("{column}: required", column=column))
-
-    def ends(self, name: str) -> tuple[float | None, float | None]:
-        """Ends of a range, which is given wholly or not at all."""
-        low, high = (self.numbers.get(f"{name}_{end}") for end in ("min", "max"))
-        if (low is None) != (high is None) or (low or 0.0) > (high or 0.0):
-            raise self.refused(say("{name}_min and {name}_max: both are needed, the lower one first", name=name))
-        return low, high
-
-
-def _rows_of(source: Source, table: str, columns: Mapping[str, str]) -> Iterator[_Row]:
+def _rows(source: Source, table: str, model: type[R]) -> Iterator[R]:
     """Read the rows of a list, TOML or CSV."""
     given: list[tuple[str, Mapping[str, object]]] = []
     if source.lower().endswith(".csv"):
@@ -178,15 +106,37 @@ def _rows_of(source: Source, table: str, columns: Mapping[str, str]) -> Iterator
             label=source,
             table=table,
         )
-    called = set[str]()
+    taken = set[str]()
     for name, cells in given:
-        row = _Row(f"{source}: {name}", name, {}, {})
-        row.take(cells, columns)
-        names = {plain(each) for each in (name, *row.also)}
-        if not name or called & names:
-            raise row.refused(say("every row has a name of its own, which no other row has"))
-        called |= names
+        label, columns = f"{source}: {name}", dict(_columns(cells, keys_below(model))) | {"name": name}
+        try:
+            row = model.model_validate(columns)
+        except ValidationError as error:
+            raise SpecError(label, *problems_in(error, columns, model)) from None
+        names = {plain(each) for each in (name, *getattr(row, "also", ()))}
+        if not name or taken & names:
+            why = say("every row has a name of its own, which no other row has")
+            raise AfmcalcError("{label}: {why}", label=label, why=why)
+        taken |= names
         yield row
+
+
+def _columns(cells: Mapping[str, object], keys: Mapping[str, Key]) -> Iterator[tuple[str, object]]:
+    """Read the cells by column: a heading may end in a unit, and a list hold both ends of a range."""
+    for heading, cell in cells.items():
+        name, _, unit = heading.partition("_")
+        if isinstance(cell, list) and cell and f"{name}_min" in keys:
+            yield from _columns({f"{name}_min_{unit}": cell[0], f"{name}_max_{unit}": cell[-1]}, keys)
+            continue
+        column = next((each for each in keys if f"{heading}_".startswith(f"{each}_")), heading)
+        unit, text = heading[len(column) + 1 :], str(cell).strip()
+        if column not in keys or (unit and keys[column].unit is None):
+            yield heading, cell
+        elif unit and text:
+            yield column, f"{text} {'degC' if unit == 'C' else unit}"
+        elif text:
+            number = keys[column].unit and re.fullmatch(r"\d+(\.\d+)?", text)
+            yield column, float(text) if number else text if isinstance(cell, str) else cell
 
 
 def diameters(source: str | PathLike[str] | None = None) -> list[float]:

@@ -1,7 +1,7 @@
 """What a clutch is, and what stands around it: the pydantic models of a spec (contract, Spec). SI inside."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import date
 from typing import Annotated, Any, Literal, NamedTuple
@@ -93,13 +93,7 @@ def _material_names(value: object) -> object:
     return names
 
 
-MaterialNames = Annotated[
-    str | tuple[str, ...],
-    GetPydanticSchema(
-        lambda source, handler: core_schema.no_info_plain_validator_function(_material_names),
-        lambda core, handler: {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
-    ),
-]
+MaterialNames = Annotated[str | tuple[str, ...], BeforeValidator(_material_names)]
 Method = Literal["min-friction", "mean-friction"]
 PocketShape = Literal["constant-torque"]
 Profiled = Literal["one", "both"]
@@ -115,11 +109,6 @@ class Range(NamedTuple):
     max: float
 
 
-def lists_of(context: object) -> Lists:
-    """Lists of one's own that a file names, as validation is told of them."""
-    return context.lists if isinstance(context, Source) else Lists()
-
-
 class FrictionRange(RuledBlock):
     """Friction of one group of pairs: a range, or a material of the catalogue."""
 
@@ -130,24 +119,20 @@ class FrictionRange(RuledBlock):
         "name of a friction material of the catalogue; of a list a design tries each, and a clutch has the worst"
     )
 
-    _lists: Lists = PrivateAttr(default=Lists())
+    _own: Mapping[str, Material] | None = PrivateAttr(default=None)
 
     def model_post_init(self, context: object) -> None:
-        """Keep the lists that the file names."""
-        self._lists = lists_of(context)
+        """Keep the list of one's own that the file names."""
+        self._own = context.lists.materials if isinstance(context, Source) else None
 
     def broken_rules(self) -> Iterable[Broken]:
         """Nothing beside a material; min ≤ mean ≤ max as far as given."""
         low, mean, high = self.min, self.mean, self.max
         if self.material is not None:
-            for name in self.material_names:
-                if material_named(name, known := self._catalogue) is None:
-                    hint, listed = did_you_mean(name, known), ", ".join(known)
-                    yield (
-                        "material",
-                        say("unknown material{hint}; the catalogue has {listed}", hint=hint, listed=listed),
-                    )
-                    return
+            if missing := [name for name in self.material_names if name not in self.materials]:
+                hint, listed = did_you_mean(missing[0], self._catalogue), ", ".join(self._catalogue)
+                yield "material", say("unknown material{hint}; the catalogue has {listed}", hint=hint, listed=listed)
+                return
             worst = self.lining
             message = say(
                 "excludes material ({name!r} has {low:g}…{high:g}): give material, or min and max",
@@ -169,8 +154,8 @@ class FrictionRange(RuledBlock):
         return (self.material,) if isinstance(self.material, str) else self.material or ()
 
     @property
-    def _catalogue(self) -> dict[str, Material]:
-        return self._lists.materials or friction_materials()
+    def _catalogue(self) -> Mapping[str, Material]:
+        return self._own or friction_materials()
 
     @property
     def materials(self) -> dict[str, Material]:
@@ -292,16 +277,14 @@ class Room(RuledBlock):
         return _bigger("outer_diameter", self.outer_diameter, "inner_diameter", self.inner_diameter)
 
 
-class DiscStack(RuledBlock):
-    """A stack of disc springs, DIN EN 16983."""
+class DiscSpring(RuledBlock):
+    """A disc spring, DIN EN 16983."""
 
     outer_diameter: Length = required("outer diameter of a disc", "D_e")
     inner_diameter: Length = required("inner diameter of a disc", "D_i")
     thickness: Length = required("thickness of a disc", "t")
     reduced_thickness: Length | None = key("thickness of a disc with flats", "t'")
     free_height: Length = required("height of a disc without load", "l_0")
-    parallel: Count = key("discs laid into each other", "n", default=1)
-    series: Count = key("such packs against each other", "i", default=1)
 
     def broken_rules(self) -> Iterable[Broken]:
         """A disc is a cone that does not snap through."""
@@ -314,6 +297,13 @@ class DiscStack(RuledBlock):
         if not broken and self.free_height - self.thickness > SNAPS * self.thickness:
             most = (1 + SNAPS) * self.thickness
             yield "free_height", say("must be at most {most:.5g} m: a higher disc snaps through", most=most)
+
+
+class DiscStack(DiscSpring):
+    """A stack of disc springs."""
+
+    parallel: Count = key("discs laid into each other", "n", default=1)
+    series: Count = key("such packs against each other", "i", default=1)
 
 
 class CoilSprings(RuledBlock):
@@ -713,17 +703,15 @@ class FileBlock(Block):
     """What a whole file holds."""
 
     _origin: Origin = PrivateAttr()
-    _lists: Lists = PrivateAttr()
 
     @property
     def lists(self) -> Lists:
         """Lists of one's own that its materials and parts are from."""
-        return self._lists
+        return self.label.lists
 
     def model_post_init(self, context: object) -> None:
         """Keep where it was read from, as far as that is known."""
         label = context if isinstance(context, str) else type(self).__name__.lower()
-        self._lists = lists_of(context)
         self._origin = Origin(label if isinstance(label, Source) else Source(label))
 
     @property

@@ -1,73 +1,37 @@
-"""Plain data made a spec; what is wrong with it is said for people: path, value as written, what is allowed."""
+"""What is wrong with plain data, said for people: path, value as written, what is allowed."""
 
 import json
 import math
 import re
-from collections.abc import Iterable, Mapping
-from typing import TypeVar
+from collections.abc import Mapping
 
 from pydantic import BaseModel, ValidationError
 from pydantic_core import ErrorDetails
 
-from ..errors import Problem, SpecError
+from ..errors import Problem
 from ..messages import did_you_mean, say
-from .fields import Broken, block_at, keys_below, names_in
+from .fields import block_at, keys_below, names_in
 from .keys import elsewhere
-from .lists import own_lists
-from .models import Spec
 from .rules import Table
-from .source import Source
 
 _MOST_TOLD = 100
 """Problems that are told; of the others the number."""
 
-M = TypeVar("M", bound=BaseModel)
 
-
-def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -> Spec:
-    """Validate a spec given as nested mappings; ``label`` names it in errors."""
-    return validated(Spec, data, label, broken)
-
-
-def validated(model: type[M], data: Table, label: str, broken: Iterable[Broken] = ()) -> M:
-    """Validate plain data, read from where ``label`` says; ``broken`` are rules that its text breaks.
-
-    Raises:
-        SpecError: every problem found.
-    """
-    problems = [Problem(path, _given(path, data), message) for path, message in broken]
-    more = 0
-    label = label if isinstance(label, Source) else Source(label)
-    label.lists = own_lists(data.get("catalogues"))
-    try:
-        made = model.model_validate(dict(data), context=label)
-        if not problems:
-            return made
-    except ValidationError as error:
-        if model is not Spec and "variant" in data and _REQUIRED.isdisjoint(data):
-            other = say("is a clutch spec, no requirements: afmcalc init --kind requirements writes such a file")
-            raise SpecError(label, [Problem("", None, other)]) from None
-        if model is Spec and "variant" not in data and len(_REQUIRED & set(data)) > 1:
-            other = say("is a requirements file, no clutch: afmcalc design finds the clutches for it")
-            raise SpecError(label, [Problem("", None, other)]) from None
-        details = error.errors(include_url=False)
-        problems += dict.fromkeys(_problem(detail, data, model) for detail in details[:_MOST_TOLD])
-        more = len(details[_MOST_TOLD:])
-    raise SpecError(label, problems, more)
-
-
-_REQUIRED = frozenset(("variants", "objectives", "wanted", "search"))
-"""What only a requirements file has."""
+def problems_in(error: ValidationError, data: Table, model: type[BaseModel]) -> tuple[list[Problem], int]:
+    """Return what pydantic found in plain data, each thing once, and how many more there are."""
+    details = error.errors(include_url=False)
+    return [*dict.fromkeys(_problem(detail, data, model) for detail in details[:_MOST_TOLD])], len(details[_MOST_TOLD:])
 
 
 def _problem(detail: ErrorDetails, data: Table, model: type[BaseModel]) -> Problem:
     location = tuple(map(str, detail["loc"]))
     path = ".".join(location)
-    given = _given(path, data)
+    given = given_at(path, data)
     return Problem(path, given, _message(detail, location, given, model), detail["type"] == "extra_forbidden")
 
 
-def _given(path: str, data: object) -> str | None:
+def given_at(path: str, data: object) -> str | None:
     """Value at a path as it was written; keys may have dots themselves."""
     if not isinstance(data, Mapping):
         return None
@@ -78,7 +42,7 @@ def _given(path: str, data: object) -> str | None:
         return text if len(text) <= 60 else text[:57] + "..."
     parts = path.split(".")
     splits = ((".".join(parts[:depth]), ".".join(parts[depth:])) for depth in range(1, len(parts)))
-    return next((_given(below, data[block]) for block, below in splits if block in data), None)
+    return next((given_at(below, data[block]) for block, below in splits if block in data), None)
 
 
 def _message(detail: ErrorDetails, location: tuple[str, ...], given: str | None, root: type[BaseModel]) -> str:

@@ -10,9 +10,9 @@ from pydantic import BaseModel
 
 from .edit import Overrides, apply_overrides
 from .fields import Broken, keys_below
+from .make import make_spec
 from .models import Spec
 from .parse import BUILT_IN, is_json, parse, text_of
-from .problems import make_spec
 from .quantity import asked_unit
 from .rules import given_in
 from .source import Source

@@ -21,6 +21,7 @@ from ..messages import say
 from ..variants import VARIANTS, Variant
 from .edit import Overrides
 from .fields import Block, Broken, Name, Quantity, RuledBlock, Torque, key, required
+from .make import validated
 from .models import (
     HARDENED_STEEL,
     AtLeastOne,
@@ -53,7 +54,6 @@ from .models import (
     missing_of,
 )
 from .parse import text_of
-from .problems import validated
 from .read import data_of
 from .rules import BY_PLATE, SHARED, Table, shared_rules
 from .tolerance import Tolerance

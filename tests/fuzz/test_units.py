@@ -10,7 +10,7 @@ from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec
 from afmcalc.spec.fields import keys_below
 from afmcalc.spec.keys import keys
-from afmcalc.spec.problems import validated
+from afmcalc.spec.make import validated
 from afmcalc.spec.requirements import Requirements
 
 UNITS = {

@@ -55,13 +55,13 @@ WRONG = {
     "no friction": (ROW.replace("0.2,0.3", ",0.3"), "F1: friction_min: required"),
     "ends": (ROW.replace("0.2,0.3", "0.3,0.2"), "the lower one first"),
     "one end": (ROW.replace("0.08", ""), "pressure_min and pressure_max: both"),
-    "condition": (ROW.replace("dry", "wet"), "'wet' is neither dry nor in oil"),
-    "unit": (ROW.replace("368.15 K", "368.15 m"), "temperature_max = 368.15 m"),
-    "negative": (ROW.replace(",50,", ",-50,"), "pressure_min = -50: must be greater than 0"),
+    "condition": (ROW.replace("dry", "wet"), 'condition = "wet": must be one of dry, in oil'),
+    "unit": (ROW.replace("368.15 K", "368.15 m"), 'temperature_max = "368.15 m"'),
+    "negative": (ROW.replace(",50,", ",-50,"), 'pressure_min = "-50 kPa": must be greater than 0'),
     "twice": (f"{ROW}\n{ROW}", "a name of its own"),
     "other name twice": (f"{ROW}\n{ROW.replace('F1', 'F3')}", "F3: every row has a name of its own"),
     "a sign that is none": (ROW.replace("felt pad", "felt\x1bpad"), "printable"),
-    "cells beyond the heading": (ROW + ",,x", "unknown column ''"),
+    "cells beyond the heading": (ROW + ",,x", '["", "x"]: unknown key'),
 }
 
 
@@ -81,7 +81,7 @@ def test_what_is_wrong_with_a_row_is_said_in_one_sentence(case, tmp_path, afmcal
 def test_a_heading_that_is_not_known_and_a_list_that_is_none(tmp_path):
     for name, text, says in (
         ("a.csv", CSV.replace("condition,", "conditon,"), "did you mean 'condition'"),
-        ("b.csv", CSV.replace("_MPa", "_mm"), "pressure_max = 0.08"),
+        ("b.csv", CSV.replace("_MPa", "_mm"), 'pressure_max = "0.08 mm"'),
         ("c.csv", CSV.splitlines()[1], "is no list of materials"),
         ("d.toml", TOML.replace("[materials.", "[material."), "is no list of materials"),
     ):
@@ -218,5 +218,5 @@ def test_disc_springs_of_ones_own(tmp_path, afmcalc):
     assert sprung.closing_spring.disc.thickness in (first.thickness, second.thickness)
     assert sprung.catalogues.discs == path
     flat = file(tmp_path, "flat.csv", DISCS.replace("3.4", "2"))
-    with pytest.raises(AfmcalcError, match="X 50: is no disc spring"):
+    with pytest.raises(AfmcalcError, match="X 50: free_height .* must be greater than thickness"):
         discs(flat)

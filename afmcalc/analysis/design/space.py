@@ -105,18 +105,17 @@ LININGS = {
 
 def linings(need: Requirements) -> list[Requirements]:
     """The requirements with each friction material that is listed; where it is not known, with the worst of them."""
-    blocks = need.friction.blocks
-    if need.friction.unknown or all(isinstance(block.material, str) for block in blocks.values()):
+    if need.friction.unknown:
         return [need]
-    listed = ([(f"{path}.material", name) for name in block.material_names] for path, block in blocks.items())
+    blocks = need.friction.blocks.items()
+    listed = ([(f"{path}.material", name) for name in block.material_names] for path, block in blocks)
     return [with_values(need, dict(chosen)) for chosen in product(*listed)]
 
 
 def with_lining(need: Requirements, row: Any) -> Requirements:
     """The requirements with the friction materials of a row of the front."""
-    if len(linings(need)) == 1:
-        return need
-    return with_values(need, {path: name for key, path in LININGS.items() if (name := getattr(row, key)) is not None})
+    named = {} if need.friction.unknown else {path: getattr(row, key) for key, path in LININGS.items()}
+    return with_values(need, {path: name for path, name in named.items() if name is not None})
 
 
 def forces(need: Requirements) -> int:

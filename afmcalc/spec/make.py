@@ -1,0 +1,51 @@
+"""Plain data made a spec, or another model of a file."""
+
+from collections.abc import Iterable
+from typing import TypeVar
+
+from pydantic import BaseModel, ValidationError
+
+from ..errors import Problem, SpecError
+from ..messages import say
+from .fields import Broken
+from .lists import own_lists
+from .models import Spec
+from .problems import given_at, problems_in
+from .rules import Table
+from .source import Source
+
+M = TypeVar("M", bound=BaseModel)
+
+_REQUIRED = frozenset(("variants", "objectives", "wanted", "search"))
+"""What only a requirements file has."""
+
+
+def make_spec(data: Table, label: str = "spec", broken: Iterable[Broken] = ()) -> Spec:
+    """Validate a spec given as nested mappings; ``label`` names it in errors."""
+    return validated(Spec, data, label, broken)
+
+
+def validated(model: type[M], data: Table, label: str, broken: Iterable[Broken] = ()) -> M:
+    """Validate plain data, read from where ``label`` says; ``broken`` are rules that its text breaks.
+
+    Raises:
+        SpecError: every problem found.
+    """
+    problems = [Problem(path, given_at(path, data), message) for path, message in broken]
+    more = 0
+    label = label if isinstance(label, Source) else Source(label)
+    label.lists = own_lists(data.get("catalogues"))
+    try:
+        made = model.model_validate(dict(data), context=label)
+        if not problems:
+            return made
+    except ValidationError as error:
+        if model is not Spec and "variant" in data and _REQUIRED.isdisjoint(data):
+            other = say("is a clutch spec, no requirements: afmcalc init --kind requirements writes such a file")
+            raise SpecError(label, [Problem("", None, other)]) from None
+        if model is Spec and "variant" not in data and len(_REQUIRED & set(data)) > 1:
+            other = say("is a requirements file, no clutch: afmcalc design finds the clutches for it")
+            raise SpecError(label, [Problem("", None, other)]) from None
+        found, more = problems_in(error, data, model)
+        problems += found
+    raise SpecError(label, problems, more)
