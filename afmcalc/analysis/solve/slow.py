@@ -5,7 +5,6 @@ by secants.
 """
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 
@@ -33,46 +32,37 @@ def looked(function: Function, wanted: float, at: Floats) -> tuple[Curve, list[f
 
     Where all miss the wanted value on the same side, the extreme next to it is looked for.
     """
-    value = function(at)
-    at, value = at[~np.isnan(value)], value[~np.isnan(value)]
-    side = np.sign(value - wanted)
-    k = int(np.argmin(np.abs(value - wanted))) if len(at) else 0
-    if 0 < k < len(at) - 1 and bool((side == side[0]).all()):
-        extreme = _extreme(lambda x: float(side[0] * (function(np.array([x]))[0] - wanted)), at[k - 1], at[k + 1])
-        at = np.insert(at, k + int(extreme > at[k]), extreme)
-        value = function(at)
-        side = np.sign(value - wanted)
-    on = side == 0
-    solutions = at[on & ~np.concatenate([[False], on[:-1]])].tolist()
-    for i in np.flatnonzero(side[:-1] * side[1:] < 0):
-        root = _passed(function, wanted, at[i], at[i + 1])
-        sides = np.clip(np.outer(root, [1 - 2 * _CLOSE, 1 + 2 * _CLOSE]).ravel(), at[i], at[i + 1])
-        beside, step = function(sides), min(wanted, abs(value[i + 1] - value[i]))
-        if len(root) and bool((np.abs(beside - wanted) <= STEPS * step).all()):
-            solutions += root.tolist()
-        else:
-            at, value = np.append(at, sides), np.append(value, beside)
-    order = np.argsort(at)
-    return Curve(at[order], value[order], None, None), sorted(solutions)
-
-
-def _extreme(distance: Callable[[float], float], low: float, high: float) -> float:
-    """Where a distance is least within a bracket."""
-    from scipy.optimize import minimize_scalar
-
-    within = {"xatol": 1e-4 * (high - low)}
-    return float(minimize_scalar(distance, bounds=(low, high), method="bounded", options=within).x)
-
-
-def _passed(function: Function, wanted: float, low: float, high: float) -> Floats:
-    """Where the quantity passes the wanted value between two others; nothing where it is not known."""
-    from scipy.optimize import brentq
+    from scipy.optimize import brentq, minimize_scalar
 
     def gap(x: float) -> float:
         # what has no end is far away
         return float(np.clip(function(np.array([x]))[0] - wanted, -10 * wanted, 10 * wanted))
 
-    try:
-        return np.array([brentq(gap, low, high, xtol=_CLOSE * high, rtol=_CLOSE)])
-    except ValueError:
-        return np.zeros(0)
+    at = at[~np.isnan(function(at))]
+    value = function(at)
+    side = np.sign(value - wanted)
+    k = int(np.argmin(np.abs(value - wanted))) if len(at) else 0
+    if 0 < k < len(at) - 1 and bool((side == side[0]).all()):
+        towards, ends = side[0], (at[k - 1], at[k + 1])
+        within = {"xatol": 1e-4 * (ends[1] - ends[0])}
+        extreme = minimize_scalar(
+            lambda x: towards * function(np.array([x]))[0], bounds=ends, method="bounded", options=within
+        )
+        at = np.insert(at, k + int(extreme.x > at[k]), extreme.x)
+        value = function(at)
+        side = np.sign(value - wanted)
+    on = np.append(False, side == 0)
+    solutions, jumps = at[on[1:] & ~on[:-1]].tolist(), []
+    for i in np.flatnonzero(side[:-1] * side[1:] < 0):
+        try:
+            root = brentq(gap, at[i], at[i + 1], xtol=_CLOSE * at[i + 1], rtol=_CLOSE)
+        except ValueError:  # it is not known somewhere between
+            continue
+        beside = np.clip([root * (1 - 2 * _CLOSE), root * (1 + 2 * _CLOSE)], at[i], at[i + 1])
+        step = min(wanted, abs(value[i + 1] - value[i]))
+        if bool((np.abs(function(beside) - wanted) <= STEPS * step).all()):
+            solutions.append(root)
+        else:
+            jumps += beside.tolist()
+    at = np.sort(np.append(at, jumps))
+    return Curve(at, function(at), None, None), sorted(solutions)

@@ -3,9 +3,9 @@
 import math
 from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, cached_property
-from typing import Any, Literal, NamedTuple, TypeGuard
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, TypeGuard
 
 import numpy as np
 
@@ -23,9 +23,14 @@ from ...spec.keys import ALIASES, is_whole, keys, path_of
 from ...spec.quantity import asked_unit, parse_quantity
 from ...spec.rules import variants_of
 from ...units import ENGINEER
+from ..answers import Answers
+from ..registry import ANALYSES
 from ..sweep.ratios import RATIOS, current_ratio, moved, no_ratio
 from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, path_for, roots
 from .slow import looked, places
+
+if TYPE_CHECKING:
+    from ..requirements import Judged
 
 PARAMETERS = {"C": "1", "F": "N", "z": "1", "z1": "1", "R": "m", "c1": "N/m", "c2": "N/m", "gain_slope": "1/m"}
 """Keys that can be solved for, by symbol, and their SI units; of unlike materials also ``RATIOS``."""
@@ -44,13 +49,6 @@ class Target(NamedTuple):
     """What else it is called: symbols, and the path of the key that sets it."""
     analysis: str = ""
     """The analysis that is asked for one clutch at a time; none where the engines give many at once."""
-
-    def is_slow(self, clutch: Clutch) -> bool:
-        """Whether a sample or an event is calculated for each clutch; a life may take its dynamic factor."""
-        from ..requirements import simulates
-
-        of_event = self.analysis == "life" and clutch.spec.drive.dynamic_factor is None
-        return simulates("simulate" if of_event else self.analysis, clutch)
 
 
 def _of_sleeve(name: str) -> Callable[[Clutch], Values]:
@@ -101,21 +99,16 @@ def targets() -> dict[str, Target]:
     """Every target by name: those of the engines, and what else ``check`` judges."""
     from ..requirements import JUDGED
 
-    return TARGETS | {name: _judged(name) for name in JUDGED if name not in TARGETS}
+    return TARGETS | {name: _judged(name, judged) for name, judged in JUDGED.items() if name not in TARGETS}
 
 
 def target_called(name: str) -> Target:
-    """Return the target of that name; those that ``check`` judges are imported only when one is asked for."""
+    """Return the target of that name; what ``check`` judges is imported only when asked for."""
     return TARGETS.get(name) or targets()[name]
 
 
-def _judged(name: str) -> Target:
+def _judged(name: str, judged: "Judged") -> Target:
     """Take what ``check`` judges by a requirement as a target; what may be more, or has no limit, is infinite."""
-    from ..answers import Answers
-    from ..registry import ANALYSES
-    from ..requirements import JUDGED
-
-    judged, key = JUDGED[name], keys()[f"requirements.{name}"]
 
     def value(clutch: Clutch) -> Values:
         result = Answers(clutch).ask(judged.analysis)[0] if ANALYSES[judged.analysis].applies(clutch) else None
@@ -125,6 +118,7 @@ def _judged(name: str) -> Target:
             raise AfmcalcError("{name} cannot be solved for: it needs {needs}", name=name, needs=needs)
         return math.inf if judged.open(result) else outcome
 
+    key = keys()[f"requirements.{name}"]
     about, symbols = key.description.partition(",")[0], (key.symbol or name,)
     return Target(key.unit or "1", about, value, "high" if judged.least else "low", symbols, judged.analysis)
 
@@ -132,11 +126,8 @@ def _judged(name: str) -> Target:
 def _target_of(text: str) -> str | None:
     """Return the target that ``NAME`` or ``NAME=VALUE`` names, by name or symbol; None when it names none."""
     wanted = plain(text.partition("=")[0].strip())
-
-    def among(known: dict[str, Target]) -> str | None:
-        return next((name for name, target in known.items() if wanted in map(plain, (name, *target.symbols))), None)
-
-    return among(TARGETS) or among(targets())
+    known = (named for targets_of in (TARGETS.copy, targets) for named in targets_of().items())
+    return next((name for name, target in known if wanted in map(plain, (name, *target.symbols))), None)
 
 
 def in_order(target: str, spec: str | None) -> tuple[str, str | None]:
@@ -243,9 +234,9 @@ def solve(
     """
     name = _symbol(name, clutch.spec)
     problem = _Problem(clutch, name, target, wanted, domain_of(clutch, name, beyond_limit=beyond_limit))
-    slow, whole, path = bool(problem.target_of.analysis), is_whole(problem.path), problem.path
+    slow, whole, path = bool(problem.quantity.analysis), is_whole(problem.path), problem.path
     if slow:
-        problem.target_of.value(clutch)  # says what it needs; one event that takes too long is refused
+        problem.quantity.value(clutch)  # says what it needs; one event that takes too long is refused
         curve, solutions = looked(problem.values, wanted, problem.at)
     else:
         curve = explore(problem.values, wanted, problem.domain)
@@ -288,9 +279,9 @@ def solve(
         value=chosen[0],
         exact_value=(solutions[0] if solutions else None) if whole else None,
         target=target,
-        target_unit=target_called(target).unit.removesuffix(" abs"),
+        target_unit=problem.quantity.unit.removesuffix(" abs"),
         wanted=wanted,
-        reached=float(problem.target_of.value(solved)),
+        reached=float(problem.quantity.value(solved)),
         method="closed-form" if solutions and solutions[0] == exact else "bracketed-root",
         **{name: getattr(solved, name) for name in _OF_THE_CLUTCH},
     )
@@ -317,6 +308,8 @@ class _Problem:
     target: str
     wanted: float
     domain: Domain
+    known: dict[float, float] = field(default_factory=dict)
+    """Value of the parameter → the target, where each takes its time; NaN where it has none."""
 
     @property
     def path(self) -> str:
@@ -328,17 +321,21 @@ class _Problem:
         return moved(self.clutch.spec, {self.name: at}) if self.name in RATIOS else {self.path: at}
 
     @property
-    def target_of(self) -> Target:
+    def quantity(self) -> Target:
         """What is wanted."""
         return target_called(self.target)
 
     @cached_property
     def at(self) -> Floats:
         """Values of the parameter to look at, where each takes its time."""
-        name, clutch = self.name, self.clutch
+        from ..requirements import simulates
+
+        name, clutch, analysis = self.name, self.clutch, self.quantity.analysis
         now = current_ratio(clutch.spec, name) if name in RATIOS else getattr(clutch, _NOW.get(name, ""), None)
+        if analysis == "life" and clutch.spec.drive.dynamic_factor is None:
+            analysis = "simulate"
+        whole, slow = is_whole(self.path), simulates(analysis, clutch)
         now = value_at(clutch.spec, self.path) if now is None else now
-        whole, slow = is_whole(self.path), self.target_of.is_slow(clutch)
         at = places(self.domain, now, 16 if slow else 100, 10 if slow or whole else 100, whole=whole)
         if not len(at):
             raise CalculationError(
@@ -356,37 +353,29 @@ class _Problem:
 
     def values(self, at: Floats) -> Floats:
         """The target at values of the parameter."""
-        if self.target_of.analysis:
-            return np.array([self._value(float(one)) for one in at])
+        if self.quantity.analysis:
+            return np.array([self._value(one) for one in at.tolist()])
         with np.errstate(all="ignore"):
-            value = self.target_of.value(build(with_keys(self.clutch.spec, self.changed(at))))
+            value = self.quantity.value(build(with_keys(self.clutch.spec, self.changed(at))))
         return np.broadcast_to(np.asarray(value, float), at.shape)
 
-    @cached_property
-    def _value(self) -> Callable[[float], float]:
-        """The target at one value of the parameter; NaN where it has none."""
-
-        @cache
-        def value(at: float) -> float:
+    def _value(self, at: float) -> float:
+        if at not in self.known:
+            tell(say("solving"), len(self.known), len(self.at) + 12)
             # validated as a file would be; between whole numbers there are no files
             changed = with_keys if is_whole(self.path) else respecified
-            tell(say("solving"), value.cache_info().currsize, len(self.at) + 12)
-            try:
-                with unwatched():
-                    return float(self.target_of.value(build(changed(self.clutch.spec, self.changed(at)))))
-            except AfmcalcError:
-                return math.nan
-
-        return value
+            with suppress(AfmcalcError), unwatched():
+                self.known[at] = float(self.quantity.value(build(changed(self.clutch.spec, self.changed(at)))))
+        return self.known.setdefault(at, math.nan)
 
     def shown(self, value: float) -> str:
         """A value of the target with its unit."""
-        unit = self.target_of.unit
-        return measured(value, ENGINEER.get(unit, unit) if unit == "K abs" else unit)
+        unit = self.quantity.unit
+        return measured(value, ENGINEER[unit] if unit == "K abs" else unit)
 
     def closed(self, curve: Curve) -> float | None:
         """Value that the closed inverse gives; None where there is none, or it lies off the curve."""
-        now = float(self.target_of.value(self.clutch))
+        now = float(self.quantity.value(self.clutch))
         # a number of NumPy: what has no answer is NaN, not an exception of a kind of its own for each equation
         with np.errstate(all="ignore"):
             inverse = closed_inverse(self.clutch, self.name, self.target, now, np.float64(self.wanted))
@@ -415,7 +404,7 @@ class _Problem:
     def _meeting(self, at: Floats) -> Floats:
         """Those values of the parameter at which the target is as wanted or better."""
         value = self.values(at)
-        if self.target_of.better == "low":
+        if self.quantity.better == "low":
             return at[value <= self.wanted * (1 + SAME)]
         return at[value >= self.wanted * (1 - SAME)]
 
@@ -458,15 +447,16 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
             nearest=nearest,
         )
 
-    at, value = curve.at[np.isfinite(curve.value)], curve.value[np.isfinite(curve.value)]
-    endless = curve.at[np.isinf(curve.value)]
+    finite = np.isfinite(curve.value)
+    at, value, endless = curve.at[finite], curve.value[finite], curve.at[np.isinf(curve.value)]
     if is_whole(problem.path) and len(at):
         at = np.unique(np.clip(np.concatenate([np.floor(at), np.ceil(at)]), domain.low, domain.high))
         value = problem.values(at)
-    if len(endless) and not len(at):
-        return CalculationError(refusal(say("it has no end at any {name} looked at", name=name)))
     if not len(at):
-        return CalculationError(refusal(say("no value of {name} gives a clutch", name=name)))
+        endlessly = say("it has no end at any {name} looked at", name=name)
+        return CalculationError(
+            refusal(endlessly if len(endless) else say("no value of {name} gives a clutch", name=name))
+        )
     # all on one side of the wanted value, unless the quantity jumps over it
     gap = np.abs(value - wanted)
     tied = np.flatnonzero(gap <= gap.min() + 1e-13 * abs(value[np.argmin(gap)]))
@@ -492,6 +482,6 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
     if len(endless):
         nearest_endless = measured(endless[np.argmin(np.abs(endless - place))], _UNITS[name])
         where = say("{where}; it has no end at {name} = {place}", where=where, name=name, place=nearest_endless)
-    if problem.target_of.analysis:
+    if problem.quantity.analysis:
         where = say("{where}, of {count} values from {low} to {high}", where=where, **problem.seen)
     return NotAttainableError(refusal(where), nearest, place)
