@@ -240,10 +240,8 @@ def _with_extremes(function: Function, wanted: float, at: Floats, value: Floats)
             k = int(np.argmin(side[i] * function(inside)))
             low, high = inside[max(k - 1, 0)], inside[min(k + 1, _ZOOM - 1)]
         extremes.append(inside[k])
-    if not extremes:
-        return at, value
-    joined, first = np.unique(np.concatenate([at, extremes]), return_index=True)
-    return joined, np.concatenate([value, function(np.array(extremes))])[first]
+    at = np.unique(np.append(at, extremes))
+    return at, function(at)
 
 
 def _crossing(function: Function, wanted: float, low: float, high: float) -> float | None:
@@ -264,18 +262,10 @@ def _edge(holds: Callable[[Floats], Truths], low: float, high: float) -> tuple[f
         low, high = at[i - 1], at[i]
 
 
-_PROPORTIONAL = (
-    "nominal_torque",
-    "torque_min",
-    "torque_max",
-    "scatter",
-    "travel_max",
-    "closing_force",
-    "control_force",
-)
-"""Targets proportional to the spring force."""
 _AT_SETTING = ("nominal_torque", "closing_force", "control_force")
 """Targets proportional to the spring force with any pocket, as the sleeve is at its stop."""
+_PROPORTIONAL = (*_AT_SETTING, "torque_min", "torque_max", "scatter", "travel_max")
+"""Targets proportional to the spring force."""
 
 
 def closed_inverse(clutch: Clutch, name: str, target: str, now: float, wanted: float) -> Values | None:

@@ -51,46 +51,37 @@ class Target(NamedTuple):
     """The analysis that is asked for one clutch at a time; none where the engines give many at once."""
 
 
-def _of_sleeve(name: str) -> Callable[[Clutch], Values]:
+def _of_engine(
+    name: str, unit: str, description: str, better: Literal["low", "high"], *symbols: str
+) -> tuple[str, Target]:
+    """Return a quantity of the engines, called as theirs, as a target."""
+
     def value(clutch: Clutch) -> Values:
-        if clutch.sleeve is None:
+        if clutch.sleeve is None and name in ("control_force", "travel_max"):
             raise AfmcalcError("{name} is only of an indirect clutch: a direct one has no sleeve", name=name)
-        return getattr(clutch.sleeve, name)
+        lasting = clutch.sleeve is not None or name != "accuracy_factor_hysteresis"
+        return getattr(clutch, name if lasting else "accuracy_factor")
 
-    return value
+    return name, Target(unit, description, value, better, symbols)
 
 
-TARGETS: dict[str, Target] = {
-    "accuracy_factor": Target("1", "accuracy factor", lambda c: c.accuracy_factor, "low", ("K_т",)),
-    "accuracy_factor_peak": Target(
-        "1", "accuracy factor by breakaway peaks", lambda c: c.accuracy_factor_peak, "low", ("K_т,p",)
-    ),
-    "accuracy_factor_hysteresis": Target(
-        "1",
-        "accuracy factor under a load that lasts",
-        lambda c: c.accuracy_factor if c.sleeve is None else c.sleeve.accuracy_factor_hysteresis,
-        "low",
-        ("K_т,h",),
-    ),
-    "nominal_torque": Target(
-        "N*m", "nominal torque of the clutch", lambda c: c.nominal_torque, "high", ("T_н", "adjustment.nominal_torque")
-    ),
-    "torque_min": Target("N*m", "smallest torque", lambda c: c.torque_min, "high", ("T_min",)),
-    "torque_max": Target("N*m", "largest torque", lambda c: c.torque_max, "low", ("T_max",)),
-    "scatter": Target("N*m", "torque scatter band", lambda c: c.scatter, "low", ("ΔT",)),
-    "reduced_gain": Target("1", "reduced gain", lambda c: c.reduced_gain, "low", ("zC", "z_2 C", "z_2C")),
-    "closing_force": Target(
-        "N", "closing-spring force", lambda c: c.closing_force, "low", ("F_п", "F", "closing_spring.force")
-    ),
-    "control_force": Target(
-        "N",
-        "control-spring force at the stop",
-        _of_sleeve("control_force"),
-        "low",
-        ("F_п2", "F2", "control_spring.force"),
-    ),
-    "travel_max": Target("m", "largest travel of the sleeve", _of_sleeve("travel_max"), "low", ("x_max",)),
-}
+TARGETS: dict[str, Target] = dict(
+    (
+        _of_engine("accuracy_factor", "1", "accuracy factor", "low", "K_т"),
+        _of_engine("accuracy_factor_peak", "1", "accuracy factor by breakaway peaks", "low", "K_т,p"),
+        _of_engine("accuracy_factor_hysteresis", "1", "accuracy factor under a load that lasts", "low", "K_т,h"),
+        _of_engine("nominal_torque", "N*m", "nominal torque of the clutch", "high", "T_н", "adjustment.nominal_torque"),
+        _of_engine("torque_min", "N*m", "smallest torque", "high", "T_min"),
+        _of_engine("torque_max", "N*m", "largest torque", "low", "T_max"),
+        _of_engine("scatter", "N*m", "torque scatter band", "low", "ΔT"),
+        _of_engine("reduced_gain", "1", "reduced gain", "low", "zC", "z_2 C", "z_2C"),
+        _of_engine("closing_force", "N", "closing-spring force", "low", "F_п", "F", "closing_spring.force"),
+        _of_engine(
+            "control_force", "N", "control-spring force at the stop", "low", "F_п2", "F2", "control_spring.force"
+        ),
+        _of_engine("travel_max", "m", "largest travel of the sleeve", "low", "x_max"),
+    )
+)
 """Name, as in the JSON of the other commands → what it is, of what the engines give for many clutches at once."""
 
 
@@ -241,8 +232,7 @@ def solve(
     else:
         curve = explore(problem.values, wanted, problem.domain)
         solutions = roots(problem.values, wanted, curve)
-    level = len(curve.at) > 1 and bool(np.isfinite(curve.value).all())
-    if level and np.ptp(curve.value) <= 1e-12 * abs(curve.value[0]):
+    if len(curve.at) > 1 and np.isfinite(curve.value[0]) and np.allclose(curve.value, curve.value[0], 1e-12, 0):
         raise CalculationError(
             "{target} does not depend on {name} here: it is {level} for every value",
             target=target,
@@ -257,12 +247,8 @@ def solve(
         raise _not_attainable(problem, curve)
     beyond = curve.value[curve.at > chosen[0]][:2]
     # as far as numbers tell, the target keeps the wanted value from there on; a closed inverse tells better
-    if (
-        not whole
-        and chosen[0] != exact
-        and len(beyond) == 2
-        and bool(np.all(np.abs(beyond - wanted) <= 1e-13 * abs(wanted)))
-    ):
+    flat = len(beyond) == 2 and np.allclose(beyond, wanted, 1e-13, 0)
+    if flat and not whole and chosen[0] != exact:
         raise CalculationError(
             "{target} = {wanted} is given by a whole range of {name}, not by one value: choose one, or solve for "
             "another parameter",
