@@ -73,10 +73,7 @@ def domain_of(clutch: Clutch, name: str, *, beyond_limit: bool) -> Domain:
         low, most = ends_of_ratio(spec, name)
         low_taken = low > 0
         ends.append((most, say("as large as the range of f_2 allows")))
-    if name == "C":
-        low = float(clutch.gain_threshold)
-    if name == "z":
-        low = float(spec.least_pairs)
+    low = float(clutch.gain_threshold if name == "C" else spec.least_pairs if name == "z" else low)
     if name == "z1":
         ends.append((float(spec.friction_group.pairs - 1), say("one driven pair at least")))
     if name == "R":

@@ -367,12 +367,10 @@ class _Problem:
             inverse = closed_inverse(self.clutch, self.name, self.target, now, np.float64(self.wanted))
         if inverse is None or not len(curve.at):
             return None
-        low, high = float(curve.at[0]), float(curve.at[-1])
-        if not low * (1 - SAME) <= inverse <= high * (1 + SAME):
+        exact = float(np.clip(inverse, curve.at[0], curve.at[-1]))
+        if not abs(exact - float(inverse)) <= SAME * abs(exact):
             return None
-        exact = min(max(float(inverse), low), high)
-        reached = float(self.values(np.array([exact]))[0])
-        return exact if abs(reached - self.wanted) <= SAME * self.wanted else None
+        return exact if abs(self.values(np.array([exact]))[0] - self.wanted) <= SAME * self.wanted else None
 
     def whole(self, solutions: list[float]) -> list[float]:
         """Whole numbers that meet the wanted value: next to each solution, else the end of the domain that does."""
@@ -390,34 +388,33 @@ class _Problem:
     def _meeting(self, at: Floats) -> Floats:
         """Those values of the parameter at which the target is as wanted or better."""
         value = self.values(at)
-        if self.quantity.better == "low":
-            return at[value <= self.wanted * (1 + SAME)]
-        return at[value >= self.wanted * (1 - SAME)]
+        low = self.quantity.better == "low"
+        meets = value <= self.wanted * (1 + SAME) if low else value >= self.wanted * (1 - SAME)
+        return at[meets & np.isfinite(value)]
 
 
 def _symbol(name: str, spec: Spec) -> str:
     """Symbol of a parameter, however it is called; refuse one that the variant does not have."""
     if name in RATIOS and spec.friction.unlike:
         return name
-    path, paths = path_of(name), [ALIASES[symbol] for symbol in PARAMETERS]
-    if path not in paths:
-        known = [*PARAMETERS, *paths, *(path.rpartition(".")[2] for path in paths)]
+    path, symbols = path_of(name), {ALIASES[symbol]: symbol for symbol in PARAMETERS}
+    if path not in symbols:
+        known = [*PARAMETERS, *symbols, *(path.rpartition(".")[2] for path in symbols)]
         raise AfmcalcError(
             "--for {name:.80}: cannot be solved for{hint}; one of {names}",
             name=name,
             hint="" if path else no_ratio(name) or did_you_mean(name, known),
-            names=", ".join(f"{symbol} ({ALIASES[symbol]})" for symbol in PARAMETERS),
+            names=", ".join(f"{symbol} ({path})" for path, symbol in symbols.items()),
         )
-    symbol = next(symbol for symbol in PARAMETERS if ALIASES[symbol] == path)
     if (only := variants_of(path)) and spec.variant not in only:
         raise AfmcalcError(
             "--for {name}: {path} is only for {only}, not {variant!r}",
-            name=symbol,
+            name=symbols[path],
             path=path,
             only=", ".join(only),
             variant=spec.variant,
         )
-    return symbol
+    return symbols[path]
 
 
 def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
@@ -438,11 +435,10 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
     if is_whole(problem.path) and len(at):
         at = np.unique(np.clip(np.concatenate([np.floor(at), np.ceil(at)]), domain.low, domain.high))
         value = problem.values(at)
+    if len(endless) and not len(at):
+        return CalculationError(refusal(say("it has no end at any {name} looked at", name=name)))
     if not len(at):
-        endlessly = say("it has no end at any {name} looked at", name=name)
-        return CalculationError(
-            refusal(endlessly if len(endless) else say("no value of {name} gives a clutch", name=name))
-        )
+        return CalculationError(refusal(say("no value of {name} gives a clutch", name=name)))
     # all on one side of the wanted value, unless the quantity jumps over it
     gap = np.abs(value - wanted)
     tied = np.flatnonzero(gap <= gap.min() + 1e-13 * abs(value[np.argmin(gap)]))
