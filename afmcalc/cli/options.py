@@ -41,11 +41,6 @@ def output_option(help: str) -> Any:
     return Option("--output", "-o", metavar="FILE", help=help)
 
 
-def catalogue_option(of: str) -> Any:
-    """Declare an option for a list of one's own, with what it is of."""
-    return Option(metavar="FILE", help=f"Your own list of {of}, TOML or CSV.")
-
-
 ForceOption = Annotated[bool, Option("--force", "-f", help="Replace a file that exists.")]
 QuietOption = Annotated[bool, Option("--quiet", "-q", help="No notes; of the findings errors alone.")]
 
@@ -73,9 +68,11 @@ class Common:
             callback=_with_equals_sign,
         ),
     ] = None
-    materials: Annotated[str | None, catalogue_option("friction materials")] = None
-    discs: Annotated[str | None, catalogue_option("disc springs")] = None
-    balls: Annotated[str | None, catalogue_option("ball diameters")] = None
+    materials: Annotated[
+        str | None, Option(metavar="FILE", help="Your own list of friction materials, TOML or CSV.")
+    ] = None
+    discs: Annotated[str | None, Option(metavar="FILE", help="Your own list of disc springs, TOML or CSV.")] = None
+    balls: Annotated[str | None, Option(metavar="FILE", help="Your own list of ball diameters, TOML or CSV.")] = None
     format: Annotated[
         Literal["table", "json", "csv", "markdown"] | None,
         Option(help="How to print. JSON and CSV are SI in full precision.  [default: table]"),
@@ -93,8 +90,11 @@ class Common:
     @property
     def overrides(self) -> list[str]:
         """Keys overridden: by ``--set``, and the catalogues, whose options are short forms of keys."""
-        named = {name: getattr(self, name) for name in CATALOGUES}
-        return [*(self.set or ()), *(f"catalogues.{name}='{file}'" for name, file in named.items() if file)]
+        from json import dumps
+
+        named = ((name, getattr(self, name)) for name in CATALOGUES)
+        quoted = (f"catalogues.{name}={dumps(file, ensure_ascii=False)}" for name, file in named if file)
+        return [*(self.set or ()), *quoted]
 
     @property
     def chosen_format(self) -> str:

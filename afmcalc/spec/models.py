@@ -278,7 +278,7 @@ class Room(RuledBlock):
 
 
 class DiscSpring(RuledBlock):
-    """A disc spring, DIN EN 16983."""
+    """A disc spring."""
 
     outer_diameter: Length = required("outer diameter of a disc", "D_e")
     inner_diameter: Length = required("inner diameter of a disc", "D_i")
@@ -300,7 +300,7 @@ class DiscSpring(RuledBlock):
 
 
 class DiscStack(DiscSpring):
-    """A stack of disc springs."""
+    """A stack of disc springs, DIN EN 16983."""
 
     parallel: Count = key("discs laid into each other", "n", default=1)
     series: Count = key("such packs against each other", "i", default=1)

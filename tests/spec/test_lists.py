@@ -189,7 +189,8 @@ def test_paths_are_relative_to_the_file_that_names_them(tmp_path, afmcalc, monke
     assert again.lists == read_spec(path).lists
     piped = afmcalc("torque", "-", "--json", stdin=afmcalc("torque", path, "--json").out)
     assert json.loads(piped.out)["result"] == json.loads(afmcalc("torque", path, "--json").out)["result"]
-    by_option = afmcalc("synthesize", CONFIGS / "default.toml", "--balls", "../lists/balls.csv", "--json")
+    file(tmp_path / "lists", "works' own.csv", "diameter_mm\n7\n23\n90\n")
+    by_option = afmcalc("synthesize", CONFIGS / "default.toml", "--balls", "../lists/works' own.csv", "--json")
     assert json.loads(by_option.out)["result"]["ball_diameter_standard"] in (0.007, 0.023, 0.09)
 
 
