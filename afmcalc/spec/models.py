@@ -573,8 +573,7 @@ class Machine(Block):
     @property
     def torque(self) -> Any:
         """Torque that the machine asks of the clutch, N·m."""
-        factor = 1.0 if self.service_factor is None else self.service_factor
-        return machine.torque_asked_for(self.torque_at_clutch, factor)
+        return machine.torque_asked_for(self.torque_at_clutch, self.service_factor or 1.0)
 
     @property
     def starting_torque(self) -> Any:
@@ -596,16 +595,13 @@ class ProtectedShaft(Block):
 
     @property
     def shear_yield_strength(self) -> Any:
-        """Yield strength in shear, Pa; None where that in tension is not given."""
-        given = self.yield_strength
-        return None if given is None else machine.shear_yield_strength(given)
+        """Yield strength in shear, Pa, where that in tension is given."""
+        return machine.shear_yield_strength(self.yield_strength)
 
 
 def bore_of(source: Any) -> Any:
     """Bore of the hub of a spec or of requirements that have an envelope, m: its own, else the shaft, else none."""
-    if source.envelope.bore is not None:
-        return source.envelope.bore
-    return source.shaft.diameter if source.shaft else 0.0
+    return source.envelope.bore or (source.shaft.diameter if source.shaft else 0.0)
 
 
 def around_the_shaft(source: Any, unit: str) -> Iterable[Broken]:

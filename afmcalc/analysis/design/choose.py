@@ -4,30 +4,17 @@ import math
 from collections import Counter
 from collections.abc import Callable
 from itertools import groupby
-from typing import TypeVar
 
 import numpy as np
-from pydantic import BaseModel
 
 from ...result import shown_as
+from ...spec.edit import with_values
 from ...spec.requirements import Requirements
 from .candidates import rounded
 from .pick import number_of
 from .rows import Attainable, DesignResult, DesignRow, OfVariant, Trade
 from .search import Survey
-from .space import SAME_CLUTCH, Numbers, given
-
-T = TypeVar("T", bound=BaseModel)
-
-
-def with_neighbours(result: DesignResult, asked: int | str) -> DesignResult:
-    """Return the result with the neighbours of a clutch of its front.
-
-    Raises:
-        CalculationError: no such number, or no knee.
-    """
-    number = number_of(result, "--explain", asked)
-    return result.model_copy(update={"explained": number, "neighbours": trades(result, number)})
+from .space import SAME_CLUTCH, Numbers
 
 
 def focused(result: DesignResult) -> DesignResult:
@@ -45,31 +32,31 @@ def over_range(values: Numbers) -> Numbers:
 
 
 @np.errstate(all="ignore")
-def trades(result: DesignResult, number: int) -> list[Trade]:
-    """Return what the neighbours of a clutch gain and give up: for each objective the nearest that is better in it.
+def with_neighbours(result: DesignResult, asked: int | str) -> DesignResult:
+    """Return the result with the neighbours of a clutch: for each objective the nearest that is better in it.
 
     Near is measured in the objectives, each over its range on the front.
+
+    Raises:
+        CalculationError: no such number, or no knee.
     """
+    number = number_of(result, "--explain", asked)
     values = np.array([[row.objective(name) for name in result.objectives] for row in result.front])
     here, scaled = values[number - 1], over_range(values)
     away = np.square(scaled - scaled[number - 1]).sum(axis=1)
     equal = (values == here) | (np.abs(values - here) <= SAME_CLUTCH * np.abs(here))
     nearest = [np.where(better, away, np.inf).argmin() for better in ((values < here) & ~equal).T if better.any()]
-    return [
+    trades = [
         Trade(
-            number=result.front[place].number,
-            variant=result.front[place].variant,
-            objective=name,
-            value=_known(there),
-            instead_of=_known(now),
-            change=_known(there / now - 1),
-            unit=shown_as(DesignRow.model_fields[name]).unit,
-            verdict="gains" if there < now else "gives up",
+            number=result.front[place].number, variant=result.front[place].variant, objective=name,
+            value=_known(there), instead_of=_known(now), change=_known(there / now - 1),
+            unit=shown_as(DesignRow.model_fields[name]).unit, verdict="gains" if there < now else "gives up",
         )
         for place in dict.fromkeys(nearest)
         for name, there, now, same in zip(result.objectives, values[place], here, equal[place], strict=True)
         if not same
-    ]
+    ]  # fmt: skip
+    return result.model_copy(update={"explained": number, "neighbours": trades})
 
 
 _FAR = 1e9
@@ -95,28 +82,30 @@ def of_variants(survey: Survey, on_front: list[DesignRow]) -> list[OfVariant] | 
 
 
 def relaxed(
-    need: Requirements, feasible: int, misses: list[Attainable], again: Callable[[Requirements], DesignResult] | None
+    need: Requirements, feasible: int, misses: list[Attainable], again: Callable[[Requirements], DesignResult]
 ) -> list[Attainable]:
     """Say of each miss which key to relax and to what, in few digits; leave out what was tried and brings no clutch.
 
     What is missed together is relaxed together; what follows from the requirements, or from a catalogue, has no key.
-    Without ``again``, which searches, nothing is tried: the misses are those of a clutch that a check has judged.
     """
     told = []
     for _, together in groupby(misses, lambda row: row.together or row):
         rows = list(together)
-        named = [row.model_copy(update={"key": _key(need, row), "relax_to": _outward(row)}) for row in rows]
-        if not all(row.key for row in named):
+        keys = [key for row in rows if (key := _key(need, row))]
+        if len(keys) < len(rows):
             told += rows
             continue
-        easier = need
-        for row in named:
-            easier = _with(easier, given(row.key).split("."), row.relax_to if row.relax_to is not None else False)
-        found = again(easier) if again else None
-        if found is None:
-            told += named
-        elif found.on_front and found.feasible > feasible:
-            told += [row.model_copy(update={"feasible": found.feasible}) for row in named]
+        # what the gain may be is limited or not
+        limits = [
+            row.requirement != "gain_limit" and float(rounded(np.array(row.best), _DIGITS, up=row.sense == "at most"))
+            for row in rows
+        ]
+        easier = again(with_values(need, dict(zip(keys, limits, strict=True))))
+        if easier.on_front and easier.feasible > feasible:
+            told += [
+                row.model_copy(update={"key": key, "relax_to": limit or None, "feasible": easier.feasible})
+                for row, key, limit in zip(rows, keys, limits, strict=True)
+            ]
     return told
 
 
@@ -130,19 +119,6 @@ def _key(need: Requirements, row: Attainable) -> str | None:
         if getattr(getattr(need, name), row.requirement, None) == row.limit:
             return f"{name}.{row.requirement}"
     return None
-
-
-def _outward(row: Attainable) -> float | None:
-    """Limit that lets the best of a row pass, in as few digits as a reader takes in; None: only its absence does."""
-    if row.requirement == "gain_limit":
-        return None
-    return float(rounded(np.array(row.best), _DIGITS, up=row.sense == "at most"))
-
-
-def _with(block: T, path: list[str], value: object) -> T:
-    """Return a block with another value in it."""
-    name, *inner = path
-    return block.model_copy(update={name: _with(getattr(block, name), inner, value) if inner else value})
 
 
 _DIGITS = 4
