@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from operator import attrgetter
 from os import PathLike
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, get_args
 
@@ -358,7 +359,7 @@ class Requirements(FileBlock, RuledBlock):
     def broken_rules(self) -> Iterable[Broken]:
         """What the variants need is given, and nothing that they do not have."""
         variants = [VARIANTS[name] for name in self.variants]
-        yield from shared_rules(self.model_dump(exclude_none=True, include={*SHARED, "envelope"}), variants)
+        yield from shared_rules(self.model_dump(exclude_none=True, include={*SHARED, "fixed"}), variants)
         torques = [name for name in ("nominal_torque", "machine_torque") if getattr(self.wanted, name) is not None]
         if not torques and self.machine is None:
             yield "wanted.nominal_torque", _ONE_TORQUE
@@ -387,7 +388,6 @@ class Requirements(FileBlock, RuledBlock):
                     yield path, say("required for variant {variant!r}", variant=name)
         yield from self._springs_rules(bool(travelling))
         yield from self._service_rules(len(travelling) < len(variants))
-        yield from self._envelope_rules()
         yield from around_the_shaft(self, "fixed")
         if fixed.pocket is not None and not travelling:
             yield "fixed.pocket", say("is of variant {able}", able=_able("travels"))
@@ -447,17 +447,6 @@ class Requirements(FileBlock, RuledBlock):
         if not travels and self.fixed.control_room is not None:
             yield "fixed.control_room", say("is of variant {able}", able=_able("travels"))
 
-    def _envelope_rules(self) -> Iterable[Broken]:
-        if self.envelope is None:
-            return
-        hub, other = self.envelope.hub_diameter, "fixed.hub_diameter"
-        if self.fixed.hub_diameter is not None and hub is not None:
-            yield "envelope.hub_diameter", say("excludes {other}: it is the same hub", other=other)
-        elif self.fixed.hub_diameter is None and hub is None:
-            yield "envelope.hub_diameter", say("required beside {other}", other="envelope")
-        if self.search.inner_radius is None and self.fixed.face_width is None:
-            yield "fixed.face_width", say("required beside {other}", other="envelope")
-
     @property
     def hub_diameter(self) -> float | None:
         """Outer diameter of the hub, wherever it is given, m."""
@@ -476,9 +465,9 @@ class Requirements(FileBlock, RuledBlock):
             self.fixed.face_width, self.search.mean_radius, self.search.inner_radius, self.search.outer_radius,
         )  # fmt: skip
         if mean is not None and inner is None and outer is None:
-            for name in ("surface_pressure", "outer_diameter"):
-                if width is None and getattr(self.limits, name) is not None:
-                    yield "fixed.face_width", say("required beside {other}", other=f"limits.{name}")
+            for path in ("limits.surface_pressure", "limits.outer_diameter", "envelope"):
+                if width is None and attrgetter(path)(self) is not None:
+                    yield "fixed.face_width", say("required beside {other}", other=path)
         elif mean is not None or inner is None or outer is None:
             yield "search.mean_radius", say("give mean_radius, or inner_radius and outer_radius")
         elif width is not None:

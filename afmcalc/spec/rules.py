@@ -46,7 +46,7 @@ _MEAN, _INNER, _OUTER = (f"friction_group.{name}_radius" for name in ("mean", "i
 _WEIGHT = tuple(f"friction_group.{name}" for name in ("vertical_axis", "pressure_disc_mass", "discs_mass"))
 _GAIN, _ANGLE, _CIRCLE = "control_unit.gain", "control_unit.wall_angle", "control_unit.ball_circle_radius"
 _SLOPE, _POCKET, _PROFILED = "control_unit.gain_slope", "control_unit.pocket", "control_unit.profiled"
-_HUB = "control_unit.hub_diameter"
+_HUBS = ("control_unit.hub_diameter", "fixed.hub_diameter")
 _ENVELOPE = say("required beside [envelope]: both radii of the faces, instead of mean_radius")
 _FORCE, _TORQUE = "closing_spring.force", "adjustment.nominal_torque"
 
@@ -75,14 +75,12 @@ _RULES = (
     _wrong(_PROFILED, say("is of a curved wall: give gain_slope or pocket with it"), without=(_SLOPE, _POCKET)),
     _wanted(_FORCE, unless=(_TORQUE,), message=say("required (or give adjustment.nominal_torque, which sets it)")),
     _wanted(_FORCE, "control_spring.force", _TORQUE, message=_BOTH_FORCES),
-    _wrong(
-        "drive.motor_torque", say("excludes drive.motor: give a constant torque, or the motor's curve"), "drive.motor"
-    ),
+    _wrong("drive.motor_torque", _ONE_MOTOR, "drive.motor"),
     *(_wanted(f"drive.{key}", "drive.event.") for key in ("motor_inertia", "shaft_stiffness")),
     _wanted("drive.driven_inertia", "drive.event.", unless=("envelope.",)),
     *(_wanted(key, "envelope.", message=_ENVELOPE) for key in (_INNER, _OUTER)),
-    _wanted("envelope.hub_diameter", "envelope.", unless=(_HUB,)),
-    _wrong("envelope.hub_diameter", say("excludes {other}: it is the same hub", other=_HUB), _HUB),
+    _wanted("envelope.hub_diameter", "envelope.", unless=_HUBS),
+    *(_wrong("envelope.hub_diameter", say("excludes {other}: it is the same hub", other=hub), hub) for hub in _HUBS),
     _wanted("drive.speed", "drive.event.", unless=("drive.motor",)),
     _wrong("requirements.machine_torque", BY_PLATE, "machine."),
     _wrong(_MODULUS, say("excludes [shaft], whose diameter gives it"), "shaft."),
@@ -99,7 +97,7 @@ _RULES = (
 """Rules that ask only whether keys are given."""
 
 
-SHARED = ("machine", "drive", "shaft", "fatigue", "heat", "tolerance")
+SHARED = ("machine", "drive", "shaft", "fatigue", "heat", "tolerance", "envelope")
 """Blocks that a requirements file has as a spec has them."""
 
 
