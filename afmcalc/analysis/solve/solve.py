@@ -51,9 +51,7 @@ class Target(NamedTuple):
     """The analysis that is asked for one clutch at a time; none where the engines give many at once."""
 
 
-def _of_engine(
-    name: str, unit: str, description: str, better: Literal["low", "high"], *symbols: str
-) -> tuple[str, Target]:
+def _engine(name: str, unit: str, about: str, better: Literal["low", "high"], *symbols: str) -> tuple[str, Target]:
     """Return a quantity of the engines, called as theirs, as a target."""
 
     def value(clutch: Clutch) -> Values:
@@ -62,24 +60,22 @@ def _of_engine(
         lasting = clutch.sleeve is not None or name != "accuracy_factor_hysteresis"
         return getattr(clutch, name if lasting else "accuracy_factor")
 
-    return name, Target(unit, description, value, better, symbols)
+    return name, Target(unit, about, value, better, symbols)
 
 
 TARGETS: dict[str, Target] = dict(
     (
-        _of_engine("accuracy_factor", "1", "accuracy factor", "low", "K_т"),
-        _of_engine("accuracy_factor_peak", "1", "accuracy factor by breakaway peaks", "low", "K_т,p"),
-        _of_engine("accuracy_factor_hysteresis", "1", "accuracy factor under a load that lasts", "low", "K_т,h"),
-        _of_engine("nominal_torque", "N*m", "nominal torque of the clutch", "high", "T_н", "adjustment.nominal_torque"),
-        _of_engine("torque_min", "N*m", "smallest torque", "high", "T_min"),
-        _of_engine("torque_max", "N*m", "largest torque", "low", "T_max"),
-        _of_engine("scatter", "N*m", "torque scatter band", "low", "ΔT"),
-        _of_engine("reduced_gain", "1", "reduced gain", "low", "zC", "z_2 C", "z_2C"),
-        _of_engine("closing_force", "N", "closing-spring force", "low", "F_п", "F", "closing_spring.force"),
-        _of_engine(
-            "control_force", "N", "control-spring force at the stop", "low", "F_п2", "F2", "control_spring.force"
-        ),
-        _of_engine("travel_max", "m", "largest travel of the sleeve", "low", "x_max"),
+        _engine("accuracy_factor", "1", "accuracy factor", "low", "K_т"),
+        _engine("accuracy_factor_peak", "1", "accuracy factor by breakaway peaks", "low", "K_т,p"),
+        _engine("accuracy_factor_hysteresis", "1", "accuracy factor under a load that lasts", "low", "K_т,h"),
+        _engine("nominal_torque", "N*m", "nominal torque of the clutch", "high", "T_н", "adjustment.nominal_torque"),
+        _engine("torque_min", "N*m", "smallest torque", "high", "T_min"),
+        _engine("torque_max", "N*m", "largest torque", "low", "T_max"),
+        _engine("scatter", "N*m", "torque scatter band", "low", "ΔT"),
+        _engine("reduced_gain", "1", "reduced gain", "low", "zC", "z_2 C", "z_2C"),
+        _engine("closing_force", "N", "closing-spring force", "low", "F_п", "F", "closing_spring.force"),
+        _engine("control_force", "N", "control-spring force at the stop", "low", "F_п2", "F2", "control_spring.force"),
+        _engine("travel_max", "m", "largest travel of the sleeve", "low", "x_max"),
     )
 )
 """Name, as in the JSON of the other commands → what it is, of what the engines give for many clutches at once."""
@@ -224,10 +220,10 @@ def solve(
         AfmcalcError: the parameter is none of the variant's.
     """
     name = _symbol(name, clutch.spec)
-    problem = _Problem(clutch, name, target, wanted, domain_of(clutch, name, beyond_limit=beyond_limit))
-    slow, whole, path = bool(problem.quantity.analysis), is_whole(problem.path), problem.path
-    if slow:
-        problem.quantity.value(clutch)  # says what it needs; one event that takes too long is refused
+    sought, whole, path = target_called(target), is_whole(path_for(name)), path_for(name)
+    problem = _Problem(clutch, name, target, sought, wanted, domain_of(clutch, name, beyond_limit=beyond_limit))
+    now = float(sought.value(clutch))  # says what it needs; one event that takes too long is refused
+    if sought.analysis:
         curve, solutions = looked(problem.values, wanted, problem.at)
     else:
         curve = explore(problem.values, wanted, problem.domain)
@@ -239,7 +235,7 @@ def solve(
             name=name,
             level=problem.shown(float(curve.value[0])),
         )
-    exact = None if slow else problem.closed(curve)
+    exact = problem.closed(curve, now)
     if exact is not None:
         solutions = sorted([exact, *(root for root in solutions if abs(root - exact) > 1e-6 * abs(exact))])
     chosen = problem.whole(solutions) if whole else solutions
@@ -265,9 +261,9 @@ def solve(
         value=chosen[0],
         exact_value=(solutions[0] if solutions else None) if whole else None,
         target=target,
-        target_unit=problem.quantity.unit.removesuffix(" abs"),
+        target_unit=sought.unit.removesuffix(" abs"),
         wanted=wanted,
-        reached=float(problem.quantity.value(solved)),
+        reached=float(sought.value(solved)),
         method="closed-form" if solutions and solutions[0] == exact else "bracketed-root",
         **{name: getattr(solved, name) for name in _OF_THE_CLUTCH},
     )
@@ -280,7 +276,7 @@ def solve(
                 "solve-another-value", "info", value=others[0], path=path, target=target, wanted=given, others=listed
             )
         )
-    if slow:
+    if sought.analysis:
         remarks.append(finding("solve-looked", "info", path=path, target=target, name=name, **problem.seen))
     return result, solved, [*solved.findings(), *remarks]
 
@@ -292,6 +288,7 @@ class _Problem:
     clutch: Clutch
     name: str
     target: str
+    sought: Target
     wanted: float
     domain: Domain
     known: dict[float, float] = field(default_factory=dict)
@@ -306,17 +303,12 @@ class _Problem:
         """Keys of the spec, by path, that a value of the parameter changes."""
         return moved(self.clutch.spec, {self.name: at}) if self.name in RATIOS else {self.path: at}
 
-    @property
-    def quantity(self) -> Target:
-        """What is wanted."""
-        return target_called(self.target)
-
     @cached_property
     def at(self) -> Floats:
         """Values of the parameter to look at, where each takes its time."""
         from ..requirements import simulates
 
-        name, clutch, analysis = self.name, self.clutch, self.quantity.analysis
+        name, clutch, analysis = self.name, self.clutch, self.sought.analysis
         now = current_ratio(clutch.spec, name) if name in RATIOS else getattr(clutch, _NOW.get(name, ""), None)
         if analysis == "life" and clutch.spec.drive.dynamic_factor is None:
             analysis = "simulate"
@@ -339,10 +331,10 @@ class _Problem:
 
     def values(self, at: Floats) -> Floats:
         """The target at values of the parameter."""
-        if self.quantity.analysis:
+        if self.sought.analysis:
             return np.array([self._value(one) for one in at.tolist()])
         with np.errstate(all="ignore"):
-            value = self.quantity.value(build(with_keys(self.clutch.spec, self.changed(at))))
+            value = self.sought.value(build(with_keys(self.clutch.spec, self.changed(at))))
         return np.broadcast_to(np.asarray(value, float), at.shape)
 
     def _value(self, at: float) -> float:
@@ -351,17 +343,16 @@ class _Problem:
             # validated as a file would be; between whole numbers there are no files
             changed = with_keys if is_whole(self.path) else respecified
             with suppress(AfmcalcError), unwatched():
-                self.known[at] = float(self.quantity.value(build(changed(self.clutch.spec, self.changed(at)))))
+                self.known[at] = float(self.sought.value(build(changed(self.clutch.spec, self.changed(at)))))
         return self.known.setdefault(at, math.nan)
 
     def shown(self, value: float) -> str:
         """A value of the target with its unit."""
-        unit = self.quantity.unit
+        unit = self.sought.unit
         return measured(value, ENGINEER[unit] if unit == "K abs" else unit)
 
-    def closed(self, curve: Curve) -> float | None:
+    def closed(self, curve: Curve, now: float) -> float | None:
         """Value that the closed inverse gives; None where there is none, or it lies off the curve."""
-        now = float(self.quantity.value(self.clutch))
         # a number of NumPy: what has no answer is NaN, not an exception of a kind of its own for each equation
         with np.errstate(all="ignore"):
             inverse = closed_inverse(self.clutch, self.name, self.target, now, np.float64(self.wanted))
@@ -388,7 +379,7 @@ class _Problem:
     def _meeting(self, at: Floats) -> Floats:
         """Those values of the parameter at which the target is as wanted or better."""
         value = self.values(at)
-        low = self.quantity.better == "low"
+        low = self.sought.better == "low"
         meets = value <= self.wanted * (1 + SAME) if low else value >= self.wanted * (1 - SAME)
         return at[meets & np.isfinite(value)]
 
@@ -464,6 +455,6 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
     if len(endless):
         nearest_endless = measured(endless[np.argmin(np.abs(endless - place))], _UNITS[name])
         where = say("{where}; it has no end at {name} = {place}", where=where, name=name, place=nearest_endless)
-    if problem.quantity.analysis:
+    if problem.sought.analysis:
         where = say("{where}, of {count} values from {low} to {high}", where=where, **problem.seen)
     return NotAttainableError(refusal(where), nearest, place)

@@ -11,6 +11,7 @@ from afmcalc.analysis.solve.search import Domain
 from afmcalc.analysis.solve.slow import looked, places
 from afmcalc.analysis.solve.solve import NotAttainableError, solve
 from afmcalc.engines import build
+from afmcalc.errors import CalculationError
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.edit import respecified
 
@@ -48,6 +49,11 @@ def test_a_life_without_end_is_no_number():
     with pytest.raises(NotAttainableError, match="it has no end at F = ") as refused:
         solve(build(read_spec(*LIFE)), "F", "cycles", 1e8)
     assert refused.value.best == pytest.approx(1e7, rel=1e-6)
+
+
+def test_pairs_that_all_give_a_life_without_end():
+    with pytest.raises(CalculationError, match="it has no end at any z looked at"):
+        solve(build(read_spec(*LIFE)), "z", "cycles", 1e5)
 
 
 def test_contact_by_hertz_goes_with_the_cube_root_of_the_force():
