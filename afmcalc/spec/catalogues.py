@@ -114,8 +114,8 @@ class Lists(NamedTuple):
 
 def material_named(name: str, listed: Mapping[str, Material]) -> Material | None:
     """Return the material of a name, or of another that is read as it, capitals, spaces and hyphens aside."""
-    called = {plain(each): row for row in listed.values() for each in (*row.also, row.name)}
-    return listed.get(name) or called.get(plain(name))
+    read_as = (row for row in listed.values() if plain(name) in map(plain, (row.name, *row.also)))
+    return listed.get(name) or next(read_as, None)
 
 
 def plain(name: str) -> str:

@@ -188,22 +188,18 @@ class Friction(FrictionRange):
     unknown: StrictBool | None = key("true: which of several materials it is, is not known; the worst of them counts")
 
     def broken_rules(self) -> Iterable[Broken]:
-        """What is not known is one of several, all for dry faces, or all for oil."""
+        """What is not known is one of several."""
         yield from super().broken_rules()
-        if self.unknown:
-            yield from self.contradictions()
-            if not any(len(block.material_names) > 1 for block in self.blocks.values()):
-                yield "unknown", say('is the worst of several materials: list them, material = ["…", "…"]')
+        if self.unknown and all(len(block.material_names) == 1 for block in self.blocks.values()):
+            yield "unknown", say('is the worst of several materials: list them, material = ["…", "…"]')
 
     def contradictions(self) -> Iterable[Broken]:
-        """Materials of one list that no clutch has to bear both of."""
+        """Materials of one list that no clutch has to bear both of: for dry faces, and for oil."""
         for path, block in self.blocks.items():
             if len({each.condition for each in block.materials.values()}) > 1:
                 listed = ", ".join(f"{name}: {each.condition}" for name, each in block.materials.items())
-                yield (
-                    f"{path}.material".removeprefix("friction."),
-                    say("materials for dry faces and for oil contradict each other ({listed})", listed=listed),
-                )
+                message = say("materials for dry faces and for oil contradict each other ({listed})", listed=listed)
+                yield f"{path}.material", message
 
     @property
     def groups(self) -> tuple[Range, Range]:
@@ -753,7 +749,7 @@ class Spec(FileBlock):
             spec = handler(data)
         except ValidationError as error:
             raise rule_error(broken, error) from None
-        broken += ((f"friction.{path}", message) for path, message in spec.friction.contradictions())
+        broken += spec.friction.contradictions()
         broken += around_the_shaft(spec, "control_unit")
         if broken:
             raise rule_error(broken)

@@ -395,6 +395,7 @@ class Requirements(FileBlock, RuledBlock):
             yield "fixed.profiled", say("is of a curved wall: give fixed.pocket with it")
 
     def _friction_rules(self, variants: list[Variant]) -> Iterable[Broken]:
+        yield from self.friction.contradictions() if self.friction.unknown else ()
         try:
             _ = self.friction.groups
         except ValueError:
