@@ -185,8 +185,8 @@ def made(need: Requirements, row: DesignRow, *, simulated: bool = True) -> Made 
     """
     plain = as_spec(need, row)
     if need.springs is None:
-        row, missed = judged(need, row)
-        return None if missed else Made(plain, row)
+        missed, told = judgement_of(build(plain), simulated=simulated)
+        return None if missed else Made(plain, row.model_copy(update=told))
     lists = {demand.name: ranked(demand, need.springs, _STACKS) for demand in build(plain).spring_demands()}
     strayed = None
     for stacks in product(*lists.values()):
@@ -246,21 +246,17 @@ def judgement_of(clutch: Clutch, *, simulated: bool = True) -> Judgement:
     names = asked(clutch.spec.requirements, clutch.spec.drive) if simulated else []
     if names and not _missed(findings, names):
         result, findings = check(clutch, answers=Answers(clutch, scattered_peaks=False))  # no requirement is of these
-        told = {
-            row.requirement: row.value
-            for row in result.requirements
-            if row.requirement in names and row.value is not None
-        }
+        values = ((row.requirement, row.value) for row in result.requirements if row.requirement in names)
+        told = {name: value for name, value in values if value is not None}
     return Judgement(_missed(findings, names), told)
 
 
 def _missed(findings: list[Finding], names: list[str]) -> tuple[str, ...]:
     """What fails a clutch of a design: errors, a material beyond what it bears, what is asked for and not told."""
-    failing = dict.fromkeys(
-        (remark.path or "").removeprefix("requirements.") if remark.code.startswith("requirement-") else remark.code
-        for remark in findings
-        if remark.level == "error"
-        or remark.code.endswith("-pressure-in-range")
-        or (remark.code == "requirement-not-judged" and (remark.path or "").removeprefix("requirements.") in names)
-    )
+    failing = dict[str, None]()
+    for remark in findings:
+        name, code = (remark.path or "").removeprefix("requirements."), remark.code
+        untold = code == "requirement-not-judged" and name in names
+        if remark.level == "error" or code.endswith("-pressure-in-range") or untold:
+            failing[name if code.startswith("requirement-") else code] = None
     return tuple(failing)
