@@ -12,9 +12,7 @@ from itertools import combinations, product
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from ..arrays import Values, larger, smaller
-from ..equations import effects, synthesis
-from ..equations import layout as law
-from ..equations import springs as springs_law
+from ..equations import drive, effects, springs, synthesis
 from ..spec.models import DiscStack, Room, Spec, bore_of
 from .protocol import Clutch
 from .springs import STEEL, characteristic
@@ -54,12 +52,12 @@ class Ring(NamedTuple):
         if self.given_mass is not None:
             return self.given_mass
         length = (self.right - self.left) * self.extends
-        return springs_law.ring_mass(STEEL, 2 * self.outer, 2 * self.inner, length, math.pi)
+        return springs.ring_mass(STEEL, 2 * self.outer, 2 * self.inner, length, math.pi)
 
     @property
     def inertia(self) -> Values:
         """Moment of inertia about the axis, kg·m²."""
-        return law.ring_inertia(self.mass, 2 * self.outer, 2 * self.inner)
+        return drive.ring_inertia(self.mass, 2 * self.outer, 2 * self.inner)
 
     def overlap(self, other: "Ring") -> Values:
         """How far it reaches into another ring, the shorter way, m; ≤ 0 where it does not."""
@@ -202,7 +200,7 @@ def parts_of(size: Sizes) -> list[SectionPart]:
     )
     ball = middle - size.ball / 2, middle + size.ball / 2, size.circle - size.ball / 2, reach
     all_balls = size.balls * effects.ball_mass(STEEL, size.ball / 2, math.pi)
-    springs = [
+    set_springs = [
         _part("closing spring", "driven", (behind, behind + closing.length, *closing[:2]), mass=closing.mass),
         _part("control spring", "driven", (control_at, control_at + control.length, *control[:2]), mass=control.mass),
     ]
@@ -218,7 +216,7 @@ def parts_of(size: Sizes) -> list[SectionPart]:
         SectionPart("pack", (Ring(pack, plate_at, carrier, faces),), discs),
         *sleeves,
         _part("balls", "driven", ball, mass=all_balls),
-        *springs[: 1 + size.travels],
+        *set_springs[: 1 + size.travels],
     ]
 
 

@@ -11,6 +11,18 @@ from .terms import *
 
 
 @equation
+def ring_inertia(
+    mass: RingMass, outer_diameter: RingOuterDiameter, inner_diameter: RingInnerDiameter
+) -> Annotated[Number, "J", "kg*m^2"]:
+    """Moment of inertia of a ring about its axis, J = m (D² + d²)/8.
+
+    Source: Geometry; handbook, chapter 9.
+    Validity: Rectangular section, uniform density.
+    """
+    return mass * (outer_diameter * outer_diameter + inner_diameter * inner_diameter) / 8
+
+
+@equation
 def shaft_damping(
     damping_ratio: DampingRatio, stiffness: ShaftStiffness, driven_inertia: DrivenInertia
 ) -> ShaftDamping:
