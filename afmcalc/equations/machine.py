@@ -20,7 +20,7 @@ def rated_torque(power: RatedPower, speed: RatedSpeed) -> RatedTorque:
 def torque_at_clutch(rated_torque: RatedTorque, ratio: DriveRatio, efficiency: Efficiency) -> TorqueAtClutch:
     """Rated torque of the motor at the clutch, T_дв = M_н i η.
 
-    Source: Power balance of the gear between motor and clutch, i = ω_н/ω.
+    Source: Identity: power balance of the gear between motor and clutch, i = ω_н/ω.
     Validity: Steady running.
     """
     return rated_torque * ratio * efficiency
@@ -44,7 +44,7 @@ def starting_torque(
 ) -> Annotated[Number, "T_пуск", "N*m"]:
     """Largest torque at the clutch as the motor starts directly, T_пуск = m_п T_дв.
 
-    Source: Catalogues of motors (IEC 60034-12) tell the starting and the breakdown torque over the rated torque.
+    Source: Definition of m_п in catalogues of motors (IEC 60034-12): starting or breakdown over rated torque.
     Validity: An upper bound: what the motor's own inertia takes of it does not reach the clutch.
     """
     return starting_torque_ratio * torque_at_clutch
