@@ -272,7 +272,7 @@ FINDINGS: Mapping[str, str] = {
     "springs-miss": "{value:g} clutches are left out of the front: with straight springs of the stiffness searched "
     "they pass a check, with the springs tried they fail it",
     "front-not-simulated": "{names}: not asked of the clutches of the front, each of which has to be simulated or "
-    "sampled; --simulate asks",
+    "sampled: without --no-simulate it is",
     "front-of-grid": "{names}: a check of each clutch tells it, so the front is that of the points searched, with "
     "nothing between them tried",
     "room-not-given": "{path}: inner_diameter, outer_diameter or length is not given: nothing bounds the spring there",

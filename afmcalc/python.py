@@ -231,11 +231,12 @@ def compare(*clutches: Clutch | str | PathLike[str], variants: bool = False) -> 
 
 
 def design(
-    requirements: str | PathLike[str] | Mapping[str, object], *, pick: int | str | None = None
+    requirements: str | PathLike[str] | Mapping[str, object], *, pick: int | str | None = None, simulate: bool = True
 ) -> "DesignResult":
     """All that nothing else beats, of what meets the requirements: a file's, or plain data of the same structure.
 
-    With ``pick`` that number of the front, or its ``"knee"``, gets round figures: ``Clutch(answer.spec)``.
+    With ``pick`` that number of the front, or its ``"knee"``, gets round figures: ``Clutch(answer.spec)``. Without
+    ``simulate`` the front is not yet held to what has to be simulated or sampled.
 
     Raises:
         SpecError: the requirements are invalid.
@@ -245,7 +246,7 @@ def design(
     from .spec.requirements import make_requirements, read_requirements
 
     need = make_requirements(requirements) if isinstance(requirements, Mapping) else read_requirements(requirements)
-    result, findings = _asked("design", need)
+    result, findings = _asked("design", need, simulate=simulate)
     spec = None
     if pick is not None:
         result, spec = with_picked(need, result, pick)

@@ -93,8 +93,9 @@ def design(
         str | None, Option(metavar="QUANTITY", help="Show the front by this, least first: any number of its rows.")
     ] = None,
     simulate: Annotated[
-        bool, Option("--simulate", help="Hold the front to what has to be simulated or sampled too.")
-    ] = False,
+        bool,
+        Option("--simulate/--no-simulate", help="Hold the front to what has to be simulated or sampled, or do not yet."),
+    ] = True,
     explain: Annotated[
         str | None, Option(metavar="N|knee", help="Show the neighbours of this clutch, and what each gives up.")
     ] = None,
@@ -108,14 +109,14 @@ def design(
 
     An example is written by afmcalc init --kind requirements. A number of the front means the same clutch in the table,
     the CSV, the plot and for --pick, however the table is sorted. Between the points of a range every objective is made
-    as small as it goes; with closing_forces, a curved pocket, or --simulate, the front is that of the points. With
-    --pick a clutch gets round figures that hold every limit, is calculated again with them and shown alone, with what a
+    as small as it goes; with closing_forces, a curved pocket, or what has to be simulated, the front is that of the
+    points; --no-simulate looks without simulating. With --pick a clutch gets round figures that hold every limit, is calculated again with them and shown alone, with what a
     check says of its requirements and limits; --output FILE gets it as a spec that passes a check.
 
     \b
     afmcalc design requirements.toml --sort accuracy_factor --top 10
     afmcalc design requirements.toml --explain knee
-    afmcalc design requirements.toml --simulate --yes
+    afmcalc design requirements.toml --no-simulate
     afmcalc design requirements.toml --pick 3 --output clutch.toml
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301

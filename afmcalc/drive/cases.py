@@ -39,9 +39,14 @@ class Case(NamedTuple):
         Raises:
             CalculationError: the integration fails.
         """
-        from .trip import trip
+        return _run(self, recorded)
 
-        return trip(self.plant, self.horizon, recorded=recorded, given=self.given)
+
+@functools.lru_cache(maxsize=8)  # heat asks again what was simulated for the peaks
+def _run(case: Case, recorded: bool) -> "Trip":  # noqa: FBT001
+    from .trip import trip
+
+    return trip(case.plant, case.horizon, recorded=recorded, given=case.given)
 
 
 class Outcome(NamedTuple):

@@ -174,6 +174,7 @@ def in_s19(friction):
 
 ENDS = (0.1, 0.8)
 BASE = [direct(1, 7, 0.5, friction) for friction in ENDS]
+CONVEYOR = [direct(1, 3, 1.6, friction, arm=3805 * 0.065) for friction in (0.25, 0.45)]
 CLOSED = {
     "default torque.closing_force": 2000.0,
     "default torque.gain": 0.5,
@@ -185,6 +186,11 @@ CLOSED = {
     "machine-clutch torque.torque_asked_for": 1.25 * 5500 / (965 * math.pi / 30),
     "machine-clutch torque.starting_torque": 2.2 * 5500 / (965 * math.pi / 30),
     "machine-clutch torque.torque.min": 2620 * 0.0625 * 6 * 0.15 / (1 + 0.8 * 6 * 0.15),
+    "conveyor-clutch torque.nominal_torque": CONVEYOR[0],
+    "conveyor-clutch simulate.sliding_torque.max": CONVEYOR[1],
+    "conveyor-clutch torque.accuracy_factor": CONVEYOR[1] / CONVEYOR[0],
+    "drilling-head-clutch torque.nominal_torque": direct(1, 11, 1.6, 0.05, arm=14160 * 0.07),
+    "wood-chipper-clutch simulate.sliding_torque.max": direct(1, 3, 1.0, 0.45, arm=11330 * 0.14),
     "fokin2011-fig2 accuracy.gain_limit": 1 / (2 * 0.6),
     "fokin2011-fig2 accuracy.accuracy_factor": direct(2, 6, 1.25, 0.6, 0.9) / direct(2, 6, 1.25, 0.1, 0.1033),
     "shishkarev2019-fig2 adjust.pairs_threshold": (1 / 0.15 - 1.25 / 0.33) / (0.25 * 1.6) + 1,

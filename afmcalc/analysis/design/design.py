@@ -34,12 +34,12 @@ MOST_AGAIN = 30_000_000
 
 
 def design(
-    need: Requirements, *, misses: bool | None = None, simulate: bool = False
+    need: Requirements, *, misses: bool | None = None, simulate: bool = True
 ) -> tuple[DesignResult, list[Finding]]:
     """Search everything the requirements allow: the front, empty where nothing meets them, and findings.
 
-    ``misses`` asks for the nearest miss of each requirement; None: only where nothing meets them all. ``simulate``
-    holds the front to what has to be simulated or sampled too; else that is left to a check of what is picked.
+    ``misses`` asks for the nearest miss of each requirement; None: only where nothing meets them all. Without
+    ``simulate`` what has to be simulated or sampled is left to a check of what is picked.
 
     Raises:
         AfmcalcError: more candidates than are searched.

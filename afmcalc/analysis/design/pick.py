@@ -20,9 +20,9 @@ from ...spec.requirements import Choice, Requirements
 from ...variants import VARIANTS
 from ..answers import Answers
 from ..check import check, found_unsimulated
-from ..limits import ring_pressures
+from ..limits import ring_pressures, shaft_findings
 from ..registry import ANALYSES
-from ..requirements import JUDGED
+from ..requirements import JUDGED, requirement_rows, simulates
 from ..springs.springs import part_of, ranked
 from ..synthesize import SynthesisResult
 from ..torque import TorqueResult
@@ -177,7 +177,7 @@ class Made(NamedTuple):
     row: DesignRow
 
 
-def made(need: Requirements, row: DesignRow, *, simulated: bool = True) -> Made | None:
+def made(need: Requirements, row: DesignRow, *, simulated: bool = True, whole: bool = True) -> Made | None:
     """Write a row as a spec that passes a check, with the first springs, if wanted, with which it does.
 
     Springs that stay in their range come first: with them the sleeve travels farther, or less, than with straight ones.
@@ -185,7 +185,7 @@ def made(need: Requirements, row: DesignRow, *, simulated: bool = True) -> Made 
     """
     plain = as_spec(need, row)
     if need.springs is None:
-        missed, told = judgement_of(build(plain), simulated=simulated)
+        missed, told = judgement_of(build(plain), simulated=simulated, whole=whole)
         return None if missed else Made(plain, row.model_copy(update=told))
     lists = {demand.name: ranked(demand, need.springs, _STACKS) for demand in build(plain).spring_demands()}
     strayed = None
@@ -198,7 +198,7 @@ def made(need: Requirements, row: DesignRow, *, simulated: bool = True) -> Made 
             numbers = (stack.parallel, stack.series) if stack.kind == "disc" else (stack.turns, stack.count)
             shown[f"{name}_part"] = "{}, {:g} × {:g}".format(stack.part, *numbers)
         clutch = build(as_written(plain.model_copy(update=springs)))
-        missed, told = judgement_of(clutch, simulated=simulated)
+        missed, told = judgement_of(clutch, simulated=simulated, whole=whole)
         if missed:
             continue
         shown |= told
@@ -214,11 +214,11 @@ def made(need: Requirements, row: DesignRow, *, simulated: bool = True) -> Made 
 
 
 def judged(need: Requirements, row: DesignRow) -> tuple[DesignRow, tuple[str, ...]]:
-    """Return a row with what a check says of it as it is written, and what it misses by that."""
+    """Return a row with what is asked for of it as it is written, and what it misses of that."""
     if need.springs is not None:
-        sprung = made(need, row)
+        sprung = made(need, row, whole=False)
         return (row, ("springs",)) if sprung is None else (sprung.row, ())
-    missed, told = judgement_of(build(as_spec(need, row)))
+    missed, told = judgement_of(build(as_spec(need, row)), whole=False)
     return row.model_copy(update=told), missed
 
 
@@ -240,14 +240,26 @@ def asked(required: BaseModel | None, drive: Drive | None) -> list[str]:
     return [name for name in names if name in JUDGED and JUDGED[name].analysis in answering]
 
 
-def judgement_of(clutch: Clutch, *, simulated: bool = True) -> Judgement:
-    """Give a clutch to a check, which simulates only what else passes, and only where that is asked for."""
+def judgement_of(clutch: Clutch, *, simulated: bool = True, whole: bool = True) -> Judgement:
+    """Give a clutch to a check, which simulates only what else passes, and only where that is asked for.
+
+    Without ``whole`` of what takes long only those analyses are asked that answer what is required.
+    """
     findings, told = found_unsimulated(clutch), dict[str, float]()
     names = asked(clutch.spec.requirements, clutch.spec.drive) if simulated else []
     if names and not _missed(findings, names):
-        result, findings = check(clutch, answers=Answers(clutch, scattered_peaks=False))  # no requirement is of these
-        values = ((row.requirement, row.value) for row in result.requirements if row.requirement in names)
-        told = {name: value for name, value in values if value is not None}
+        answers = Answers(clutch, scattered_peaks=False)  # no requirement is of these
+        if whole:
+            result, findings = check(clutch, answers=answers)
+            required = result.requirements
+        else:
+            required, findings = requirement_rows(answers)
+            analyses = {JUDGED[name].analysis for name in names}
+            if simulates("heat", clutch) and analyses & {"simulate", "heat"}:
+                analyses.add("simulate")
+                findings += shaft_findings(answers)
+            findings += [remark for analysis in sorted(analyses) for remark in answers.ask(analysis)[1]]
+        told = {row.requirement: row.value for row in required if row.requirement in names and row.value is not None}
     return Judgement(_missed(findings, names), told)
 
 
