@@ -94,7 +94,9 @@ def design(
     ] = None,
     simulate: Annotated[
         bool,
-        Option("--simulate/--no-simulate", help="Hold the front to what has to be simulated or sampled, or do not yet."),
+        Option(
+            "--simulate/--no-simulate", help="Hold the front to what has to be simulated or sampled, or do not yet."
+        ),
     ] = True,
     explain: Annotated[
         str | None, Option(metavar="N|knee", help="Show the neighbours of this clutch, and what each gives up.")
@@ -110,8 +112,9 @@ def design(
     An example is written by afmcalc init --kind requirements. A number of the front means the same clutch in the table,
     the CSV, the plot and for --pick, however the table is sorted. Between the points of a range every objective is made
     as small as it goes; with closing_forces, a curved pocket, or what has to be simulated, the front is that of the
-    points; --no-simulate looks without simulating. With --pick a clutch gets round figures that hold every limit, is calculated again with them and shown alone, with what a
-    check says of its requirements and limits; --output FILE gets it as a spec that passes a check.
+    points; --no-simulate looks without simulating. With --pick a clutch gets round figures that hold every limit, is
+    calculated again with them and shown alone, with what a check says of its requirements and limits; --output FILE
+    gets it as a spec that passes a check.
 
     \b
     afmcalc design requirements.toml --sort accuracy_factor --top 10

@@ -39,11 +39,12 @@ class Case(NamedTuple):
         Raises:
             CalculationError: the integration fails.
         """
-        return _run(self, recorded)
+        return run_of(self, recorded)
 
 
-@functools.lru_cache(maxsize=8)  # heat asks again what was simulated for the peaks
-def _run(case: Case, recorded: bool) -> "Trip":  # noqa: FBT001
+@functools.lru_cache(maxsize=8)
+def run_of(case: Case, recorded: bool) -> "Trip":  # noqa: FBT001
+    """Simulate; the last are kept, as heat asks again what was simulated for the peaks."""
     from .trip import trip
 
     return trip(case.plant, case.horizon, recorded=recorded, given=case.given)

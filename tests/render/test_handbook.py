@@ -19,6 +19,7 @@ from afmcalc.analysis.handbook import chapter_texts, handbook
 from afmcalc.analysis.registry import ANALYSES
 from afmcalc.analysis.solve.search import closed_inverse
 from afmcalc.analysis.solve.solve import PARAMETERS, TARGETS
+from afmcalc.drive.cases import run_of
 from afmcalc.engines import build
 from afmcalc.equations.catalogue import equations
 from afmcalc.errors import AfmcalcError
@@ -68,6 +69,7 @@ def test_uses_are_those_of_the_program():
             user = ""
             clutch = build(spec)
             for user in COMMANDS:
+                run_of.cache_clear()
                 if ANALYSES[user].applies(clutch):
                     ANALYSES[user].function(clutch)
             user = "solve"
@@ -81,6 +83,7 @@ def test_uses_are_those_of_the_program():
         names = list(proofs())
         kind = "proofs"
         for user in names:
+            run_of.cache_clear()
             prove(user)
     finally:
         sys.setprofile(None)

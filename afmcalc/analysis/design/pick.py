@@ -49,7 +49,7 @@ def with_picked(need: Requirements, result: DesignResult, pick: int | str) -> tu
     """Return the result with a clutch of its front in round figures as a row of its own, and as a spec that passes.
 
     Raises:
-        CalculationError: no such number, or no knee.
+        CalculationError: no such number, no knee, or what fails a check, as it is and in round figures.
     """
     number = number_of(result, "--pick", pick)
     exact = result.front[number - 1]
@@ -62,7 +62,14 @@ def with_picked(need: Requirements, result: DesignResult, pick: int | str) -> tu
         for row in _rounded(need, exact, level, given_up)
         if (clutch := made(need, row)) is not None
     )
-    chosen = next(tried, Made(as_spec(need, exact), exact))
+    chosen = next(tried, None) or made(need, exact)
+    if chosen is None:
+        missed = judgement_of(build(as_spec(need, exact))).missed or ("springs",)
+        raise CalculationError(
+            "--pick {number}: a check fails it, as it is and in round figures: {missed}",
+            number=number,
+            missed=", ".join(missed),
+        )
     return result.model_copy(update={"picked": [_as_written(*chosen)]}), chosen.spec
 
 

@@ -240,7 +240,10 @@ def test_clutches_that_fail_with_every_stack_are_left_out(monkeypatch):
     before = design(need)[0].front
     heavy = [row for row in before if row.pack_force_at_rest > 4500]
     assert 0 < len(heavy) < len(before)
-    heavy_fails = lambda clutch, simulated: pick.Judgement(("heavy",) * (clutch.pack_force_at_rest > 4500), {})  # noqa: E731
+
+    def heavy_fails(clutch, **_):
+        return pick.Judgement(("heavy",) * (clutch.pack_force_at_rest > 4500), {})
+
     monkeypatch.setattr(pick, "judgement_of", heavy_fails)
     result, findings = design(need)
     assert [row.pack_force_at_rest for row in result.front] == [r.pack_force_at_rest for r in before if r not in heavy]
