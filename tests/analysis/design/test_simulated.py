@@ -12,6 +12,7 @@ from afmcalc.analysis.check import check
 from afmcalc.analysis.design.design import design
 from afmcalc.analysis.design.pick import with_picked
 from afmcalc.engines import build
+from afmcalc.errors import CalculationError
 from afmcalc.spec import make_spec
 from afmcalc.spec.requirements import make_requirements
 
@@ -150,7 +151,7 @@ def test_the_front_is_that_of_all_that_pass_a_check(names):
         limits["temperature"] = LOOSE["temperature"]
     count, best = brute(space, limits)
     need = make_requirements(needed(space, **limits))
-    result, _ = design(need, simulate=True)
+    result, _ = design(need)
     found = np.array([[row.objective(name) for name in OBJECTIVES] for row in result.front]).reshape(-1, 3)
     np.testing.assert_allclose(np.unique(np.round(found, 6), axis=0), best, rtol=1e-9)
     # counted as feasible: all that pass, and some that nobody asked
@@ -162,3 +163,17 @@ def test_the_front_is_that_of_all_that_pass_a_check(names):
         said = {asked.requirement: asked.value for asked in judged.requirements}
         for name in limits:
             assert holds(said, name, limits[name])
+
+
+def test_a_quick_look_says_so_and_what_it_lets_through_is_not_written():
+    data = needed("direct", peak_torque=1.0, torque_max=1e4) | {"variants": ["conventional"]}
+    data["search"] = {key: data["search"][key] for key in ("inner_radius", "closing_force")} | {
+        "pairs": 6,
+        "outer_radius": 0.11,
+    }
+    need = make_requirements(data)
+    result, findings = design(need, simulate=False)
+    assert result.front
+    assert "front-not-simulated" in {each.code for each in findings}
+    with pytest.raises(CalculationError, match="--pick 1: a check fails it.*: peak_torque"):
+        with_picked(need, result, 1)
