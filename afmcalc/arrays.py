@@ -78,6 +78,15 @@ def square_root(value: Values) -> Values:
     return math.sqrt(value)
 
 
+def logarithm(value: Values) -> Values:
+    """ln of a number or an array."""
+    if is_array(value):
+        import numpy as np
+
+        return np.log(value)
+    return math.log(value)
+
+
 def tangent(angle: Values) -> Values:
     """Tangent, the same to the last bit for floats and arrays: NumPy's own may differ in the last."""
     if is_array(angle):

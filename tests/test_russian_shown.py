@@ -60,7 +60,8 @@ CODES = {
 }  # fmt: skip
 """Commands, keys and their choices of one word, as a user writes them."""
 BIBLIOGRAPHY = re.compile(
-    r"Juvinall.*?(?=  |\)|\]|$)|Johnson, Contact Mechanics, 1985\)(?:, \(4\.\d+a?\))*|ch\. 18|\([a-z ]+\)",
+    r"Juvinall.*?(?=  |\)|\]|$)|Johnson, Contact Mechanics, 1985\)(?:, \(4\.\d+a?\))*|ch\. 18|\([a-z ]+\)"
+    r"|Almen & László|Budynas & Nisbett",
     re.MULTILINE,
 )
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from ..arrays import Values, chosen, greatest, larger, smaller
+from ..arrays import Values, chosen, greatest, larger, logarithm, smaller
 from ..equations import springs as law
 from ..equations.calls import derived, unnoted
 from ..spec.catalogues import Disc
@@ -67,12 +67,13 @@ class DiscCharacteristic:
     @property
     def thickness(self) -> float:
         """As made: t, with flats t', m."""
-        return self.part.reduced_thickness or self.part.thickness
+        own = self.part
+        return own.thickness if own.reduced_thickness is None else own.reduced_thickness
 
     @property
     def factors(self) -> tuple[float, float]:
         """K_1 and K_4."""
-        load = law.disc_factor_load(self.ratio, math.log(self.ratio), math.pi)
+        load = law.disc_factor_load(self.ratio, logarithm(self.ratio), math.pi)
         reduced = self.part.reduced_thickness
         if reduced is None:
             return load, 1.0
@@ -134,7 +135,7 @@ class DiscCharacteristic:
             for _ in range(_STEPS):
                 there = smaller(at + (force - self.force(at)) / self.stiffness(at), self.end)
                 moved, at = greatest(there - at), there
-                if not moved > _CLOSE * self.end:
+                if not moved > _CLOSE * greatest(self.end):
                     break
         return at
 

@@ -49,7 +49,8 @@ def test_a_result_or_a_sentence(afmcalc, monkeypatch):
         monkeypatch.setenv("AFMCALC_LANG", language)
         run = afmcalc(*arguments)
         said = run.code in (0, 1) if arguments[0] == "check" else run.code == 0
-        refused = run.code == 2 and REFUSED[language] in run.err
+        # a list of one's own that is not there is a file that cannot be read
+        refused = run.code in ((2, 3) if "catalogues." in arguments[-1] else (2,)) and REFUSED[language] in run.err
         if not (said or refused) or "Traceback" in run.err or (language == "en" and broken_range(arguments, run)):
             wrong.append((run.code, language, " ".join(arguments), run.err[:300]))
     assert not wrong
