@@ -131,7 +131,11 @@ def sizes_of(clutch: Clutch) -> Sizes:
         return size
     gap = FACE_GAP if unit.face_gap is None else unit.face_gap
     return size._replace(
-        ball=unit.ball_diameter, balls=unit.balls or 0, circle=unit.ball_circle_radius, gap=gap, depth=unit.sleeve_depth
+        ball=unit.ball_diameter,
+        balls=0 if unit.balls is None else unit.balls,
+        circle=unit.ball_circle_radius,
+        gap=gap,
+        depth=unit.sleeve_depth,
     )
 
 

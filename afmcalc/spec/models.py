@@ -597,7 +597,8 @@ class ProtectedShaft(Block):
 
 def bore_of(source: Any) -> Any:
     """Bore of the hub of a spec or of requirements that have an envelope, m: its own, else the shaft, else none."""
-    return source.envelope.bore or (source.shaft.diameter if source.shaft else 0.0)
+    bore = source.envelope.bore
+    return bore if bore is not None else source.shaft.diameter if source.shaft else 0.0
 
 
 def around_the_shaft(source: Any, unit: str) -> Iterable[Broken]:

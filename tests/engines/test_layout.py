@@ -11,7 +11,7 @@ from afmcalc.engines import build
 from afmcalc.engines.layout import Sizes, SpringSize, inertia_of, length_of, overlaps, parts_of, sizes_of
 from afmcalc.errors import SpecError
 from afmcalc.spec import make_spec, read_spec
-from afmcalc.spec.edit import respecified, with_values
+from afmcalc.spec.edit import respecified, value_at, with_values
 
 STEEL = 7850.0
 SLEEVES = {"direct": {"thrust disc", "pressure disc"}, "indirect": {"ball sleeve", "thrust sleeve"}}
@@ -209,3 +209,19 @@ def test_a_space_that_is_none(given, says):
     }
     with pytest.raises(SpecError, match=says):
         direct(envelope={name: value for name, value in {**envelope, **given}.items() if value is not None})
+
+
+SWEPT = [f"envelope.{name}" for name in ("bore", "hub_diameter", "disc_thickness", "plate_thickness", "housing_wall")]
+SWEPT += [f"closing_spring.disc.{name}" for name in ("outer_diameter", "inner_diameter", "thickness", "series")]
+SWEPT += [f"control_unit.{name}" for name in ("balls", "ball_diameter", "ball_circle_radius", "face_gap")]
+SWEPT += ["friction_group.pairs", "friction_group.inner_radius", "friction_group.outer_radius"]
+
+
+@pytest.mark.parametrize("key", SWEPT)
+def test_the_inertia_of_swept_sizes_is_that_of_each(key):
+    spec = read_spec("example:conveyor-clutch", ["envelope.bore=0.038"])
+    value = value_at(spec, key)
+    values = [value, value + 2 if isinstance(value, int) else 1.01 * value]
+    swept, _ = inertias_of(build(with_values(spec, {key: np.array(values)})))
+    alone = [inertias_of(build(respecified(spec, {key: one})))[0] for one in values]
+    assert np.broadcast_to(swept, 2) == pytest.approx(alone, rel=1e-12)
