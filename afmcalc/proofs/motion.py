@@ -2,7 +2,7 @@
 
 import sympy as sp
 
-from ..equations import direct, drive, heat, indirect, overload, pocket, sleeve
+from ..equations import direct, drive, heat, indirect, machine, overload, pocket, sleeve
 from . import Steps
 from .symbols import *
 
@@ -175,3 +175,27 @@ def pack_at_the_stop() -> Steps:
     alone, share = balls.subs(T, 0), J2 / (Jh + J2)
     seated = sleeve.slip_torque_at_stop(z * f, R, F2, kappa, alone, share)
     yield "with the hub's inertia", seated - slipping
+
+
+def power_from_the_plate() -> Steps:
+    """What the gear leaves of the motor's power turns the clutch, T_дв ω = η P_н."""
+    power, speed, ratio, efficiency = sp.symbols("P omega i eta", positive=True)
+    torque = machine.torque_at_clutch(machine.rated_torque(power, speed), ratio, efficiency)
+    yield "T_дв ω_н/i = η P_н", torque * speed / ratio - efficiency * power
+
+
+def shaft_in_torsion() -> Steps:
+    """W_p by its integral, and the yield strength in shear by the distortion energy."""
+    d, s, x = sp.symbols("d sigma x", positive=True)
+    inertia = sp.integrate(2 * sp.pi * x**3, (x, 0, d / 2))
+    yield "W_p = I_p/(d/2)", machine.polar_section_modulus(d, sp.pi) - inertia / (d / 2)
+    squared = sp.nsimplify(machine.shear_yield_strength(s) ** 2, rational=True, tolerance=1e-12)
+    first, third = sp.sqrt(squared), -sp.sqrt(squared)
+    yield "σ_1 = τ, σ_3 = −τ", (first**2 + third**2 + (third - first) ** 2) / 2 - s**2
+
+
+def inertia_of_a_ring() -> Steps:
+    """J = ∫ r² dm over the ring."""
+    m, a, b, x = sp.symbols("m a b x", positive=True)
+    by_radius = sp.integrate(2 * m * x**3 / (a**2 - b**2), (x, b, a))
+    yield "J", drive.ring_inertia(m, 2 * a, 2 * b) - by_radius
