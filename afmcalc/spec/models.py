@@ -42,7 +42,8 @@ WallAngle = Annotated[float, Quantity("rad", ge=0, lt=1.5707963267948966)]
 Stress = Annotated[float, Quantity("Pa", gt=0)]
 Time = Annotated[float, Quantity("s", gt=0)]
 TimeOrNone = Annotated[float, Quantity("s", ge=0)]
-Temperature = Annotated[float, Quantity("K abs", ge=173.15)]
+COLDEST = 173.15
+Temperature = Annotated[float, Quantity("K abs", ge=COLDEST)]
 """A number without a unit is in kelvin; the bound tells 20 from 20 degC."""
 SectionModulus = Annotated[float, Quantity("m^3", gt=0)]
 PoissonRatio = Annotated[float, Quantity("1", ge=0, le=0.5)]

@@ -20,6 +20,7 @@ from ...result import Answer, described, quantity
 from ...spec import Spec
 from ...spec.edit import replaced, respecified, value_at, with_keys
 from ...spec.keys import ALIASES, is_whole, keys, path_of
+from ...spec.models import COLDEST
 from ...spec.quantity import asked_unit, parse_quantity
 from ...spec.rules import variants_of
 from ...units import ENGINEER
@@ -156,6 +157,12 @@ def parse_target(text: str) -> tuple[str, float, list[Finding]]:
         question = asked_unit(number, target_called(name).unit, name)
     except ValueError as error:
         raise AfmcalcError("{text:.80}: {why}", text=text, why=error) from None
+    if target_called(name).unit == "K abs" and wanted < COLDEST and isinstance(number, float):
+        why = say(
+            'a number without a unit is in K, and must be at least {bound:g}: "{number} degC"?',
+            bound=COLDEST, number=value,
+        )  # fmt: skip
+        raise AfmcalcError("{text:.80}: {why}", text=text, why=why)
     if not wanted > 0:
         raise AfmcalcError("{text:.80}: must be greater than 0", text=text)
     return name, wanted, [question] if question else []

@@ -9,9 +9,9 @@ from conftest import CONFIGS
 from afmcalc.analysis.check import check
 from afmcalc.analysis.solve.search import Domain
 from afmcalc.analysis.solve.slow import looked, places
-from afmcalc.analysis.solve.solve import NotAttainableError, solve
+from afmcalc.analysis.solve.solve import NotAttainableError, parse_target, solve
 from afmcalc.engines import build
-from afmcalc.errors import CalculationError
+from afmcalc.errors import AfmcalcError, CalculationError
 from afmcalc.spec import make_spec, read_spec
 from afmcalc.spec.edit import respecified
 
@@ -123,3 +123,10 @@ def test_what_it_needs(arguments, says, afmcalc):
     run = afmcalc("solve", *arguments)
     assert (run.code, run.out) == (2, "")
     assert says in run.err
+
+
+@pytest.mark.parametrize("target", ["temperature", "face_temperature"])
+def test_a_temperature_without_a_unit_is_asked_after(target):
+    with pytest.raises(AfmcalcError, match='in K, and must be at least 173.15: "150 degC"'):
+        parse_target(f"{target}=150")
+    assert parse_target(f"{target}=150 degC")[1] == pytest.approx(423.15)
