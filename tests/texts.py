@@ -167,6 +167,7 @@ def _help() -> Iterator[Key]:
 def _registry() -> Iterator[Key]:
     from afmcalc.analysis import registry
 
+    yield from (("", plot.about) for plot in registry.PLOTS.values())
     for each in registry.ANALYSES.values():
         if each.section:
             for text in (each.section.title, each.section.about, each.section.conclusion):
@@ -174,8 +175,6 @@ def _registry() -> Iterator[Key]:
                     yield ("", text)
                 else:
                     yield from (("", said) for said in _returned(inspect.getsource(text)))
-        if each.plot:
-            yield ("", each.plot.about)
 
 
 def _returned(source: str) -> Iterator[str]:
@@ -292,6 +291,7 @@ def _names() -> Iterator[Key]:
     """What tables hold: names of limits, kinds of quantities, variants."""
     from afmcalc.analysis.requirements import JUDGED
     from afmcalc.engines import parts
+    from afmcalc.render import drawing
     from afmcalc.render.shop import LAYERS
     from afmcalc.spec.keys import keys
     from afmcalc.spec.quantity import EXAMPLES
@@ -306,7 +306,7 @@ def _names() -> Iterator[Key]:
     yield from (("", name) for name in ("stiffness", *(each.misses for each in rules)))
     yield from (("", each.what) for each in rules)
     yield from (("", each.needs) for each in JUDGED.values() if " " in each.needs)
-    yield from (("", about) for about, *_ in LAYERS.values())
+    yield from (("", about) for about, *_ in (*LAYERS.values(), *drawing.LAYERS.values()))
     yield from (("", os.strerror(number)) for number in FAILURES)
 
 

@@ -122,6 +122,10 @@ def gathered(name: str, request: Request) -> Any:
     check_request(name, request)
     subject = request.subjects[0]
     match name:
+        case "section":
+            from .section import section
+
+            return section(subject.clutch)
         case "torque":
             from .curves import torque_curve
 

@@ -57,12 +57,13 @@ def layout(clutch: Clutch) -> tuple[LayoutResult, list[Finding]]:
         driving_inertia=inertia_of(parts, "driving"),
         hub_inertia=inertia_of(parts, "hub") if clutch.sleeve else None,
         driven_inertia=inertia_of(parts, "driven"),
-        parts=[*_rows(parts)],
+        parts=[*rows_of(parts)],
     )
     return result, [*clutch.findings(), *_findings(clutch, result, parts)]
 
 
-def _rows(parts: list[SectionPart]) -> Iterator[LayoutPart]:
+def rows_of(parts: list[SectionPart]) -> Iterator[LayoutPart]:
+    """Yield a row of each part that there is."""
     for part in parts:
         if rings := [ring for ring in part.boxes if ring.extends]:
             yield LayoutPart(

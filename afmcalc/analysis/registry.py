@@ -339,7 +339,11 @@ ANALYSES: dict[str, Analysis] = {
 }  # fmt: skip
 """Name → analysis, in the order of the help and of a report. A new one is its file and a row here."""
 
-PLOTS: dict[str, Plot] = {each.plot.name: each.plot for each in ANALYSES.values() if each.plot}
+_SECTION = Plot("section", "the whole clutch in section and from its end, to scale, with its part list", "clutch")
+
+PLOTS: dict[str, Plot] = {
+    each.name: each for each in (_SECTION, *(each.plot for each in ANALYSES.values() if each.plot))
+}
 
 EXPLAINED = tuple(each.name for each in ANALYSES.values() if each.explained)
 

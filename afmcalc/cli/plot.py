@@ -52,9 +52,10 @@ def plot(
     *,
     common: Common,
 ) -> None:
-    """Plots: of clutches, of the pocket to scale, of tolerances, of a design's front, of the papers' figures.
+    """Plots: of clutches, of section and pocket to scale, of tolerances, of a design's front, of the papers' figures.
 
     \b
+    afmcalc plot section clutch.toml -o section.svg
     afmcalc plot torque clutch.toml -o torque.svg
     afmcalc plot accuracy a.toml b.toml --sweep C=0:1.25:101 -o accuracy.png
     afmcalc plot pocket clutch.toml -o pocket.pdf
@@ -81,7 +82,7 @@ def plot(
         return
     if ending == "dxf":
         raise AfmcalcError("--output {output}: only plot pocket is drawn as .dxf", output=common.output)
-    if ending:
+    if ending and (what, ending) != ("section", "svg"):
         need_drawing("plot")
     if of_clutches:
         request = request._replace(subjects=_answers(what, request, common))
@@ -98,9 +99,7 @@ def plot(
 
         common.save(save(sheet, ending), common.output)  # type: ignore[arg-type]
         return
-    from ..render.plot.chart import Chart
-
-    if not any(isinstance(panel, Chart) for panel in sheet.panels):
+    if what == "pocket":
         raise AfmcalcError("this is a drawing, no curve: give a file, -o FILE.svg (or .dxf, .png, .pdf)")
     common.draw(sheet)
 

@@ -8,7 +8,7 @@ if TYPE_CHECKING:
 
 __all__ = ["sheet_of"]
 
-_HOMES = {"tolerance": "studies", "pareto": "studies", "pocket": "pocket"}
+_HOMES = {"tolerance": "studies", "pareto": "studies", "pocket": "pocket", "section": "section"}
 
 
 def sheet_of(kind: str, gathered: Any) -> "Sheet":

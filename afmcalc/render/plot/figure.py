@@ -10,6 +10,7 @@ from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, Literal
 
 from ...messages import named, spoken
+from ..drawing import Drawing
 from ..symbols import literal, mathtext
 from .chart import Chart, Sheet
 from .paint import PARAMETERS, WIDTH, paint
@@ -39,6 +40,9 @@ def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
 
     Without date or version: the file depends on the sheet only.
     """
+    first = sheet.panels[0]
+    if ending == "svg" and isinstance(first, Drawing):
+        return first.captioned(sheet.title, named(sheet.name), sheet.caption).svg(sheet.title).encode("utf-8")
     metadata: dict[str, dict[str, Any]] = {
         "png": {"Software": _CREATOR},
         "svg": {"Date": None, "Creator": _CREATOR},
@@ -52,6 +56,8 @@ def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
 
 def inline_svg(sheet: Sheet) -> str:
     """Set a sheet for a page: without title and caption, see-through, its texts as text."""
+    if isinstance(sheet.panels[0], Drawing):
+        return sheet.panels[0].svg()
     with _settings({"svg.fonttype": "none", "savefig.facecolor": "none"}):
         from .inline import svg_of
 

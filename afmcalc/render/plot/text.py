@@ -7,6 +7,7 @@ from itertools import compress
 from typing import NamedTuple
 
 from ...messages import localized, named, printable, told
+from ..drawing import DimensionLine, Drawing
 from ..layout import TextTable
 from ..units import significant
 from .chart import Chart, ChartAxis, Line, Sheet, power
@@ -39,6 +40,7 @@ def draw_sheet(sheet: Sheet, *, unicode: bool, width: int | None = None) -> str:
     charts = [panel for panel in sheet.panels if isinstance(panel, Chart)]
     blocks = [_folded(title, wide)]
     blocks += ([*_folded(chart.title, wide), *draw(chart, unicode=unicode, wide=wide)] for chart in charts)
+    blocks += (_sketch(panel, unicode=unicode, wide=wide) for panel in sheet.panels if isinstance(panel, Drawing))
     if sheet.caption:
         blocks.append([line for part in sheet.caption.splitlines() for line in textwrap.wrap(part, wide)])
     return "\n\n".join("\n".join(map(printable, lines)) for lines in blocks) + "\n"
@@ -68,6 +70,28 @@ def draw(chart: Chart, *, unicode: bool, wide: int = WIDTH) -> list[str]:
     legend = [part for key in keys for part in _folded(key, wide, "    ")] if len(keys) > 1 else []
     label = [line.rjust(wide) for line in _folded(chart.x.label, wide)]
     return [*_folded(chart.y.label, wide), *frame, *label, *legend]
+
+
+def _sketch(drawing: Drawing, *, unicode: bool, wide: int) -> list[str]:
+    """Sketch what is above the axis of a drawing to scale, each part by its number; list dimensions and parts."""
+    long, high = (max(box[side] for _, box in drawing.solids) for side in (1, 3))
+    columns = min(wide - 7, round(2 * HEIGHT * long / high))  # a letter is twice as high as wide
+    across, up = (columns - 1) / long, (columns - 1) / long / 2
+    rows = round(high * up)
+    traces = [Trace("─" if unicode else "-", [(0, 0), (columns - 1, 0)], joined=True)]
+    for mark, (left, right, low, top) in drawing.solids:
+        along, above = (
+            range(round(start * scale), max(round(end * scale), round(start * scale) + 1))
+            for start, end, scale in ((left, right, across), (low, top, up))
+        )
+        traces.append(Trace(mark, [(column, row) for column in along for row in above]))
+    beside = {rows - 1 - round(value * up): text for value, text in _labels((0, high), 5).items()}
+    below = {round(value * across): text for value, text in _labels((0, long), columns // 10).items()}
+    frame = _frame(traces, (columns, rows), beside, below, unicode=unicode, notch=True)
+    sizes = [f"{shape.label}  {shape.about}" for shape in drawing.shapes if isinstance(shape, DimensionLine)]
+    widths = [max(map(len, column)) for column in zip(*drawing.table, strict=True)]
+    table = ["  ".join(map(str.ljust, row, widths)).rstrip() for row in drawing.table]
+    return [*frame, "", *sizes, "", *table]
 
 
 def swept_lines(block: TextTable, unicode: bool, width: int | None = None) -> list[str]:

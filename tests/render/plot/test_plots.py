@@ -41,6 +41,8 @@ TOLERANCE = 4.0
 """Root mean square of the differences, of 255: another version of the font engine stays below, a missing curve is above."""
 
 PICTURES = {
+    "section": ("section", ["default"], {}),
+    "section-indirect": ("section", ["envelope"], {}),
     "torque": ("torque", ["default"], {}),
     "torque-indirect": ("torque", ["indirect"], {}),
     "torque-unlike": ("torque", ["unlike-materials"], {}),
