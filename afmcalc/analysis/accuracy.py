@@ -84,19 +84,18 @@ def accuracy(clutch: Clutch, sweeps: Sequence[Axis] = ()) -> tuple[AccuracyResul
         equivalent_gain=sleeve and sleeve.equivalent_gain,
         constant_torque_slope=sleeve and sleeve.constant_torque_slope,
         nominal_torque_ratio=sleeve and sleeve.nominal_torque_ratio,
-        **_slopes(clutch),
+        **_slopes(clutch, pairs),
         sensitivity=clutch.sensitivity(),
         sweep=swept,
     )
     return result, [*clutch.findings(), *_findings(clutch, swept), *replaced(clutch.spec, sweeps)]
 
 
-def _slopes(clutch: Clutch) -> dict[str, float]:
+def _slopes(clutch: Clutch, pairs: tuple[Any, Any]) -> dict[str, float]:
     """Slopes of K_т in F11's ratios of unlike materials; none where K_т is not T(f_max)/T(f_min)."""
     if not clutch.spec.friction.unlike:
         return {}
     first, second = clutch.friction
-    pairs = clutch.bypass_pairs, clutch.spec.friction_group.pairs - clutch.bypass_pairs
     given = *pairs, clutch.gain, second.max / first.max, second.min / first.min, first.min, first.max
     if abs(law.accuracy_factor_by_ratios(*given) / clutch.accuracy_factor - 1) > 1e-9:
         return {}

@@ -89,6 +89,13 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
     return CompareResult(clutches=rows), [*asked, *dict.fromkeys(remarks), *missing]
 
 
+_FIGURES = (
+    "closing_force", "nominal_torque", "gain", "reduced_gain", "scatter", "accuracy_factor", "accuracy_factor_peak",
+    "gain_limit",
+)  # fmt: skip
+"""What a row takes from the clutch as it is."""
+
+
 def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tuple[ComparedClutch, list[Finding]]:
     """Row of a clutch; and what it tells itself, and what else is counted, each with what the clutch is called."""
     judged = found_unsimulated(clutch)
@@ -97,15 +104,8 @@ def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tu
         name=name and term(name, "name"),
         variant=clutch.spec.variant,
         basis=basis,
-        closing_force=clutch.closing_force,
-        nominal_torque=clutch.nominal_torque,
-        gain=clutch.gain,
-        reduced_gain=clutch.reduced_gain,
+        **{figure: getattr(clutch, figure) for figure in _FIGURES},
         torque=triple(clutch, clutch.torque),
-        scatter=clutch.scatter,
-        accuracy_factor=clutch.accuracy_factor,
-        accuracy_factor_peak=clutch.accuracy_factor_peak,
-        gain_limit=clutch.gain_limit,
         travel_max=clutch.sleeve and clutch.sleeve.travel_max,
         errors=sum(remark.level == "error" for remark in judged),
         warnings=sum(remark.level == "warning" for remark in judged),

@@ -23,21 +23,21 @@ _PLACES = 65
 
 
 class BallContact(NamedTuple):
-    """The contact of a ball; None is not known."""
+    """The contact of a ball, as the fields of the result of a synthesis; None is not known."""
 
-    force: float | None
+    contact_force: float | None
     """F_n where it is largest, N."""
-    allowable: float | None = None
+    contact_force_allowable: float | None
     """[F_n] of the limit of which most is used, N."""
-    basis: Basis | None = None
-    utilisation: float | None = None
-    critical: float | None = None
+    contact_basis: Basis | None
+    contact_force_hertz: float | None
+    """[F_n] by Hertz where the contact pressure is largest, if that is a limit, N."""
+    contact_utilisation: float | None = None
+    contact_force_critical: float | None = None
     """F_n where the contact pressure is largest, if that is elsewhere, N."""
-    hertz: float | None = None
-    """[F_n] there by Hertz, where that is a limit, N."""
-    pressure: float | None = None
+    contact_pressure: float | None = None
     """Largest contact pressure, Pa."""
-    seat: float | None = None
+    seat_force: float | None = None
     """F_s of the straight walls that seat the ball in the other sleeve, N."""
     seat_utilisation: float | None = None
 
@@ -94,15 +94,15 @@ def contact_of(
     if by_hertz is not None:
         limits.append((float(forces[worst]), by_hertz, curved))
     used, allowable, basis = max(limits, key=lambda limit: limit[0] / limit[1], default=(0.0, None, None))
-    if force is None or critical is None:
-        return BallContact(None, allowable, basis, hertz=by_hertz)
-    contact = BallContact(
-        force, allowable, basis,
-        utilisation=None if allowable is None else used / allowable,
-        critical=None if worst == most else critical,
-        hertz=by_hertz,
-        pressure=None if borne is None else float(law.hertz_pressure(elastic.allowable_pressure, critical, borne)),
-    )  # fmt: skip
+    contact = BallContact(force, allowable, basis, by_hertz)
+    if critical is None:
+        return contact
+    pressure = None if borne is None else float(law.hertz_pressure(elastic.allowable_pressure, critical, borne))
+    contact = contact._replace(
+        contact_utilisation=allowable and used / allowable,
+        contact_force_critical=None if worst == most else critical,
+        contact_pressure=pressure,
+    )
     if wall.steepening == 0 or wall.sleeves == 2:
         return contact
     with unnoted():
@@ -110,4 +110,4 @@ def contact_of(
         seat = float(np.max(wall_law.seat_force(forces, np.sin(np.add(angles, stop)), math.sin(stop), math.cos(stop))))
         flat = None if by_hertz is None else float(hertz.allowable_force(elastic, ball))
     bears = min((limit for limit in (given, flat) if limit is not None), default=None)
-    return contact._replace(seat=seat, seat_utilisation=bears and seat / bears)
+    return contact._replace(seat_force=seat, seat_utilisation=bears and seat / bears)

@@ -16,8 +16,8 @@ from .accuracy import AccuracySweep, sweep_outputs
 from .adjust import METHODS, AdjustResult, set_by
 from .answers import Answers
 from .life import LifeResult, LifeSweep, band_axis, life_sweep
+from .overload import OF_TRIP, Actuation, OverloadSweep, refuse
 from .overload import SWEEP_OUTPUTS as OVERLOAD_OUTPUTS
-from .overload import Actuation, OverloadSweep, refuse
 from .registry import StressRule
 from .sweep.axes import current_value, find_key, parse_axis
 from .sweep.grid import Axis, S, series
@@ -106,8 +106,7 @@ def torque_curve(clutch: Clutch) -> TorqueCurve:
     peak, sustained = clutch.breakaway_torque(*path), clutch.torque(*path)
     by_method = [set_by(clutch.spec, method, nominal).torque(*path).tolist() for method in METHODS]
     return TorqueCurve(
-        name=clutch.spec.name,
-        variant=clutch.spec.variant,
+        **_of(clutch),
         friction=path[0].tolist(),
         friction_driving=path[0].tolist() if clutch.spec.friction.unlike else None,
         torque=sustained.tolist(),
@@ -136,11 +135,9 @@ def accuracy_curve(clutch: Clutch, sweep: str | None) -> AccuracyCurve:
         ends = [float(axis.values.min()), float(axis.values.max()), *([] if current is None else [current])]
         axis = axis._replace(values=np.linspace(min(ends), max(ends), POINTS))
     limit = clutch.gain_limit if axis.key.path == "control_unit.gain" else None
-    swept = _over(axis, AccuracySweep, clutch, sweep_outputs(clutch))
     return AccuracyCurve(
-        name=clutch.spec.name,
-        variant=clutch.spec.variant,
-        series=swept,
+        **_of(clutch),
+        series=_over(axis, AccuracySweep, clutch, sweep_outputs(clutch)),
         about="reduced gain" if axis.name == "zC" else axis.key.description,
         symbol="zC" if axis.name == "zC" else axis.key.symbol or "",
         unit=axis.key.unit or "1",
@@ -163,18 +160,13 @@ def overload_curve(clutch: Clutch) -> OverloadCurve:
     trip = Actuation(clutch, friction)
     reduced, controlled = float(clutch.reduced_gain), clutch.spec.friction_group.pairs - float(clutch.bypass_pairs)
     gains = Axis("zC", find_key("C"), np.linspace(0.0, max(5.0, 1.2 * reduced), 401), 1 / controlled)
-    swept = _over(gains, OverloadSweep, clutch, OVERLOAD_OUTPUTS)
     return OverloadCurve(
-        name=clutch.spec.name,
-        variant=clutch.spec.variant,
+        **_of(clutch),
         friction=friction.tolist(),
-        expected_torque=trip.expected.tolist(),
-        actuation_torque_published=trip.published.tolist(),
-        actuation_torque_equilibrium=trip.equilibrium.tolist(),
-        potential_torque=trip.potential.tolist(),
-        machine_torque=trip.machine,
+        **{name: getattr(trip, name).tolist() for name in OF_TRIP if name in OverloadCurve.model_fields},
+        machine_torque=trip.machine_torque,
         margin=clutch.spec.adjustment.margin,
-        accuracy=swept,
+        accuracy=_over(gains, OverloadSweep, clutch, OVERLOAD_OUTPUTS),
         bypass_pairs=int(clutch.bypass_pairs),
         reduced_gain=reduced,
         optimal_reduced_gain=optimal_reduced_gain(clutch.friction[0].max),
@@ -204,8 +196,7 @@ def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
     (over,) = life_sweep(clutch, life.model, [axis], life.dynamic_factor)
     fields = {method: method.replace("-", "_") for method in METHODS}
     return LifeCurve(
-        name=clutch.spec.name,
-        variant=clutch.spec.variant,
+        **_of(clutch),
         model=life.model,
         series=over,
         base_cycles=life.base_cycles,
@@ -214,6 +205,11 @@ def life_curve(answers: Answers, sweep: str | None) -> LifeCurve:
             for method, field in fields.items()
         ],
     )
+
+
+def _of(clutch: Clutch) -> dict[str, Any]:
+    """Name and variant of a clutch."""
+    return {"name": clutch.spec.name, "variant": clutch.spec.variant}
 
 
 def _over(axis: Axis, kind: type[S], clutch: Clutch, outputs: Mapping[str, Callable[[Clutch], Any]]) -> S:

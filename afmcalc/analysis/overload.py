@@ -1,6 +1,6 @@
 """Overload with a torque margin (S22): potential torque, actuation torque as published and at equilibrium."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
 
 from ..arrays import larger
@@ -99,22 +99,22 @@ def overload(
     points = pairs_asked(clutch, friction)
     asked = [(value, Actuation(clutch, value)) for value, _ in points]
     result = OverloadResult(
-        nominal_torque=at_min.expected,
-        machine_torque=at_min.machine,
+        nominal_torque=at_min.expected_torque,
+        machine_torque=at_min.machine_torque,
         margin=clutch.spec.adjustment.margin,
-        potential_torque=Triple.of(trip.potential for trip in trips),
         potential_torque_gain=_potential_gain(clutch) if clutch.bypass_pairs else None,
-        expected_torque=Triple.of(trip.expected for trip in trips),
-        load_rise=Triple.of(trip.rise for trip in trips),
-        actuation_torque_published=Triple.of(trip.published for trip in trips),
-        actuation_torque_equilibrium=Triple.of(trip.equilibrium for trip in trips),
-        actuation_factor=Triple.of(trip.factor for trip in trips),
+        **{name: Triple.of(getattr(trip, name) for trip in trips) for name in OF_TRIP},
         friction_interval=_interval(clutch),
         optimal_reduced_gain=law.optimal_reduced_gain(clutch.friction[0].max),
         accuracy_factor_expected=_accuracy_expected(clutch),
         accuracy_factor_actual=_accuracy_actual(clutch),
-        accuracy_factor_equilibrium=law.accuracy_factor_equilibrium(at_max.equilibrium, at_min.equilibrium),
-        points=[_point(*trip) for trip in asked] or None,
+        accuracy_factor_equilibrium=law.accuracy_factor_equilibrium(
+            at_max.actuation_torque_equilibrium, at_min.actuation_torque_equilibrium
+        ),
+        points=[
+            OverloadPoint(friction=value, **{name: getattr(trip, name) for name in OF_TRIP}) for value, trip in asked
+        ]
+        or None,
         loads=[load for trip in asked for load in _loads(*trip)] or None,
         sweep=series(OverloadSweep, clutch, sweeps, SWEEP_OUTPUTS),
     )
@@ -148,58 +148,52 @@ class Actuation:
         at_min = law.loop_gain(controlled, clutch.gain, low)
         here = law.loop_gain(controlled, clutch.gain, friction)
         self.loop_gain = here
-        self.expected = law.expected_torque(*pack, friction, here)
-        self.machine = law.machine_torque(law.expected_torque(*pack, low, at_min), margin)
-        self.potential = law.potential_torque(*pack, friction, margin, at_min)
-        self.rise = law.load_rise(self.potential, self.machine, here)
-        self.published = law.actuation_torque_published(self.potential, self.rise)
-        self.equilibrium = law.actuation_torque_equilibrium(self.machine, self.rise)
-        self.factor = law.actuation_factor(here, at_min, friction, low, margin)
+        self.expected_torque = law.expected_torque(*pack, friction, here)
+        self.machine_torque = law.machine_torque(law.expected_torque(*pack, low, at_min), margin)
+        self.potential_torque = law.potential_torque(*pack, friction, margin, at_min)
+        self.load_rise = law.load_rise(self.potential_torque, self.machine_torque, here)
+        self.actuation_torque_published = law.actuation_torque_published(self.potential_torque, self.load_rise)
+        self.actuation_torque_equilibrium = law.actuation_torque_equilibrium(self.machine_torque, self.load_rise)
+        self.actuation_factor = law.actuation_factor(here, at_min, friction, low, margin)
 
 
-def _point(friction: float, trip: Actuation) -> OverloadPoint:
-    return OverloadPoint(
-        friction=friction,
-        potential_torque=trip.potential,
-        expected_torque=trip.expected,
-        load_rise=trip.rise,
-        actuation_torque_published=trip.published,
-        actuation_torque_equilibrium=trip.equilibrium,
-        actuation_factor=trip.factor,
-    )
+OF_TRIP = [name for name in OverloadPoint.model_fields if name != "friction"]
+"""Quantities of the trip, as they are called in every result."""
 
 
 def _loads(friction: float, trip: Actuation) -> Iterator[RisenLoad]:
     """Loads from T_н.маш up to slip; one where the pack slips under T_н.маш already."""
-    for share in SHARES if trip.rise > 0 else (0.0,):
-        rise = share * trip.rise
-        potential = law.potential_torque_risen(trip.potential, trip.loop_gain, rise)
-        yield RisenLoad(friction=friction, rise=rise, load=trip.machine + rise, potential_torque=potential)
+    for share in SHARES if trip.load_rise > 0 else (0.0,):
+        rise = share * trip.load_rise
+        potential = law.potential_torque_risen(trip.potential_torque, trip.loop_gain, rise)
+        yield RisenLoad(friction=friction, rise=rise, load=trip.machine_torque + rise, potential_torque=potential)
 
 
-def _at_max(clutch: Clutch) -> Actuation:
-    return Actuation(clutch, clutch.friction[0].max)
+def _ends(clutch: Clutch) -> tuple[Actuation, Actuation]:
+    """The trip at f_max, and at f_min."""
+    return Actuation(clutch, clutch.friction[0].max), Actuation(clutch, clutch.friction[0].min)
 
 
 def _accuracy_expected(clutch: Clutch) -> Any:
     """K_т expected, S22 (18)."""
-    return law.accuracy_factor_expected(_at_max(clutch).expected, Actuation(clutch, clutch.friction[0].min).expected)
+    at_max, at_min = _ends(clutch)
+    return law.accuracy_factor_expected(at_max.expected_torque, at_min.expected_torque)
 
 
 def _accuracy_actual(clutch: Clutch) -> Any:
     """K_т actual, S22 (19): the larger of published and expected torque at f_max over the clutch's nominal torque."""
-    at_max = _at_max(clutch)
-    largest = larger(at_max.published, at_max.expected)
-    return law.accuracy_factor_actual(largest, Actuation(clutch, clutch.friction[0].min).expected)
+    at_max, at_min = _ends(clutch)
+    largest = larger(at_max.actuation_torque_published, at_max.expected_torque)
+    return law.accuracy_factor_actual(largest, at_min.expected_torque)
 
 
-SWEEP_OUTPUTS = {
+SWEEP_OUTPUTS: dict[str, Callable[[Clutch], Any]] = {
     "accuracy_factor_expected": _accuracy_expected,
     "accuracy_factor_actual": _accuracy_actual,
-    "actuation_factor": lambda clutch: _at_max(clutch).factor,
-    "expected_torque": lambda clutch: _at_max(clutch).expected,
-    "actuation_torque_published": lambda clutch: _at_max(clutch).published,
-    "actuation_torque_equilibrium": lambda clutch: _at_max(clutch).equilibrium,
+} | {
+    name: lambda clutch, name=name: getattr(Actuation(clutch, clutch.friction[0].max), name)  # type: ignore[misc]
+    for name in OF_TRIP
+    if name in OverloadSweep.model_fields
 }
 
 

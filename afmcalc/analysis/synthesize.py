@@ -86,12 +86,8 @@ class SynthesisResult(Answer):
         return 2 * self.ball_radius if self.ball_diameter_standard is None else self.ball_diameter_standard
 
 
-def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
+def synthesize(clutch: Clutch) -> tuple[SynthesisResult, list[Finding]]:
     """Design the control unit of a clutch.
-
-    Args:
-        clutch: a clutch with a control unit.
-        balls: standard ball diameters in ascending order, m; None for the list of the spec, or the one that ships.
 
     Raises:
         SpecError: the spec lacks what synthesis needs.
@@ -103,7 +99,7 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
     bare = wall_of(clutch, gap)
     sine = math.sin(bare.angle)
     smallest = bare.smallest_ball(travel, clearance)
-    sizes = balls or clutch.spec.lists.balls or diameters()
+    sizes = clutch.spec.lists.balls or diameters()
     chosen = unit.ball_diameter or next_size(sizes, 2 * smallest)
     wall = bare._replace(ball_radius=smallest if chosen is None else chosen / 2)
     depth = law.pocket_depth(wall.ball_radius, sine, gap)
@@ -127,9 +123,6 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
             "gain_slope": clutch.sleeve and clutch.sleeve.gain_slope,
             "profiled": unit.profiled or "one",
             "undercut_radius": wall.undercut_radius,
-            "contact_force_critical": contact.critical,
-            "seat_force": contact.seat,
-            "seat_utilisation": contact.seat_utilisation,
             "wall": wall.points() if wall.can_be_cut else None,
         }
     result = SynthesisResult(
@@ -146,12 +139,7 @@ def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[Sy
         pocket_width=width,
         ball_pitch=pitch,
         web=None if pitch is None else law.web(pitch, width),
-        contact_force=contact.force,
-        contact_force_allowable=contact.allowable,
-        contact_basis=contact.basis,
-        contact_utilisation=contact.utilisation,
-        contact_force_hertz=contact.hertz,
-        contact_pressure=contact.pressure,
+        **contact._asdict(),
         gain_at_least_contact_force=least_contact_force_gain(clutch),
         **of_the_curve,
     )

@@ -9,7 +9,7 @@ from ...messages import say
 from ...result import Answer, Result, Sentence, described, quantity
 from ...spec import Spec, make_spec
 from ...spec.edit import as_written, put
-from ...spec.models import Room
+from ...spec.models import ControlUnit
 from ...spec.requirements import Requirements
 from ...spec.rules import SHARED, foreign_keys, given_in
 from ..check import CheckResult
@@ -190,62 +190,44 @@ def rows(tried: Candidates) -> list[DesignRow]:
 def as_spec(need: Requirements, row: DesignRow) -> Spec:
     """Write a row as a spec, with as many digits as a file of it has."""
     need = with_lining(need, row)
-    fixed, limits = need.fixed, need.limits
-    group: dict[str, int | float] = {"pairs": row.pairs}
-    if row.driving_pairs is not None:
-        group["driving_pairs"] = row.driving_pairs
+    wanted, fixed, blocks = need.wanted, need.fixed.model_dump(exclude_none=True), {*SHARED, "catalogues", "friction"}
     if row.inner_radius is None or row.outer_diameter is None:
-        group["mean_radius"] = row.mean_radius
+        faces = {"mean_radius": row.mean_radius}
     else:
-        group |= {"inner_radius": row.inner_radius, "outer_radius": row.outer_diameter / 2}
-    spring: dict[str, object] = {"force": row.closing_force} | _room(fixed.closing_room)
+        faces = {"inner_radius": row.inner_radius, "outer_radius": row.outer_diameter / 2}
     # what the variant is held to; the limit of the force on a ball is a key of the control unit
     limited = {"surface_pressure", "outer_diameter"}
     limited |= {"reduced_gain"} if row.ball_circle_radius is not None else set()
     limited |= {"travel"} if row.travel is not None else set()
     of_pockets = set() if row.gain else {"contact_pressure"}
-    required = need.wanted.model_dump(exclude_none=True, exclude={"method", "margin", *of_pockets})
-    data: dict[str, object] = {
+    unit = {"profiled": "one"} if "pocket" in fixed else {}
+    data = need.model_dump(exclude_none=True, include=blocks) | {
         "name": say("{name}, no. {number}", name=need.name or say("Design"), number=row.number),
         "variant": row.variant,
-        "friction": need.friction.model_dump(exclude_none=True),
-        "friction_group": group,
-        "closing_spring": spring,
-        "adjustment": {"method": need.wanted.method, "margin": need.wanted.margin},
-        "requirements": required | limits.model_dump(exclude_none=True, include=limited),
+        "friction_group": faces | _given(pairs=row.pairs, driving_pairs=row.driving_pairs),
+        "closing_spring": _given(
+            force=row.closing_force, stiffness=row.closing_stiffness, room=fixed.get("closing_room")
+        ),
+        "control_spring": _given(stiffness=row.control_stiffness, room=fixed.get("control_room")),
+        "control_unit": unit
+        | {name: value for name, value in fixed.items() if name in ControlUnit.model_fields}
+        | _given(
+            gain=row.gain if row.wall_angle is None else None,
+            wall_angle=row.wall_angle,
+            ball_circle_radius=row.ball_circle_radius,
+            ball_diameter=row.ball_diameter,
+            allowable_contact_force=need.limits.contact_force,
+        ),
+        "adjustment": {"method": wanted.method, "margin": wanted.margin},
+        "requirements": wanted.model_dump(exclude_none=True, exclude={"method", "margin", *of_pockets})
+        | need.limits.model_dump(exclude_none=True, include=limited),
     }
-    for block in (*SHARED, "catalogues"):  # as they stand in the file
-        if (values := getattr(need, block)) is not None:
-            data[block] = values.model_dump(exclude_none=True)
-    if need.envelope is not None:
-        hub = None if row.closing_stiffness is not None else need.hub_diameter
-        data["envelope"] = need.envelope.model_dump(exclude_none=True) | ({"hub_diameter": hub} if hub else {})
-    if row.ball_circle_radius is not None:
-        sleeve, curve = row.control_stiffness is not None, row.gain_slope is not None
-        unit = {
-            "gain": row.gain if row.wall_angle is None else None,
-            "wall_angle": row.wall_angle,
-            "ball_circle_radius": row.ball_circle_radius,
-            "balls": fixed.balls,
-            "face_gap": fixed.face_gap,
-            "edge_clearance": fixed.edge_clearance,
-            "allowable_contact_force": limits.contact_force,
-            "contact": fixed.contact and fixed.contact.model_dump(),
-            "ball_diameter": row.ball_diameter,
-            "hub_diameter": fixed.hub_diameter if sleeve else None,
-            "key_friction": fixed.key_friction if sleeve else None,
-            "pocket": fixed.pocket if curve else None,
-            "profiled": (fixed.profiled or "one") if curve else None,
-        }
-        data["control_unit"] = {name: value for name, value in unit.items() if value is not None}
-    if row.closing_stiffness is not None:
-        spring["stiffness"] = row.closing_stiffness
-    if row.control_stiffness is not None:
-        data["control_spring"] = {"stiffness": row.control_stiffness} | _room(fixed.control_room)
-    for path in foreign_keys(given_in(data), row.variant):  # such as the inertia of a hub
+    if need.envelope is not None and row.closing_stiffness is None:
+        put(data, "envelope.hub_diameter", need.hub_diameter)
+    for path in foreign_keys(given_in(data), row.variant):
         put(data, path, None)
     return as_written(make_spec(data))
 
 
-def _room(room: Room | None) -> dict[str, object]:
-    return {} if room is None else {"room": room.model_dump(exclude_none=True)}
+def _given(**values: object) -> dict[str, object]:
+    return {name: value for name, value in values.items() if value is not None}

@@ -78,11 +78,11 @@ class Survey:
                 count=self.feasible,
                 most=MOST_KEPT,
             )
-        if self.every or not self.members:
+        if not self.members:
             return
         values = np.concatenate([member.values.T for member in self.members], axis=1).T
-        keep = np.zeros(len(values), bool)
-        keep[front(values)] = True
+        keep = np.full(len(values), self.every)
+        keep[slice(0) if self.every else front(values)] = True
         parts: dict[tuple[str, int], list[Members]] = defaultdict(list)
         masks = np.split(keep, np.cumsum([len(member.values) for member in self.members])[:-1])
         for (variant, at, rows, need), mask in zip(self.members, masks, strict=True):

@@ -32,7 +32,7 @@ from .candidates import Candidates, candidates
 from .pick import asked, judged
 from .rows import Attainable, DesignRow, as_spec, rows
 from .search import Members, Survey, front, ranks
-from .space import Axes, Numbers, Places, given, joined
+from .space import Axes, Numbers, Places, given
 
 _BATCH = 2730
 """Candidates simulated at once: at three frictions each as many drives as stay in the processor's cache."""
@@ -83,16 +83,7 @@ class _Pool:
     """Candidates that meet the rest, each by its place."""
 
     def __init__(self, need: Requirements, members: list[Members]) -> None:
-        self.need = need
-        alike: dict[tuple[str, int], list[Members]] = {}
-        for member in members:
-            alike.setdefault((member.variant.name, id(member.need)), []).append(member)
-        members = self.members = [
-            parts[0]._replace(
-                at=joined(part.at for part in parts), values=np.concatenate([part.values for part in parts])
-            )
-            for parts in alike.values()
-        ]
+        self.need, self.members = need, members
         self.values = np.concatenate([member.values for member in members])
         self.ends = np.cumsum([len(member.values) for member in members])
         self.order = np.argsort(np.sum([ranks(column) for column in self.values.T], axis=0), kind="stable")
