@@ -144,7 +144,7 @@ def _help() -> Iterator[Key]:
     import typer
 
     from afmcalc.analysis.solve.solve import TARGETS
-    from afmcalc.analysis.sweep.ratios import RATIOS
+    from afmcalc.analysis.sweep.grid import RATIOS
     from afmcalc.cli import help
     from afmcalc.cli.main import application
 
@@ -186,7 +186,7 @@ def _returned(source: str) -> Iterator[str]:
 
 def _equations() -> Iterator[Key]:
     """What the equations calculate, as steps and reports name it, and what their symbols mean."""
-    from afmcalc.analysis.explain.derivation import _OF_TANGENT
+    from afmcalc.analysis.explain.explain import _OF_TANGENT
     from afmcalc.equations.catalogue import equations
 
     for each in equations().values():

@@ -12,7 +12,7 @@ from ..result import Result
 from ..spec import Spec
 from .answers import Answers
 from .check import CheckResult
-from .explain.derivation import Derivation, derivations
+from .explain.explain import Derivation, derivations
 from .explain.trace import CallReader
 from .figures import Request, gathered
 from .registry import ANALYSES, Analysis, StressRule, Told

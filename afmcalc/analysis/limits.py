@@ -15,7 +15,7 @@ from ..spec.catalogues import Material
 from ..spec.edit import value_at
 from ..spec.lists import diameters
 from .answers import Answers
-from .heat_findings import judged_temperature, share_of_rise
+from .heat import judged_temperature, share_of_rise
 from .layout import LayoutResult, space_limits
 from .life import LifeResult
 from .registry import ANALYSES
@@ -215,7 +215,7 @@ def _travel(event: SimulateResult) -> float:
 
 def _of_event(clutch: Clutch, event: SimulateResult) -> Iterator[_Limit]:
     """What an event asks of balls and pockets."""
-    from .event import strength_of
+    from .simulate import strength_of
 
     strength = strength_of(clutch)
     if event.contact_force is not None and strength.contact_force is not None:

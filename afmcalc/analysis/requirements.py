@@ -11,7 +11,7 @@ from ..result import OpenTriple, Result, Sentence, Triple, described, quantity
 from ..spec.keys import keys
 from ..units import ENGINEER
 from .answers import Answers
-from .heat_findings import share_of_rise
+from .heat import share_of_rise
 from .life import UNLIMITED
 from .limits import ring_pressures
 from .registry import ANALYSES

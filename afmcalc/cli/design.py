@@ -123,8 +123,7 @@ def design(
     afmcalc design requirements.toml --pick 3 --output clutch.toml
     afmcalc design requirements.toml --pick 3 --json | afmcalc check -
     """  # noqa: D301
-    from ..analysis.design.choose import focused, with_neighbours
-    from ..analysis.design.design import check_sort, shown
+    from ..analysis.design.design import check_sort, focused, shown, with_neighbours
     from ..analysis.design.pick import with_picked, with_verdict
     from ..spec import resolved
     from ..spec.requirements import read_requirements

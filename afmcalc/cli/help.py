@@ -60,7 +60,7 @@ def names_of(kind: str) -> Named:
     symbols = {
         symbol: f"{path}, {translate(keys()[path].description).partition(';')[0]}" for symbol, path in ALIASES.items()
     }
-    from ..analysis.sweep.ratios import RATIOS
+    from ..analysis.sweep.grid import RATIOS
 
     ratios = [(name, translate(ratio.description)) for name, ratio in RATIOS.items()]
     if kind == "swept":

@@ -9,8 +9,7 @@ from conftest import fewer
 from hypothesis import given
 from hypothesis import strategies as st
 
-from afmcalc.analysis.springs.candidates import candidates
-from afmcalc.analysis.springs.held import held
+from afmcalc.analysis.springs.candidates import candidates, held
 from afmcalc.analysis.springs.springs import option_of, ranked
 from afmcalc.engines.springs import DiscCharacteristic, SpringDemand
 from afmcalc.spec.catalogues import discs

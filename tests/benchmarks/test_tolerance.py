@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 from ratios import median_ratio
 
-from afmcalc.analysis.tolerance.distributions import inputs_of
-from afmcalc.analysis.tolerance.model import Model
+from afmcalc.analysis.tolerance.model import Model, inputs_of
 from afmcalc.analysis.tolerance.sampling import Plan, simulate, sobol_indices
 from afmcalc.analysis.tolerance.statistics import merged, ranked
 from afmcalc.spec import make_spec
@@ -109,7 +108,7 @@ def test_peak_memory(report):
 
 
 _PROCESS = """
-from afmcalc.analysis.tolerance.distributions import inputs_of
+from afmcalc.analysis.tolerance.model import inputs_of
 from afmcalc.analysis.tolerance.model import Model
 from afmcalc.analysis.tolerance.sampling import Plan, simulate
 from afmcalc.spec import make_spec

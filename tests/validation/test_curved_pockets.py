@@ -8,8 +8,7 @@ from afmcalc.analysis.adjust import adjust
 from afmcalc.analysis.explain.explain import explain
 from afmcalc.analysis.life import life
 from afmcalc.analysis.solve.solve import solve
-from afmcalc.analysis.tolerance.distributions import inputs_of
-from afmcalc.analysis.tolerance.model import Model, with_setting
+from afmcalc.analysis.tolerance.model import Model, inputs_of, with_setting
 from afmcalc.analysis.tolerance.study import tolerance
 from afmcalc.engines import build
 from afmcalc.errors import SpecError

@@ -15,7 +15,7 @@ from ...spec.models import Room
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from ..registry import SpringKind
-from ..springs.held import held
+from ..springs.candidates import held
 from .candidates import Candidates
 from .space import SAME, Mask, Numbers, curved, given
 

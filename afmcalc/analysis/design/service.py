@@ -24,8 +24,7 @@ from ...spec.edit import value_at, with_values
 from ...spec.keys import keys
 from ...spec.requirements import Requirements
 from ...variants import Variant
-from ..heat import HOUR, bodies_of
-from ..heat_findings import limit_of
+from ..heat import HOUR, bodies_of, limit_of
 from ..requirements import JUDGED
 from ..simulate import at_ends, bypass_peaks
 from .candidates import Candidates, candidates

@@ -26,9 +26,8 @@ from ...spec.rules import variants_of
 from ...units import ENGINEER
 from ..answers import Answers
 from ..registry import ANALYSES
-from ..sweep.ratios import RATIOS, current_ratio, moved, no_ratio
-from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, path_for, roots
-from .slow import looked, places
+from ..sweep.grid import RATIOS, current_ratio, moved, no_ratio
+from .search import SAME, Curve, Domain, closed_inverse, domain_of, explore, looked, path_for, places, roots
 
 if TYPE_CHECKING:
     from ..requirements import Judged

@@ -17,8 +17,7 @@ from ...spec.keys import ALIASES, elsewhere, keys, names, path_of
 from ...spec.models import FrictionRange
 from ...spec.quantity import asked_unit, parse_quantity
 from ...spec.rules import variants_of
-from .grid import MOST_POINTS, Axis
-from .ratios import RATIOS, coefficient, current_ratio, ends_of_ratio, no_ratio
+from .grid import MOST_POINTS, RATIOS, Axis, coefficient, current_ratio, ends_of_ratio, no_ratio
 
 _MOST_COUNTED = 200
 """Whole numbers that are swept where no range is given."""

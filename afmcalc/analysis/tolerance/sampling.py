@@ -20,8 +20,7 @@ from ...progress import Count
 from ...spec.edit import with_values
 from ...spec.tolerance import Tolerance
 from ..registry import ANALYSES
-from .distributions import Array, normal_probability, normal_score
-from .model import Model
+from .model import Array, Model, normal_probability, normal_score
 from .result import LIFE_PROBABILITIES, ROBUST, Estimate, IndexRow, LifeRow, PeakRow, QuantileRow
 from .service import life_of, service_of, unprotected
 from .statistics import Grid, Ranked, Tally, deviation, estimate, mean, merged, ranked_values, share

@@ -15,8 +15,7 @@ from ...engines import Clutch
 from ...equations import life as law
 from ...spec.tolerance import FRICTION, Tolerance
 from ..slips import with_modulus
-from .distributions import Array, Input, normal_probability, normal_score
-from .model import Model
+from .model import Array, Input, Model, normal_probability, normal_score
 from .result import LIFE_PROBABILITIES, ROBUST, Estimate, IndexRow, LifeRow, QuantileRow
 
 _EDGES = (0.0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 1e-2, 0.05, 0.15, 0.3, 0.5)

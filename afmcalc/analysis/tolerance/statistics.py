@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import finite
-from .distributions import Array
+from .model import Array
 from .result import Estimate, Histogram
 
 BINS = 8192

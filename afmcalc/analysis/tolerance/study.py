@@ -9,8 +9,7 @@ from ...findings import Finding, finding
 from ...messages import say
 from ...spec import Spec
 from ...spec.tolerance import FRICTION, Tolerance
-from .distributions import inputs_of
-from .model import Model, with_setting
+from .model import Model, inputs_of, with_setting
 from .result import InputRow, Study, ToleranceResult
 from .sampling import Plan, peak_figures, sampled_figures, simulate, sobol_indices
 from .service import exact_of

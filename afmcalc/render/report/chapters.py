@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from ...analysis.adjust import AdjustResult
 from ...analysis.dossier import Dossier, Topic
-from ...analysis.explain.derivation import CaseRow, Derivation, Meaning
+from ...analysis.explain.explain import CaseRow, Derivation, Meaning
 from ...analysis.springs.springs import SpringsResult
 from ...analysis.tolerance.result import ToleranceResult
 from ...messages import localized, spoken, term, translate

@@ -6,8 +6,7 @@ import warnings
 import pytest
 from conftest import CONFIGS
 
-from afmcalc.analysis.design.choose import with_neighbours
-from afmcalc.analysis.design.design import design
+from afmcalc.analysis.design.design import design, with_neighbours
 from afmcalc.spec.requirements import make_requirements
 
 BASE = tomllib.loads((CONFIGS / "requirements.toml").read_text(encoding="utf-8"))

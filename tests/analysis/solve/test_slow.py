@@ -7,8 +7,7 @@ import pytest
 from conftest import CONFIGS
 
 from afmcalc.analysis.check import check
-from afmcalc.analysis.solve.search import Domain
-from afmcalc.analysis.solve.slow import looked, places
+from afmcalc.analysis.solve.search import Domain, looked, places
 from afmcalc.analysis.solve.solve import NotAttainableError, parse_target, solve
 from afmcalc.engines import build
 from afmcalc.errors import AfmcalcError, CalculationError

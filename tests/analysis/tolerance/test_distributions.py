@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from afmcalc.analysis.tolerance.distributions import Input, inputs_of, normal_probability, normal_score
+from afmcalc.analysis.tolerance.model import Input, inputs_of, normal_probability, normal_score
 from afmcalc.spec import make_spec
 
 BASE = {

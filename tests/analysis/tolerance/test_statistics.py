@@ -9,7 +9,7 @@ from conftest import CONFIGS, several
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from afmcalc.analysis.tolerance.distributions import Input, inputs_of
+from afmcalc.analysis.tolerance.model import Input, inputs_of
 from afmcalc.analysis.tolerance.sampling import Plan
 from afmcalc.analysis.tolerance.service import gauss
 from afmcalc.analysis.tolerance.statistics import (

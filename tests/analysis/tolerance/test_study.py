@@ -9,8 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
-from afmcalc.analysis.tolerance.distributions import inputs_of
-from afmcalc.analysis.tolerance.model import Model
+from afmcalc.analysis.tolerance.model import Model, inputs_of
 from afmcalc.analysis.tolerance.sampling import Plan, simulate, sobol_indices
 from afmcalc.analysis.tolerance.statistics import CENTRAL
 from afmcalc.analysis.tolerance.study import study, tolerance
