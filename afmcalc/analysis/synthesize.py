@@ -86,8 +86,8 @@ class SynthesisResult(Answer):
         return 2 * self.ball_radius if self.ball_diameter_standard is None else self.ball_diameter_standard
 
 
-def synthesize(clutch: Clutch) -> tuple[SynthesisResult, list[Finding]]:
-    """Design the control unit of a clutch.
+def synthesize(clutch: Clutch, balls: Sequence[float] | None = None) -> tuple[SynthesisResult, list[Finding]]:
+    """Design the control unit of a clutch, with ``balls`` to choose from, m, ascending; None: those of the spec.
 
     Raises:
         SpecError: the spec lacks what synthesis needs.
@@ -99,7 +99,7 @@ def synthesize(clutch: Clutch) -> tuple[SynthesisResult, list[Finding]]:
     bare = wall_of(clutch, gap)
     sine = math.sin(bare.angle)
     smallest = bare.smallest_ball(travel, clearance)
-    sizes = clutch.spec.lists.balls or diameters()
+    sizes = balls or clutch.spec.lists.balls or diameters()
     chosen = unit.ball_diameter or next_size(sizes, 2 * smallest)
     wall = bare._replace(ball_radius=smallest if chosen is None else chosen / 2)
     depth = law.pocket_depth(wall.ball_radius, sine, gap)
