@@ -4,10 +4,9 @@ import math
 
 from ..arrays import Values
 from ..equations import synthesis, wall
-from ..equations.calls import plain
+from ..equations.calls import unnoted
 from ..spec.models import Contact
 
-_hertz_axes = plain(wall).hertz_axes
 _ITERATIONS = 30
 """Each leaves at most a quarter of the error: d ln(𝐁/𝐃)/d ln k lies between 0 and 1/2."""
 
@@ -21,11 +20,12 @@ def integrals(axis_ratio: Values) -> tuple[Values, Values]:
     return elliprf(0, squared, 1) - part, part
 
 
+@unnoted()
 def axis_ratio(curvature_ratio: Values) -> Values:
     """Minor over major semi-axis of the ellipse that two curvatures give; a larger ratio is a slimmer ellipse."""
     ratio = curvature_ratio ** (-2 / 3)
     for _ in range(_ITERATIONS):
-        ratio = ratio * (_hertz_axes(ratio, *integrals(ratio)) / curvature_ratio) ** 0.5
+        ratio = ratio * (wall.hertz_axes(ratio, *integrals(ratio)) / curvature_ratio) ** 0.5
     return ratio
 
 

@@ -5,7 +5,6 @@ from typing import Any
 
 from ..engines.layout import TOUCHES, PartName, SectionPart, inertia_of, length_of, overlaps, parts_of, sizes_of
 from ..engines.protocol import Clutch
-from ..errors import Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say, term
 from ..result import Answer, Result, described, quantity
@@ -47,8 +46,8 @@ def layout(clutch: Clutch) -> tuple[LayoutResult, list[Finding]]:
         SpecError: the spec has no envelope.
     """
     if clutch.spec.envelope is None:
-        problem = Problem("envelope", None, say("required by layout: the space there is, and what is how thick"))
-        raise SpecError(clutch.spec.label, [problem])
+        message = say("required by layout: the space there is, and what is how thick")
+        raise clutch.spec.refused("envelope", message)
     parts = parts_of(sizes_of(clutch))
     result = LayoutResult(
         length=length_of(parts),

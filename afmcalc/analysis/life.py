@@ -7,7 +7,7 @@ from ..arrays import Values
 from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
-from ..errors import AfmcalcError, Problem, SpecError
+from ..errors import AfmcalcError
 from ..findings import Finding, finding
 from ..messages import say, term
 from ..result import Answer, Result, Series, described, quantity
@@ -137,12 +137,11 @@ def _part(clutch: Clutch, model: StressRule) -> Fatigue:
     """Return the [fatigue] block; refuse a spec without what the model needs."""
     if clutch.spec.fatigue is None:
         message = say("required by life: endurance_limit, polar_section_modulus, …")
-        raise SpecError(clutch.spec.label, [Problem("fatigue", None, message)])
+        raise clutch.spec.refused("fatigue", message)
     part = with_modulus(clutch.spec)
     needed = RULES[model].needs
     if needed and getattr(part, needed) is None:
-        message = say("required by the model {model!r}", model=model)
-        raise SpecError(clutch.spec.label, [Problem(f"fatigue.{needed}", None, message)])
+        raise clutch.spec.refused(f"fatigue.{needed}", say("required by the model {model!r}", model=model))
     return part
 
 

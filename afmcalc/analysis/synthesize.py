@@ -9,7 +9,6 @@ from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
 from ..equations.calls import unnoted
-from ..errors import Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say
 from ..result import Answer, described, quantity
@@ -156,14 +155,12 @@ def _unit(clutch: Clutch) -> ControlUnit:
     """Return the control unit; refuse a clutch without what synthesis needs."""
     unit = clutch.spec.control_unit
     if unit is None:
-        problem = Problem("variant", clutch.spec.variant, say("has no control unit to synthesize"))
-    elif unit.ball_circle_radius is None:
-        problem = Problem("control_unit.ball_circle_radius", None, say("required by synthesize"))
-    elif clutch.gain == 0:
-        problem = Problem("control_unit.gain", "0", say("must be greater than 0 to synthesize pockets"))
-    else:
-        return unit
-    raise SpecError(clutch.spec.label, [problem])
+        raise clutch.spec.refused("variant", say("has no control unit to synthesize"), clutch.spec.variant)
+    if unit.ball_circle_radius is None:
+        raise clutch.spec.refused("control_unit.ball_circle_radius", say("required by synthesize"))
+    if clutch.gain == 0:
+        raise clutch.spec.refused("control_unit.gain", say("must be greater than 0 to synthesize pockets"), "0")
+    return unit
 
 
 def _travel(clutch: Clutch) -> float:

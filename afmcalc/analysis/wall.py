@@ -6,12 +6,9 @@ from typing import NamedTuple
 
 from ..engines.protocol import Clutch
 from ..equations import synthesis, wall
-from ..equations.calls import plain
+from ..equations.calls import unnoted
 from ..result import Result, quantity
 from ..spec.models import ControlUnit
-
-_along = plain(wall)  # asked along the whole wall
-_ball_radius = plain(synthesis).ball_radius
 
 DEFAULT_CLEARANCE = 0.002
 """s and y where the spec gives none, m: S21 takes 2…3 mm."""
@@ -63,25 +60,28 @@ class Wall(NamedTuple):
         """Whether a ball of its own size can have made it."""
         return self.undercut_radius is None or self.ball_radius < self.undercut_radius
 
+    @unnoted()
     def angle_at(self, depth: float) -> float:
         """Wall angle where the ball is ξ from its place at the stop, rad."""
-        return math.atan(_along.path_tangent(self.tangent, self.steepening, depth))
+        return math.atan(wall.path_tangent(self.tangent, self.steepening, depth))
 
+    @unnoted()
     def contact_depth(self, depth: float) -> float:
         """How far below the face the ball at ξ touches, m."""
-        return float(_along.contact_depth(self.ball_radius, math.sin(self.angle_at(depth)), depth, self.face_gap))
+        return float(wall.contact_depth(self.ball_radius, math.sin(self.angle_at(depth)), depth, self.face_gap))
 
+    @unnoted()
     def at(self, depth: float) -> WallPoint:
         """The ball at ξ."""
         angle = self.angle_at(depth)
-        around = _along.path(self.tangent, self.steepening, depth)
+        around = wall.path(self.tangent, self.steepening, depth)
         return WallPoint(
             travel=self.sleeves * depth,
             wall_angle=angle,
             path_axial=depth,
             path_around=around,
-            wall_axial=_along.wall_axial(depth, self.ball_radius, math.sin(angle)),
-            wall_around=_along.wall_around(around, self.ball_radius, math.cos(angle)),
+            wall_axial=wall.wall_axial(depth, self.ball_radius, math.sin(angle)),
+            wall_around=wall.wall_around(around, self.ball_radius, math.cos(angle)),
         )
 
     def smallest_ball(self, travel: float, clearance: float) -> float:
@@ -94,7 +94,8 @@ class Wall(NamedTuple):
         def needed(depth: float) -> tuple[float, float, float, float]:
             return 2 * depth, self.face_gap, clearance, math.sin(self.angle_at(depth))
 
-        shallowest = max((0.0, travel / self.sleeves), key=lambda depth: _ball_radius(*needed(depth)))
+        with unnoted():
+            shallowest = max((0.0, travel / self.sleeves), key=lambda depth: synthesis.ball_radius(*needed(depth)))
         return float(synthesis.ball_radius(*needed(shallowest)))
 
     def clearance(self, travel: float) -> float:

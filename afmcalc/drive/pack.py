@@ -19,11 +19,9 @@ from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..engines.springs import root
 from ..equations import adjustment, direct, drive, pocket, sleeve
-from ..equations.calls import plain
 from ..equations.terms import Number
 from ..errors import CalculationError
 
-_direct, _drive, _pocket, _sleeve = plain(direct), plain(drive), plain(pocket), plain(sleeve)
 _IDLE = 1e-9
 """Replaces κ = 0 in an array, so that nothing is divided by 0; the clutch still acts as an ordinary one."""
 _ROUNDING = 1e-12
@@ -67,16 +65,16 @@ class Pack(ABC):
         if not is_array(slip) and self.static_ratio == 1:
             return 1.0
         decay = np.exp(-self.decay_rate * np.abs(slip)) if is_array(slip) else math.exp(-self.decay_rate * abs(slip))
-        return _drive.stribeck_ratio(self.static_ratio, decay)
+        return drive.stribeck_ratio(self.static_ratio, decay)
 
     def carried(self, normal_force: Number, ratio: Number) -> Number:
         """Torque at which a normal force slips, friction times ``ratio``."""
-        return _direct.group_torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
+        return direct.group_torque(normal_force, self.mean_radius, ratio, self.friction_pairs)
 
     def pressed_at_stop(self, torque: Number, net_gain: float) -> Number:
         """Normal force at the stop for a gain κ or κ₊, N."""
         return larger(
-            _sleeve.normal_force_at_stop(self.resting_force, net_gain, abs(torque), self.mean_radius), self.least_force
+            sleeve.normal_force_at_stop(self.resting_force, net_gain, abs(torque), self.mean_radius), self.least_force
         )
 
     def play(self, torque: Number) -> tuple[Number, Number]:
@@ -94,7 +92,7 @@ class Pack(ABC):
             share: share of the pack's torque that the balls pass.
         """
         pairs = self.friction_pairs * ratio
-        torque = _sleeve.slip_torque_at_stop(pairs, self.mean_radius, self.resting_force, net_gain, alone, share)
+        torque = sleeve.slip_torque_at_stop(pairs, self.mean_radius, self.resting_force, net_gain, alone, share)
         return larger(torque, pairs * self.mean_radius * self.least_force)
 
     @abstractmethod
@@ -170,7 +168,7 @@ class DirectPack(Pack):
 
     def torque(self, ratio: Number) -> Number:
         """Slip torque with friction times ``ratio`` and without lag, N·m."""
-        return _direct.torque(*self._law(ratio))
+        return direct.torque(*self._law(ratio))
 
     def potential(self, torque: float, ratio: float) -> float:
         """T_п: torque at which the pack slips under the release force of ``torque``, friction times ``ratio``."""
@@ -179,7 +177,7 @@ class DirectPack(Pack):
     @property
     def growth(self) -> float:
         """∂T/∂(f(v)/f) where the release force follows the torque, N·m."""
-        return _drive.torque_growth(*self._law(self.static_ratio)) / self.static_ratio
+        return drive.torque_growth(*self._law(self.static_ratio)) / self.static_ratio
 
     def sticks_up_to(self, turn: Values, normal: Values) -> Values:
         """T(r_s f); with lag no more than the present normal force carries, N·m."""
@@ -238,7 +236,7 @@ class Sleeve(Pack):
     @property
     def farthest_turn(self) -> Number:
         """Turn of the balls at the travel ``farthest``, rad."""
-        return _sleeve.turn(self.farthest, self.mean_radius, self.law.gain, self.law.gain_slope)
+        return sleeve.turn(self.farthest, self.mean_radius, self.law.gain, self.law.gain_slope)
 
     def torque(self, ratio: Number) -> Number:
         """Slip torque that lasts, friction times ``ratio`` and rising, N·m."""
@@ -269,7 +267,7 @@ class Sleeve(Pack):
 
     def steeper(self, net_gain: Number, travel: Number) -> Number:
         """C, κ or κ₊ at a travel, from its value at the stop."""
-        return _pocket.gain_at(net_gain, self.law.gain_slope, travel)
+        return pocket.gain_at(net_gain, self.law.gain_slope, travel)
 
     def gain(self, travel: Number) -> Number:
         """C at a travel."""
@@ -279,9 +277,9 @@ class Sleeve(Pack):
         """S(x), N·m."""
         if self.straight_springs is not None:
             springs = self.closing_force, self.resting_force, *self.straight_springs
-            return _sleeve.spring_moment(self.mean_radius, *springs, travel)
+            return sleeve.spring_moment(self.mean_radius, *springs, travel)
         control = self.law.control_spring.force(travel)
-        return _sleeve.spring_moment(self.mean_radius, self._slackened(travel), control, 0.0, 0.0, 0.0)
+        return sleeve.spring_moment(self.mean_radius, self._slackened(travel), control, 0.0, 0.0, 0.0)
 
     def work(self, travel: Number) -> Number:
         """Work stored in both springs, J; Simpson's rule is exact, for the force of a disc spring is a cubic."""
@@ -306,7 +304,7 @@ class Sleeve(Pack):
 
     def travel(self, turn: Number) -> Number:
         """Travel of the sleeve for a turn of the balls in either direction, m."""
-        return _sleeve.travel(abs(turn), self.mean_radius, self.law.gain, self.law.gain_slope)
+        return sleeve.travel(abs(turn), self.mean_radius, self.law.gain, self.law.gain_slope)
 
     def turn_under(self, torque: float) -> Values:
         """Turn of the balls at rest after the torque has risen to ``torque``, rad; 0 up to T_н."""
@@ -322,15 +320,15 @@ class Sleeve(Pack):
             stiffness = sum(self._stiffnesses(0.0)) - torque * self.law.gain_slope / self.mean_radius
             # at the stop the 1 prevents 0/0: there a constant-torque pocket has no stiffness
             travel = off * lifted / (stiffness + (1 - 1 * off))
-        return _sleeve.turn(travel, self.mean_radius, self.law.gain, self.law.gain_slope)
+        return sleeve.turn(travel, self.mean_radius, self.law.gain, self.law.gain_slope)
 
     def inertia(self, travel: Number, net_gain: Number) -> Number:
         """Moment of inertia that the sleeve's mass adds to the turn of the balls, kg·m²."""
-        return _sleeve.sleeve_inertia(self.mass, self.mean_radius, self.gain(travel), net_gain)
+        return sleeve.sleeve_inertia(self.mass, self.mean_radius, self.gain(travel), net_gain)
 
     def speed(self, travel: Number, rate: Number) -> Number:
         """Speed of the sleeve for a rate of the turn, m/s."""
-        return _sleeve.travel_rate(rate, self.mean_radius, self.gain(travel))
+        return sleeve.travel_rate(rate, self.mean_radius, self.gain(travel))
 
     def driving_moment(self, travel: Number, rate: Number) -> Number:
         """Moment of both springs minus the inertia moment of a sleeve that moves along a curved wall, N·m."""
@@ -338,7 +336,7 @@ class Sleeve(Pack):
         if not is_array(self.mass) and not self.mass:
             return moment
         slope, speed = self.law.gain_slope, self.speed(travel, rate)
-        return moment - _sleeve.centrifugal_moment(self.mass, self.mean_radius, self.gain(travel), slope, speed)
+        return moment - sleeve.centrifugal_moment(self.mass, self.mean_radius, self.gain(travel), slope, speed)
 
     def key_limits(self, travel: Number) -> tuple[Number, Number]:
         """Smallest and largest ball torque at which the key keeps a sleeve off its stop at rest, S/κ₊ and S/κ, N·m."""
@@ -351,7 +349,7 @@ class Sleeve(Pack):
     def torsional(self, travel: Number, net_gain: Number, torque: Number) -> Number:
         """Stiffness against a turn, N·m/rad."""
         slope = self.law.gain_slope
-        return _sleeve.torsional_stiffness(
+        return sleeve.torsional_stiffness(
             *self._stiffnesses(travel), self.mean_radius, net_gain, self.gain(travel), slope, torque
         )
 

@@ -18,11 +18,9 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from ..equations import drive, sleeve
-from ..equations.calls import plain
 from .pack import Pack
 from .train import Train
 
-_drive, _sleeve = plain(drive), plain(sleeve)
 State = list[float]
 V, DRIVEN, TWIST, TOOL, RATE, TURN, NORMAL = range(7)
 """Places in the state: slip v of the pack, ω_2, twist of the shaft, ω_3, w = ω_h − ω_2, turn φ of the balls, and the
@@ -176,7 +174,7 @@ class Plant:
 
     def shaft(self, y: Sequence[float]) -> float:
         """Torque in the shaft, N·m."""
-        return _drive.shaft_torque(self.train.stiffness, y[TWIST], self.train.damping, y[DRIVEN] - y[TOOL])
+        return drive.shaft_torque(self.train.stiffness, y[TWIST], self.train.damping, y[DRIVEN] - y[TOOL])
 
     def resistance(self, t: float, mode: Mode) -> float:
         """Torque of the load, N·m."""
@@ -215,10 +213,10 @@ class Plant:
                 balls = side * self._on_wall(travel, y[RATE], mode, side * clutch, hub, side * shaft)
                 return Torques(motor, clutch, balls, shaft)
             balls = side * self._on_wall(travel, y[RATE], mode, side * motor, first + hub, side * shaft)
-            return Torques(motor, _drive.sticking_torque(motor, first, balls, hub), balls, shaft)
+            return Torques(motor, drive.sticking_torque(motor, first, balls, hub), balls, shaft)
         if not mode.pack:
-            balls = _drive.sticking_torque(motor, first + hub, shaft, last)
-            clutch = _drive.sticking_torque(motor, first, shaft, hub + last) if hub else balls
+            balls = drive.sticking_torque(motor, first + hub, shaft, last)
+            clutch = drive.sticking_torque(motor, first, shaft, hub + last) if hub else balls
             return Torques(motor, clutch, balls, shaft)
         if mode.balls == "seat" and mode.hold:
             net = self.net_gain(mode) * (side * mode.pack if pack.travels else 1)
@@ -226,7 +224,7 @@ class Plant:
             clutch = mode.pack * pack.slipping_at_stop(pack.ratio(y[V]), net, alone, share)
         else:
             clutch = mode.pack * pack.carried(self.normal(y, mode, 0.0), pack.ratio(y[V]))
-        return Torques(motor, clutch, _drive.sticking_torque(clutch, hub, shaft, last) if hub else clutch, shaft)
+        return Torques(motor, clutch, drive.sticking_torque(clutch, hub, shaft, last) if hub else clutch, shaft)
 
     def _on_wall(self, travel: float, rate: float, mode: Mode, drive: float, inertia: float, load: float) -> float:
         """Torque of the balls on the wall they are on, while the sleeve moves."""
@@ -235,7 +233,7 @@ class Plant:
         if not pack.mass:
             return moment / net
         mass = pack.inertia(travel, net)
-        return _sleeve.ball_torque_moving(moment, net, mass, drive, inertia, load, self.train.driven_inertia)
+        return sleeve.ball_torque_moving(moment, net, mass, drive, inertia, load, self.train.driven_inertia)
 
     def _behind(self, balls: float, shaft: float) -> tuple[float, float]:
         """Torque and inertia behind the pack: those of the hub, or of the driven half."""
@@ -256,9 +254,9 @@ class Plant:
             key = balls * rate - (moment / pack.mean_radius + pack.mass * growth) * speed
         if mode.pack:
             behind, inertia = self._behind(balls, shaft)
-            slipping = _drive.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
+            slipping = drive.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
         if pack.lag:
-            late = _drive.normal_force_rate(normal, pack.pressed_at_stop(clutch, pack.stop_gains[0]), pack.lag)
+            late = drive.normal_force_rate(normal, pack.pressed_at_stop(clutch, pack.stop_gains[0]), pack.lag)
         if train.kind == "stop":
             stopping, power = (0.0 if mode.over else -train.speed / train.time), shaft * tool
         else:
@@ -428,7 +426,7 @@ class Plant:
             wrong.append(abs(clutch) - self.capacity(y, mode, balls))
         elif not y[V]:
             behind, inertia = self._behind(balls, shaft)
-            rate = _drive.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
+            rate = drive.slip_acceleration(motor, train.motor_inertia, clutch, behind, inertia)
             wrong.append(-mode.pack * rate * inertia)
         if mode.balls == "seat" and pack.travels:
             # of ``mode.hold`` and the normal force, as a torque
@@ -443,7 +441,7 @@ class Plant:
             low, high = pack.key_limits(self.travel(y))
             wrong += [along - high, low - along]
         elif mode.moving and not y[RATE]:
-            rate = _drive.slip_acceleration(clutch, hub, balls, shaft, train.driven_inertia)
+            rate = drive.slip_acceleration(clutch, hub, balls, shaft, train.driven_inertia)
             outwards = mode.side * rate * train.driven_inertia
             wrong.append(-outwards if mode.balls == "out" else outwards)
         worst = max(wrong) / self.sliding

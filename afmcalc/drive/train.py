@@ -14,7 +14,6 @@ from ..engines.protocol import Clutch
 from ..equations import drive as law
 from ..equations.calls import unnoted
 from ..equations.terms import Number
-from ..errors import Problem, SpecError
 from ..messages import say
 from ..spec.models import EventKind
 
@@ -113,7 +112,7 @@ def train_of(clutch: Clutch) -> Train:
         message = say(
             'required by simulate: what happens, for example event = {{ kind = "stop", stop_time = "10 ms" }}'
         )
-        raise SpecError(clutch.spec.label, [Problem("drive.event", None, message)])
+        raise clutch.spec.refused("drive.event", message)
     load: Number = clutch.running_torque if given.load_torque is None else given.load_torque
     motor, speed = given.motor, given.speed
     if motor is None:
@@ -125,7 +124,7 @@ def train_of(clutch: Clutch) -> Train:
             message = say(
                 "required: drive.motor cannot carry the load before the event, its breakdown torque is smaller"
             )
-            raise SpecError(clutch.spec.label, [Problem("drive.speed", None, message)])
+            raise clutch.spec.refused("drive.speed", message)
         # the formula has no slip without load, where the motor runs at its synchronous speed
         slip = law.kloss_slip(engine.torque, engine.slip, load) if np.all(load > 0) else 0.0
         speed = engine.synchronous * (1 - slip)

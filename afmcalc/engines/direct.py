@@ -50,8 +50,7 @@ class DirectClutch(Clutch):
 
     def ball_torque(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Torque T_2 that passes the balls, N·m; arguments as ``torque``."""
-        driven = both_frictions(friction, friction_driven)[1]
-        pressed = direct.normal_force(self.closing_force, self.controlled_pairs, self.gain, driven)
+        pressed, driven = self.normal_force(friction, friction_driven), both_frictions(friction, friction_driven)[1]
         return direct.group_torque(pressed, self.mean_radius, self.controlled_pairs, driven)
 
     def breakaway_torque(self, friction: Values, friction_driven: Values | None = None) -> Values:

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from ..arrays import Values, chosen, is_array, larger, quiet_division, smaller, square_root
 from ..equations import accuracy, indirect, pocket
-from ..errors import Problem, SpecError
 from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec
@@ -96,7 +95,7 @@ class IndirectClutch(Clutch):
         )
         path = parameters.gain_path(self.spec)
         given = f"{gain:.6g}" if path == "control_unit.gain" else f"(C = {gain:.6g})"
-        raise SpecError(self.spec.label, [Problem(path, given, message)])
+        raise self.spec.refused(path, message, given)
 
     def _slope_that_holds_the_torque(self) -> Values:
         leaving = self.leaving_friction
@@ -105,7 +104,7 @@ class IndirectClutch(Clutch):
                 "no wall holds the torque: control_spring.force does not exceed the force of the closing spring, so "
                 "that the sleeve never rests at its stop"
             )
-            raise SpecError(self.spec.label, [Problem("control_unit.pocket", repr("constant-torque"), message)])
+            raise self.spec.refused("control_unit.pocket", message, repr("constant-torque"))
         return chosen(leaving > 0, lambda: self.constant_torque_slope, lambda: math.nan)
 
     @property

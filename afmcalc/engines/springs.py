@@ -126,18 +126,10 @@ class DiscCharacteristic:
         return own.parallel / own.series * law.disc_stiffness(*self.shape, deflection / own.series)
 
     def deflection(self, force: Values) -> Values:
-        """Deflection that gives a force, m; all discs flat where none does.
-
-        The force grows ever slower, so that Newton's steps from nothing never go too far.
-        """
-        at, _ = 0.0 * force, self.shape  # the shape is a step of the calculation, unlike the search
+        """Deflection that gives a force, m; all discs flat where none does."""
+        _ = self.shape  # a step of the calculation, unlike the search
         with unnoted():
-            for _ in range(_STEPS):
-                there = smaller(at + (force - self.force(at)) / self.stiffness(at), self.end)
-                moved, at = greatest(there - at), there
-                if not moved > _CLOSE * greatest(self.end):
-                    break
-        return at
+            return root(lambda at: self.force(at) - force, self.stiffness, self.end + 0.0 * force)
 
     def stresses(self, deflection: float) -> tuple[float, float]:
         """Stress where the section turns (OM), and the largest tension at the edges II and III, Pa."""
@@ -219,41 +211,36 @@ class SetSpring:
 
     set_force: Values
     """N."""
-    straight_stiffness: Values | None
+    straight_stiffness: Any
     """N/m; None where only its force is known."""
     disc: DiscCharacteristic | None = None
-
-    @property
-    def _rate(self) -> Values:
-        assert self.straight_stiffness is not None
-        return self.straight_stiffness
 
     @cached_property
     def deflection(self) -> Values:
         """As set, m."""
         if self.disc is None:
-            return self.set_force / self._rate
+            return self.set_force / self.straight_stiffness
         disc, at = self.disc, self.disc.deflection(self.set_force)
         return derived(at, steps=lambda at: (disc.force(at), disc.stiffness(at)))
 
     def force(self, further: Values) -> Values:
         """Force when pressed together so much further than as set, N."""
         if self.disc is None:
-            return self.set_force + self._rate * further
+            return self.set_force + self.straight_stiffness * further
         return self.disc.force(derived(self.deflection + further, further))
 
     def stiffness(self, further: Values) -> Values:
         """Slope of the force there, N/m."""
-        return self._rate if self.disc is None else self.disc.stiffness(self.deflection + further)
+        return self.straight_stiffness if self.disc is None else self.disc.stiffness(self.deflection + further)
 
     def secant(self, further: Values) -> Values:
         """Change of the force per deflection from as set, N/m."""
-        return self._rate if self.disc is None else (self.force(further) - self.set_force) / further
+        return self.straight_stiffness if self.disc is None else (self.force(further) - self.set_force) / further
 
     def slackens(self, force: Values) -> Values:
         """How far it lengthens until so much force is left, m."""
         if self.disc is None:
-            return (self.set_force - force) / self._rate
+            return (self.set_force - force) / self.straight_stiffness
         return self.deflection - self.disc.deflection(force)
 
 

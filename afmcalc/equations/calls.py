@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cached_property, wraps
-from types import ModuleType, SimpleNamespace
 from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 P = ParamSpec("P")
@@ -43,12 +42,6 @@ def equation(function: Callable[P, R]) -> Callable[P, R]:
         return value
 
     return call
-
-
-def plain(module: ModuleType) -> Any:
-    """The equations of a module without a note of their calls, for the millions of calls of one integration."""
-    functions = ((name, getattr(value, "__wrapped__", None)) for name, value in vars(module).items())
-    return SimpleNamespace(**{name: function for name, function in functions if function is not None})
 
 
 def derived(value: Any, *of: object, role: str = "", steps: Callable[[Any], object] | None = None) -> Any:

@@ -36,15 +36,12 @@ _REPLACED = {
     "control_spring.stiffness": ("control_spring.disc", "control_spring.coil"),
     "fatigue.polar_section_modulus": ("shaft",),
     "shaft.diameter": ("fatigue.polar_section_modulus",),
-    "friction.min": ("friction.material", "friction.unknown"),
-    "friction.mean": ("friction.material", "friction.unknown"),
-    "friction.max": ("friction.material", "friction.unknown"),
-    "friction.driving.min": ("friction.driving.material",),
-    "friction.driving.mean": ("friction.driving.material",),
-    "friction.driving.max": ("friction.driving.material",),
-    "friction.driven.min": ("friction.driven.material",),
-    "friction.driven.mean": ("friction.driven.material",),
-    "friction.driven.max": ("friction.driven.material",),
+    **{f"friction.{end}": ("friction.material", "friction.unknown") for end in ("min", "mean", "max")},
+    **{
+        f"friction.{group}.{end}": (f"friction.{group}.material",)
+        for group in ("driving", "driven")
+        for end in ("min", "mean", "max")
+    },
 }
 """Key → keys it stands in for: where it is set, they are taken out of the spec."""
 

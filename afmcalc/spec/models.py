@@ -20,6 +20,7 @@ from pydantic import (
 from pydantic_core import PydanticKnownError, core_schema
 
 from ..equations import machine, springs
+from ..errors import Problem, SpecError
 from ..messages import did_you_mean, say
 from ..variants import VARIANTS, Variant
 from . import rules
@@ -712,6 +713,10 @@ class FileBlock(Block):
     def label(self) -> Source:
         """What errors call it: the file it was read from, and the like."""
         return self._origin.label
+
+    def refused(self, path: str, message: str, given: str | None = None) -> SpecError:
+        """Return the error that says what is wrong at one of its keys."""
+        return SpecError(self.label, [Problem(path, given, message)])
 
 
 class Spec(FileBlock):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...arrays import Values
 from ...engines import Clutch, build, parameters
 from ...equations import indirect
-from ...errors import CalculationError, Problem, SpecError
+from ...errors import CalculationError
 from ...messages import say
 from ...spec import Spec
 from ...spec.edit import value_at, with_key, with_values
@@ -332,7 +332,7 @@ def with_setting(clutch: Clutch, given: Tolerance) -> Spec:
             message = say('follows from the setting of each clutch: give tolerance.setting = "as-made"')
         else:
             continue
-        raise SpecError(clutch.spec.label, [Problem(f"tolerance.fields.{path}", None, message)])
+        raise clutch.spec.refused(f"tolerance.fields.{path}", message)
     spec = clutch.spec
     if spec.fatigue is not None:
         # the life of every sample takes that of the nominal clutch

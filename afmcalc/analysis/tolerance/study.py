@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterator
 
 from ...engines.protocol import Clutch
-from ...errors import AfmcalcError, Problem, SpecError
+from ...errors import AfmcalcError
 from ...findings import Finding, finding
 from ...messages import say
 from ...spec import Spec
@@ -89,7 +89,7 @@ def _block(spec: Spec) -> Tolerance:
             'required by tolerance, for example [tolerance.fields] "closing_spring.force" = '
             '{{ distribution = "normal", spread = "5 %" }}'
         )
-        raise SpecError(spec.label, [Problem("tolerance", None, message)])
+        raise spec.refused("tolerance", message)
     if given.torque_limit is None and spec.requirements is not None:
         return given.model_copy(update={"torque_limit": spec.requirements.torque_max})
     return given
