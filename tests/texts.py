@@ -105,7 +105,8 @@ def _report() -> Iterator[Key]:
     from afmcalc.render.report import words
 
     yield from (("", text) for text in words.REPORT.values())
-    for page in Path(words.__file__).parent.glob("*.html"):
+    report = Path(words.__file__).parent
+    for page in (*report.glob("*.html"), *(report.parents[1] / "web").glob("*.html")):
         yield from (("", text) for text in re.findall(r'\b_\("([^"]+)"', page.read_text(encoding="utf-8")))
 
 

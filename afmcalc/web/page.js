@@ -1,0 +1,262 @@
+// Sends what is typed to afmcalc on this computer and shows its answers; nothing is calculated here.
+"use strict";
+const find = (selector, inside = document) => inside.querySelector(selector);
+const all = (selector, inside = document) => [...inside.querySelectorAll(selector)];
+const form = find("#form"), live = find("#live"), words = document.body.dataset;
+const MEMORY = `afmcalc ${location.pathname}`;
+let pinned = null;
+
+const say = (text) => { find("#status").textContent = text; };
+const base = () => Number(find("#base").value);
+const asMade = (field) => field.defaultValue ?? (find("option[selected]", field) ?? field.options[0]).value;
+const fields = () => Object.fromEntries(
+  [...form.elements].filter((one) => one.name && one.value.trim() !== asMade(one)).map((one) => [one.name, one.value.trim()]));
+const state = () => ({ base: base(), fields: fields(), pinned });
+
+function post(name, body, signal) {
+  return fetch(name, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body), signal });
+}
+
+/** Return an answer; where there is none, say so. */
+async function asked(name, body) {
+  try {
+    const reply = await post(name, body);
+    if (reply.ok) return await reply.json();
+    say(await reply.text());
+  } catch (error) { say(`${words.gone} (${error.message})`); }
+  return null;
+}
+
+/** Put a fragment in its place; what was unfolded or scrolled in there stays so. */
+function put(place, html) {
+  const open = all("details[id]", place).map((one) => [one.id, one.open]);
+  const scrolled = all(".scroll", place).map((one) => one.scrollLeft);
+  const whole = find("iframe", place)?.src;
+  if (whole) URL.revokeObjectURL(whole);
+  place.innerHTML = html;
+  for (const frame of all("[data-page]", place)) {
+    // a document of its own: its links lead within it
+    frame.src = find("a[download]", place).href = URL.createObjectURL(new Blob([frame.dataset.page], { type: "text/html;charset=utf-8" }));
+    frame.removeAttribute("data-page");
+  }
+  for (const [id, was] of open) { const one = document.getElementById(id); if (one) one.open = was; }
+  all(".scroll", place).forEach((one, index) => { one.scrollLeft = scrolled[index] ?? 0; });
+  reachable();
+}
+
+/** What scrolls sideways can be reached, and scrolled, with the keyboard. */
+function reachable() {
+  for (const one of all(".scroll")) one.toggleAttribute("tabindex", false), one.scrollWidth > one.clientWidth && (one.tabIndex = 0);
+}
+
+function list(place, sentences) {
+  place.replaceChildren(...sentences.map((text) => Object.assign(document.createElement("li"), { textContent: text })));
+  place.hidden = !sentences.length;
+}
+
+/** Set each sentence at its field and return those that belong to none. */
+function mark(errors, inside) {
+  for (const one of all("[aria-invalid]", inside)) one.removeAttribute("aria-invalid");
+  for (const one of all(".error", inside)) { one.hidden = true; one.textContent = ""; }
+  return Object.entries(errors).filter(([key, text]) => {
+    const field = document.getElementById(key), place = document.getElementById(`error-${key}`);
+    const table = find(`[data-table="${key}"]`, inside);
+    if (table) table.open = true;
+    if (!field || !place || !inside.contains(field)) return true;
+    field.setAttribute("aria-invalid", "true");
+    place.textContent = text;
+    place.hidden = false;
+    for (let one = field.closest("details"); one; one = one.parentElement.closest("details")) one.open = true;
+    return false;
+  }).map(([key, text]) => `${key}: ${text}`);
+}
+
+// The newest state waits while one is calculated: an answer comes while a slider moves, and at most one is in hand.
+let busy = false, waiting = false, latest = null;
+async function change() {
+  sessionStorage.setItem(MEMORY, JSON.stringify(state()));
+  if (busy) { waiting = true; return; }
+  busy = true;
+  do {
+    waiting = false;
+    const sent = state(), answer = await asked("live", sent);
+    live.classList.toggle("stale", !answer?.fragments);
+    if (answer) show(answer, JSON.stringify(sent));
+  } while (waiting);
+  busy = false;
+}
+
+function show(answer, sent) {
+  const problems = [...answer.problems ?? [], ...mark(answer.errors ?? {}, form)];
+  list(find("#problems"), problems);
+  if (!answer.fragments) { latest = null; say(words.refused); return; }
+  for (const [name, html] of Object.entries(answer.fragments)) put(find(`#${name}`), html);
+  find("#command").textContent = answer.command;
+  const factor = find('[data-path="accuracy_factor"]'), symbol = factor && find(".mark", factor.parentElement).innerHTML;
+  find("#status").innerHTML = `${factor ? `<b>${symbol} = ${factor.innerHTML}</b> · ` : ""}${find("#verdict .sum")?.innerHTML ?? ""}`;
+  latest = sent;
+  outdate();
+}
+
+// Sliders write the number and leave the unit as it was typed.
+const NUMBER = /^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?)(.*)$/is;
+function follow(field) {
+  const slider = find(`[data-of="${field.id}"]`), parts = NUMBER.exec(field.value);
+  if (!slider) return;
+  slider.disabled = !parts;
+  if (!parts) return;
+  const number = Number(parts[1]), unit = parts[2].trim();
+  if (slider.dataset.unit !== unit && ("unit" in slider.dataset || !slider.hasAttribute("max"))) {
+    const size = 10 ** Math.floor(Math.log10(Math.abs(number) || 1));
+    Object.assign(slider, { min: Math.min(0, 2 * number), max: 2 * Math.abs(number) || 1, step: "whole" in slider.dataset ? 1 : size / 50 });
+  }
+  slider.dataset.unit = unit;
+  slider.min = Math.min(slider.min, number);
+  slider.max = Math.max(slider.max, number);
+  slider.value = number;
+  slider.setAttribute("aria-valuetext", field.value);
+}
+
+form.addEventListener("input", ({ target }) => {
+  if (target.dataset.of) {
+    const field = document.getElementById(target.dataset.of);
+    field.value = Number(Number(target.value).toPrecision(6)) + NUMBER.exec(field.value)[2];
+    target.setAttribute("aria-valuetext", field.value);
+  } else follow(target);
+  change();
+});
+form.addEventListener("submit", (event) => event.preventDefault());
+
+/** Put a numbered clutch into the form: that of the spec is 0. */
+async function load(number) {
+  const answer = await asked("form", { base: number });
+  if (!answer?.html) { if (answer) say((answer.problems ?? []).join(" ")); return; }
+  form.innerHTML = answer.html;
+  all("input[type=text]", form).forEach(follow);
+}
+
+function pin(wanted) {
+  pinned = wanted;
+  find("#pin").textContent = pinned ? words.unpin : words.pin;
+}
+find("#pin").addEventListener("click", () => {
+  pin(pinned ? null : { base: base(), fields: fields() });
+  change();
+});
+find("#copy").addEventListener("click", async () => {
+  try {
+    await navigator.clipboard.writeText(find("#command").textContent);
+    say(words.copied);
+  } catch {
+    getSelection().selectAllChildren(find("#command"));
+    say(words.select);
+  }
+});
+find("#reset").addEventListener("click", () => load(0).then(change));
+find("#save").addEventListener("click", async () => {
+  const { base, fields } = state(), answer = await asked("save", { base, fields });
+  if (answer) say(answer.message ?? [...answer.problems ?? [], ...Object.values(answer.errors ?? {})].join(" "));
+});
+
+// Tabs: arrows move, Enter opens. "live" ones follow every change while open, "open" ones start when opened.
+const tabs = all("[role=tab]");
+const panel = (tab) => document.getElementById(tab.getAttribute("aria-controls"));
+const opened = () => find("[role=tab][aria-selected=true]");
+const running = new Map(), answered = new Map();
+let timer;
+
+function open(tab) {
+  for (const one of tabs) {
+    one.setAttribute("aria-selected", String(one === tab));
+    one.tabIndex = one === tab ? 0 : -1;
+    panel(one).hidden = one !== tab;
+  }
+  reachable();
+  outdate(tab.dataset.when === "open");
+}
+
+/** Say of the open tab that its answer is old, or get a new one where that is quick or was asked for. */
+function outdate(now = false) {
+  const tab = opened(), old = tab && latest && answered.get(tab) !== latest;
+  if (!old) return;
+  if (now || tab.dataset.when === "live") { clearTimeout(timer); timer = setTimeout(run, 250, tab); return; }
+  const place = panel(tab);
+  if (answered.has(tab)) { find(".answer", place).classList.add("stale"); find(".said", place).textContent = words.changed; }
+}
+
+async function* lines(stream) {
+  const reader = stream.pipeThrough(new TextDecoderStream()).getReader();
+  for (let rest = ""; ;) {
+    const { done, value } = await reader.read();
+    if (done) return;
+    const parts = (rest + value).split("\n");
+    rest = parts.pop();
+    for (const part of parts) if (part) yield JSON.parse(part);
+  }
+}
+
+async function run(tab) {
+  running.get(tab)?.abort();
+  const mine = new AbortController(), place = panel(tab), name = tab.id.slice(4), sent = state();
+  const [answer, said, progress, stop] = [".answer", ".said", "progress", ".stop"].map((one) => find(one, place));
+  const options = Object.fromEntries(all("[data-option]", place).map((one) => [one.id, one.value]));
+  running.set(tab, mine);
+  answered.set(tab, JSON.stringify(sent));
+  const working = (on) => { place.setAttribute("aria-busy", String(on)); progress.hidden = stop.hidden = !on; };
+  working(true);
+  said.textContent = words.working;
+  progress.removeAttribute("value");
+  try {
+    const reply = await post(`tab/${name}`, { ...sent, options }, mine.signal);
+    if (!reply.ok) throw new Error(await reply.text());
+    for await (const line of lines(reply.body)) {
+      if ("progress" in line) {
+        said.textContent = line.text || words.working;
+        if (line.progress === null) progress.removeAttribute("value"); else progress.value = line.progress;
+        continue;
+      }
+      said.textContent = "";
+      list(find(".problems", place), [...line.problems ?? [], ...mark(line.errors ?? {}, place)]);
+      answer.classList.toggle("stale", line.html === undefined);
+      if (line.html !== undefined) put(answer, line.html);
+      if (line.command) { find(".command", place).textContent = line.command; find("pre", place).hidden = false; }
+    }
+  } catch (error) {
+    if (running.get(tab) !== mine) return;
+    answer.classList.add("stale");
+    said.textContent = mine.signal.aborted ? words.stopped : `${words.gone} (${error.message})`;
+  }
+  if (running.get(tab) === mine) working(false);
+}
+
+find("[role=tablist]").addEventListener("keydown", (event) => {
+  const at = tabs.indexOf(event.target), last = tabs.length - 1;
+  const to = { ArrowRight: at === last ? 0 : at + 1, ArrowLeft: at ? at - 1 : last, Home: 0, End: last }[event.key];
+  if (to === undefined) return;
+  event.preventDefault();
+  tabs[to].focus();
+});
+for (const tab of tabs) {
+  tab.addEventListener("click", () => open(tab));
+  find(".start", panel(tab)).addEventListener("click", () => run(tab));
+  find(".stop", panel(tab)).addEventListener("click", () => running.get(tab)?.abort());
+  for (const option of all("input[data-option]", panel(tab))) option.addEventListener("change", () => run(tab));
+}
+document.addEventListener("click", async ({ target }) => {
+  if (target.dataset.base) { await load(Number(target.dataset.base)); await change(); say(words.loaded); }
+});
+addEventListener("resize", reachable);
+
+/** Begin with what was typed before the page was reloaded. */
+async function begin() {
+  const kept = JSON.parse(sessionStorage.getItem(MEMORY) ?? "null");
+  if (kept && kept.base !== base()) await load(kept.base);
+  if (kept && kept.base === base()) {
+    for (const [key, text] of Object.entries(kept.fields)) if (form.elements[key]) form.elements[key].value = text;
+    pin(kept.pinned);
+  }
+  all("input[type=text]", form).forEach(follow);
+  await change();
+  open(tabs[0]);
+}
+begin();
