@@ -142,10 +142,10 @@ def design(
         spec = resolved(chosen)
     if explain is not None and result.front:
         result = with_neighbours(result, explain)
-    if top is None and printed.chosen_format in ("table", "markdown"):
+    if top is None and printed.chosen_format != "json":
         if spec or result.neighbours is not None:
             result = focused(result)
-        elif result.on_front > _IN_TABLES:
+        elif result.on_front > _IN_TABLES and printed.chosen_format != "csv":
             top = _IN_TABLES
             common.note(say("{top} of {count} shown; --top {count} shows all", top=top, count=result.on_front))
     empty = [finding for finding in findings if finding.code == "no-candidate"]

@@ -297,6 +297,15 @@ def test_csv_of_a_check_has_requirements_and_limits(afmcalc):
     assert len(rows) == sum(map(len, (asked["findings"], asked["result"]["requirements"], asked["result"]["limits"])))
 
 
+def test_csv_of_a_pick_is_the_clutch_picked(afmcalc):
+    asked = ["design", CONFIGS / "machine.toml", "--no-simulate", "--pick", "2"]
+    head, *rows = afmcalc(*asked, "--format", "csv").out.splitlines()
+    assert len(rows) == 1
+    picked = afmcalc(*asked, "--json").json["result"]["picked"][0]
+    told = dict(zip((name.partition(" ")[0] for name in head.split(",")), rows[0].split(","), strict=True))
+    assert (told["number"], float(told["closing_force"])) == ("2", picked["closing_force"])
+
+
 def test_csv_of_a_curved_wall_has_the_values_of_the_control_unit(afmcalc):
     spec = CONFIGS / "constant-torque.toml"
     result = afmcalc("synthesize", spec, "--json").json["result"]

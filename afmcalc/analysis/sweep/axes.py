@@ -149,7 +149,7 @@ def default_range(key: Key, spec: Spec) -> Floats:
 
 def _ratio_range(name: str, spec: Spec) -> Floats:
     """Half to twice a ratio of frictions, within its ends."""
-    (low, high), current = ends_of_ratio(spec, name), current_ratio(spec, name)
+    (low, high), current = ends_of_ratio(spec, name), float(f"{current_ratio(spec, name):.12g}")
     return np.linspace(max(low, 0.5 * current), min(high, 2 * current), 26)
 
 

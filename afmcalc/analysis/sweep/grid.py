@@ -121,7 +121,9 @@ class Axis(NamedTuple):
 
     @property
     def called_path(self) -> str:
-        """What its values are: a spec path; of a ratio the quotient of two."""
+        """What its values are: a spec path; of a ratio the quotient of two; of zC, no key, its name in results."""
+        if self.name == "zC":
+            return "reduced_gain"
         return RATIOS[self.name].quotient if self.name in RATIOS else self.key.path
 
     @property

@@ -67,6 +67,12 @@ def test_a_range_of_ones_own_stays_within_the_ranges_of_friction(clutch):
         swept(wide, name)
 
 
+def test_a_range_of_ones_own_goes_around_the_ratio_as_it_is_meant(clutch):
+    """0.6/0.1 is 5.999999999999999 in floats; the sweep goes from 3 to 12."""
+    (series,) = swept(clutch, "m")
+    assert (series.values[0], series.values[-1]) == (3.0, 12.0)
+
+
 def test_materials_of_the_catalogue_give_way(clutch):
     gone = {"friction.driven.min": None, "friction.driven.max": None, "friction.driven.material": "moulded-dry"}
     of_catalogue = build(respecified(clutch.spec, gone))

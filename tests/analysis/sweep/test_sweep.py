@@ -82,3 +82,11 @@ def test_arrays_of_several_shapes_broadcast():
     np.testing.assert_allclose(found["factor"], 8 * (1 + 0.1 * controlled * gain) / (1 + 0.8 * controlled * gain))
     assert found["radius"].shape == (3, 5)
     assert (found["radius"] == 0.1).all()
+
+
+def test_what_is_swept_heads_its_column(afmcalc):
+    """The reduced gain is no key of the spec: its values are not told as gains."""
+    run = afmcalc("accuracy", "example:all-driving", "--sweep", "zC=1:2:2", "--format", "csv")
+    head, first, _ = run.out.splitlines()
+    assert head.startswith("reduced_gain [1],accuracy_factor [1]")
+    assert first.startswith("1.0,")
