@@ -3,7 +3,7 @@
 from importlib.util import find_spec
 from typing import NamedTuple, Self
 
-from .messages import Text, joined, say, term, translate
+from .messages import Text, joined, say, term, told, translate
 
 MOST_SHOWN = 20
 """Problems of a spec that are shown; of the others the number."""
@@ -55,11 +55,47 @@ def reason(error: OSError) -> str:
     return term(error.strerror or str(error))
 
 
+def unexpected(error: Exception) -> tuple[bool, list[str]]:
+    """Tell, in the language of the user, of an error that is none of ours.
+
+    Returns:
+        Whether a calculation or its result left the range of numbers, else afmcalc is at fault; and what to say.
+    """
+    from pydantic import ValidationError
+
+    if isinstance(error, ValidationError):
+        beyond = all(detail["type"] == "finite_number" for detail in error.errors())
+    else:
+        beyond = isinstance(error, ArithmeticError | RuntimeWarning)
+    if beyond:
+        return True, [translate(BEYOND_NUMBERS)]
+    import os
+    import traceback
+
+    from . import __version__
+
+    at = traceback.extract_tb(error.__traceback__)[-1]
+    fault = told(
+        "this is a fault of afmcalc {version}, not of what it was given: {kind}: {why} ({file}, line {line})",
+        version=__version__,
+        kind=type(error).__name__,
+        why=" ".join(str(error).split())[:200],
+        file=os.path.basename(at.filename),
+        line=at.lineno,
+    )
+    report = told(
+        "please report it: this line, the command line and the spec; AFMCALC_TRACEBACK=1 before the command shows "
+        "where it comes from"
+    )
+    return False, [fault, report]
+
+
 EXTRAS = {
     "explain": ("sympy",),
     "plot": ("matplotlib",),
     "cad": ("ezdxf",),
     "report": ("jinja2", "matplotlib", "latex2mathml", "markdown_it"),
+    "web": ("starlette", "uvicorn", "jinja2", "matplotlib", "latex2mathml", "markdown_it", "sympy"),
 }
 """Optional dependencies, as pip knows them → modules they bring."""
 

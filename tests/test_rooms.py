@@ -9,7 +9,7 @@ from sources import FILES, nodes, tree
 
 LINE = (
     *("equations", "ground", "variants", "proofs", "spec", "engines"),
-    *("drive", "papers", "analysis", "render", "cli", "door"),
+    *("drive", "papers", "analysis", "render", "web", "cli", "door"),
 )
 """A room imports from itself and from rooms to its left."""
 

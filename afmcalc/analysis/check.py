@@ -1,7 +1,7 @@
 """Check of a design: its findings, what is unusual about it, and whether it passes."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import ClassVar
 
 from ..engines.protocol import Clutch
@@ -13,7 +13,7 @@ from ..spec.edit import value_at
 from .answers import Answers
 from .limits import Utilisation, hub_findings, pressure_findings, shaft_findings, utilisations
 from .registry import ANALYSES
-from .requirements import RequirementRow, requirement_rows, simulates
+from .requirements import RequirementRow, requirement_rows, simulating
 from .synthesize import SynthesisResult
 
 
@@ -30,11 +30,20 @@ class CheckResult(Answer):
     limits: list[Utilisation] = described("every limit, and how much of it is used")
 
 
-def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = None) -> tuple[CheckResult, list[Finding]]:
-    """Return the verdict on a design and its findings; ``strict``: warnings fail it too."""
+def check(
+    clutch: Clutch, *, strict: bool = False, answers: Answers | None = None, without: Collection[str] = ()
+) -> tuple[CheckResult, list[Finding]]:
+    """Return the verdict on a design and its findings.
+
+    Args:
+        clutch: the design.
+        strict: whether warnings fail it too.
+        answers: what was asked of it already.
+        without: analyses that are not asked, because they take long: what they judge is left out.
+    """
     answers = answers or Answers(clutch)
-    findings = _findings(answers)
-    requirements, missed = requirement_rows(answers)
+    findings = _findings(answers, without)
+    requirements, missed = requirement_rows(answers, without=without)
     findings += missed
     levels = [remark.level for remark in findings]
     result = CheckResult(
@@ -43,9 +52,17 @@ def check(clutch: Clutch, *, strict: bool = False, answers: Answers | None = Non
         warnings=levels.count("warning"),
         notes=levels.count("info"),
         requirements=requirements,
-        limits=utilisations(answers, findings),
+        limits=utilisations(answers, findings, without),
     )
     return result, findings
+
+
+def check_at_once(answers: Answers) -> tuple[CheckResult, list[Finding]]:
+    """Return the verdict but for what has to be simulated or sampled first; a life may take the factor of its event."""
+    spec, without = answers.clutch.spec, simulating(answers.clutch)
+    if spec.drive.event is not None and spec.drive.dynamic_factor is None:
+        without |= {"life"}
+    return check(answers.clutch, answers=answers, without=without)
 
 
 def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
@@ -61,19 +78,20 @@ def refused(error: SpecError) -> tuple[CheckResult, list[Finding]]:
 def found_unsimulated(clutch: Clutch) -> list[Finding]:
     """Return what a check finds but for what has to be simulated or sampled first; a life takes its event's factor."""
     answers = Answers(clutch)
-    return [*_findings(answers, simulated=False), *requirement_rows(answers, simulated=False)[1]]
+    without = simulating(clutch)
+    return [*_findings(answers, without), *requirement_rows(answers, without=without)[1]]
 
 
-def _findings(answers: Answers, *, simulated: bool = True) -> list[Finding]:
+def _findings(answers: Answers, without: Collection[str]) -> list[Finding]:
     """Return the findings of every analysis that a check takes in and that applies to the clutch, each once."""
     clutch = answers.clutch
     findings = [*clutch.findings(), *pressure_findings(clutch), *hub_findings(answers), *_unusual(answers)]
-    findings += shaft_findings(answers, simulated=simulated)
+    findings += shaft_findings(answers, simulated="simulate" not in without)
     unit = clutch.spec.control_unit
     if unit is not None and unit.ball_circle_radius is None:
         findings.append(finding("control-unit-not-judged", "info", path="control_unit.ball_circle_radius"))
     for analysis in ANALYSES.values():
-        if analysis.judged and analysis.applies(clutch) and (simulated or not simulates(analysis.name, clutch)):
+        if analysis.judged and analysis.applies(clutch) and analysis.name not in without:
             findings += answers.ask(analysis.name)[1]
     return list(dict.fromkeys(findings))
 

@@ -1,7 +1,7 @@
 """Every limit a design is held against, passed or not, with its utilisation."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import Literal, NamedTuple
 
 from ..drive.result import HeatResult, SimulateResult
@@ -59,11 +59,14 @@ class _Limit(NamedTuple):
     """How grave it is to be beyond, where no finding says it."""
 
 
-def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]:
-    """Hold a design against every limit that applies to it; its findings decide how grave an exceeded limit is."""
+def utilisations(answers: Answers, findings: list[Finding], without: Collection[str] = ()) -> list[Utilisation]:
+    """Hold a design against every limit that applies to it; its findings decide how grave an exceeded limit is.
+
+    What analyses answer that are in ``without`` is left out.
+    """
     levels = {remark.code: remark.level for remark in findings}
     rows = []
-    for code, name, symbol, unit, value, limit, least, used, level in _limits(answers):
+    for code, name, symbol, unit, value, limit, least, used, level in _limits(answers, without):
         share = used if used is not None else limit / value if least else value / limit
         grade: Grade = _GRADES[level or levels.get(code, "info")] if share > 1 + 1e-9 else "pass"
         row = Utilisation(
@@ -73,12 +76,12 @@ def utilisations(answers: Answers, findings: list[Finding]) -> list[Utilisation]
     return rows
 
 
-def _limits(answers: Answers) -> Iterator[_Limit]:
+def _limits(answers: Answers, without: Collection[str]) -> Iterator[_Limit]:
     clutch = answers.clutch
-    simulated = ANALYSES["simulate"].applies(clutch)
+    event, simulated = ANALYSES["simulate"].applies(clutch), "simulate" not in without
     yield from _of_clutch(clutch)
     yield from _of_hub(answers)
-    yield from _of_shaft(answers)
+    yield from _of_shaft(answers, simulated=simulated)
     if ANALYSES["synthesize"].applies(clutch):
         yield from _of_synthesis(clutch, answers.of(SynthesisResult))
     if ANALYSES["layout"].applies(clutch):
@@ -86,18 +89,19 @@ def _limits(answers: Answers) -> Iterator[_Limit]:
         for code, path, value, limit in space_limits(clutch, answers.of(LayoutResult)):
             symbol = "D_h ≤ [D_h]" if path.endswith("diameter") else "L ≤ [L]"
             yield _Limit(code, names[code], symbol, "m", value, limit)
-    if simulated:
+    if event and simulated:
         yield from _of_event(clutch, answers.of(SimulateResult))
-    yield from _of_springs(clutch, _travel(answers.of(SimulateResult)) if simulated else 0.0)
+    if simulated or not event:
+        yield from _of_springs(clutch, _travel(answers.of(SimulateResult)) if event else 0.0)
     for remark in pressure_findings(clutch):
         assert remark.value is not None
         assert remark.limit is not None
         inner, mean = term("surface pressure at the inner edge"), term("surface pressure in the mean")
         name = inner if remark.code.startswith("peak") else mean
         yield _Limit(remark.code, name, "p ≤ [p]", "Pa", remark.value, remark.limit, level=remark.level)
-    if ANALYSES["heat"].applies(clutch):
+    if ANALYSES["heat"].applies(clutch) and "heat" not in without:
         yield from _of_heat(clutch, answers.of(HeatResult))
-    if ANALYSES["life"].applies(clutch):
+    if ANALYSES["life"].applies(clutch) and "life" not in without:
         lives = answers.of(LifeResult)
         protected = term("damaging stress, protected side (beyond: limited life)")
         unprotected = term("damaging stress, unprotected side (beyond: limited life)")

@@ -1,7 +1,7 @@
 """What a clutch is to hold, each judged by the analysis that answers it."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from typing import Any, Literal, NamedTuple
 
 from ..engines.protocol import Clutch
@@ -150,15 +150,19 @@ JUDGED: dict[str, Judged] = {
 
 def simulates(name: str, clutch: Clutch) -> bool:
     """Whether an analysis simulates the event of a clutch, or samples it: that takes long."""
-    if name == "tolerance":
-        return clutch.spec.tolerance is not None
-    return name in ("simulate", "heat") and clutch.spec.drive.event is not None
+    return name in simulating(clutch)
 
 
-def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[RequirementRow], list[Finding]]:
+def simulating(clutch: Clutch) -> set[str]:
+    """Return the analyses that simulate the event of a clutch, or sample it; a life only takes the event's factor."""
+    of_event = {"simulate", "heat"} if clutch.spec.drive.event is not None else set()
+    return of_event | ({"tolerance"} if clutch.spec.tolerance is not None else set())
+
+
+def requirement_rows(answers: Answers, *, without: Collection[str] = ()) -> tuple[list[RequirementRow], list[Finding]]:
     """Return a row for every requirement of the spec, and a finding for each that is missed or not judged.
 
-    Without ``simulated`` those are left out that a simulation answers.
+    What analyses answer that are in ``without`` is left out.
     """
     clutch = answers.clutch
     required = clutch.spec.requirements
@@ -170,7 +174,7 @@ def requirement_rows(answers: Answers, *, simulated: bool = True) -> tuple[list[
         judged, path = JUDGED[name], f"requirements.{name}"
         if machine is not None and name == "machine_torque":
             path = "machine.power"
-        if not simulated and simulates(judged.analysis, clutch):
+        if judged.analysis in without:
             continue
         value, unknown = None, False
         if ANALYSES[judged.analysis].applies(clutch):

@@ -13,8 +13,8 @@ from typer import Option
 
 from .. import __version__
 from ..analysis.registry import ANALYSES
-from ..errors import BEYOND_NUMBERS, AfmcalcError
-from ..messages import ENGLISH, Language, known, language, speaking, term, told, translate
+from ..errors import AfmcalcError, unexpected
+from ..messages import ENGLISH, Language, known, language, speaking, term, told
 from .help import Command, Program, heard
 from .options import LANG
 from .streams import drop_output, prepare, tell
@@ -25,6 +25,7 @@ COMMANDS = {
     "plot": "plot",
     "report": "report",
     "handbook": "report",
+    "serve": "serve",
     "schema": "specs",
 }
 """Command → module of this package that holds the function of that name, in the order of the help."""
@@ -167,34 +168,11 @@ def _misused(error: Any, given: list[str]) -> int:
 
 def _unexpected(error: Exception) -> int:
     """Say that a calculation or its result left the range of numbers, or that afmcalc is at fault."""
-    from pydantic import ValidationError
+    beyond, lines = unexpected(error)
+    if not beyond and os.environ.get("AFMCALC_TRACEBACK"):
+        import traceback
 
-    if isinstance(error, ValidationError):
-        beyond = all(detail["type"] == "finite_number" for detail in error.errors())
-    else:
-        beyond = isinstance(error, ArithmeticError | RuntimeWarning)
-    if beyond:
-        _complain(translate(BEYOND_NUMBERS))
-        return 2
-    import traceback
-
-    if os.environ.get("AFMCALC_TRACEBACK"):
         tell("".join(traceback.format_exception(error)))
-    at = traceback.extract_tb(error.__traceback__)[-1]
-    _complain(
-        told(
-            "this is a fault of afmcalc {version}, not of what it was given: {kind}: {why} ({file}, line {line})",
-            version=__version__,
-            kind=type(error).__name__,
-            why=" ".join(str(error).split())[:200],
-            file=os.path.basename(at.filename),
-            line=at.lineno,
-        )
-    )
-    _complain(
-        told(
-            "please report it: this line, the command line and the spec; AFMCALC_TRACEBACK=1 before the command shows "
-            "where it comes from"
-        )
-    )
-    return FAULT
+    for line in lines:
+        _complain(line)
+    return 2 if beyond else FAULT

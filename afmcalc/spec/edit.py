@@ -1,5 +1,6 @@
 """Changes of a spec: overrides of its data, ``path=value`` or a mapping; other values of some keys of a whole one."""
 
+import json
 import tomllib
 from collections.abc import Collection, Iterable, Mapping
 from typing import Any, TypeAlias, TypeVar
@@ -128,6 +129,18 @@ def _value(override: str) -> object:
         return text
     check_size(read["value"], say("--set {override:.80}", override=override))
     return read["value"]
+
+
+def as_override(value: object) -> str:
+    """Return the text that an override has for a value.
+
+    >>> as_override("2 kN"), as_override("0.5"), as_override(True), as_override(["a", 1])
+    ('2 kN', '"0.5"', 'true', '["a", 1]')
+    """
+    if isinstance(value, str) and value.strip() == value != "" and _value(f"={value}") == value:
+        return value
+    # what JSON writes of a text, a number, a truth value or a list is TOML
+    return json.dumps(value, ensure_ascii=False)
 
 
 def value_at(spec: Spec, path: str) -> Any:

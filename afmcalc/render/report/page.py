@@ -55,10 +55,14 @@ class _SpecLine(NamedTuple):
 
 
 @cache
-def template(name: str) -> Template:
-    """A page to be filled, in any language: nothing of it is worked out beforehand."""
+def template(name: str, folder: Path | None = None) -> Template:
+    """A page to be filled, in any language: nothing of it is worked out beforehand.
+
+    One of another folder may take in those that stand here.
+    """
+    here = Path(__file__).parent
     environment = Environment(
-        loader=FileSystemLoader(Path(__file__).parent),
+        loader=FileSystemLoader([folder or here, here]),
         optimized=False,
         autoescape=True,
         undefined=StrictUndefined,

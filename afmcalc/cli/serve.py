@@ -1,0 +1,92 @@
+"""The command that serves a page on which a clutch is designed live."""
+
+import os
+import socket
+import sys
+from dataclasses import replace
+from typing import Annotated, Any
+
+from typer import Option
+
+from ..errors import AfmcalcError, FileError, reason
+from ..messages import say, told, translate
+from .options import Common, SpecArgument, need_drawing, with_common
+from .streams import tell
+
+
+@with_common
+def serve(
+    spec: SpecArgument = None,
+    port: Annotated[int, Option(min=0, max=65535, help="Port of this machine; 0: any that is free.")] = 0,
+    browser: Annotated[bool, Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
+    *,
+    common: Common,
+) -> None:
+    """A page in the browser on which a clutch is designed live; Ctrl-C ends it.
+
+    Every change is calculated at once, by what the other commands ask. The page is for this machine alone. It saves
+    to --output FILE, with --force to SPEC itself.
+
+    \b
+    afmcalc serve clutch.toml
+    afmcalc serve clutch.toml -o changed.toml
+    afmcalc serve clutch.toml --force --no-browser --port 8000
+    """  # noqa: D301
+    need_drawing("web")
+    from secrets import token_urlsafe
+
+    from uvicorn import Config, Server
+
+    from ..spec.parse import bytes_of, decoded
+    from ..web.app import Page
+    from ..web.base import Base
+
+    common.keep(spec, spec=True)
+    if spec is None:
+        spec = common.given_instead("torque")
+    source = decoded(*bytes_of(spec))
+    base = Base(str(source), source.text, spec, tuple(common.overrides))
+    base.spec()
+    target = common.output or (spec if common.force and spec and os.path.isfile(spec) else "")
+    listening = _listen(port)
+    port, token = listening.getsockname()[1], token_urlsafe(24)
+    url = f"http://127.0.0.1:{port}/{token}/"
+
+    def ready() -> None:
+        tell(told("note: {text}", text=say("serving {url}", url=url)))
+        sys.stderr.flush()
+        if browser:
+            import webbrowser
+
+            webbrowser.open(url)
+
+    page = Page(base, common.units, target, _saver(replace(common, output=target)))
+    config = Config(
+        page.app(port, token, ready), http="h11", ws="none", lifespan="on", log_config=None, access_log=False,
+        log_level="critical", server_header=False, timeout_graceful_shutdown=0, limit_concurrency=100,
+    )  # fmt: skip
+    Server(config).run([listening])
+
+
+def _listen(port: int) -> socket.socket:
+    """Open a port of this machine, for this machine alone."""
+    try:
+        return socket.create_server(("127.0.0.1", port))
+    except OSError as error:
+        raise FileError("--port {port}: cannot be served: {why}", port=port, why=reason(error)) from None
+
+
+def _saver(common: Common) -> Any:
+    """Return what writes a spec to the file named on the command line, and to no other."""
+    written = False
+
+    def save(data: dict[str, Any]) -> tuple[str, str]:
+        nonlocal written
+        if not common.output:
+            raise AfmcalcError("nothing to save to: start with --output FILE, or with --force to save to SPEC")
+        wrote = say("wrote {output}", output=common.output)
+        replace(common, force=common.force or written).write_spec(data, say("Saved by afmcalc serve."), wrote)
+        written = True
+        return common.output, translate(wrote)
+
+    return save
