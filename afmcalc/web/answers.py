@@ -10,7 +10,7 @@ from markupsafe import Markup
 from ..analysis.answers import Answers
 from ..analysis.check import check_at_once
 from ..analysis.dossier import Dossier, dossier
-from ..analysis.figures import Request, gathered
+from ..analysis.figures import Request, gathered, plot_of
 from ..analysis.registry import ANALYSES
 from ..analysis.requirements import simulating
 from ..engines import build
@@ -18,6 +18,7 @@ from ..errors import AfmcalcError, CalculationError
 from ..findings import Finding
 from ..messages import told, translate
 from ..render.document import Column, document
+from ..render.drawing import Drawing
 from ..render.layout import TextTable, blocks, cells, ranked
 from ..render.plot import sheet_of
 from ..render.plot.chart import Sheet
@@ -73,10 +74,10 @@ def _live(ask: Ask) -> dict[str, Any]:
             pinned = _clutch(*ask.pinned).ask("torque")[0]
     fragments = {
         "verdict": _fragment("verdict", judged, checked, ranked(findings), notes),
-        "section": "",
-        "torque": _figure("torque", answers, 1),
+        "section": _figure("section", answers, 1),
+        "torque": _figure("torque", answers, 2),
         "numbers": _fragment("numbers", *_numbers(torque, pinned)),
-        "compare": _fragment("compare", [*_inputs(ask)]),
+        "compare": _fragment("compare", [*_inputs(ask)]) if ask.pinned else "",
     }
     return {"fragments": fragments, "command": ask.base.command("torque", fields=ask.fields)}
 
@@ -130,8 +131,7 @@ def _inputs(ask: Ask) -> Iterator[tuple[str, str, str, str]]:
 
 def _figure(kind: str, answers: Answers, number: int, sweep: str | None = None) -> str:
     """Draw a plot; nothing where there is no curve."""
-    plot = next(each.plot for each in ANALYSES.values() if each.plot and each.plot.name == kind)
-    if not plot.applies(answers.clutch):
+    if not plot_of(kind).applies(answers.clutch):
         return ""
     try:
         sheet = sheet_of(kind, gathered(kind, Request([answers], sweep)))
@@ -142,7 +142,8 @@ def _figure(kind: str, answers: Answers, number: int, sweep: str | None = None) 
 
 
 def _drawn(sheet: Sheet, number: int) -> tuple[Markup, str]:
-    return drawing(inline_svg(sheet), sheet.title, number), sheet.caption
+    (panel, *_) = sheet.panels
+    return drawing(panel.svg() if isinstance(panel, Drawing) else inline_svg(sheet), sheet.title, number), sheet.caption
 
 
 def _analysed(*names: str) -> Callable[[Ask], dict[str, Any]]:
@@ -160,7 +161,9 @@ def _analysed(*names: str) -> Callable[[Ask], dict[str, Any]]:
             plot = ANALYSES[name].plot
             if plot and plot.applies(answers.clutch):
                 with suppress(CalculationError):
-                    figures.append(_drawn(sheet_of(plot.name, gathered(plot.name, Request([answers]))), len(figures)))
+                    figures.append(
+                        _drawn(sheet_of(plot.name, gathered(plot.name, Request([answers]))), 3 + len(figures))
+                    )
         html = _fragment("answer", tables, figures, ranked(findings), [])
         return {"html": html, "command": ask.base.command(names[0], fields=ask.fields)}
 
