@@ -134,7 +134,7 @@ class Page:
         base = self._base(int(number) if number.isdecimal() and len(number) < 9 else -1)
         page = template("page.html", HERE).render(
             language=spoken(), version=__version__, name=named(base.spec().name), source=base.label,
-            target=self._target, form=form_of(base), base=int(number), requirements="",
+            target=self._target, groups=form_of(base), base=int(number), requirements="",
         )  # fmt: skip
         return HTMLResponse(page)
 

@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Mapping
 from types import UnionType
 from typing import Any, Literal, NamedTuple, Union, get_args, get_origin
 
@@ -41,9 +42,13 @@ class Group(NamedTuple):
     given: int
 
 
-def form_of(base: Base, path: str = "") -> Group:
-    """Return the form of a base, filled in."""
-    texts = base.texts({})
+def form_of(base: Base) -> list[Group]:
+    """Return the form of a base, filled in: keys that are in no table first, then the tables."""
+    top = _group(base.texts({}), "")
+    return [top._replace(groups=[]), *top.groups]
+
+
+def _group(texts: Mapping[str, str], path: str) -> Group:
     inside = f"{path}." if path else ""
     model = block_at(path.split(".") if path else [], Spec)
     assert model is not None
@@ -52,7 +57,7 @@ def form_of(base: Base, path: str = "") -> Group:
         if key := editable().get(inside + name):
             fields.append(_field(key, model.model_fields[name], texts.get(key.path, "")))
         elif any(other.startswith(f"{inside}{name}.") for other in editable()):
-            groups.append(form_of(base, inside + name))
+            groups.append(_group(texts, inside + name))
     given = sum(bool(field.text) for field in fields) + sum(group.given for group in groups)
     return Group(path, fields, groups, given)
 
