@@ -267,24 +267,18 @@ def printable(text: str, *, lines: bool = False) -> str:
 SPELLED = "afmcalc.spelled"
 """Error handler of streams: letters that the encoding lacks are spelled, ``T_н`` becomes T_n."""
 
-_CYRILLIC = {
-    "а": "a", "б": "b", "в": "v", "г": "g", "д": "d", "е": "e", "ё": "e", "ж": "zh", "з": "z", "и": "i", "й": "y",
-    "к": "k", "л": "l", "м": "m", "н": "n", "о": "o", "п": "p", "р": "r", "с": "s", "т": "t", "у": "u", "ф": "f",
-    "х": "kh", "ц": "ts", "ч": "ch", "ш": "sh", "щ": "shch", "ъ": "'", "ы": "y", "ь": "'", "э": "e", "ю": "yu",
-    "я": "ya",
-}  # fmt: skip
-_GREEK = {
-    "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "ε": "eps", "ζ": "zeta", "η": "eta", "θ": "theta",
-    "ι": "iota", "κ": "kappa", "λ": "lambda", "μ": "mu", "ν": "nu", "ξ": "xi", "ο": "o", "π": "pi", "ρ": "rho",
-    "σ": "sigma", "ς": "s", "τ": "tau", "υ": "upsilon", "φ": "phi", "χ": "chi", "ψ": "psi", "ω": "omega",
-    "ϑ": "theta", "ϕ": "phi",
-}  # fmt: skip
+_ALPHABETS = "абвгдеёжзийклмнопрстуфхцчшщъыьэюя" + "αβγδεζηθικλμνξοπρσςτυφχψωϑϕ"
+_IN_ASCII = (
+    "a b v g d e e zh z i y k l m n o p r s t u f kh ts ch sh shch ' y ' e yu ya "
+    "alpha beta gamma delta eps zeta eta theta iota kappa lambda mu nu xi o pi rho sigma s tau upsilon phi chi psi "
+    "omega theta phi"
+)
 _SIGNS = {
     "–": "-", "—": "-", "−": "-", "…": "...", "·": "*", "•": "*", "×": "x", "≤": "<=", "≥": ">=", "≈": "~", "≠": "!=",
     "±": "+-", "°": "deg", "√": "sqrt", "∞": "inf", "→": "->", "∂": "d", "∝": "~", "₊": "+",
     "₋": "-", "′": "'", "‘": "'", "’": "'", "“": '"', "”": '"', "«": '"', "»": '"', "\u00a0": " ", "\u2009": " ",
 }  # fmt: skip
-_LETTERS = _CYRILLIC | _GREEK
+_LETTERS = dict(zip(_ALPHABETS, _IN_ASCII.split(), strict=True))
 _SPELLED = _LETTERS | {letter.upper(): spelled.capitalize() for letter, spelled in _LETTERS.items()} | _SIGNS
 # a difference, not a letter: ΔT is dT, as --sweep calls it
 _SPELLED["Δ"] = "d"

@@ -279,13 +279,9 @@ class SleeveLanes(_Lanes):
         )
         slip = np.where(sticks, 0.0, joint.slip - joint.pack * clutch + joint.across * balls)
         pressed = np.where(sticks, normal, slipping / pack.carried(1.0, ratio))
-        return _StepResult(
-            np.where(lifted, off.clutch, clutch),
-            np.where(lifted, off.balls + mass * off.rate, balls),
-            np.where(lifted, off.slip, slip),
-            np.where(lifted, off.rate, 0.0),
-            np.where(lifted, pack.closing_force, pressed),
-        )
+        off = off._replace(balls=off.balls + mass * off.rate)
+        resting = clutch, balls, slip, 0.0, pressed
+        return _StepResult(*(np.where(lifted, *parts) for parts in zip(off, resting, strict=True)))
 
 
 class _StepResult(NamedTuple):
@@ -345,14 +341,9 @@ class _Joint(NamedTuple):
         needed = slip / pack
         clutch = np.clip(needed, -capacity, capacity)
         rate = (self.rate + self.across * clutch - self.balls * result.balls) / whole
-        moves = stiff != 0
-        return _StepResult(
-            np.where(moves, clutch, result.clutch),
-            np.where(moves, result.balls + stiff * rate, result.balls),
-            np.where(moves, np.where(clutch == needed, 0.0, slip - pack * clutch), result.slip),
-            np.where(moves, rate, result.rate),
-            result.normal,
-        )
+        slipping = np.where(clutch == needed, 0.0, slip - pack * clutch)
+        moving = clutch, result.balls + stiff * rate, slipping, rate, result.normal
+        return _StepResult(*(np.where(stiff != 0, *parts) for parts in zip(moving, result, strict=True)))
 
 
 class Marched(NamedTuple):

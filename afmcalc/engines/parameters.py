@@ -70,9 +70,9 @@ def at_setting(friction: tuple[Range, Range], spec: Spec, method: Method | None 
     return (first.mean, second.mean) if mean else (first.min, second.min)
 
 
-def margin(spec: Spec, method: Method | None = None) -> Any:
+def margin(spec: Spec) -> Any:
     """β_н as far as it is in the spring: with mean-friction only (S19; in S22 it divides the machine's torque)."""
-    return spec.adjustment.margin if (method or spec.adjustment.method) == "mean-friction" else 1.0
+    return spec.adjustment.margin if spec.adjustment.method == "mean-friction" else 1.0
 
 
 def closing_force(spec: Spec, torque_per_force: Callable[[], Any]) -> Any:

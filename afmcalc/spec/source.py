@@ -5,6 +5,7 @@ import re
 from collections import deque
 from collections.abc import Iterable, Mapping
 from functools import cached_property
+from itertools import count
 from typing import NamedTuple
 
 from ..errors import Label, Place
@@ -156,21 +157,17 @@ class _Reader:
     def value(self, path: str) -> tuple[int, int]:
         """Step over a value; where it begins and ends."""
         start = self.tokens[0].start()
-        if self.next() == "[":
+        if (opening := self.next()) in ("[", "{"):
             self.take()
             self.skip("\n", ",")
-            number = 0
-            while self.next() != "]":
-                item = self.value(f"{path}.{number}")
-                self.spans[f"{path}.{number}"] = Span(*item, *item)
-                self.skip("\n", ",")
-                number += 1
-            self.take()
-        elif self.next() == "{":
-            self.take()
-            self.skip("\n", ",")
-            while self.next() != "}":
-                self.pair(path)
+            for number in count():
+                if self.next() in ("]", "}"):
+                    break
+                if opening == "{":
+                    self.pair(path)
+                else:
+                    item = self.value(f"{path}.{number}")
+                    self.spans[f"{path}.{number}"] = Span(*item, *item)
                 self.skip("\n", ",")
             self.take()
         else:
