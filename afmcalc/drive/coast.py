@@ -94,14 +94,8 @@ def stride(
 ) -> Stride | None:
     """Go as far as the slip stays what it is, at most to ``bound``; None where that is not far, or not known.
 
-    Args:
-        plant: the drive; its tool stands.
-        t: time, s.
-        y: states and work.
-        mode: the pack slips.
-        bound: latest time, s.
-        lasting: whether the motor is never switched off.
-        largest: swing, relative to the torque, beyond which none is wanted.
+    The tool stands; ``lasting``: the motor is never switched off; ``largest`` swing, relative to the torque, for which
+    a stride is wanted.
     """
     for glide in (_steady(plant, t, y, mode, largest), _creeping(plant, y, mode)):
         far = glide and _far(plant, t, y, mode, bound, glide, lasting=lasting)

@@ -87,15 +87,7 @@ class Body(NamedTuple):
 
 
 def largest_rise(bodies: list[Body], course: Course) -> float:
-    """Largest rise of a face, K.
-
-    Args:
-        bodies: what is heated: disc, or disc and lining, whose faces are equally hot.
-        course: of the flux, W/m².
-
-    Returns:
-        The rise at the hottest moment, K.
-    """
+    """Largest rise of a face, K, under a flux, W/m²; disc, or disc and lining, whose faces are equally hot."""
     end = course.time[-1]
     for _ in range(8):
         ends, rises = _over_time(course, end, lambda p: 1 / (p * sum(each.admittance(p) for each in bodies)))

@@ -370,18 +370,10 @@ def march(
     *,
     whole: bool = False,
 ) -> Marched:
-    """Step events from start to ``steps`` times ``step``.
+    """Step events from start to ``steps`` times ``step``, to whose shape drives and clutches broadcast.
 
-    Args:
-        train: drives, numbers or arrays that broadcast to the shape of ``step``.
-        pack: clutches, likewise.
-        step: time step of each, s.
-        steps: how many.
-        look: step of the first check whether all peaks have passed, which ends the stepping; None: no check.
-        whole: the check is instead whether none slips any more.
-
-    Returns:
-        Peaks, heat and travel, in the shape of ``step``.
+    From step ``look`` on it is checked whether all peaks have passed, or of ``whole`` slips whether none slips any
+    more, which ends the stepping.
     """
     parts: list[Marched] = []
     blocks, least = -(-step.size // _LANES), look or steps

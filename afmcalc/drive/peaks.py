@@ -37,12 +37,7 @@ class Peaks(NamedTuple):
 
 
 def peaks_of(clutch: Clutch, driving: Values, driven: Values) -> Peaks:
-    """Return the peaks of an event.
-
-    Args:
-        clutch: a clutch whose parameters are numbers or arrays.
-        driving: f of all pairs or f_1; shapes broadcast.
-        driven: f_2, likewise.
+    """Return the peaks of an event at f_1 and f_2 (twice f with one material); shapes broadcast.
 
     Raises:
         SpecError: no event.
@@ -100,13 +95,7 @@ def _steps_to(end: Values, longest: Floats) -> int:
 
 
 def step_of(train: Train, pack: DirectPack | Sleeve, steps_a_swing: int = STEPS_A_SWING) -> Values:
-    """Return the longest time step that keeps peak and heat to 0.2 %, s.
-
-    Args:
-        train: drives, numbers or arrays.
-        pack: clutches, likewise.
-        steps_a_swing: time steps in a free swing of the driven half.
-    """
+    """Return the longest time step that keeps peak and heat to 0.2 %, s, with so many in a swing of the driven half."""
     fastest = (train.stiffness / train.driven_inertia) ** 0.5
     step: Values = 2 * np.pi / (fastest * steps_a_swing)
     if isinstance(pack, Sleeve):

@@ -42,14 +42,7 @@ class Stuck(NamedTuple):
 
 
 def settled(train: Train, stuck: Stuck, limit: Values, peak: Values) -> Flags:
-    """Whether the clutch stays stuck for ever and no torque passes the peak.
-
-    Args:
-        train: drives, numbers or arrays.
-        stuck: what they do.
-        limit: torque of the clutch up to which it stays stuck, N·m.
-        peak: largest torque of the shaft so far, N·m.
-    """
+    """Whether the clutch, which sticks up to ``limit``, does so for ever, and no shaft torque passes the ``peak``."""
     with np.errstate(all="ignore"):
         still, moving = _standing(train, stuck), _moving(train, stuck)
         motor, shaft = (np.where(stuck.standing, first, last) for first, last in zip(still, moving, strict=True))
@@ -73,14 +66,7 @@ class Slipping(NamedTuple):
 
 
 def slips_below(train: Train, stuck: Stuck, slipping: Slipping, peak: Values) -> Flags:
-    """Whether no torque passes the peak while the clutch slips on, nor after it.
-
-    Args:
-        train: drives, numbers or arrays.
-        stuck: what they do; their clutches slip forwards.
-        slipping: how.
-        peak: largest torque of the shaft so far, N·m.
-    """
+    """Whether no torque of the shaft passes the peak while the clutch slips on forwards, nor after it."""
     behind, front = train.hub_inertia + train.driven_inertia, train.front
     swing = np.hypot(stuck.elastic - slipping.torque, slipping.speed * (train.stiffness * behind) ** 0.5)
     top = np.maximum(np.abs(slipping.torque) + _top(train, behind, swing), slipping.breakaway)

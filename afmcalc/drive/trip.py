@@ -54,13 +54,7 @@ class Moment(NamedTuple):
 
 
 def trip(plant: Plant, horizon: float, *, recorded: bool = False, given: bool = False) -> "Trip":
-    """Integrate an event until nothing more can come, or to the horizon.
-
-    Args:
-        plant: the drive.
-        horizon: time that is simulated at most, s.
-        recorded: whether to keep the history.
-        given: whether the horizon is a duration asked for: a history is run out to it.
+    """Integrate an event until nothing more can come, or to the horizon; a history is run out to one ``given``.
 
     Raises:
         CalculationError: the integration fails.

@@ -98,13 +98,7 @@ def material_findings(friction: Friction) -> Iterator[Finding]:
 
 
 def setting_findings(spec: Spec, nominal: float, lowest: float) -> Iterator[Finding]:
-    """Materials echoed with their source; the wished nominal torque missed, or not reached at an end of the range.
-
-    Args:
-        spec: the clutch.
-        nominal: T_н that the spring as set gives, N·m.
-        lowest: smaller of the torques at f_min and f_max, N·m.
-    """
+    """Materials with their source; a wished torque that the ``nominal`` one misses, or that service falls below."""
     wished = spec.adjustment.nominal_torque
     yield from material_findings(spec.friction)
     if wished is not None and abs(nominal - wished) > 1e-4 * wished:
@@ -116,13 +110,7 @@ def setting_findings(spec: Spec, nominal: float, lowest: float) -> Iterator[Find
 
 
 def machine_findings(spec: Spec, lowest: float, highest: float) -> Iterator[Finding]:
-    """A service factor that is assumed, a machine that the clutch does not drive at every friction, slip at its start.
-
-    Args:
-        spec: the clutch.
-        lowest: smallest torque over the friction range, N·m.
-        highest: largest.
-    """
+    """A service factor assumed, a machine not driven at every friction, slip as it starts."""
     if (plate := spec.machine) is None:
         return
     if plate.service_factor is None:

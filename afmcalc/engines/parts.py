@@ -100,15 +100,7 @@ class PartCheck(NamedTuple):
 
 
 def checks_of_part(demand: SpringDemand, part: DiscStack | CoilSprings) -> list[PartCheck]:
-    """What a part is to hold as a spring of a clutch.
-
-    Args:
-        demand: what the spring is to give, and what happens to it.
-        part: a stack of disc springs, or coil springs.
-
-    Returns:
-        The demands, held or not.
-    """
+    """What a part is to hold as a spring of a clutch, held or not."""
     own = characteristic(part)
     held, deflection = float(own.force(own.end)), float(own.deflection(demand.force))
     found = [PartCheck(FORCE, demand.force, held)]

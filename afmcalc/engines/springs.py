@@ -280,12 +280,6 @@ def spring_demands(spec: Spec, closing_force: float, control_force: float | None
     The closing spring of a direct clutch follows the wear of the pack and rests. That of an indirect one is slackened
     by the travel of the sleeve, which presses the control spring together, and it is the control spring that follows
     the wear; both move at every trip.
-
-    Args:
-        spec: the clutch.
-        closing_force: F_п as set, N.
-        control_force: F_п2, N; None where there is no such spring.
-        travel: x_max of the sleeve, m.
     """
     pairs = spec.friction_group.pairs
     worn = pairs * ((spec.heat and spec.heat.lining) or 0.0)

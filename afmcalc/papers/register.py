@@ -118,13 +118,7 @@ def equations(
     show_misprints: bool = False,
     prove: bool = False,
 ) -> tuple[EquationsResult, list[Finding]]:
-    """Look up the register.
-
-    Args:
-        papers: keys of the papers wanted; empty for all.
-        ids: formulas wanted, e.g. ``S21 (15)``; empty for all.
-        show_misprints: the misprints instead of the formulas.
-        prove: run the proofs of what is listed.
+    """Look up papers, or formulas such as ``S21 (15)``, in the register, all where none are asked for.
 
     Raises:
         AfmcalcError: no such paper or formula.

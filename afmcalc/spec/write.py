@@ -28,12 +28,7 @@ _HEADING = (
 
 
 def to_toml(data: Mapping[str, object], about: str = "") -> str:
-    """Write plain spec data as TOML for people: quantities with their units, what each key is beside it.
-
-    Args:
-        data: the spec, SI.
-        about: what it is, for its first line.
-    """
+    """Write plain spec data, SI, as TOML for people: what it is ``about``, units, and what each key is beside it."""
     import tomli_w
 
     lines = [f"# {line}" for line in (about, _HEADING) if line] + [""]
