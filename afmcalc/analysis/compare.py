@@ -96,6 +96,17 @@ _FIGURES = (
 """What a row takes from the clutch as it is."""
 
 
+def change(now: object, before: object) -> float | None:
+    """Return how far a number has moved, as a share of what it was; None where that says nothing.
+
+    >>> change(3.0, 2.0), change(2, 0.0), change("a", "b")
+    (0.5, None, None)
+    """
+    if not isinstance(now, int | float) or not isinstance(before, int | float) or not before:
+        return None
+    return (now - before) / abs(before)
+
+
 def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tuple[ComparedClutch, list[Finding]]:
     """Row of a clutch; and what it tells itself, and what else is counted, each with what the clutch is called."""
     judged = found_unsimulated(clutch)

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 from typer import Option
 
@@ -12,10 +12,6 @@ from ..errors import AfmcalcError
 from ..messages import say, spoken
 from .files import html_only, refuse
 from .options import Common, SpecArgument, common_options, need_drawing
-
-if TYPE_CHECKING:
-    from ..spec import Spec
-    from ..spec.models import TitleBlock
 
 
 def _entry(text: str) -> Any:
@@ -55,6 +51,9 @@ def report(
 
     from ..analysis.dossier import dossier
     from ..render.report import Subject, render
+    from ..render.report.title import text_as_given, title_block
+    from ..spec.parse import bytes_of, decoded
+    from ..spec.read import spec_of
 
     options = {
         "organisation": organisation, "project": project, "drawing": drawing, "revision": revision,
@@ -63,8 +62,11 @@ def report(
     }  # fmt: skip
 
     def page() -> str:
-        raw, given, read = _read(spec, common)
-        title, digest = _title_block(read, options), sha256(raw).hexdigest()
+        # read once: the digest is of what is calculated
+        raw, name = bytes_of(common.given_instead("report") if spec is None else spec)
+        source = decoded(raw, name)
+        read, given = spec_of(source, common.overrides), text_as_given(source)
+        title, digest = title_block(read, options), sha256(raw).hexdigest()
         return render(Subject(dossier(read, model), given, title, digest, read.label, common.overrides, __version__))
 
     _write(common, page, spec=spec, pdf=pdf)
@@ -114,44 +116,3 @@ def _write(common: Common, render: Callable[[], str], *, spec: str | None = None
         common.wrote(say("wrote {output}", output=output))
     if target:
         common.save(printed, target)
-
-
-def _title_block(spec: "Spec", options: dict[str, str | None]) -> "TitleBlock":
-    """The [report] block of the spec under the options, dated today where neither has a date."""
-    from ..spec.make import validated
-    from ..spec.models import TitleBlock
-
-    given = {name: text for name, text in options.items() if text is not None}
-    block = {"date": None} if spec.report is None else spec.report.model_dump()
-    return validated(TitleBlock, {**block, "date": block["date"] or _date(), **given}, "report")
-
-
-def _read(source: str | None, common: Common) -> "tuple[bytes, str, Spec]":
-    """Read a spec once, and return file and text with it; the text of a command's JSON is that of its spec block."""
-    from ..spec.parse import bytes_of, decoded, parse
-    from ..spec.read import spec_of
-
-    raw, name = bytes_of(common.given_instead("report") if source is None else source)
-    given = decoded(raw, name)
-    spec, text = spec_of(given, common.overrides), given.text
-    if text.lstrip().startswith("{"):
-        import json
-
-        text = json.dumps(parse(given), indent=2, ensure_ascii=False)
-    return raw, text.strip("\n"), spec
-
-
-_DIGITS = 11
-"""Of seconds since 1970: those of the year 5000."""
-
-
-def _date() -> str:
-    """Today, or the day of SOURCE_DATE_EPOCH where a build must be repeatable."""
-    from datetime import UTC, datetime
-
-    epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
-    if not epoch:
-        return datetime.now().date().isoformat()
-    if not epoch.isdecimal() or len(epoch) > _DIGITS:
-        raise AfmcalcError("SOURCE_DATE_EPOCH = {epoch!r:.40}: seconds since 1970 are wanted", epoch=epoch)
-    return datetime.fromtimestamp(int(epoch), UTC).date().isoformat()

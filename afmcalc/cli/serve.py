@@ -33,10 +33,14 @@ def serve(
     afmcalc serve clutch.toml --force --no-browser --port 8000
     """  # noqa: D301
     need_drawing("web")
+    from hashlib import sha256
     from secrets import token_urlsafe
 
+    from tomli_w import dumps
     from uvicorn import Config, Server
 
+    from ..analysis.design.similar import requirements_like
+    from ..engines import build
     from ..spec.parse import bytes_of, decoded
     from ..web.app import Page
     from ..web.base import Base
@@ -44,9 +48,10 @@ def serve(
     common.keep(spec, spec=True)
     if spec is None:
         spec = common.given_instead("torque")
-    source = decoded(*bytes_of(spec))
-    base = Base(str(source), source.text, spec, tuple(common.overrides))
-    base.spec()
+    raw, name = bytes_of(spec)
+    source = decoded(raw, name)
+    base = Base(str(source), source.text, spec, tuple(common.overrides), sha256(raw).hexdigest())
+    requirements = dumps(requirements_like(build(base.spec())))
     target = common.output or (spec if common.force and spec and os.path.isfile(spec) else "")
     listening = _listen(port)
     port, token = listening.getsockname()[1], token_urlsafe(24)
@@ -60,7 +65,7 @@ def serve(
 
             webbrowser.open(url)
 
-    page = Page(base, common.units, target, _saver(replace(common, output=target)))
+    page = Page(base, requirements, common.units, target, _saver(replace(common, output=target)))
     config = Config(
         page.app(port, token, ready), http="h11", ws="none", lifespan="on", log_config=None, access_log=False,
         log_level="critical", server_header=False, timeout_graceful_shutdown=0, limit_concurrency=100,

@@ -50,19 +50,21 @@ def written(data: Mapping[str, Any], path: str = "") -> dict[str, Any]:
         inner = f"{path}.{name}" if path else name
         if not isinstance(value, Mapping):
             key = keys().get(inner)
-            table[name] = _value(value, key.unit if key else None)
+            table[name] = value_as_written(value, key.unit if key else None)
         elif path == "tolerance.fields":  # its keys are paths themselves
             about = scatter_at(name)
-            table[name] = {part: _value(number, about.unit if about else None) for part, number in value.items()}
+            table[name] = {
+                part: value_as_written(number, about.unit if about else None) for part, number in value.items()
+            }
         elif value:
             table[name] = written(value, inner)
     return table
 
 
-def _value(value: Any, unit: str | None) -> Any:
+def value_as_written(value: Any, unit: str | None) -> Any:
     """Write a value; of a number no more digits than count, unless it has them from whoever gave it."""
     if isinstance(value, list | tuple):
-        return [_value(item, unit) for item in value]
+        return [value_as_written(item, unit) for item in value]
     if isinstance(value, bool | str):
         return value
     if unit in WRITTEN:

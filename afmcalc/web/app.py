@@ -96,10 +96,15 @@ _STATUS = {403: "Forbidden", 404: "Not Found"}
 class Page:
     """What is served: one clutch and those that a design gave, changed by forms; it keeps nothing else."""
 
-    def __init__(self, base: Base, units: str, target: str, save: Save) -> None:
-        """Serve a clutch; ``target`` is the file that ``save`` writes, empty where there is none."""
+    def __init__(self, base: Base, requirements: str, units: str, target: str, save: Save) -> None:
+        """Serve a clutch, and requirements to search around it.
+
+        ``target`` is the file that ``save`` writes, empty where there is none.
+        """
         self._bases = {0: base}
-        self._target, self._save = target, save
+        self._front: dict[int, Base] = {}
+        self._made = 1
+        self._requirements, self._target, self._save = requirements, target, save
         self._live = Worker(units, _SLOWEST, newest=False)
         self._tabs = Worker(units, _LONG, newest=True)
         self._saving = asyncio.Lock()
@@ -134,11 +139,17 @@ class Page:
         base = self._base(int(number) if number.isdecimal() and len(number) < 9 else -1)
         page = template("page.html", HERE).render(
             language=spoken(), version=__version__, name=named(base.spec().name), source=base.label,
-            target=self._target, groups=form_of(base), base=int(number), requirements="",
+            target=self._target, groups=form_of(base), base=int(number),
+            requirements=self._requirements,
         )  # fmt: skip
         return HTMLResponse(page)
 
     def _base(self, number: object) -> Base:
+        """Return a base by its number; one of the front that is asked for is kept, of these the last few."""
+        if type(number) is int and number in self._front:
+            self._bases[number] = self._front[number]
+            if len(self._bases) > _MOST_BASES:
+                self._bases.pop(next(other for other in self._bases if other))
         if type(number) is not int or number not in self._bases:
             raise HTTPException(404)
         return self._bases[number]
@@ -153,6 +164,7 @@ class Page:
             "fields": _texts(body.get("fields")),
             "pinned": pinned and (self._base(pinned.get("base")), _texts(pinned.get("fields"))),
             "options": _texts(options),
+            "first": self._made,
         }
 
     async def _answer_live(self, request: Request) -> Response:
@@ -172,9 +184,16 @@ class Page:
         async def lines() -> AsyncIterator[str]:
             async with aclosing(self._tabs.ask(job, request.is_disconnected)) as answers:
                 async for answer in answers:
+                    self._keep(answer.pop("bases", []))
                     yield json.dumps(answer) + "\n"
 
         return StreamingResponse(lines(), media_type="application/x-ndjson")
+
+    def _keep(self, bases: list[list[Any]]) -> None:
+        """Keep what a front gave, in place of an earlier front."""
+        if bases:
+            self._front = {self._made + at: Base.of(base) for at, base in enumerate(bases)}
+            self._made += len(bases)
 
     async def _answer_save(self, request: Request) -> Response:
         body = await _body(request)

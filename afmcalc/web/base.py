@@ -36,6 +36,14 @@ class Base(NamedTuple):
     """SPEC as the command line has it: None of the built-in clutch, ``-`` of a text that is in no file."""
     overrides: tuple[str, ...] = ()
     """What the command line puts over it."""
+    digest: str = ""
+    """SHA-256 of the file as given."""
+
+    @classmethod
+    def of(cls, data: Sequence[Any]) -> "Base":
+        """Return a base that JSON carried."""
+        label, text, argument, overrides, digest = data
+        return cls(label, text, argument, tuple(overrides), digest)
 
     @property
     def source(self) -> Source:

@@ -14,8 +14,9 @@ from ..messages import ENGLISH, language, speaking, translate
 from ..progress import Bar
 from ..render.units import shown_in
 from ..spec.parse import example_text
-from .answers import Ask, answer
 from .base import Base
+from .live import Ask
+from .tabs import answer
 
 _EACH = 0.1
 """Seconds between two words of how far it is."""
@@ -53,14 +54,11 @@ def main(language_name: str, units: str) -> None:
 
 
 def _answered(job: Mapping[str, Any], out: TextIO) -> dict[str, Any]:
-    def clutch(base: list[Any], fields: dict[str, str]) -> tuple[Base, dict[str, str]]:
-        label, text, argument, overrides = base
-        return Base(label, text, argument, tuple(overrides)), fields
-
-    pinned = clutch(*job["pinned"]) if job["pinned"] else None
+    base, fields, pinned = Base.of(job["base"]), job["fields"], job["pinned"]
+    pinned = pinned and (Base.of(pinned[0]), pinned[1])
     with _Progress(out):
         try:
-            return answer(Ask(job["name"], *clutch(job["base"], job["fields"]), pinned, job["options"]))
+            return answer(Ask(job["name"], base, fields, pinned, job["options"], job["first"]))
         except Exception as error:
             return {"errors": {}, "problems": unexpected(error)[1]}
 
