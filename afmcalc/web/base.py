@@ -114,10 +114,10 @@ def refusal(error: AfmcalcError, option: str = "") -> dict[str, Any]:
     if not isinstance(error, SpecError):
         return {"errors": {}, "problems": error.told().split("\n")}
     errors: dict[str, str] = {}
-    problems = []
+    problems, tables = [], {path[: at + 1] for path in editable() for at, sign in enumerate(path) if sign == "."}
     for problem in error.problems:
         sentence = translate(term(str(problem)))
-        if problem.path in editable():
+        if problem.path in editable() or f"{problem.path}." in tables:
             errors.setdefault(problem.path, sentence)
         else:
             problems.append(sentence)

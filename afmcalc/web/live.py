@@ -9,6 +9,7 @@ from markupsafe import Markup
 
 from ..analysis.answers import Answers
 from ..analysis.check import check_at_once
+from ..analysis.compare import change
 from ..analysis.dossier import Dossier
 from ..analysis.figures import Request, gathered
 from ..analysis.requirements import simulating

@@ -35,8 +35,6 @@ from ..spec.source import Source
 from .base import Base, refusal
 from .live import Ask, asked, drawn, fragment, live
 
-_DRAWN = 3
-"""Number of the first drawing of a tab: section and torque are before it."""
 _MOST = 20
 """Clutches of a front that are shown, each to be loaded."""
 
@@ -76,12 +74,19 @@ def _laid_out(
     plot, figures = ANALYSES[name].plot, list[tuple[Markup, str]]()
     if plot and plot.applies(answers.clutch):
         with suppress(CalculationError):  # no curve
-            figures.append(drawn(sheet_of(plot.name, gathered(plot.name, Request([answers], sweep or None))), _DRAWN))
+            figures.append(
+                drawn(sheet_of(plot.name, gathered(plot.name, Request([answers], sweep or None))), _number(name))
+            )
     options = ["--sweep", sweep] if sweep else []
     return {
         "html": fragment("answer", tables, figures, ranked(findings), []),
         "command": ask.base.command(name, fields=ask.fields, options=options),
     }
+
+
+def _number(name: str) -> int:
+    """Number of the drawing of an analysis: that of no other on the page, where section and torque curve are first."""
+    return 3 + list(ANALYSES).index(name)
 
 
 def _explanation(ask: Ask) -> dict[str, Any]:
@@ -135,7 +140,7 @@ def _design(ask: Ask) -> dict[str, Any]:
         notes.append(told("{top} of {count} shown; --top {count} shows all", top=_MOST, count=result.on_front))
     figures = []
     if len({*need.objectives}) > 1 and result.front:
-        figures.append(drawn(sheet_of("pareto", ParetoFigure(need.name, result)), _DRAWN))
+        figures.append(drawn(sheet_of("pareto", ParetoFigure(need.name, result)), _number("design")))
     rest = fragment("answer", [each for each in tables if each is not table], [], [], [])
     command = Base("", text, "-", tuple(overrides)).command("design", fields={}, options=["--top", str(_MOST)])
     html = fragment("front", table, numbers, figures, ranked(findings), notes) + rest
