@@ -4,22 +4,11 @@ Where a part lies is the layout's answer. A clutch whose spec leaves open what a
 every key that is filled in is told: what is drawn is the layout of the spec with these keys.
 """
 
-import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
-from ..engines.layout import (
-    FACE_GAP,
-    TOUCHES,
-    PartName,
-    Ring,
-    Sizes,
-    SpringSize,
-    overlaps,
-    parts_of,
-    sizes_of,
-)
+from ..engines.layout import FACE_GAP, TOUCHES, PartName, Ring, Sizes, SpringSize, overlaps, parts_of, sizes_of
 from ..engines.protocol import Clutch
 from ..messages import term
 from ..spec.edit import value_at, with_values
@@ -30,23 +19,18 @@ from .wall import wall_of
 
 
 class Measure(NamedTuple):
-    """A main dimension: a length along the axis, or a diameter, m."""
+    """A main dimension, m."""
 
     key: str
     symbol: str
     about: str
-    kind: Literal["length", "diameter"]
-    ends: tuple[float, float]
-    """Places along the axis; of a diameter the radius below and above the axis."""
+    low: float
+    """Place along the axis; of a diameter the radius below the axis, less than 0."""
+    high: float
     at: float
     """Radius that a length is measured at, place along the axis of a diameter."""
     assumed: bool
     """Whether it rests on a key that was filled in."""
-
-    @property
-    def value(self) -> float:
-        """The dimension, m."""
-        return self.ends[1] - self.ends[0]
 
 
 class Box(NamedTuple):
@@ -57,11 +41,13 @@ class Box(NamedTuple):
     inner: float
     outer: float
 
-    def common(self, other: "Box") -> "Box | None":
-        """Return what it has in common with another one, if it is more than rounding makes."""
-        left, inner = max(self.left, other.left), max(self.inner, other.inner)
-        right, outer = min(self.right, other.right), min(self.outer, other.outer)
-        return Box(left, right, inner, outer) if min(right - left, outer - inner) > TOUCHES else None
+    def common(self, others: Iterable["Box"]) -> Iterator["Box"]:
+        """Yield what it has in common with others, where that is more than rounding makes."""
+        for other in others:
+            left, inner = max(self.left, other.left), max(self.inner, other.inner)
+            right, outer = min(self.right, other.right), min(self.outer, other.outer)
+            if min(right - left, outer - inner) > TOUCHES:
+                yield Box(left, right, inner, outer)
 
 
 class DrawnPart(NamedTuple):
@@ -69,108 +55,56 @@ class DrawnPart(NamedTuple):
 
     name: PartName
     number: int
-    pieces: int
     row: LayoutPart
-    assumed: bool
-    """Whether its size rests on a key that was filled in."""
     boxes: list[Box]
     pockets: list[Box]
     """What the pockets take away where a ball is."""
     moved: list[Box]
     """Where it is at f_max; empty of what does not move."""
+    assumed: bool
+    """Whether its size rests on a key that was filled in."""
+    pieces: int
     turns: float
     """Turns of a spring, or packs of discs against each other; 0 of what is no spring."""
-    single: bool
-    """Whether it is a spring of one coil."""
-
-
-class Overlap(NamedTuple):
-    """Two parts that are in each other's way."""
-
-    first: PartName
-    second: PartName
-    missing: float
-    """By how much at most, m."""
-    boxes: list[Box]
 
 
 class ClutchSection(NamedTuple):
     """All there is to draw of a clutch, m."""
 
     name: str | None
-    parts: list[DrawnPart]
-    pairs: int
+    parts: dict[PartName, DrawnPart]
     bypass_pairs: int
     """Pairs that bypass the control unit; 0 of a clutch without one."""
-    faces: tuple[float, float]
-    """Inner and outer radius of the friction faces."""
-    hub: float
-    """Radius."""
-    bore: float
-    """Radius; 0: none."""
     travel: float
-    measures: list[Measure]
-    overlaps: list[Overlap]
+    measures: dict[str, Measure]
+    overlaps: list[tuple[PartName, PartName, float]]
+    """Parts that are in each other's way, and by how much at most."""
     assumed: dict[str, float]
     """Key of the spec → what was filled in for the drawing, SI."""
-
-    def part(self, name: PartName) -> DrawnPart | None:
-        """Return the part of a name, if there is one."""
-        return next((part for part in self.parts if part.name == name), None)
-
-    @property
-    def mass(self) -> float:
-        """Mass of all parts whose mass is known, kg."""
-        return sum(part.row.mass for part in self.parts)
 
 
 def section(clutch: Clutch) -> ClutchSection:
     """Lay out a clutch for its drawing, whatever its spec leaves open."""
     clutch, sizes, assumed = _completed(clutch)
-    spec, laid_out = clutch.spec, parts_of(sizes)
-    rows = {row.part: row for row in rows_of(laid_out)}
-    boxes = {part.name: [_box(ring) for ring in part.boxes if ring.extends] for part in laid_out if part.name in rows}
-    ball = boxes.get("balls", [])
-    parts: list[DrawnPart] = []
-    for name, row in rows.items():
-        pieces, turns, single = _pieces(spec, name)
-        in_pockets = ball if any(part.pockets for part in laid_out if part.name == name) else []
-        parts.append(
-            DrawnPart(
-                name=name,
-                number=len(parts) + 1,
-                pieces=pieces,
-                row=row,
-                assumed=_rests_on(assumed, *_KEYS.get(name, _BODY)),
-                boxes=boxes[name],
-                pockets=[hole for box in boxes[name] for other in in_pockets if (hole := box.common(other))],
-                moved=_moved(clutch, name, boxes[name], float(sizes.travel)),
-                turns=turns,
-                single=single,
-            )
+    spec, laid_out, travel = clutch.spec, parts_of(sizes), float(sizes.travel)
+    boxes = {part.name: [_box(ring) for ring in part.boxes if ring.extends] for part in laid_out}
+    balls = {part.name: boxes["balls"] if part.pockets else [] for part in laid_out}
+    parts = {
+        row.part: DrawnPart(
+            row.part, number, row, boxes[row.part],
+            [hole for box in boxes[row.part] for hole in box.common(balls[row.part])],
+            [*_moved(clutch, row.part, boxes[row.part], travel)] if travel else [],
+            _rests_on(assumed, *_KEYS.get(row.part, _BODY)),
+            *_pieces(spec, row.part),
         )
+        for number, row in enumerate(rows_of(laid_out), 1)
+    }  # fmt: skip
     return ClutchSection(
-        name=spec.name,
-        parts=parts,
-        pairs=int(spec.friction_group.pairs),
-        bypass_pairs=int(clutch.bypass_pairs) if spec.kind.controlled else 0,
-        faces=(float(sizes.inner_radius), float(sizes.outer_radius)),
-        hub=sizes.hub_radius,
-        bore=sizes.bore_radius,
-        travel=float(sizes.travel),
-        measures=[*_measures(sizes, boxes, assumed)],
-        overlaps=[
-            Overlap(
-                one,
-                other,
-                float(missing),
-                [same for box in boxes[one] for beside in boxes[other] if (same := box.common(beside))],
-            )
-            for one, other, missing in overlaps(laid_out)
-            if missing > TOUCHES
-        ],
-        assumed=assumed,
-    )
+        spec.name, parts, int(clutch.bypass_pairs) if spec.kind.controlled else 0, travel,
+        {each.key: each for each in _measures(sizes, boxes, assumed)},
+        [(one, other, float(missing)) for one, other, missing in overlaps(laid_out) if missing > TOUCHES],
+        assumed,
+    )  # fmt: skip
 
 
 def _box(ring: Ring) -> Box:
@@ -186,7 +120,7 @@ _KEYS: dict[PartName, tuple[str, ...]] = {
 """Blocks of the spec that the size of a part rests on."""
 
 
-def _rests_on(assumed: dict[str, Any], *paths: str) -> bool:
+def _rests_on(assumed: dict[str, float], *paths: str) -> bool:
     return any(f"{key}.".startswith(f"{path}.") for key in assumed for path in paths)
 
 
@@ -205,46 +139,35 @@ def _completed(clutch: Clutch) -> tuple[Clutch, Sizes, dict[str, float]]:
         clutch = replace(clutch, spec=with_values(clutch.spec, missing))
         return value_at(clutch.spec, block)
 
-    hub, clear = 0.6 * radius, math.inf
+    shaft = clutch.spec.shaft.diameter if clutch.spec.shaft else 0.0
+    hub, reach = max(0.6 * radius, 1.4 * shaft), 0.0
     if clutch.spec.control_unit is not None:
         unit = fill("control_unit", balls=6, ball_circle_radius=0.5 * radius, face_gap=FACE_GAP)
-        if unit.ball_diameter is None:
-            ball = synthesize(clutch)[0].ball_diameter if clutch.gain > 0 else 0.4 * unit.ball_circle_radius
-            unit = fill("control_unit", ball_diameter=ball)
-        clear = 2 * unit.ball_circle_radius - unit.ball_diameter
-        hub = unit.hub_diameter or (min(hub, 0.9 * clear) if clear > 0 else hub)
+        circle, ball = unit.ball_circle_radius, unit.ball_diameter
+        if ball is None:
+            ball = synthesize(clutch)[0].ball_diameter if clutch.gain > 0 else 0.4 * circle
+            fill("control_unit", ball_diameter=ball)
+        reach = circle + ball / 2
+        hub = unit.hub_diameter or max(min(hub, 0.9 * (2 * circle - ball)), 0.2 * radius, 1.05 * shaft)
     fill("friction_group", inner_radius=0.8 * radius, outer_radius=1.2 * radius)
     if clutch.spec.envelope is None:
-        shaft = clutch.spec.shaft
-        if shaft and hub < 1.05 * shaft.diameter:
-            hub = (shaft.diameter + clear) / 2 if shaft.diameter < clear < math.inf else 1.2 * shaft.diameter
-        given = {} if travels else {"hub_diameter": hub}
-        given |= {} if shaft else {"bore": 0.6 * hub}
         thick = {"disc_thickness": 0.03 * radius, "plate_thickness": 0.08 * radius, "housing_wall": 0.06 * radius}
-        fill("envelope", Envelope.model_construct().model_copy(update=dict.fromkeys(thick)), **given, **thick)
+        round_ = ({} if shaft else {"bore": 0.6 * hub}) | ({} if travels else {"hub_diameter": hub})
+        fill("envelope", Envelope.model_construct().model_copy(update=dict.fromkeys(thick)), **round_, **thick)
     sizes = sizes_of(clutch)
-    around = {part.name: part.boxes for part in parts_of(sizes)}
-    inside = {"closing": around["stop ring"][0] if travels else around["pressure disc"][-1]}
-    inside |= {"control": around["thrust sleeve"][0]} if travels else {}
-    for name, ring in inside.items():
+    for name in ("closing", "control")[: 1 + travels]:
         if getattr(sizes, name).length > 0:
             continue
-        part: Any = clutch.spec.spring_parts.get(name)
-        room = value_at(clutch.spec, f"{name}_spring.room") or Room()
-        inside_of = max(float(ring.outer), float(sizes.circle + sizes.ball / 2) if name == "closing" else 0.0)
-        inner, wide = 2 * inside_of + 0.04 * radius, 0.16 * radius
-        if part is not None:  # coils on a circle that is not told
-            wide = 2 * (part.coil_diameter + part.wire_diameter)
-        if room.outer_diameter is not None:
-            inner = min(inner, 0.9 * room.outer_diameter)
-        inner = inner if room.inner_diameter is None else room.inner_diameter
-        length = 0.25 * radius + 1.2 * float(sizes.travel)
-        room = fill(f"{name}_spring.room", Room(), inner_diameter=inner, outer_diameter=inner + wide, length=length)
-        if part is None:
-            size = SpringSize(room.inner_diameter / 2, room.outer_diameter / 2, room.length)
-        else:
-            size = getattr(sizes_of(clutch), name)
-        sizes = sizes._replace(closing=size) if name == "closing" else sizes._replace(control=size)
+        part: Any = clutch.spec.spring_parts.get(name)  # if any, coils on a circle that is not told
+        inner = 2 * (max(reach, sizes.hub_radius) + sizes.wall) + 0.04 * radius
+        outer = inner + (0.16 * radius if part is None else 2 * (part.coil_diameter + part.wire_diameter))
+        room = fill(
+            f"{name}_spring.room", Room(), outer_diameter=outer, length=0.25 * radius + 1.2 * float(sizes.travel)
+        )
+        room = fill(f"{name}_spring.room", inner_diameter=min(inner, 0.98 * room.outer_diameter))
+        own = SpringSize(room.inner_diameter / 2, room.outer_diameter / 2, room.length)
+        own = own if part is None else getattr(sizes_of(clutch), name)
+        sizes = sizes._replace(closing=own) if name == "closing" else sizes._replace(control=own)
     return clutch, sizes, assumed
 
 
@@ -254,72 +177,53 @@ _SHARES: dict[PartName, tuple[float, float]] = {
 """Shares of the sleeve's travel that the left and the right end of a part move by."""
 
 
-def _moved(clutch: Clutch, name: PartName, boxes: list[Box], travel: float) -> list[Box]:
-    """Return where a part is at f_max; a ball stays in the sleeve that seats it, else goes half as far."""
+def _moved(clutch: Clutch, name: PartName, boxes: list[Box], travel: float) -> Iterator[Box]:
+    """Yield where a part is at f_max; a ball stays in the sleeve that seats it, else goes half as far."""
     left, right = _SHARES.get(name, (0.0, 0.0))
-    if name == "balls" and travel:
-        left = right = 1 - 1 / wall_of(clutch, FACE_GAP).sleeves
-    if not travel or not (left or right):
-        return []
-    return [box._replace(left=box.left + left * travel, right=box.right + right * travel) for box in boxes]
-
-
-def _pieces(spec: Spec, name: PartName) -> tuple[int, float, bool]:
-    """Return how many there are of a part; of a spring also its turns, or packs, and whether it is of one coil."""
-    if name == "pack":
-        return int(spec.friction_group.pairs), 0.0, False
     if name == "balls":
-        return int((spec.control_unit and spec.control_unit.balls) or 0), 0.0, False
+        left = right = 1 - 1 / wall_of(clutch, FACE_GAP).sleeves
+    if left or right:
+        yield from (box._replace(left=box.left + left * travel, right=box.right + right * travel) for box in boxes)
+
+
+def _pieces(spec: Spec, name: PartName) -> tuple[int, float]:
+    """Return how many there are of a part, and the turns of a spring."""
     spring, _, kind = name.partition(" ")
     part = spec.spring_parts.get(spring)
-    if part is None:
-        return 1, 4.0 if kind == "spring" else 0.0, kind == "spring"
-    if isinstance(part, DiscStack):
-        return part.parallel * part.series, part.series, False
-    return part.count, part.turns, part.count == 1
+    if part is not None:
+        return (part.parallel * part.series, part.series) if isinstance(part, DiscStack) else (part.count, part.turns)
+    counts = {"pack": spec.friction_group.pairs, "balls": value_at(spec, "control_unit.balls")}
+    return int(counts.get(name, 1)), 4.0 if kind == "spring" else 0.0
 
 
 def _measures(sizes: Sizes, boxes: dict[PartName, list[Box]], assumed: dict[str, float]) -> Iterator[Measure]:
-    """Yield the main dimensions."""
+    """Yield the main dimensions of what there is."""
 
-    def along(key: str, symbol: str, about: str, ends: Any, at: Any, *paths: str) -> Measure:
-        return Measure(
-            key, symbol, about, "length", (float(ends[0]), float(ends[1])), float(at), _rests_on(assumed, *paths)
-        )
+    def measure(key: str, symbol: str, about: str, low: Any, high: Any, at: float, *paths: str) -> Measure:
+        return Measure(key, symbol, about, float(low), float(high), at, _rests_on(assumed, *paths))
 
-    def across(key: str, symbol: str, about: str, radius: Any, at: Any, *paths: str) -> Measure:
-        return Measure(
-            key, symbol, about, "diameter", (-float(radius), float(radius)), float(at), _rests_on(assumed, *paths)
-        )
-
-    web, around = boxes["housing"]
-    pack = boxes["pack"][0]
-    inner, outer, end = "friction_group.inner_radius", "friction_group.outer_radius", float(around.right)
-    yield along("length", "L", term("length"), (0, end), around.outer, "friction_group", "envelope", "control_unit",
-                "closing_spring", "control_spring")  # fmt: skip
-    named: tuple[tuple[PartName, str, str], ...] = (
-        ("closing spring", "L_1", term("length of the closing spring as set")),
-        ("control spring", "L_2", term("length of the control spring as set")),
-    )
-    for name, symbol, about in named:
-        for box in boxes.get(name, []):
-            yield along(f"{name.partition(' ')[0]}_length", symbol, about, box, box.outer, f"{name[:-7]}_spring")
-    if "balls" in boxes:
-        ball = boxes["balls"][0]
-        middle, half = (ball.left + ball.right) / 2, sizes.gap / 2
-        yield along("face_gap", "s", term("gap between the faces"), (middle - half, middle + half), ball.outer,
-                    "control_unit.face_gap")  # fmt: skip
-        yield across("ball_circle", "2r", term("ball circle"), sizes.circle, middle, "control_unit.ball_circle_radius")
+    (web, around), pack, inner, outer = boxes["housing"], boxes["pack"][0], sizes.inner_radius, sizes.outer_radius
+    faces, hub, bore, end = "friction_group", sizes.hub_radius, sizes.bore_radius, around.right
+    yield measure("length", "L", term("length"), 0, end, web.outer, *{path.partition(".")[0] for path in assumed})
+    for box in boxes["closing spring"]:
+        about = term("length of the closing spring as set")
+        yield measure("closing_length", "L_1", about, box.left, box.right, box.outer, "closing_spring")
+    for box in boxes.get("control spring", []):
+        about = term("length of the control spring as set")
+        yield measure("control_length", "L_2", about, box.left, box.right, box.outer, "control_spring")
+    for box in boxes["balls"]:
+        middle, half, unit = (box.left + box.right) / 2, sizes.gap / 2, "control_unit"
+        about = term("gap between the faces")
+        yield measure("face_gap", "s", about, middle - half, middle + half, box.outer, f"{unit}.face_gap")
+        about = term("ball circle")
+        yield measure("ball_circle", "2r", about, -sizes.circle, sizes.circle, middle, f"{unit}.ball_circle_radius")
     if sizes.travel:
-        sleeve = max(boxes["thrust sleeve"], key=lambda box: box.outer)
-        ends = sleeve.right, sleeve.right + sizes.travel
-        yield along("travel", "x_max", term("travel of the sleeve at f_max"), ends, sleeve.outer)
-    yield across("inner_diameter", "2r_i", term("inside of the friction faces"), sizes.inner_radius, pack.left, inner)
-    yield across("outer_diameter", "2r_o", term("outside of the friction faces"), sizes.outer_radius, pack.right, outer)
-    yield across(
-        "housing", "D_h", term("outer diameter of the housing"), web.outer, web.left, outer, "envelope.housing_wall"
-    )
-    hub = "envelope.hub_diameter", "control_unit.hub_diameter"
-    yield across("hub", "d", term("diameter of the hub"), sizes.hub_radius, end, *hub)
-    if sizes.bore_radius:
-        yield across("bore", "", term("bore of the hub"), sizes.bore_radius, end, "envelope.bore")
+        sleeve, about = max(boxes["thrust sleeve"], key=lambda box: box.outer), term("travel of the sleeve at f_max")
+        yield measure("travel", "x_max", about, sleeve.right, sleeve.right + sizes.travel, sleeve.outer)
+    yield measure("inner_diameter", "2r_i", term("inside of the friction faces"), -inner, inner, pack.left, faces)
+    yield measure("outer_diameter", "2r_o", term("outside of the friction faces"), -outer, outer, pack.right, faces)
+    about = term("outer diameter of the housing")
+    yield measure("housing", "D_h", about, -web.outer, web.outer, web.left, faces, "envelope.housing_wall")
+    yield measure("hub", "d", term("diameter of the hub"), -hub, hub, end, "envelope.hub_diameter")
+    if bore:
+        yield measure("bore", "", term("bore of the hub"), -bore, bore, end, "envelope.bore")

@@ -7,6 +7,8 @@ import math
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from importlib import import_module
+from itertools import chain, product
 from typing import Any, NamedTuple, TypeAlias
 from xml.sax.saxutils import escape
 
@@ -64,7 +66,6 @@ class Stroke(NamedTuple):
 
     layer: str
     points: tuple[Point, ...]
-    part: str = ""
 
 
 class Circle(NamedTuple):
@@ -103,7 +104,8 @@ class DimensionLine(NamedTuple):
     about: str = ""
 
 
-Shape: TypeAlias = Region | Stroke | Circle | Inscription | DimensionLine
+Simple: TypeAlias = Region | Stroke | Circle | Inscription
+Shape: TypeAlias = Simple | DimensionLine
 
 TEXT = 9.0
 """Points of every text."""
@@ -140,14 +142,11 @@ class Drawing:
     def captioned(self, title: str, name: str, caption: str) -> "Drawing":
         """Return it with a title and a name above it and a caption below."""
         left, bottom, right, top = self.frame
-        row, letters = 1.4 * TEXT * self.point, int(PAGE / (LETTER * TEXT))
-        texts = [
-            Inscription(line, (left, top + row * (place + 0.5)), ours=not place)
-            for place, line in enumerate((title, name))
-        ]
-        lines = textwrap.wrap(caption, letters)
-        texts += [Inscription(line, (left, bottom - row * place)) for place, line in enumerate(lines, 1)]
-        frame = left, bottom - row * (len(lines) + 0.5), right, top + 2.5 * row
+        row, lines = 1.4 * TEXT * self.point, textwrap.wrap(caption, int(PAGE / (LETTER * TEXT)))
+        inset = left + 4 * self.point
+        texts = [Inscription(line, (inset, bottom - row * place)) for place, line in enumerate(lines, 1)]
+        texts += [Inscription(title, (inset, top + 1.6 * row)), Inscription(name, (inset, top + 0.6 * row), ours=False)]
+        frame = left, bottom - row * (len(lines) + 0.5), right, top + 2.7 * row
         return replace(self, shapes=(*self.shapes, *texts), frame=frame)
 
     def by_layer(self) -> Iterator[tuple[str, list[Shape]]]:
@@ -159,147 +158,128 @@ class Drawing:
     def svg(self, title: str = "") -> str:
         """Write it as SVG whose numbers are millimetres, as wide as the text of a page."""
         left, bottom, right, top = self.frame
-        size = " ".join(map(_n, (left, -top, right - left, top - bottom)))
         hatches = {shape.hatch for shape in self.shapes if isinstance(shape, Region) and shape.hatch}
-        lines = [
-            f'<svg xmlns="http://www.w3.org/2000/svg" width="{_n(25.4 * WIDTH)}mm" '
-            f'height="{_n(25.4 * self.height)}mm" viewBox="{size}" font-family="DejaVu Sans, sans-serif" '
-            f'font-size="{_n(TEXT * self.point)}">',
-            *([f"<title>{escape(title)}</title>"] if title else []),
+        parts = [
+            f'<svg xmlns="http://www.w3.org/2000/svg" width="{_n(25.4 * WIDTH)}mm" height="{_n(25.4 * self.height)}mm" '
+            f'viewBox="{_path([(left, top)])} {_n(right - left)} {_n(top - bottom)}" '
+            f'font-family="DejaVu Sans, sans-serif" font-size="{_n(TEXT * self.point)}">',
+            f"<title>{escape(printable(title))}</title>" if title else "",
             *(_pattern(angle, self.point) for angle in sorted(hatches)),
         ]
         for name, shapes in self.by_layer():
             look = LAYERS[name]
-            dashes = " ".join(_n(length * self.point) for length in look.dashes)
-            lines.append(
+            dashes = " ".join(_n(length * self.point) for length in look.dashes) or "none"
+            parts.append(
                 f'<g class="{name}" stroke="{look.colour}" stroke-width="{_n(look.width * self.point)}" '
-                f'fill="{look.colour}" fill-opacity="{look.fill:g}" fill-rule="evenodd" stroke-linejoin="round"'
-                + (f' stroke-dasharray="{dashes}">' if dashes else ">")
+                f'stroke-dasharray="{dashes}" stroke-linejoin="round" '
+                f'fill="{look.colour}" fill-opacity="{look.fill:g}" fill-rule="evenodd">'
             )
             for shape in shapes:
-                if isinstance(shape, DimensionLine):
-                    lines.append(f'<g data-key="{shape.key}"><title>{escape(shape.about)}</title>')
-                    lines += [_svg(part) for part in exploded(shape, self.point)]
-                    lines.append("</g>")
-                else:
-                    lines.append(_svg(shape))
-            lines.append("</g>")
-        return "\n".join([*lines, "</svg>", ""])
+                simple = "\n".join(_svg(part) for part in exploded(shape, self.point))
+                about = f"<title>{escape(shape.about)}</title>" if isinstance(shape, DimensionLine) else ""
+                parts.append(
+                    f'<g data-key="{shape.key}">{about}{simple}</g>' if isinstance(shape, DimensionLine) else simple
+                )
+            parts.append("</g>")
+        return "\n".join([*filter(None, parts), "</svg>", ""])
 
     def paint(self, axes: Any) -> None:
         """Draw into matplotlib's axes."""
-        from importlib import import_module
-
         patches: Any = import_module("matplotlib.patches")
         path: Any = import_module("matplotlib.path").Path
         left, bottom, right, top = self.frame
         axes.set_axis_off()
-        axes.set_aspect("equal")
-        axes.set_xlim(left, right)
-        axes.set_ylim(bottom, top)
+        axes.set(aspect="equal", xlim=(left, right), ylim=(bottom, top))
         for order, (name, shapes) in enumerate(self.by_layer()):
             look = LAYERS[name]
-            style = (0, tuple(length / look.width for length in look.dashes)) if look.dashes else "solid"
-            edge: dict[str, Any] = {"linewidth": look.width, "linestyle": style, "zorder": 2 + order / 100}
-            faint = {"facecolor": (look.colour, look.fill), "edgecolor": look.colour} | edge
-            simple = [part for shape in shapes for part in exploded(shape, self.point)]
-            for shape in simple:
+            line: dict[str, Any] = {"linewidth": look.width, "zorder": 2 + order / 100}
+            if look.dashes:
+                line["linestyle"] = 0, tuple(length / look.width for length in look.dashes)
+            area = line | {"facecolor": (look.colour, look.fill), "edgecolor": look.colour}
+            for shape in chain.from_iterable(exploded(each, self.point) for each in shapes):
                 if isinstance(shape, Inscription):
-                    turned = {"rotation": 90, "rotation_mode": "anchor"} if shape.upright else {}
-                    place = {"start": "left", "middle": "center", "end": "right"}[shape.anchor]
-                    axes.text(
-                        *shape.at,
-                        (mathtext if shape.ours else literal)(shape.text),
-                        ha=place,
-                        va="baseline",
-                        fontsize=TEXT,
-                        **turned,
-                    )
+                    text, side = (mathtext if shape.ours else literal)(shape.text), _SIDES[shape.anchor]
+                    turn = 90.0 if shape.upright else 0.0
+                    axes.text(*shape.at, text, size=TEXT, ha=side, va="baseline", rotation=turn, rotation_mode="anchor")
                 elif isinstance(shape, Stroke):
-                    axes.plot(*zip(*shape.points, strict=True), color=look.colour, **edge)
-                elif isinstance(shape, Circle) and shape.hole:
-                    axes.add_patch(patches.Annulus(shape.centre, shape.radius, shape.radius - shape.hole, **faint))
+                    axes.plot(*zip(*shape.points, strict=True), color=look.colour, **line)
                 elif isinstance(shape, Circle):
-                    axes.add_patch(patches.Circle(shape.centre, shape.radius, **faint))
+                    ring = patches.Annulus(shape.centre, shape.radius, shape.radius - shape.hole, **area)
+                    axes.add_patch(ring if shape.hole else patches.Circle(shape.centre, shape.radius, **area))
                 else:
-                    outline = path.make_compound_path(*(path([*ring, ring[0]], closed=True) for ring in shape.contours))
+                    rings = path.make_compound_path(*(path([*ring, ring[0]], closed=True) for ring in shape.contours))
                     hatch = {"hatch": "////" if shape.hatch < 90 else "\\\\\\\\", "linewidth": 0} if shape.hatch else {}
-                    axes.add_patch(patches.PathPatch(outline, **faint | hatch))
+                    axes.add_patch(patches.PathPatch(rings, **area | hatch))
 
 
-def exploded(shape: Shape, point: float) -> list[Region | Stroke | Circle | Inscription]:
+_SIDES = {"start": "left", "middle": "center", "end": "right"}
+
+
+def exploded(shape: Shape, point: float) -> list[Simple]:
     """Return the lines, arrows and text of a dimension, anything else as it is; ``point``: a point in millimetres."""
     if not isinstance(shape, DimensionLine):
         return [shape]
-    upright = shape.upright
+    layer, y, (long, half) = "dimensions", shape.line, (length * point for length in _ARROW)
 
-    def turn(x: float, y: float) -> Point:
-        return (y, x) if upright else (x, y)
+    def turned(*points: Point) -> tuple[Point, ...]:
+        return tuple((y, x) for x, y in points) if shape.upright else points
 
-    (low, from_low), (high, from_high) = sorted((turn(*shape.start), turn(*shape.end)))
-    long, half = (length * point for length in _ARROW)
-    beyond = math.copysign(2 * point, shape.line - from_low)
-    wide = LETTER * TEXT * point * len(shape.label)
+    (low, low_at), (high, high_at) = sorted(turned(shape.start, shape.end))
     outside = high - low < 2.6 * long
-    parts: list[Region | Stroke | Circle | Inscription] = [
-        Stroke("dimensions", (turn(low, shape.line), turn(high, shape.line)), "line")
-    ]
-    for end, start in ((low, from_low), (high, from_high)):
-        if abs(shape.line - start) > point:
-            parts.append(Stroke("dimensions", (turn(end, start), turn(end, shape.line + beyond))))
-        hand = 1 if (end == low) != outside else -1
-        head = (end, shape.line), (end + hand * long, shape.line + half), (end + hand * long, shape.line - half)
-        parts.append(Region("dimensions", (tuple(turn(*corner) for corner in head),)))
+    parts: list[Simple] = [Stroke(layer, turned((low, y), (high, y)))]
+    for end, at, hand in ((low, low_at, 1), (high, high_at, -1)):
+        back = end + (-hand if outside else hand) * long
+        parts.append(Region(layer, (turned((end, y), (back, y + half), (back, y - half)),)))
         if outside:
-            parts.append(Stroke("dimensions", (turn(end, shape.line), turn(end + 2 * hand * long, shape.line))))
-    base = shape.line + (-1 if shape.upright else 1) * 2 * point
-    if high - low >= wide or shape.upright:
-        parts.append(Inscription(shape.label, turn((low + high) / 2, base), "middle", shape.upright))
-    else:
-        away = high + (2.3 * long if outside else point)
-        parts.append(Inscription(shape.label, turn(away, base if not outside else base), "start", shape.upright))
-    return parts
+            parts.append(Stroke(layer, turned((back, y), (2 * back - end, y))))
+        if abs(y - at) > point:
+            parts.append(Stroke(layer, turned((end, at), (end, y + math.copysign(2 * point, y - at)))))
+    base = y - 2 * point if shape.upright else y + 2 * point
+    beside = not shape.upright and high - low < text_width(shape.label) * point
+    place = high + (2.3 * long if outside else point) if beside else (low + high) / 2
+    (at_text,) = turned((place, base))
+    return [*parts, Inscription(shape.label, at_text, "start" if beside else "middle", shape.upright)]
 
 
-def _svg(shape: Region | Stroke | Circle | Inscription) -> str:
+def text_width(text: str) -> float:
+    """Points that a text takes, about and at most."""
+    return sum((0.7 if low else 1.0) * len(piece) for piece, low in split(text)) * LETTER * TEXT
+
+
+def _svg(shape: Simple) -> str:
     if isinstance(shape, Inscription):
         return _text(shape)
-    about = f' data-part="{shape.part}"' if shape.part else ""
     if isinstance(shape, Stroke):
-        return f'<path fill="none"{about} d="M{_path(shape.points)}"/>'
+        return f'<path fill="none" d="M{_path(shape.points)}"/>'
+    about = f' data-part="{shape.part}"' if shape.part else ""
     if isinstance(shape, Circle):
-        x, y = _n(shape.centre[0]), _n(-shape.centre[1])
+        x, y = shape.centre
         if not shape.hole:
-            return f'<circle{about} cx="{x}" cy="{y}" r="{_n(shape.radius)}"/>'
-        rings = (
-            f"M{_n(shape.centre[0] - r)} {y}a{_n(r)} {_n(r)} 0 1 0 {_n(2 * r)} 0a{_n(r)} {_n(r)} 0 1 0 {_n(-2 * r)} 0Z"
-            for r in (shape.radius, shape.hole)
-        )
-        return f'<path{about} d="{"".join(rings)}"/>'
-    fill = f' stroke="none" fill="url(#hatch{shape.hatch:g})" fill-opacity="1"' if shape.hatch else ""
-    return f'<path{about}{fill} d="{"".join(f"M{_path(ring)}Z" for ring in shape.contours)}"/>'
+            return f'<circle{about} cx="{_n(x)}" cy="{_n(-y)}" r="{_n(shape.radius)}"/>'
+        arc = "a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0 -{1} 0Z".format
+        rings = (f"M{_path([(x - r, y)])}{arc(_n(r), _n(2 * r))}" for r in (shape.radius, shape.hole))
+    else:
+        rings = (f"M{_path(ring)}Z" for ring in shape.contours)
+        about += f' stroke="none" fill="url(#hatch{shape.hatch:g})" fill-opacity="1"' if shape.hatch else ""
+    return f'<path{about} d="{"".join(rings)}"/>'
 
 
-def _text(note: Inscription) -> str:
-    x, y = _n(note.at[0]), _n(-note.at[1])
-    turned = f' transform="rotate(-90 {x} {y})"' if note.upright else ""
-    anchor = "" if note.anchor == "start" else f' text-anchor="{note.anchor}"'
-    spans, lowered = [], False
-    for piece, low in split(printable(note.text), note.ours):
-        drop = "" if low == lowered else f' dy="{".18em" if low else "-.126em"}"'
-        size = ' font-size="70%"' if low else ""
-        spans.append(f"<tspan{drop}{size}>{escape(piece)}</tspan>" if drop or size else escape(piece))
-        lowered = low
-    return f'<text x="{x}" y="{y}" stroke="none"{anchor}{turned}>{"".join(spans)}</text>'
+def _text(text: Inscription) -> str:
+    at, lowered, spans = _path([text.at]), False, ""
+    for piece, low in split(printable(text.text), text.ours):
+        drop = "" if low == lowered else ' dy=".18em"' if low else ' dy="-.126em"'
+        size, lowered = ' font-size="70%"' if low else "", low
+        spans += f"<tspan{drop}{size}>{escape(piece)}</tspan>"
+    turn = f' transform="rotate(-90 {at})"' if text.upright else ""
+    x, y = at.split()
+    return f'<text x="{x}" y="{y}" stroke="none" text-anchor="{text.anchor}"{turn}>{spans}</text>'
 
 
 def _pattern(angle: float, point: float) -> str:
     look, step = LAYERS["hatch"], _n(4 * point)
-    return (
-        f'<pattern id="hatch{angle:g}" patternUnits="userSpaceOnUse" width="{step}" height="{step}" '
-        f'patternTransform="rotate({-angle:g})"><path d="M0 0H{step}" stroke="{look.colour}" '
-        f'stroke-width="{_n(2 * look.width * point)}"/></pattern>'
-    )
+    lines = f'<path d="M0 0H{step}" stroke="{look.colour}" stroke-width="{_n(2 * look.width * point)}"/>'
+    size = f'width="{step}" height="{step}" patternUnits="userSpaceOnUse" patternTransform="rotate({-angle:g})"'
+    return f'<pattern id="hatch{angle:g}" {size}>{lines}</pattern>'
 
 
 def _path(points: Iterable[Point]) -> str:
@@ -318,40 +298,29 @@ def corners(box: Rectangle) -> tuple[Point, ...]:
 
 
 def outlines(boxes: Sequence[Rectangle]) -> tuple[tuple[Point, ...], ...]:
-    """Return the closed contours of what rectangles cover together, holes included."""
-    xs = sorted({x for box in boxes for x in box[:2]})
-    ys = sorted({y for box in boxes for y in box[2:]})
+    """Return the closed contours of what rectangles cover together, each with what is covered to its left."""
+    xs, ys = (sorted({box[side + end] for box in boxes for end in (0, 1)}) for side in (0, 2))
     covered = {
         (i, j)
-        for i, x in enumerate(xs[:-1])
-        for j, y in enumerate(ys[:-1])
-        if any(left <= x < right and low <= y < high for left, right, low, high in boxes)
+        for i, j in product(range(len(xs) - 1), range(len(ys) - 1))
+        if any(left <= xs[i] < right and low <= ys[j] < high for left, right, low, high in boxes)
     }
-    ends: dict[tuple[int, int], list[tuple[int, int]]] = {}
-    for i, j in covered:  # each edge with the covered cell to its left
-        for beside, start, end in (
-            ((i, j - 1), (i, j), (i + 1, j)),
-            ((i + 1, j), (i + 1, j), (i + 1, j + 1)),
-            ((i, j + 1), (i + 1, j + 1), (i, j + 1)),
-            ((i - 1, j), (i, j + 1), (i, j)),
-        ):
-            if beside not in covered:
-                ends.setdefault(start, []).append(end)
-    rings = []
-    while ends:
-        start = min(ends)
-        ring, at = [start], start
-        while True:
-            following = ends[at].pop(0)
-            if not ends[at]:
-                del ends[at]
-            ring, at = [*ring, following], following
-            if at == start:
-                break
-        corners = [
-            b
-            for a, b, c in zip([ring[-2], *ring], ring[:-1], ring[1:], strict=False)
-            if (a[0] == b[0]) != (b[0] == c[0])
-        ]
-        rings.append(tuple((xs[i], ys[j]) for i, j in corners))
-    return tuple(rings)
+    edges: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    for i, j in covered:
+        ring = (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)
+        beside = (i, j - 1), (i + 1, j), (i, j + 1), (i - 1, j)
+        for start, end, other in zip(ring, (*ring[1:], ring[0]), beside, strict=True):
+            if other not in covered:
+                edges.setdefault(start, []).append(end)
+    contours = []
+    while edges:
+        at, turns, level = min(edges), [], None
+        while at in edges:  # until it is where it began
+            onward = edges[at].pop()
+            if not edges[at]:
+                del edges[at]
+            if level != (level := onward[1] == at[1]):
+                turns.append((xs[at[0]], ys[at[1]]))
+            at = onward
+        contours.append(tuple(turns))
+    return tuple(contours)

@@ -99,7 +99,8 @@ def _figure(sheet: Sheet, axes_height: float = _HIGH) -> "Figure":
     from matplotlib.layout_engine import ConstrainedLayoutEngine
 
     heights = [_height(panel, axes_height) for panel in sheet.panels]
-    letters = 118 if spoken() == "en" else 100  # Cyrillic letters are wider
+    drawn = isinstance(sheet.panels[0], Drawing)
+    letters = 118 if spoken() == "en" and not drawn else 100  # Cyrillic letters are wider, and so are keys
     caption = [line for part in sheet.caption.splitlines() for line in textwrap.wrap(part, letters)]
     title = _title(sheet) if sheet.title else []
     more = _TITLE_LINE * (len(title) - 1)

@@ -6,241 +6,218 @@ from collections.abc import Iterable, Iterator
 from ...analysis.section import Box, ClutchSection, DrawnPart, Measure
 from ...messages import told, translate
 from ...spec.keys import keys
-from ..drawing import (
-    LETTER,
-    PAGE,
-    TEXT,
-    Circle,
-    DimensionLine,
-    Drawing,
-    Inscription,
-    Rectangle,
-    Region,
-    Shape,
-    Stroke,
-    corners,
-    outlines,
-)
+from .. import drawing as draw
 from ..units import display, measured
 from .chart import Sheet, stated
 
 _MM = 1e3
-_HATCH: dict[str, float] = {
-    "housing": 135.0, "hub": 45.0, "thrust disc": 135.0, "pressure disc": 45.0, "ball sleeve": 135.0,
-    "thrust sleeve": 135.0, "stop ring": 45.0, "pack": 135.0,
-}  # fmt: skip
-"""Angle of the hatch of a part: another than that of its neighbours."""
+_HATCH = {"hub": 45.0, "stop ring": 45.0, "thrust disc": 120.0}
+"""Angle of the hatch of a part, else 135 degrees: neighbours have another."""
 _INSIDE, _OUTSIDE = ("bore", "hub", "ball_circle"), ("inner_diameter", "outer_diameter", "housing")
 """Diameters with their dimensions to the left and to the right of the section."""
-_LEFT, _BETWEEN, _RIGHT, _ROW = 52.0, 62.0, 8.0, 13.0
+_LEFT, _BETWEEN, _RIGHT, _ROW = 58.0, 62.0, 6.0, 13.0
 """Points beside and between the views, and for a row of dimensions or of the part list."""
-
-
-def section(section: ClutchSection) -> Sheet:
-    """Draw a clutch at rest, with what moves also as it is at f_max."""
-    return Sheet(
-        translate("Clutch in section, at rest and at f_max"), [drawing(section)], _caption(section), section.name
-    )
-
-
-def drawing(section: ClutchSection) -> Drawing:
-    """Lay out both views, the dimensions and the part list."""
-    measures = {each.key: each for each in section.measures}
-    length, radius = (measures[key].ends[1] * _MM for key in ("length", "housing"))
-    point = (length + 2 * radius) / (PAGE - _LEFT - _BETWEEN - _RIGHT)
-    row, column = _ROW * point, 1.15 * _ROW * point
-    shapes = [*_longitudinal(section, length), *_end_view(section, length + _BETWEEN * point + radius, radius, point)]
-    rows: list[float] = []  # ends of the texts above the section
-    lengths = (each for each in section.measures if each.kind == "length" and each.key != "length")
-    for each in sorted(lengths, key=lambda each: each.ends):
-        low, high = (end * _MM for end in each.ends)
-        text = LETTER * TEXT * point * len(_label(each))
-        place = next((number for number, end in enumerate(rows) if low - row > end), len(rows))
-        rows[place : place + 1] = [high + (0 if high - low > text else row + text)]
-        shapes.append(_dimension(each, radius + (place + 1) * row))
-    for at, way, keys_of in ((0.0, -column, _INSIDE), (length, column, _OUTSIDE)):
-        found = (each for key, each in measures.items() if key in keys_of)
-        for place, each in enumerate(sorted(found, key=lambda each: each.value), 1):
-            shapes.append(_dimension(each, at + place * way))
-    numbers = -radius - 1.8 * row
-    table = numbers - 3.0 * row
-    left = -_LEFT * point
-    shapes += _numbers(section, length, numbers, point)
-    shapes.append(_dimension(measures["length"], numbers - 1.3 * row, -1))
-    listed = _part_list(section)
-    for place, cells in enumerate(listed):
-        places = ((left + (4 + at) * point, table - place * row) for at in _COLUMNS)
-        shapes += [Inscription(text, at) for text, at in zip(cells, places, strict=True)]
-    solids = [(str(part.number)[-1], box) for part in section.parts for box in _rectangles(part.boxes)]
-    bottom = table - (len(section.parts) + 0.6) * row
-    return Drawing(shapes, (left, bottom, left + PAGE * point, radius + (len(rows) + 1) * row), listed, solids)
-
-
-def _dimension(measure: Measure, line: float, hand: int = 1) -> DimensionLine:
-    low, high, at = (value * _MM for value in (*measure.ends, hand * measure.at))
-    upright = measure.kind == "diameter"
-    ends = ((at, low), (at, high)) if upright else ((low, at), (high, at))
-    return DimensionLine(measure.key, _label(measure), *ends, line, upright, translate(measure.about))
-
-
-def _rectangles(boxes: Iterable[Box], hand: int = 1) -> list[Rectangle]:
-    """Rectangles of what is above the axis, or below it, mm."""
-    sides = ((box.left, box.right, *sorted((hand * box.inner, hand * box.outer))) for box in boxes)
-    return [(left * _MM, right * _MM, low * _MM, high * _MM) for left, right, low, high in sides]
-
-
-def _longitudinal(section: ClutchSection, length: float) -> Iterator[Shape]:
-    """Draw the section along the axis, both sides of it."""
-    yield Stroke("centre", ((-0.03 * length, 0.0), (1.03 * length, 0.0)))
-    for hand in (1, -1):
-        for part in section.parts:
-            yield from _part(section, part, hand)
-            for box in _rectangles(part.moved, hand):
-                yield _ball(box, "ghost") if part.name == "balls" else Region("ghost", (corners(box),))
-            if part.name == "balls":
-                ((left, right, low, high),) = _rectangles(part.boxes, hand)
-                middle, over = (low + high) / 2, 0.02 * length
-                yield Stroke("centre", ((left - over, middle), (right + over, middle)))
-        for overlap in section.overlaps:
-            for box in _rectangles(overlap.boxes, hand):
-                yield Region("overlap", (corners(box),), f"{overlap.first}/{overlap.second}")
-
-
-def _part(section: ClutchSection, part: DrawnPart, hand: int) -> Iterator[Shape]:
-    boxes = _rectangles(part.boxes, hand)
-    if part.name == "balls":
-        yield _ball(boxes[0], "assumed" if part.assumed else "balls", part.name)
-    elif part.turns:
-        yield from _spring(part, boxes[0], "assumed" if part.assumed else "springs")
-    elif part.name == "pack":
-        yield from _pack(section, boxes[0], hand)
-    else:
-        outline, pockets = outlines(boxes), outlines(_rectangles(part.pockets, hand))
-        yield Region("hatch", (*outline, *(ring[::-1] for ring in pockets)), hatch=_HATCH[part.name])
-        yield Region("outline", outline, part.name)
-        yield from (Region("outline", (ring,)) for ring in pockets)
-
-
-def _ball(box: Rectangle, layer: str, part: str = "") -> Circle:
-    return Circle(layer, ((box[0] + box[1]) / 2, (box[2] + box[3]) / 2), (box[1] - box[0]) / 2, part)
-
-
-def _pack(section: ClutchSection, box: Rectangle, hand: int) -> Iterator[Shape]:
-    """Draw the discs, one a pair, the bypass pairs farthest from the spring, and what carries inner ones."""
-    left, right, low, high = box
-    step, (inner, outer) = (right - left) / section.pairs, (hand * radius * _MM for radius in section.faces)
-    drum = (corners((left, right, *((low, inner) if hand > 0 else (inner, high)))),)
-    yield Region("hatch", drum, hatch=_HATCH["pack"])
-    yield Region("outline", drum, "pack")
-    for number in range(section.pairs):
-        disc = left + number * step, left + (number + 1) * step, min(inner, outer), max(inner, outer)
-        yield Region("bypass" if number < section.bypass_pairs else "discs", (corners(disc),), "pack")
-
-
-def _spring(part: DrawnPart, box: Rectangle, layer: str) -> Iterator[Shape]:
-    """Draw a spring as the wire of its one coil, or as a zigzag: of discs, or of coils on a circle."""
-    left, right, low, high = box
-    wire, long = high - low, right - left
-    yield Region(layer, (corners(box),), part.name)
-    if part.single and wire < 0.4 * long:
-        count = min(round(part.turns) + 2, int(long / wire))
-        for number in range(count):
-            at = left + wire / 2 + (long - wire) * number / (count - 1)
-            yield Circle(layer, (at, (low + high) / 2), wire / 2)
-    else:
-        bends = 2 * min(round(part.turns), 20)
-        yield Stroke(layer, tuple((left + long * bend / bends, high if bend % 2 else low) for bend in range(bends + 1)))
-
-
-def _end_view(section: ClutchSection, middle: float, housing: float, point: float) -> Iterator[Shape]:
-    """Draw the view along the axis: housing, faces, hub, key, balls on their circle."""
-    inner, outer = (radius * _MM for radius in section.faces)
-    yield Circle("faces", (middle, 0.0), outer, hole=inner)
-    for radius in filter(None, (housing, section.hub * _MM, section.bore * _MM)):
-        yield Circle("outline", (middle, 0.0), radius)
-    far = housing + 4 * point
-    yield Stroke("centre", ((middle - far, 0.0), (middle + far, 0.0)))
-    yield Stroke("centre", ((middle, -far), (middle, far)))
-    if bore := 2 * section.bore * _MM:  # the key: 0.3 by 0.2 of the bore, about as ISO 773 has it
-        yield Region("assumed", (corners((middle - 0.15 * bore, middle + 0.15 * bore, 0.38 * bore, 0.58 * bore)),))
-    if balls := section.part("balls"):
-        ((left, right, low, high),) = _rectangles(balls.boxes)
-        circle = (low + high) / 2
-        yield Circle("centre", (middle, 0.0), circle)
-        for number in range(balls.pieces):
-            angle = math.pi / 2 + 2 * math.pi * number / balls.pieces
-            at = middle + circle * math.cos(angle), circle * math.sin(angle)
-            yield Circle("assumed" if balls.assumed else "balls", at, (right - left) / 2, "ball")
-
-
-def _numbers(section: ClutchSection, length: float, y: float, point: float) -> Iterator[Shape]:
-    """Number the parts below the section, each with a line to it."""
-    places = []
-    for part in section.parts:
-        left, right, low, high = max(_rectangles(part.boxes, -1), key=lambda box: (box[1] - box[0]) * (box[3] - box[2]))
-        places.append(((left + right) / 2, (low + high) / 2, part.number))
-    step = max(length / len(places), 1.6 * TEXT * point)
-    for place, (x, middle, number) in enumerate(sorted(places)):
-        at = length / 2 + (place + 0.5 - len(places) / 2) * step
-        yield Stroke("dimensions", ((x, middle), (at, y + TEXT * point)))
-        yield Inscription(str(number), (at, y), "middle")
-
-
-def _part_list(section: ClutchSection) -> list[list[str]]:
-    rows = [[*map(translate, ("No.", "Part", "Count", "Size, mm", "Mass, kg", "Sizes"))]]
-    for part in section.parts:
-        row = part.row
-        inner = f"/{_mm(row.inner_diameter)}" if row.inner_diameter else ""
-        size = f"Ø {_mm(row.outer_diameter)}{inner} × {_mm(row.right - row.left)}"
-        if part.name == "balls":
-            size = f"Ø {_mm(row.right - row.left)}"
-        mass = display(row.mass, "kg") if row.mass else "–"
-        origin = translate("default *") if part.assumed else translate("given")
-        rows.append([str(part.number), translate(row.part, "value"), str(part.pieces), size, mass, origin])
-    return rows
-
-
 _COLUMNS = (0.0, 24.0, 180.0, 230.0, 370.0, 425.0)
 """Where the columns of the part list begin, points."""
 
 
+def section(section: ClutchSection) -> Sheet:
+    """Draw a clutch at rest, with what moves also as it is at f_max."""
+    title = translate("Clutch in section, at rest and at f_max")
+    return Sheet(title, [_drawing(section)], _caption(section), section.name)
+
+
+def _drawing(section: ClutchSection) -> draw.Drawing:
+    """Lay out both views, the dimensions and the part list."""
+    measures, parts = section.measures, section.parts
+    length, radius = measures["length"].high * _MM, measures["housing"].high * _MM
+    point = (length + 2 * radius) / (draw.PAGE - _LEFT - _BETWEEN - _RIGHT)
+    row, left = _ROW * point, -_LEFT * point
+    shapes = [*_along(section, length), *_from_the_end(section, length + _BETWEEN * point + radius, point)]
+    # above the section from right to left, so that no text crosses a line to what is below
+    starts: list[float] = []
+    lengths = [each for each in measures.values() if each.low >= 0 and each.key != "length"]
+    for each in sorted(lengths, key=lambda each: -each.low):
+        text = draw.text_width(_label(each)) * point
+        end = each.high * _MM + (0.0 if text < (each.high - each.low) * _MM else text + row)
+        level = next((level for level, start in enumerate(starts) if end < start), len(starts))
+        starts[level : level + 1] = [each.low * _MM - row]
+        shapes.append(_dimension(each, radius + (level + 1) * row))
+    for side, step, names in ((0.0, -1.15 * row, _INSIDE), (length, 1.15 * row, _OUTSIDE)):
+        diameters = sorted((measures[name] for name in names if name in measures), key=lambda each: each.high)
+        shapes += [_dimension(each, side + place * step) for place, each in enumerate(diameters, 1)]
+    shapes += _numbers(section, length, -radius - 1.8 * row, point)
+    shapes.append(_dimension(measures["length"], -radius - 3.1 * row, -1))
+    table, top = _part_list(section), -radius - 4.8 * row
+    for number, cells in enumerate(table):
+        places = ((left + (4 + column) * point, top - number * row) for column in _COLUMNS)
+        shapes += [draw.Inscription(cell, at) for cell, at in zip(cells, places, strict=True)]
+    frame = left, top - (len(table) - 0.4) * row, left + draw.PAGE * point, radius + (len(starts) + 1) * row
+    solids = [(str(part.number)[-1], box) for part in parts.values() for box in _rectangles(part.boxes)]
+    return draw.Drawing(shapes, frame, table, solids)
+
+
+def _dimension(measure: Measure, line: float, hand: int = 1) -> draw.DimensionLine:
+    low, high, at, upright = measure.low * _MM, measure.high * _MM, hand * measure.at * _MM, measure.low < 0
+    ends = ((at, low), (at, high)) if upright else ((low, at), (high, at))
+    return draw.DimensionLine(measure.key, _label(measure), *ends, line, upright, translate(measure.about))
+
+
 def _label(measure: Measure) -> str:
-    number = f"Ø {_mm(measure.value)}" if measure.kind == "diameter" else _mm(measure.value)
-    text = f"{measure.symbol} = {number}" if measure.symbol else number
-    return f"{text} *" if measure.assumed else text
+    number = f"{'Ø ' if measure.low < 0 else ''}{_mm(measure.high - measure.low)}{' *' if measure.assumed else ''}"
+    return f"{measure.symbol} = {number}" if measure.symbol else number
 
 
 def _mm(value: float) -> str:
     return display(value, "m")
 
 
+def _rectangles(boxes: Iterable[Box], hand: int = 1) -> list[draw.Rectangle]:
+    """Rectangles of what is above the axis, or below it, mm."""
+    both = ((box, (box.inner, box.outer) if hand > 0 else (-box.outer, -box.inner)) for box in boxes)
+    return [(box.left * _MM, box.right * _MM, low * _MM, high * _MM) for box, (low, high) in both]
+
+
+def _along(section: ClutchSection, length: float) -> Iterator[draw.Shape]:
+    """Draw the section along the axis, both sides of it."""
+    yield draw.Stroke("centre", ((-0.03 * length, 0.0), (1.03 * length, 0.0)))
+    for hand in (1, -1):
+        for part in section.parts.values():
+            yield from _part(section, part, hand)
+            for box in _rectangles(part.moved, hand):
+                yield _ball(box, "ghost") if part.name == "balls" else draw.Region("ghost", (draw.corners(box),))
+        for one, other, _ in section.overlaps:
+            boxes = (same for box in section.parts[one].boxes for same in box.common(section.parts[other].boxes))
+            for box in _rectangles(boxes, hand):
+                yield draw.Region("overlap", (draw.corners(box),), f"{one}/{other}")
+
+
+def _part(section: ClutchSection, part: DrawnPart, hand: int) -> Iterator[draw.Shape]:
+    boxes = _rectangles(part.boxes, hand)
+    left, right, low, high = boxes[0]
+    if part.name == "balls":
+        over, middle = 0.1 * (right - left), (low + high) / 2
+        yield _ball(boxes[0], "assumed" if part.assumed else "balls", part.name)
+        yield draw.Stroke("centre", ((left - over, middle), (right + over, middle)))
+    elif part.turns:
+        yield from _spring(part, boxes[0])
+    elif part.name == "pack":
+        # a disc for each pair, those of the bypass pairs farthest from the spring, and what carries the inner ones
+        face = hand * section.measures["inner_diameter"].high * _MM
+        yield from _cut(part, [(left, right, low, face) if hand > 0 else (left, right, face, high)], [])
+        low, high, step = (face, high, right - left) if hand > 0 else (low, face, right - left)
+        for number in range(part.pieces):
+            disc = left + number * step / part.pieces, left + (number + 1) * step / part.pieces, low, high
+            yield draw.Region("bypass" if number < section.bypass_pairs else "discs", (draw.corners(disc),), part.name)
+    else:
+        yield from _cut(part, boxes, _rectangles(part.pockets, hand))
+
+
+def _cut(part: DrawnPart, boxes: list[draw.Rectangle], pockets: list[draw.Rectangle]) -> Iterator[draw.Shape]:
+    outline, holes = draw.outlines(boxes), draw.outlines(pockets)
+    inside_out = tuple(hole[::-1] for hole in holes)
+    yield draw.Region("hatch", (*outline, *inside_out), hatch=_HATCH.get(part.name, 135.0))
+    yield draw.Region("outline", outline, part.name)
+    yield from (draw.Region("outline", (hole,)) for hole in holes)
+
+
+def _ball(box: draw.Rectangle, layer: str, part: str = "") -> draw.Circle:
+    return draw.Circle(layer, ((box[0] + box[1]) / 2, (box[2] + box[3]) / 2), (box[1] - box[0]) / 2, part)
+
+
+def _spring(part: DrawnPart, box: draw.Rectangle) -> Iterator[draw.Shape]:
+    """Draw a spring as the wire of its one coil, or as a zigzag: of discs, or of coils on a circle."""
+    (left, right, low, high), layer = box, "assumed" if part.assumed else "springs"
+    wire, long = high - low, right - left
+    yield draw.Region(layer, (draw.corners(box),), part.name)
+    if part.pieces == 1 and wire < 0.4 * long:
+        count = min(round(part.turns) + 2, int(long / wire))
+        places = (left + wire / 2 + (long - wire) * number / (count - 1) for number in range(count))
+        yield from (draw.Circle(layer, (at, (low + high) / 2), wire / 2) for at in places)
+    else:
+        bends = 2 * min(round(part.turns), 20)
+        points = ((left + long * bend / bends, high if bend % 2 else low) for bend in range(bends + 1))
+        yield draw.Stroke(layer, tuple(points))
+
+
+def _from_the_end(section: ClutchSection, middle: float, point: float) -> Iterator[draw.Shape]:
+    """Draw the view along the axis: housing, faces, hub, key, balls on their circle."""
+    radii = {name: measure.high * _MM for name, measure in section.measures.items() if measure.low < 0}
+    yield draw.Circle("faces", (middle, 0.0), radii["outer_diameter"], hole=radii["inner_diameter"])
+    yield from (
+        draw.Circle("outline", (middle, 0.0), radii[name]) for name in ("housing", "hub", "bore") if name in radii
+    )
+    far = radii["housing"] + 4 * point
+    yield draw.Stroke("centre", ((middle - far, 0.0), (middle + far, 0.0)))
+    yield draw.Stroke("centre", ((middle, -far), (middle, far)))
+    if bore := 2 * radii.get("bore", 0.0):  # the key: 0.3 by 0.2 of the bore, about as ISO 773 has it
+        yield draw.Region(
+            "assumed", (draw.corners((middle - 0.15 * bore, middle + 0.15 * bore, 0.38 * bore, 0.58 * bore)),)
+        )
+    if balls := section.parts.get("balls"):
+        circle, size = radii["ball_circle"], (balls.row.right - balls.row.left) / 2 * _MM
+        yield draw.Circle("centre", (middle, 0.0), circle)
+        for number in reversed(range(balls.pieces)):  # the last one is at the top
+            angle = math.pi * (0.5 + 2 * number / balls.pieces)
+            at = middle + circle * math.cos(angle), circle * math.sin(angle)
+            yield draw.Circle("assumed" if balls.assumed else "balls", at, size)
+        label = f"{balls.pieces} × Ø {_mm(2 * size / _MM)}{' *' if balls.assumed else ''}"
+        corner, wide = (middle + far, 0.93 * radii["housing"]), draw.text_width(label) * point
+        yield draw.Inscription(label, corner, "end")
+        yield draw.Stroke("dimensions", ((at[0], at[1] + size), (corner[0] - wide / 2, corner[1] - 3 * point)))
+
+
+def _numbers(section: ClutchSection, length: float, y: float, point: float) -> Iterator[draw.Shape]:
+    """Number the parts below the section, each with a line to it."""
+    places = []
+    for part in section.parts.values():
+        boxes = _rectangles(part.boxes, -1)
+        left, right, low, high = max(boxes, key=lambda box: (box[1] - box[0]) * (box[3] - box[2]))
+        places.append(((left + right) / 2, (low + high) / 2, part.number))
+    # in the middle of equal steps from end to end and on, so that none is on the lines of the whole length
+    within = max(1, min(len(places), int(length / (2 * draw.TEXT * point))))
+    for place, (x, middle, number) in enumerate(sorted(places), (within - len(places)) // 2):
+        at = (place + 0.5) * length / within
+        yield draw.Stroke("dimensions", ((x, middle), (at, y + draw.TEXT * point)))
+        yield draw.Inscription(str(number), (at, y), "middle")
+
+
+def _part_list(section: ClutchSection) -> list[list[str]]:
+    """Write heads, a row for each part, and the mass of all whose mass is known."""
+    rows = [[*map(translate, ("No.", "Part", "Count", "Size, mm", "Mass, kg", "Sizes"))]]
+    for part in section.parts.values():
+        row, long = part.row, _mm(part.row.right - part.row.left)
+        inner = f"/{_mm(row.inner_diameter)}" if row.inner_diameter else ""
+        size = f"Ø {long}" if part.name == "balls" else f"Ø {_mm(row.outer_diameter)}{inner} × {long}"
+        origin = translate("default *") if part.assumed else translate("given")
+        mass = display(row.mass, "kg") if row.mass else "–"
+        rows.append([str(part.number), translate(part.name, "value"), str(part.pieces), size, mass, origin])
+    return [*rows, ["", "", "", "", "Σ " + display(sum(part.row.mass for part in section.parts.values()), "kg"), ""]]
+
+
 def _caption(section: ClutchSection) -> str:
-    sentences = [
-        translate("To scale, dimensions in mm; without clearances, bearings, splines and bolts."),
-    ]
+    said = [translate("To scale, dimensions in mm; without clearances, bearings, splines and bolts.")]
     if section.travel:
         travel = stated("x_max", section.travel, "m")
-        sentences.append(told("Dash-dot-dot: at f_max, the sleeve off its stop by {travel}.", travel=travel))
-    elif section.part("balls"):
-        sentences.append(translate("By its law nothing of a direct clutch travels: at f_max it is as at rest."))
+        said.append(told("Dash-dot-dot: at f_max, the sleeve off its stop by {travel}.", travel=travel))
+    elif "balls" in section.parts:
+        said.append(translate("By its law nothing of a direct clutch travels: at f_max it is as at rest."))
     if section.bypass_pairs:
-        sentences.append(translate("Orange: discs of the pairs that bypass the control unit."))
+        said.append(translate("Orange: discs of the pairs that bypass the control unit."))
     if section.overlaps:
-        listed = "; ".join(
-            told(
-                "{first} and {second} by {missing:.4g mm}",
-                first=translate(each.first, "value"),
-                second=translate(each.second, "value"),
-                missing=each.missing,
-            )
-            for each in section.overlaps
+        pairs = ([*(translate(name, "value") for name in names), missing] for *names, missing in section.overlaps)
+        each = (
+            told("{first} and {second} by {missing:.4g mm}", first=one, second=other, missing=by)
+            for one, other, by in pairs
         )
-        sentences.append(told("Red: in each other's way are {listed}.", listed=listed))
+        said.append(told("Red: in each other's way are {listed}.", listed="; ".join(each)))
     if section.assumed:
-        filled = ", ".join(
-            f"{path} = {measured(value, keys()[path].unit or '')}" for path, value in section.assumed.items()
-        )
-        sentences.append(told("* and dashed: drawn at a default, for the spec does not give {keys}.", keys=filled))
-    if section.bore:
-        sentences.append(translate("The key is drawn at 0.3 by 0.2 of the bore."))
-    return " ".join(sentences)
+        blocks: dict[str, list[str]] = {}
+        for path, value in section.assumed.items():
+            block, _, name = path.rpartition(".")
+            blocks.setdefault(block, []).append(f"{name} = {measured(value, keys()[path].unit or '')}")
+        listed = "; ".join(f"[{block}] {', '.join(filled)}" for block, filled in blocks.items())
+        said.append(told("* and dashed: drawn at a default, for the spec does not give {keys}.", keys=listed))
+    if "bore" in section.measures:
+        said.append(translate("The key is drawn at 0.3 by 0.2 of the bore."))
+    return " ".join(said)
