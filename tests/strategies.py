@@ -5,6 +5,7 @@ from typing import Any
 from hypothesis import strategies as st
 
 from afmcalc.spec import make_spec
+from afmcalc.spec.models import CoilSprings
 
 FRICTION = st.floats(0.02, 1.0)
 GAIN = st.one_of(st.just(0.0), st.floats(1e-6, 5))
@@ -38,6 +39,30 @@ def direct_specs(
         data["friction_group"]["driving_pairs"] = draw(st.integers(1, pairs - 1))
     if variant != "conventional":
         data["control_unit"] = {"gain": draw(GAIN)}
+    return make_spec(data)
+
+
+@st.composite
+def spaced_specs(draw: st.DrawFn) -> Any:
+    """A spec of any variant with all that a layout needs, balls and springs included; its parts collide or not."""
+    data = draw(st.one_of(direct_specs(), indirect_specs())).model_dump(exclude_none=True)
+    radius = data["friction_group"].pop("mean_radius")
+    share = lambda low, high: draw(st.floats(low, high)) * radius  # noqa: E731
+    data["friction_group"] |= {"inner_radius": share(0.5, 0.95), "outer_radius": share(1.05, 1.4)}
+    data["envelope"] = {
+        "disc_thickness": share(0.01, 0.06), "plate_thickness": share(0.04, 0.15), "housing_wall": share(0.03, 0.1)
+    }  # fmt: skip
+    if data["variant"] != "indirect":
+        data["envelope"]["hub_diameter"] = share(0.2, 1.0)
+    if unit := data.get("control_unit"):
+        unit |= {"ball_circle_radius": share(0.3, 1.0), "ball_diameter": share(0.08, 0.5), "balls": 6}
+    for name in ("closing_spring", "control_spring") if data["variant"] == "indirect" else ("closing_spring",):
+        wire, wide, turns = share(0.03, 0.12), share(0.6, 2.4), draw(st.integers(2, 4))
+        coil = {"wire_diameter": wire, "coil_diameter": wide, "turns": turns}
+        coil["free_length"] = (turns + 2) * wire * draw(st.floats(1.2, 2.0)) + turns * 0.01 * wide**2 / wire
+        data[name]["coil"] = coil
+        if "stiffness" in data[name]:
+            data[name]["stiffness"] = CoilSprings(**coil).rate
     return make_spec(data)
 
 

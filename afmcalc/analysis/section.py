@@ -18,7 +18,7 @@ from .synthesize import synthesize
 from .wall import wall_of
 
 
-class Measure(NamedTuple):
+class MainDimension(NamedTuple):
     """A main dimension, m."""
 
     key: str
@@ -76,7 +76,7 @@ class ClutchSection(NamedTuple):
     bypass_pairs: int
     """Pairs that bypass the control unit; 0 of a clutch without one."""
     travel: float
-    measures: dict[str, Measure]
+    measures: dict[str, MainDimension]
     overlaps: list[tuple[PartName, PartName, float]]
     """Parts that are in each other's way, and by how much at most."""
     assumed: dict[str, float]
@@ -196,11 +196,11 @@ def _pieces(spec: Spec, name: PartName) -> tuple[int, float]:
     return int(counts.get(name, 1)), 4.0 if kind == "spring" else 0.0
 
 
-def _measures(sizes: Sizes, boxes: dict[PartName, list[Box]], assumed: dict[str, float]) -> Iterator[Measure]:
+def _measures(sizes: Sizes, boxes: dict[PartName, list[Box]], assumed: dict[str, float]) -> Iterator[MainDimension]:
     """Yield the main dimensions of what there is."""
 
-    def measure(key: str, symbol: str, about: str, low: Any, high: Any, at: float, *paths: str) -> Measure:
-        return Measure(key, symbol, about, float(low), float(high), at, _rests_on(assumed, *paths))
+    def measure(key: str, symbol: str, about: str, low: Any, high: Any, at: float, *paths: str) -> MainDimension:
+        return MainDimension(key, symbol, about, float(low), float(high), at, _rests_on(assumed, *paths))
 
     (web, around), pack, inner, outer = boxes["housing"], boxes["pack"][0], sizes.inner_radius, sizes.outer_radius
     faces, hub, bore, end = "friction_group", sizes.hub_radius, sizes.bore_radius, around.right
@@ -217,9 +217,9 @@ def _measures(sizes: Sizes, boxes: dict[PartName, list[Box]], assumed: dict[str,
         yield measure("face_gap", "s", about, middle - half, middle + half, box.outer, f"{unit}.face_gap")
         about = term("ball circle")
         yield measure("ball_circle", "2r", about, -sizes.circle, sizes.circle, middle, f"{unit}.ball_circle_radius")
-    if sizes.travel:
-        sleeve, about = max(boxes["thrust sleeve"], key=lambda box: box.outer), term("travel of the sleeve at f_max")
-        yield measure("travel", "x_max", about, sleeve.right, sleeve.right + sizes.travel, sleeve.outer)
+    for box in sorted(boxes.get("thrust sleeve", []), key=lambda box: box.outer)[-1:] if sizes.travel else ():
+        about = term("travel of the sleeve at f_max")
+        yield measure("travel", "x_max", about, box.right, box.right + sizes.travel, box.outer)
     yield measure("inner_diameter", "2r_i", term("inside of the friction faces"), -inner, inner, pack.left, faces)
     yield measure("outer_diameter", "2r_o", term("outside of the friction faces"), -outer, outer, pack.right, faces)
     about = term("outer diameter of the housing")

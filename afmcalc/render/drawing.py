@@ -266,7 +266,8 @@ def _svg(shape: Simple) -> str:
 
 def _text(text: Inscription) -> str:
     at, lowered, spans = _path([text.at]), False, ""
-    for piece, low in split(printable(text.text), text.ours):
+    shown = printable(text.text)
+    for piece, low in split(shown) if text.ours else [(shown, False)]:
         drop = "" if low == lowered else ' dy=".18em"' if low else ' dy="-.126em"'
         size, lowered = ' font-size="70%"' if low else "", low
         spans += f"<tspan{drop}{size}>{escape(piece)}</tspan>"

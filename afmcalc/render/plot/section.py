@@ -3,8 +3,9 @@
 import math
 from collections.abc import Iterable, Iterator
 
-from ...analysis.section import Box, ClutchSection, DrawnPart, Measure
-from ...messages import told, translate
+from ...analysis.section import Box, ClutchSection, DrawnPart, MainDimension
+from ...findings import finding
+from ...messages import term, told, translate
 from ...spec.keys import keys
 from .. import drawing as draw
 from ..units import display, measured
@@ -17,7 +18,7 @@ _INSIDE, _OUTSIDE = ("bore", "hub", "ball_circle"), ("inner_diameter", "outer_di
 """Diameters with their dimensions to the left and to the right of the section."""
 _LEFT, _BETWEEN, _RIGHT, _ROW = 58.0, 62.0, 6.0, 13.0
 """Points beside and between the views, and for a row of dimensions or of the part list."""
-_COLUMNS = (0.0, 24.0, 180.0, 230.0, 370.0, 425.0)
+_COLUMNS = (0.0, 24.0, 165.0, 207.0, 350.0, 405.0)
 """Where the columns of the part list begin, points."""
 
 
@@ -51,19 +52,19 @@ def _drawing(section: ClutchSection) -> draw.Drawing:
     table, top = _part_list(section), -radius - 4.8 * row
     for number, cells in enumerate(table):
         places = ((left + (4 + column) * point, top - number * row) for column in _COLUMNS)
-        shapes += [draw.Inscription(cell, at) for cell, at in zip(cells, places, strict=True)]
+        shapes += [draw.Inscription(cell, at) for cell, at in zip(cells, places, strict=True) if cell]
     frame = left, top - (len(table) - 0.4) * row, left + draw.PAGE * point, radius + (len(starts) + 1) * row
     solids = [(str(part.number)[-1], box) for part in parts.values() for box in _rectangles(part.boxes)]
     return draw.Drawing(shapes, frame, table, solids)
 
 
-def _dimension(measure: Measure, line: float, hand: int = 1) -> draw.DimensionLine:
+def _dimension(measure: MainDimension, line: float, hand: int = 1) -> draw.DimensionLine:
     low, high, at, upright = measure.low * _MM, measure.high * _MM, hand * measure.at * _MM, measure.low < 0
     ends = ((at, low), (at, high)) if upright else ((low, at), (high, at))
     return draw.DimensionLine(measure.key, _label(measure), *ends, line, upright, translate(measure.about))
 
 
-def _label(measure: Measure) -> str:
+def _label(measure: MainDimension) -> str:
     number = f"{'Ø ' if measure.low < 0 else ''}{_mm(measure.high - measure.low)}{' *' if measure.assumed else ''}"
     return f"{measure.symbol} = {number}" if measure.symbol else number
 
@@ -204,13 +205,9 @@ def _caption(section: ClutchSection) -> str:
         said.append(translate("By its law nothing of a direct clutch travels: at f_max it is as at rest."))
     if section.bypass_pairs:
         said.append(translate("Orange: discs of the pairs that bypass the control unit."))
-    if section.overlaps:
-        pairs = ([*(translate(name, "value") for name in names), missing] for *names, missing in section.overlaps)
-        each = (
-            told("{first} and {second} by {missing:.4g mm}", first=one, second=other, missing=by)
-            for one, other, by in pairs
-        )
-        said.append(told("Red: in each other's way are {listed}.", listed="; ".join(each)))
+    for one, other, missing in section.overlaps:
+        overlap = finding("parts-collide", "error", value=missing, first=term(one), second=term(other))
+        said.append(told("Red: {overlap}.", overlap=overlap.message))  # in the words of check
     if section.assumed:
         blocks: dict[str, list[str]] = {}
         for path, value in section.assumed.items():
