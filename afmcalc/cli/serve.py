@@ -75,9 +75,16 @@ def serve(
 
 def _listen(port: int) -> socket.socket:
     """Open a port of this machine, for this machine alone."""
+    # said to be TCP: only then asyncio sends an answer without waiting 40 ms for more
+    listening = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)
+    if os.name == "posix":  # elsewhere it would let two programs share the port
+        listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
-        return socket.create_server(("127.0.0.1", port))
+        listening.bind(("127.0.0.1", port))
+        listening.listen()
+        return listening
     except OSError as error:
+        listening.close()
         raise FileError("--port {port}: cannot be served: {why}", port=port, why=reason(error)) from None
 
 

@@ -265,15 +265,20 @@ def _svg(shape: Simple) -> str:
 
 
 def _text(text: Inscription) -> str:
-    at, lowered, spans = _path([text.at]), False, ""
-    shown = printable(text.text)
-    for piece, low in split(shown) if text.ours else [(shown, False)]:
-        drop = "" if low == lowered else ' dy=".18em"' if low else ' dy="-.126em"'
-        size, lowered = ' font-size="70%"' if low else "", low
-        spans += f"<tspan{drop}{size}>{escape(piece)}</tspan>"
+    at, shown = _path([text.at]), spans(text.text, text.ours)
     turn = f' transform="rotate(-90 {at})"' if text.upright else ""
     x, y = at.split()
-    return f'<text x="{x}" y="{y}" stroke="none" text-anchor="{text.anchor}"{turn}>{spans}</text>'
+    return f'<text x="{x}" y="{y}" stroke="none" text-anchor="{text.anchor}"{turn}>{shown}</text>'
+
+
+def spans(text: str, ours: bool = True) -> str:
+    """Set a text of SVG with its subscripts; what is quoted is not ``ours``."""
+    shown, lowered, pieces = printable(text), False, ""
+    for piece, low in split(shown) if ours else [(shown, False)]:
+        drop = "" if low == lowered else ' dy=".18em"' if low else ' dy="-.126em"'
+        size, lowered = ' font-size="70%"' if low else "", low
+        pieces += f"<tspan{drop}{size}>{escape(piece)}</tspan>"
+    return pieces
 
 
 def _pattern(angle: float, point: float) -> str:

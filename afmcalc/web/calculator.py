@@ -58,7 +58,9 @@ def _answered(job: Mapping[str, Any], out: TextIO) -> dict[str, Any]:
     pinned = pinned and (Base.of(pinned[0]), pinned[1])
     with _Progress(out):
         try:
-            return answer(Ask(job["name"], base, fields, pinned, job["options"], job["first"]))
+            began = time.perf_counter()
+            asked = answer(Ask(job["name"], base, fields, pinned, job["options"], job["first"]))
+            return asked | {"ms": round(1e3 * (time.perf_counter() - began), 1)}
         except Exception as error:
             return {"errors": {}, "problems": unexpected(error)[1]}
 

@@ -19,8 +19,8 @@ from ..messages import localized, told, translate
 from ..render.document import Column, document
 from ..render.drawing import Drawing
 from ..render.layout import cells, ranked
-from ..render.plot import sheet_of
-from ..render.plot.chart import Sheet
+from ..render.plot import quick, sheet_of
+from ..render.plot.chart import Chart, Sheet
 from ..render.plot.figure import inline_svg
 from ..render.report.markup import drawing
 from ..render.report.page import template, verdict
@@ -142,4 +142,10 @@ def _figure(name: str, answers: Answers, number: int) -> str:
 def drawn(sheet: Sheet, number: int) -> tuple[Markup, str]:
     """Draw a sheet as part of a page, with its caption; ``number`` is that of no other drawing of the page."""
     (panel, *_) = sheet.panels
-    return drawing(panel.svg() if isinstance(panel, Drawing) else inline_svg(sheet), sheet.title, number), sheet.caption
+    if isinstance(panel, Drawing):
+        svg = panel.svg()
+    elif isinstance(panel, Chart) and quick.is_plain(panel) and len(sheet.panels) == 1:
+        svg = quick.svg_of(panel)
+    else:
+        svg = inline_svg(sheet)
+    return drawing(svg, sheet.title, number), sheet.caption
