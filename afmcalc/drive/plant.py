@@ -15,8 +15,6 @@ from functools import cached_property
 from itertools import product
 from typing import Any, Literal, NamedTuple
 
-import numpy as np
-
 from ..equations import drive, sleeve
 from .pack import Pack
 from .train import Train
@@ -446,23 +444,6 @@ class Plant:
             wrong.append(-outwards if mode.balls == "out" else outwards)
         worst = max(wrong) / self.sliding
         return worst if worst > _ROUNDING else 0.0
-
-    def swings_out(self, y: Sequence[float], mode: Mode, peak: float) -> bool:
-        """Whether balls that swing on a standing tool have too little energy for slip and for a new peak torque.
-
-        This is right while the motor is off or has a constant torque.
-        """
-        train, pack = self.train, self.pack
-        if not pack.travels:
-            return False
-        rest = train.engine.torque if mode.powered else 0.0
-        most = np.float64(min(peak, self.holds))
-        with np.errstate(all="ignore"):
-            turn = pack.turn_under(np.float64(self.breakaway))
-            slipping = pack.work(pack.travel(turn)) - rest * turn
-            higher = (most - rest) ** 2 / (2 * train.stiffness)
-            energy = self.stored(y) - rest * (y[TWIST] + y[TURN]) + rest * rest / (2 * train.stiffness)
-            return bool(rest < most and energy <= slipping and energy <= higher)
 
 
 def _sign(value: float) -> int:
