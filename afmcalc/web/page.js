@@ -68,7 +68,7 @@ function mark(errors, inside) {
     place.hidden = false;
     for (let one = field.closest("details"); one; one = one.parentElement.closest("details")) one.open = true;
     return false;
-  }).map(([key, text]) => `${key}: ${text}`);
+  }).map(([key, text]) => (text.includes(key) ? text : `${key}: ${text}`));
 }
 
 // The newest state waits while one is calculated: an answer comes while a slider moves, and at most one is in hand.
