@@ -6,7 +6,7 @@ import shutil
 import sys
 from typing import TYPE_CHECKING
 
-from ...messages import fitting, is_unicode, told, translate
+from ...messages import fitting, is_unicode, translate
 from ...result import Output
 from ..document import document
 from ..layout import (
@@ -43,7 +43,9 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
 
     ``curve`` draws under a sweep, by default a small curve of characters.
     """
-    curve = curve or _small_curve
+    from ..plot.text import small_curve
+
+    curve = curve or small_curve
     laid_out = document(output.result)
     tables, steps = blocks(laid_out), step_lines(laid_out)
     if not is_unicode(sys.stdout):
@@ -53,16 +55,6 @@ def render(output: Output, terminal: bool, curve: SweepDrawing | None = None) ->
     else:
         text = _plain(output, tables, steps, curve)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
-
-
-def _small_curve(block: TextTable, unicode: bool, width: int | None) -> list[str]:
-    """Draw the first answer of a sweep along one axis; nothing of fewer points than three, or for any other table."""
-    if block.source is None or block.source.axes != 1 or len(block.rows) < 3:
-        return []
-    from ..plot.text import curve
-
-    x, y = block.source.columns[:2]
-    return ["", *curve(x.values, y.values, told("{y} against {x}", y=y.symbol, x=x.symbol), unicode=unicode)]
 
 
 def _spelled(block: TextTable) -> TextTable:

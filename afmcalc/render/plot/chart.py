@@ -64,7 +64,8 @@ class Guide(NamedTuple):
 class Dimension(NamedTuple):
     """A dimension line beside the axes, between two values of y."""
 
-    label: str
+    label: Sequence[str]
+    """Its lines."""
     low: float
     high: float
     style: int

@@ -3,17 +3,16 @@
 import io
 import os
 import sys
-import textwrap
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any, Literal
 
-from ...messages import named, spoken
+from ...messages import named
 from ..drawing import Drawing
 from ..symbols import literal, mathtext
 from .chart import Chart, Sheet
-from .paint import PARAMETERS, WIDTH, paint
+from .paint import PARAMETERS, SIZE, WIDTH, Measure, Notes, beside, folded, paint
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -22,17 +21,14 @@ ENDINGS = ("png", "svg", "pdf")
 Ending = Literal["png", "svg", "pdf"]
 
 _CREATOR = "afmcalc plot"
-_HIGH, _LOW = 3.3, 2.5
-"""Inches that axes with their labels have in a picture of its own, and in a page among others."""
-_LINE = 0.165
-"""Inches between lines of the caption."""
-_TITLE_LINE = 0.19
-"""Inches between lines of the title."""
-_TITLE: dict[str, Any] = {"fontsize": 11, "fontweight": "bold"}
-_MOST = 120
-"""Letters of a line of the title that is all thin ones."""
-_LEFT = 0.015
-"""Share of the width that title and caption are set in by."""
+_HIGH, _LOW = 2.6, 2.05
+"""Inches that axes have in a picture of its own, and in a page among others."""
+_EDGE, _GAP = 5.0, 7.0
+"""Points left free round all that is drawn, and between what stands one below the other."""
+_LINE = 1.2
+"""Height of a line of text over its size."""
+_TITLE, _HEAD = 11.0, 9.5
+"""Sizes of the title, and of those of panels."""
 
 
 def save(sheet: Sheet, ending: Ending, dpi: int = 150) -> bytes:
@@ -65,7 +61,7 @@ def inline_svg(sheet: Sheet) -> str:
         figure.patch.set_alpha(0)
         for axes in figure.axes:
             axes.patch.set_alpha(0)
-        return svg_of(figure, [_height(panel, _LOW) for panel in sheet.panels])
+        return svg_of(figure)
 
 
 @contextmanager
@@ -77,8 +73,8 @@ def _settings(more: dict[str, Any] | None = None) -> Iterator[None]:
         key: value for key, value in mpl.rcParamsDefault.items() if not key.startswith(("backend", "toolbar"))
     }
     with warnings.catch_warnings(), mpl.rc_context(defaults | PARAMETERS | (more or {})):
-        # what the font lacks is drawn as a box, what has no room (a torque of 1e-18 N·m) beside it: that is seen
-        warnings.filterwarnings("ignore", "Glyph|constrained_layout not applied")
+        # what the font lacks is drawn as a box: that is seen
+        warnings.filterwarnings("ignore", "Glyph")
         yield
 
 
@@ -95,74 +91,112 @@ def _matplotlib() -> Any:
 
 
 def _figure(sheet: Sheet, axes_height: float = _HIGH) -> "Figure":
+    """Lay a sheet out: axes of one width and a given height; what stands round them is measured and has its room."""
     from matplotlib.figure import Figure
-    from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-    heights = [_height(panel, axes_height) for panel in sheet.panels]
-    drawn = isinstance(sheet.panels[0], Drawing)
-    letters = 118 if spoken() == "en" and not drawn else 100  # Cyrillic letters are wider, and so are keys
-    caption = [line for part in sheet.caption.splitlines() for line in textwrap.wrap(part, letters)]
-    title = _title(sheet) if sheet.title else []
-    more = _TITLE_LINE * (len(title) - 1)
-    above = 0.34 + more if title else 0.02
-    below = len(caption) * _LINE + (0.14 if caption else 0.02)
-    total = sum(heights) + below + above
-    figure = Figure(figsize=(WIDTH, total))
-    if title:  # else it is for a page, and laid out there
-        rect = 0.005, below / total, 0.99, 1 - (below + above) / total
-        figure.set_layout_engine(ConstrainedLayoutEngine(rect=rect, h_pad=0.1, w_pad=0.06))
-    # one grid, so that the axes of all panels stand one below the other
-    grid = figure.subplots(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0]
-    for axes, panel in zip(grid, sheet.panels, strict=True):
-        if isinstance(panel, Chart):
-            paint(axes, panel)
-            _legend(axes, _columns(panel.labels))
-        else:
-            panel.paint(axes)
-    figure.text(_LEFT, 1 - (0.2 + more / 2) / total, "\n".join(title), va="center", **_TITLE)
-    figure.text(_LEFT, 0.08 / total, "\n".join(map(mathtext, caption)), fontsize=8, va="bottom", linespacing=1.35)
+    from .inline import measuring
+
+    figure = Figure(figsize=(WIDTH, 1), dpi=72)
+    measure, wide = measuring(figure), 72 * WIDTH
+    rooms = []
+    for panel in sheet.panels:
+        # as wide as the figure at first: what is placed by a share of the width then stands no further out
+        chart = isinstance(panel, Chart)
+        axes = figure.add_axes((0, 0, 1, axes_height if chart else panel.height))
+        rooms.append(_chart(axes, panel, measure) if chart else _drawing(axes, panel))
+    left, right = (_EDGE + max(each) for each in list(zip(*rooms, strict=True))[:2])
+    highs = [axes.bbox.height for axes in figure.axes]
+    # from the top down: how the upper end of what stands there is set, and where it is, in points
+    tops: list[tuple[Callable[[float], None], float]] = []
+    ends: list[float] = []
+
+    def write(texts: Iterable[str], end: float, **font: Any) -> float:
+        lines = [line for text in texts for line in folded(text, wide - 2 * _EDGE, measure, **font)]
+        written = figure.text(_EDGE / wide, 0, "\n".join(lines), va="top", **font)
+        tops.append((written.set_y, end))
+        return end + written.get_window_extent().height
+
+    title = " – ".join(filter(None, (mathtext(sheet.title), literal(named(sheet.name)))))
+    end = write([title], _EDGE, size=_TITLE, weight="bold")
+    for axes, high, panel, (_, _, below) in zip(figure.axes, highs, sheet.panels, rooms, strict=True):
+        axes.set_position((left / wide, 0, 1 - (left + right) / wide, high / 72))
+        end += _GAP * (2 if ends else end > _EDGE) + _above(axes, panel, measure) + high
+        ends.append(end)
+        end += below
+        if isinstance(panel, Chart) and panel.labels:
+            set_top, legend_height = _legend(axes, wide - left - _EDGE, measure)
+            tops.append((set_top, end + _GAP))
+            end += _GAP + legend_height
+    if sheet.caption:
+        end = write(map(mathtext, sheet.caption.splitlines()), end + _GAP)
+    total = end + _EDGE
+    figure.set_size_inches(WIDTH, total / 72)
+    for set_top, top in tops:
+        set_top(1 - top / total)
+    for axes, high, end in zip(figure.axes, highs, ends, strict=True):
+        axes.set_position((left / wide, 1 - end / total, 1 - (left + right) / wide, high / total))
     return figure
 
 
-def _title(sheet: Sheet) -> list[str]:
-    """Title and name of a sheet in a line, or each folded to the width that there is: nothing of them is cut."""
-    from matplotlib.figure import Figure
-
-    measured = Figure(figsize=(WIDTH, 1)).text(_LEFT, 0, "", **_TITLE)
-
-    def fits(line: str) -> bool:
-        measured.set_text(line)
-        return bool(measured.get_window_extent().width <= (1 - 2 * _LEFT) * WIDTH * measured.figure.dpi)
-
-    def folded(text: str, typeset: Callable[[str], str]) -> list[str]:
-        every = ([*map(typeset, textwrap.wrap(text, columns))] for columns in range(_MOST, 0, -1))
-        return next((lines for lines in every if all(map(fits, lines))), [])
-
-    name = named(sheet.name)
-    whole = " – ".join(filter(None, (mathtext(sheet.title), literal(name))))
-    return [whole] if fits(whole) else folded(sheet.title, mathtext) + folded(name, literal)
+def _drawing(axes: Any, panel: Any) -> tuple[float, float, float]:
+    """Draw a panel that is no chart; return the points that its texts reach out left, right and below."""
+    panel.paint(axes)
+    wide, high = axes.figure.bbox.width, axes.get_position().height
+    left = right = 0.0
+    for _ in range(_TRIES):  # what stands beside it moves with it, but keeps its size
+        around = axes.get_tightbbox()
+        beyond = max(0.0, -around.x0), max(0.0, around.x1 - wide)
+        if not any(beyond):
+            break
+        left, right = left + beyond[0], right + beyond[1]
+        axes.set_position((left / wide, 0, 1 - (left + right) / wide, high))
+    return left, right, max(0.0, -around.y0)
 
 
-def _height(panel: Any, axes: float) -> float:
-    """Inches: what the axes have, and a line of legend for each entry or two."""
-    if not isinstance(panel, Chart):
-        return panel.height
-    rows = -(-len(panel.labels) // _columns(panel.labels))
-    return axes + 0.19 * rows + (0.2 if panel.title else 0)
+_TRIES = 4
 
 
-def _columns(labels: list[str]) -> int:
-    longest = max(map(len, labels), default=0)
-    return 1 if longest > 36 or len(labels) < 3 else 2 if longest > 22 or len(labels) < 6 else 3
-
-
-def _legend(axes: Any, columns: int) -> None:
-    """Below the axes, where it covers nothing."""
+def _chart(axes: Any, chart: Chart, measure: Measure) -> tuple[float, float, float]:
+    """Draw a chart with its axes' labels; return the points that it takes left, right and below."""
     from matplotlib.transforms import ScaledTranslation
 
+    paint(axes, chart)
+    wide, high = axes.bbox.size
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_label_coords(0, 0)  # else matplotlib measures all ticks again for each
+    across, up = (axis.get_tightbbox() for axis in (axes.xaxis, axes.yaxis))
+    left, right, below = _GAP / 2 - up.x0, max(across.x1 - wide, beside(chart, measure)), _GAP / 2 - across.y0
+    for axis, label, width, at, moved in (
+        (axes.xaxis, chart.x.label, wide - left - right, (0.5, 0), (0, -below)),
+        (axes.yaxis, chart.y.label, high, (0, 0.5), (-left, 0)),
+    ):
+        move = ScaledTranslation(moved[0] / 72, moved[1] / 72, axes.figure.dpi_scale_trans)
+        axis.set_label_coords(*at, axes.transAxes + move)
+        axis.set_label_text("\n".join(folded(mathtext(label), width, measure)))
+    tall, flat = (_LINE * SIZE * (1 + axis.label.get_text().count("\n")) for axis in (axes.yaxis, axes.xaxis))
+    return left + tall, right, below + flat
+
+
+def _above(axes: Any, panel: Any, measure: Measure) -> float:
+    """Set what stands above axes whose width is known, or beside a place in them; return the points it takes above."""
+    if not isinstance(panel, Chart):
+        return max(0.0, axes.get_tightbbox().y1 - axes.bbox.y1)
+    above = max(SIZE / 2, Notes(axes, panel, measure).above)
+    if not panel.title:
+        return above
+    title = folded(mathtext(panel.title), axes.bbox.width, measure, size=_HEAD, weight="bold")
+    axes.set_title("\n".join(title), y=1, pad=above + 2)
+    return above + 2 + len(title) * _LINE * _HEAD
+
+
+def _legend(axes: Any, width: float, measure: Measure) -> tuple[Callable[[float], None], float]:
+    """Set a legend in as many columns as there is room for; return how to set its top, and its height."""
     handles, labels = axes.get_legend_handles_labels()
-    below = axes.transAxes + ScaledTranslation(0, -37 / 72, axes.figure.dpi_scale_trans)
-    axes.legend(
-        handles, labels, loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=below, ncols=columns, fontsize=8.5,
-        borderaxespad=0, borderpad=0,
+    sample, between = 4.4 * SIZE, 2 * SIZE  # of the line with the gap after it, and of the gap between columns
+    columns = int((width + between) // (max(map(measure, labels)) + sample + between))
+    legend = axes.figure.legend(
+        handles, ["\n".join(folded(label, width - sample, measure)) for label in labels], loc="upper left",
+        bbox_to_anchor=(0, 0), ncols=min(max(1, columns), 3), borderaxespad=0, borderpad=0,
     )  # fmt: skip
+    left = axes.get_position().x0
+    return lambda top: legend.set_bbox_to_anchor((left, top)), float(legend.get_window_extent().height)

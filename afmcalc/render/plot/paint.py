@@ -1,7 +1,8 @@
 """How plots look, and from a chart to matplotlib's axes."""
 
 import math
-import textwrap
+import re
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from ...messages import localized, spoken
@@ -25,13 +26,18 @@ DASHES: tuple[Any, ...] = (
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 GUIDES: tuple[Any, ...] = ((0, (1, 2)), (0, (4, 3)), (0, (8, 3, 1, 3)), "solid")
 
-WIDTH = 7.0
-"""Inches: the text width of an A4 page."""
+WIDTH = 6.9
+"""Inches: a little less than the text of an A4 page is wide, where a figure is as wide as the text."""
+SIZE = 9.0
+"""Points: the smallest size of a text."""
+
+Measure = Callable[..., float]
+"""``measure(text, size=SIZE, weight="normal")`` → its width in points, as typeset."""
 
 PARAMETERS = {
     "font.family": "sans-serif",
     "font.sans-serif": ["DejaVu Sans"],
-    "font.size": 9.0,
+    "font.size": SIZE,
     "text.color": INK,
     "axes.edgecolor": INK,
     "axes.labelcolor": INK,
@@ -52,8 +58,10 @@ PARAMETERS = {
     "lines.linewidth": 1.7,
     "lines.markersize": 5.5,
     "legend.frameon": False,
+    "legend.fontsize": SIZE,
     "legend.handlelength": 3.6,
     "hatch.linewidth": 0.5,
+    "text.hinting": "no_hinting",  # a text is as wide at any size of the picture
     "svg.hashsalt": "afmcalc",
     "pdf.compression": 9,
     "savefig.dpi": 150,
@@ -63,10 +71,8 @@ PARAMETERS = {
 
 
 def paint(axes: Any, chart: Chart) -> None:
-    """Draw a chart into matplotlib's axes."""
+    """Draw a chart into matplotlib's axes, all but what has a place beside something else."""
     x, y = chart.x, chart.y
-    if chart.title:
-        axes.set_title(mathtext(chart.title))
     for area in chart.areas:
         edges = x.shown(area.x), y.shown(area.low), y.shown(area.high)
         axes.fill_between(*edges, color=SHADE, alpha=0.28, linewidth=0, label=mathtext(area.label))
@@ -78,18 +84,27 @@ def paint(axes: Any, chart: Chart) -> None:
         how = {"color": INK, "linewidth": 1.0, "linestyle": style, "zorder": 1.5, "clip_on": False}
         draw(*axis.shown([guide.value]), label=mathtext(guide.label), **how)
     _limits(axes, chart)
-    _tags(axes, chart)
-    _names(axes, chart)
-    _guide_tags(axes, chart)
-    for number, span in enumerate(chart.spans):
-        _span(axes, 1.035 + 0.085 * number, span, *y.shown((span.low, span.high)))
-    axes.set_xlabel(mathtext(x.label))
-    axes.set_ylabel("\n".join(map(mathtext, textwrap.wrap(y.label, _HIGHEST))))
     _ticks(axes)
 
 
-_HIGHEST = 40
-"""Largest number of letters in a line of the y-axis label; so many are as long as the axis."""
+_WORDS = re.compile(" ?[^ ]+| ")
+_SIGNS = re.compile(r"\$[^$]*\$|\\?.", re.DOTALL)
+"""Of a typeset text; a subscript is one sign."""
+
+
+def folded(text: str, width: float, measure: Measure, parts: re.Pattern[str] = _WORDS, **font: Any) -> list[str]:
+    """Fold a typeset text to a width; a word that is wider by itself is parted, nothing is cut."""
+    if measure(text, **font) <= width:
+        return [text]
+    lines: list[str] = []
+    for part in parts.findall(text):
+        if lines and measure(lines[-1] + part, **font) <= width:
+            lines[-1] += part
+        elif parts is _WORDS and measure(part, **font) > width:
+            lines += folded(part, width, measure, _SIGNS, **font)
+        else:
+            lines.append(part.lstrip() if lines else part)
+    return lines
 
 
 def _ticks(axes: Any) -> None:
@@ -142,74 +157,97 @@ def _limits(axes: Any, chart: Chart) -> None:
         axes.set_ylim(*chart.y.shown(chart.bounds[2:]))
 
 
-_AXES_WIDTH, _AXES_HEIGHT = 440, 190
-"""Approximate size of the axes, points; texts are placed by it before the real size is known."""
-_NAME = (19, 10)
-"""Width and height that the name of a point takes, points."""
+Place = tuple[float, float]
 
 
-def _note(axes: Any, text: str, at: tuple[float, float], offset: tuple[float, float], **how: Any) -> None:
-    """Set a text some points beside a place."""
-    axes.annotate(text, at, xytext=offset, textcoords="offset points", color=INK, annotation_clip=False, **how)
+class Notes:
+    """Texts set beside places of axes whose size is known: inside the figure, none over another."""
+
+    def __init__(self, axes: Any, chart: Chart, measure: Measure) -> None:
+        """Set the names of curves, guides, spans and points; the last as far as there is room."""
+        self.axes, self.chart, self.measure = axes, chart, measure
+        self.taken: list[tuple[float, float, float, float]] = []
+        if power := axes.yaxis.offsetText.get_text():  # that the numbers on the axis are to be multiplied by
+            left, top = axes.bbox.x0, axes.bbox.y1
+            self.taken.append((left, top, left + measure(power), top + SIZE + 5))
+        for number, span in enumerate(chart.spans):
+            self._span(number, span)
+        self._tags()
+        self._guide_tags()
+        self._names()
+
+    @property
+    def above(self) -> float:
+        """Points that they reach above the axes."""
+        return max(0.0, *(top - self.axes.bbox.y1 for *_, top in self.taken)) if self.taken else 0.0
+
+    def _put(self, text: str, at: Place, offsets: Iterable[Place], lowest: float = -5.0, **how: Any) -> None:
+        """Set a text, its left end by the first offset from a place at which it covers no other, or not at all."""
+        transform = how.setdefault("xycoords", self.axes.transData)
+        x, y = transform.transform(at)
+        lines = text.splitlines()
+        wide, half = max(map(self.measure, lines)), SIZE * (1.2 * len(lines) + 0.1) / 2
+        for right, up in offsets:
+            left = max(1.0, min(x + right, self.axes.figure.bbox.x1 - 1 - wide))
+            box = left, y + up - half, left + wide, y + up + half
+            free = y + up - half > self.axes.bbox.y0 + lowest
+            if free and all(box[2] < a or c < box[0] or box[3] < b or d < box[1] for a, b, c, d in self.taken):
+                self.taken.append(box)
+                how |= {"xytext": (left - x, up), "textcoords": "offset points", "va": "center"}
+                self.axes.annotate(text, at, color=INK, annotation_clip=False, **how)
+                return
+
+    def _tags(self) -> None:
+        """Number the curves at their ends."""
+        for line in self.chart.lines:
+            ((x, y),) = zip(self.chart.x.shown(line.x[-1:]), self.chart.y.shown(line.y[-1:]), strict=True)
+            if line.tag and not math.isnan(x + y):
+                self._put(line.tag, (x, y), ((5, up) for up in _outwards(3)))
+
+    def _names(self) -> None:
+        """Name points: first filled points, then the ends of every line, then the points between."""
+        points: dict[str, tuple[bool, bool, float, float]] = {}  # one that stands out is drawn twice, and named once
+        for line in self.chart.lines:
+            named = zip(line.names, self.chart.x.shown(line.x), self.chart.y.shown(line.y), strict=False)
+            for place, (name, x, y) in enumerate(named):
+                points[name] = not line.filled, 0 < place < len(line.names) - 1, x, y
+        spots = [self.axes.transData.transform(point[2:]) for point in points.values()]
+        self.taken += [(x - 2, y - 2, x + 2, y + 2) for x, y in spots]
+        for name, (*_, x, y) in sorted(points.items(), key=lambda item: item[1][:2]):
+            self._put(name, (x, y), [(2, 8), (-2 - self.measure(name), -8)], 0.0, zorder=5)
+
+    def _guide_tags(self) -> None:
+        """Name upright guides above the axes, in as many rows as keep the names apart."""
+        for guide in sorted((guide for guide in self.chart.guides if guide.tag), key=lambda guide: guide.value):
+            (x,), tag = self.chart.x.shown([guide.value]), mathtext(guide.tag)
+            rows = ((-self.measure(tag) / 2, 8 + up) for up in _outwards(SIZE + 2) if up >= 0)
+            self._put(tag, (x, 1), rows, xycoords=self.axes.get_xaxis_transform())
+
+    def _span(self, number: int, span: Dimension) -> None:
+        """Draw a dimension line beside the axes, with thin lines to both ends of the curve; its text right of all."""
+        axes, colour, over = self.axes, COLOURS[span.style], self.axes.get_yaxis_transform()
+        low, high = self.chart.y.shown((span.low, span.high))
+        x = 1 + (_BESIDE + _APART * number) / axes.bbox.width
+        arrow = {"arrowstyle": "<|-|>", "color": colour, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 8}
+        axes.annotate("", (x, high), (x, low), xycoords=over, textcoords=over, arrowprops=arrow, annotation_clip=False)
+        hairline: dict[str, Any] = {"color": colour, "linewidth": 0.6, "linestyle": (0, (1, 2)), "zorder": 1.2}
+        for value in (low, high):
+            axes.plot([0, x + 4 / axes.bbox.width], [value, value], transform=over, clip_on=False, **hairline)
+        offsets = ((_BESIDE + _APART * len(self.chart.spans) - 4, up) for up in _outwards(2))
+        self._put("\n".join(map(mathtext, span.label)), (1, (low + high) / 2), offsets, xycoords=over)
 
 
-def _tags(axes: Any, chart: Chart) -> None:
-    """Number the curves at their ends, moved apart where they would cover each other."""
-    ends = [
-        (y, x, line.tag)
-        for line in chart.lines
-        for x, y in zip(chart.x.shown(line.x[-1:]), chart.y.shown(line.y[-1:]), strict=True)
-        if line.tag and not math.isnan(x + y)
-    ]
-    scale = axes.yaxis.get_transform().transform
-    low, top = (float(scale(limit)) for limit in axes.get_ylim())
-    free = -math.inf
-    for y, x, tag in sorted(ends, key=lambda end: end[0]):
-        place = (float(scale(y)) - low) / (top - low) * _AXES_HEIGHT
-        lifted = max(place, free)
-        free = lifted + 9
-        _note(axes, tag, (x, y), (5, lifted - place), va="center", fontsize=8)
+_BESIDE, _APART = 12.0, 14.0
+"""Points between the axes and the first dimension line beside them, and from one to the next."""
 
 
-def _names(axes: Any, chart: Chart) -> None:
-    """Name points where there is room: first filled points, then the ends of every line, then the points between."""
-    (left, right), (low, top) = axes.get_xlim(), axes.get_ylim()
-    ranked = [
-        (not line.filled, 0 < place < len(line.names) - 1, x, y, name)
-        for line in chart.lines
-        for place, (x, y, name) in enumerate(
-            zip(chart.x.shown(line.x), chart.y.shown(line.y), line.names, strict=False)
-        )
-    ]
-    taken: list[tuple[float, float]] = []
-    for _, _, x, y, name in sorted(ranked, key=lambda point: point[:2]):
-        spot = (x - left) / (right - left) * _AXES_WIDTH, (y - low) / (top - low) * _AXES_HEIGHT
-        if all(abs(spot[0] - one) > _NAME[0] or abs(spot[1] - other) > _NAME[1] for one, other in taken):
-            taken.append(spot)
-            _note(axes, name, (x, y), (2, 5), fontsize=7, zorder=5)
+def _outwards(step: float) -> Iterator[float]:
+    """Offsets up and down from 0."""
+    return (step * way * number for number in range(200) for way in ((-1, 1) if number else (1,)))
 
 
-def _guide_tags(axes: Any, chart: Chart) -> None:
-    """Name upright guides above the axes, in as many rows as keep the names apart."""
-    low, top = axes.get_xlim()
-    ends: list[float] = []
-    for guide in sorted((guide for guide in chart.guides if guide.tag), key=lambda guide: guide.value):
-        (x,) = chart.x.shown([guide.value])
-        place = (x - low) / (top - low) * _AXES_WIDTH
-        half = 2.7 * len(guide.tag) + 3
-        row = next((number for number, end in enumerate(ends) if place - half >= end), len(ends))
-        ends[row : row + 1] = [place + half]
-        how = {"xycoords": axes.get_xaxis_transform(), "ha": "center", "va": "bottom", "fontsize": 8}
-        _note(axes, mathtext(guide.tag), (x, 1), (0, 4 + 11 * row), **how)
-
-
-def _span(axes: Any, x: float, span: Dimension, low: float, high: float) -> None:
-    """Draw a dimension line beside the axes, with its text, and thin lines to both ends of the curve."""
-    colour, over = COLOURS[span.style], axes.get_yaxis_transform()
-    arrow = {"arrowstyle": "<|-|>", "color": colour, "shrinkA": 0, "shrinkB": 0, "linewidth": 1.0, "mutation_scale": 8}
-    axes.annotate("", (x, high), (x, low), xycoords=over, textcoords=over, arrowprops=arrow, annotation_clip=False)
-    hairline: dict[str, Any] = {"color": colour, "linewidth": 0.6, "linestyle": (0, (1, 2)), "zorder": 1.2}
-    for value in (low, high):
-        axes.plot([0, x + 0.012], [value, value], transform=over, clip_on=False, **hairline)
-    text = {"rotation": 90, "va": "center", "ha": "left", "fontsize": 8, "color": INK}
-    axes.text(x + 0.012, (low + high) / 2, mathtext(span.label), transform=over, **text)
+def beside(chart: Chart, measure: Measure) -> float:
+    """Points that tags and spans take right of the axes."""
+    tags = [5 + measure(line.tag) for line in chart.lines if line.tag]
+    lines = [line for span in chart.spans for line in map(mathtext, span.label)]
+    return max([0.0, *tags, *(_BESIDE + _APART * len(chart.spans) - 4 + measure(line) for line in lines)])

@@ -101,8 +101,8 @@ class Position:
         self.sides = self.left, self.right = side(-1, moves=sleeves == 2), side(1, moves=True)
         # the same frame for every position, so that they are drawn to one scale
         reach = gap + synthesis.travel_max / sleeves + self.depth
-        self.back, self.step = 1.18 * reach, 0.1 * reach
-        self.top = 1.12 * (synthesis.pocket_width / 2 + turned) + 0.12 * reach
+        self.back, self.top = 1.18 * reach, 1.12 * (synthesis.pocket_width / 2 + turned) + 0.12 * reach
+        self.step = max(0.1 * reach, self.top / 16)  # texts one above the other keep apart also where it is narrow
         self.extent = 2 * (self.back + 3.2 * self.step), 2 * self.top + 5.6 * self.step
 
     @property

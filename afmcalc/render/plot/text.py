@@ -12,11 +12,12 @@ from ..layout import TextTable
 from ..units import significant
 from .chart import Chart, ChartAxis, Line, Sheet, power
 
-WIDTH, HEIGHT = 78, 20
+WIDTH, HEIGHT = 80, 20
+"""Columns of a chart where nothing bounds them, and rows of its frame."""
 _NARROWEST = 40
 """Columns below which a curve says nothing."""
-_SMALL = _SMALL_WIDTH, _SMALL_HEIGHT = 52, 8
-"""Columns and rows of the curve under a sweep."""
+_SMALL = 8
+"""Rows of the curve that stands under every sweep."""
 _LETTERS = "ABCDEFGHJKLMNPQRSTUVWYZabcdefghijklmnpqrstuvwyz"
 _MARKS = "•xo+#%@*=&" + _LETTERS
 _PLAIN = "*xo+#%@.=&" + _LETTERS
@@ -46,7 +47,7 @@ def draw_sheet(sheet: Sheet, *, unicode: bool, width: int | None = None) -> str:
     return "\n\n".join("\n".join(map(printable, lines)) for lines in blocks) + "\n"
 
 
-def draw(chart: Chart, *, unicode: bool, wide: int = WIDTH) -> list[str]:
+def draw(chart: Chart, *, unicode: bool, wide: int = WIDTH, high: int = HEIGHT) -> list[str]:
     """Draw a chart as lines of text, each curve with a mark of its own; ``unicode`` is False for an ASCII stream."""
     scale = math.log10 if chart.y.log else float
     marks = _MARKS if unicode else _PLAIN
@@ -61,11 +62,11 @@ def draw(chart: Chart, *, unicode: bool, wide: int = WIDTH) -> list[str]:
     if not traces:
         return [told("{title}: no values to draw", title=chart.y.label)]
     x, y = _bounds(list(traces.values()))
-    heights = {value: power(10**value) for value in _decades(*y)} if chart.y.log else _labels(y, HEIGHT // 3)
-    beside = {HEIGHT - 1 - _place(value, y, HEIGHT): text for value, text in heights.items()}
+    heights = {value: power(10**value) for value in _decades(*y)} if chart.y.log else _labels(y, max(4, high // 3))
+    beside = {high - 1 - _place(value, y, high): text for value, text in heights.items()}
     width = wide - 2 - max(map(len, beside.values()))
     below = {_place(value, x, width): text for value, text in _labels(x, width // 10).items()}
-    frame = _frame(list(traces.values()), (width, HEIGHT), beside, below, unicode=unicode, notch=True)
+    frame = _frame(list(traces.values()), (width, high), beside, below, unicode=unicode)
     keys = [f"  {traces[number].mark} {chart.lines[number].label}" for number in sorted(traces)]
     legend = [part for key in keys for part in _folded(key, wide, "    ")] if len(keys) > 1 else []
     label = [line.rjust(wide) for line in _folded(chart.x.label, wide)]
@@ -87,14 +88,14 @@ def _sketch(drawing: Drawing, *, unicode: bool, wide: int) -> list[str]:
         traces.append(Trace(mark, [(column, row) for column in along for row in above]))
     beside = {rows - 1 - round(value * up): text for value, text in _labels((0, high), 5).items()}
     below = {round(value * across): text for value, text in _labels((0, long), columns // 10).items()}
-    frame = _frame(traces, (columns, rows), beside, below, unicode=unicode, notch=True)
+    frame = _frame(traces, (columns, rows), beside, below, unicode=unicode)
     sizes = [f"{shape.label}  {shape.about}" for shape in drawing.shapes if isinstance(shape, DimensionLine)]
     widths = [max(map(len, column)) for column in zip(*drawing.table, strict=True)]
     table = ["  ".join(map(str.ljust, row, widths)).rstrip() for row in drawing.table]
-    return [*frame, "", *sizes, "", *table]
+    return [*frame, "", *(part for line in [*sizes, "", *table] for part in _folded(line, wide, "    ") or [""])]
 
 
-def swept_lines(block: TextTable, unicode: bool, width: int | None = None) -> list[str]:
+def swept_lines(block: TextTable, unicode: bool, width: int | None = None, high: int = HEIGHT) -> list[str]:
     """Draw the first answer of a sweep, a curve for each value of the outer key of a grid; nothing for other tables."""
     table = block.source
     if table is None or table.axes not in (1, 2):
@@ -109,21 +110,17 @@ def swept_lines(block: TextTable, unicode: bool, width: int | None = None) -> li
         chosen = [other == value for other in outer[0].values]
         label = f"{outer[0].symbol} = {localized(f'{value:g}')}"
         lines.append(Line(label, [*compress(inner.values, chosen)], [*compress(answer.values, chosen)]))
-    return ["", *draw(Chart(x, y, lines), unicode=unicode, wide=_within(width))]
+    return ["", *draw(Chart(x, y, lines), unicode=unicode, wide=_within(width), high=high)]
 
 
-def curve(x: Sequence[float], y: Sequence[float | None], title: str, *, unicode: bool) -> list[str]:
-    """Draw y over x in a small frame, with the ends of both axes named; y is None where there is no value."""
-    trace = Trace("•" if unicode else "*", [(a, b) for a, b in zip(x, y, strict=True) if b is not None])
-    if not trace.points:
-        return [told("{title}: no values to draw", title=title)]
-    (left, right), (bottom, top) = ([significant(end) for end in ends] for ends in _bounds([trace]))
-    beside = {0: top} | ({_SMALL_HEIGHT - 1: bottom} if bottom != top else {})
-    return [title, *_frame([trace], _SMALL, beside, {0: left, _SMALL_WIDTH - 1: right}, unicode=unicode)]
+def small_curve(block: TextTable, unicode: bool, width: int | None) -> list[str]:
+    """Draw a sweep along one axis in few rows; nothing of fewer points than three."""
+    one = block.source is not None and block.source.axes == 1 and len(block.rows) > 2
+    return swept_lines(block, unicode, width, _SMALL) if one else []
 
 
 def _within(width: int | None) -> int:
-    return WIDTH if width is None else max(_NARROWEST, min(width, WIDTH))
+    return WIDTH if width is None else max(_NARROWEST, width)
 
 
 def _folded(text: str, wide: int, indent: str = "") -> list[str]:
@@ -182,9 +179,8 @@ def _frame(
     below: Mapping[int, str],
     *,
     unicode: bool,
-    notch: bool = False,
 ) -> list[str]:
-    """Draw traces in a frame of columns and rows, a later one over an earlier; ``notch`` marks where a text stands.
+    """Draw traces in a frame of columns and rows, a later one over an earlier.
 
     ``beside`` are texts by row, from the top; ``below`` texts by column.
     """
@@ -200,10 +196,10 @@ def _frame(
     side, corner, floor, left, foot = "│└─┤┬" if unicode else "|+-++"
     margin = max(map(len, beside.values()))
     lines = [
-        f"{beside.get(number, ''):>{margin}} {left if notch and number in beside else side}{''.join(row)}".rstrip()
+        f"{beside.get(number, ''):>{margin}} {left if number in beside else side}{''.join(row)}".rstrip()
         for number, row in enumerate(cells)
     ]
-    base = "".join(foot if notch and column in below else floor for column in range(width))
+    base = "".join(foot if column in below else floor for column in range(width))
     return [*lines, f"{'':{margin}} {corner}{base}", f"{'':{margin}}  {_spread(below, width)}"]
 
 

@@ -96,7 +96,7 @@ def render(subject: Subject) -> str:
         for number, (key, sheet) in enumerate(sheets, 1)
     ]
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
-    empty = {"requirements": not dossier.check.requirements, "plots": not figures}
+    empty = {"requirements": not dossier.check.requirements}
     cited = {source for chapter in parts for source in chapter.topic.sources}
     return template("page.html").render(
         subject=subject,

@@ -46,7 +46,6 @@ REPORT: Mapping[str, str] = {
     "calculation": "Calculation",
     "as-set/min-friction": "Where nothing else is said, the spring is set at f_min.",
     "as-set/mean-friction": "Where nothing else is said, the spring is set at the mean friction.",
-    "plots": "Plots",
     "conclusion": "Conclusion",
     "symbols": "Symbols",
     "references": "References",
@@ -101,7 +100,7 @@ _PEOPLE = ("author", "checked", "norm_control", "approved")
 
 FORMS = {
     "en": Form(
-        sections=("requirements", "checks", "spec", "calculation", "plots", "conclusion", "references"),
+        sections=("requirements", "checks", "spec", "calculation", "conclusion", "references"),
         always=(),
         entries=("organisation", "project", "drawing", "revision", "date", "variant", *_PEOPLE, "program"),
         signed=("author", "checked", "approved"),
@@ -109,7 +108,7 @@ FORMS = {
     ),
     # ГОСТ Р 2.105-2019, 2.106: a расчёт (РР)
     "ru": Form(
-        sections=("requirements", "spec", "checks", "calculation", "plots", "conclusion", "symbols", "references"),
+        sections=("requirements", "spec", "checks", "calculation", "conclusion", "symbols", "references"),
         always=("requirements", "symbols"),
         entries=("drawing", "organisation", "project", "revision", "date", "variant", *_PEOPLE, "program"),
         signed=("drawing", *_PEOPLE),

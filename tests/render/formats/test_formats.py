@@ -14,7 +14,8 @@ from conftest import CONFIGS
 import afmcalc as package
 from afmcalc.proofs import prove
 from afmcalc.render import FORMATS
-from afmcalc.render.plot.text import curve
+from afmcalc.render.plot.chart import Chart, ChartAxis, Line
+from afmcalc.render.plot.text import draw
 from afmcalc.render.units import significant
 
 COMMANDS = {
@@ -150,12 +151,12 @@ def test_significant_figures():
 
 
 @pytest.mark.parametrize("unicode", [True, False])
-def test_curve(unicode):
-    lines = curve([0, 1, 2, 3], [4, 3, 2, 1], "y against x", unicode=unicode)
-    assert lines[0] == "y against x"
+@pytest.mark.parametrize("ends", [(0.0, 4.0), (2.0, 2.0), (-1e308, 1e308), (1.2345678e-300, 2e-300)])
+def test_a_curve_is_whole(unicode, ends):
+    """Of a constant, and from end to end of the floating-point numbers."""
+    chart = Chart(ChartAxis("", "x"), ChartAxis("", "y"), [Line("", [0, 1, 2, 3], [*ends, *ends], points=True)])
+    lines = draw(chart, unicode=unicode, wide=40, high=8)
+    assert (lines[0], lines[-1].strip(), len(lines)) == ("y", "x", 12)
+    assert max(map(len, lines)) == 40
     assert sum(line.count("•" if unicode else "*") for line in lines) == 4
-    assert lines[1].startswith("4 ")
     assert unicode or all(line.isascii() for line in lines)
-    flat = curve([1, 1], [2, 2], "level", unicode=unicode)
-    assert len(flat) == len(lines)
-    assert len(curve([-1e308, 1e308], [0, 1], "huge", unicode=unicode)) == len(lines)

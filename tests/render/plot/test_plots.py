@@ -133,7 +133,7 @@ def test_no_title_is_cut(name, lang):
         for called in (own.name, "W" * 200, "a clutch $x_1$ of many words " * 9):
             figure = _figure(replace(own, name=called))
             FigureCanvasAgg(figure).draw()
-            title, _ = figure.texts
+            title = figure.texts[0]
             box = title.get_window_extent()
             assert 0 <= box.x0 < box.x1 <= figure.bbox.x1
             assert figure.axes[0].yaxis.label.get_window_extent().y1 < box.y0 < box.y1 <= figure.bbox.y1
@@ -232,31 +232,62 @@ def test_without_a_file_it_is_drawn_as_text(what, afmcalc):
     assert max(map(len, run.out.splitlines())) <= 80
 
 
-@pytest.mark.parametrize(("columns", "widest"), [(60, 60), (20, 40), (200, 78)])
-def test_a_drawing_fits_its_terminal(columns, widest, afmcalc, monkeypatch):
-    """As wide as there is room, within 40 and 78 columns, frame and curve whole, and no sentence is lost."""
-    whole = afmcalc("plot", "torque").out
+TEXTS = {
+    "torque": ["torque", CONFIGS / "indirect.toml", "--set", f"name={'Муфта с очень длинным именем ' * 9}"],
+    "tolerance": ["tolerance", CONFIGS / "tolerance.toml"],
+    "paper": ["paper", "S22-2"],
+    "springs": ["springs", CONFIGS / "constant-torque.toml"],
+    "life": ["life", CONFIGS / "default.toml", CONFIGS / "indirect.toml", "--set", "F=1.2345678e-9"],
+}
+
+
+@pytest.mark.every(3)
+@pytest.mark.parametrize("lang", ["en", "ru"])
+@pytest.mark.parametrize("name", TEXTS)
+def test_a_drawing_is_as_wide_as_its_terminal(name, lang, afmcalc, monkeypatch):
+    """Frame and curve whole, no word of a text lost; in a pipe 80 columns, never below 40."""
+    runs = {}
+    for columns in (None, 20, 40, 60, 80, 120, 200):
+        monkeypatch.setenv("COLUMNS", str(columns or ""))
+        run = afmcalc("plot", *TEXTS[name], "--lang", lang)
+        assert run.code == 0
+        lines = run.out.splitlines()
+        widest = 80 if columns is None else max(columns, 40)
+        assert max(map(len, lines)) == widest
+        assert {len(line) for line in lines if "└" in line} == {widest}
+        frames = [line for line in lines if re.search("[┤│└]", line)]
+        marks = {mark for line in frames for mark in re.split("[┤│]", line)[-1].replace(" ", "") if "└" not in line}
+        told = [line for place, line in enumerate(lines) if line not in frames and "└" not in lines[place - 1]]
+        runs[columns] = len(frames), marks, "".join("".join(told).split())
+    assert runs[None] == runs[80]
+    assert len({(frames, told) for frames, _, told in runs.values()}) == 1
+    assert {marks == runs[200][1] for _, marks, _ in runs.values()} == {True}
+
+
+@pytest.mark.parametrize("columns", [40, 60, 80, 120, 200])
+def test_a_sketch_fits_its_terminal(columns, afmcalc, monkeypatch):
+    """It is to scale, so not always as wide; its dimensions and parts are whole."""
+    monkeypatch.setenv("COLUMNS", "400")
+    whole = afmcalc("plot", "section", CONFIGS / "indirect.toml").out
     monkeypatch.setenv("COLUMNS", str(columns))
-    own = afmcalc("plot", "torque").out
-    lines = own.splitlines()
-    assert max(map(len, lines)) == widest == max(len(line) for line in lines if "└" in line)
-    assert len(re.findall("[┤│]", own)) == len(re.findall("[┤│]", whole))
-    assert own.partition("T_1:")[2].split() == whole.partition("T_1:")[2].split()
+    own = afmcalc("plot", "section", CONFIGS / "indirect.toml").out
+    assert max(map(len, own.splitlines())) <= columns
+    assert own.partition("L_1 =")[2].split() == whole.partition("L_1 =")[2].split()
 
 
 def test_the_curve_of_a_sweep_fits_its_terminal(afmcalc, monkeypatch):
     monkeypatch.setenv("COLUMNS", "60")
-    floor, numbers, symbol = afmcalc("accuracy", "--sweep", "C=0:1.25:11", "--plot", "--quiet").out.splitlines()[-3:]
-    assert floor.startswith("  └")
-    assert (len(floor), numbers.split(), symbol) == (60, ["0", "0.5", "1"], "C".rjust(60))
+    for more in ([], ["--plot"]):
+        *_, floor, numbers, symbol = afmcalc("accuracy", "--sweep", "C=0:1.25:11", *more, "--quiet").out.splitlines()
+        assert floor.startswith("  └")
+        assert (len(floor), numbers.split(), symbol) == (60, ["0", "0.5", "1"], "C".rjust(60))
 
 
 @pytest.mark.parametrize("sweep", ["C", "z", "f_max"])
 def test_plot_of_a_sweep(sweep, afmcalc):
     plain = afmcalc("accuracy", "--sweep", sweep).out
     drawn = afmcalc("accuracy", "--sweep", sweep, "--plot").out
-    assert "┤" in drawn
-    assert "┤" not in plain
+    assert [len(re.findall("[┤│]", run)) for run in (plain, drawn)] == [8, 20]
     assert drawn.splitlines()[:12] == plain.splitlines()[:12]
 
 

@@ -46,6 +46,14 @@ IN_ITS_BOX = """
 ALL_SHOWN = "[...document.querySelectorAll('.scroll')].every(box => box.scrollWidth <= box.clientWidth)"
 
 
+SMALLEST = """
+Math.min(...[...document.querySelectorAll('figure text, figcaption')].map(text => {
+  const figure = text.closest('svg'), scale = figure ? figure.getScreenCTM().a * 665 / document.body.clientWidth : 1
+  return scale * parseFloat(getComputedStyle(text).fontSize)
+}))"""
+"""Size of the smallest text of a figure, subscripts apart, on paper, whose text is 665 px wide."""
+
+
 @browser
 @pytest.mark.every(6)
 def test_in_a_browser(opened):
@@ -68,6 +76,7 @@ def test_in_a_browser(opened):
     page.call("Emulation.setEmulatedMedia", media="print")
     try:
         assert page.evaluate("[...document.querySelectorAll('table, pre, svg, math')].every(e => e.scrollWidth <= 662)")
+        assert page.evaluate(SMALLEST) >= 12  # px, 9 pt
         assert page.evaluate("Math.max(...[...document.querySelectorAll('figure')].map(e => e.offsetHeight))") < 986
     finally:
         page.call("Emulation.setEmulatedMedia", media="")
