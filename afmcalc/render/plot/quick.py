@@ -70,7 +70,7 @@ def svg_of(chart: Chart) -> str:
         parts += [_line([(left, end), (at + 3, end)], colour, 0.6, "1 2") for end in ends]
         parts.append(_line([(at, end) for end in ends], colour, 1.0))
         parts += [_head(at, end, math.copysign(1.0, end - other), colour) for end, other in (ends, ends[::-1])]
-        parts.append(_text(span.label, at + _ROW, sum(ends) / 2, "middle", upright=True))
+        parts.append(_text(" ".join(span.label), at + _ROW, sum(ends) / 2, "middle", upright=True))
     whole = floor + (3.2 + len(drawn)) * _ROW - _SIZE
     head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDE:g} {whole:g}" font-size="{_SIZE:g}"'
     return "\n".join([f'{head} font-family="DejaVu Sans, sans-serif">', *parts, "</svg>", ""])
