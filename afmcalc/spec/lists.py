@@ -1,12 +1,10 @@
 """Lists of one's own in the place of those that ship: friction materials, disc springs, balls; TOML or CSV."""
 
 import math
-import os
 import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from csv import DictReader
-from functools import lru_cache
 from importlib.resources import files
 from os import PathLike
 from typing import Annotated, Any, Literal, TypeVar
@@ -33,15 +31,7 @@ Names = Annotated[
 def own_lists(named: object) -> Lists:
     """Read the files that a table of catalogues names."""
     given: Mapping[str, object] = named if isinstance(named, Mapping) else {}
-    listed = {name: file for name in _READ if isinstance(file := given.get(name), str)}
-    changed = {name: os.path.getmtime(file) if os.path.exists(file) else 0.0 for name, file in listed.items()}
-    return Lists(**{name: _read(name, file, changed[name]) for name, file in listed.items()})
-
-
-@lru_cache(maxsize=64)
-def _read(name: str, file: str, changed: float) -> Any:
-    """Read a file once, until it changes: every clutch that a design writes is read with its lists."""
-    return _READ[name](file)
+    return Lists(**{name: read(file) for name, read in _READ.items() if isinstance(file := given.get(name), str)})
 
 
 class _Row(RuledBlock):
