@@ -666,7 +666,7 @@ Entry = Annotated[Name, BeforeValidator(_as_text)]
 
 
 class TitleBlock(Block):
-    """What stands in the title block of a report; each is text."""
+    """What stands in the title block of a report or a drawing; each is text."""
 
     project: Entry | None = key("project the clutch belongs to")
     drawing: Entry | None = key("number of the drawing")
@@ -677,6 +677,15 @@ class TitleBlock(Block):
     approved: Entry | None = key("who approved")
     date: Entry | None = key("date of the calculation")
     organisation: Entry | None = key("who answers for the calculation")
+
+
+class ShopNotes(Block):
+    """What a shop needs beside the dimensions of a drawing; each is text, for the title block and the notes."""
+
+    tolerance: Entry | None = key("limit deviations of the dimensions that show none, such as ±0.02 mm")
+    roughness: Entry | None = key("roughness of the pocket walls, such as Ra 0.8")
+    hardness: Entry | None = key("hardness of the pocket walls, such as 58…62 HRC")
+    material: Entry | None = key("material of the sleeves with the pockets")
 
 
 @dataclass(frozen=True)
@@ -741,6 +750,7 @@ class Spec(FileBlock):
     requirements: Required | None = None
     catalogues: Catalogues | None = None
     report: TitleBlock | None = None
+    drawing: ShopNotes | None = None
 
     @field_validator("tolerance")
     @classmethod
