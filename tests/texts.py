@@ -292,7 +292,7 @@ def _names() -> Iterator[Key]:
     """What tables hold: names of limits, kinds of quantities, variants."""
     from afmcalc.analysis.requirements import JUDGED
     from afmcalc.engines import parts
-    from afmcalc.render import drawing
+    from afmcalc.render import drawing, dxf
     from afmcalc.render.shop import LAYERS
     from afmcalc.spec.keys import keys
     from afmcalc.spec.quantity import EXAMPLES
@@ -307,7 +307,7 @@ def _names() -> Iterator[Key]:
     yield from (("", name) for name in ("stiffness", *(each.misses for each in rules)))
     yield from (("", each.what) for each in rules)
     yield from (("", each.needs) for each in JUDGED.values() if " " in each.needs)
-    yield from (("", about) for about, *_ in (*LAYERS.values(), *drawing.LAYERS.values()))
+    yield from (("", about) for about, *_ in (*LAYERS.values(), *drawing.LAYERS.values(), *dxf.SHEET.values()))
     yield from (("", os.strerror(number)) for number in FAILURES)
 
 

@@ -59,7 +59,9 @@ def picture_of(output: str | None) -> str | None:
         return None
     ending = _ending(output).removeprefix(".")
     if ending not in ("png", "svg", "pdf", "dxf"):
-        raise AfmcalcError("--output {output}: end it in .png, .svg or .pdf (plot pocket: or .dxf)", output=output)
+        raise AfmcalcError(
+            "--output {output}: end it in .png, .svg or .pdf (plot section, pocket: or .dxf)", output=output
+        )
     return ending
 
 

@@ -22,7 +22,7 @@ _SHOP = ("dxf", "svg")
 _KINDS = [name for name in PLOTS if name != "paper"]
 
 
-@common_options("File, .png, .svg, .pdf (pocket: .dxf); without it drawn as text.")
+@common_options("File, .png, .svg, .pdf (section, pocket: .dxf); without it drawn as text.")
 def plot(
     what: Annotated[
         str,
@@ -45,7 +45,9 @@ def plot(
     ] = None,
     model: Annotated[StressRule | None, Option(help="life: rule for the damaging stress.")] = None,
     profile: Annotated[str | None, Option(metavar="FILE.csv", help="pocket: path, wall and cutter path, mm.")] = None,
-    cutter: Annotated[str | None, Option(metavar="DIAMETER", help="pocket: cutter, such as 10mm (the ball's).")] = None,
+    cutter: Annotated[
+        str | None, Option(metavar="DIAMETER", help="pocket: cutter, such as 10mm (0.8 of the ball's).")
+    ] = None,
     chord: Annotated[
         str | None, Option(metavar="LENGTH", help="pocket: chords within this of the wall (0.001mm).")
     ] = None,
@@ -80,9 +82,13 @@ def plot(
     if (what == "pocket" and ending in _SHOP) or profile is not None:
         _for_the_shop(what, request, ending, common)
         return
+    if ending == "dxf" and what != "section":
+        raise AfmcalcError(
+            "--output {output}: only plot pocket and plot section are drawn as .dxf", output=common.output
+        )
     if ending == "dxf":
-        raise AfmcalcError("--output {output}: only plot pocket is drawn as .dxf", output=common.output)
-    if ending and (what, ending) != ("section", "svg"):
+        need("cad")
+    if ending and (what, ending) not in (("section", "svg"), ("section", "dxf")):
         need_drawing("plot")
     if of_clutches:
         request = request._replace(subjects=_answers(what, request, common))
@@ -93,7 +99,13 @@ def plot(
             subjects=[read_requirements(source, common.overrides) for source in request.subjects]
         )
     with common.bar():
-        sheet = sheet_of(what, gathered(what, request))
+        figure = gathered(what, request)
+        if ending == "dxf" and common.output:
+            from ..render import dxf
+
+            common.save(dxf.section(figure, request.subjects[0].clutch.spec), common.output)
+            return
+        sheet = sheet_of(what, figure)
     if ending and common.output:
         from ..render.plot.figure import save
 
@@ -107,7 +119,7 @@ def plot(
 def _for_the_shop(what: str, request: "Request", ending: str | None, common: Common) -> None:
     """Write the pocket in true millimetres, and the profile of its wall."""
     from ..analysis.figures import shop_drawing_of
-    from ..render import shop
+    from ..render import dxf, shop
 
     if ending == "dxf":
         need("cad")
@@ -117,7 +129,7 @@ def _for_the_shop(what: str, request: "Request", ending: str | None, common: Com
     with common.bar():
         drawing = shop_drawing_of(what, request._replace(subjects=subjects))
     if ending and common.output:
-        common.save(shop.dxf(drawing) if ending == "dxf" else shop.svg(drawing), common.output)
+        common.save(dxf.pocket(drawing) if ending == "dxf" else shop.svg(drawing), common.output)
     if request.profile is not None:
         write(shop.profile(drawing), request.profile, force=common.force)
         if request.profile != "-":

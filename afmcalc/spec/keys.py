@@ -66,13 +66,14 @@ def path_of(name: str, model: type[BaseModel] = Spec) -> str | None:
 
 @cache
 def names(model: type[BaseModel] = Spec) -> dict[str, str]:
-    """Every name and the path that it means; a name of several keys means none."""
+    """Every name and the path that it means; a name of several keys, or of a table, means none."""
     known = keys_below(model)
     of_clutch = [key for key in known.values() if not key.path.startswith(_APART)]
     paths: dict[str, str] = {}
+    tables = model.model_fields
     for pairs in ([(key.symbol, key.path) for key in of_clutch], [(_last(key.path), key.path) for key in of_clutch]):
         times = Counter(name for name, _ in pairs)
-        paths |= {plain(name): path for name, path in pairs if name and times[name] == 1}
+        paths |= {plain(name): path for name, path in pairs if name and times[name] == 1 and name not in tables}
     return paths | (ALIASES if model is Spec else {}) | {path: path for path in known}
 
 

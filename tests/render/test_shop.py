@@ -3,7 +3,10 @@
 import csv
 import io
 import math
+import os
 import re
+import subprocess
+import sys
 import xml.etree.ElementTree as ElementTree
 
 import ezdxf
@@ -11,11 +14,13 @@ import numpy as np
 import pytest
 from conftest import CONFIGS
 
+from afmcalc.analysis.section import section
 from afmcalc.analysis.shop import shop_drawing
 from afmcalc.analysis.synthesize import synthesize
 from afmcalc.analysis.wall import CHORD, wall_of
 from afmcalc.engines import build
-from afmcalc.render.shop import LAYERS, dxf, profile, svg
+from afmcalc.render.dxf import pocket as dxf
+from afmcalc.render.shop import LAYERS, profile, svg
 from afmcalc.spec import read_spec
 
 CLUTCHES = {
@@ -62,7 +67,7 @@ def test_the_contours_are_the_wall(drawn):
     assert {layer.dxf.name for layer in document.layers} >= set(LAYERS)
     (first,) = space.query('LWPOLYLINE[layer=="POCKET_1"]')
     assert first.closed
-    assert not space.query("SPLINE LINE POLYLINE")
+    assert not space.query("SPLINE POLYLINE")
     own = wall_of(clutch, found.face_gap, found.ball_diameter / 2)
     points = np.array([point[:2] for point in first.get_points()])
     upper = points[points[:, 1] > 0]
@@ -75,23 +80,155 @@ def test_the_contours_are_the_wall(drawn):
     assert np.abs(inside).max() <= CHORD * 1e3 * 1.001
     assert points[:, 1] == pytest.approx(-points[::-1, 1], abs=1e-12), "both hands alike"
     assert np.ptp(points[:, 1]) == pytest.approx(found.pocket_width * 1e3, abs=1e-9)
-    assert np.ptp(points[:, 0]) == pytest.approx(found.pocket_depth_cut * 1e3, abs=1e-9)
+    assert np.ptp(points[:, 0]) == pytest.approx((found.pocket_depth_cut + drawing.sleeve.relief) * 1e3, abs=1e-9)
 
 
-def test_ball_sleeves_and_dimensions(drawn):
-    _, found, drawing = drawn
+def whole(contour):
+    """Points of a polyline, the first again at the end of a closed one; none of them twice in a row."""
+    points = np.array([point[:2] for point in contour.get_points()])
+    points = np.vstack([points, points[:1]]) if contour.closed else points
+    assert np.hypot(*np.diff(points, axis=0).T).min() > 1e-6, contour.dxf.layer
+    return points
+
+
+def test_contours_are_closed_and_no_place_is_there_twice(drawn):
+    _, _, drawing = drawn
     space = read(drawing).modelspace()
-    (ball,) = space.query("CIRCLE")
-    assert (ball.dxf.layer, ball.dxf.radius) == ("BALL", pytest.approx(found.ball_diameter * 500))
-    for name in ("SLEEVE_1", "SLEEVE_2", "POCKET_2"):
-        (line,) = space.query(f'LWPOLYLINE[layer=="{name}"]')
-        assert line.closed
-    told = sorted(round(line.get_measurement(), 6) for line in space.query("DIMENSION"))
-    wanted = (found.face_gap, found.pocket_depth_cut, found.pocket_width, found.ball_diameter)
-    assert told == pytest.approx(sorted(1e3 * value for value in wanted), abs=1e-6)
-    shown = " ".join(text.dxf.text for text in space.query("TEXT"))
-    assert f"{found.pocket_width * 1e3:.4f} mm wide" in shown
-    assert dxf(drawing) == dxf(drawing)
+    closed = {line.dxf.layer for line in space.query("LWPOLYLINE") if line.closed}
+    assert closed == {"SLEEVE_1", "SLEEVE_2", "POCKET_1", "POCKET_2", "FRAME", "TITLE"}
+    assert all(len(whole(line)) > 1 for line in space.query("LWPOLYLINE"))
+    assert {line.dxf.layer for line in space.query("LINE")} == {"HATCH"}
+
+
+@pytest.mark.parametrize("name", ["POCKET_1", "POCKET_2"])
+def test_the_ball_touches_the_walls_and_not_the_floor(drawn, name):
+    _, found, drawing = drawn
+    (contour,) = read(drawing).modelspace().query(f'LWPOLYLINE[layer=="{name}"]')
+    points, radius = whole(contour), found.ball_diameter * 500
+    dense = np.concatenate([np.linspace(a, b, 4001) for a, b in zip(points[:-1], points[1:], strict=True)])
+    deep = np.abs(dense[:, 0]) > found.face_gap * 500 + 1e-9
+    off = np.hypot(*dense[deep].T) - radius
+    assert off.min() == pytest.approx(0, abs=2e-3), "a chord, and samples"
+    floor = np.abs(dense[deep][:, 0]) > radius - 1e-9
+    assert off[floor].min() > 0
+    bottom = np.abs(dense[deep][:, 0]).max()
+    assert bottom - radius == pytest.approx(drawing.sleeve.relief * 1e3)
+    assert 0.05 * 2 * radius <= bottom - radius < 0.05 * 2 * radius + 0.1
+    touching = dense[deep][off < 5e-3]
+    steep = np.abs(touching[:, 0]) / radius
+    assert steep == pytest.approx(math.sin(found.wall_angle), abs=0.05), "where the walls are normal to the ball"
+
+
+def test_dimensions_are_those_of_the_spec(drawn):
+    """Of the geometry, and as they are written: the end view is drawn at a scale of its own."""
+    clutch, found, drawing = drawn
+    unit, alpha, radius = clutch.spec.control_unit, found.wall_angle, found.ball_diameter / 2
+    relief = math.ceil(round(found.ball_diameter * 1e4 * 0.05, 6)) / 1e4
+    cut, groove = radius - found.face_gap / 2, 2 * radius * (1 - math.sin(alpha)) / math.cos(alpha)
+    rim, circle = 2 * (unit.ball_circle_radius + radius), unit.ball_circle_radius
+    straight = 2 * (radius / math.sin(alpha) - found.face_gap / 2) * math.tan(alpha)
+    lengths = [found.face_gap, cut, cut + relief, drawing.sleeve.depth, groove, found.pocket_width, 2 * radius]
+    lengths += [straight] if found.profiled == "one" else []
+    lengths += [2 * circle, rim, unit.hub_diameter or drawing.sleeve.bore, 2 * radius + relief]
+    wanted = sorted([1e3 * length for length in lengths] + [math.degrees(2 * alpha), 360 / unit.balls])
+    space = read(drawing).modelspace()
+    measured, written = [], []
+    for line in space.query("DIMENSION"):
+        value = line.get_measurement()
+        # of an angle ezdxf takes the one or the other side of the two lines
+        measured.append(min(value, 360 - value) if line.dimtype == 2 else value * line.override().get("dimlfac"))
+        (text,) = (part.plain_text() for part in line.virtual_entities() if part.dxftype() == "MTEXT")
+        written.append(float(re.sub(f"[Ø*°]|^{unit.balls}×", "", text)))
+    assert sorted(measured) == pytest.approx(wanted, rel=1e-6)
+    assert sorted(written) == pytest.approx(wanted, rel=1e-4)
+
+
+def test_every_ball_has_its_pocket_in_the_end_view(drawn):
+    clutch, found, drawing = drawn
+    unit = clutch.spec.control_unit
+    space = read(drawing).modelspace()
+    pitch = next(circle for circle in space.query('CIRCLE[layer=="CENTRE"]'))
+    scale = pitch.dxf.radius / (unit.ball_circle_radius * 1e3)
+    balls = [ball for ball in space.query('CIRCLE[layer=="BALL"]') if ball.dxf.center.magnitude > 1e-9]
+    places = np.array([(ball.dxf.center - pitch.dxf.center).vec2 for ball in balls])
+    assert {round(ball.dxf.radius, 9) for ball in balls} == {round(found.ball_diameter * 500 * scale, 9)}
+    assert np.hypot(*places.T) == pytest.approx(pitch.dxf.radius)
+    angles = np.sort(np.degrees(np.arctan2(places[:, 1], places[:, 0])) % 360)
+    assert np.diff(angles) == pytest.approx(360 / unit.balls)
+    pockets = [line for line in space.query('LWPOLYLINE[layer=="END_VIEW"]') if len(line) == 4]
+    assert len(pockets) == len(balls) == unit.balls
+    for pocket in pockets:
+        ends = np.array([point[:2] for point in pocket.get_points()]) - np.array(pitch.dxf.center.vec2)
+        along = np.exp(1j * np.arctan2(ends[:, 1], ends[:, 0]))
+        turn = np.abs(np.angle(along[0] / along[3]))
+        assert turn == pytest.approx(found.pocket_width / unit.ball_circle_radius)
+        assert np.angle(along[0] / along[1]) == pytest.approx(0, abs=1e-12), "the walls run towards the axis"
+        (bulge,) = {point[4] for point in pocket.get_points()} - {0}
+        assert abs(bulge) == pytest.approx(math.tan(turn / 4))
+
+
+SHOP = {"tolerance": "±0.02 mm", "roughness": "Ra 0.8", "hardness": "58…62 HRC", "material": "16MnCr5"}
+
+
+@pytest.mark.parametrize("what", ["pocket", "section"])
+def test_what_the_shop_needs_is_on_the_sheet(what, afmcalc, tmp_path):
+    given = [part for name, text in SHOP.items() for part in ("--set", f"drawing.{name}={text}")]
+    given += ["--set", "report.drawing=AFM 01.02", "--set", "report.author=A. Turner"]
+    spec = CONFIGS / "envelope.toml"
+    assert afmcalc("plot", what, spec, "-o", tmp_path / "plain.dxf").code == 0
+    assert afmcalc("plot", what, spec, "-o", tmp_path / "x.dxf", *given).code == 0
+    document = ezdxf.readfile(tmp_path / "x.dxf")
+    assert not document.audit().has_issues
+    shown, plain = (
+        " ".join(text.dxf.text for text in ezdxf.readfile(tmp_path / name).modelspace().query("TEXT"))
+        for name in ("x.dxf", "plain.dxf")
+    )
+    for text in (*SHOP.values(), "AFM 01.02", "A. Turner"):
+        assert text in shown
+        assert text not in plain
+    lines = {layer.dxf.name: (layer.dxf.linetype, layer.dxf.lineweight) for layer in document.layers}
+    assert lines["CENTRE"] == ("CENTER2", 25)
+    edges = ("POCKET_1", "END_VIEW") if what == "pocket" else ("OUTLINE",)
+    assert all(lines[name] == ("CONTINUOUS", 50) for name in edges)
+    used = {entity.dxf.layer for entity in document.modelspace()}
+    assert used <= set(lines) - {"0"}
+    fonts = {text.dxf.style for text in document.modelspace().query("TEXT")}
+    assert [document.styles.get(font).dxf.font for font in fonts] == ["arial.ttf"]
+
+
+@pytest.mark.parametrize("what", ["pocket", "section"])
+def test_the_same_bytes_every_time(what, tmp_path):
+    for seed in "12":
+        command = [
+            sys.executable,
+            "-m",
+            "afmcalc",
+            "plot",
+            what,
+            CONFIGS / "indirect.toml",
+            "-o",
+            tmp_path / f"{seed}.dxf",
+        ]
+        subprocess.run(command, env=os.environ | {"PYTHONHASHSEED": seed}, check=True)
+    assert (tmp_path / "1.dxf").read_bytes() == (tmp_path / "2.dxf").read_bytes()
+
+
+@pytest.mark.parametrize("name", ["default", "indirect", "envelope", "conventional", "unlike-materials"])
+def test_section_in_true_millimetres(name, afmcalc, tmp_path):
+    path = tmp_path / "s.dxf"
+    assert afmcalc("plot", "section", CONFIGS / f"{name}.toml", "-o", path).code == 0
+    document = ezdxf.readfile(path)
+    assert not document.audit().has_issues
+    space = document.modelspace()
+    wanted = section(build(read_spec(CONFIGS / f"{name}.toml"))).measures.values()
+    measured = sorted(line.get_measurement() for line in space.query("DIMENSION"))
+    assert measured == pytest.approx(sorted((each.high - each.low) * 1e3 for each in wanted))
+    for line in space.query("DIMENSION"):
+        shown = float(re.search(r"([\d.]+) ?\*?$", line.dxf.text)[1])
+        assert shown == pytest.approx(line.get_measurement(), rel=1e-4)
+    for line in space.query("LWPOLYLINE"):
+        assert len(whole(line)) > 1
+    assert all(line.closed for line in space.query('LWPOLYLINE[layer=="OUTLINE"]'))
 
 
 def test_the_cutter_touches_and_does_not_cut_in(drawn):
@@ -134,7 +271,7 @@ def test_a_finer_chord(drawn):
     clutch, found, drawing = drawn
     finer = shop_drawing(clutch, found, chord=1e-8)
     if found.profiled is None:
-        assert len(finer.profile) == 2
+        assert len(finer.profile) == 3
     else:
         assert len(finer.profile) > 5 * len(drawing.profile)
         assert 10 < len(drawing.profile) < 30, "theory, section 12: 19 chords hold 1 µm over 2.5 mm"
@@ -158,7 +295,9 @@ def test_from_the_command_line(afmcalc, tmp_path):
         (("pocket", "-o", "x.dxf", "--cutter", "10 kg"), "not a length"),
         (("pocket", "-o", "x.dxf", "--chord", "0 mm"), "must be greater than 0"),
         (("pocket", "-o", "x.png", "--profile", "w.csv"), "--profile goes with"),
-        (("torque", "-o", "x.dxf"), "only plot pocket"),
+        (("torque", "-o", "x.dxf"), "only plot pocket and plot section"),
+        (("pocket", "-o", "x.dxf", "--set", "sleeve_depth=7.5mm"), "goes through a sleeve of 7.5 mm"),
+        (("pocket", "-o", "x.dxf", "--set", "balls=16"), "the pockets cut into each other"),
         (("torque", "--profile", "w.csv"), "no use for --profile"),
         (("pocket", "-o", "x.dxf", "--set", "C=1"), "undercuts its curved wall"),
     ],

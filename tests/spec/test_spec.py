@@ -341,3 +341,14 @@ def test_a_number_is_within_the_bounds_of_its_kind(kinds, within, beyond):
         for value in beyond:
             with pytest.raises(ValidationError):
                 read(value)
+
+
+def test_a_table_is_not_shadowed_by_a_key_of_its_name():
+    given = (
+        'tolerance={fields={friction={distribution="uniform"}}}',
+        'drawing={tolerance="H7", material=20}',
+        "hardness=58…62 HRC",
+    )
+    spec = read_spec(CONFIGS / "default.toml", given)
+    assert list(spec.tolerance.fields) == ["friction"]
+    assert spec.drawing.model_dump(exclude_none=True) == {"tolerance": "H7", "material": "20", "hardness": "58…62 HRC"}
