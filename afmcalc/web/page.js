@@ -12,6 +12,7 @@ const asMade = (field) => field.defaultValue ?? (find("option[selected]", field)
 const fields = () => Object.fromEntries(
   [...form.elements].filter((one) => one.name && one.value.trim() !== asMade(one)).map((one) => [one.name, one.value.trim()]));
 const state = () => ({ base: base(), fields: fields(), pinned });
+const clutch = ({ base, fields }) => JSON.stringify([base, fields]);
 
 function post(name, body, signal) {
   return fetch(name, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body), signal });
@@ -31,8 +32,7 @@ async function asked(name, body) {
 function put(place, html) {
   const open = all("details[id]", place).map((one) => [one.id, one.open]);
   const scrolled = all(".scroll", place).map((one) => one.scrollLeft);
-  const whole = find("iframe", place)?.src;
-  if (whole) URL.revokeObjectURL(whole);
+  for (const frame of all("iframe", place)) URL.revokeObjectURL(frame.src);
   place.innerHTML = html;
   for (const frame of all("[data-page]", place)) {
     // a document of its own: its links lead within it
@@ -46,7 +46,7 @@ function put(place, html) {
 
 /** What scrolls sideways can be reached, and scrolled, with the keyboard. */
 function reachable() {
-  for (const one of all(".scroll")) one.toggleAttribute("tabindex", false), one.scrollWidth > one.clientWidth && (one.tabIndex = 0);
+  for (const one of all(".scroll")) if (one.scrollWidth > one.clientWidth) one.tabIndex = 0; else one.removeAttribute("tabindex");
 }
 
 function list(place, sentences) {
@@ -81,7 +81,7 @@ async function change() {
     waiting = false;
     const sent = state(), answer = await asked("live", sent);
     live.classList.toggle("stale", !answer?.fragments);
-    if (answer) show(answer, JSON.stringify(sent));
+    if (answer) show(answer, clutch(sent));
   } while (waiting);
   busy = false;
 }
@@ -89,7 +89,7 @@ async function change() {
 function show(answer, sent) {
   const problems = [...answer.problems ?? [], ...mark(answer.errors ?? {}, form)];
   list(find("#problems"), problems);
-  if (!answer.fragments) { latest = null; say(words.refused); return; }
+  if (!answer.fragments) { latest = null; say(words.refused); outdate(); return; }
   for (const [name, html] of Object.entries(answer.fragments)) put(find(`#${name}`), html);
   find("#command").textContent = answer.command;
   const factor = find('[data-path="accuracy_factor"]'), symbol = factor && find(".mark", factor.parentElement).innerHTML;
@@ -177,11 +177,12 @@ function open(tab) {
 
 /** Say of the open tab that its answer is old, or get a new one where that is quick or was asked for. */
 function outdate(now = false) {
-  const tab = opened(), old = tab && latest && answered.get(tab) !== latest;
-  if (!old) return;
-  if (now || tab.dataset.when === "live") { clearTimeout(timer); timer = setTimeout(run, 250, tab); return; }
-  const place = panel(tab);
-  if (answered.has(tab)) { find(".answer", place).classList.add("stale"); find(".said", place).textContent = words.changed; }
+  const tab = opened(), old = tab && answered.get(tab) !== latest;
+  if (!tab || panel(tab).ariaBusy === "true" && !old) return;
+  clearTimeout(timer);
+  if (old && latest && (now || tab.dataset.when === "live")) { timer = setTimeout(run, 250, tab); return; }
+  find(".answer", panel(tab)).classList.toggle("stale", old);
+  find(".said", panel(tab)).textContent = latest ? (old && answered.has(tab) ? words.changed : "") : words.refused;
 }
 
 async function* lines(stream) {
@@ -201,11 +202,11 @@ async function run(tab) {
   const [answer, said, progress, stop] = [".answer", ".said", "progress", ".stop"].map((one) => find(one, place));
   const options = Object.fromEntries(all("[data-option]", place).map((one) => [one.id, one.value]));
   running.set(tab, mine);
-  answered.set(tab, JSON.stringify(sent));
-  const working = (on) => { place.setAttribute("aria-busy", String(on)); progress.hidden = stop.hidden = !on; };
+  answered.set(tab, clutch(sent));
+  const working = (on) => { place.ariaBusy = String(on); progress.hidden = stop.hidden = !on; };
   working(true);
-  said.textContent = words.working;
   progress.removeAttribute("value");
+  said.textContent = words.working;
   try {
     const reply = await post(`tab/${name}`, { ...sent, options }, mine.signal);
     if (!reply.ok) throw new Error(await reply.text());
@@ -218,15 +219,18 @@ async function run(tab) {
       said.textContent = "";
       list(find(".problems", place), [...line.problems ?? [], ...mark(line.errors ?? {}, place)]);
       answer.classList.toggle("stale", line.html === undefined);
-      if (line.html !== undefined) put(answer, line.html);
+      if (line.html !== undefined) put(answer, line.html); else answered.delete(tab);
       if (line.command) { find(".command", place).textContent = line.command; find("pre", place).hidden = false; }
     }
   } catch (error) {
     if (running.get(tab) !== mine) return;
+    answered.delete(tab);
     answer.classList.add("stale");
     said.textContent = mine.signal.aborted ? words.stopped : `${words.gone} (${error.message})`;
   }
-  if (running.get(tab) === mine) working(false);
+  if (running.get(tab) !== mine) return;
+  working(false);
+  if (answered.has(tab)) outdate();
 }
 
 find("[role=tablist]").addEventListener("keydown", (event) => {
