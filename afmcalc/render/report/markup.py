@@ -48,7 +48,7 @@ def css_string(text: str) -> Markup:
 _POWER = re.compile(r"(-?[\d.]+|\(.*\))e([+-]\d+)")
 
 
-def drawing(svg: str, name: str, number: int) -> Markup:
+def drawing(svg: str, name: str, number: object) -> Markup:
     """Make one of our drawings part of the page: its own ids, the page's colours and width, a name to read out."""
     svg = svg[svg.index("<svg") :]
     svg = re.sub(r"<metadata>.*?</metadata>|<style.*?</style>", "", svg, flags=re.DOTALL)

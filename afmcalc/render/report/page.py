@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
+from markupsafe import Markup
 
 from ...analysis.dossier import Dossier
 from ...messages import localized, named, printable, spoken, term, translate
@@ -18,6 +19,7 @@ from ...spec import resolved
 from ...spec.keys import keys, scatter_at
 from ...spec.models import TitleBlock
 from ..layout import ranked
+from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..units import display, display_unit, worded
 from .chapters import Chapter, chapters
@@ -92,7 +94,7 @@ def render(subject: Subject) -> str:
     parts = chapters(dossier)
     sheets = [(chapter.topic.name, sheet) for chapter in parts for sheet in chapter.sheets]
     figures = [
-        {"number": number, "chapter": key, "sheet": sheet, "svg": drawing(inline_svg(sheet), sheet.title, number)}
+        {"number": number, "chapter": key, "sheet": sheet, "svg": _panels(sheet, number)}
         for number, (key, sheet) in enumerate(sheets, 1)
     ]
     name = named(dossier.spec.name) or message("Adaptive friction clutch")
@@ -114,6 +116,12 @@ def render(subject: Subject) -> str:
         findings=ranked(dossier.findings),
         references=[(key, text) for key, text in references().items() if key in cited],
     )
+
+
+def _panels(sheet: Sheet, number: int) -> Markup:
+    """Draw each panel by itself: between them a page may end."""
+    drawn = [inline_svg(Sheet("", [panel])) for panel in sheet.panels]
+    return Markup("\n").join(drawing(svg, sheet.title, f"{number}-{place}") for place, svg in enumerate(drawn, 1))
 
 
 class Verdict(NamedTuple):
