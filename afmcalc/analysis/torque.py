@@ -144,11 +144,11 @@ def shares(clutch: Clutch, friction: float, friction_driven: float | None) -> di
     if clutch.bypass_pairs:
         bypass = clutch.mean_radius, clutch.bypass_pairs, friction
         result["driving_torque"] = direct.driving_torque(force, *bypass)
-        if clutch.spec.kind.controlled:
+        if unit is not None:
             result["onset_torque"] = direct.onset_torque(clutch.closing_force, *bypass)
-    if clutch.spec.kind.controlled:
+    if unit is not None:
         result["driven_torque"] = torque = clutch.ball_torque(friction, friction_driven)
-        if unit is not None and unit.ball_circle_radius is not None:
+        if unit.ball_circle_radius is not None:
             result["circumferential_force"] = direct.circumferential_force(torque, unit.ball_circle_radius)
         if sleeve is not None:
             key = sleeve.key_friction, sleeve.hub_diameter

@@ -1,15 +1,17 @@
 """Engine of direct regulation: one law, the variants are pair counts."""
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 from ..arrays import Values, is_array, larger, smaller
 from ..equations import accuracy, direct
 from ..findings import Finding, finding
+from ..messages import say
 from ..spec.models import Method, Spec
 from . import parameters
-from .protocol import ByGain, Clutch, TorqueAt, both_frictions, extremes
+from .protocol import ByGain, Clutch, TorqueAt, extremes
 
 
 @dataclass(frozen=True)
@@ -121,3 +123,32 @@ class DirectClutch(Clutch):
             most, at = float(self.torque_range.high), float(self.torque_range.at_high)
             if (factor := float(self.torque(*largest)) / most) < 1:
                 yield finding("torque-falls", "info", value=factor, limit=1.0, most=most, at=at)
+
+
+def both_frictions(friction: Values, friction_driven: Values | None) -> tuple[Values, Values]:
+    """f_1 and f_2, checked.
+
+    Raises:
+        ValueError: negative or no number.
+    """
+    first = _checked(friction)
+    return first, first if friction_driven is None or friction_driven is friction else _checked(friction_driven)
+
+
+def _checked(friction: Any) -> Any:
+    if isinstance(friction, list | tuple):
+        import numpy as np
+
+        friction = np.asarray(friction, float)
+    if isinstance(friction, int | float) and not isinstance(friction, bool):
+        if 0 <= friction < math.inf:
+            return friction
+    elif is_array(friction):
+        if friction.dtype.kind not in "fiu":
+            raise ValueError(say("friction must be numbers, not an array of {dtype}", dtype=friction.dtype))
+        if friction.size and not friction.min() >= 0:
+            raise ValueError(say("friction must be at least 0 everywhere"))
+        return friction
+    raise ValueError(
+        say("friction must be a finite number, at least 0, or an array of such; got {value!r}", value=friction)
+    )

@@ -12,7 +12,8 @@ from ..findings import Finding, finding
 from ..messages import say
 from ..spec.models import Method, Spec
 from . import parameters
-from .protocol import ByGain, Clutch, TorqueAt, extremes, one_friction
+from .direct import both_frictions
+from .protocol import ByGain, Clutch, TorqueAt, extremes
 from .springs import DiscCharacteristic, SetSpring
 
 if TYPE_CHECKING:
@@ -324,7 +325,7 @@ class IndirectClutch(Clutch):
 
     def normal_force(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Normal force N on the pairs, N: from F_п2 at rest down to F_п1 at the setting, then by S21 (9)."""
-        friction = one_friction(friction, friction_driven)
+        friction = _one_friction(friction, friction_driven)
         return chosen(
             self.is_seated(friction),
             lambda: self._pressed_at_stop(friction, self.net_gain),
@@ -361,7 +362,7 @@ class IndirectClutch(Clutch):
 
     def travel(self, friction: Values, friction_driven: Values | None = None) -> Values:
         """Axial travel x of the sleeve, m; 0 at the stop (S21 (10), (16))."""
-        friction = one_friction(friction, friction_driven)
+        friction = _one_friction(friction, friction_driven)
         return chosen(self.is_seated(friction), lambda: 0.0, lambda: self._travelled(friction))
 
     def _travelled(self, friction: Values) -> Values:
@@ -382,7 +383,7 @@ class IndirectClutch(Clutch):
 
         The key keeps the sleeve in its place until f has fallen by a factor of κ₊/κ; then the sleeve moves back.
         """
-        friction, most = one_friction(friction, None), self.friction[0].max if friction_max is None else friction_max
+        friction, most = _one_friction(friction, None), self.friction[0].max if friction_max is None else friction_max
         locked = self.normal_force(most)
         is_locked = self._is_locked(friction, most, locked)
         pressed = chosen(is_locked, lambda: locked, lambda: self._pressed_returning(friction, most, locked))
@@ -543,6 +544,19 @@ class IndirectClutch(Clutch):
             yield finding("returning-below-nominal", "warning", value=returning, limit=nominal, path=key)
         elif returning < nominal * (1 - 1e-12):
             yield finding("returning-covered", "info", value=returning, limit=nominal, path=key, machine=machine)
+
+
+def _one_friction(friction: Values, friction_driven: Values | None) -> Values:
+    """The one friction of all pairs, checked.
+
+    Raises:
+        ValueError: negative or no number, or two different ones.
+    """
+    first, second = both_frictions(friction, friction_driven)
+    same = first is second or first == second
+    if not (bool(same.all()) if is_array(same) else same):
+        raise ValueError(say("an indirect clutch has one friction for all pairs"))
+    return first
 
 
 def _where_least(value: Values, other: Values) -> float:

@@ -1,17 +1,15 @@
 """What every clutch can be asked, whatever its torque law."""
 
-import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
-from ..arrays import Values, chosen, is_array, larger, smaller
+from ..arrays import Values, chosen, larger, smaller
 from ..equations import accuracy, adjustment, direct, effects, overload
 from ..equations.calls import once, unnoted
 from ..findings import Finding
-from ..messages import say
 from ..spec.models import Method, Range, Spec
 from . import parameters
 
@@ -298,45 +296,3 @@ class Clutch(ABC):
             return spring_demands(self.spec, float(self.closing_force), None, travel)
         control = float(sleeve.control_force)
         return spring_demands(self.spec, float(self.closing_force), control, max(travel, float(sleeve.travel_max)))
-
-
-def both_frictions(friction: Values, friction_driven: Values | None) -> tuple[Values, Values]:
-    """f_1 and f_2, checked.
-
-    Raises:
-        ValueError: negative or no number.
-    """
-    first = _checked(friction)
-    return first, first if friction_driven is None or friction_driven is friction else _checked(friction_driven)
-
-
-def _checked(friction: Any) -> Any:
-    if isinstance(friction, list | tuple):
-        import numpy as np
-
-        friction = np.asarray(friction, float)
-    if isinstance(friction, int | float) and not isinstance(friction, bool):
-        if 0 <= friction < math.inf:
-            return friction
-    elif is_array(friction):
-        if friction.dtype.kind not in "fiu":
-            raise ValueError(say("friction must be numbers, not an array of {dtype}", dtype=friction.dtype))
-        if friction.size and not friction.min() >= 0:
-            raise ValueError(say("friction must be at least 0 everywhere"))
-        return friction
-    raise ValueError(
-        say("friction must be a finite number, at least 0, or an array of such; got {value!r}", value=friction)
-    )
-
-
-def one_friction(friction: Values, friction_driven: Values | None) -> Values:
-    """The one friction of all pairs, checked.
-
-    Raises:
-        ValueError: negative or no number, or two different ones.
-    """
-    first, second = both_frictions(friction, friction_driven)
-    same = first is second or first == second
-    if not (bool(same.all()) if is_array(same) else same):
-        raise ValueError(say("an indirect clutch has one friction for all pairs"))
-    return first
