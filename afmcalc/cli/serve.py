@@ -4,21 +4,25 @@ import os
 import socket
 import sys
 from dataclasses import replace
-from typing import Annotated, Any
+from threading import Thread
+from typing import Annotated, Any, Literal
 
 from typer import Option
 
 from ..errors import AfmcalcError, FileError, reason
 from ..messages import say, told, translate
-from .options import Common, SpecArgument, need_drawing, with_common
+from .options import Common, SpecArgument, common_options, need_drawing
 from .streams import tell
 
 
-@with_common
+@common_options("File that the page saves to, .toml or .json.")
 def serve(
     spec: SpecArgument = None,
     port: Annotated[int, Option(min=0, max=65535, help="Port of this machine; 0: any that is free.")] = 0,
     browser: Annotated[bool, Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
+    units: Annotated[
+        Literal["engineer", "si"], Option(help="Units of what is shown: mm, kN, MPa, deg, or SI.")
+    ] = "engineer",
     *,
     common: Common,
 ) -> None:
@@ -41,6 +45,7 @@ def serve(
 
     from ..analysis.design.similar import requirements_like
     from ..engines import build
+    from ..render.units import shown_in
     from ..spec.parse import bytes_of, decoded
     from ..web.app import Page
     from ..web.base import Base
@@ -63,14 +68,15 @@ def serve(
         if browser:
             import webbrowser
 
-            webbrowser.open(url)
+            Thread(target=webbrowser.open, args=[url], daemon=True).start()  # one of the terminal does not return
 
-    page = Page(base, requirements, common.units, target, _saver(replace(common, output=target)))
-    config = Config(
-        page.app(port, token, ready), http="h11", ws="none", lifespan="on", log_config=None, access_log=False,
-        log_level="critical", server_header=False, timeout_graceful_shutdown=0, limit_concurrency=100,
-    )  # fmt: skip
-    Server(config).run([listening])
+    page = Page(base, requirements, units, target, _saver(replace(common, output=target)))
+    # no log, no waiting for connections at the end: what is wrong is told on the page
+    how: dict[str, Any] = {"log_config": None, "log_level": "critical", "access_log": False, "server_header": False}
+    how |= {"http": "h11", "ws": "none", "loop": "asyncio", "lifespan": "on", "timeout_graceful_shutdown": 0}
+    config = Config(page.app(port, token, ready), limit_concurrency=100, **how)
+    with shown_in(units):
+        Server(config).run([listening])
 
 
 def _listen(port: int) -> socket.socket:

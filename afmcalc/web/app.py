@@ -11,12 +11,12 @@ from typing import Any
 from starlette.applications import Starlette
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
-from starlette.responses import HTMLResponse, JSONResponse, PlainTextResponse, Response, StreamingResponse
+from starlette.responses import HTMLResponse, PlainTextResponse, Response, StreamingResponse
 from starlette.routing import Route
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from .. import __version__
-from ..errors import AfmcalcError
+from ..errors import AfmcalcError, unexpected
 from ..messages import named, spoken
 from ..render.report.page import template
 from .base import Base, data_to_save, refusal
@@ -56,8 +56,7 @@ class Gate:
     def __init__(self, app: ASGIApp, port: int, token: str) -> None:
         """Gate an application that is served at a port under a token."""
         self._app, self._token = app, token.encode()
-        self._hosts = {f"127.0.0.1:{port}", f"localhost:{port}"}
-        self._origins = {f"http://{host}" for host in self._hosts}
+        self._hosts = (f"127.0.0.1:{port}", f"localhost:{port}")
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Hand a request on, or refuse it; every answer carries the headers that keep others out."""
@@ -67,7 +66,9 @@ class Gate:
 
         async def send_with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
-                message["headers"] = [*message["headers"], *((k.encode(), v.encode()) for k, v in _HEADERS.items())]
+                # of what is refused no more is read
+                headers = _HEADERS | ({"Connection": "close"} if message["status"] >= 400 else {})
+                message["headers"] = [*message["headers"], *((k.encode(), v.encode()) for k, v in headers.items())]
             await send(message)
 
         if status := self._refused(Request(scope)):
@@ -77,12 +78,13 @@ class Gate:
 
     def _refused(self, request: Request) -> int:
         """Status of a request that is refused, 0 of one that is not."""
-        headers = request.headers
+        headers, asks = request.headers, request.method in ("GET", "HEAD")
         if len(headers.getlist("host")) != 1 or headers["host"] not in self._hosts:
             return 403
-        if headers.get("origin", f"http://{headers['host']}") not in self._origins:
+        # what no browser sends has neither header; a browser sends an origin with what changes something
+        if any(origin != f"http://{headers['host']}" for origin in headers.getlist("origin")):
             return 403
-        if headers.get("sec-fetch-site", "same-origin") not in ("same-origin", "none"):
+        if headers.get("sec-fetch-site", "same-origin") not in ("same-origin", *(["none"] if asks else [])):
             return 403
         parts = request.scope["path"].encode().split(b"/", 2)
         if len(parts) != 3 or not secrets.compare_digest(parts[1], self._token):
@@ -107,7 +109,6 @@ class Page:
         self._requirements, self._target, self._save = requirements, target, save
         self._live = Worker(units, _SLOWEST, newest=False)
         self._tabs = Worker(units, _LONG, newest=True)
-        self._saving = asyncio.Lock()
 
     def app(self, port: int, token: str, ready: Callable[[], None]) -> ASGIApp:
         """Return the application."""
@@ -120,8 +121,8 @@ class Page:
             try:
                 yield
             finally:
-                self._live.end()
-                self._tabs.end()
+                self._live.close()
+                self._tabs.close()
 
         routes = [
             Route("/", self._page),
@@ -132,7 +133,9 @@ class Page:
             Route("/save", self._answer_save, methods=["POST"]),
             Route("/form", self._answer_form, methods=["POST"]),
         ]
-        return Gate(Starlette(routes=routes, lifespan=lifespan), port, token)
+        served = Starlette(routes=routes, lifespan=lifespan, exception_handlers={Exception: _fault})
+        served.router.redirect_slashes = False
+        return Gate(served, port, token)
 
     async def _page(self, request: Request) -> Response:
         number = request.query_params.get("base", "0")
@@ -156,14 +159,15 @@ class Page:
 
     def _job(self, name: str, body: Mapping[str, Any]) -> dict[str, Any]:
         """Return what the process is asked for a request."""
-        pinned = body.get("pinned")
-        options = body.get("options", {})
+        pinned = body.get("pinned") or None
+        if not isinstance(pinned, dict | None):
+            raise HTTPException(400)
         return {
             "name": name,
             "base": self._base(body.get("base")),
             "fields": _texts(body.get("fields")),
             "pinned": pinned and (self._base(pinned.get("base")), _texts(pinned.get("fields"))),
-            "options": _texts(options),
+            "options": _texts(body.get("options", {})),
             "first": self._made,
         }
 
@@ -172,7 +176,7 @@ class Page:
         async with aclosing(self._live.ask(job, request.is_disconnected)) as answers:
             async for answer in answers:
                 if "progress" not in answer:
-                    return JSONResponse(answer)
+                    return _json(answer)
         return Response(status_code=204)
 
     async def _answer_tab(self, request: Request) -> Response:
@@ -201,13 +205,13 @@ class Page:
             data = data_to_save(self._base(body.get("base")), _texts(body.get("fields")))
             file, message = self._save(data)
         except AfmcalcError as error:
-            return JSONResponse(refusal(error))
-        return JSONResponse({"saved": file, "message": message})
+            return _json(refusal(error))
+        return _json({"saved": file, "message": message})
 
     async def _answer_form(self, request: Request) -> Response:
         number = (await _body(request)).get("base")
         form = template("parts.html", HERE).module.form(form_of(self._base(number)), number)  # type: ignore[attr-defined]
-        return JSONResponse({"html": str(form), "base": number})
+        return _json({"html": str(form), "base": number})
 
 
 async def _body(request: Request) -> dict[str, Any]:
@@ -238,6 +242,15 @@ def _texts(given: object) -> dict[str, str]:
     if not isinstance(given, dict) or not all(isinstance(text, str) for text in given.values()):
         raise HTTPException(400)
     return given
+
+
+def _json(answer: Mapping[str, Any], status: int = 200) -> Response:
+    """Answer in ASCII: a text that is none, half a pair of surrogates, is told as well."""
+    return Response(json.dumps(answer), status, media_type="application/json")
+
+
+async def _fault(request: Request, error: Exception) -> Response:
+    return _json({"errors": {}, "problems": unexpected(error)[1]}, 500)
 
 
 async def _style(request: Request) -> Response:

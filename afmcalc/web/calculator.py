@@ -7,6 +7,7 @@ import sys
 import time
 import warnings
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any, TextIO
 
 from ..errors import unexpected
@@ -46,7 +47,8 @@ def main(language_name: str, units: str) -> None:
     sys.stdout = sys.stderr  # what a library prints is no answer
     warnings.simplefilter("error", RuntimeWarning)
     logging.getLogger("matplotlib").setLevel(logging.ERROR)
-    with speaking(ENGLISH if language_name == ENGLISH.name else language(language_name)), shown_in(units):
+    speaks = ENGLISH if language_name == ENGLISH.name else language(language_name)
+    with speaking(speaks), shown_in(units), suppress(BrokenPipeError):  # whoever has gone wants no answer
         answer(Ask("live", Base("", example_text("default"), None), {}))
         _write(out, {})
         for line in sys.stdin.buffer:

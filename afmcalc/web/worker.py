@@ -20,7 +20,7 @@ class Worker:
     def __init__(self, units: str, limit: float, *, newest: bool) -> None:
         """Show quantities in ``units``; a job may take ``limit`` seconds; ``newest``: a newer job ends all others."""
         self._units, self._limit, self._newest = units, limit, newest
-        self._turn, self._busy = 0, False
+        self._turn, self._busy, self._closed = 0, False, False
         self._lock = asyncio.Lock()
         self._process: Process | None = None
         self._warm: asyncio.Task[Process] | None = None
@@ -48,6 +48,11 @@ class Worker:
         if self._warm is not None:
             self._warm.cancel()
         self._process = self._warm = None
+
+    def close(self) -> None:
+        """End the process for good."""
+        self._closed = True
+        self.end()
 
     async def ask(self, job: Any, gone: Callable[[], Awaitable[bool]]) -> AsyncGenerator[dict[str, Any]]:
         """Give what is told of a job, its answer last; nothing where whoever asked is ``gone``.
@@ -84,7 +89,8 @@ class Worker:
                 self._busy = False
                 if not answered:
                     self.end()
-                    self.start()
+                    if not self._closed:
+                        self.start()
 
     async def _lines(self, process: Process, job: Any) -> AsyncGenerator[dict[str, Any]]:
         """Give the job to the process, and give what it says, its answer last; less where it ends before that."""
