@@ -59,7 +59,7 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
     """Tell, in the language of the user, of an error that is none of ours.
 
     Returns:
-        Whether a calculation or its result left the range of numbers, else afmcalc is at fault; and what to say.
+        Whether what was asked is beyond the range of numbers, or of memory, else afmcalc is at fault; what to say.
     """
     from pydantic import ValidationError
 
@@ -69,6 +69,8 @@ def unexpected(error: Exception) -> tuple[bool, list[str]]:
         beyond = isinstance(error, ArithmeticError | RuntimeWarning)
     if beyond:
         return True, [translate(BEYOND_NUMBERS)]
+    if isinstance(error, MemoryError):
+        return True, [told("not enough memory for what was asked")]
     import os
     import traceback
 

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 from ..engines.layout import FACE_GAP, TOUCHES, PartName, Ring, Sizes, SpringSize, overlaps, parts_of, sizes_of
 from ..engines.protocol import Clutch
+from ..errors import CalculationError
 from ..messages import term
 from ..spec.edit import value_at, with_values
 from ..spec.models import DiscStack, Envelope, Room, Spec
@@ -83,8 +84,21 @@ class ClutchSection(NamedTuple):
     """Key of the spec → what was filled in for the drawing, SI."""
 
 
+_MOST = 500
+"""Pairs, and balls, that are drawn, one by one."""
+
+
 def section(clutch: Clutch) -> ClutchSection:
-    """Lay out a clutch for its drawing, whatever its spec leaves open."""
+    """Lay out a clutch for its drawing, whatever its spec leaves open.
+
+    Raises:
+        CalculationError: more pairs or balls than a drawing shows.
+    """
+    for key in ("friction_group.pairs", "control_unit.balls"):
+        if (value_at(clutch.spec, key) or 0) > _MOST:
+            raise CalculationError(
+                "plot section: {key} is more than {most}, the most that are drawn", key=key, most=_MOST
+            )
     clutch, sizes, assumed = _completed(clutch)
     spec, laid_out, travel = clutch.spec, parts_of(sizes), float(sizes.travel)
     boxes = {part.name: [_box(ring) for ring in part.boxes if ring.extends] for part in laid_out}

@@ -61,9 +61,6 @@ def _run(given: list[str]) -> int:
         named = error.filename or told("standard output")
         _complain(told("{named}: cannot be written: {why}", named=named, why=term(error.strerror or str(error))))
         return 3
-    except MemoryError:
-        _complain(told("not enough memory for what was asked"))
-        return 2
     except Exception as error:
         return _misused(error, given) if hasattr(error, "format_message") else _unexpected(error)
     return code if isinstance(code, int) else 0

@@ -19,6 +19,8 @@ from .base import Base
 from .live import Ask
 from .tabs import answer
 
+_MEMORY = 8 << 30
+"""Bytes of addresses that the process may have, so that what is asked by mistake does not take those of others."""
 _EACH = 0.1
 """Seconds between two words of how far it is."""
 
@@ -43,6 +45,10 @@ class _Progress(Bar):
 
 def main(language_name: str, units: str) -> None:
     """Answer until the input ends."""
+    with suppress(ImportError):  # of POSIX
+        from resource import RLIMIT_AS, setrlimit
+
+        setrlimit(RLIMIT_AS, (_MEMORY, _MEMORY))
     out = os.fdopen(os.dup(sys.stdout.fileno()), "w", encoding="utf-8")
     sys.stdout = sys.stderr  # what a library prints is no answer
     warnings.simplefilter("error", RuntimeWarning)

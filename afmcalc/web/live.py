@@ -14,7 +14,7 @@ from ..analysis.dossier import Dossier
 from ..analysis.figures import Request, gathered
 from ..analysis.requirements import simulating
 from ..engines import build
-from ..errors import AfmcalcError
+from ..errors import AfmcalcError, CalculationError
 from ..messages import localized, told, translate
 from ..render.document import Column, document
 from ..render.drawing import Drawing
@@ -135,7 +135,10 @@ def _inputs(ask: Ask) -> Iterator[tuple[str, str, str, str]]:
 
 
 def _figure(name: str, answers: Answers, number: int) -> str:
-    sheet = sheet_of(name, gathered(name, Request([answers])))
+    try:
+        sheet = sheet_of(name, gathered(name, Request([answers])))
+    except CalculationError as error:
+        return fragment("answer", [], [], [], [error.told()])
     return fragment("figure", sheet.title, *drawn(sheet, number))
 
 

@@ -16,7 +16,8 @@ _AROUND = 0.4
 """How far a searched length lies from that of the clutch, as a share of it."""
 _FORCES = {"min": 0.25, "max": 4.0}
 """Ends of the force searched, as shares of that of the clutch."""
-_COUNT = 21
+_COUNT = 9
+"""Values of what is searched: few, for each may have to be simulated; whoever wants more writes more."""
 
 
 def requirements_like(clutch: Clutch) -> dict[str, Any]:
@@ -29,11 +30,12 @@ def requirements_like(clutch: Clutch) -> dict[str, Any]:
     wanted = _of(asked, Wanted, "requirements") | {name: data["adjustment"][name] for name in ("method", "margin")}
     if "machine" not in data and not {"nominal_torque", "machine_torque"} & wanted.keys():
         wanted["nominal_torque"] = value_as_written(float(f"{clutch.nominal_torque:.4g}"), "N*m")
-    radii = ("inner_radius", "outer_radius") if "inner_radius" in group else ("mean_radius",)
+    outer = "outer_radius" in group
     force = float(clutch.pack_force_at_rest)
     search: dict[str, Any] = {
-        "pairs": {"start": spec.least_pairs, "stop": 2 * group["pairs"]},
-        **{name: _around(group[name]) for name in radii},
+        "pairs": {"start": spec.least_pairs, "stop": 2 * group["pairs"], "step": max(1, group["pairs"] // 4)},
+        **({"inner_radius": value_as_written(group["inner_radius"], "m")} if outer else {}),
+        "outer_radius" if outer else "mean_radius": _around(group["outer_radius" if outer else "mean_radius"]),
         "closing_force": {end: value_as_written(_round(force * share), "N") for end, share in _FORCES.items()},
     }
     if spec.kind.chooses_bypass:
@@ -41,7 +43,8 @@ def requirements_like(clutch: Clutch) -> dict[str, Any]:
     if spec.kind.controlled:
         gain = max(float(clutch.gain_limit or 0.0), 2 * float(clutch.gain))
         search["gain"] = {"start": 0.0, "stop": _round(gain), "count": _COUNT}
-        search["ball_circle_radius"] = _around(unit.get("ball_circle_radius", float(clutch.mean_radius) / 2))
+        circle = unit.get("ball_circle_radius", float(clutch.mean_radius) / 2)
+        search["ball_circle_radius"] = value_as_written(_round(circle), "m")
     if spec.kind.travels:
         for name in ("closing", "control"):
             search[f"{name}_stiffness"] = value_as_written(value_at(spec, f"{name}_spring.stiffness"), "N/m")
