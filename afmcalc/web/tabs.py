@@ -1,6 +1,7 @@
 """The tabs of a page: what takes longer than a change may."""
 
 import json
+import time
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import Any
@@ -37,6 +38,8 @@ from .live import Ask, asked, drawn, fragment, live
 
 _MOST = 20
 """Clutches of a front that are shown, each to be loaded."""
+_ROUNDING = 90.0
+"""Seconds of a search after which no more of them are rounded: the answer has to come in time."""
 
 
 def answer(ask: Ask) -> dict[str, Any]:
@@ -113,7 +116,7 @@ def _spec(ask: Ask) -> Spec:
 
 def _design(ask: Ask) -> dict[str, Any]:
     """Search a front, and round each clutch of it that is shown, as ``--pick`` does: a base to go on from."""
-    text, overrides = ask.options.get("requirements", ""), _catalogues(ask)
+    text, overrides, began = ask.options.get("requirements", ""), _catalogues(ask), time.monotonic()
     try:
         need = _requirements(text, overrides)
         result, findings = ANALYSES["design"].function(need)
@@ -124,6 +127,9 @@ def _design(ask: Ask) -> dict[str, Any]:
     numbers: list[int | None] = []
     for at, row in enumerate(front.front):
         tell(say("rounding"), at, len(front.front))
+        if time.monotonic() - began > _ROUNDING:
+            numbers.append(None)
+            continue
         try:
             spec = with_picked(need, result, row.number)[1]
         except CalculationError:
