@@ -95,20 +95,24 @@ Sentence = Annotated[InstanceOf[str], WithJsonSchema({"type": "string"})]
 """A text that stays the ``Text`` it is, so that people are told it in their language; ``str`` would forget that."""
 
 
-class Triple(Result):
+class AtEnds(Result):
+    """Base of a quantity at the smallest, the mean and the largest friction."""
+
+    @classmethod
+    def of(cls, values: Iterable[Any]) -> Self:
+        """Build it of three values."""
+        return cls(**dict(zip(("min", "mean", "max"), values, strict=True)))
+
+
+class Triple(AtEnds):
     """A quantity at the smallest, the mean and the largest friction."""
 
     min: float = Field(description="at f_min")
     mean: float = Field(description="at the mean friction")
     max: float = Field(description="at f_max")
 
-    @classmethod
-    def of(cls, values: Iterable[float]) -> Self:
-        """Build the triple of three values."""
-        return cls(**dict(zip(("min", "mean", "max"), values, strict=True)))
 
-
-class OpenTriple(Result):
+class OpenTriple(AtEnds):
     """The same of a quantity that need not be: null where there is none."""
 
     min: float | None = Field(description="at f_min")

@@ -232,8 +232,10 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
     work = power = worn_out = rises = None
     if area is not None:
         work = _each(found, lambda trip: law.specific_work(trip.energy, pairs, area))
-        powers = {end: derived(found[end].course.largest, getattr(clutch.friction[1], end)) for end in ENDS}
-        power = Triple(**{end: law.power_density(powers[end], pairs, area) for end in ENDS})
+        power = Triple.of(
+            law.power_density(derived(trip.course.largest, friction), pairs, area)
+            for trip, friction in zip(found.values(), clutch.friction[1], strict=True)
+        )
         if own.wear is not None and own.lining is not None and slack_before_worn(clutch, own) is None:
             worn_out = _how_many(
                 found, lambda trip: law.trips_to_wear_out(pairs, area, own.lining, own.wear, trip.energy)
@@ -242,8 +244,8 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
         rises = _each(found, lambda trip: _rise_of(own, trip) * (1 - trip.lining_share))
     result = HeatResult(
         energy_source=slips.source,
-        slip_time=OpenTriple(**{end: found[end].time for end in ENDS}),
-        energy=OpenTriple(**{end: found[end].energy for end in ENDS}),
+        slip_time=OpenTriple.of(trip.time for trip in found.values()),
+        energy=OpenTriple.of(trip.energy for trip in found.values()),
         specific_work=work,
         power_density=power,
         temperature_rise=rises,
@@ -260,19 +262,18 @@ def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, 
 
 def _each(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values]) -> OpenTriple:
     """Of every trip that ends."""
-    return OpenTriple(**{end: None if found[end].energy is None else of(found[end]) for end in ENDS})
+    return OpenTriple.of(None if trip.energy is None else of(trip) for trip in found.values())
 
 
 def _how_many(found: Mapping[str, HeatedSlip], of: Callable[[HeatedSlip], Values]) -> OpenTriple:
     """Of every trip that ends and gives heat: without it there may be any number."""
-    return OpenTriple(**{end: of(found[end]) if found[end].energy else None for end in ENDS})
+    return OpenTriple.of(of(trip) if trip.energy else None for trip in found.values())
 
 
 def _temperatures(own: Heat, rises: OpenTriple | None) -> OpenTriple | None:
     if rises is None or own.ambient is None:
         return None
-    after = {end: getattr(rises, end) for end in ENDS}
-    return OpenTriple(**{end: None if rise is None else own.ambient + rise for end, rise in after.items()})
+    return OpenTriple.of(None if rise is None else own.ambient + rise for rise in vars(rises).values())
 
 
 def _shared(
@@ -292,7 +293,7 @@ def _shared(
         for end, course in courses.items() if len(bodies) > 1 else ():
             found[end] = slips[end]._replace(lining_share=1 - most_in_disc(bodies, course) / course.heat[-1])
         rises = {end: largest_rise(bodies, course) for end, course in courses.items()}
-    return found, OpenTriple(**{end: rises.get(end, slip.energy and 0.0) for end, slip in slips.items()})
+    return found, OpenTriple.of(rises.get(end, slip.energy and 0.0) for end, slip in slips.items())
 
 
 def bodies_of(own: Heat, pairs: Values, area: Values | None) -> list[Body]:

@@ -24,7 +24,7 @@ from ..errors import CalculationError
 from ..findings import Finding, Level, finding
 from ..messages import measured, say, term
 from ..progress import counted
-from ..result import Answer, OpenTriple, Result, Triple, described, quantity
+from ..result import Answer, AtEnds, OpenTriple, Result, Triple, described, quantity
 from ..spec import Spec, resolved
 from ..spec.edit import with_values
 from .effects import with_pairs
@@ -343,10 +343,10 @@ def _wide(what: str, rows: Sequence[Sequence[float]]) -> Iterator[Finding]:
             yield finding(code, "warning", value=low, limit=high, path=path, at=at)
 
 
-def _ends(kind: Any, values: Iterable[float | None]) -> Any:
+def _ends(kind: type[AtEnds], values: Iterable[float | None]) -> Any:
     """Values at f_min, mean friction and f_max, one without end as None; None of no values."""
     ends = [None if value == math.inf else value for value in values]
-    return kind(min=ends[0], mean=ends[1], max=ends[2]) if ends else None
+    return kind.of(ends) if ends else None
 
 
 def swept(clutch: Clutch, sweeps: Sequence[Axis]) -> tuple[list[SimulateSweep] | None, list[Finding]]:

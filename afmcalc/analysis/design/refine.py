@@ -9,6 +9,7 @@ start in seven ends elsewhere.
 """
 
 from collections.abc import Callable
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -70,11 +71,11 @@ class _Rows:
     """Candidates to refine, as columns; the values of u tried lie along the second axis."""
 
     def __init__(self, need: Requirements, variant: Variant, at: Axes) -> None:
-        self.need, self.variant = need, variant
+        self.need, self.variant, self.candidates = need, variant, partial(candidates, need, variant)
         self.at = Axes(*(column[:, None] for column in at))
         choices = searched(need, variant)
         self.spans = {name: self._span(name, choices.get(name)) for name in _FREE}
-        self.limit = objectives(candidates(need, variant, self.at)) * (1 + SAME)
+        self.limit = objectives(self.candidates(self.at)) * (1 + SAME)
         self.by_gain = need.search.gain is not None
 
     def _span(self, name: str, choice: Choice | None) -> _Span:
@@ -99,7 +100,7 @@ class _Rows:
         for name in [*["ball_diameter"] * ball_first, *self.need.objectives]:
             if name not in ("pairs", "ball_diameter") or (ball_first and best is self.at):
                 best = self._least(name, best)
-                self.limit = np.minimum(self.limit, objectives(candidates(self.need, self.variant, best)) * (1 + SAME))
+                self.limit = np.minimum(self.limit, objectives(self.candidates(best)) * (1 + SAME))
         return Axes(*(column[:, 0] for column in best))
 
     def _least(self, goal: str, best: Axes) -> Axes:
@@ -131,7 +132,7 @@ class _Rows:
     def _score(self, goal: str, at: Axes) -> Numbers:
         """The objective (of a ball what it needs) where a candidate is feasible and gives nothing up, else infinite."""
         shape = np.broadcast_shapes(*(column.shape for column in at))
-        tried = candidates(self.need, self.variant, Axes(*(np.broadcast_to(column, shape) for column in at)))
+        tried = self.candidates(Axes(*(np.broadcast_to(column, shape) for column in at)))
         values = objectives(tried)
         good = feasible(tried, np.asarray((values <= self.limit).all(axis=-1)))
         aim = tried.ball_needed if goal == "ball_diameter" else values[..., self.need.objectives.index(goal)]
@@ -175,7 +176,7 @@ class _Rows:
 
     def _largest_gain(self) -> Numbers:
         """Largest C that its range, the limit of the variant and the one on z C allow."""
-        rows, limits = candidates(self.need, self.variant, self.at), self.need.limits
+        rows, limits = self.candidates(self.at), self.need.limits
         highest = self.spans["steering"].high if self.by_gain else np.full(self.at.pairs.shape, np.inf)
         if limits.gain_limit:
             highest = np.minimum(highest, rows.gain_limit)
@@ -188,7 +189,7 @@ class _Rows:
         span = self.need.search.closing_force
         assert span is not None
         at_one, at_two = (
-            candidates(self.need, self.variant, self.at._replace(
+            self.candidates(self.at._replace(
                 steering=self._steering(steep, radius, one), ball_circle_radius=one, mean_radius=radius
             )).pack_force
             for one in (np.ones(1),)
@@ -202,8 +203,8 @@ class _Rows:
         span = self.spans["control_stiffness"]
         if (span.low == span.high).all():
             return at
-        none = candidates(self.need, self.variant, at._replace(control_stiffness=np.zeros(1)))
-        some = candidates(self.need, self.variant, at._replace(control_stiffness=at.closing_stiffness))
+        none = self.candidates(at._replace(control_stiffness=np.zeros(1)))
+        some = self.candidates(at._replace(control_stiffness=at.closing_stiffness))
         # travel = x_0/(1 + m c_2), torque = (T_0 + T_∞ m c_2)/(1 + m c_2)
         per = (none.travel / some.travel - 1) / at.closing_stiffness
         if goal in ("travel", "control_deflection", "ball_diameter"):

@@ -2,7 +2,7 @@
 
 from collections import Counter, defaultdict
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -186,11 +186,12 @@ class _Rows:
 
     def __init__(self, need: Requirements, variant: Variant, tile: Tile, radii: Numbers) -> None:
         self.need, self.variant, self.tile, self.radii = need, variant, tile, radii
+        self.at_largest = candidates(need, variant, tile.axes)
         self.by_gain = need.search.gain is not None or not variant.controlled
 
     def into(self, survey: Survey) -> None:
         """Count the candidates, and add the best of every row to a survey."""
-        size, at_largest = self.radii.size, candidates(self.need, self.variant, self.tile.axes)
+        size, at_largest = self.radii.size, self.at_largest
         built = np.broadcast_to(at_largest.is_clutch, self.tile.shape)
         rows = int(np.count_nonzero(built))
         survey.excluded[at_largest.no_clutch] += size * (self.tile.size - rows)
@@ -199,7 +200,7 @@ class _Rows:
         for constraint in constraints(self.need, self.variant):
             grouped[constraint.name].append(constraint)
         for name, group in grouped.items():
-            first, last, holds = self._span(group, at_largest)
+            first, last, holds = self._span(group)
             kept = np.where(holds & built, np.maximum(last - first, 0), 0)
             survey.excluded[name] += size * rows - int(kept.sum()) * (self.tile.size // kept.size)
             begin, end, good = np.maximum(begin, first), np.minimum(end, last), good & holds
@@ -207,13 +208,13 @@ class _Rows:
         for row, place in self._best(begin, np.where(good, end, 0)):
             survey.add(self.need, self.variant, self.tile.points(row)._replace(mean_radius=self.radii[place]))
 
-    def _span(self, group: list[Constraint], at_largest: Candidates) -> tuple[Places, Places, Mask]:
+    def _span(self, group: list[Constraint]) -> tuple[Places, Places, Mask]:
         """Return first place, place after the last, and which rows meet the bounds that do not depend on the radius."""
         first, last, holds = np.zeros(1, np.int64), np.full(1, self.radii.size), np.ones(1, bool)
         for bound in group:
             way = bound.along_radius[0 if self.by_gain else 1]
             if way == 0:
-                holds = holds & bound.holds(at_largest)
+                holds = holds & bound.holds(self.at_largest)
             elif way > 0:
                 first = np.maximum(first, self._turn(bound.holds, before=False))
             else:
@@ -238,7 +239,7 @@ class _Rows:
         return place
 
     def _at(self, radius: Numbers) -> Candidates:
-        return candidates(self.need, self.variant, self.tile.axes._replace(mean_radius=radius))
+        return replace(self.at_largest, at=self.tile.axes._replace(mean_radius=radius))
 
     def _best(self, begin: Places, end: Places) -> list[tuple[Places, Places]]:
         """Rows and places of the largest radius; at a given gain for every ball size that changes an objective."""

@@ -8,6 +8,7 @@ of all candidates that pass a check; whom one of it beats need not be asked.
 import math
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -198,7 +199,7 @@ def _shares(need: Requirements, variant: Variant, at: Axes) -> dict[str, Numbers
 def _together(need: Requirements, variant: Variant, at: Axes) -> Clutch:
     """Candidates as one clutch, its numbers arrays."""
     tried = candidates(need, variant, at)
-    spec = as_spec(need, rows(candidates(need, variant, at.at(slice(0, 1))))[0])
+    spec = as_spec(need, rows(replace(tried, at=at.at(slice(0, 1))))[0])
     half, angle = tried.face_width / 2, need.search.wall_angle is not None
     searched = {
         "friction_group.pairs": at.pairs,
