@@ -57,12 +57,8 @@ def contact_of(
 ) -> BallContact:
     """Hold the contact of a ball against every limit that the spec gives, or against Hertz where it gives none.
 
-    Args:
-        unit: the control unit.
-        wall: its wall, with the ball.
-        torques: torque through the balls at the places of the ball, N·m.
-        angles: wall angle at these places, rad.
-        ball_known: whether there is such a ball, so that Hertz tells what it may carry.
+    At places of the ball go through the balls ``torques``, N·m, on walls at ``angles``, rad; ``ball_known``: there is
+    such a ball, so that Hertz tells what it may carry.
     """
     given, elastic, ball = unit.allowable_contact_force, unit.elasticity, wall.ball_radius
     elastic_known = ball_known and wall.can_be_cut

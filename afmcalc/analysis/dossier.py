@@ -44,13 +44,7 @@ class Dossier(NamedTuple):
 
 
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
-    """Ask everything of a clutch that applies to it, each thing once.
-
-    Args:
-        spec: the clutch.
-        model: rule for the damaging stress of the life.
-        explained: whether to say how it was calculated, of the same run.
-    """
+    """Ask everything of a clutch that applies to it, each thing once; ``explained``: also how it was calculated."""
     if explained:
         answers, derived = _explained(spec, model)
     else:

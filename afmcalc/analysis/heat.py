@@ -1,8 +1,8 @@
 """Heat and wear of a trip: work, temperature, trips per hour, trips until the lining is gone, and the findings."""
 
 import math
-from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, NamedTuple
 
 from ..arrays import Values
 from ..drive.cases import case_of
@@ -23,24 +23,15 @@ from ..engines.protocol import Clutch
 from ..equations import heat as law
 from ..equations.calls import derived, unnoted
 from ..errors import CalculationError, Problem, SpecError
-from ..findings import Finding
-from ..messages import say
+from ..findings import Finding, Level, finding
+from ..messages import measured, say
 from ..progress import counted
 from ..result import OpenTriple, Triple
-from ..spec.models import Heat, missing_of
-from .registry import ANALYSES
-
-if TYPE_CHECKING:
-    from .answers import Answers
-
-
-from collections.abc import Iterator
-from typing import NamedTuple
-
-from ..findings import Level, finding
-from ..messages import measured
 from ..spec.catalogues import Material, friction_materials
+from ..spec.models import Heat, missing_of
 from ..units import ZEROS
+from .answers import Answers
+from .registry import ANALYSES
 
 _NAMES = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
 
@@ -172,10 +163,9 @@ def limit_of(clutch: Clutch) -> Limit | None:
 
 
 def judged_temperature(clutch: Clutch, result: HeatResult) -> tuple[float, bool, Limit] | None:
-    """What a material has to bear of a trip, the largest over the friction range.
+    """What a material has to bear of a trip, K, the largest over the friction range; and what it allows.
 
-    Returns:
-        The temperature, K; whether it is the faces', else the mean of the discs; and what the material allows.
+    Between them stands whether it is the temperature of the faces, or the mean of the discs.
     """
     limit, reached = material_limit(clutch), result.face_temperature or result.temperature
     if limit is None or reached is None or all(value is None for value in vars(reached).values()):
@@ -201,15 +191,8 @@ def _allowed(material: Material) -> tuple[float, float]:
 HOUR = 3600.0
 
 
-def heat(clutch: Clutch, answers: "Answers | None" = None) -> tuple[HeatResult, list[Finding]]:
-    """Calculate heat and wear of a trip.
-
-    Args:
-        clutch: the clutch; its spec says what drives it ([drive]), and of its discs what is known ([heat]).
-        answers: what was asked of it already.
-
-    Returns:
-        The result and its findings.
+def heat(clutch: Clutch, answers: Answers | None = None) -> tuple[HeatResult, list[Finding]]:
+    """Calculate heat and wear of a trip, by what drives the clutch ([drive]) and what is known of its discs ([heat]).
 
     Raises:
         SpecError: the [drive] block does not tell the heat of a trip.
@@ -355,22 +338,17 @@ def _setting(clutch: Clutch, own: Heat) -> dict[str, float]:
     return {"setting_loss_per_wear": loss, **worn}
 
 
-def trips(clutch: Clutch, answers: "Answers | None" = None) -> HeatedSlips:
+def trips(clutch: Clutch, answers: Answers | None = None) -> HeatedSlips:
     """Heat and time of a trip at f_min, mean and f_max.
 
     An event of the [drive] block is simulated; without one the tool is blocked (V1).
 
-    Args:
-        clutch: the clutch; the [drive] block of its spec says what drives it.
-        answers: what was asked of it already.
-
     Raises:
         SpecError: the [drive] block says too little.
-        AfmcalcError: there is an event, and SciPy is missing: another way would give other digits.
     """
     drive = clutch.spec.drive
     if ANALYSES["simulate"].applies(clutch):
-        return _simulated(clutch, answers)
+        return _simulated(answers or Answers(clutch))
     if missing := missing_of(drive):
         needed = say("required by heat (or give drive.event)")
         if drive.motor is not None:
@@ -383,12 +361,9 @@ def trips(clutch: Clutch, answers: "Answers | None" = None) -> HeatedSlips:
     return HeatedSlips(source, {end: _of(clutch, end, run_down(drive, _torque(clutch, end), motor)) for end in ENDS})
 
 
-def _simulated(clutch: Clutch, answers: "Answers | None") -> HeatedSlips:
-    from .simulate import simulate
-
-    found, said = simulate(clutch) if answers is None else answers.ask("simulate")
+def _simulated(answers: Answers) -> HeatedSlips:
+    (found, said), clutch, at = answers.ask("simulate"), answers.clutch, {}
     told = found.sliding_torque, found.slip_time, found.slip_energy
-    at = {}
     for end in counted(say("simulating the event"), ENDS):
         torque, time, energy = (getattr(each, end) for each in told)
         at[end] = _of(clutch, end, HeatedSlip(torque, time, energy, _course(clutch, end)))

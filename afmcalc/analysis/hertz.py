@@ -32,10 +32,7 @@ def axis_ratio(curvature_ratio: Values) -> Values:
 def allowable_force(contact: Contact, ball_radius: Values, path_radius: Values | None = None) -> Values:
     """Normal force at which a ball reaches the allowable pressure, N.
 
-    Args:
-        contact: elastic data of ball and wall, and the allowable pressure.
-        ball_radius: r_ш, m.
-        path_radius: ρ, m, of the path of the ball's centre, the wall straight across it; None of a straight wall.
+    ``path_radius`` is ρ of the path of the ball's centre, m, the wall straight across it; None of a straight wall.
     """
     modulus = synthesis.hertz_contact_modulus(
         contact.ball_modulus, contact.ball_poisson, contact.wall_modulus, contact.wall_poisson

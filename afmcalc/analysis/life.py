@@ -1,10 +1,9 @@
 """Life of the shaft that the clutch's load swings (S19 (14)–(20)), by the paper's rule or by amplitude."""
 
 from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 from ..arrays import Values
-from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..errors import AfmcalcError
@@ -13,12 +12,10 @@ from ..messages import say, term
 from ..result import Answer, Result, Series, described, quantity
 from ..spec.models import Fatigue, Method
 from .adjust import METHODS, set_by
+from .answers import Answers
 from .registry import StressRule
 from .slips import RULES, Load, cycles, damaging_stress, dynamic_factor, is_static, load_of, with_modulus
 from .sweep.grid import Axis, replaced, series
-
-if TYPE_CHECKING:
-    from .answers import Answers
 
 Setting = Literal["as-set", Method]
 UNLIMITED = "unlimited"
@@ -72,21 +69,18 @@ class LifeResult(Answer):
 
 
 def life(
-    clutch: Clutch, model: StressRule = "mean-stress", sweeps: Sequence[Axis] = (), answers: "Answers | None" = None
+    clutch: Clutch, model: StressRule = "mean-stress", sweeps: Sequence[Axis] = (), answers: Answers | None = None
 ) -> tuple[LifeResult, list[Finding]]:
     """Calculate the cycles to failure: of the band as one cycle (the paper), or of slips from T_low to T(f) and back.
 
-    Args:
-        clutch: the clutch; its spec needs a [fatigue] block.
-        model: ``mean-stress`` (the paper's), ``amplitude`` (Серенсен–Кинасошвили) or ``goodman``.
-        sweeps: axes of a sweep; an axis named dT varies the scatter band at fixed T_min.
-        answers: what was asked of the clutch already.
+    In a sweep an axis named dT varies the scatter band at fixed T_min.
 
     Raises:
         SpecError: no [fatigue] block, or one that lacks what the model needs.
     """
     part = _part(clutch, model)
-    factor = dynamic_factor(clutch, None if answers is None else lambda: answers.of(SimulateResult))
+    asked_alone, answers = answers is None, answers or Answers(clutch)
+    factor = dynamic_factor(answers)
     sides = {"protected": None, "unprotected": factor}
     clutches: dict[Setting, Clutch] = {"as-set": clutch}
     made = clutch.spec.control_spring is not None and clutch.spec.control_spring.force is not None
@@ -119,11 +113,9 @@ def life(
     if RULES[model].each_slip:
         about = finding("slips-averaged", "info", value=part.load_low, path="fatigue.load_low")
     underrated: list[Finding] = []
-    if not answers and clutch.spec.drive.dynamic_factor is not None and clutch.spec.drive.event is not None:
-        from .simulate import simulate
-
+    if asked_alone and clutch.spec.drive.dynamic_factor is not None and clutch.spec.drive.event is not None:
         # the dynamic factor given may be smaller than that of the event
-        underrated = [remark for remark in simulate(clutch)[1] if remark.code == "dynamic-factor-exceeded"]
+        underrated = [remark for remark in answers.ask("simulate")[1] if remark.code == "dynamic-factor-exceeded"]
     return result, [
         *clutch.findings(),
         *(remark for side, times in sides.items() for remark in _judged(part, model, side, load.times(times))),

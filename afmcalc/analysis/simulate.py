@@ -239,14 +239,10 @@ def simulate(
 ) -> tuple[SimulateResult, list[Finding]]:
     """Simulate the event of the [drive] block at f_min, mean friction and f_max, constant during the event.
 
-    Args:
-        clutch: a clutch with float parameters.
-        friction: further frictions: pairs (f, None) for all pairs alike or (f_1, f_2).
-        sweeps: axes of a sweep of the peaks.
+    And at further pairs of frictions, (f, None) for all pairs alike or (f_1, f_2); of a sweep only the peaks are told.
 
     Raises:
         SpecError: the spec has no event.
-        AfmcalcError: SciPy is missing.
     """
     train, points = train_of(clutch), pairs_asked(clutch, friction)
     outcomes, peaks_at_stop, heats_at_stop = [], [], []
@@ -404,9 +400,6 @@ def bypass_peak(clutch: Clutch) -> float | None:
 
     By the law breakaway is at most what they carry with the spring not yet released (handbook, chapter 3); that they
     go on carrying it in slip is the worst there may be. None where the slipping clutch carries more than they do.
-
-    Raises:
-        AfmcalcError: SciPy is missing.
     """
     first, second, more = _bypass_carries_more(clutch)
     if not more.any():
@@ -449,16 +442,12 @@ class HistoryResult(Answer):
 
 
 def history(clutch: Clutch, friction: Iterable[Pair] = (), *, short: bool = False) -> HistoryResult:
-    """Simulate events and keep their course.
+    """Simulate events at pairs of friction, else at f_min, mean and f_max, and keep their course.
 
-    Args:
-        clutch: a clutch with float parameters and an event.
-        friction: pairs (f, None) or (f_1, f_2); none for f_min, mean friction and f_max.
-        short: only until the peak has passed.
+    With ``short`` only until the peak has passed.
 
     Raises:
         SpecError: the spec has no event.
-        AfmcalcError: SciPy is missing.
     """
     unlike = clutch.spec.friction.unlike
     ends = [(first, second if unlike else None) for first, second in zip(*clutch.friction, strict=True)]

@@ -50,15 +50,7 @@ class ExplainResult(Answer):
 
 
 def explain(command: str, spec: Spec, model: StressRule | None = None) -> tuple[ExplainResult, list[Finding]]:
-    """Run a calculation and explain every equation it ran.
-
-    Args:
-        command: torque, accuracy, adjust, overload, synthesize, life or check.
-        spec: the clutch.
-        model: rule for the damaging stress, of life.
-
-    Returns:
-        The steps and the findings of the calculation itself.
+    """Run a calculation and explain every equation it ran; the findings are those of the calculation.
 
     Raises:
         AfmcalcError: no such calculation.
@@ -152,11 +144,7 @@ _OF_TANGENT = {
 
 
 def derivations(sections: Mapping[str, list[Call]]) -> dict[str, list[Derivation]]:
-    """Return the derivations of each section; what an earlier one has shown is not shown again.
-
-    Args:
-        sections: name of a section → the calls of equations that were noted for it.
-    """
+    """Return the derivations of each section, of the calls noted for it; what was shown is not shown again."""
     report = _Report()
     return {name: report.section(calls) for name, calls in sections.items()}
 

@@ -213,12 +213,8 @@ def solve(
 ) -> tuple[SolveResult, Clutch, list[Finding]]:
     """Find the value of a parameter that gives a wanted quantity, the smallest, and that clutch; others in a finding.
 
-    Args:
-        clutch: the clutch to start from.
-        name: parameter: one of ``PARAMETERS``, the name or path of its key, or one of ``RATIOS``.
-        target: a name of ``TARGETS``.
-        wanted: its value, SI.
-        beyond_limit: go past the gain limit of the variant.
+    The parameter is one of ``PARAMETERS``, the name or path of its key, or one of ``RATIOS``; the target a name of
+    ``targets()``; ``beyond_limit`` goes past the gain limit of the variant.
 
     Raises:
         NotAttainableError: the message gives the best and where it is reached.

@@ -136,14 +136,8 @@ def springs(
 ) -> tuple[SpringsResult, list[Finding]]:
     """Find parts that give the force as set and the stiffness of every spring of a clutch, within the room given.
 
-    Where there is none, the nearest and what it misses; and the parts that the spec names.
-
-    Args:
-        clutch: the clutch.
-        sort: what is to be small; by default the length where a stiffness is wanted, else the loss of force by wear.
-        top: how many to tell of each spring.
-        kind: disc springs, coil springs, or both.
-        tolerance: how far the stiffness may be off, relative.
+    Where there is none, the nearest and what it misses; and the parts that the spec names. Small is by default the
+    length where a stiffness is wanted, which may be off by ``tolerance``, relative, else the loss of force by wear.
     """
     fields: dict[str, Any] = {}
     nearest: list[SpringOption] = []
