@@ -16,8 +16,7 @@ from ..spec import Spec, resolved
 from ..spec.edit import with_key
 from ..spec.lists import diameters, next_size
 from ..spec.models import ControlUnit
-from .contact import Basis, contact_of, places_along
-from .wall import DEFAULT_CLEARANCE, WallPoint, clearances, wall_of
+from .wall import DEFAULT_CLEARANCE, Basis, WallPoint, clearances, contact_of, places_along, wall_of
 
 _STEPS = 120
 """Gains tried for one with which a curved wall can be cut: up to ten times as large."""

@@ -11,7 +11,7 @@ from afmcalc.analysis.check import check
 from afmcalc.analysis.life import life, life_sweep
 from afmcalc.analysis.simulate import simulate
 from afmcalc.analysis.sweep.axes import parse_axis
-from afmcalc.analysis.tolerance.sampling import REPLICATES
+from afmcalc.analysis.tolerance.study import REPLICATES
 from afmcalc.engines import build
 from afmcalc.spec import read_spec
 
@@ -87,7 +87,7 @@ def test_one_dynamic_factor_wherever_a_life_is_told(afmcalc, monkeypatch):
     short = "drive.event.duration=0.05"  # past its peak
     sets = ["drive.dynamic_factor=", "tolerance.samples=1000", "tolerance.sobol_base=64", short]
     clutch = build(read_spec(CONVEYOR, sets))
-    monkeypatch.setattr("afmcalc.analysis.tolerance.sampling.DRIVES", 2 * REPLICATES)
+    monkeypatch.setattr("afmcalc.analysis.tolerance.study.DRIVES", 2 * REPLICATES)
     factor, answers = event_factor(clutch), Answers(clutch)
     assert factor == pytest.approx(2.83, abs=5e-3)
     found, said = life(clutch)

@@ -12,8 +12,7 @@ from drives import REFERENCE, VARIANTS, begun, clutch, light, merged, plant, run
 
 from afmcalc.analysis.simulate import dynamic_factors, simulate
 from afmcalc.analysis.sweep.axes import parse_axis
-from afmcalc.analysis.tolerance.sampling import DRIVES, REPLICATES
-from afmcalc.analysis.tolerance.study import tolerance
+from afmcalc.analysis.tolerance.study import DRIVES, REPLICATES, tolerance
 from afmcalc.drive.cases import case_of, outcome_of
 from afmcalc.engines import build
 from afmcalc.engines.springs import DiscCharacteristic
@@ -151,7 +150,7 @@ def test_peaks_over_tolerances():
 
 def test_peaks_of_a_clutch_with_disc_springs_over_tolerances(monkeypatch):
     """Of hardly any scatter: the event's own peak."""
-    monkeypatch.setattr("afmcalc.analysis.tolerance.sampling.DRIVES", 2 * REPLICATES)
+    monkeypatch.setattr("afmcalc.analysis.tolerance.study.DRIVES", 2 * REPLICATES)
     own = light(
         **SPRUNG, tolerance={"fields": {"drive.shaft_stiffness": {"distribution": "normal", "spread": "0.01 %"}}}
     )

@@ -13,8 +13,8 @@ import pytest
 from ratios import median_ratio
 
 from afmcalc.analysis.tolerance.model import Model, inputs_of
-from afmcalc.analysis.tolerance.sampling import Plan, simulate, sobol_indices
 from afmcalc.analysis.tolerance.statistics import merged, ranked
+from afmcalc.analysis.tolerance.study import Plan, simulate, sobol_indices
 from afmcalc.spec import make_spec
 
 N = 10_000_000
@@ -110,7 +110,7 @@ def test_peak_memory(report):
 _PROCESS = """
 from afmcalc.analysis.tolerance.model import inputs_of
 from afmcalc.analysis.tolerance.model import Model
-from afmcalc.analysis.tolerance.sampling import Plan, simulate
+from afmcalc.analysis.tolerance.study import Plan, simulate
 from afmcalc.spec import make_spec
 spec = make_spec({data!r})
 simulate(Model(spec, inputs_of(spec)), Plan({n}, 1, threads=2), None, 0.0)

@@ -10,7 +10,6 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from afmcalc.analysis.tolerance.model import Input, inputs_of
-from afmcalc.analysis.tolerance.sampling import Plan
 from afmcalc.analysis.tolerance.service import gauss
 from afmcalc.analysis.tolerance.statistics import (
     BINS,
@@ -23,7 +22,7 @@ from afmcalc.analysis.tolerance.statistics import (
     ranked,
     ranked_values,
 )
-from afmcalc.analysis.tolerance.study import study
+from afmcalc.analysis.tolerance.study import Plan, study
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec, resolved
 

@@ -10,9 +10,8 @@ from hypothesis import strategies as st
 from strategies import direct_specs, indirect_specs
 
 from afmcalc.analysis.tolerance.model import Model, inputs_of
-from afmcalc.analysis.tolerance.sampling import Plan, simulate, sobol_indices
 from afmcalc.analysis.tolerance.statistics import CENTRAL
-from afmcalc.analysis.tolerance.study import study, tolerance
+from afmcalc.analysis.tolerance.study import Plan, simulate, sobol_indices, study, tolerance
 from afmcalc.engines import build
 from afmcalc.spec import make_spec, read_spec, resolved
 
