@@ -1,7 +1,7 @@
 """Errors meant for people: what is wrong, where, what was given, what is allowed."""
 
 from importlib.util import find_spec
-from typing import NamedTuple, Self
+from typing import NamedTuple, Self, TypeVar
 
 from .messages import Text, joined, say, term, told, translate
 
@@ -12,6 +12,15 @@ LONGEST_LINE = 390
 
 
 BEYOND_NUMBERS = say("a result is not finite (beyond the range of numbers): check the magnitudes in the spec")
+
+
+T = TypeVar("T")
+
+
+def given(value: T | None) -> T:
+    """Return what is there, as the rules of a spec or of requirements, or who asks, see to."""
+    assert value is not None
+    return value
 
 
 class AfmcalcError(Exception):

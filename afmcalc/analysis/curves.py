@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ..engines.protocol import Clutch
 from ..equations.overload import optimal_reduced_gain
-from ..errors import AfmcalcError, CalculationError
+from ..errors import AfmcalcError, CalculationError, given
 from ..result import Result, described, quantity
 from ..spec.keys import is_whole
 from ..spec.models import Method
@@ -214,9 +214,7 @@ def _of(clutch: Clutch) -> dict[str, Any]:
 
 def _over(axis: Axis, kind: type[S], clutch: Clutch, outputs: Mapping[str, Callable[[Clutch], Any]]) -> S:
     """Sweep over one axis."""
-    swept = series(kind, clutch, [axis], outputs)
-    assert swept is not None
-    return swept[0]
+    return given(series(kind, clutch, [axis], outputs))[0]
 
 
 def _path(clutch: Clutch) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

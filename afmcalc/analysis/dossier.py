@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from ..engines import build
 from ..equations.calls import noted
-from ..errors import CalculationError
+from ..errors import CalculationError, given
 from ..findings import Finding
 from ..messages import Text, term
 from ..result import Result
@@ -80,8 +80,7 @@ def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[D
 
 
 def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> Topic:
-    section, plot, result = analysis.section, analysis.plot, answers.ask(analysis.name)[0]
-    assert section is not None
+    section, plot, result = given(analysis.section), analysis.plot, answers.ask(analysis.name)[0]
     figure = None
     if plot and plot.applies(answers.clutch):
         with suppress(CalculationError):  # no curve: friction that does not wander, no limit of life

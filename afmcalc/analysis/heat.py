@@ -22,7 +22,7 @@ from ..drive.result import EnergySource, HeatResult
 from ..engines.protocol import Clutch
 from ..equations import heat as law
 from ..equations.calls import derived, unnoted
-from ..errors import CalculationError, Problem, SpecError
+from ..errors import CalculationError, Problem, SpecError, given
 from ..findings import Finding, Level, finding
 from ..messages import measured, say
 from ..progress import counted
@@ -175,17 +175,12 @@ def judged_temperature(clutch: Clutch, result: HeatResult) -> tuple[float, bool,
 
 def share_of_rise(clutch: Clutch, temperature: float, limit: float) -> float:
     """Share that a temperature uses of the rise from the surroundings' to a limit."""
-    heat = clutch.spec.heat
-    assert heat is not None
-    return float(law.share_of_rise(temperature, heat.ambient, limit))
+    return float(law.share_of_rise(temperature, given(clutch.spec.heat).ambient, limit))
 
 
 def _allowed(material: Material) -> tuple[float, float]:
     """Range of temperatures that a material allows, K."""
-    low, high = material.temperature_min, material.temperature_max
-    assert low is not None
-    assert high is not None
-    return low + _FREEZING, high + _FREEZING
+    return given(material.temperature_min) + _FREEZING, given(material.temperature_max) + _FREEZING
 
 
 HOUR = 3600.0

@@ -8,6 +8,7 @@ from ..drive.result import HeatResult, SimulateResult
 from ..engines.parts import checks_of_spec
 from ..engines.protocol import Clutch
 from ..equations import direct, life
+from ..errors import given
 from ..findings import Finding, Level, finding
 from ..messages import say, term
 from ..result import Result, Sentence, described, quantity
@@ -94,11 +95,10 @@ def _limits(answers: Answers, without: Collection[str]) -> Iterator[_Limit]:
     if simulated or not event:
         yield from _of_springs(clutch, _travel(answers.of(SimulateResult)) if event else 0.0)
     for remark in pressure_findings(clutch):
-        assert remark.value is not None
-        assert remark.limit is not None
         inner, mean = term("surface pressure at the inner edge"), term("surface pressure in the mean")
         name = inner if remark.code.startswith("peak") else mean
-        yield _Limit(remark.code, name, "p ≤ [p]", "Pa", remark.value, remark.limit, level=remark.level)
+        value, limit = given(remark.value), given(remark.limit)
+        yield _Limit(remark.code, name, "p ≤ [p]", "Pa", value, limit, level=remark.level)
     if ANALYSES["heat"].applies(clutch) and "heat" not in without:
         yield from _of_heat(clutch, answers.of(HeatResult))
     if ANALYSES["life"].applies(clutch) and "life" not in without:
@@ -284,20 +284,12 @@ def ring_pressures(clutch: Clutch) -> dict[str, float]:
     return pressures
 
 
-_PRESSURE_CODES = {
-    "mean": ("mean-pressure", "mean-pressure-in-range", "mean-pressure-exceeded"),
-    "peak": ("peak-pressure", "peak-pressure-in-range", "peak-pressure-exceeded"),
-}
-
-
 def _pressure_finding(kind: str, pressure: float, material: Material, path: str) -> Finding:
     """Below the printed range of the allowable: fine; within: the designer's to judge; above: an error."""
-    low, high = material.pressure_min, material.pressure_max
-    assert low is not None
-    assert high is not None
-    grave = (pressure > low) + (pressure > high)
-    levels: tuple[Level, ...] = ("info", "warning", "error")
+    low, high = given(material.pressure_min), given(material.pressure_max)
+    levels: tuple[tuple[str, Level], ...] = ("", "info"), ("-in-range", "warning"), ("-exceeded", "error")
+    code, level = levels[(pressure > low) + (pressure > high)]
     return finding(
-        _PRESSURE_CODES[kind][grave], levels[grave], value=pressure, limit=low, path=path, used=pressure / low,
+        f"{kind}-pressure{code}", level, value=pressure, limit=low, path=path, used=pressure / low,
         low=low, high=high, name=material.name,
     )  # fmt: skip

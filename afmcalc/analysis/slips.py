@@ -14,6 +14,7 @@ from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..equations.calls import derived, unnoted
+from ..errors import given
 from ..spec.models import Fatigue, Spec
 from .answers import Answers
 from .registry import StressRule
@@ -52,8 +53,7 @@ RULES: dict[StressRule, Rule] = {
 
 def with_modulus(spec: "Spec | Requirements") -> Fatigue:
     """Return the [fatigue] block, with the section modulus of the shaft where its diameter gives it."""
-    part, shaft = spec.fatigue, spec.shaft
-    assert part is not None
+    part, shaft = given(spec.fatigue), spec.shaft
     return part if shaft is None else part.model_copy(update={"polar_section_modulus": shaft.section_modulus})
 
 

@@ -9,6 +9,7 @@ from ..engines import build
 from ..engines.protocol import Clutch
 from ..equations import synthesis as law
 from ..equations.calls import unnoted
+from ..errors import given
 from ..findings import Finding, finding
 from ..messages import say
 from ..result import Answer, described, quantity
@@ -171,14 +172,11 @@ def least_contact_force_gain(clutch: Clutch) -> float | None:
     """Gain at which F_n at f_max is least (spring force kept); None if F_n only grows or only falls."""
     import numpy as np
 
-    unit = clutch.spec.control_unit
-    assert unit is not None
-    assert unit.ball_circle_radius is not None
     by_gain = clutch.ball_torque_by_gain()
     if by_gain is None:
         return None
     (a0, a1), (b0, b1), start = by_gain
-    ratio = unit.ball_circle_radius / float(clutch.mean_radius)
+    ratio = given(given(clutch.spec.control_unit).ball_circle_radius) / float(clutch.mean_radius)
     cubic = law.least_contact_force_cubic(a0, a1, b0, b1, ratio)
     with np.errstate(over="raise", divide="raise", invalid="raise"):
         roots = np.roots([float(finite(each)) for each in cubic])
@@ -215,8 +213,8 @@ def contact_limits(clutch: Clutch, result: SynthesisResult) -> Iterator[tuple[fl
 
 def _ball_findings(clutch: Clutch, unit: ControlUnit, result: SynthesisResult, largest: float) -> Iterator[Finding]:
     """Say what is taken where the spec says nothing, and whether the ball chosen will do."""
-    for key, given in (("face_gap", unit.face_gap), ("edge_clearance", unit.edge_clearance)):
-        if given is None:
+    for key in ("face_gap", "edge_clearance"):
+        if getattr(unit, key) is None:
             yield finding("default-clearance", "info", value=DEFAULT_CLEARANCE, path=f"control_unit.{key}")
     if not clutch.spec.kind.travels:
         yield finding("no-sleeve-travel", "info", value=0.0)
@@ -246,9 +244,7 @@ def _curve_findings(clutch: Clutch, result: SynthesisResult, sizes: Sequence[flo
 @unnoted()
 def _gain_that_can_be_cut(clutch: Clutch, sizes: Sequence[float]) -> float | None:
     """Smallest gain, in steps of 2 %, with which a standard ball is large enough and does not undercut."""
-    unit, gain = clutch.spec.control_unit, float(clutch.gain)
-    assert unit is not None
-    gap, clearance = clearances(unit)
+    gain, (gap, clearance) = float(clutch.gain), clearances(given(clutch.spec.control_unit))
     for _ in range(_STEPS):
         gain *= 1.02
         steeper = build(with_key(clutch.spec, "control_unit.gain", gain))

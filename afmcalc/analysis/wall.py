@@ -6,22 +6,20 @@ On a straight wall that is most at the largest torque, on a curved one wherever 
 import math
 from bisect import bisect_left
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
 from ..arrays import Values
+from ..engines.indirect import IndirectClutch
 from ..engines.protocol import Clutch
 from ..equations import synthesis
 from ..equations import wall as wall_law
 from ..equations.calls import unnoted
+from ..errors import given
 from ..result import Result, quantity
 from ..spec.models import ControlUnit
 from . import hertz
-
-if TYPE_CHECKING:
-    from ..engines.indirect import IndirectClutch
-
 
 DEFAULT_CLEARANCE = 0.002
 """s and y where the spec gives none, m: S21 takes 2…3 mm."""
@@ -167,15 +165,14 @@ def clearances(unit: ControlUnit) -> tuple[float, float]:
 
 def wall_of(clutch: Clutch, face_gap: float, ball_radius: float = 0.0) -> Wall:
     """Return the wall of a clutch's pockets, for a ball."""
-    unit, radius = clutch.spec.control_unit, float(clutch.mean_radius)
-    assert unit is not None
-    assert unit.ball_circle_radius is not None
-    tangent = float(synthesis.tan_wall_angle(clutch.gain, unit.ball_circle_radius, radius))
+    unit, radius = given(clutch.spec.control_unit), float(clutch.mean_radius)
+    circle = given(unit.ball_circle_radius)
+    tangent = float(synthesis.tan_wall_angle(clutch.gain, circle, radius))
     slope = float(clutch.sleeve.gain_slope) if clutch.sleeve else 0.0
     if slope == 0:
         return Wall(tangent, 0.0, 2, face_gap, ball_radius)
     sleeves = 2 if unit.profiled == "both" else 1
-    steepening = float(wall_law.path_steepening(slope, unit.ball_circle_radius, radius, sleeves))
+    steepening = float(wall_law.path_steepening(slope, circle, radius, sleeves))
     return Wall(tangent, steepening, sleeves, face_gap, ball_radius)
 
 
@@ -204,7 +201,7 @@ class BallContact(NamedTuple):
     seat_utilisation: float | None = None
 
 
-def places_along(clutch: "IndirectClutch", wall: Wall) -> tuple[list[float], list[float]]:
+def places_along(clutch: IndirectClutch, wall: Wall) -> tuple[list[float], list[float]]:
     """Torque and wall angle along the path of a ball on a curved wall, from the stop to the largest travel."""
     low, _, high = clutch.friction[0]
     leaving = min(max(float(clutch.leaving_friction), low), high)

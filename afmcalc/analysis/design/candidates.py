@@ -13,13 +13,14 @@ from ...engines.layout import TOUCHES, PartName, SectionPart, Sizes, overlap, pa
 from ...engines.protocol import Clutch
 from ...equations import adjustment, direct, synthesis, wall
 from ...equations.effects import force_lost_by_wear
+from ...errors import given
 from ...spec.models import HARDENED_STEEL, Drive, bore_of
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from .. import hertz
 from ..effects import weakened
 from ..slips import Load, life_of, with_modulus
-from .space import SAME, Axes, Mask, Numbers, Places, balls, curved, given
+from .space import SAME, Axes, Mask, Numbers, Places, balls, curved
 
 _NEWTON_STEPS = 12
 """To the mouth of a pocket: each doubles the digits."""

@@ -11,13 +11,14 @@ import numpy as np
 from ...engines.layout import PartName, length_of
 from ...engines.springs import QUASI_STATIC
 from ...equations import direct
+from ...errors import given
 from ...spec.models import Room
 from ...spec.requirements import Requirements
 from ...variants import Variant
 from ..registry import SpringKind
 from ..springs.candidates import held
 from .candidates import Candidates
-from .space import SAME, Mask, Numbers, curved, given
+from .space import SAME, Mask, Numbers, curved
 
 OVER, UNDER = 1 + SAME, 1 - SAME
 

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from functools import cache, partial
 from itertools import product
 from typing import NamedTuple
 
@@ -10,7 +11,7 @@ from pydantic import BaseModel
 
 from ...engines import build
 from ...engines.protocol import Clutch
-from ...errors import CalculationError
+from ...errors import CalculationError, given
 from ...findings import Finding
 from ...result import Result
 from ...spec import Spec
@@ -29,7 +30,7 @@ from ..torque import TorqueResult
 from .candidates import candidates
 from .limits import feasible, objectives
 from .rows import DesignResult, DesignRow, as_spec, rows
-from .space import SAME_CLUTCH, Axes, given, searched, with_lining
+from .space import SAME_CLUTCH, Axes, searched, with_lining
 
 _LEVELS = (*range(9), *range(11, 33, 3))
 """Steps of round figures that are tried: of 5, 2 and 1 in the second digit, in the third, …; none has more than 12."""
@@ -54,15 +55,16 @@ def with_picked(need: Requirements, result: DesignResult, pick: int | str) -> tu
     number = number_of(result, "--pick", pick)
     exact = result.front[number - 1]
     need = with_lining(need, exact)
+    checked = cache(partial(made, need))  # the same figures come of several levels
     tried = (
         clutch
         for given_up, least in ((_GIVEN_UP, 0), (math.inf, _FINE))
         for level in _LEVELS
         if level >= least
         for row in _rounded(need, exact, level, given_up)
-        if (clutch := made(need, row)) is not None
+        if (clutch := checked(row)) is not None
     )
-    chosen = next(tried, None) or made(need, exact)
+    chosen = next(tried, None) or checked(exact)
     if chosen is None:
         missed = judgement_of(build(as_spec(need, exact))).missed or ("springs",)
         raise CalculationError(

@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...errors import given
 from ...spec.requirements import Choice, Requirements
 from ...variants import Variant
 from .. import hertz
@@ -186,8 +187,7 @@ class _Rows:
 
     def _radius_of_least_force(self, steep: Numbers) -> Numbers:
         """Largest R at which the pack force is not below its range: at a given u it is a line in 1/R."""
-        span = self.need.search.closing_force
-        assert span is not None
+        span = given(self.need.search.closing_force)
         at_one, at_two = (
             self.candidates(self.at._replace(
                 steering=self._steering(steep, radius, one), ball_circle_radius=one, mean_radius=radius

@@ -19,6 +19,7 @@ from ...engines import build
 from ...engines.protocol import Clutch
 from ...equations import heat as law
 from ...equations.calls import unnoted
+from ...errors import given
 from ...messages import say
 from ...progress import counted, tell, unwatched
 from ...spec.edit import value_at, with_values
@@ -32,7 +33,7 @@ from .candidates import Candidates, candidates
 from .pick import asked, judged
 from .rows import Attainable, DesignRow, as_spec, rows
 from .search import Members, Survey, front, ranks
-from .space import Axes, Numbers, Places, given
+from .space import Axes, Numbers, Places
 
 _BATCH = 2730
 """Candidates simulated at once: at three frictions each as many drives as stay in the processor's cache."""

@@ -4,11 +4,12 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from itertools import product
 from math import prod
-from typing import Any, NamedTuple, TypeAlias, TypeVar
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...errors import given
 from ...spec.edit import with_values
 from ...spec.lists import diameters
 from ...spec.requirements import Choice, Requirements
@@ -47,15 +48,6 @@ class Axes(NamedTuple):
 def joined(parts: Iterable[Axes]) -> Axes:
     """Columns one after the other."""
     return Axes(*map(np.concatenate, zip(*parts, strict=True)))
-
-
-T = TypeVar("T")
-
-
-def given(values: T | None) -> T:
-    """What the rules of the requirements, or who asks, see to."""
-    assert values is not None
-    return values
 
 
 def curved(need: Requirements, variant: Variant) -> bool:

@@ -428,10 +428,11 @@ def _not_attainable(problem: _Problem, curve: Curve) -> CalculationError:
     if is_whole(problem.path) and len(at):
         at = np.unique(np.clip(np.concatenate([np.floor(at), np.ceil(at)]), domain.low, domain.high))
         value = problem.values(at)
-    if len(endless) and not len(at):
-        return CalculationError(refusal(say("it has no end at any {name} looked at", name=name)))
     if not len(at):
-        return CalculationError(refusal(say("no value of {name} gives a clutch", name=name)))
+        none = say("no value of {name} gives a clutch", name=name)
+        return CalculationError(
+            refusal(say("it has no end at any {name} looked at", name=name) if len(endless) else none)
+        )
     # all on one side of the wanted value, unless the quantity jumps over it
     gap = np.abs(value - wanted)
     tied = np.flatnonzero(gap <= gap.min() + 1e-13 * abs(value[np.argmin(gap)]))

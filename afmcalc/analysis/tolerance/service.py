@@ -13,6 +13,7 @@ import numpy as np
 from ...arrays import Values
 from ...engines import Clutch
 from ...equations import life as law
+from ...errors import given
 from ...spec.tolerance import FRICTION, Tolerance
 from ..slips import with_modulus
 from .model import Array, Input, Model, normal_probability, normal_score
@@ -139,10 +140,7 @@ def damage_of(clutch: Clutch, torque: Values) -> Values:
 
 def unprotected(clutch: Clutch, life: Values) -> Values:
     """Slips to failure of the unprotected side, all torques being k_д times those of the protected one (S–N line)."""
-    part, factor = clutch.spec.fatigue, clutch.spec.drive.dynamic_factor
-    assert part is not None
-    assert factor is not None
-    return life / factor**part.exponent
+    return life / given(clutch.spec.drive.dynamic_factor) ** given(clutch.spec.fatigue).exponent
 
 
 @dataclass(frozen=True)
