@@ -284,12 +284,18 @@ def ring_pressures(clutch: Clutch) -> dict[str, float]:
     return pressures
 
 
+_PRESSURE_CODES = {
+    "mean": ("mean-pressure", "mean-pressure-in-range", "mean-pressure-exceeded"),
+    "peak": ("peak-pressure", "peak-pressure-in-range", "peak-pressure-exceeded"),
+}
+
+
 def _pressure_finding(kind: str, pressure: float, material: Material, path: str) -> Finding:
     """Below the printed range of the allowable: fine; within: the designer's to judge; above: an error."""
     low, high = given(material.pressure_min), given(material.pressure_max)
-    levels: tuple[tuple[str, Level], ...] = ("", "info"), ("-in-range", "warning"), ("-exceeded", "error")
-    code, level = levels[(pressure > low) + (pressure > high)]
+    grave = (pressure > low) + (pressure > high)
+    levels: tuple[Level, ...] = ("info", "warning", "error")
     return finding(
-        f"{kind}-pressure{code}", level, value=pressure, limit=low, path=path, used=pressure / low,
+        _PRESSURE_CODES[kind][grave], levels[grave], value=pressure, limit=low, path=path, used=pressure / low,
         low=low, high=high, name=material.name,
     )  # fmt: skip
