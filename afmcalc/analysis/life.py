@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, Literal
 
 from ..arrays import Values
+from ..drive.result import SimulateResult
 from ..engines.protocol import Clutch
 from ..equations import life as law
 from ..errors import AfmcalcError
@@ -80,7 +81,7 @@ def life(
     """
     part = _part(clutch, model)
     asked_alone, answers = answers is None, answers or Answers(clutch)
-    factor = dynamic_factor(answers)
+    factor = dynamic_factor(clutch, lambda: answers.of(SimulateResult))
     sides = {"protected": None, "unprotected": factor}
     clutches: dict[Setting, Clutch] = {"as-set": clutch}
     made = clutch.spec.control_spring is not None and clutch.spec.control_spring.force is not None

@@ -16,7 +16,6 @@ from ..equations import life as law
 from ..equations.calls import derived, unnoted
 from ..errors import given
 from ..spec.models import Fatigue, Spec
-from .answers import Answers
 from .registry import StressRule
 
 if TYPE_CHECKING:
@@ -113,12 +112,17 @@ def load_of(clutch: Clutch, *, from_mean: bool = False) -> Load:
     return Load(torque, least, most, kinks)
 
 
-def dynamic_factor(answers: Answers) -> float:
-    """Dynamic factor of the unprotected side: as given, else the largest T_peak/T of the event, else 1."""
-    drive = answers.clutch.spec.drive
-    if drive.dynamic_factor is None and drive.event is not None:
-        return answers.of(SimulateResult).largest_dynamic_factor
-    return 1.0 if drive.dynamic_factor is None else drive.dynamic_factor
+def dynamic_factor(clutch: Clutch, event: Callable[[], SimulateResult] | None = None) -> float:
+    """Dynamic factor of the unprotected side: as given, else the largest T_peak/T of the event, else 1.
+
+    ``event`` returns the result of the event where it is simulated already; None: it is simulated here.
+    """
+    drive = clutch.spec.drive
+    if drive.dynamic_factor is not None or drive.event is None:
+        return 1.0 if drive.dynamic_factor is None else drive.dynamic_factor
+    from .simulate import simulate
+
+    return (event() if event else simulate(clutch)[0]).largest_dynamic_factor
 
 
 def damaging_stress(part: Fatigue, rule: StressRule, load: Load) -> Values:
