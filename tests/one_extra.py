@@ -30,6 +30,7 @@ OTHERS = (
     "init",
     "plot",
     "schema",
+    "serve",
 )
 SHORT = {"drive": "drive.event.duration=0.02", "tolerance": "tolerance.samples=2000"}
 """Example → a value with which it does not last."""
@@ -70,6 +71,13 @@ def run(arguments):
             return end.code, errors.getvalue()
 
 
+def unserved(language):
+    """What is wrong with how the page is refused where its extra is not installed; one sentence is right."""
+    code, said = run(["serve", "--no-browser", "--lang", language])
+    right = code == 2 and re.fullmatch(r"(error|ошибка): .*afmcalc\[web\].*", said.strip())
+    return "" if right else f"serve: exit {code}: {said.strip()[-300:]}"
+
+
 def fault(arguments, extra, known):
     """What is wrong with how a command line ends; nothing where it ends well."""
     code, said = run(arguments)
@@ -88,6 +96,8 @@ if __name__ == "__main__":
     begun = time.monotonic()
     lines = [[*line, "--lang", language] for line in command_lines() for language in ("en", "ru")]
     faults = [found for line in lines if (found := fault(line, extra, known))]
+    if extra != "web":
+        faults += [found for language in ("en", "ru") if (found := unserved(language))]
     print(
         f"{extra or 'none'}: {len(lines)} command lines, {len(faults)} faults, {time.monotonic() - begun:.0f} s",
         *faults,

@@ -1,0 +1,142 @@
+"""Pages of the server in Debian's Chromium, driven by Playwright; nothing is downloaded."""
+
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import pytest
+from serving import MISSING, Served
+
+NAMES = ("chromium", "chromium-browser", "google-chrome")
+PATH = next((path for name in NAMES if (path := shutil.which(name))), None)
+AXE = Path(__file__).with_name("axe.min.js")
+
+_LACKING = [
+    *(f"the extra web is not installed: no {name}" for name in MISSING),
+    *([] if find_spec("playwright") else ["playwright is not installed (extra test)"]),
+    *([] if PATH else [f"no headless browser on the path ({', '.join(NAMES)})"]),
+]
+browser = pytest.mark.skipif(bool(_LACKING), reason=f"the page is not opened in a browser: {'; '.join(_LACKING)}")
+
+
+@contextmanager
+def chromium() -> Iterator[Any]:
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        opened = playwright.chromium.launch(executable_path=PATH, args=["--no-sandbox", "--disable-quic"])
+        yield opened
+        opened.close()
+
+
+class Opened:
+    """The page of a server; ``problems`` has whatever the console says, ``requests`` what was loaded."""
+
+    def __init__(self, chromium: Any, served: Served, width: int = 1280, scheme: str = "light", **more: Any) -> None:
+        self.served = served
+        self.context = chromium.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme, **more)
+        self.context.grant_permissions(["clipboard-read", "clipboard-write"], origin=served.origin)
+        self.context.set_default_timeout(20_000)
+        self.problems: list[str] = []
+        self.requests: list[str] = []
+        self.waiting = 0
+        self.page = self.tab()
+
+    def tab(self) -> Any:
+        """A tab of the browser with the page, its first answer shown."""
+        page = self.context.new_page()
+        page.on("console", lambda message: self.problems.append(message.text) if message.type != "log" else None)
+        page.on("pageerror", lambda error: self.problems.append(str(error)))
+        page.on("request", self._asked)
+        page.on("requestfinished", self._over)
+        page.on("requestfailed", self._over)
+        page.goto(self.served.url)
+        page.wait_for_selector("#numbers [data-path]")
+        return page
+
+    def _asked(self, request: Any) -> None:
+        self.requests.append(request.url)
+        self.waiting += request.url.endswith("/live")
+
+    def _over(self, request: Any) -> None:
+        self.waiting -= request.url.endswith("/live")
+
+    def settled(self) -> None:
+        """Wait until every change is answered."""
+        quiet = 0
+        while quiet < 3:
+            self.page.wait_for_timeout(50)
+            quiet = 0 if self.waiting else quiet + 1
+
+    def field(self, key: str) -> Any:
+        return self.page.locator(f'[name="{key}"]')
+
+    def slider(self, key: str) -> Any:
+        """The slider beside a field."""
+        return self.page.locator(f'[name="{key}"] ~ input[type=range]')
+
+    def unfold(self) -> None:
+        self.page.evaluate("document.querySelectorAll('#form details, form details').forEach(one => one.open = true)")
+
+    def put(self, key: str, text: str) -> None:
+        """Write into a field, wait for nothing."""
+        self.unfold()
+        field = self.field(key)
+        if field.evaluate("field => field.tagName") == "SELECT":
+            field.select_option(text)
+        else:
+            field.fill(text)
+
+    def answered(self, part: str) -> None:
+        """Wait until the command shown has this in it."""
+        has = "part => document.querySelector('#command').textContent.includes(part)"
+        self.page.wait_for_function(has, arg=part)
+
+    def told(self, key: str) -> str:
+        """The sentence at a field, once it is shown."""
+        place = self.page.locator(f'[id="error-{key}"]')
+        place.wait_for(state="visible")
+        return str(place.inner_text())
+
+    @property
+    def cells(self) -> dict[str, str]:
+        """Every number shown, by its path."""
+        collect = "cells => Object.fromEntries(cells.map(one => [one.dataset.path, one.dataset.value]))"
+        found: dict[str, str] = self.page.locator("#numbers [data-path]").evaluate_all(collect)
+        return found
+
+    def copied(self) -> str:
+        """What the copy button puts into the clipboard."""
+        self.page.click("#copy")
+        self.page.wait_for_function("async () => (await navigator.clipboard.readText()).startsWith('afmcalc')")
+        return str(self.page.evaluate("navigator.clipboard.readText()"))
+
+    def open(self, name: str, seconds: float = 30) -> Any:
+        """Open a tab, wait until it answers, return its panel."""
+        self.page.click(f"#tab-{name}")
+        panel = self.page.locator(f"#panel-{name}")
+        if name == "design":  # as long as it takes only where it is asked for
+            panel.locator(".start").click()
+        self.page.wait_for_function(
+            """name => { const panel = document.getElementById(`panel-${name}`)
+              return panel.getAttribute('aria-busy') == 'false'
+                && (panel.querySelector('.answer').children.length || panel.querySelector('.problems li, .error:not([hidden])')) }""",
+            arg=name, timeout=seconds * 1000,
+        )  # fmt: skip
+        return panel
+
+    def axe(self) -> list[str]:
+        """Serious and critical faults of accessibility."""
+        self.page.evaluate(AXE.read_text(encoding="utf-8"))
+        found = self.page.evaluate("axe.run(document, {resultTypes: ['violations']})")
+        return [
+            f"{fault['id']} ({fault['impact']}): {fault['nodes'][0]['html'][:160]} … {len(fault['nodes'])}"
+            for fault in found["violations"]
+            if fault["impact"] in ("serious", "critical")
+        ]
+
+    def close(self) -> None:
+        self.context.close()
