@@ -21,6 +21,22 @@ def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
     assert [path.name for path in folder.iterdir()] == [spec.name]
 
 
+@pytest.fixture(scope="session")
+def forced(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Served]:
+    """A server that may write its spec."""
+    folder = tmp_path_factory.mktemp("forced")
+    with serving(folder, spec_in(folder).name, "--force") as server:
+        yield server
+
+
+@pytest.fixture
+def spec(forced: Served) -> Iterator[Path]:
+    """Its spec, as it was at the start; nothing else is beside it after a test."""
+    file = spec_in(forced.folder)
+    yield file
+    assert [other.name for other in forced.folder.iterdir()] == [file.name]
+
+
 @pytest.fixture
 def serve(tmp_path: Path) -> Iterator[Any]:
     """Start servers in an empty folder: ``serve("clutch.toml", "--force")``."""

@@ -34,20 +34,20 @@ def search(served, lines):
     until(lambda: served.busy(0.2) > 0.05)
 
 
-def test_a_newer_change_ends_what_is_calculated(running):
+def test_a_newer_change_ends_what_is_calculated(served):
     """Its process is another, the newer one is answered soon, then nothing is calculated any longer."""
-    with running.streaming("design", {}, requirements=LONG) as lines:
-        search(running, lines)
-        before = set(running.family())
+    with served.streaming("design", {}, requirements=LONG) as lines:
+        search(served, lines)
+        before = set(served.family())
         begun = time.monotonic()
-        last = running.tab("accuracy", {"control_unit.gain": "0.7"})[-1]
+        last = served.tab("accuracy", {"control_unit.gain": "0.7"})[-1]
         assert "html" in last
         assert time.monotonic() - begun < 20
         rest = list(lines)
         assert "html" not in rest[-1] if rest else True
         assert time.monotonic() - begun < 20
-    assert set(running.family()) != before
-    until(lambda: is_quiet(running), 5)
+    assert set(served.family()) != before
+    until(lambda: is_quiet(served), 5)
 
 
 @pytest.mark.exhaustive
@@ -119,8 +119,8 @@ def test_sigterm_ends_all(running):
     until(lambda: not running.family(), 3)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("doing", ["a design", "nothing"])
-@pytest.mark.every(2)
 def test_a_server_killed_leaves_no_worker(running, doing):
     """Not even one that calculates."""
     with ExitStack() as stack:

@@ -10,7 +10,7 @@ import tomllib
 from contextlib import suppress
 
 import pytest
-from serving import CONFIGS, Served, command_line, proc, serving, spec_in, until, web
+from serving import CONFIGS, Served, command_line, proc, spec_in, until, web
 
 pytestmark = web
 FIELDS = {"control_unit.gain": "0.7", "closing_spring.force": "2.5 kN", "friction.mean": ""}
@@ -38,22 +38,6 @@ def test_without_permission_nothing_is_written(served):
     assert "saved" not in answer
     assert any("--force" in sentence for sentence in answer["problems"])
     assert (served.folder / "clutch.toml").read_bytes() == before
-
-
-@pytest.fixture(scope="module")
-def forced(tmp_path_factory):
-    """A server that may write its spec."""
-    folder = tmp_path_factory.mktemp("forced")
-    with serving(folder, spec_in(folder).name, "--force") as served:
-        yield served
-
-
-@pytest.fixture
-def spec(forced):
-    """Its spec, as it was at the start; nothing else is beside it after a test."""
-    file = spec_in(forced.folder)
-    yield file
-    assert [other.name for other in forced.folder.iterdir()] == [file.name]
 
 
 def test_with_force_the_spec_is_written(forced, spec):

@@ -661,7 +661,7 @@ def test_two_tabs_get_their_own_answers(served):
     wrong = []
 
     def ask(gain):
-        for _ in range(several(3, 20)):
+        for _ in range(several(1, 20)):
             answer = served.live(
                 {"control_unit.gain": gain}, pinned={"base": 0, "fields": {"control_unit.gain": "0.9"}}
             )
