@@ -140,7 +140,8 @@ def _far(plant: Plant, t: float, y: State, mode: Mode, bound: float, glide: Glid
     time, endless = float(run.t[-1]), lasting and bool(run.t_events[2].size)
     if time - t < shortest and not endless:
         return None
-    swing, loss = glide.swing, train.damping / (2 * inertia)
+    # the swing dies away as it grew: at its mean rate over the stride
+    swing, loss = glide.swing, -float(run.y[-1, -1]) / max(time - t, math.ulp(t))
     stretch, moved = (_swung(natural, loss, time - t) @ swing).tolist()
     (slip, *works, _), new = run.y[:, -1].tolist(), list(y)
     _, driven, twist, _ = glide.path(slip)
@@ -215,7 +216,7 @@ def _sliding(plant: Plant, t: float, y: State, mode: Mode) -> tuple[float, float
 
 
 def _creeping(plant: Plant, y: State, mode: Mode) -> Glide | None:
-    """The slip while friction rises slowly as it slows down and nothing swings: the shaft has the pack's torque."""
+    """The slip while friction rises slowly as it slows down and hardly anything swings."""
     slow, train, way = creeping(plant, mode), plant.train, mode.pack
     slip = way * y[V]
     if slow is None or slip <= slow.least or slow.torque(slow.least) >= plant.holds:
@@ -230,7 +231,8 @@ def _creeping(plant: Plant, y: State, mode: Mode) -> Glide | None:
     _, driven, twist, _ = path(slip)
     if swing(driven, twist) > _CALM * torque:
         return None
-    return Glide(slow, path, way * plant.motor_speed(y) - driven, np.zeros(2))
+    free = np.array([way * train.stiffness * y[TWIST] - train.stiffness * twist, scale * (way * y[DRIVEN] - driven)])
+    return Glide(slow, path, way * plant.motor_speed(y) - driven, free)
 
 
 def creeping(plant: Plant, mode: Mode) -> Creep | None:

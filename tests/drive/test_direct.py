@@ -11,7 +11,7 @@ from scipy.integrate import trapezoid
 from scipy.linalg import expm
 
 from afmcalc.drive.cases import case_of, outcome_of, peak_time
-from afmcalc.drive.coast import _swung, creeping
+from afmcalc.drive.coast import _swung, creeping, stride
 from afmcalc.drive.plant import Mode
 from afmcalc.drive.train import Engine
 from afmcalc.equations import drive as law
@@ -224,3 +224,22 @@ def test_lock_of_a_damped_shaft_jumps():
     drive = plant(1000.0, damping=2.0, time=0.0)
     assert run(drive, 0.001).peak >= 150 + 2 * 15
     assert run(replace(drive, train=replace(drive.train, damping=40.0)), 1.0).peak_clutch <= 1000 * (1 + 1e-9)
+
+
+def test_a_stride_over_slow_slip_keeps_the_swing_that_grows_back(monkeypatch):
+    """Friction that rises as the slip slows down feeds the swing: forgotten, the slip of the reference lasts 0.7 % more."""
+    own = case_of(clutch(), 0.1).plant
+    strides = []
+
+    def noted(*args, **options):
+        found = stride(*args, **options)
+        strides.append(found)
+        return found
+
+    monkeypatch.setattr("afmcalc.drive.trip.stride", noted)
+    quick = run(own, 60.0)
+    assert any(strides)
+    monkeypatch.setattr("afmcalc.drive.trip.stride", lambda *args, **options: None)
+    stepped = run(own, 60.0)
+    assert quick.slip_time == pytest.approx(stepped.slip_time, rel=5e-4)
+    assert quick.heat == pytest.approx(stepped.heat, rel=1e-5)
