@@ -76,12 +76,10 @@ class Wall(NamedTuple):
         """Wall angle where the ball is ξ from its place at the stop, rad."""
         return math.atan(wall_law.path_tangent(self.tangent, self.steepening, depth))
 
-    @unnoted()
     def contact_depth(self, depth: float) -> float:
         """How far below the face the ball at ξ touches, m."""
         return float(wall_law.contact_depth(self.ball_radius, math.sin(self.angle_at(depth)), depth, self.face_gap))
 
-    @unnoted()
     def at(self, depth: float) -> WallPoint:
         """The ball at ξ."""
         angle = self.angle_at(depth)
@@ -111,11 +109,13 @@ class Wall(NamedTuple):
 
     def clearance(self, travel: float) -> float:
         """How far below the face the ball touches where it does least, m: at the largest travel, or at the stop."""
-        depth = min((0.0, travel / self.sleeves), key=self.contact_depth)
+        with unnoted():
+            depth = min((0.0, travel / self.sleeves), key=self.contact_depth)
         sine = math.sin(self.angle_at(depth))
         return float(synthesis.edge_clearance(self.ball_radius, 2 * depth, self.face_gap, sine))
 
     @property
+    @unnoted()
     def mouth(self) -> float:
         """ξ at which the ball would touch the edge of the pocket, m."""
         low, high = 0.0, self.ball_radius
@@ -126,10 +126,12 @@ class Wall(NamedTuple):
             low, high = (middle, high) if self.contact_depth(middle) > 0 else (low, middle)
 
     @property
+    @unnoted()
     def width(self) -> float:
         """Width of the pocket at the face, m."""
         return 2 * self.at(self.mouth).wall_around
 
+    @unnoted()
     def points(self, chord: float = CHORD) -> list[WallPoint]:
         """Places from the stop to the mouth, so near that chords between them keep within ``chord`` of the wall."""
         end, enough = self.mouth, 1
