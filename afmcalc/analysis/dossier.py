@@ -41,6 +41,8 @@ class Dossier(NamedTuple):
     check: CheckResult
     findings: list[Finding]
     topics: list[Topic]
+    section: Any = None
+    """The clutch in section; None where it cannot be drawn, or that is not asked for."""
 
 
 def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = True) -> Dossier:
@@ -61,6 +63,7 @@ def dossier(spec: Spec, model: StressRule = "mean-stress", *, explained: bool = 
         check=verdict,
         findings=list(dict.fromkeys(findings)),
         topics=[_topic(analysis, answers, derived.get(analysis.name, [])) for analysis in applying],
+        section=_drawn("section", answers),
     )
 
 
@@ -81,10 +84,7 @@ def _explained(spec: Spec, model: StressRule) -> tuple[Answers, dict[str, list[D
 
 def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> Topic:
     section, plot, result = given(analysis.section), analysis.plot, answers.ask(analysis.name)[0]
-    figure = None
-    if plot and plot.applies(answers.clutch):
-        with suppress(CalculationError):  # no curve: friction that does not wander, no limit of life
-            figure = gathered(plot.name, Request([answers]))
+    figure = _drawn(plot.name, answers) if plot and plot.applies(answers.clutch) else None
     return Topic(
         name=analysis.name,
         title=section.title,
@@ -96,6 +96,13 @@ def _topic(analysis: Analysis, answers: Answers, derived: list[Derivation]) -> T
         plot=plot.name if plot else "",
         figure=figure,
     )
+
+
+def _drawn(plot: str, answers: Answers) -> Any:
+    """Gather a plot; None where there is no curve: friction that does not wander, no limit of life, too many pairs."""
+    with suppress(CalculationError):
+        return gathered(plot, Request([answers]))
+    return None
 
 
 def _said(told: Told, result: Result) -> str:

@@ -125,7 +125,7 @@ def gathered(name: str, request: Request) -> Any:
         case "section":
             from .section import section
 
-            return section(subject.clutch)
+            return section(subject)
         case "torque":
             from .curves import torque_curve
 

@@ -14,7 +14,9 @@ from ..errors import CalculationError
 from ..messages import term
 from ..spec.edit import value_at, with_values
 from ..spec.models import DiscStack, Envelope, Room, Spec
+from .answers import Answers
 from .layout import LayoutPart, rows_of
+from .registry import ANALYSES
 from .synthesize import synthesize
 from .wall import wall_of
 
@@ -88,18 +90,18 @@ _MOST = 500
 """Pairs, and balls, that are drawn, one by one."""
 
 
-def section(clutch: Clutch) -> ClutchSection:
+def section(answers: Answers) -> ClutchSection:
     """Lay out a clutch for its drawing, whatever its spec leaves open.
 
     Raises:
         CalculationError: more pairs or balls than a drawing shows.
     """
     for key in ("friction_group.pairs", "control_unit.balls"):
-        if (value_at(clutch.spec, key) or 0) > _MOST:
+        if (value_at(answers.clutch.spec, key) or 0) > _MOST:
             raise CalculationError(
                 "plot section: {key} is more than {most}, the most that are drawn", key=key, most=_MOST
             )
-    clutch, sizes, assumed = _completed(clutch)
+    clutch, sizes, assumed = _completed(answers)
     spec, laid_out, travel = clutch.spec, parts_of(sizes), float(sizes.travel)
     boxes = {part.name: [_box(ring) for ring in part.boxes if ring.extends] for part in laid_out}
     balls = {part.name: boxes["balls"] if part.pockets else [] for part in laid_out}
@@ -138,8 +140,9 @@ def _rests_on(assumed: dict[str, float], *paths: str) -> bool:
     return any(f"{key}.".startswith(f"{path}.") for key in assumed for path in paths)
 
 
-def _completed(clutch: Clutch) -> tuple[Clutch, Sizes, dict[str, float]]:
+def _completed(answers: Answers) -> tuple[Clutch, Sizes, dict[str, float]]:
     """Return a clutch with all that a layout needs, its sizes, and the keys filled in, most in shares of R_cp."""
+    clutch = answers.clutch
     radius, travels, assumed = float(clutch.mean_radius), clutch.spec.kind.travels, dict[str, float]()
 
     def fill(block: str, empty: Any = None, **values: float) -> Any:
@@ -159,7 +162,11 @@ def _completed(clutch: Clutch) -> tuple[Clutch, Sizes, dict[str, float]]:
         unit = fill("control_unit", balls=6, ball_circle_radius=0.5 * radius, face_gap=FACE_GAP)
         circle, ball = unit.ball_circle_radius, unit.ball_diameter
         if ball is None:
-            ball = synthesize(clutch)[0].ball_diameter if clutch.gain > 0 else 0.4 * circle
+            if clutch.gain > 0:  # as synthesized; of a circle of our own too
+                asked = ANALYSES["synthesize"].applies(answers.clutch)
+                ball = (answers.ask("synthesize") if asked else synthesize(clutch))[0].ball_diameter
+            else:
+                ball = 0.4 * circle
             fill("control_unit", ball_diameter=ball)
         reach = circle + ball / 2
         hub = unit.hub_diameter or max(min(hub, 0.9 * (2 * circle - ball)), 0.2 * radius, 1.05 * shaft)

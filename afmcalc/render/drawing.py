@@ -13,7 +13,7 @@ from typing import Any, NamedTuple, TypeAlias
 from xml.sax.saxutils import escape
 
 from ..messages import printable
-from .plot.paint import COLOURS, INK, SHADE, WIDTH
+from .plot.paint import COLOURS, INK, PAPER, SHADE, WIDTH, WRONG
 from .symbols import literal, mathtext, split
 
 Point: TypeAlias = tuple[float, float]
@@ -31,20 +31,26 @@ class Layer(NamedTuple):
     """Lengths of dashes and gaps, points."""
     fill: float = 0.0
     """Opacity that its areas are filled with."""
+    hides: bool = False
+    """Whether its areas hide what is painted before them: they are filled with the colour of the paper."""
+
+    @property
+    def face(self) -> str:
+        """Colour of its areas."""
+        return PAPER if self.hides else self.colour
 
 
-RED = "#b3261e"
 LAYERS: dict[str, Layer] = {
     "faces": Layer("friction faces, from their end", SHADE, 0.5, fill=0.28),
     "discs": Layer("friction discs, one a pair", COLOURS[0], 0.5, fill=0.3),
     "bypass": Layer("discs of the pairs that bypass the control unit", COLOURS[1], 0.5, fill=0.6),
     "hatch": Layer("cut faces", INK, 0.35),
     "outline": Layer("edges that are seen", INK, 1.1),
-    "assumed": Layer("edges of what is drawn at a default", INK, 0.8, (4, 2)),
+    "assumed": Layer("edges of what is drawn at a default", INK, 0.8, (4, 2), 1.0, hides=True),
     "springs": Layer("springs", COLOURS[2], 1.0),
-    "balls": Layer("balls of the control unit", COLOURS[0], 1.3),
+    "balls": Layer("balls of the control unit", COLOURS[0], 1.3, fill=1.0, hides=True),
     "ghost": Layer("parts that move, where they are at f_max", COLOURS[3], 0.9, (7, 1.5, 1, 1.5, 1, 1.5)),
-    "overlap": Layer("where parts are in each other's way", RED, 0.8, fill=0.55),
+    "overlap": Layer("where parts are in each other's way", WRONG, 0.8, fill=0.55),
     "centre": Layer("centre lines", INK, 0.45, (9, 2, 1.5, 2)),
     "dimensions": Layer("dimensions, numbers of the parts and their list", INK, 0.45, fill=1.0),
 }
@@ -172,7 +178,7 @@ class Drawing:
             parts.append(
                 f'<g class="{name}" stroke="{look.colour}" stroke-width="{_n(look.width * self.point)}" '
                 f'stroke-dasharray="{dashes}" stroke-linejoin="round" '
-                f'fill="{look.colour}" fill-opacity="{look.fill:g}" fill-rule="evenodd">'
+                f'fill="{look.face}" fill-opacity="{look.fill:g}" fill-rule="evenodd">'
             )
             for shape in shapes:
                 simple = "\n".join(_svg(part) for part in exploded(shape, self.point))
@@ -195,7 +201,7 @@ class Drawing:
             line: dict[str, Any] = {"linewidth": look.width, "zorder": 2 + order / 100}
             if look.dashes:
                 line["linestyle"] = 0, tuple(length / look.width for length in look.dashes)
-            area = line | {"facecolor": (look.colour, look.fill), "edgecolor": look.colour}
+            area = line | {"facecolor": (look.face, look.fill), "edgecolor": look.colour}
             for shape in chain.from_iterable(exploded(each, self.point) for each in shapes):
                 if isinstance(shape, Inscription):
                     text, side = (mathtext if shape.ours else literal)(shape.text), _SIDES[shape.anchor]

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from conftest import CONFIGS
 
+from afmcalc.analysis.answers import Answers
 from afmcalc.analysis.section import section
 from afmcalc.analysis.shop import shop_drawing
 from afmcalc.analysis.synthesize import synthesize
@@ -220,7 +221,7 @@ def test_section_in_true_millimetres(name, afmcalc, tmp_path):
     document = ezdxf.readfile(path)
     assert not document.audit().has_issues
     space = document.modelspace()
-    wanted = section(build(read_spec(CONFIGS / f"{name}.toml"))).measures.values()
+    wanted = section(Answers(build(read_spec(CONFIGS / f"{name}.toml")))).measures.values()
     measured = sorted(line.get_measurement() for line in space.query("DIMENSION"))
     assert measured == pytest.approx(sorted((each.high - each.low) * 1e3 for each in wanted))
     for line in space.query("DIMENSION"):

@@ -11,6 +11,8 @@ from .chart import Chart, Dimension, Line
 
 INK, GRID, SHADE = "#111111", "#d4d4d4", "#9a9a9a"
 """Colours a page may replace by its own (dark mode): text and axes, grid, shaded regions."""
+WRONG, PAPER = "#a40e26", "#ffffff"
+"""Colours of what is in the way, and of what hides other things, which a page may replace too."""
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#aa4499", "#111111", "#e69f00", "#56b4e9")
 """The colours of Okabe and Ito, with a darker reddish purple, to stand out on white, and the ink for black."""

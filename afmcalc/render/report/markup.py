@@ -6,7 +6,7 @@ from typing import Any
 from markupsafe import Markup, escape
 
 from ...spec.keys import keys
-from ..plot.paint import COLOURS, GRID, INK, SHADE
+from ..plot.paint import COLOURS, GRID, INK, PAPER, SHADE, WRONG
 from ..symbols import split
 
 
@@ -57,7 +57,8 @@ def drawing(svg: str, name: str, number: object) -> Markup:
     svg = re.sub(r"url\(#", f"url(#{prefix}", svg)
     svg = re.sub(r'href="#', f'href="#{prefix}', svg)
     lines = [(colour, f"--line-{index}") for index, colour in enumerate(COLOURS[:4])]
-    for colour, variable in ((INK, "--ink"), (GRID, "--grid"), (SHADE, "--shade"), *lines):
+    inks = (INK, "--ink"), (GRID, "--grid"), (SHADE, "--shade"), (WRONG, "--bad"), (PAPER, "--paper")
+    for colour, variable in (*inks, *lines):
         svg = svg.replace(colour, f"var({variable})")
     opening, _, rest = svg.partition(">")
     opening = re.sub(r'\s(?:width|height|version|xmlns(?::\w+)?)="[^"]*"', "", opening)

@@ -19,6 +19,7 @@ from ...spec import resolved
 from ...spec.keys import keys, scatter_at
 from ...spec.models import TitleBlock
 from ..layout import ranked
+from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..units import display, display_unit, worded
@@ -92,7 +93,8 @@ def render(subject: Subject) -> str:
     """Write the page; the same subject gives the same text."""
     dossier, form = subject.dossier, FORMS.get(spoken(), FORMS["en"])
     parts = chapters(dossier)
-    sheets = [(chapter.topic.name, sheet) for chapter in parts for sheet in chapter.sheets]
+    sheets = [] if dossier.section is None else [("spec", sheet_of("section", dossier.section))]
+    sheets += [(chapter.topic.name, sheet) for chapter in parts for sheet in chapter.sheets]
     figures = [
         {"number": number, "chapter": key, "sheet": sheet, "svg": _panels(sheet, number)}
         for number, (key, sheet) in enumerate(sheets, 1)

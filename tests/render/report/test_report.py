@@ -231,7 +231,7 @@ def test_title_block(framed, parsed, tmp_path):
 )
 def test_edges_leave_out_what_has_no_curve(overrides, framed):
     page = framed(CONFIGS / "default.toml", *(part for text in overrides for part in ("--set", text)))
-    assert page.count("<figure ") == page.count('href="#figure-') < 6
+    assert page.count("<figure ") - 1 == page.count('href="#figure-') < 6
 
 
 def test_a_life_is_by_the_rule_that_was_asked_for(framed, report):
