@@ -3,6 +3,7 @@
 import os
 import socket
 import sys
+from collections.abc import Callable
 from dataclasses import replace
 from threading import Thread
 from typing import Annotated, Any, Literal
@@ -20,9 +21,7 @@ def serve(
     spec: SpecArgument = None,
     port: Annotated[int, Option(min=0, max=65535, help="Port of this machine; 0: any that is free.")] = 0,
     browser: Annotated[bool, Option("--browser/--no-browser", help="Open the page in the browser.")] = True,
-    units: Annotated[
-        Literal["engineer", "si"], Option(help="Units of what is shown: mm, kN, MPa, deg, or SI.")
-    ] = "engineer",
+    units: Annotated[Literal["engineer", "si"], Option(help="Units: mm, kN, MPa, deg, or SI.")] = "engineer",
     *,
     common: Common,
 ) -> None:
@@ -37,6 +36,7 @@ def serve(
     afmcalc serve clutch.toml --force --no-browser --port 8000
     """  # noqa: D301
     need_drawing("web")
+    import webbrowser
     from hashlib import sha256
     from secrets import token_urlsafe
 
@@ -48,35 +48,29 @@ def serve(
     from ..render.units import shown_in
     from ..spec.parse import bytes_of, decoded
     from ..web.app import Page
-    from ..web.base import Base
+    from ..web.form import Base, State
 
     common.keep(spec, spec=True)
-    if spec is None:
-        spec = common.given_instead("torque")
-    raw, name = bytes_of(spec)
-    source = decoded(raw, name)
-    base = Base(str(source), source.text, spec, tuple(common.overrides), sha256(raw).hexdigest())
-    requirements = dumps(requirements_like(build(base.spec())))
+    raw, name = bytes_of(common.given_instead("torque") if spec is None else spec)
+    base = Base(name, decoded(raw, name).text, spec, tuple(common.overrides), sha256(raw).hexdigest())
+    requirements = dumps(requirements_like(build(State(base).spec)))
     target = common.output or (spec if common.force and spec and os.path.isfile(spec) else "")
-    listening = _listen(port)
-    port, token = listening.getsockname()[1], token_urlsafe(24)
-    url = f"http://127.0.0.1:{port}/{token}/"
+    listening, token = _listen(port), token_urlsafe(24)
+    port = listening.getsockname()[1]
 
     def ready() -> None:
+        url = f"http://127.0.0.1:{port}/{token}/"
         tell(told("note: {text}", text=say("serving {url}", url=url)))
         sys.stderr.flush()
         if browser:
-            import webbrowser
-
             Thread(target=webbrowser.open, args=[url], daemon=True).start()  # one of the terminal does not return
 
-    page = Page(base, requirements, units, target, _saver(replace(common, output=target)))
+    page = Page(base, requirements, units, target, _saver(replace(common, output=target))).app(port, token, ready)
     # no log, no waiting for connections at the end: what is wrong is told on the page
     how: dict[str, Any] = {"log_config": None, "log_level": "critical", "access_log": False, "server_header": False}
     how |= {"http": "h11", "ws": "none", "loop": "asyncio", "lifespan": "on", "timeout_graceful_shutdown": 0}
-    config = Config(page.app(port, token, ready), limit_concurrency=100, **how)
     with shown_in(units):
-        Server(config).run([listening])
+        Server(Config(page, limit_concurrency=100, **how)).run([listening])
 
 
 def _listen(port: int) -> socket.socket:
@@ -88,23 +82,22 @@ def _listen(port: int) -> socket.socket:
     try:
         listening.bind(("127.0.0.1", port))
         listening.listen()
-        return listening
     except OSError as error:
-        listening.close()
         raise FileError("--port {port}: cannot be served: {why}", port=port, why=reason(error)) from None
+    return listening
 
 
-def _saver(common: Common) -> Any:
+def _saver(common: Common) -> Callable[[dict[str, Any]], tuple[str, str]]:
     """Return what writes a spec to the file named on the command line, and to no other."""
-    written = False
 
     def save(data: dict[str, Any]) -> tuple[str, str]:
-        nonlocal written
-        if not common.output:
+        nonlocal common
+        file = common.output
+        if not file:
             raise AfmcalcError("nothing to save to: start with --output FILE, or with --force to save to SPEC")
-        wrote = say("wrote {output}", output=common.output)
-        replace(common, force=common.force or written).write_spec(data, say("Saved by afmcalc serve."), wrote)
-        written = True
-        return common.output, translate(wrote)
+        wrote = say("wrote {output}", output=file)
+        common.write_spec(data, say("Saved by afmcalc serve."), wrote)
+        common = replace(common, force=True)  # what was saved is saved over
+        return file, translate(wrote)
 
     return save

@@ -1,15 +1,29 @@
-"""A process that calculates for the page: kept warm, and ended where nobody waits for its answer any more."""
+"""A process that calculates for the page: kept warm, and ended where nobody waits for its answer any more.
+
+It takes a job with each line of its standard input, and answers with lines of JSON.
+"""
 
 import asyncio
 import json
+import logging
+import os
 import sys
+import time
+import warnings
 from asyncio.subprocess import PIPE, Process
-from collections.abc import AsyncGenerator, Awaitable, Callable
-from typing import Any
+from collections.abc import AsyncGenerator, Awaitable, Callable, Mapping
+from contextlib import suppress
+from typing import Any, TextIO
 
-from ..messages import spoken, told
+from ..errors import unexpected
+from ..messages import ENGLISH, language, speaking, spoken, told, translate
+from ..progress import Bar
+from ..render.units import shown_in
+from ..spec.parse import example_text
 
-_START = "import sys; sys.path[:] = {path!r}; from afmcalc.web.calculator import main; main({language!r}, {units!r})"
+_MEMORY = 8 << 30
+"""Bytes of addresses that the process may have, so that what is asked by mistake does not take those of others."""
+_START = "import sys; sys.path[:] = {path!r}; from afmcalc.web.worker import main; main({language!r}, {units!r})"
 _LONGEST = 64 << 20
 """Bytes that a line of an answer may have."""
 
@@ -27,8 +41,7 @@ class Worker:
 
     def start(self) -> "asyncio.Task[Process]":
         """Start the process where there is none; it is there once it is warm."""
-        if self._warm is None:
-            self._warm = asyncio.create_task(self._started())
+        self._warm = self._warm or asyncio.create_task(self._started())
         return self._warm
 
     async def _started(self) -> Process:
@@ -37,79 +50,103 @@ class Worker:
         process = self._process = await asyncio.create_subprocess_exec(
             sys.executable, "-c", code, stdin=PIPE, stdout=PIPE, limit=_LONGEST, start_new_session=True
         )
-        assert process.stdout is not None
+        assert process.stdout
         await process.stdout.readline()
         return process
 
-    def end(self) -> None:
-        """End the process, whatever it is at."""
+    def end(self, *, closed: bool = False) -> None:
+        """End the process, whatever it is at; another is started unless it is ``closed`` for good."""
+        self._closed = self._closed or closed
         if self._process is not None and self._process.returncode is None:
             self._process.kill()
         if self._warm is not None:
             self._warm.cancel()
         self._process = self._warm = None
-
-    def close(self) -> None:
-        """End the process for good."""
-        self._closed = True
-        self.end()
+        if not self._closed:
+            self.start()
 
     async def ask(self, job: Any, gone: Callable[[], Awaitable[bool]]) -> AsyncGenerator[dict[str, Any]]:
         """Give what is told of a job, its answer last; nothing where whoever asked is ``gone``.
 
         The process is ended where it takes too long, or whoever listens stops.
         """
-        self._turn += 1
-        turn = self._turn
+        turn = self._turn = self._turn + 1
+        superseded = told("a newer change has taken the place of this one")
         if self._newest and self._busy:
             self.end()
         async with self._lock:
             if await gone():
                 return
-            try:
-                process = await asyncio.shield(self.start())
-            except OSError as error:
-                self.end()
-                yield problem(told("the process that calculates cannot be started: {why}", why=str(error)))
-                return
+            process = await asyncio.shield(self.start())
             if self._newest and turn != self._turn:
-                yield problem(_superseded())
+                yield _problem(superseded)
                 return
-            self._busy, answered = True, False
+            self._busy, answered, clock = True, False, asyncio.get_running_loop().time
+            end, why = clock() + self._limit, told("the calculation ended without an answer: out of memory?")
+            assert process.stdin
+            assert process.stdout
             try:
-                async for line in self._lines(process, job):
-                    answered = "progress" not in line
-                    yield line
-                if not answered:
-                    why = told("the calculation ended without an answer: out of memory?")
-                    yield problem(_superseded() if turn != self._turn else why)
+                process.stdin.write(json.dumps(job).encode() + b"\n")
+                while not answered and (line := await asyncio.wait_for(process.stdout.readline(), end - clock())):
+                    said = json.loads(line)
+                    answered = "progress" not in said
+                    yield said
             except TimeoutError:
-                yield problem(told("the calculation takes longer than {limit:g} s: it was ended", limit=self._limit))
+                why = told("the calculation takes longer than {limit:g} s: it was ended", limit=self._limit)
             finally:
                 self._busy = False
-                if not answered:
+                if not answered and process is self._process:
                     self.end()
-                    if not self._closed:
-                        self.start()
-
-    async def _lines(self, process: Process, job: Any) -> AsyncGenerator[dict[str, Any]]:
-        """Give the job to the process, and give what it says, its answer last; less where it ends before that."""
-        assert process.stdin is not None
-        assert process.stdout is not None
-        loop = asyncio.get_running_loop()
-        end = loop.time() + self._limit
-        process.stdin.write(json.dumps(job).encode() + b"\n")
-        while line := await asyncio.wait_for(process.stdout.readline(), end - loop.time()):
-            said = json.loads(line)
-            yield said
-            if "progress" not in said:
-                return
+            if not answered:
+                yield _problem(why if turn == self._turn else superseded)
 
 
-def _superseded() -> str:
-    return told("a newer change has taken the place of this one")
-
-
-def problem(sentence: str) -> dict[str, Any]:
-    """Return an answer that is a problem."""
+def _problem(sentence: str) -> dict[str, Any]:
     return {"errors": {}, "problems": [sentence]}
+
+
+class _Progress(Bar):
+    """Writes how far a calculation is, not too often."""
+
+    out: TextIO
+
+    def advance(self, work: str, done: int, total: int) -> None:
+        """Write it."""
+        if time.monotonic() - self._shown >= 0.1:
+            self._shown = time.monotonic()
+            _write(self.out, {"progress": done / total if total else None, "text": translate(work)})
+
+
+def main(language_name: str, units: str) -> None:
+    """Answer until the input ends."""
+    from .answers import answer
+    from .form import Base, State
+
+    with suppress(ImportError):  # of POSIX
+        from resource import RLIMIT_AS, setrlimit
+
+        setrlimit(RLIMIT_AS, (_MEMORY, _MEMORY))
+    out = os.fdopen(os.dup(sys.stdout.fileno()), "w", encoding="utf-8")
+    sys.stdout = sys.stderr  # what a library prints is no answer
+    warnings.simplefilter("error", RuntimeWarning)
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)
+    spoken_here = ENGLISH if language_name == ENGLISH.name else language(language_name)
+    with speaking(spoken_here), shown_in(units), suppress(BrokenPipeError):  # whoever has gone wants no answer
+        answer(State(Base("", example_text("default"), None)), {"name": "live", "pinned": None})
+        _write(out, {})  # warm
+        for line in sys.stdin.buffer:
+            job, began = json.loads(line), time.perf_counter()
+            state, pinned = (each and State(Base(*each[0]), each[1]) for each in (job["state"], job["pinned"]))
+            progress = _Progress(quiet=True, agreed=True)
+            progress.out = out
+            with progress:
+                try:
+                    answered = answer(state, job | {"pinned": pinned})
+                except Exception as error:
+                    answered = {"errors": {}, "problems": unexpected(error)[1]}
+            _write(out, answered | {"ms": round(1e3 * (time.perf_counter() - began), 1)})
+
+
+def _write(out: TextIO, said: Mapping[str, Any]) -> None:
+    out.write(json.dumps(said) + "\n")
+    out.flush()

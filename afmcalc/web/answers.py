@@ -1,0 +1,214 @@
+"""What a page is shown: fragments of HTML, from the functions that the commands ask."""
+
+import json
+import time
+from collections import namedtuple
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+from markupsafe import Markup
+
+from .. import __version__
+from ..analysis.answers import Answers
+from ..analysis.check import check_at_once
+from ..analysis.compare import change
+from ..analysis.design.design import shown
+from ..analysis.design.pick import with_picked
+from ..analysis.dossier import Dossier, dossier
+from ..analysis.figures import ParetoFigure, Request, gathered
+from ..analysis.registry import ANALYSES
+from ..analysis.requirements import simulating
+from ..analysis.sweep.axes import parse_axis
+from ..engines import build
+from ..errors import AfmcalcError, CalculationError
+from ..messages import localized, say, spoken, told, translate
+from ..progress import tell
+from ..render.document import Column, document
+from ..render.drawing import Drawing
+from ..render.layout import TextTable, blocks, cells, ranked
+from ..render.plot import quick, sheet_of
+from ..render.plot.chart import Chart, Sheet
+from ..render.plot.figure import inline_svg
+from ..render.report import Subject, render
+from ..render.report.chapters import chapters
+from ..render.report.markup import drawing
+from ..render.report.page import template, verdict
+from ..render.report.title import text_as_given, title_block
+from ..render.report.words import FORMS
+from ..render.units import display_unit
+from ..result import Result
+from ..spec import resolved, to_toml
+from ..spec.make import validated
+from ..spec.parse import parse
+from ..spec.read import data_of
+from ..spec.requirements import Requirements
+from ..spec.source import Source
+from .form import Base, State, editable, refusal
+
+Job = Mapping[str, Any]
+"""What is asked: its ``name``, the state ``pinned``, ``options`` of a tab, number of the ``first`` base to make."""
+Answer = dict[str, Any]
+_MOST = 20
+"""Clutches of a front that are shown, each to be loaded."""
+_ROUNDING = 90.0
+"""Seconds of a search after which no more of them are rounded: the answer has to come in time."""
+
+
+def answer(state: State, job: Job) -> Answer:
+    """Answer what a page asks, or say what is wrong with it."""
+    try:
+        return _ANSWERS[job["name"]](state, job)
+    except AfmcalcError as error:
+        return refusal(error)
+
+
+def fragment(name: str, *arguments: object) -> str:
+    """Fill a macro of the page."""
+    return str(getattr(template("parts.html", Path(__file__).parent).module, name)(*arguments))
+
+
+def _live(state: State, job: Job) -> Answer:
+    """Show a clutch after each change; its numbers beside those of the pinned one."""
+    answers, pinned = Answers(build(state.spec)), job["pinned"]
+    checked, findings = check_at_once(answers)
+    judged = verdict(Dossier(answers.clutch.spec, checked, findings, []))
+    notes = [told("What is simulated or sampled is not judged here: see the tabs.")]
+    before, inputs = None, []
+    if pinned:
+        old, new = pinned.texts, state.texts
+        inputs = [
+            (path, translate(key.description), old.get(path, ""), new.get(path, "")) for path, key in editable().items()
+        ]
+        with suppress(AfmcalcError):
+            before = Answers(build(pinned.spec)).ask("torque")[0]
+    fragments = {
+        "verdict": fragment("verdict", judged, checked, ranked(findings), notes if simulating(answers.clutch) else []),
+        "section": _figure("section", answers, 1),
+        "torque": _figure("torque", answers, 2),
+        "numbers": fragment("numbers", *_numbers(answers.ask("torque")[0], before)),
+        "compare": fragment("compare", [each for each in inputs if each[2] != each[3]]) if pinned else "",
+    }
+    return {"fragments": fragments, "command": state.command("torque")}
+
+
+Cell = namedtuple("Cell", "path value shown pinned change")
+Quantity = namedtuple("Quantity", "symbol name unit cells")
+
+
+def _numbers(result: Result, pinned: Result | None) -> tuple[list[Quantity], list[Quantity]]:
+    """Lay out single values and triples of a result, beside those of a pinned one."""
+    now, then = document(result), document(pinned) if pinned else None
+    before = {column.path: column for column in (*then.singles, *then.triples)} if then else {}
+
+    def row(column: Column, ends: Sequence[str]) -> Quantity:
+        other, none = before.get(column.path), [None] * len(ends)
+        values, texts = (other.values, cells(other)) if other else (none, none)
+        each = [
+            Cell(column.path + end, value, text, old, share and localized(f"{share:+.1%}"))
+            for end, value, text, old, was in zip(ends, column.values, cells(column), texts, values, strict=True)
+            for share in [change(value, was) or None]
+        ]
+        return Quantity(column.symbol, column.name, display_unit((column.units or [column.unit])[0]), each)
+
+    singles = [row(column, [""]) for column in now.singles if not column.hidden]
+    return singles, [row(column, [".min", ".mean", ".max"]) for column in now.triples if not column.hidden]
+
+
+def _figure(name: str, answers: Answers, number: int) -> str:
+    try:
+        sheet = sheet_of(name, gathered(name, Request([answers])))
+    except CalculationError as error:
+        return fragment("answer", [], [], [], [error.told()])
+    return fragment("figure", sheet.title, *_drawn(sheet, number))
+
+
+def _drawn(sheet: Sheet, number: int) -> tuple[Markup, str]:
+    """Draw a sheet as part of a page, with its caption; ``number`` is that of no other drawing of the page."""
+    (panel, *others) = sheet.panels
+    if isinstance(panel, Drawing):
+        svg = panel.svg()
+    elif isinstance(panel, Chart) and quick.is_plain(panel) and not others:
+        svg = quick.svg_of(panel)
+    else:
+        svg = inline_svg(sheet)
+    return drawing(svg, sheet.title, number), sheet.caption
+
+
+def _analysed(state: State, job: Job) -> Answer:
+    """Ask an analysis of a clutch, the accuracy also over a sweep: tables, plot and findings."""
+    name, sweep = "simulate" if job["name"] == "drive" else job["name"], job["options"].get("sweep", "").strip()
+    answers, figures = Answers(build(state.spec)), list[tuple[Markup, str]]()
+    try:
+        axes = [parse_axis(sweep, answers.clutch.spec)] if sweep else []
+        result, findings = ANALYSES[name].function(answers.clutch, axes) if sweep else answers.ask(name)
+    except AfmcalcError as error:
+        return refusal(error, "sweep" if sweep else "")
+    plot = ANALYSES[name].plot
+    if plot and plot.applies(answers.clutch):
+        with suppress(CalculationError):  # no curve
+            sheet = sheet_of(plot.name, gathered(plot.name, Request([answers], sweep or None)))
+            figures.append(_drawn(sheet, 2 + list(_ANSWERS).index(job["name"])))  # section and torque are first
+    html = fragment("answer", blocks(document(result)), figures, ranked(findings), [])
+    return {"html": html, "command": state.command(name, *(["--sweep", sweep] if sweep else []))}
+
+
+def _report(state: State, job: Job) -> Answer:
+    """Return the whole report, or of it how everything was calculated."""
+    base, spec = state.base, state.spec
+    told_of = dossier(spec)
+    if job["name"] == "report":
+        given, title = text_as_given(base.source), title_block(spec, {})
+        page = render(Subject(told_of, given, title, base.digest, spec.label, state.overrides, __version__))
+        html = fragment("report", page)
+    else:
+        lined = FORMS.get(spoken(), FORMS["en"]).lined
+        html = fragment("explanation", [chapter for chapter in chapters(told_of) if chapter.blocks], lined)
+    return {"html": html, "command": state.command("report", "--output", "report.html")}
+
+
+def _design(state: State, job: Job) -> Answer:
+    """Search a front, and round each clutch of it that is shown, as ``--pick`` does: a base to go on from."""
+    began, lists = time.monotonic(), state.spec.catalogues
+    named = lists.model_dump(exclude_none=True) if lists else {}
+    overrides = [f"catalogues.{name}={json.dumps(file, ensure_ascii=False)}" for name, file in named.items()]
+    source = Source(told("requirements"), job["options"].get("requirements", ""))
+    try:
+        if "catalogues" in parse(source):
+            raise AfmcalcError("catalogues: no file is named here; the lists are those of the clutch")
+        need = validated(Requirements, *data_of(source, overrides, Requirements))
+        result, findings = ANALYSES["design"].function(need)
+    except AfmcalcError as error:
+        return refusal(error, "requirements")
+    front = shown(result, None, _MOST)
+    bases, numbers = list[Base](), list[int | None]()
+    for at, row in enumerate(front.front):
+        tell(say("rounding"), at, len(front.front))
+        numbers.append(None)
+        with suppress(CalculationError):  # no round figures pass
+            if time.monotonic() - began < _ROUNDING:
+                data = resolved(with_picked(need, result, row.number)[1])
+                about = told("Number {pick} of the front of afmcalc design.", pick=row.number)
+                numbers[at] = job["first"] + len(bases)
+                bases.append(Base(told("number {pick} of the front", pick=row.number), to_toml(data, about), "-"))
+    tables, none = blocks(document(front)), TextTable("", [], [], [])
+    table = next((each for each in tables if each.source and each.source.path == "front"), none)
+    notes = [table.legend] if table.legend else []
+    if result.on_front > len(front.front):
+        notes.append(told("{top} of {count} shown; --top {count} shows all", top=_MOST, count=result.on_front))
+    number = 2 + list(_ANSWERS).index("design")
+    drawn = len({*need.objectives}) > 1 and result.front
+    figures = [_drawn(sheet_of("pareto", ParetoFigure(need.name, result)), number)] if drawn else []
+    html = fragment("front", table, numbers, figures, ranked(findings), notes)
+    html += fragment("answer", [each for each in tables if each is not table], [], [], [])
+    command = State(Base("", source.text, "-", tuple(overrides))).command("design", "--top", str(_MOST))
+    return {"html": html, "command": command, "bases": bases}
+
+
+_ANSWERS: Mapping[str, Callable[[State, Job], Answer]] = {
+    "live": _live,
+    **dict.fromkeys(("accuracy", "drive", "heat", "tolerance"), _analysed),
+    "design": _design,
+    **dict.fromkeys(("explanation", "report"), _report),
+}
