@@ -33,11 +33,7 @@ class AfmcalcError(Exception):
         super().__init__(template if isinstance(template, Text) else Text(template, values))
 
     def __str__(self) -> str:
-        """The message in English, no line of it too long to read."""
-        return _cut(super().__str__())
-
-    def told(self) -> str:
-        """The same in the language of the user."""
+        """The message in the language of the user, no line of it too long to read."""
         return _cut(translate(super().__str__()))
 
 

@@ -14,7 +14,7 @@ import os
 import re
 import string
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from functools import cache
 from typing import TYPE_CHECKING, Any, SupportsFloat
@@ -63,8 +63,8 @@ class Language(string.Formatter):
             members = [self.format_field(member, format_spec) for member in value]
             # a decimal comma does not separate as well
             return ("; " if self.catalogue and any("," in member for member in members) else ", ").join(members)
-        if isinstance(value, Exception):
-            value = str(value)
+        if isinstance(value, Exception):  # of an own one the sentence, of which another language has its own
+            value = value.args[0] if value.args and isinstance(value.args[0], Text) else str(value)
         number_format, _, unit = format_spec.partition(" ")
         if isinstance(value, str):
             text = self.translated(value) if isinstance(value, Text) else value
@@ -97,10 +97,11 @@ ENGLISH = Language("en")
 """The language that everything is written in."""
 
 FOLDER = os.path.join(os.path.dirname(__file__), "locale")
-_NUMBER_SIGNS = {"ru": (",", "\xa0")}
-"""Language → its decimal sign, and what sets groups of digits apart."""
+WRITTEN = {"ru": (",", "\xa0")}
+"""Language of those that ship → its decimal sign, and what sets groups of digits apart."""
 
 
+@cache
 def known() -> list[str]:
     """Names of the languages that there is a catalogue of."""
     return sorted(name.removesuffix(".mo") for name in os.listdir(FOLDER) if name.endswith(".mo"))
@@ -112,7 +113,7 @@ def language(name: str) -> Language:
     from gettext import GNUTranslations
 
     with open(os.path.join(FOLDER, f"{name}.mo"), "rb") as file:
-        return Language(name, GNUTranslations(file), *_NUMBER_SIGNS.get(name, (".", ",")))
+        return Language(name, GNUTranslations(file), *WRITTEN.get(name, (".", ",")))
 
 
 class Text(str):
@@ -191,7 +192,17 @@ def with_unit(number: str, unit: str) -> str:
     return number if unit in ("", "–") else f"{number}{unit if unit == '°' else f' {unit}'}"
 
 
-_LANGUAGE: ContextVar[Language] = ContextVar("language", default=ENGLISH)
+_LANGUAGE: ContextVar[Language | None] = ContextVar("language", default=None)
+
+
+def _current() -> Language:
+    """Return the language spoken; where the program does not say it (from Python), that of AFMCALC_LANG."""
+    if speaks := _LANGUAGE.get():
+        return speaks
+    name = os.environ.get("AFMCALC_LANG")
+    with suppress(Exception):  # a file that cannot be read is told of where the language is chosen
+        return language(name) if name and name in known() else ENGLISH
+    return ENGLISH
 
 
 @contextmanager
@@ -206,7 +217,7 @@ def speaking(language: Language) -> Iterator[None]:
 
 def spoken() -> str:
     """Name of the language of the user."""
-    return _LANGUAGE.get().name
+    return _current().name
 
 
 def translate(text: str, context: str = "") -> str:
@@ -218,7 +229,7 @@ def translate(text: str, context: str = "") -> str:
         text: the text; one that is not known is returned as it is.
         context: what tells it from others of the same letters: ``unit``, ``value``; a ``Text`` may know its own.
     """
-    return _LANGUAGE.get().translated(text, context)
+    return _current().translated(text, context)
 
 
 def told(template: str, /, **values: object) -> str:
@@ -233,7 +244,7 @@ def named(name: str | None) -> str:
 
 def localized(number: str) -> str:
     """Return a number, as Python writes it, as people write it in the language of the user."""
-    return _LANGUAGE.get().number(number)
+    return _current().number(number)
 
 
 _HIDDEN = re.compile(

@@ -12,6 +12,7 @@ from .arrays import Floats
 from .engines.protocol import Clutch as Engine
 from .errors import BEYOND_NUMBERS, CalculationError
 from .findings import Finding
+from .languages import VARIABLE, chosen
 from .result import Answer, Output
 from .spec import Spec, read_spec, resolved
 from .spec.edit import Overrides, apply_overrides, respecified
@@ -40,6 +41,8 @@ Sweep: TypeAlias = str | Sequence[str]
 Friction: TypeAlias = float | tuple[float, float] | Sequence[float | tuple[float, float]]
 """A friction, a pair f_1, f_2 of unlike materials, or several of them."""
 A = TypeVar("A", bound=Answer)
+
+chosen("", {VARIABLE: os.environ.get(VARIABLE, "en")})  # refuses another language than there is
 
 
 class Clutch:

@@ -15,7 +15,7 @@ LINE = (
 
 GROUND = {
     *("result", "findings", "errors", "messages", "arrays"),
-    *("progress", "units"),
+    *("progress", "units", "languages"),
 }
 MAY_ONLY = {"equations": set(), "ground": set(), "proofs": {"equations"}}
 """Rooms that know less than what is left of them."""

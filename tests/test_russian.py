@@ -2,6 +2,7 @@
 
 import copy
 import io
+import json
 import os
 import pickle
 import re
@@ -10,6 +11,7 @@ import subprocess
 import sys
 from gettext import GNUTranslations
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from babel.messages.mofile import write_mo
@@ -19,9 +21,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from texts import texts
 
-from afmcalc.cli.main import chosen, without_lang
+from afmcalc.cli.main import without_lang
 from afmcalc.errors import AfmcalcError
-from afmcalc.messages import FOLDER, joined, language, localized, say, say_many, speaking, term, translate
+from afmcalc.languages import chosen
+from afmcalc.messages import FOLDER, joined, known, language, localized, say, say_many, speaking, term, translate
 
 
 @pytest.fixture(scope="module")
@@ -119,6 +122,12 @@ def test_numbers(number, shown):
         (["torque", "--lang", "ru"], {"AFMCALC_LANG": "en"}, "ru"),
         (["--lang=en", "torque"], {"AFMCALC_LANG": "ru"}, "en"),
         (["torque", "--", "--lang", "ru"], {}, "en"),
+        ([], {"LANGUAGE": "de:ru_RU:en"}, "ru"),
+        ([], {"LANGUAGE": "en:ru", "LANG": "ru_RU.UTF-8"}, "en"),
+        ([], {"LANGUAGE": "ru", "LANG": "de_DE.UTF-8"}, "ru"),
+        ([], {"LANGUAGE": "ru", "LC_ALL": "C.UTF-8", "LANG": "ru_RU.UTF-8"}, "en"),
+        ([], {"LANGUAGE": "ru", "AFMCALC_LANG": "en"}, "en"),
+        ([], {"LANGUAGE": "", "LC_MESSAGES": "ru_RU"}, "ru"),
     ],
 )
 def test_the_language_is_the_options_else_the_variables_else_the_locales(arguments, environment, name):
@@ -129,6 +138,72 @@ def test_an_unknown_language_is_refused():
     for arguments, environment in ((["--lang", "xx"], {}), (["--lang"], {}), ([], {"AFMCALC_LANG": "Russian"})):
         with pytest.raises(AfmcalcError, match="known are en, ru"):
             chosen(without_lang(arguments)[1], environment)
+
+
+@pytest.mark.parametrize(
+    ("number", "environment", "name"),
+    [
+        (0x0419, {}, "ru"),
+        (0x0819, {}, "ru"),
+        (0x0409, {}, "en"),
+        (0x0419, {"LANG": "de_DE.UTF-8"}, "en"),
+        (0x0419, {"LANGUAGE": "en"}, "en"),
+    ],
+)
+def test_windows_has_a_setting_of_its_own(monkeypatch, number, environment, name):
+    library = SimpleNamespace(kernel32=SimpleNamespace(GetUserDefaultUILanguage=lambda: number))
+    monkeypatch.setattr("ctypes.windll", library, raising=False)
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert chosen("", environment).name == name
+
+
+@pytest.fixture(params=["none", "empty", "cut off"])
+def lost(request, monkeypatch, tmp_path):
+    """The file of Russian texts is lost."""
+    whole = Path(FOLDER, "ru.mo").read_bytes()
+    if request.param != "none":
+        (tmp_path / "ru.mo").write_bytes(whole[: 1000 if request.param == "cut off" else 0])
+    monkeypatch.setattr("afmcalc.messages.FOLDER", str(tmp_path))
+    for cached in (language, known):
+        cached.cache_clear()
+    yield
+    for cached in (language, known):
+        cached.cache_clear()
+
+
+def test_russian_without_its_texts_is_an_error_where_asked_for_else_a_note(lost, afmcalc, monkeypatch):
+    monkeypatch.delenv("AFMCALC_LANG")
+    asked = afmcalc("--lang", "ru", "examples")
+    assert (asked.code, asked.out, asked.err.count("\n")) == (2, "", 1)
+    assert asked.err.startswith("error: the texts of the language ru cannot be read")
+    monkeypatch.setenv("LC_ALL", "ru_RU.UTF-8")
+    found = afmcalc("examples")
+    assert (found.code, found.err.count("\n")) == (0, 1)
+    assert found.err.startswith("note: the texts of the language ru cannot be read")
+
+
+_ASKED = """
+import afmcalc, json
+answer = afmcalc.load().adjust()
+try:
+    afmcalc.load(set={"friction.minn": 1})
+except afmcalc.AfmcalcError as error:
+    print(json.dumps([str(error), str(answer), list(answer.to_dict())]))
+"""
+
+
+def test_python_speaks_the_language_of_the_variable():
+    def said(name):
+        environment = {**os.environ, "PYTHONPATH": str(ROOT), "AFMCALC_LANG": name, "LC_ALL": "ru_RU.UTF-8"}
+        return subprocess.run([sys.executable, "-c", _ASKED], capture_output=True, env=environment, check=False)
+
+    (english, table, keys), (russian, in_russian, same) = (json.loads(said(name).stdout) for name in ("", "ru"))
+    assert "unknown key" in english
+    assert "неизвестный ключ" in russian
+    assert "spring" in table
+    assert "пружин" in in_russian
+    assert keys == same
+    assert b"AFMCALC_LANG xx: known are en, ru" in said("xx").stderr
 
 
 def test_the_option_may_stand_anywhere():

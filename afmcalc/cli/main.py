@@ -1,10 +1,8 @@
 """The program: its commands, the language it speaks, and how it ends; errors are told, never a traceback."""
 
 import os
-import re
 import sys
 import warnings
-from collections.abc import Mapping
 from importlib import import_module
 from typing import Annotated, Any, NoReturn
 
@@ -14,7 +12,8 @@ from typer import Option
 from .. import __version__
 from ..analysis.registry import ANALYSES
 from ..errors import AfmcalcError, unexpected
-from ..messages import ENGLISH, Language, known, language, speaking, term, told
+from ..languages import OPTION, chosen
+from ..messages import speaking, term, told
 from .help import Command, Program, heard
 from .options import LANG
 from .streams import drop_output, prepare, tell
@@ -38,7 +37,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     prepare()
     given, lang = without_lang(sys.argv[1:] if arguments is None else arguments)
     try:
-        speaks = chosen(lang, os.environ)
+        speaks = chosen(lang, os.environ, lambda text: tell(told("note: {text}", text=text)))
     except AfmcalcError as error:
         _complain(str(error))
         sys.exit(error.exit_code)
@@ -53,7 +52,7 @@ def _run(given: list[str]) -> int:
     try:
         code = application(given)(given, prog_name="afmcalc", standalone_mode=False)
     except AfmcalcError as error:
-        for line in error.told().split("\n"):
+        for line in str(error).split("\n"):
             _complain(line)
         return error.exit_code
     except OSError as error:
@@ -113,10 +112,6 @@ def _afmcalc(
     """  # noqa: D301
 
 
-_OPTION = "--lang"
-_LOCALE = ("LC_ALL", "LC_MESSAGES", "LANG")
-
-
 def without_lang(arguments: list[str]) -> tuple[list[str], str]:
     """Return the arguments without the language, which may stand anywhere, and the last one asked for, if any."""
     kept, name = [], ""
@@ -124,26 +119,13 @@ def without_lang(arguments: list[str]) -> tuple[list[str], str]:
     for argument in rest:
         if argument == "--":
             kept += [argument, *rest]
-        elif argument == _OPTION:
+        elif argument == OPTION:
             name = next(rest, "?")
-        elif argument.startswith(f"{_OPTION}="):
+        elif argument.startswith(f"{OPTION}="):
             name = argument.partition("=")[2] or "?"
         else:
             kept.append(argument)
     return kept, name
-
-
-def chosen(lang: str, environment: Mapping[str, str]) -> Language:
-    """Return the language asked for by the option, else by AFMCALC_LANG, else by the locale: English where unknown."""
-    by_locale = re.split("[_.@]", next(filter(None, map(environment.get, _LOCALE)), ""))[0]
-    asked = {_OPTION: lang, "AFMCALC_LANG": environment.get("AFMCALC_LANG"), "": by_locale}
-    by, name = next(((by, name) for by, name in asked.items() if name), ("", ENGLISH.name))
-    if name == ENGLISH.name or (not by and name not in known()):
-        return ENGLISH
-    if name not in known():
-        languages = ", ".join([ENGLISH.name, *known()])
-        raise AfmcalcError("{by} {name:.40}: known are {languages}", by=by, name=name, languages=languages)
-    return language(name)
 
 
 def _complain(text: str) -> None:

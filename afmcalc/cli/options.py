@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from ..result import Output
     from ..spec import Spec
 
-LANG = "Language: en or ru; else by AFMCALC_LANG or the locale."
+LANG = "Language: en or ru; else by AFMCALC_LANG or the system."
 
 SpecArgument = Annotated[
     str | None, Argument(metavar="SPEC", help="TOML or JSON file, - for standard input; without it one that ships.")

@@ -120,7 +120,7 @@ def _figure(name: str, answers: Answers, number: int) -> str:
     try:
         sheet = sheet_of(name, gathered(name, Request([answers])))
     except CalculationError as error:
-        return fragment("answer", [], [], [], [error.told()])
+        return fragment("answer", [], [], [], [str(error)])
     return fragment("figure", sheet.title, *_drawn(sheet, number))
 
 

@@ -121,9 +121,9 @@ def _emptied(texts: Mapping[str, str], changed: Mapping[str, str]) -> tuple[str,
 def refusal(error: AfmcalcError, option: str = "") -> dict[str, Any]:
     """Return what a page is told of an error: sentences at the fields they are about, or at an option, and others."""
     if option:
-        return {"errors": {option: error.told()}, "problems": []}
+        return {"errors": {option: str(error)}, "problems": []}
     if not isinstance(error, SpecError):
-        return {"errors": {}, "problems": error.told().split("\n")}
+        return {"errors": {}, "problems": str(error).split("\n")}
     known = {*editable(), *(table.removesuffix(".") for table in _tables(editable()))}
     sentences = [(problem.path, translate(term(str(problem)))) for problem in error.problems]
     errors = {path: sentence for path, sentence in sentences[::-1] if path in known}  # of each the first
