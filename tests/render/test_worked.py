@@ -185,7 +185,7 @@ CLOSED = {
     "default adjust.min_friction.torque.mean": direct(1, 7, 0.5, 0.3),
     "machine-clutch torque.torque_asked_for": 1.25 * 5500 / (965 * math.pi / 30),
     "machine-clutch torque.starting_torque": 2.2 * 5500 / (965 * math.pi / 30),
-    "machine-clutch torque.torque.min": 2620 * 0.0625 * 6 * 0.15 / (1 + 0.8 * 6 * 0.15),
+    "machine-clutch torque.torque.min": 2153 * 0.0675 * 8 * 0.15 / (1 + 1 * 7 * 0.15),
     "conveyor-clutch torque.nominal_torque": CONVEYOR[0],
     "conveyor-clutch simulate.sliding_torque.max": CONVEYOR[1],
     "conveyor-clutch torque.accuracy_factor": CONVEYOR[1] / CONVEYOR[0],

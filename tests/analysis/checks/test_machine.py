@@ -20,6 +20,7 @@ from afmcalc.spec.requirements import make_requirements
 
 DEFAULT = tomllib.loads((CONFIGS / "default.toml").read_text(encoding="utf-8"))
 WANTED = tomllib.loads((CONFIGS / "machine.toml").read_text(encoding="utf-8"))
+del WANTED["envelope"]  # the space is another question
 # the base clutch by hand: T(f) = F R z f/(1 + z_2 C f), F 2 kN, R 100 mm, z 8, z_2 C 3.5; margin 1.25
 LOW, HIGH = (1600 * f / (1 + 3.5 * f) for f in (0.1, 0.8))
 PLATE = {"power": "3 kW", "speed": "1430 rpm", "ratio": 5, "efficiency": 0.9}
