@@ -102,9 +102,10 @@ def _findings() -> Iterator[Key]:
 
 
 def _report() -> Iterator[Key]:
+    from afmcalc.render import verdict
     from afmcalc.render.report import words
 
-    yield from (("", text) for text in words.REPORT.values())
+    yield from (("", text) for text in (*words.REPORT.values(), *verdict.SENTENCES.values()))
     report = Path(words.__file__).parent
     for page in (*report.glob("*.html"), *(report.parents[1] / "web").glob("*.html")):
         yield from (("", text) for text in re.findall(r'\b_\("([^"]+)"', page.read_text(encoding="utf-8")))

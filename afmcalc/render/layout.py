@@ -38,6 +38,17 @@ def title(output: Output) -> str:
     return f"{output.command}: {about}" if about else output.command
 
 
+def lead(output: Output) -> str:
+    """Return the verdict on a clutch that was checked, which stands before its tables; else nothing."""
+    checked = output.result if output.command == "check" else getattr(output.result, "verdict", None)
+    if checked is None:
+        return ""
+    from .verdict import verdict
+
+    _, sentence, limit = verdict(checked, output.findings)
+    return f"{sentence} {limit}".rstrip()
+
+
 def blocks(laid_out: Document) -> list[TextTable]:
     """Return single values, then triples, then tables."""
     values, triples = (

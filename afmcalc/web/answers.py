@@ -16,7 +16,7 @@ from ..analysis.check import check_at_once
 from ..analysis.compare import change
 from ..analysis.design.design import shown
 from ..analysis.design.pick import with_picked
-from ..analysis.dossier import Dossier, dossier
+from ..analysis.dossier import dossier
 from ..analysis.figures import ParetoFigure, Request, gathered
 from ..analysis.registry import ANALYSES
 from ..analysis.requirements import simulating
@@ -34,10 +34,11 @@ from ..render.plot.figure import inline_svg
 from ..render.report import Subject, render
 from ..render.report.chapters import chapters
 from ..render.report.markup import drawing
-from ..render.report.page import template, verdict
+from ..render.report.page import template
 from ..render.report.title import text_as_given, title_block
 from ..render.report.words import FORMS
 from ..render.units import display_unit
+from ..render.verdict import verdict
 from ..result import Result
 from ..spec import resolved, to_toml
 from ..spec.make import validated
@@ -73,7 +74,7 @@ def _live(state: State, job: Job) -> Answer:
     """Show a clutch after each change; its numbers beside those of the pinned one."""
     answers, pinned = Answers(build(state.spec)), job["pinned"]
     checked, findings = check_at_once(answers)
-    judged = verdict(Dossier(answers.clutch.spec, checked, findings, []))
+    judged = verdict(checked, findings)
     notes = [told("What is simulated or sampled is not judged here: see the tabs.")]
     before, inputs = None, []
     if pinned:

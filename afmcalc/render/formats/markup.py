@@ -7,7 +7,7 @@ from html import escape
 from ...messages import printable, told, translate
 from ...result import Output
 from ..document import Document, document
-from ..layout import TextTable, blocks, findings_lines, step_lines, title, told_apart, unfolded
+from ..layout import TextTable, blocks, findings_lines, lead, step_lines, title, told_apart, unfolded
 from ..symbols import latex_in_numbers, native, native_latex, value_latex
 from ..units import in_numbers, measured
 
@@ -16,6 +16,7 @@ def markdown(output: Output, terminal: bool) -> str:
     """Write tables in the engineer's units and the findings as a list."""
     laid_out = document(output.result)
     lines = [f"## {_escape(title(output))}", ""]
+    lines += [_escape(judged), ""] if (judged := lead(output)) else []
     for block in unfolded(blocks(laid_out)):
         lines += [f"### {_escape(block.title)}", ""] if block.title else []
         lines += [_escape(block.legend), ""] if block.legend else []
@@ -57,6 +58,7 @@ def html(output: Output, terminal: bool) -> str:
     """Write tables in the engineer's units and the findings as a list, a fragment of a page."""
     laid_out = document(output.result)
     parts = [f"<h4>{escape(title(output))}</h4>"]
+    parts += [f"<p>{escape(judged)}</p>"] if (judged := lead(output)) else []
     for block in unfolded(blocks(laid_out)):
         parts += [f"<h5>{escape(block.title)}</h5>"] if block.title else []
         parts += [f"<p>{escape(block.legend)}</p>"] if block.legend else []

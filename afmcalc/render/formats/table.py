@@ -15,6 +15,7 @@ from ..layout import (
     blocks,
     findings_lines,
     is_across,
+    lead,
     may_turn,
     padded,
     step_lines,
@@ -80,7 +81,7 @@ def columns() -> int | None:
 
 def _plain(output: Output, tables: list[TextTable], steps: list[str], curve: SweepDrawing) -> str:
     """Align columns by spaces, as wide as they are: nothing is cut or folded."""
-    lines = [title(output)]
+    lines = [title(output), *filter(None, [lead(output)])]
     for block in map(padded, unfolded(tables)):
         columns = [*zip(_widths(block), block.numeric, strict=True)]
         lines += ["", *filter(None, (block.title, block.legend))]
@@ -109,6 +110,8 @@ def _rich(output: Output, tables: list[TextTable], steps: list[str], curve: Swee
         file=text, force_terminal=terminal, no_color=None if terminal else True, width=width, highlight=False
     )
     console.print(Text(title(output), style="bold"))
+    if judged := lead(output):
+        console.print(Text(judged))
     for block in [part for whole in tables for part in _within(whole, width)]:
         console.print()
         if block.title:

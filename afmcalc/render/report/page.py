@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import date
 from functools import cache
 from pathlib import Path
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined, Template
 from markupsafe import Markup
@@ -23,6 +23,7 @@ from ..plot import sheet_of
 from ..plot.chart import Sheet
 from ..plot.figure import inline_svg
 from ..units import display, display_unit, worded
+from ..verdict import verdict
 from .chapters import Chapter, chapters
 from .markup import cell, css_string, drawing, symbol
 from .words import FORMS, Form, told
@@ -107,7 +108,7 @@ def render(subject: Subject) -> str:
         name=name,
         running=" · ".join(part for part in (name, subject.title.drawing, subject.title.revision) if part),
         entries=_entries(subject, form),
-        verdict=verdict(dossier),
+        verdict=verdict(dossier.check, dossier.findings),
         keys=list(_spec_lines(resolved(dossier.spec))),
         chapters=parts,
         figures=figures,
@@ -124,37 +125,6 @@ def _panels(sheet: Sheet, number: int) -> Markup:
     """Draw each panel by itself: between them a page may end."""
     drawn = [inline_svg(Sheet("", [panel])) for panel in sheet.panels]
     return Markup("\n").join(drawing(svg, sheet.title, f"{number}-{place}") for place, svg in enumerate(drawn, 1))
-
-
-class Verdict(NamedTuple):
-    """What became of a clutch."""
-
-    grade: Literal["pass", "warning", "fail"]
-    sentence: str
-    limit: str
-    """What limits the clutch first; empty where nothing does."""
-
-
-def verdict(dossier: Dossier) -> Verdict:
-    """Sum up requirements and checks, and name the limit of which the clutch uses most."""
-    passed = {row.passed for row in dossier.check.requirements}
-    required = "missed" if False in passed else "open" if None in passed else "met" if passed else "none"
-    levels = {finding.level for finding in dossier.findings if not finding.code.startswith("requirement-")}
-    exceeded = any(limit.verdict != "pass" for limit in dossier.check.limits)
-    checked = "exceeded" if exceeded else "warned" if "warning" in levels else "passed"
-    checked = "failed" if "error" in levels else checked
-    whole = required in ("none", "met") and checked == "passed"
-    failed = required == "missed" or checked == "failed"
-    most = max(dossier.check.limits, key=lambda limit: limit.utilisation, default=None)
-    limit = ""
-    if most is not None:
-        limit = message(
-            "What limits the clutch first is “{name}” ({symbol}): it uses {utilisation:.3g} of that limit."
-            if most.verdict == "pass"
-            else "The clutch goes farthest beyond “{name}” ({symbol}): {utilisation:.3g} of that limit.",
-            name=worded(most.name), symbol=most.symbol, utilisation=most.utilisation,
-        )  # fmt: skip
-    return Verdict("fail" if failed else "pass" if whole else "warning", told(f"verdict/{required}/{checked}"), limit)
 
 
 def _entries(subject: Subject, form: Form) -> list[tuple[str, str]]:

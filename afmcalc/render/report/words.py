@@ -18,27 +18,6 @@ REPORT: Mapping[str, str] = {
     "norm_control": "Standards checked by",
     "approved": "Approved by",
     "program": "Program",
-    # the verdict, by what became of the requirements and of the check
-    "verdict/none/passed": "The clutch passes every check. The spec states no requirements.",
-    "verdict/none/warned": "The clutch passes the checks, with warnings to weigh. The spec states no requirements.",
-    "verdict/none/exceeded": "The clutch goes beyond limits of the checks: weigh them. The spec states no "
-    "requirements.",
-    "verdict/none/failed": "The clutch fails the checks and must not be made so. The spec states no requirements.",
-    "verdict/met/passed": "The clutch meets every requirement and passes every check.",
-    "verdict/met/warned": "The clutch meets every requirement and passes the checks, with warnings to weigh.",
-    "verdict/met/exceeded": "The clutch meets every requirement but goes beyond limits of the checks: weigh them.",
-    "verdict/met/failed": "The clutch meets the requirements but fails the checks and must not be made so.",
-    "verdict/open/passed": "The clutch meets every requirement that could be judged and passes every check; "
-    "some requirements are not judged.",
-    "verdict/open/warned": "The clutch meets every requirement that could be judged and passes the checks, with "
-    "warnings to weigh; some requirements are not judged.",
-    "verdict/open/exceeded": "The clutch meets every requirement that could be judged but goes beyond limits "
-    "of the checks: weigh them; some requirements are not judged.",
-    "verdict/open/failed": "The clutch fails the checks and must not be made so; some requirements are not judged.",
-    "verdict/missed/passed": "The clutch passes every check but does not meet its requirements.",
-    "verdict/missed/warned": "The clutch does not meet its requirements; it passes the checks, with warnings to weigh.",
-    "verdict/missed/exceeded": "The clutch does not meet its requirements and goes beyond limits of the checks.",
-    "verdict/missed/failed": "The clutch fails the checks and does not meet its requirements: it must not be made so.",
     # chapters
     "requirements": "Requirements",
     "checks": "Checks",

@@ -17,8 +17,8 @@ from conftest import CONFIGS, ROOT, S21
 from afmcalc.analysis.dossier import dossier
 from afmcalc.findings import Finding
 from afmcalc.render.report import words
-from afmcalc.render.report.page import verdict
 from afmcalc.render.report.words import REPORT
+from afmcalc.render.verdict import SENTENCES, verdict
 from afmcalc.spec import read_spec
 
 EVIL = "<script>alert(1)</script>"
@@ -276,8 +276,8 @@ def test_a_verdict_is_a_sentence_for_each_outcome():
             check=told.check.model_copy(update={"requirements": rows, "limits": limits[checked == "exceeded"]}),
             findings=[Finding("error", "requirement-missed", ""), *(Finding(own, "x", "") for own in levels[checked])],
         )
-        found = verdict(own)
-        assert found.sentence == REPORT[f"verdict/{required}/{checked}"]
+        found = verdict(own.check, own.findings)
+        assert found.sentence == SENTENCES[f"{required}/{checked}"]
         bad, doubtful = (
             "missed" in required or checked == "failed",
             required == "open" or checked in ("warned", "exceeded"),
@@ -287,6 +287,20 @@ def test_a_verdict_is_a_sentence_for_each_outcome():
         assert checked != "exceeded" or not {"pass", "passes"} & set(re.findall(r"\w+", found.sentence))
         said.add(found.sentence)
     assert len(said) == 16
+    strict = told.check.model_copy(update={"passed": False, "errors": 0})
+    assert verdict(strict, [Finding("warning", "x", "")]).grade == "fail"
+    missed = row.model_copy(update={"passed": False, "utilisation": 1.3})
+    assert (
+        "beyond “nominal torque of the clutch”"
+        in verdict(told.check.model_copy(update={"requirements": [missed]}), []).limit
+    )
+
+
+def test_a_check_begins_with_the_verdict_of_the_report(afmcalc, report, parsed):
+    sentence = text_of(parsed(report("default")).find(".//p[@id='verdict']"))
+    for form, line in (("table", 1), ("markdown", 2)):
+        run = afmcalc("check", CONFIGS / "default.toml", "--format", form)
+        assert run.out.splitlines()[line].startswith(f"{sentence} What limits the clutch first is “")
 
 
 @pytest.mark.every(2)
