@@ -96,9 +96,31 @@ def decoded(raw: bytes, label: str) -> Source:
     except UnicodeDecodeError as error:
         if wide:
             raise _refused(label, say("is not UTF-16 text (byte {byte})", byte=error.start)) from None
-        line = raw.count(b"\n", 0, error.start) + 1
-        message = say("is not UTF-8 text (line {line}, byte {byte}): save it as UTF-8", line=line, byte=error.start)
+        line, byte = raw.count(b"\n", 0, error.start) + 1, error.start
+        if text := _of_russian_windows(raw):
+            message = say(
+                "is not UTF-8 text but seems to be Windows-1251 (cp1251), in which line {line} reads {text!r:.80}: "
+                "save it as UTF-8 (in Notepad: Save as, encoding UTF-8; elsewhere: iconv -f cp1251 -t utf-8)",
+                line=line,
+                text=text.split("\n")[line - 1].strip(),
+            )
+        else:
+            message = say("is not UTF-8 text (line {line}, byte {byte}): save it as UTF-8", line=line, byte=byte)
         raise _refused(label, message) from None
+
+
+_RUSSIAN = re.compile("[\x00-\x7f\xa0А-Яа-яЁё«»„“”–—…№°·±§]*")
+
+
+def _of_russian_windows(raw: bytes) -> str:
+    """Return the text in the encoding of Russian Windows where it reads as Russian, else nothing.
+
+    Small letters prevail, since those of KOI8-R are capital there; in other languages two letters beyond ASCII rarely
+    stand side by side.
+    """
+    text = raw.decode("cp1251", "replace")
+    small, capital = (len(re.findall(letters, text)) for letters in ("[а-яё]", "[А-ЯЁ]"))
+    return text if small > capital and re.search("[А-Яа-яЁё][а-яё]", text) and _RUSSIAN.fullmatch(text) else ""
 
 
 def _refused(label: str, message: str, path: str = "") -> SpecError:

@@ -188,13 +188,36 @@ def test_text_of_windows_is_read(encoding, afmcalc, tmp_path):
     assert afmcalc("synthesize", "-", "--balls", tmp_path / "balls.csv", "--json", stdin=BASE).code == 0
 
 
-def test_other_bytes_say_where_and_how_to_put_it_right(afmcalc, tmp_path):
-    (tmp_path / "a.toml").write_bytes(BASE.encode() + "name = 'муфта'".encode("cp1251"))
-    line = BASE.count("\n") + 1
-    assert (
-        f"a.toml: is not UTF-8 text (line {line}, byte {len(BASE) + 8}): save it as UTF-8\n"
-        in afmcalc("torque", tmp_path / "a.toml").err
-    )
+@pytest.mark.parametrize(
+    ("name", "encoding", "says"),
+    [
+        (
+            "Муфта «А» № 2",
+            "cp1251",
+            "Windows-1251 (cp1251), in which line {line} reads \"name = 'Муфта «А» № 2'\": save",
+        ),
+        ("муфта", "koi8-r", "is not UTF-8 text (line {line}, byte {byte}): save it as UTF-8"),
+        ("муфта", "cp866", "is not UTF-8 text (line {line}, byte {byte}): save it as UTF-8"),
+        ("für groß", "latin-1", "is not UTF-8 text (line {line}, byte {byte}): save it as UTF-8"),
+    ],
+)
+def test_other_bytes_say_where_and_how_to_put_it_right(name, encoding, says, afmcalc, tmp_path):
+    """The encoding of Russian Windows is named, with what is read in it; other bytes are not guessed at."""
+    raw = BASE.encode() + f"name = '{name}'".encode(encoding)
+    line, byte = BASE.count("\n") + 1, next(at for at, value in enumerate(raw) if value > 127)
+    (tmp_path / "a.toml").write_bytes(raw)
+    run = afmcalc("torque", tmp_path / "a.toml")
+    assert (run.code, run.out) == (2, "")
+    assert says.format(line=line, byte=byte) in run.err
+
+
+@pytest.mark.parametrize("option", ["materials", "discs", "balls"])
+def test_own_lists_and_requirements_of_russian_windows_are_named_too(option, afmcalc, tmp_path):
+    own, need = tmp_path / "own.csv", tmp_path / "need.toml"
+    own.write_bytes("# из каталога завода\ndiameter_mm\n25\n".encode("cp1251"))
+    assert "own.csv: is not UTF-8 text but seems to be Windows-1251" in afmcalc("springs", f"--{option}", own).err
+    need.write_bytes("# задание\n[wanted]".encode("cp1251"))
+    assert "need.toml: is not UTF-8 text but seems to be Windows-1251" in afmcalc("design", need).err
 
 
 @pytest.mark.parametrize(
