@@ -72,7 +72,8 @@ class Language(string.Formatter):
             return shown if len(shown) >= len(text) else f"{shown}…"
         if not unit:
             is_number = isinstance(value, SupportsFloat) and not isinstance(value, bool)
-            return self.number(format(value, number_format)) if is_number else format(value, number_format)
+            counts = is_number and (number_format or isinstance(value, float))  # a port or a line is no amount
+            return self.number(format(value, number_format)) if counts else format(value, number_format)
         assert isinstance(value, SupportsFloat)
         from .units import in_unit
 
@@ -83,12 +84,16 @@ class Language(string.Formatter):
         """Set a number, given as Python writes it, as people write it."""
         if self.catalogue is None:
             return shown
+        shown = _LONG.sub(lambda digits: f"{int(digits[0]):,}", shown.replace(",", ""))
         mantissa, ten, exponent = shown.translate(self.signs).replace("%", "\xa0%").partition("e")
         mantissa = mantissa.replace("-", "−")
         if not ten:
             return mantissa
         return f"{'' if mantissa == '1' else f'{mantissa}·'}10{str(int(exponent)).translate(RAISED)}"
 
+
+_LONG = re.compile(r"(?<![\d.])\d{5,}")
+"""Digits before a decimal point that are set in groups."""
 
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _LOWERED = {raised: digit for digit, raised in RAISED.items()}

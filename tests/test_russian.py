@@ -102,7 +102,15 @@ def test_sentences_in_sentences_end_and_plain_texts_in_them_stay(nested):
 
 @pytest.mark.parametrize(
     ("number", "shown"),
-    [("1.5", "1,5"), ("1,234", "1\xa0234"), ("1e+12", "10¹²"), ("2.5e-07", "2,5·10⁻⁷"), ("-3", "−3")],
+    [
+        ("1.5", "1,5"),
+        ("1,234", "1234"),
+        ("12345.6", "12\xa0345,6"),
+        ("0.0012345", "0,0012345"),
+        ("1e+12", "10¹²"),
+        ("2.5e-07", "2,5·10⁻⁷"),
+        ("-3", "−3"),
+    ],
 )
 def test_numbers(number, shown):
     with speaking(language("ru")):

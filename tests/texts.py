@@ -264,6 +264,8 @@ def _units() -> Iterator[Key]:
     written = {*ENGINEER, *EXAMPLES, *(term.unit for term in terms)}
     si = {typeset(unit) for unit in written}
     yield from (("unit", unit) for unit in sorted(si | written) if re.search("[A-Za-z]", unit) and "abs" not in unit)
+    axes = (node.args[2] for _, node in calls("ChartAxis") if len(node.args) > 2)
+    yield from (("unit", typeset(unit)) for axis in axes for unit in _strings(axis) if re.search("[A-Za-z]", unit))
     for model in models():
         for info in model.model_fields.values():  # type: ignore[attr-defined]
             shown = display_unit(shown_as(info).unit)
@@ -285,7 +287,20 @@ def _symbols() -> Iterator[Key]:
         )
     yield from (
         ("symbol", text)
-        for text in ("tan", "cot", "arctan", "tanh", "K_т wanted", "T wanted", " or ", "τ_eq", "T_ср", "T_ср.max")
+        for text in (
+            "f_cp",
+            "tan",
+            "cot",
+            "arctan",
+            "tanh",
+            "K_т wanted",
+            "T wanted",
+            " or ",
+            "τ_eq",
+            "τ'_eq",
+            "T_ср",
+            "T_ср.max",
+        )
     )
 
 

@@ -60,7 +60,7 @@ def compare(clutches: Sequence[Clutch], *, variants: bool = False) -> tuple[Comp
         name = clutch.spec.name
         if len(clutches) > 1 and (name is None or often[name] > 1):
             name = clutch.spec.label
-        row, named = _row(clutch, None, name, name or clutch.spec.variant)
+        row, named = _row(clutch, None, name, term(name, "name") if name else term(clutch.spec.variant, "value"))
         rows.append(row)
         remarks += named
     return CompareResult(clutches=rows), remarks
@@ -81,7 +81,7 @@ def compare_variants(clutch: Clutch) -> tuple[CompareResult, list[Finding]]:
                 missing.append(finding("variant-not-possible", "info", variant=term(variant), lacks=lacks))
                 continue
         for built, basis in ((by_force, term("spring force")), (by_torque, term("nominal torque"))):
-            row, named = _row(built, basis, clutch.spec.name, variant)
+            row, named = _row(built, basis, clutch.spec.name, term(variant, "value"))
             rows.append(row)
             remarks += named
     rows.sort(key=lambda row: row.basis != "spring force")
@@ -122,6 +122,6 @@ def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tu
         warnings=sum(remark.level == "warning" for remark in judged),
     )
     return row, [
-        replace(remark, message=say("{name}: {message}", name=term(called, "name"), message=remark.message))
+        replace(remark, message=say("{name}: {message}", name=called, message=remark.message))
         for remark in dict.fromkeys((*clutch.findings(), *counted))
     ]

@@ -109,7 +109,7 @@ def effects(clutch: Clutch) -> tuple[EffectsResult, list[Finding]]:
     brackets = _brackets(clutch)
     if not brackets:
         problems = [
-            Problem(path, None, say("required for the effect {name}; no effect has its keys", name=name))
+            Problem(path, None, say("required for the effect {name}; no effect has its keys", name=term(name, "value")))
             for name, source in SOURCES.items()
             for path in source.missing(clutch)
         ]
@@ -205,7 +205,8 @@ def _findings(clutch: Clutch, result: EffectsResult) -> Iterator[Finding]:
                 yield finding("worn-below-nominal", "info", value=worn, limit=nominal, path=path, machine=machine)
     for name, source in SOURCES.items():
         if gone := source.missing(clutch):
-            yield finding("effect-not-told", "info", path=source.needs[0], name=name, listed=", ".join(gone))
+            words = term(name, "value")
+            yield finding("effect-not-told", "info", path=source.needs[0], name=words, listed=", ".join(gone))
 
 
 def _splines(clutch: Clutch, spline_friction: float, *radii: float) -> Bracket:

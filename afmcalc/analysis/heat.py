@@ -24,7 +24,7 @@ from ..equations import heat as law
 from ..equations.calls import derived, unnoted
 from ..errors import CalculationError, Problem, SpecError, given
 from ..findings import Finding, Level, finding
-from ..messages import measured, say
+from ..messages import joined, measured, say, term
 from ..progress import counted
 from ..result import OpenTriple, Triple
 from ..spec.catalogues import Material, friction_materials
@@ -33,7 +33,7 @@ from ..units import ZEROS
 from .answers import Answers
 from .registry import ANALYSES
 
-_NAMES = {"min": "f_min", "mean": "f_cp", "max": "f_max"}
+_NAMES = {"min": "f_min", "mean": term("f_cp", "symbol"), "max": "f_max"}
 
 
 def remarks(clutch: Clutch, given: Heat, result: HeatResult, slips: HeatedSlips) -> Iterator[Finding]:
@@ -83,7 +83,7 @@ def _end_findings(clutch: Clutch, slips: HeatedSlips) -> Iterator[Finding]:
     if not carried:
         yield from slips.found
         return
-    at = ", ".join(_NAMES[end] for end in carried)
+    at = joined(_NAMES[end] for end in carried)
     least, motor = float(min(trip.torque for trip in carried.values())), float(motor_torque(clutch))
     code = "motor-never-stops" if off is None else "motor-stops-at-cut-off"
     level: Level = "error" if off is None else "info"

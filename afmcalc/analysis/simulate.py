@@ -34,7 +34,7 @@ from .synthesize import synthesize
 from .torque import Pair, friction_fields, outside_range, pairs_asked
 from .wall import Wall, wall_of
 
-_ENDS = ("f_min", "f_cp", "f_max")
+_ENDS = ("f_min", term("f_cp", "symbol"), "f_max")
 _CLOSED = 1e-6
 _NEAR = 1e-3
 """Relative difference below which a figure of the spec is what the simulation gives."""
@@ -329,7 +329,7 @@ def _point(clutch: Clutch, friction: float, friction_driven: float | None) -> Si
 def _wide(what: str, rows: Sequence[Sequence[float]]) -> Iterator[Finding]:
     """Say where the answer hangs on how the key holds the sleeve at its stop: vibration dithers a key."""
     path = "control_unit.key_friction"
-    for at, row in zip(("f_min", "f_cp", "f_max"), rows, strict=False):
+    for at, row in zip(_ENDS, rows, strict=False):
         low, high = min(row), max(row)
         if high == math.inf:
             if low < math.inf:

@@ -49,9 +49,11 @@ def names_of(kind: str) -> Named:
             return [(name, "") for name in FIGURES]
         case "target":
             from ..analysis.solve.solve import targets
+            from ..render.symbols import native
 
             return [
-                (name, f"{target.symbols[0]}, {translate(target.description)}") for name, target in targets().items()
+                (name, f"{native(target.symbols[0])}, {translate(target.description)}")
+                for name, target in targets().items()
             ]
     from ..spec.keys import ALIASES, keys
 

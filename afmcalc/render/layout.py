@@ -83,10 +83,11 @@ def cells(column: Column) -> list[str]:
         return [estimate(*figure) for figure in zip(column.values, column.errors, units, strict=True)]
     words = column.words or [None] * len(column.values)
     missing = worded(column.shown.null)
-    return [
+    texts = [
         translate(word or "") or (missing if value is None else display(value, unit))
         for value, unit, word in zip(column.values, units, words, strict=True)
     ]
+    return [*map(native, texts)] if column.path.endswith("symbol") else texts
 
 
 def _parts(table: Table) -> Iterator[Table]:
@@ -148,7 +149,7 @@ def _folded(columns: Sequence[Column]) -> tuple[list[Column], str]:
     return kept, told("the same in all: {list}", list="; ".join(same)) if same else ""
 
 
-_NUMBER = re.compile(r"(\(?[-−]?\d+|–)(.*)")
+_NUMBER = re.compile(r"(\(?[-−]?\d+(?:\xa0\d{3})*|–)(.*)")
 
 
 def padded(block: TextTable) -> TextTable:

@@ -78,7 +78,7 @@ def value_latex(text: str) -> str:
     mantissa, _, exponent = number.partition("e")
     if power := _POWER.fullmatch(number):
         mantissa, exponent = power[1] or "1", power[2].translate(_LOWERED)
-    mantissa = mantissa.replace(",", "{,}").replace("−", "-")
+    mantissa = mantissa.replace(",", "{,}").replace("−", "-").replace("\xa0", "\\,")
     shown = f"{mantissa} \\cdot 10^{{{int(exponent)}}}" if exponent else mantissa
     return f"{shown}\\,\\text{{{unit}}}" if unit else shown
 

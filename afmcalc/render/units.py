@@ -94,7 +94,7 @@ def worded(text: str) -> str:
     return "; ".join(map(translate, text.split("; ")))
 
 
-_NUMBER = re.compile(r"(?<![\w.,])(\d+(?:\.\d+)?(?:e[+-]\d+)?)(?: ((?:[·/]?[A-Za-z°]+[²³]?)+))?(?![\w.])")
+_NUMBER = re.compile(r"(?<![\w.,])(\d+(?:\.\d+)?(?:e[+-]\d+)?)(?: ((?:1/)?(?:[·/]?[A-Za-z°]+[²³]?)+))?(?![\w.])")
 
 
 def in_numbers(formula: str) -> str:
@@ -102,7 +102,8 @@ def in_numbers(formula: str) -> str:
     if spoken() == "en":
         return formula
     shown = _NUMBER.sub(lambda match: with_unit(localized(match[1]), translate(match[2] or "", "unit")), formula)
-    return native(_AFTER_POWER.sub(lambda match: translate(match[0], "unit"), shown).replace(" - ", " − "))
+    shown = _AFTER_POWER.sub(lambda match: translate(match[0], "unit"), shown)
+    return native(re.sub(r"(?<!\w)-", "−", shown))
 
 
 _AFTER_POWER = re.compile(r"(?<=\) )(?:[·/]?[A-Za-z°]+[²³]?)+")

@@ -8,7 +8,7 @@ from decimal import Decimal
 from functools import cache
 
 from ..findings import Finding, finding
-from ..messages import Text, did_you_mean, localized, say, term
+from ..messages import Text, did_you_mean, joined, localized, say, term
 from ..units import BASES, ZEROS, UnknownUnitError, product, words
 
 EXAMPLES = {
@@ -87,7 +87,9 @@ def factor(text: str, unit: str) -> Decimal:
     other = next((term(kind) for si, kind in kinds.items() if product(si).exponents == given.exponents), None)
     if other is None:
         powers = [(base, power) for base, power in zip(BASES, given.exponents, strict=True) if power]
-        dimension = "*".join(base if power == 1 else f"{base}^{power}" for base, power in powers) or "1"
+        bases = ((term(base, "unit"), power) for base, power in powers)
+        raised = [base if power == 1 else say("{base}^{power}", base=base, power=power) for base, power in bases]
+        dimension = joined(raised, "*") if raised else "1"
         other = say("of dimension {dimension}", dimension=dimension)
     raise wrong("{text} is {other}, not {kind}; {allowed}", unit, text=text, other=other)
 
@@ -108,7 +110,7 @@ def allowed(unit: str) -> str:
     return say(
         'give {kind}: a number in SI ({unit}) or a string with a unit such as "{example}"',
         kind=term(kind),
-        unit=unit,
+        unit=term(unit, "unit"),
         example=example,
     )
 

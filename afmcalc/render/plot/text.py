@@ -9,6 +9,7 @@ from typing import NamedTuple
 from ...messages import localized, named, printable, told
 from ..drawing import DimensionLine, Drawing
 from ..layout import TextTable
+from ..symbols import native
 from ..units import significant
 from .chart import Chart, ChartAxis, Line, Sheet, power
 
@@ -40,10 +41,10 @@ def draw_sheet(sheet: Sheet, *, unicode: bool, width: int | None = None) -> str:
     title = sheet.title + (f" – {named(sheet.name)}" if sheet.name else "")
     charts = [panel for panel in sheet.panels if isinstance(panel, Chart)]
     blocks = [_folded(title, wide)]
-    blocks += ([*_folded(chart.title, wide), *draw(chart, unicode=unicode, wide=wide)] for chart in charts)
+    blocks += ([*_folded(native(chart.title), wide), *draw(chart, unicode=unicode, wide=wide)] for chart in charts)
     blocks += (_sketch(panel, unicode=unicode, wide=wide) for panel in sheet.panels if isinstance(panel, Drawing))
     if sheet.caption:
-        blocks.append([line for part in sheet.caption.splitlines() for line in textwrap.wrap(part, wide)])
+        blocks.append([line for part in native(sheet.caption).splitlines() for line in textwrap.wrap(part, wide)])
     return "\n\n".join("\n".join(map(printable, lines)) for lines in blocks) + "\n"
 
 
@@ -67,10 +68,10 @@ def draw(chart: Chart, *, unicode: bool, wide: int = WIDTH, high: int = HEIGHT) 
     width = wide - 2 - max(map(len, beside.values()))
     below = {_place(value, x, width): text for value, text in _labels(x, width // 10).items()}
     frame = _frame(list(traces.values()), (width, high), beside, below, unicode=unicode)
-    keys = [f"  {traces[number].mark} {chart.lines[number].label}" for number in sorted(traces)]
+    keys = [f"  {traces[number].mark} {native(chart.lines[number].label)}" for number in sorted(traces)]
     legend = [part for key in keys for part in _folded(key, wide, "    ")] if len(keys) > 1 else []
-    label = [line.rjust(wide) for line in _folded(chart.x.label, wide)]
-    return [*_folded(chart.y.label, wide), *frame, *label, *legend]
+    label = [line.rjust(wide) for line in _folded(native(chart.x.label), wide)]
+    return [*_folded(native(chart.y.label), wide), *frame, *label, *legend]
 
 
 def _sketch(drawing: Drawing, *, unicode: bool, wide: int) -> list[str]:
