@@ -224,6 +224,8 @@ def _sentences(everything: tuple[ast.AST, ...]) -> Iterator[str]:
         for part in (getattr(node, "annotation", None), getattr(node, "returns", None)):
             apart |= set(ast.walk(part)) if part else set()
         apart |= set(node.values) if isinstance(node, ast.JoinedStr) else set()
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "namedtuple":
+            apart |= set(node.args)  # names of fields
     for node in everything:
         parts = node.values if isinstance(node, ast.JoinedStr) else [node]
         if node in apart or not (isinstance(node, ast.JoinedStr) or isinstance(getattr(node, "value", 0), str)):
