@@ -34,8 +34,8 @@ _DIGITS = 4
 """Of a width that there is."""
 _SHORT = 12
 """Columns of a table up to this width are kept whole."""
-_GAP = 3
-"""Characters between columns, with rules."""
+_GAP = 2
+"""Characters between columns."""
 _STYLES = {"error": "bold red", "warning": "yellow", "info": "cyan"}
 
 
@@ -118,8 +118,11 @@ def _rich(output: Output, tables: list[TextTable], steps: list[str], curve: Swee
             console.print(Text(block.title, style="italic"))
         if block.legend:
             console.print(Text(block.legend, style="dim"))
-        if _least_width(block) <= width:
-            console.print(_rich_table(padded(block), ruled=terminal and is_unicode(sys.stdout)))
+        whole = padded(block)
+        if _least_width(whole) <= width:
+            console.print(_rich_table(whole, ruled=terminal and is_unicode(sys.stdout)))
+        elif above := _texts_above(whole, width):
+            _print_in_two(console, whole, above)
         else:
             _print_stacked(console, block)
         for line in curve(block, is_unicode(sys.stdout), width):
@@ -146,6 +149,29 @@ def _least_width(block: TextTable) -> int:
     return sum(kept) + _GAP * (len(kept) - 1)
 
 
+def _texts_above(block: TextTable, width: int) -> list[int]:
+    """Columns of text that have to stand above the rest of their row for it to fit, the widest first; none: no way."""
+    widths = _widths(block)
+    texts = sorted((at for at, right in enumerate(block.numeric) if not right), key=lambda at: -widths[at])
+    for count in range(1, min(len(texts), len(widths) - 1) + 1):
+        rest = [w for at, w in enumerate(widths) if at not in texts[:count]]
+        if sum(rest) + _GAP * len(rest) <= width:
+            return sorted(texts[:count])
+    return []
+
+
+def _print_in_two(console: "Console", block: TextTable, above: list[int]) -> None:
+    """Print long texts of every row on a line of their own, the rest below them in columns: still one table."""
+    from rich.text import Text
+
+    columns = [(at, w, block.numeric[at]) for at, w in enumerate(_widths(block)) if at not in above]
+    for row in (block.header, *block.rows):
+        style = "bold" if row is block.header else ""
+        console.print(Text(" · ".join(filter(None, (row[at] for at in above))), style=style))
+        cells = (row[at].rjust(width) if right else row[at].ljust(width) for at, width, right in columns)
+        console.print(Text("".join(" " * _GAP + cell for cell in cells), style=style), no_wrap=True)
+
+
 def _print_stacked(console: "Console", block: TextTable) -> None:
     """Print every row as a list of its own: a table that is too wide is still whole."""
     from rich.table import Table
@@ -168,7 +194,8 @@ def _rich_table(block: TextTable, *, ruled: bool) -> "Table":
     from rich.table import Table
     from rich.text import Text
 
-    table = Table(box=box.SIMPLE_HEAD if ruled else None, show_edge=False, pad_edge=False, header_style="bold")
+    table = Table(box=box.SIMPLE_HEAD if ruled else None, show_edge=False, header_style="bold")
+    table.padding = (0, _GAP - ruled, 0, 0)  # a rule takes a column between two
     for heading, right, width in zip(block.header, block.numeric, _widths(block), strict=True):
         whole = right or width <= _SHORT
         table.add_column(Text(heading), overflow="fold", no_wrap=whole, min_width=width if whole else _SHORT)
