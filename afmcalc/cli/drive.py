@@ -79,12 +79,12 @@ def simulate(
 def _write_history(clutch: "Clutch", points: "list[Pair]", path: str, common: Common) -> None:
     from .. import __version__
     from ..analysis.simulate import history
-    from ..render.formats import csv
+    from ..render import renderer
     from ..result import Output
 
     with common.bar():
         output = Output(command="history", version=__version__, spec=None, result=history(clutch, points), findings=[])
-    write(csv.render(output, terminal=False), path, force=common.force)
+    write(renderer(common.csv_dialect)(output, False), path, force=common.force)
     common.wrote(say("wrote the history to {output}", output=path))
 
 

@@ -78,6 +78,10 @@ class Common:
         Option(help="How to print. JSON and CSV are SI in full precision.  [default: table]"),
     ] = None
     json: Annotated[bool, Option("--json", help="The same as --format json.")] = False
+    excel: Annotated[
+        bool,
+        Option("--excel", help="The same as --format csv, for Excel: semicolons, decimal commas, a byte order mark."),
+    ] = False
     units: Annotated[
         Literal["engineer", "si"], Option(help="Units of tables and Markdown: mm, kN, MPa, deg, or SI.")
     ] = "engineer"
@@ -98,10 +102,22 @@ class Common:
 
     @property
     def chosen_format(self) -> str:
-        """The format asked for, or that of the file; ``--json`` is a short form."""
-        if self.json and self.format not in (None, "json"):
-            raise AfmcalcError("--json and --format {format} exclude each other", format=self.format)
-        return format_of(self.output, "json" if self.json else self.format)
+        """The format asked for, or that of the file; ``--json`` and ``--excel`` are short forms."""
+        asked = {
+            "--json": self.json and "json",
+            "--excel": self.excel and "csv",
+            f"--format {self.format}": self.format,
+        }
+        given = [(option, name) for option, name in asked.items() if name]
+        for option, name in given[1:]:
+            if name != given[0][1]:
+                raise AfmcalcError("{first} and {option} exclude each other", first=given[0][0], option=option)
+        return format_of(self.output, given[0][1] if given else None)
+
+    @property
+    def csv_dialect(self) -> str:
+        """The format that CSV is written in."""
+        return "excel" if self.excel else "csv"
 
     def to_standard_output(self) -> "Common":
         """The same options with the result on standard output, for a command whose FILE is something else."""
@@ -211,12 +227,12 @@ class Common:
         else:
             from ..render import renderer
 
-            text = renderer(chosen)(output, terminal)
+            text = renderer(self.csv_dialect if chosen == "csv" else chosen)(output, terminal)
         if chosen == "json" and self.output in (None, "-") and not is_unicode(sys.stdout):
             from ..render.formats import in_ascii
 
             text = in_ascii(text)
-        self.write(text)
+        self.write(text, utf8=self.excel)
         if chosen == "csv" and not result.findings_first:
             from ..render.layout import findings_lines
 

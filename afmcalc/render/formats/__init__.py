@@ -10,12 +10,12 @@ from ...messages import printable
 from ...result import Output
 
 FORMATS = ("table", "json", "csv", "markdown")
-"""Names of the formats that a user chooses from; a notebook asks for html too."""
+"""Names of the formats that a user chooses from; a notebook asks for html too, --excel for excel."""
 
 Render = Callable[[Output, bool], str]
 """``render(output, terminal)`` → the text for standard output or a file."""
 
-_HOMES = {"markdown": ("markup", "markdown"), "html": ("markup", "html")}
+_HOMES = {"excel": ("csv", "excel"), "markdown": ("markup", "markdown"), "html": ("markup", "html")}
 
 
 def renderer(name: str) -> Render:

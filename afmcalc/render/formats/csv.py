@@ -16,6 +16,15 @@ def render(output: Output, terminal: bool) -> str:
 
     Of a result of several lists, a row for every figure: which, of what, value, standard error, SI unit.
     """
+    return _written(output, ",", ".")
+
+
+def excel(output: Output, terminal: bool) -> str:
+    """Write the same as a spreadsheet opens it where the decimal sign is a comma: with semicolons, and as UTF-8."""
+    return "\ufeff" + _written(output, ";", ",")
+
+
+def _written(output: Output, separator: str, decimal: str) -> str:
     result, laid_out = output.result, document(output.result)
     if result.findings_first:
         columns = _findings(output, laid_out)
@@ -27,19 +36,22 @@ def render(output: Output, terminal: bool) -> str:
             singles = chain(*(_flat(column) for column in laid_out.singles if column.path not in known))
             columns = columns + [column._replace(values=column.values * count) for column in singles]
     text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
+    writer = csv.writer(text, delimiter=separator, lineterminator="\n")
     writer.writerow(_inert(f"{column.path} [{column.unit}]" if column.unit else column.path) for column in columns)
-    writer.writerows(map(_cell, row) for row in zip(*(column.values for column in columns), strict=True))
+    rows = zip(*(column.values for column in columns), strict=True)
+    writer.writerows([_cell(value, decimal) for value in row] for row in rows)
     return text.getvalue()
 
 
-def _cell(value: Any) -> Any:
-    """Write a list (an interval) into one cell."""
+def _cell(value: Any, decimal: str) -> Any:
+    """Write a value into one cell, a list (an interval) too."""
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, list):
-        text = " ".join(map(str, value))
+        text = " ".join(str(_cell(item, decimal)) if isinstance(item, float) else str(item) for item in value)
         return _inert(text) if any(isinstance(item, str) for item in value) else text
+    if isinstance(value, float):
+        return str(value).replace(".", decimal)
     return _inert(value) if isinstance(value, str) else value
 
 

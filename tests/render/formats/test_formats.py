@@ -103,6 +103,57 @@ def is_number(text):
         return False
 
 
+def opened(text):
+    """Rows as a spreadsheet with decimal commas opens them."""
+    rows = list(csv.reader(io.StringIO(text.removeprefix("\ufeff")), delimiter=";"))
+    assert len({*map(len, rows)}) == 1
+    return [[number_of(cell) for cell in row] for row in rows]
+
+
+def number_of(cell):
+    assert not re.fullmatch(r"-?\d+\.\d+(e.*)?", cell), cell  # there it would be a date, or a text
+    return float(cell.replace(",", ".")) if re.fullmatch(r"-?\d+(,\d+)?(e[-+]\d+)?", cell) else cell
+
+
+@pytest.mark.every(3)
+@pytest.mark.parametrize("name", COMMANDS)
+def test_excel_opens_the_figures_of_the_csv(name, afmcalc):
+    plain, excel = (afmcalc(*COMMANDS[name], *asked) for asked in (["--format", "csv"], ["--excel"]))
+    assert excel.out.startswith("\ufeff")
+    assert excel.code == plain.code
+    wanted = list(csv.reader(io.StringIO(plain.out)))
+    for shown, row in zip(opened(excel.out), wanted, strict=True):
+        for cell, given in zip(shown, row, strict=True):
+            if isinstance(cell, float):
+                assert cell == float(given)
+            else:
+                assert cell.replace(",", ".") == given.replace(",", ".")
+
+
+def test_excel_gets_a_file_with_the_mark_in_any_language(afmcalc, tmp_path):
+    file = tmp_path / "a.csv"
+    assert afmcalc("torque", "--excel", "--lang", "ru", "-o", file).code == 0
+    assert file.read_bytes() == b"\xef\xbb\xbf" + afmcalc("torque", "--excel").out.removeprefix("\ufeff").encode()
+
+
+def test_excel_opens_the_history_of_an_event(afmcalc, tmp_path):
+    for name, asked in (("plain.csv", "--quiet"), ("excel.csv", "--excel")):
+        arguments = "--friction", 0.3, "--history", tmp_path / name, asked
+        assert afmcalc("simulate", CONFIGS / "drive.toml", *arguments).code == 0
+    plain, excel = ((tmp_path / name).read_text(encoding="utf-8") for name in ("plain.csv", "excel.csv"))
+    heading, *rows = opened(excel)
+    wanted = list(csv.DictReader(io.StringIO(plain)))
+    assert len(rows) == len(wanted) > 10
+    at = heading.index("torque_shaft [N*m]")
+    assert [row[at] for row in rows] == [float(row["torque_shaft [N*m]"]) for row in wanted]
+
+
+@pytest.mark.parametrize("asked", [["--json"], ["--format", "table"], ["-o", "a.md"]])
+def test_excel_is_csv_and_nothing_else(asked, afmcalc):
+    run = afmcalc("torque", "--excel", *asked)
+    assert (run.code, run.out) == (2, "")
+
+
 def test_csv_has_full_precision_and_one_row_per_point(afmcalc):
     points = afmcalc("accuracy", "--sweep", "C=0:1:7", "--json").json["result"]["sweep"][0]
     rows = list(csv.reader(io.StringIO(afmcalc("accuracy", "--sweep", "C=0:1:7", "--format", "csv").out)))
