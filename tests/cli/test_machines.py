@@ -23,6 +23,12 @@ UNAVOIDABLE = {"effect-on-torque"}
 """Warning of the conveyor that the chapter speaks of: its spring is to be set again as the lining wears."""
 
 
+@pytest.fixture(autouse=True)
+def patient(monkeypatch):
+    """A machine that is busy refuses nothing."""
+    monkeypatch.setattr("afmcalc.progress.LONG", 3600.0)
+
+
 def lines(script, afmcalc):
     """Run the lines of a script; what each left."""
     return [afmcalc(*shlex.split(line)[1:]) for line in script.splitlines()]
