@@ -120,6 +120,7 @@ class Page:
         page = template("page.html", HERE).render(
             language=spoken(), version=__version__, name=named(state.spec.name), source=state.base.label,
             target=self._target, groups=form_of(state), base=number, requirements=self._requirements,
+            swept="C" if state.spec.control_unit else "f_max",
         )  # fmt: skip
         return HTMLResponse(page)
 
