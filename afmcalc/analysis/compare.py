@@ -2,14 +2,13 @@
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import ClassVar
 
 from ..engines import build
 from ..engines.protocol import Clutch
 from ..errors import AfmcalcError, SpecError
-from ..findings import Finding, finding
-from ..messages import joined, say, term
+from ..findings import Finding, finding, of_clutch
+from ..messages import joined, term
 from ..result import Answer, Result, Sentence, Triple, described, quantity
 from ..spec.edit import as_variant, with_key, with_nominal_torque
 from ..variants import VARIANTS
@@ -121,7 +120,4 @@ def _row(clutch: Clutch, basis: str | None, name: str | None, called: str) -> tu
         errors=sum(remark.level == "error" for remark in judged),
         warnings=sum(remark.level == "warning" for remark in judged),
     )
-    return row, [
-        replace(remark, message=say("{name}: {message}", name=called, message=remark.message))
-        for remark in dict.fromkeys((*clutch.findings(), *counted))
-    ]
+    return row, [of_clutch(remark, called) for remark in dict.fromkeys((*clutch.findings(), *counted))]

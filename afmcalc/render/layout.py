@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import compress
 from typing import Any, NamedTuple
 
-from ..findings import Finding
+from ..findings import Finding, told_once
 from ..messages import named, printable, term, told, translate, with_unit
 from ..result import Output
 from .document import Column, Document, Table
@@ -264,8 +264,8 @@ def ranked(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def findings_lines(findings: Iterable[Finding]) -> list[str]:
-    """One line per finding, gravest first."""
+    """One line per finding, gravest first; what several clutches have is told once."""
     return [
         printable(f"{translate(f.level, 'value')}: {translate(f.message)} [{f.code}{', ' + f.path if f.path else ''}]")
-        for f in ranked(findings)
+        for f in told_once(ranked(findings))
     ]

@@ -78,6 +78,22 @@ def test_findings_of_every_variant_compared_are_told(afmcalc):
     assert warned <= told
 
 
+def test_a_finding_of_several_clutches_is_printed_once(afmcalc):
+    """With the names and the values in one order; JSON has one of each clutch."""
+    clutches = [CONFIGS / f"{name}.toml" for name in ("envelope", "indirect")]
+    found = [each for each in afmcalc("compare", *clutches, "--json").json["findings"] if each["code"] == "hysteresis"]
+    assert [each["message"].partition(":")[0] for each in found] == ["Indirect clutch in its space", "Indirect clutch"]
+    for form in ("table", "markdown"):
+        (line,) = [
+            line for line in afmcalc("compare", *clutches, "--format", form).out.splitlines() if "hyster" in line
+        ]
+        assert "Indirect clutch in its space, Indirect clutch: the key's friction" in line
+        assert "by a factor of 1.069, 1.083," in line
+    lines = afmcalc("compare", CONFIGS / "indirect.toml", "--variants").out.splitlines()
+    (line,) = [line for line in lines if "contact-force-exceeded" in line]
+    assert line.startswith("error: differentiated, all-driving: the contact force 1.9605 kN, 2.1917 kN exceeds the")
+
+
 @pytest.mark.parametrize(
     ("example", "change", "code", "values"),
     [
