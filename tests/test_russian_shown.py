@@ -3,11 +3,12 @@
 import ast
 import functools
 import html
+import itertools
 import re
 from collections.abc import Iterator
 
 import pytest
-from conftest import CONFIGS, PICKED, WANTED
+from conftest import CONFIGS, PICKED, WANTED, several
 from sources import FILES, nodes
 from texts import texts
 
@@ -40,6 +41,17 @@ ERRORS = [
     *(["accuracy", "--sweep", "C=1:2"], ["plot", "foo"], ["explain", "foo"], ["equations", "--id", "X"]),
     *(["reproduce", "--figure", "S22-9"], ["springs", "--top", "0"], ["design"], ["torque", "-o", "a.pdf"]),
 ]  # fmt: skip
+
+MISTAKES = [
+    *(f"closing_spring.force={text}" for text in ("2 mm", "5 m/s^3", "2 kNN", "-1", "0,5", "true", "1e999", "nan", "[1]", "{a = 1}", "")),
+    *(f"friction.{text}" for text in ("min=2", "min=0", "max=0.05", "max=0.5 N", "mux=1", "material=wod", "mean=9")),
+    *(f"friction_group.{text}" for text in ("pairs=2.5", "pairs=0", "pairs=9000", "mean_radius=5 kg", "inner_radius=1", "size=1")),
+    *(f"control_unit.{text}" for text in ("gain=-1", "gain=9", "gain=1 N", "wall_angle=100 deg", "wall_angle=45", "balls=0", "balls=400", "ball_diameter=1 m")),
+    *("variant=foo", "variant=indirect", "adjustment.method=x", "adjustment.margin=0.5", "adjustment.nominal_torque=1 J"),
+    *("drive.speed=5 1/s", "drive.event.kind=x", "fatigue.endurance_limit=1", "heat.ambient=-500", "tolerance.samples=0"),
+    *("requirements.peak_torque=1", "requirements.machine_torque=x", "closing_spring=1", "nosuch.key=1"),
+]  # fmt: skip
+"""Values for --set that are wrong, or make a clutch that is no good."""
 
 SHOWN = re.compile(
     r"^  *(\d+)? \| .*$"  # lines of a spec
@@ -92,6 +104,29 @@ def test_every_command_for_every_example(name, afmcalc, russian):
         run = afmcalc(command, *words, f"example:{name}", *more[len(words) :])
         assert run.code in (0, 1, 2), run.err
         assert not english(BIBLIOGRAPHY.sub("", run.out + run.err)), (command, *more)
+
+
+ECHO = re.compile(r'[\w.]+ = [^:\n]+(?=: )|"[^"\n]*"|например \d[\d.]*|ключами [\w, ]+')
+"""A value as it was given, one as it may be given, and lists of keys."""
+
+
+def mistaken():
+    """Every command about every example with one mistake; what is simulated is short."""
+    for (command, *given), name, mistake in itertools.product(COMMANDS, EXAMPLES, MISTAKES):
+        if "springs" in (command, *given) and name not in ("default", "indirect"):
+            continue
+        words = given[:1] if command in ("explain", "plot", "solve") else []
+        short = ["--set", "drive.event.duration=0.002"] if name in {"drive", *PICKED} else []
+        yield [command, *words, f"example:{name}", *given[len(words) :], *short, "--set", mistake]
+
+
+def test_a_mistake_is_told_in_russian(afmcalc, russian):
+    shown = {}
+    for arguments in itertools.islice(mistaken(), 0, None, several(301, 1)):
+        run = afmcalc(*arguments)
+        if found := english(ECHO.sub(" ", BIBLIOGRAPHY.sub("", run.out + run.err))):
+            shown[" ".join(arguments)] = found
+    assert not shown
 
 
 def test_every_other_command(afmcalc, russian):
