@@ -84,7 +84,7 @@ class Language(string.Formatter):
         """Set a number, given as Python writes it, as people write it."""
         if self.catalogue is None:
             return shown
-        shown = _LONG.sub(lambda digits: f"{int(digits[0]):,}", shown.replace(",", ""))
+        shown = _LONG.sub(lambda digits: f"{int(digits[0]):,}", shown.replace(",", "").replace("inf", "∞"))
         mantissa, ten, exponent = shown.translate(self.signs).replace("%", "\xa0%").partition("e")
         mantissa = mantissa.replace("-", "−")
         if not ten:

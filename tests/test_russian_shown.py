@@ -227,7 +227,7 @@ def test_the_report_has_the_form_of_a_calculation(page_of):
 
 
 NO_SENTENCE = (
-    "module {} has", "<{} clutch of", "afmcalc ", "friction.driving + ",  # for programs and names
+    "module {} has", "--format ", "<{} clutch of", "afmcalc ", "friction.driving + ",  # for programs and names
     "Input should be", "Value error, ", "Cannot overwrite",  # what libraries say
     "bold red", "upper left", "offset points", "Glyph|constrained", "<div class=",  # what they take
     "ordinary friction safety", "Werner's clutch", "all torque passes", "the release force moves",  # of the API
