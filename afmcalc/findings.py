@@ -257,7 +257,7 @@ FINDINGS: Mapping[str, str] = {
     "nominal torque {limit:.5g N·m}",
     "worn-below-nominal": "its lining worn off, the clutch carries {value:.5g N·m} at least, below its nominal torque "
     "{limit:.5g N·m} and within its margin over the machine's {machine:.5g N·m}",
-    "effect-not-told": "{name} is not told: it needs {listed}",
+    "effect-not-told": "{name} is not calculated: it needs {listed}",
     # requirements
     "requirement-missed": "{name}: {shown}, but {bound} {required} is required",
     "requirement-not-judged": "{name} not judged: needs {needs}",

@@ -23,7 +23,9 @@ class TextTable(NamedTuple):
     """Whether each column is set flush right."""
     source: Table | None = None
     legend: str = ""
-    """Line above the table: what the symbols in the header mean, or what is the same in all rows."""
+    """Line above the table: what is the same in all rows."""
+    meanings: str = ""
+    """Line above the table: what the symbols in the header mean."""
 
 
 SweepDrawing = Callable[[TextTable, bool, int | None], list[str]]
@@ -118,10 +120,8 @@ _LONG = 3
 def _table(table: Table) -> TextTable:
     long = bool(table.columns) and len(table.columns[0].values) > _LONG
     shown = [column for column in table.columns if not (column.hidden or (long and column.shown.detail))]
+    shown, legend = _folded(shown) if table.shown.folds else (shown, "")
     meanings = [f"{native(column.symbol)}: {column.name}" for column in shown if column.symbol]
-    legend = "; ".join(meanings) if table.axes else ""
-    if table.shown.folds:
-        shown, legend = _folded(shown)
     texts = [cells(column) for column in shown]
     return TextTable(
         table.title[:1].upper() + table.title[1:],
@@ -133,6 +133,7 @@ def _table(table: Table) -> TextTable:
         ],
         table._replace(columns=shown),
         legend,
+        "; ".join(meanings),
     )
 
 
@@ -221,9 +222,9 @@ def turned(block: TextTable, width: int | None = None, gap: int = 3) -> list[Tex
         if stop == len(heads) or sum(widths[start : stop + 1]) + gap * (stop + 1 - start) > room:
             rows = [[head, *texts[start:stop]] for head, _, texts in rest]
             header = [corner, *heads[start:stop]]
-            legend = "" if start else block.legend
+            about = ("", "", "") if start else (title, block.legend, block.meanings)
             flush = [False] + [True] * (stop - start)
-            tables.append(TextTable("" if start else title, header, rows, flush, legend=legend))
+            tables.append(TextTable(about[0], header, rows, flush, None, *about[1:]))
             start = stop
     return tables
 

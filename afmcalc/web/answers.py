@@ -195,7 +195,7 @@ def _design(state: State, job: Job) -> Answer:
                 bases.append(Base(told("number {pick} of the front", pick=row.number), to_toml(data, about), "-"))
     tables, none = blocks(document(front)), TextTable("", [], [], [])
     table = next((each for each in tables if each.source and each.source.path == "front"), none)
-    notes = [table.legend] if table.legend else []
+    notes = [line for line in (table.legend, table.meanings) if line]
     if result.on_front > len(front.front):
         notes.append(told("{top} of {count} shown; --top {count} shows all", top=_MOST, count=result.on_front))
     number = 2 + list(_ANSWERS).index("design")

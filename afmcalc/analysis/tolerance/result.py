@@ -109,7 +109,10 @@ class ToleranceResult(Estimated, Answer):
     setting: Setting = described("how the springs are set")
     samples: int | None = described("sample size", optional=True)
     probability_no_clutch: float | None = quantity(
-        "1", "P(–)", "probability of no clutch; the rest is told of the others", optional=True
+        "1",
+        "P(–)",
+        "share of samples that make no working clutch; all other figures are of those that do",
+        optional=True,
     )
     probability_no_clutch_standard_error: float | None = error("probability_no_clutch", probability_no_clutch)
     mean: float = quantity("N*m", "T_m", "mean torque")

@@ -19,7 +19,8 @@ def markdown(output: Output, terminal: bool) -> str:
     lines += [_escape(judged), ""] if (judged := lead(output)) else []
     for block in unfolded(blocks(laid_out)):
         lines += [f"### {_escape(block.title)}", ""] if block.title else []
-        lines += [_escape(block.legend), ""] if block.legend else []
+        for line in filter(None, (block.legend, block.meanings)):
+            lines += [_escape(line), ""]
         rule = ["---:" if right else "---" for right in block.numeric]
         lines += ["| " + " | ".join(map(_escape, row)) + " |" for row in (block.header, rule, *block.rows)]
         lines.append("")
@@ -61,7 +62,7 @@ def html(output: Output, terminal: bool) -> str:
     parts += [f"<p>{escape(judged)}</p>"] if (judged := lead(output)) else []
     for block in unfolded(blocks(laid_out)):
         parts += [f"<h5>{escape(block.title)}</h5>"] if block.title else []
-        parts += [f"<p>{escape(block.legend)}</p>"] if block.legend else []
+        parts += [f"<p>{escape(line)}</p>" for line in (block.legend, block.meanings) if line]
         parts.append(_html_table(block))
     if laid_out.steps:
         parts.append(f"<pre>{escape(chr(10).join(step_lines(laid_out)))}</pre>")

@@ -84,7 +84,7 @@ def _plain(output: Output, tables: list[TextTable], steps: list[str], curve: Swe
     lines = [title(output), *filter(None, [lead(output)])]
     for block in map(padded, unfolded(tables)):
         columns = [*zip(_widths(block), block.numeric, strict=True)]
-        lines += ["", *filter(None, (block.title, block.legend))]
+        lines += ["", *filter(None, (block.title, block.legend, block.meanings))]
         for row in (block.header, *block.rows):
             cells = zip(row, columns, strict=True)
             lines.append("  ".join(cell.rjust(width) if right else cell.ljust(width) for cell, (width, right) in cells))
@@ -116,8 +116,8 @@ def _rich(output: Output, tables: list[TextTable], steps: list[str], curve: Swee
         console.print()
         if block.title:
             console.print(Text(block.title, style="italic"))
-        if block.legend:
-            console.print(Text(block.legend, style="dim"))
+        for line in filter(None, (block.legend, block.meanings)):
+            console.print(Text(line, style="dim"))
         whole = padded(block)
         if _least_width(whole) <= width:
             console.print(_rich_table(whole, ruled=terminal and is_unicode(sys.stdout)))
