@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from .arrays import finite
-from .messages import Text, say
+from .messages import Text
 
 Level = Literal["info", "warning", "error"]
 
@@ -56,7 +56,7 @@ _OF_CLUTCH = "{name}: {message}"
 
 def of_clutch(remark: Finding, name: str) -> Finding:
     """Return a finding that says which of several clutches it is of."""
-    return replace(remark, message=say(_OF_CLUTCH, name=name, message=remark.message))
+    return replace(remark, message=Text(_OF_CLUTCH, {"name": name, "message": remark.message}))
 
 
 def told_once(findings: Iterable[Finding]) -> list[Finding]:
@@ -77,7 +77,7 @@ def told_once(findings: Iterable[Finding]) -> list[Finding]:
         sets = {key: [values[key] for values in every] for key in every[0]}
         values = {key: of[0] if all(value == of[0] for value in of) else of for key, of in sets.items()}
         clutches = list(dict.fromkeys([name, *(other for _, other, _ in others)]))
-        message = say(_OF_CLUTCH, name=clutches, message=Text(said.template, values))
+        message = Text(_OF_CLUTCH, {"name": clutches, "message": Text(said.template, values)})
         joined.append(replace(first, message=message) if name and others else first)
     return joined
 
