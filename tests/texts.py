@@ -45,6 +45,7 @@ def texts() -> dict[Key, str]:
         ("findings", _findings()),
         ("report", _report()),
         ("fields", _fields()),
+        ("schema", _schemas()),
         ("help", _help()),
         ("registry", _registry()),
         ("equations", _equations()),
@@ -139,6 +140,25 @@ def _fields() -> Iterator[Key]:
                 yield ("value", shown.null)
             if re.search(r" (from|to|of|at) |\b(from|to)$|^[a-z]+\.$", shown.symbol or ""):
                 yield ("", str(shown.symbol))
+
+
+def _schemas() -> Iterator[Key]:
+    """What JSON Schemas say of tables, results and their fields."""
+    from afmcalc.analysis.registry import ANALYSES, schema
+
+    for name in (None, "requirements", *ANALYSES):
+        yield from (("", text) for text in described(schema(name)))
+
+
+def described(part: object) -> Iterator[str]:
+    """Descriptions in a part of a schema."""
+    if isinstance(part, dict):
+        if isinstance(text := part.get("description"), str):
+            yield text
+        part = list(part.values())
+    if isinstance(part, list):
+        for each in part:
+            yield from described(each)
 
 
 def _help() -> Iterator[Key]:

@@ -1,13 +1,13 @@
 """Commands about the spec itself: init, check, schema."""
 
 import os
-from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 import typer
 from typer import Argument, Option
 
 from ..errors import AfmcalcError, SpecError
-from ..messages import say
+from ..messages import say, translate
 from ..variants import VARIANTS
 from .files import refuse, write
 from .help import completing
@@ -101,7 +101,19 @@ def _schema_of(kind: str | None) -> str:
 
     from ..analysis.registry import schema
 
-    return json.dumps(schema(kind), indent=2, ensure_ascii=False) + "\n"
+    return json.dumps(_described(schema(kind)), indent=2, ensure_ascii=False) + "\n"
+
+
+def _described(part: Any) -> Any:
+    """Return a part of a schema with its descriptions in the language of the user; names stay."""
+    if isinstance(part, list):
+        return [_described(each) for each in part]
+    if not isinstance(part, dict):
+        return part
+    return {
+        name: translate(each) if name == "description" and isinstance(each, str) else _described(each)
+        for name, each in part.items()
+    }
 
 
 @with_common

@@ -11,6 +11,7 @@ import tomllib
 
 import pytest
 from conftest import CONFIGS, ROOT
+from texts import described as descriptions
 
 import afmcalc as package
 from afmcalc.analysis.check import check
@@ -167,6 +168,26 @@ def test_schema_of_requirements_and_of_the_tolerance_block(afmcalc):
     spec = json.loads(afmcalc("schema").out)
     assert "fields" in spec["$defs"]["Tolerance"]["properties"]
     assert "Distribution" in spec["$defs"]
+
+
+@pytest.mark.parametrize("described", [[], ["requirements"], ["torque"], ["check"]])
+def test_a_schema_is_described_in_the_language_of_the_user(described, afmcalc):
+    """Nothing else of it changes."""
+
+    def without(part):
+        if isinstance(part, list):
+            return [without(each) for each in part]
+        if not isinstance(part, dict):
+            return part
+        return {
+            name: without(each) for name, each in part.items() if not (name == "description" and isinstance(each, str))
+        }
+
+    english, russian = (json.loads(afmcalc("schema", *described, "--lang", name).out) for name in ("en", "ru"))
+    assert without(english) == without(russian)
+    assert english["description"].isascii()
+    for text in descriptions(russian):
+        assert re.search("[А-Яа-я]", text) or not re.search("[A-Za-z]{4}", text), text
 
 
 def test_formats_exclude_each_other(afmcalc):
