@@ -61,7 +61,7 @@ SHOWN = re.compile(
     r"|'[^']*'|\"[^\"]*\"|\{[^}]*\}"
     r"|\b\w+(?:[.-][A-Za-z]\w*)+\b|--[\w-]+|\b\w*_\w*(?:[.,]\w+)*"  # keys, files, options, symbols
     r"|\bafmcalc \w+|\bexample:\S+|[\w.]+=\S*|\bDIN EN \d+ [ABC] \S+"
-    r"|\b[A-Z]{2,}\b|\b(?:arctan|sin|cos|tan|Markdown|Schema|SciPy|SymPy|SVG)\b",
+    r"|\b[A-Z]{2,}\b|\b(?:sin|cos|Markdown|Schema|SciPy|SymPy|SVG|Excel)\b",
     re.MULTILINE,
 )
 CODES = {
