@@ -266,7 +266,9 @@ def test_a_spring_has_its_length_as_set_and_at_full_travel(afmcalc):
     assert (told["length_set"], told["length"]) == pytest.approx((12.341e-3, 14.853e-3), abs=5e-7)
     size = next(each for each in discs() if told["part"].endswith(f" {each.name}"))
     assert force_and_slope(size, size.free_height - told["length_set"] / 6)[0] == pytest.approx(2000, rel=1e-9)
-    assert "L, mm" in (head := next(line for line in afmcalc("springs", INDIRECT).out.splitlines() if "L_1" in line))
+    assert "L, mm" in (
+        head := next(line for line in afmcalc("springs", INDIRECT).out.splitlines() if "L_1, mm" in line)
+    )
     assert head.index("L, mm") < head.index("L_1, mm")
 
 

@@ -60,7 +60,7 @@ def test_forces_on_the_sleeve_are_in_balance(friction):
 def test_details_are_asked_for(afmcalc):
     spec = str(CONFIGS / "default.toml")
     assert "T_1(0)" not in afmcalc("torque", spec, "--friction", "0.3").out
-    assert afmcalc("torque", spec, "--friction", "0.3", "--details").out.count("T_1(0)") == 2
+    assert afmcalc("torque", spec, "--friction", "0.3", "--details").out.count("T_1(0)") == 3  # meaning, table, points
     assert "T_1(0)" not in afmcalc("torque", spec).out
     assert json.loads(afmcalc("torque", spec, "--json").out)["result"]["onset_torque"]["min"] == pytest.approx(20)
 

@@ -357,7 +357,7 @@ def springs_curve(clutch: Clutch) -> SpringsCurve:
         if part is None:
             best = ranked(demand)
             if not best:
-                raise CalculationError("plot springs: there is no part for the {name} spring", name=demand.name)
+                raise CalculationError("plot springs: nothing fits: {name}", name=term(f"{demand.name} spring"))
             part = part_of(best[0], demand.catalogue)
         spring = characteristic(part)
         deflections = np.linspace(0.0, spring.end, _CURVE_POINTS)
